@@ -386,8 +386,8 @@ impl Plots {
 pub const FIT_SAMPLES: RangeInclusive<usize> = 2..=5000;
 /// Most noise, per cent.
 pub const NOISE_PERCENT: RangeInclusive<f64> = 0.0..=100.0;
-/// Largest seed: what a file can hold.
-pub const MAX_SEED: u64 = i64::MAX as u64;
+/// Largest seed: up to here a field of the window, whose numbers are `f64`, holds every whole number.
+pub const MAX_SEED: u64 = 1 << f64::MANTISSA_DIGITS;
 
 /// The fit of the selected point: the samples that both eyes take, and what is fitted to them.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]

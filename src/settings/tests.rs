@@ -329,7 +329,7 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
         ("[light]\nsky = 1", "state.toml:2: sky = 1: must be on or off"),
         (
             "[fit]\nseed = -1",
-            "state.toml:2: seed = -1: must be a whole number between 0 and 9223372036854775807",
+            "state.toml:2: seed = -1: must be a whole number between 0 and 9007199254740992",
         ),
         (
             "[motion]\nbetta = 0.5",

@@ -12,7 +12,7 @@ use gamow::app::corrected::Corrected;
 use gamow::app::state::State;
 use gamow::flags::choices::ProjectionChoice;
 use gamow::flags::{SpeedParameter, SpeedSetting};
-use gamow::settings::{FitSetup, PlotTab, Plots, Presence, Theme};
+use gamow::settings::{FitSetup, MAX_SEED, PlotTab, Plots, Presence, Settings, Theme};
 use relativity_core::{
     Curves, FitOptions, Model, Observations, Parameter, Passage, PublishedVariant, Reading, Sample, fit,
 };
@@ -35,6 +35,7 @@ pub const TESTS: &[Test] = &[
     ("the_corrected_picture_is_red_if_the_fit_is_right", the_corrected_picture_is_red_if_the_fit_is_right),
     ("the_corrected_picture_costs_nothing_when_off", the_corrected_picture_costs_nothing_when_off),
     ("extremes_are_fitted_and_corrected_without_harm", extremes_are_fitted_and_corrected_without_harm),
+    ("a_seed_typed_too_large_is_the_largest", a_seed_typed_too_large_is_the_largest),
 ];
 
 const APPENDIX_A: Model = Model::Published(PublishedVariant::AppendixA);
@@ -45,6 +46,16 @@ fn fitted(beta: f64, setup: FitSetup) -> State {
     state.apply(Command::Fit(setup));
     state.apply(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
     state
+}
+
+fn a_seed_typed_too_large_is_the_largest() {
+    let mut window = window_of_size(fitted(0.9, FitSetup::default()), [1280.0, 1600.0], 1.0);
+    type_into(&mut window, "Seed", "1e300");
+    let shown = window.state().state().shown();
+    assert_eq!(shown.fit.seed, MAX_SEED);
+    let written =
+        Settings::default().with_toml(&shown.to_toml(), "state.toml").expect("it can be read again");
+    assert_eq!(written.fit.seed, MAX_SEED);
 }
 
 /// Frames until the newest fit is in view.

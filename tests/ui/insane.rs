@@ -21,7 +21,7 @@ const UNSET: [(&str, &str); 5] =
     [("", "time"), ("", "point"), ("", "points"), ("motion", "gamma"), ("motion", "rapidity")];
 
 /// What no setting should have, and what only some can.
-const VALUES: [&str; 62] = [
+const VALUES: [&str; 63] = [
     "nan",
     "-nan",
     "inf",
@@ -59,6 +59,7 @@ const VALUES: [&str; 62] = [
     "1.1e30",
     "69.77",
     "0.9999999999999999",
+    "9007199254740992",
     "9223372036854775807",
     "18446744073709551615",
     "99999999999999999999999999999999999999999999",
