@@ -1,6 +1,6 @@
 //! Everything that can be done in the window, and the one place where it is done.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use relativity_render::{Camera, Gaze, Geometry};
 
@@ -12,6 +12,7 @@ use super::orders::{Copied, Order, Saving};
 use super::overlay::Overlay;
 use super::plotting::PlotCommand;
 use super::pointer::{Pick, Select, Turn, Zoom};
+use super::reading::{ReadFile, ReadyScene};
 use super::running::LessonCommand;
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
@@ -111,6 +112,10 @@ pub enum Command {
     Open(PathBuf),
     /// Show what a file that is shown says by now.
     Reload(PathBuf),
+    /// Show a file that was read.
+    ShowFile(Box<ReadFile>),
+    /// Give up the file that is being read.
+    StopReading,
     /// Begin a lesson, or do something in the one that is gone through.
     Lesson(LessonCommand),
     /// Ask which file to open or to write.
@@ -255,15 +260,15 @@ impl State {
                 self.show(preset.settings.clone().in_place_of(&self.settings));
             }
             Command::ShowNext(steps) => self.show_next(steps),
-            Command::Open(path) => self.open_file(path),
-            Command::Reload(path) => self.reload(&path),
+            Command::Open(_) | Command::OpenData(_) | Command::Reload(_) => self.read_and_show(&command),
+            Command::ShowFile(file) => self.show_file(*file),
+            Command::StopReading => self.session.orders.push(Order::StopReading),
             Command::Lesson(command) => self.apply_to_lesson(command),
             Command::Choose(purpose) => self.session.chooser = Some(purpose),
             // Not done here, but by going through the steps.
             Command::Undo | Command::Redo => {}
             Command::Reset => self.show(self.as_usual()),
             Command::ResetSection(section) => self.reset(section),
-            Command::OpenData(path) => self.open_data(&path),
             Command::Simulate => self.session.data = None,
             Command::Save(saving) => {
                 self.session.chooser = None;
@@ -441,40 +446,44 @@ impl State {
 
     /// Shows what `settings` say; where their scene cannot be had, a message. T runs on unless they give one.
     pub(super) fn show(&mut self, settings: Settings) {
-        let starts_at_a_time = settings.time.is_some();
-        let scene = PathBuf::from(&settings.scene);
-        match Self::open(settings) {
-            Ok(state) => {
-                let playing = self.session.playing && !starts_at_a_time;
-                let Session { picture_size, cm_per_pixel, stage, shows_map, hint, overlay, .. } =
-                    self.session;
-                let history = std::mem::take(&mut self.session.history);
-                let (data, orders) = (self.session.data.take(), std::mem::take(&mut self.session.orders));
-                let recent = std::mem::take(&mut self.session.recent);
-                let (lesson, library) = (self.session.lesson.take(), self.session.library.take());
-                let next_lesson = self.session.next_lesson.take();
-                let answers = std::mem::take(&mut self.session.answers);
-                let session = Session {
-                    playing,
-                    overlay,
-                    hint,
-                    picture_size,
-                    cm_per_pixel,
-                    stage,
-                    shows_map,
-                    history,
-                    data,
-                    orders,
-                    recent,
-                    lesson,
-                    next_lesson,
-                    answers,
-                    library,
-                    ..state.session
-                };
-                *self = Self { session, ..state };
+        match settings.opened_scene() {
+            Ok(scene) => self.show_in(settings, scene.into()),
+            Err(error) => {
+                let notice = Notice::error(error).about(Path::new(&settings.scene));
+                self.session.notice = Some(notice);
             }
-            Err(error) => self.session.notice = Some(Notice::error(error).about(&scene)),
         }
+    }
+
+    /// Shows what `settings` say, in their `scene`. T runs on unless they give one.
+    pub(super) fn show_in(&mut self, settings: Settings, scene: ReadyScene) {
+        let playing = self.session.playing && settings.time.is_none();
+        let state = Self::in_scene(settings, scene);
+        let Session { picture_size, cm_per_pixel, stage, shows_map, hint, overlay, .. } = self.session;
+        let history = std::mem::take(&mut self.session.history);
+        let (data, orders) = (self.session.data.take(), std::mem::take(&mut self.session.orders));
+        let recent = std::mem::take(&mut self.session.recent);
+        let (lesson, library) = (self.session.lesson.take(), self.session.library.take());
+        let next_lesson = self.session.next_lesson.take();
+        let answers = std::mem::take(&mut self.session.answers);
+        let session = Session {
+            playing,
+            overlay,
+            hint,
+            picture_size,
+            cm_per_pixel,
+            stage,
+            shows_map,
+            history,
+            data,
+            orders,
+            recent,
+            lesson,
+            next_lesson,
+            answers,
+            library,
+            ..state.session
+        };
+        *self = Self { session, ..state };
     }
 }

@@ -52,23 +52,20 @@ impl State {
         Ok(())
     }
 
-    /// Begins the lesson in the file at `path`.
-    pub(super) fn open_lesson_file(&mut self, path: &Path) {
-        self.session.chooser = None;
-        self.session.notice = None;
-        match Lesson::load(path).and_then(|lesson| self.begin_lesson(&lesson)) {
+    /// Begins `lesson`, which is in the file at `path`.
+    pub(super) fn open_lesson(&mut self, lesson: &Lesson, path: &Path) {
+        match self.begin_lesson(lesson) {
             Ok(()) => self.session.recent.add(path),
             Err(error) => self.session.notice = Some(Notice::error(error).about(path)),
         }
     }
 
-    /// Shows what the file at `path`, that of the lesson, says by now.
-    pub(super) fn reload_lesson(&mut self, path: &Path) {
+    /// Shows what the file at `path`, that of the lesson, says by now: `lesson`.
+    pub(super) fn renew_lesson(&mut self, lesson: &Lesson, path: &Path) {
         let Some(running) = &mut self.session.lesson else { return };
-        match Lesson::load(path).and_then(|lesson| running.course.renewed(&lesson)) {
+        match running.course.renewed(lesson) {
             Ok(course) => {
                 (running.course, running.told) = (course, None);
-                self.session.notice = None;
                 self.set_up();
             }
             Err(error) => self.session.notice = Some(Notice::error(error).about(path)),

@@ -53,6 +53,7 @@ pub mod pointer;
 pub mod points;
 mod predicted;
 mod projector;
+pub mod reading;
 pub mod recent;
 mod reopening;
 pub mod running;
@@ -96,6 +97,7 @@ use overlay::Overlay;
 use panels::{Asks, plots::Plotted};
 use panes::{Arrangement, Content};
 use persistence::Keeper;
+use reading::Reader;
 use running::Running;
 use saving::Saver;
 use stage::Part;
@@ -124,6 +126,7 @@ pub struct App {
     full_screen: FullScreen,
     text_scale: f32,
     chooser: Chooser,
+    reader: Reader,
     saver: Saver,
     thumbnails: Thumbnails,
     watch: Option<Watch>,
@@ -155,6 +158,7 @@ impl App {
             full_screen: FullScreen::default(),
             text_scale: 1.0,
             chooser: Chooser::default(),
+            reader: Reader::new(ctx.clone()),
             saver: Saver::default(),
             thumbnails: Thumbnails::default(),
             watch: None,
@@ -225,6 +229,7 @@ impl App {
     #[must_use]
     pub fn is_settled(&self) -> bool {
         !self.fitting.is_pending()
+            && !self.reader.is_busy()
             && !self.saver.is_busy()
             && self.thumbnails.is_settled()
             && self.corrected.as_ref().is_none_or(Corrected::is_up_to_date)
@@ -232,8 +237,19 @@ impl App {
             && self.eyes.as_ref().is_none_or(EyePictures::is_settled)
     }
 
-    /// Does what the user would have asked for.
+    /// Whether a file is being read that will be shown.
+    #[must_use]
+    pub const fn is_reading(&self) -> bool {
+        self.reader.is_busy()
+    }
+
+    /// Does what the user would have asked for; what a file has to be read for, once that is read.
     pub fn ask(&mut self, command: Command) {
+        if let Some(errand) = self.state.errand(&command) {
+            self.state.session.chooser = None;
+            self.reader.begin(errand);
+            return;
+        }
         self.state.apply(command);
         if let Some(keeper) = &self.keeper {
             keeper.note(&mut self.state);
@@ -318,6 +334,8 @@ impl App {
         self.chooser.update(&self.state, &mut asks);
         panels::chooser::show(&ctx, &self.state, &mut self.chooser, &mut asks);
         panels::saving::show(&ctx, &self.saver, &mut asks);
+        panels::reading::show(&ctx, &self.reader, &mut asks);
+        asks.extend(self.reader.finished().into_iter().map(|file| Command::ShowFile(Box::new(file))));
         asks.extend(self.changed_files(&ctx).into_iter().map(Command::Reload));
         self.apply(&ctx, asks);
         self.set_stage(&ctx);

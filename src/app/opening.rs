@@ -3,12 +3,13 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::command::Command;
 use super::notice::Notice;
+use super::reading::{Contents, Errand, ReadFile, ReadyScene, Use};
 use super::state::State;
-use crate::estimate::samples::DataFile;
 use crate::flags::choices::FileKind;
 use crate::platform::files;
-use crate::settings::{PlotTab, Settings, SettingsError, looks_like_settings};
+use crate::settings::{PlotTab, Settings};
 
 impl State {
     /// The files that are shown, which are read again when they change: those of the scene, of
@@ -20,89 +21,99 @@ impl State {
         self.session.opened.clone().into_iter().chain(scene).chain(lesson).collect()
     }
 
-    /// Shows what is in the file at `path`, which stays in the list of scenes; one that is no longer there is dropped
-    /// from it.
-    pub(super) fn open_file(&mut self, path: PathBuf) {
-        match path.extension().map(|extension| extension.to_string_lossy().to_lowercase()).as_deref() {
-            Some("csv") => return self.open_data(&path),
-            Some("md") => return self.open_lesson_file(&path),
-            _ => {}
-        }
-        self.session.chooser = None;
-        let is_scene = is_scene(&path);
-        self.session.notice = None;
-        match self.settings_in(&path) {
-            Ok(settings) => self.show(settings),
-            Err(error) => self.session.notice = Some(Notice::error(error).about(&path)),
-        }
-        if self.session.notice.as_ref().is_none_or(|notice| !notice.is_error) {
-            self.session.recent.add(&path);
-            self.session.opened = (!is_scene && FileKind::of(&path).is_none()).then_some(path);
-        } else if !files::is_file(&path) {
-            self.session.recent.remove(&path);
+    /// The file that has to be read before `command` can be done.
+    #[must_use]
+    pub fn errand(&self, command: &Command) -> Option<Errand> {
+        let (path, purpose) = match command {
+            Command::Open(path) => (path, Use::Show),
+            Command::OpenData(path) => (path, Use::Fit),
+            Command::Reload(path) if self.scene_file() == Some(path) => (path, Use::RenewScene),
+            Command::Reload(path) if self.session.opened.as_ref() == Some(path) => (path, Use::RenewSettings),
+            Command::Reload(path) => (path, Use::RenewLesson),
+            _ => return None,
+        };
+        Some(Errand { path: path.clone(), purpose, settings: self.settings.clone() })
+    }
+
+    /// Whether `command` is about the scene's file, which has changed.
+    pub(super) fn renews_the_scene(&self, command: &Command) -> bool {
+        match command {
+            Command::ShowFile(file) => file.purpose == Use::RenewScene,
+            command => self.errand(command).is_some_and(|errand| errand.purpose == Use::RenewScene),
         }
     }
 
-    /// Fits the measured disparities in the file at `path`, in view.
-    pub(super) fn open_data(&mut self, path: &Path) {
+    /// Reads the file that `command` is about, and shows it: where nothing else is waiting, as without a window.
+    pub(super) fn read_and_show(&mut self, command: &Command) {
+        if let Some(errand) = self.errand(command) {
+            self.show_file(errand.read());
+        }
+    }
+
+    /// Shows a file that was read. What is wrong with it is said, and all stays as it is.
+    pub(super) fn show_file(&mut self, file: ReadFile) {
+        let ReadFile { path, purpose, contents } = file;
+        if !self.still_shows(&path, purpose) {
+            return;
+        }
         self.session.chooser = None;
-        match DataFile::open(path, self.settings.baseline()) {
-            Ok(file) => {
+        if purpose != Use::Fit {
+            self.session.notice = None;
+        }
+        match contents {
+            Ok(Contents::Settings { settings, scene, .. }) if purpose == Use::RenewSettings => {
+                self.show_again(*settings, *scene, path);
+            }
+            Ok(Contents::Settings { settings, scene, is_scene }) => {
+                self.show_in(*settings, *scene);
+                self.session.recent.add(&path);
+                self.session.opened = (!is_scene && FileKind::of(&path).is_none()).then_some(path);
+            }
+            Ok(Contents::Scene(scene, surroundings)) => {
+                let is_current = surroundings == self.settings.light.surroundings;
+                if is_current && scene.scene != self.session.scene {
+                    self.show_scene(*scene);
+                }
+            }
+            Ok(Contents::Lesson(lesson)) if purpose == Use::RenewLesson => self.renew_lesson(&lesson, &path),
+            Ok(Contents::Lesson(lesson)) => self.open_lesson(&lesson, &path),
+            Ok(Contents::Data(file)) => {
                 self.session.data = Some(Arc::new(file));
                 self.settings.plots.plot = PlotTab::Fit;
                 self.settings.window.plots = true;
             }
-            Err(error) => self.session.notice = Some(Notice::error(format!("{error:#}")).about(path)),
+            Err(error) => {
+                self.session.notice = Some(Notice::error(error).about(&path));
+                if purpose == Use::Show && !files::is_file(&path) {
+                    self.session.recent.remove(&path);
+                }
+            }
         }
     }
 
-    /// Shows what the file at `path` says by now. What is wrong with it is said, and all stays as it is.
-    pub(super) fn reload(&mut self, path: &Path) {
-        if self.scene_file() == Some(path) {
-            match self.settings.opened_scene() {
-                Ok(scene) if scene == self.session.scene => {}
-                Ok(scene) => {
-                    self.show_scene(scene);
-                    self.session.notice = None;
-                }
-                Err(error) => self.session.notice = Some(Notice::error(error).about(path)),
+    /// Whether what `purpose` is about is still in the file at `path`.
+    fn still_shows(&self, path: &Path, purpose: Use) -> bool {
+        match purpose {
+            Use::Show | Use::Fit => true,
+            Use::RenewScene => self.scene_file() == Some(path),
+            Use::RenewSettings => self.session.opened.as_deref() == Some(path),
+            Use::RenewLesson => {
+                self.course().is_some_and(|course| course.lesson().path.as_deref() == Some(path))
             }
-        } else if self.session.opened.as_deref() == Some(path) {
-            match self.settings_in(path) {
-                Ok(settings) => self.show_again(settings, path),
-                Err(error) => self.session.notice = Some(Notice::error(error).about(path)),
-            }
-        } else {
-            self.reload_lesson(path);
         }
     }
 
     /// Shows `settings` that the file at `path` says by now, at the present T and with the points that are still there,
     /// unless it says which.
-    fn show_again(&mut self, settings: Settings, path: &Path) {
-        let (points, scene) = (self.session.points.clone(), self.session.scene.clone());
+    fn show_again(&mut self, settings: Settings, scene: ReadyScene, path: PathBuf) {
+        let (points, before) = (self.session.points.clone(), self.session.scene.clone());
         let gives_a_point = settings.point.is_some() || settings.points.is_some();
         let playing = self.session.playing;
-        self.session.notice = None;
-        self.show(Settings { time: settings.time.or(Some(self.session.time)), ..settings });
+        self.show_in(Settings { time: settings.time.or(Some(self.session.time)), ..settings }, scene);
         self.session.playing = playing;
-        self.session.opened = Some(path.to_owned());
+        self.session.opened = Some(path);
         if !gives_a_point {
-            self.session.points = points.carried(&scene, &self.session.scene);
+            self.session.points = points.carried(&before, &self.session.scene);
         }
     }
-
-    /// The settings that the file at `path` leads to. What it does not say of the window's parts and of the layout stays as
-    /// it is; the rest is as usual.
-    fn settings_in(&self, path: &Path) -> Result<Settings, SettingsError> {
-        if is_scene(path) {
-            return self.settings.clone().with_scene_file(path);
-        }
-        Settings::default().in_place_of(&self.settings).with_file(path)
-    }
-}
-
-/// Whether the file at `path` is a scene's, and none of settings.
-fn is_scene(path: &Path) -> bool {
-    FileKind::of(path).is_none() && !files::read_to_string(path).is_ok_and(|text| looks_like_settings(&text))
 }

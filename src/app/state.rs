@@ -15,6 +15,7 @@ use super::overlay::Overlay;
 use super::plotting::Plotting;
 use super::pointer::Pick;
 use super::points::{Point, Points};
+use super::reading::ReadyScene;
 use super::recent::Recent;
 use super::running::Running;
 use super::stage::Stage;
@@ -109,7 +110,13 @@ impl State {
     /// `scene` as `settings` have it. Unless they say otherwise its own point is selected, and T is shortly before
     /// that passes.
     #[must_use]
-    pub fn new(mut settings: Settings, scene: Scene) -> Self {
+    pub fn new(settings: Settings, scene: Scene) -> Self {
+        Self::in_scene(settings, scene.into())
+    }
+
+    /// The same of a scene that is ready to be drawn.
+    pub(super) fn in_scene(mut settings: Settings, scene: ReadyScene) -> Self {
+        let ReadyScene { scene, prepared } = scene;
         let notice = without_headset(&mut settings.look);
         let preset = Preset::of(&settings);
         let tracked = settings.track(&scene);
@@ -118,7 +125,7 @@ impl State {
         settings.point = None;
         let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(&tracked));
         let session = Session {
-            prepared: scene.prepared(),
+            prepared,
             time: clock::bounded(time),
             playing: false,
             points,
@@ -166,15 +173,16 @@ impl State {
     pub fn set(&mut self, settings: Settings) -> Result<(), SceneError> {
         let is_same = settings.scene == self.settings.scene;
         if !is_same || settings.light.surroundings != self.settings.light.surroundings {
-            self.show_scene(settings.opened_scene()?);
+            self.show_scene(settings.opened_scene()?.into());
         }
         self.settings = settings;
         Ok(())
     }
 
     /// Shows `scene` in place of another version of it, with the points that are still there.
-    pub(super) fn show_scene(&mut self, scene: Scene) {
-        self.session.prepared = scene.prepared();
+    pub(super) fn show_scene(&mut self, scene: ReadyScene) {
+        let ReadyScene { scene, prepared } = scene;
+        self.session.prepared = prepared;
         self.session.points = self.session.points.carried(&self.session.scene, &scene);
         self.session.scene = scene;
     }

@@ -16,7 +16,7 @@ impl State {
             Command::Undo => self.travel(Direction::Back),
             Command::Redo => self.travel(Direction::Forwards),
             // A scene that is written anew is no setting: who writes it has a way back of their own.
-            Command::Reload(path) if self.scene_file() == Some(&path) => self.perform(Command::Reload(path)),
+            command if self.renews_the_scene(&command) => self.perform(command),
             command => self.step(command),
         }
         self.follow_lesson();

@@ -15,9 +15,10 @@ use gamow::app::state::State;
 
 use super::Test;
 use super::picking::click;
-use super::support::{cyclist, labels, pane, window};
+use super::support::{cyclist, labels, open, pane, wait_for_file, window};
 
 pub const TESTS: &[Test] = &[
+    ("the_last_of_two_files_is_shown", the_last_of_two_files_is_shown),
     ("an_opened_scene_stays_in_the_list_and_a_missing_one_is_dropped", opened_scenes_stay_in_the_list),
     ("the_list_of_scenes_and_a_key_ask_for_a_file", a_file_is_asked_for),
     ("a_scene_is_read_again_when_its_file_changes", a_scene_is_read_again),
@@ -55,20 +56,20 @@ fn opened_scenes_stay_in_the_list() {
     let balls = file(folder.path(), "balls.toml", BALLS);
     let state = file(folder.path(), "fast.toml", "scene = \"globe\"\n[motion]\ngamma = 9\n");
     let mut window = window(cyclist(0.9));
-    ask(&mut window, Command::Open(balls.clone()));
+    open(&mut window, &balls);
     assert_eq!(scene_name(&window), "Balls");
-    ask(&mut window, Command::Open(state));
+    open(&mut window, &state);
     assert_eq!(window.state().state().speed().gamma(), 9.0);
     for name in ["balls.toml", "fast.toml"] {
         open_the_list(&mut window);
         window.get_by_label(name).click();
-        window.run();
+        wait_for_file(&mut window);
     }
     assert_eq!(window.state().state().speed().gamma(), 9.0);
     std::fs::remove_file(&balls).expect("it is there");
     open_the_list(&mut window);
     window.get_by_label("balls.toml").click();
-    window.run();
+    wait_for_file(&mut window);
     let notice = window.state().state().session.notice.clone().expect("it says why not");
     assert!(notice.is_error && notice.text.contains("cannot read this scene file"), "{}", notice.text);
     open_the_list(&mut window);
@@ -103,7 +104,7 @@ fn wait_until(window: &mut Harness<'_, App>, what: &str, holds: impl Fn(&State) 
 /// A window that shows the scene in the file at `balls` at T = 1.25 and follows the ball in the middle.
 fn window_on_a_ball(balls: &Path) -> Harness<'static, App> {
     let mut window = window(cyclist(0.9));
-    ask(&mut window, Command::Open(balls.to_owned()));
+    open(&mut window, balls);
     let middle = pane(&window, 0).center();
     click(&mut window, middle, Modifiers::NONE);
     ask(&mut window, Command::Time(1.25));
@@ -145,7 +146,7 @@ fn a_state_is_read_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = file(folder.path(), "state.toml", "scene = \"cyclist\"\n[motion]\nbeta = 0.5\n");
     let mut window = window(cyclist(0.9));
-    ask(&mut window, Command::Open(path));
+    open(&mut window, &path);
     ask(&mut window, Command::Time(1.25));
     let middle = pane(&window, 0).center();
     click(&mut window, middle, Modifiers::NONE);
@@ -154,6 +155,34 @@ fn a_state_is_read_again() {
     wait_until(&mut window, "it is read again", |state| state.speed().beta() == 0.75);
     let state = window.state().state();
     assert_eq!((state.session.time, &state.session.points), (1.25, &points));
+}
+
+fn the_last_of_two_files_is_shown() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let rows = (0..200).map(|row| {
+        format!("[[object]]\nname = \"row {row}\"\nshape = \"sphere\"\ncenter = [0, 4, {row}]\nradius = 0.1\nrepeat = 500\nstep = [1, 0, 0]\n")
+    });
+    let large =
+        file(folder.path(), "large.toml", &("name = \"Large\"\n".to_owned() + &rows.collect::<String>()));
+    let balls = file(folder.path(), "balls.toml", BALLS);
+    let mut window = window(cyclist(0.9));
+    let before = window.state().state().clone();
+    window.state_mut().ask(Command::Open(large.clone()));
+    // Nothing waits for it, and nothing has changed.
+    assert!(window.state().is_reading() && *window.state().state() == before);
+    open(&mut window, &balls);
+    assert_eq!(scene_name(&window), "Balls");
+    // The first one is read by now, and no longer wanted.
+    open(&mut window, &large);
+    assert_eq!(scene_name(&window), "Large");
+    window.state_mut().ask(Command::Open(balls));
+    window.state_mut().ask(Command::StopReading);
+    wait_for_file(&mut window);
+    for _ in 0..20 {
+        std::thread::sleep(Duration::from_millis(10));
+        window.step();
+    }
+    assert_eq!(scene_name(&window), "Large");
 }
 
 fn what_is_shown_is_remembered() {
@@ -184,7 +213,7 @@ fn a_long_value_is_refused() {
     let text = format!("[motion]\nd = \"{}\"\n", "7x".repeat(1_500_000));
     let path = file(folder.path(), "long.toml", &text);
     let mut window = window(cyclist(0.9));
-    ask(&mut window, Command::Open(path));
+    open(&mut window, &path);
     let notice = window.state().state().session.notice.clone().expect("it is told");
     assert!(notice.is_error && notice.text.starts_with("long.toml:2: d = 7x7x"), "{:.80}", notice.text);
     assert!(notice.text.ends_with(": not a number") && notice.text.len() < 5000, "{}", notice.text.len());

@@ -13,7 +13,7 @@ use gamow::settings::{Presence, Settings, Theme, Window};
 use relativity_render::Gaze;
 
 use super::Test;
-use super::support::{FRAME, labels, type_into};
+use super::support::{FRAME, labels, open, type_into, wait_for_file};
 
 pub const TESTS: &[Test] = &[
     ("a_lesson_is_gone_through_by_its_labels", a_lesson_is_gone_through),
@@ -355,8 +355,7 @@ fn a_lesson_written_anew() {
     let path = folder.path().canonicalize().expect("it is there").join("own.md");
     std::fs::write(&path, LESSON).expect("it is writable");
     let mut window = shown(State::open(Settings::default()).expect("usual settings"), [1024.0, 600.0]);
-    window.state_mut().ask(Command::Open(path.clone()));
-    window.run_steps(2);
+    open(&mut window, &path);
     choose(&mut window, "long");
     press(&mut window, "Predict");
     press(&mut window, "Finish");
@@ -364,7 +363,7 @@ fn a_lesson_written_anew() {
     let records = course(&window).records().to_vec();
     std::fs::write(&path, LESSON.replace("Light is late.", "Light needs time.")).expect("it is writable");
     window.state_mut().ask(Command::Reload(path));
-    window.run_steps(2);
+    wait_for_file(&mut window);
     window.get_by_label("Light needs time.");
     assert_eq!(course(&window).place(), place(0, Phase::Explained));
     assert_eq!(course(&window).records(), records);

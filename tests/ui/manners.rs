@@ -1,5 +1,7 @@
 //! Messages, keys, names and small windows: nothing leaves the window, nothing covers what is worked with.
 
+use std::path::Path;
+
 use clap::ValueEnum as _;
 use eframe::egui::{Key, Modifiers, OutputCommand, Rect, Shape, Vec2, pos2, vec2};
 use egui_kittest::Harness;
@@ -12,7 +14,7 @@ use gamow::settings::PlotTab;
 
 use super::Test;
 use super::picking::{FRONT_TYRE, click};
-use super::support::{cyclist, label_starting_with, labels, pane, slider, window, window_of_size};
+use super::support::{cyclist, label_starting_with, labels, open, pane, slider, window, window_of_size};
 
 pub const TESTS: &[Test] = &[
     ("a_message_of_any_length_stays_over_the_views", a_message_of_any_length),
@@ -105,7 +107,7 @@ fn a_message_is_copied_and_closed() {
 
 fn a_message_names_its_file() {
     let mut window = window(cyclist(0.9));
-    window.state_mut().ask(Command::Open("/nowhere/at/all/balls.toml".into()));
+    open(&mut window, Path::new("/nowhere/at/all/balls.toml"));
     window.run_ok();
     let notice = window.state().state().session.notice.clone().expect("it cannot be read");
     assert!(notice.text.starts_with("balls.toml: "), "{}", notice.text);

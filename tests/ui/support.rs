@@ -5,6 +5,7 @@ use eframe::egui::{Pos2, Rect, Vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, HarnessBuilder};
 use gamow::app::App;
+use gamow::app::command::Command;
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::Settings;
@@ -115,6 +116,24 @@ pub fn drag(harness: &mut Harness<'_, App>, from: Pos2, to: Pos2) {
     }
     harness.drop_at(to);
     harness.run_ok();
+}
+
+/// Has the window open the file at `path`, and waits until it is read.
+pub fn open(harness: &mut Harness<'_, App>, path: &std::path::Path) {
+    harness.state_mut().ask(Command::Open(path.to_owned()));
+    wait_for_file(harness);
+}
+
+/// Frames until no file is being read.
+pub fn wait_for_file(harness: &mut Harness<'_, App>) {
+    let start = std::time::Instant::now();
+    harness.step();
+    while harness.state().is_reading() {
+        assert!(start.elapsed() < std::time::Duration::from_mins(1), "the file is not read");
+        std::thread::sleep(std::time::Duration::from_millis(2));
+        harness.step();
+    }
+    harness.step();
 }
 
 /// Types `text` in place of what is in the field called `name`, and presses Enter.

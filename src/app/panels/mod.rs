@@ -13,6 +13,7 @@ pub mod message;
 pub mod palette;
 pub mod plots;
 pub mod presented;
+pub mod reading;
 pub mod readout;
 pub mod saving;
 pub mod sentence;

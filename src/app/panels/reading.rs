@@ -1,0 +1,29 @@
+//! The file that is being read, where that takes long, and a way to give it up.
+
+use eframe::egui::{Align2, Context, Spinner, Window};
+
+use super::Asks;
+use crate::app::command::Command;
+use crate::app::reading::Reader;
+use crate::platform::files;
+
+/// Above the lower edge of the window, points: above what is being saved.
+const ABOVE: f32 = 130.0;
+
+/// Shows it while something takes long.
+pub fn show(ctx: &Context, reader: &Reader, asks: &mut Asks) {
+    let Some(path) = reader.awaited() else { return };
+    Window::new("Reading")
+        .anchor(Align2::CENTER_BOTTOM, [0.0, -ABOVE])
+        .title_bar(false)
+        .resizable(false)
+        .show(ctx, |ui| {
+            ui.horizontal(|ui| {
+                ui.add(Spinner::new());
+                ui.label(format!("Reading {}", files::shown(path)));
+                if ui.button("Stop").clicked() {
+                    asks.push(Command::StopReading);
+                }
+            });
+        });
+}
