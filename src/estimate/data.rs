@@ -86,7 +86,7 @@ impl Data {
     ///
     /// One line that names the file, the line in it, and what is wrong there.
     pub fn read(name: &str, input: impl Read, eyes: Eyes) -> anyhow::Result<Self> {
-        let mut input = Rows::new(input);
+        let mut input = Rows::new(input).with_context(|| name.to_owned())?;
         let mut row = ByteRecord::new();
         input.read(&mut row).with_context(|| name.to_owned())?;
         let place = |line: u64| format!("{name}:{line}");

@@ -1,11 +1,12 @@
 //! CSV rows in: which column is which, the numbers in them, and where in the file a fault is.
 //!
-//! Comma-separated as in RFC 4180, with any line ending; a byte order mark and blank lines are skipped.
+//! Comma-separated as in RFC 4180, with any line ending; a byte order mark and blank lines are skipped. Where the header has
+//! semicolons or tabs instead, as spreadsheets write in half of Europe, these separate, and numbers may have decimal commas.
 //! There are no comments: a line that starts with `#` is a row. Numbers may be quoted or padded
 //! with blanks. Columns that mean nothing here may hold any bytes. A row is refused once it is longer than
 //! [`sizes::ROW_BYTES`], so that a file takes no more memory than that, whatever is in it.
 
-use std::io::{self, Read};
+use std::io::{self, Chain, Cursor, Read};
 use std::path::Path;
 
 use anyhow::Context as _;
@@ -29,21 +30,29 @@ pub fn open(file: Option<&Path>) -> anyhow::Result<(String, Box<dyn Read>)> {
 
 /// Reads rows, and knows the line of the last one.
 pub struct Rows<R> {
-    csv: csv::Reader<Tap<R>>,
+    csv: csv::Reader<Tap<Chain<Cursor<Vec<u8>>, R>>>,
+    has_decimal_commas: bool,
 }
 
 impl<R: Read> Rows<R> {
-    /// Of what `reader` gives.
-    pub fn new(reader: R) -> Self {
+    /// Of what `reader` gives, as far as its header, which says what separates the fields.
+    ///
+    /// # Errors
+    ///
+    /// Those of what is read.
+    pub fn new(mut reader: R) -> io::Result<Self> {
+        let begin = header_in(&mut reader)?;
+        let separator = separator(&begin);
         let csv = csv::ReaderBuilder::new()
             .has_headers(false)
             .flexible(true) // rows of the wrong length get an error of ours
+            .delimiter(separator)
             .buffer_capacity(BUFFER_BYTES)
-            .from_reader(Tap::new(reader));
-        Self { csv }
+            .from_reader(Tap::new(Cursor::new(begin).chain(reader)));
+        Ok(Self { csv, has_decimal_commas: separator != b',' })
     }
 
-    /// Reads the next row into `row`; false if there is none.
+    /// Reads the next row into `row`, with decimal points; false if there is none.
     ///
     /// # Errors
     ///
@@ -51,7 +60,11 @@ impl<R: Read> Rows<R> {
     pub fn read(&mut self, row: &mut ByteRecord) -> io::Result<bool> {
         let (start, line) = (self.csv.position().byte(), self.csv.position().line());
         self.csv.get_mut().begin_row(start, line);
-        self.csv.read_byte_record(row).map_err(io_error)
+        let is_read = self.csv.read_byte_record(row).map_err(io_error)?;
+        if self.has_decimal_commas && row.as_slice().contains(&b',') {
+            *row = row.iter().map(with_decimal_point).collect();
+        }
+        Ok(is_read)
     }
 
     /// The line, from 1, on which `row`, the last one read, starts.
@@ -89,6 +102,47 @@ impl<R: Read> Rows<R> {
         let left = self.csv.get_ref().after(self.csv.position().byte());
         left.iter().all(|byte| matches!(byte, b'\r' | b'\n'))
     }
+}
+
+/// The beginning of what `reader` gives: as much as has its first line that is not blank, or all that can be in one row.
+fn header_in(reader: &mut impl Read) -> io::Result<Vec<u8>> {
+    let mut begin = Vec::new();
+    let mut chunk = vec![0; BUFFER_BYTES];
+    while !header_of(&begin).1 && begin.len() as u64 <= sizes::ROW_BYTES {
+        match reader.read(&mut chunk) {
+            Ok(0) => break,
+            Ok(count) => begin.extend_from_slice(&chunk[..count]),
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(begin)
+}
+
+/// The first line of `text` that is not blank, and whether it ends there.
+fn header_of(text: &[u8]) -> (&[u8], bool) {
+    const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
+    let is_break = |byte: &u8| matches!(byte, b'\r' | b'\n');
+    let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
+    let begin = text.iter().position(|byte| !is_break(byte)).unwrap_or(text.len());
+    let header = &text[begin..];
+    let end = header.iter().position(is_break);
+    (&header[..end.unwrap_or(header.len())], end.is_some())
+}
+
+/// The byte that separates the fields of the first line in `text`: the one of comma, semicolon and tab that is there most.
+fn separator(text: &[u8]) -> u8 {
+    let header = header_of(text).0;
+    let count = |separator: u8| header.iter().filter(|&&byte| byte == separator).count();
+    // Of several that are there as often it is the last, the comma.
+    [b'\t', b';', b','].into_iter().max_by_key(|&separator| count(separator)).unwrap_or(b',')
+}
+
+/// `field` with a point in place of its comma if that makes it a number.
+fn with_decimal_point(field: &[u8]) -> Vec<u8> {
+    let pointed: Vec<u8> = field.iter().map(|&byte| if byte == b',' { b'.' } else { byte }).collect();
+    let is_number = std::str::from_utf8(&pointed).is_ok_and(|text| text.trim_ascii().parse::<f64>().is_ok());
+    if is_number { pointed } else { field.to_owned() }
 }
 
 /// A reader that remembers what it gave last.

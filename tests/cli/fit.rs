@@ -52,6 +52,36 @@ fn number(value: &Value) -> f64 {
 }
 
 #[test]
+fn semicolons_and_tabs_separate_and_commas_are_decimal_points_there() {
+    let text = noisy_curve(&["T", "d", "dphi", "dtheta"], "exact");
+    let right = fitted(&text, "--json --bootstrap 20");
+    for separator in [";", "\t"] {
+        let commas = text.replace(',', separator).replace('.', ",");
+        // As a spreadsheet writes it: with a byte order mark, a blank line and the line ends of Windows.
+        let written = format!("\u{feff}\n{}", commas.replace('\n', "\r\n"));
+        for text in [commas, written, text.replace(',', separator)] {
+            assert_eq!(fitted(&text, "--json --bootstrap 20"), right);
+        }
+    }
+    let wrong = complaint("T;d;dphi\n0,5;0,1;-0,1\n1,5;0,1;-0,1,2\n", "");
+    assert!(wrong.contains("standard input:3: column dphi: \"-0,1,2\" is not a number"), "{wrong}");
+    // Among commas a semicolon is no separator, and a comma no decimal point.
+    let wrong = complaint("T,d,dphi\n0,0.1,-0;1\n", "");
+    assert!(wrong.contains("column dphi: \"-0;1\" is not a number"), "{wrong}");
+    let wrong = complaint("T,d,dphi\n0,0.1,\"-0,1\"\n", "");
+    assert!(wrong.contains("column dphi: \"-0,1\" is not a number"), "{wrong}");
+}
+
+#[test]
+fn a_row_of_semicolons_is_evaluated() {
+    let with = |text: &str| run(gamow().arg("eval"), text.as_bytes()).text();
+    assert_eq!(
+        with("note;beta;d;y;z;T\na, b;0,9;0,1;3;2;0,5\n"),
+        with("note,beta,d,y,z,T\n\"a, b\",0.9,0.1,3,2,0.5\n")
+    );
+}
+
+#[test]
 fn noise_free_curves_give_the_object_back_in_every_model() {
     for model in ["exact", "one-cone", "published"] {
         let curve = run(gamow().args(["curve", "--model", model]), b"").text();

@@ -9,18 +9,20 @@ use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::state::State;
 use gamow::settings::{FitSetup, Motion, PlotTab, Plots, Presence};
+use gamow::units::Units;
 use relativity_core::{Curves, Model, PublishedVariant};
 
 use super::Test;
 use super::fit::wait;
 use super::saving::{message, save};
-use super::support::{cyclist, label_starting_with, labels, shown, type_into, window};
+use super::support::{cyclist, label_starting_with, labels, open, shown, type_into, wait_for_file, window};
 
 pub const TESTS: &[Test] = &[
     ("own_data_are_fitted_and_shown", own_data_are_fitted_and_shown),
     ("the_saved_fit_is_that_of_the_command_line", the_saved_fit_is_that_of_the_command_line),
     ("a_dropped_csv_file_is_data", a_dropped_csv_file_is_data),
     ("the_plotted_samples_are_saved_and_fitted_again", the_plotted_samples_are_saved_and_fitted_again),
+    ("the_plotted_curves_are_saved_and_fitted", the_plotted_curves_are_saved_and_fitted),
     ("what_is_wrong_in_own_data_is_located", what_is_wrong_in_own_data_is_located),
     ("what_own_data_do_not_tell_is_told", what_own_data_do_not_tell_is_told),
     ("the_papers_own_fit_is_repeated", the_papers_own_fit_is_repeated),
@@ -70,7 +72,7 @@ fn open_data(window: &mut Harness<'_, App>, path: &Path) {
     window.get_by_label("Own data…").click();
     window.run_ok();
     type_into(window, "Path", path.to_str().expect("a plain path"));
-    window.step();
+    wait_for_file(window);
 }
 
 fn own_data_are_fitted_and_shown() {
@@ -165,7 +167,7 @@ fn a_dropped_csv_file_is_data() {
     let path = measured(folder.path(), &["T", "d", "dphi", "dtheta"]);
     let mut window = window(cyclist(0.9));
     let before = window.state().state().clone();
-    window.state_mut().ask(Command::Open(path));
+    open(&mut window, &path);
     window.run_ok();
     wait(&mut window);
     let State { settings, session } = window.state().state();
@@ -176,6 +178,27 @@ fn a_dropped_csv_file_is_data() {
     window.state_mut().ask(Command::Preset("cube"));
     window.run_ok();
     assert!(window.state().state().session.data.is_some());
+}
+
+fn the_plotted_curves_are_saved_and_fitted() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let csv = folder.path().join("curves.csv");
+    // In metres and nanoseconds, with the head tilted: what is fitted is in the scene's own units.
+    let mut state = cyclist(0.9);
+    state.settings.window.units = Units::Metric;
+    state.settings.motion.roll = 20.0;
+    state.settings.plots = Plots { plot: PlotTab::Disparity, ..Plots::default() };
+    let mut window = window(state);
+    save(&mut window, "Save plots as CSV…", &csv);
+    let told = gamow(&["fit", "--json", "--bootstrap=0", csv.to_str().expect("a plain path")]);
+    let told: serde_json::Value = serde_json::from_str(&told).expect("JSON");
+    for (key, expected) in [("beta", 0.9), ("y", 3.0), ("z", 2.0)] {
+        let found = told["parameters"][key]["value"].as_f64().expect("it is fitted");
+        assert!((found - expected).abs() < 1e-6, "{key}: {told}");
+    }
+    open(&mut window, &csv);
+    wait(&mut window);
+    assert!((shown(&window, "Fitted β") - 0.9).abs() < 1e-3);
 }
 
 fn what_is_wrong_in_own_data_is_located() {
@@ -193,14 +216,14 @@ fn what_is_wrong_in_own_data_is_located() {
         ),
     ] {
         std::fs::write(&path, text).expect("written");
-        window.state_mut().ask(Command::Open(path.clone()));
+        open(&mut window, &path);
         let text = message(&mut window);
         assert_eq!(text, format!("measured.csv{expected}"));
         assert!(window.state().state().session.data.is_none());
     }
     // What can be read but not fitted is said in the tab.
     std::fs::write(&path, "T,dphi\n0,-0.1\n1,-0.2\n").expect("written");
-    window.state_mut().ask(Command::Open(path));
+    open(&mut window, &path);
     window.run_ok();
     wait(&mut window);
     window.get_by_label("No fit");
@@ -227,7 +250,7 @@ fn what_own_data_do_not_tell_is_told() {
     let (value, uncertainty) = (shown(&window, "Fitted y"), shown(&window, "Uncertainty of y"));
     assert!((value - 4.0).abs() < 5.0 * uncertainty, "y = {value} +- {uncertainty}");
     let path = measured(folder.path(), &["T", "d", "dphi", "sigma_dphi"]);
-    window.state_mut().ask(Command::Open(path));
+    open(&mut window, &path);
     wait(&mut window);
     assert!(labels(&window).iter().any(|label| label.starts_with("χ² per degree of freedom: ")));
     assert!(!labels(&window).iter().any(|label| label.starts_with("The file has no ")));

@@ -101,13 +101,18 @@ fn files_hold_what_the_core_says() {
             "Δφ / rad: front tyre, published",
             "Δθ / rad: front tyre",
             "Δθ / rad: front tyre, published",
+            "T",
+            "d",
+            "dphi",
+            "dtheta",
         ]
     );
     assert!(rows.len() > 100 && rows.windows(2).all(|pair| pair[0][0] < pair[1][0]));
     for row in &rows {
         let numbers: Vec<f64> = row.iter().map(|cell| cell.expect("everywhere there")).collect();
         let [exact, published] = [Model::Exact, PUBLISHED].map(|model| disparity(model, 0.9, numbers[0]));
-        assert_eq!(numbers[1..], [exact.dphi, published.dphi, exact.dtheta, published.dtheta]);
+        assert_eq!(numbers[1..5], [exact.dphi, published.dphi, exact.dtheta, published.dtheta]);
+        assert_eq!(numbers[5..], [numbers[0], SEPARATION, exact.dphi, exact.dtheta]);
     }
     // The drawing has the same curve: its lowest place is where the table has its least value.
     let svg = window.state_mut().plots_svg();

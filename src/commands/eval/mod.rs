@@ -52,7 +52,7 @@ pub fn run(args: &EvalArgs) -> anyhow::Result<()> {
 fn evaluate(name: &str, input: impl Read, model: ModelArgs, out: &mut dyn Write) -> anyhow::Result<()> {
     let plain = Given { is_turned: false, on_wheel: false };
     model.columns(plain)?; // what has no such columns is no matter of a row
-    let mut input = csv_in::Rows::new(input);
+    let mut input = csv_in::Rows::new(input).with_context(|| name.to_owned())?;
     let mut output = csv_out::Rows::new(out);
     let mut row = ByteRecord::new();
 

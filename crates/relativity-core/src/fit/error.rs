@@ -70,7 +70,9 @@ pub enum FitError {
     #[error("not converged: {0}")]
     NotConverged(NotConverged),
     /// The best fit leaves most of the data's variation unexplained.
-    #[error("no such object: the best fit leaves {:.0} % of the curve's variation unexplained", 100.0 * .share)]
+    #[error(
+        "no object fits by this model: the best fit leaves {:.0} % of the curve's variation unexplained", 100.0 * .share
+    )]
     Unexplained {
         /// Unexplained share of the sum of squares, 0 to 1.
         share: f64,
@@ -103,7 +105,10 @@ pub enum FitError {
         value: f64,
     },
     /// Too many bootstrap replicates have no fit.
-    #[error("{failed} of {replicates} bootstrap replicates have no fit: the data are too few or too noisy")]
+    #[error(
+        "{failed} of {replicates} bootstrap replicates have no fit: the model may be wrong for these data, or the data \
+         too few or too noisy"
+    )]
     Bootstrap {
         /// Replicates without a fit.
         failed: usize,

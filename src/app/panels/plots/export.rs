@@ -4,12 +4,14 @@ use csv::ByteRecord;
 use eframe::egui::{Color32, Visuals};
 
 use super::axes::{axis_label, column_label, in_unit, time_label};
-use super::chart::{Chart, Dash};
+use super::chart::{Chart, Dash, Source};
 use super::plotted::Plotted;
 use super::traces::chart;
 use super::{accuracy, fit};
+use crate::app::curves::{Curve, Quantity};
 use crate::app::plotting::quantities;
 use crate::app::state::State;
+use crate::estimate::samples::eye_columns;
 use crate::files::csv_out::Rows;
 use crate::plot::{self, Line, Panel, Stroke};
 use crate::settings::PlotTab;
@@ -26,7 +28,7 @@ pub fn svg(state: &State, plotted: Plotted<'_>) -> String {
 }
 
 /// What the shown tab plots, as CSV in the units that the plots show, which the names of the columns say: T, and a column for
-/// each curve. A row stands at every T at which any of the curves is sampled, densely where they bend; every value there is
+/// each curve. Where disparities are plotted, the last columns are those that `gamow fit` and *Own data* read. A row stands at every T at which any of the curves is sampled, densely where they bend; every value there is
 /// computed, none interpolated. A cell is empty where a curve is not. Of the Accuracy tab it is the table, of the Fit tab the
 /// samples.
 #[must_use]
@@ -34,7 +36,7 @@ pub fn csv(state: &State, plotted: Plotted<'_>) -> String {
     match state.settings.plots.plot {
         PlotTab::Accuracy => plotted.examination.map_or_else(String::new, accuracy::csv),
         PlotTab::Fit => fit::csv(state, plotted.fitting),
-        _ => table(&charts(state, plotted).collect::<Vec<_>>()),
+        _ => table(state, &charts(state, plotted).collect::<Vec<_>>()),
     }
 }
 
@@ -82,13 +84,30 @@ fn css(colour: Color32) -> String {
     format!("#{r:02X}{g:02X}{b:02X}")
 }
 
-fn table(charts: &[Chart<'_>]) -> String {
+/// The columns that `gamow fit` and *Own data* read, of the selected point as the views show it: their names after T, and
+/// the numbers of a row, in the scene's own units and radians.
+fn readable(state: &State) -> (Vec<&'static str>, impl Fn(f64) -> Vec<f64>) {
+    let key = state.curve_key(state.session.points.selected());
+    let (names, eyes) = eye_columns(state.settings.baseline());
+    let names = names.iter().copied().chain(["dphi", "dtheta"]).collect();
+    let numbers = move |time| {
+        let angle = |curve| Source { key, model: key.model, curve }.value(time).unwrap_or(f64::NAN);
+        let angles = [Curve::DeltaPhi, Curve::DeltaTheta].map(angle);
+        [&[time], eyes.as_slice(), &angles].concat()
+    };
+    (names, numbers)
+}
+
+fn table(state: &State, charts: &[Chart<'_>]) -> String {
     let traces = charts.iter().flat_map(|chart| &chart.traces);
     let mut times: Vec<f64> = traces.flat_map(|trace| trace.pieces).flatten().map(|point| point.x).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();
     let Some(first) = charts.first() else { return String::new() };
     let mut head = ByteRecord::new();
+    let is_readable =
+        charts.iter().any(|chart| matches!(chart.quantity, Quantity::DeltaPhi | Quantity::DeltaTheta));
+    let readable = is_readable.then(|| readable(state));
     head.push_field(in_unit("T", first.time_unit).as_bytes());
     for chart in charts {
         for trace in &chart.traces {
@@ -96,6 +115,9 @@ fn table(charts: &[Chart<'_>]) -> String {
                 format!("{}: {}", column_label(chart.quantity, chart.unit), trace.name).as_bytes(),
             );
         }
+    }
+    for name in readable.iter().flat_map(|(names, _)| ["T"].iter().chain(names)) {
+        head.push_field(name.as_bytes());
     }
     let mut rows = Rows::new(Vec::new());
     // Into memory: writing does not fail.
@@ -105,7 +127,9 @@ fn table(charts: &[Chart<'_>]) -> String {
             let shown = |plotted| chart.shown(plotted);
             chart.traces.iter().map(move |trace| trace.source.value(time).map_or(f64::NAN, shown))
         });
-        let numbers: Vec<f64> = [first.time_unit.shown(time)].into_iter().chain(values).collect();
+        let readable = readable.iter().flat_map(|(_, numbers)| numbers(time));
+        let numbers: Vec<f64> =
+            [first.time_unit.shown(time)].into_iter().chain(values).chain(readable).collect();
         let _ = rows.write(&mut ByteRecord::new(), &numbers);
     }
     rows.into_text()
