@@ -85,6 +85,7 @@ pub static ACTIONS: &[Action] = &[
     action("the layout before", &[with_shift(Key::L)], Command::NextLayout(-1)),
     action("conformal or camera pictures", &[key(Key::V)], Command::ToggleProjection),
     action("the panorama of the whole passage, or two views", &[key(Key::U)], Command::TogglePanorama),
+    action("few controls, or all", &[], Command::ToggleSimple),
     action("the resting outline in conformal views, or none", &[key(Key::O)], Command::ToggleResting),
     action("swap the eyes", &[key(Key::X)], Command::SwapEyes),
     action("show or hide the map", &[key(Key::M)], Command::ToggleMap),

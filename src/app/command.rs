@@ -44,6 +44,8 @@ pub enum Command {
     TogglePanorama,
     /// Outlines in conformal views what moves where it would be seen at rest, or no longer.
     ToggleResting,
+    /// Shows few controls, or all.
+    ToggleSimple,
     /// Swap the eyes of the present layout.
     SwapEyes,
     /// New colours.
@@ -209,6 +211,7 @@ impl State {
                 let usual = self.usual();
                 self.settings.toggle_panorama(&usual);
             }
+            Command::ToggleSimple => self.settings.window.simple = !self.settings.window.simple,
             Command::ToggleResting => self.settings.window.resting = !self.settings.window.resting,
             Command::NextLayout(steps) => {
                 self.settings.picture.layout = self.settings.picture.layout.further(steps);

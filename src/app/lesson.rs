@@ -187,6 +187,7 @@ impl State {
             map: before.map,
             plots: before.plots,
             controls: before.controls,
+            simple: before.simple,
             readout: before.readout,
             dials: before.dials,
             ruler: before.ruler,

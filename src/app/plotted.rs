@@ -23,14 +23,15 @@ impl State {
         }
     }
 
-    /// What is plotted, the one plot for an audience included.
+    /// The quantities that are plotted: only the first for an audience, and among few controls.
     #[must_use]
     pub fn plotted_quantities(&self) -> &'static [Quantity] {
         let all = quantities(&self.settings.plots);
-        match (self.session.stage.is_presented(), all) {
-            (false, all) => all,
-            (true, [first, ..]) => std::slice::from_ref(first),
-            (true, []) => &[Quantity::DeltaPhi],
+        let shows_all = !self.session.stage.is_presented() && !self.settings.window.simple;
+        match (shows_all, all) {
+            (true, all) => all,
+            (false, [first, ..]) => std::slice::from_ref(first),
+            (false, []) => &[Quantity::DeltaPhi],
         }
     }
 

@@ -558,6 +558,9 @@ pub struct Window {
     /// The controls.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub controls: OnOff,
+    /// Few controls: those of the speed, the separation of the eyes and T; and one plot. A new user's window begins so.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
+    pub simple: OnOff,
     /// The numbers below the controls.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub readout: OnOff,
@@ -597,6 +600,7 @@ impl Default for Window {
             map: Presence::Auto,
             plots: true,
             controls: true,
+            simple: false,
             readout: true,
             side_share: Share(None),
             strip_share: Share(None),

@@ -3,10 +3,11 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, pos2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{By, NodeT as _, Queryable as _};
 use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::persistence::Keeper;
+use gamow::app::state::State;
 use gamow::settings::{PlotTab, Plots, Settings};
 use relativity_core::{Aperture, Sighting, Speed, equidistance_time, sighting};
 use relativity_render::{Colour, Geometry, Shading};
@@ -17,6 +18,7 @@ use super::support::{
 };
 
 pub const TESTS: &[Test] = &[
+    ("the_first_window_has_few_controls_and_a_button_for_all", the_first_window_has_few_controls),
     ("dragging_beta_changes_the_readout_in_the_same_frame", dragging_beta_changes_the_readout),
     ("marks_below_the_slider_set_the_speed_they_name", marks_set_the_speed),
     ("typed_gamma_and_rapidity_are_kept_exactly", typed_gamma_is_kept_exactly),
@@ -244,4 +246,48 @@ fn settings_survive() {
     let loaded = Keeper::in_folder(folder.path()).load().settings;
     assert_eq!(loaded, window.state().state().shown());
     assert_ne!(loaded, cyclist(0.9).settings);
+}
+
+/// What can be clicked, dragged or typed into, besides plots and views.
+fn controls(window: &Harness<'_, App>) -> Vec<String> {
+    let is_control = |role: Role| {
+        matches!(
+            role,
+            Role::Button
+                | Role::CheckBox
+                | Role::ComboBox
+                | Role::DisclosureTriangle
+                | Role::RadioButton
+                | Role::Slider
+                | Role::SpinButton
+                | Role::Splitter
+                | Role::TextInput
+                | Role::TitleBar
+        )
+    };
+    let nodes = window.query_all(By::new().recursive(true)).map(|node| node.accesskit_node());
+    nodes.filter(|node| is_control(node.role())).map(|node| node.label().unwrap_or_default()).collect()
+}
+
+fn the_first_window_has_few_controls() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let keeper = || Keeper::in_folder(folder.path());
+    let opened = || super::support::window(State::open(keeper().load().settings).expect("a preset"));
+    let mut window = opened();
+    let few = controls(&window);
+    assert!(few.len() <= 25, "{}: {few:?}", few.len());
+    for name in ["Speed β", "Eyes apart d", "Observation time T", "Play", "More controls"] {
+        assert!(few.iter().any(|control| control == name), "{name}: {few:?}");
+    }
+    // A point is clicked, and its disparity is plotted and told.
+    window.get_by_label_contains("Plot of Δφ");
+    assert!(window.query_by_label_contains("Plot of Δθ").is_none());
+    window.get_by_label("More controls").click();
+    window.run();
+    assert!(controls(&window).len() > 100);
+    window.get_by_label_contains("Plot of Δθ");
+    // What one opens stays open.
+    keeper().keep(window.state().state()).expect("it is written");
+    assert!(!keeper().load().settings.window.simple);
+    assert!(controls(&opened()).len() > 100);
 }

@@ -38,7 +38,8 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         file_menu::show(ui, state, asks);
         scene(ui, state, asks);
         lessons(ui, state, asks);
-        if width >= NARROWEST_WITH_ALL {
+        let is_simple = state.settings.window.simple;
+        if width >= NARROWEST_WITH_ALL && !is_simple {
             units(ui, state, asks);
         }
         way_back(ui, state, asks);
@@ -47,14 +48,16 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
             {
                 asks.push(Command::Toggle(Overlay::Help));
             }
-            if width >= NARROWEST_WITH_ALL {
-                theme(ui, state, asks);
-                ui.separator();
-            } else {
-                more(ui, state, width < NARROWEST_WITH_PARTS, asks);
-            }
-            if width >= NARROWEST_WITH_PARTS {
-                parts(ui, state, asks);
+            if !is_simple {
+                if width >= NARROWEST_WITH_ALL {
+                    theme(ui, state, asks);
+                    ui.separator();
+                } else {
+                    more(ui, state, width < NARROWEST_WITH_PARTS, asks);
+                }
+                if width >= NARROWEST_WITH_PARTS {
+                    parts(ui, state, asks);
+                }
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| caption(ui, state));
         });

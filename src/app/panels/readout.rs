@@ -21,7 +21,9 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let point = state.session.points.selected();
     ui.spacing_mut().item_spacing.y = 3.0;
     ui.horizontal(|ui| {
-        fold(ui, state, asks);
+        if !state.settings.window.simple {
+            fold(ui, state, asks);
+        }
         let colour = theme::point_colour(point.number, ui.visuals());
         dot(ui, colour);
         ui.label(state.name_of(point));

@@ -83,7 +83,9 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         transport(ui, state, asks);
         ui.separator();
         time(ui, state, asks);
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| playback(ui, state, shown, asks));
+        if !state.settings.window.simple {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| playback(ui, state, shown, asks));
+        }
     });
     scrubber(ui, state, asks);
 }
@@ -101,7 +103,11 @@ fn transport(ui: &mut Ui, state: &State, asks: &mut Asks) {
         (Icon::Forward, "Step forwards", "Key: →", 28.0, Command::Step(1)),
         (Icon::End, "To the end", "Key: End", 28.0, Command::TimeInRange(1.0)),
     ];
+    let few = state.settings.window.simple;
     for (icon, name, key, width, command) in buttons {
+        if few && command != Command::TogglePlaying {
+            continue;
+        }
         let pressed = icon == Icon::Pause;
         let response = icons::button(ui, icon, name, egui::vec2(width, 26.0), pressed);
         if response.on_hover_text(format!("{name}\n{key}")).clicked() {

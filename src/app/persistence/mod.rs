@@ -22,7 +22,7 @@ use crate::lesson::{Answers, Moment};
 use crate::platform::clock::Instant;
 use crate::platform::locks::{self, Lock};
 use crate::platform::{environment, files};
-use crate::settings::Settings;
+use crate::settings::{Settings, Window};
 use answers_file::AnswersFile;
 use kept_file::KeptFile;
 
@@ -47,7 +47,7 @@ const MOST_LISTED: usize = 5;
 /// Everything that the last window has left.
 #[derive(Debug, Default)]
 pub struct Loaded {
-    /// The settings; the default ones if there are none, and where one was invalid.
+    /// The settings; the default ones if there are none, and where one was invalid. The first window of all shows few controls.
     pub settings: Settings,
     /// The memory of the window beside them.
     pub memory: Memory,
@@ -195,10 +195,10 @@ impl Keeper {
 impl Files {
     /// Reads the settings; with a message if some of them were reset.
     fn read_settings(&mut self) -> (Settings, Option<String>) {
-        let read = self
-            .settings
-            .read()
-            .map(|text| text.map(|text| Settings::as_far_as_told(&text)).unwrap_or_default());
+        let read = self.settings.read().map(|text| match text {
+            Some(text) => Settings::as_far_as_told(&text),
+            None => (of_the_first_window(), Vec::new()),
+        });
         let (settings, problems) = read.unwrap_or_else(|problem| (Settings::default(), vec![problem]));
         (!problems.is_empty())
             .then(|| reset(&mut self.settings, &settings.to_toml(), &problems))
@@ -323,4 +323,10 @@ fn reset(file: &mut KeptFile, text: &str, problems: &[String]) -> String {
         more => format!("; and {more} more"),
     };
     format!("These saved settings were invalid and have been reset: {listed}{more}. {where_it_is}")
+}
+
+/// The settings of a user's first window.
+fn of_the_first_window() -> Settings {
+    let usual = Settings::default();
+    Settings { window: Window { simple: true, ..usual.window }, ..usual }
 }

@@ -38,7 +38,8 @@ pub fn is_offered(state: &State, area: Rect) -> bool {
     let is_wide = area.width() >= WIDE * area.height();
     let can_be = settings.projection() == ProjectionChoice::Mercator
         && matches!(settings.picture.layout.form(), Form::Beside | Form::Above);
-    can_be && (settings.is_panorama() || is_wide || state.session.stage.is_presented())
+    let is_presented = state.session.stage.is_presented();
+    can_be && (settings.is_panorama() || is_presented || is_wide && !settings.window.simple)
 }
 
 /// Shows the button in the title strip `strip`, after the name of the left eye.

@@ -15,6 +15,7 @@ use crate::app::command::Command;
 use crate::app::dial;
 use crate::app::layouts::{self, LAYOUTS};
 use crate::app::state::State;
+use crate::app::theme;
 use crate::app::usual::Section;
 use crate::app::widgets::{Edit, NumberRow, choice, row, section};
 use crate::flags::FieldOfView;
@@ -39,6 +40,9 @@ const SECTIONS: [(Section, Rows); 4] = [
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 3.0;
+        if state.settings.window.simple {
+            return few(ui, state, asks);
+        }
         for (part, rows) in SECTIONS {
             let tip = format!("Has this section as usual: {}.", state.usual_is());
             let reset = (!state.is_usual_in(part)).then_some(tip.as_str());
@@ -49,15 +53,29 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     });
 }
 
+/// The controls of who sees the window for the first time, and the way to all others.
+fn few(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    motion(ui, state, asks);
+    ui.add_space(theme::GAP);
+    let tip = "Shows all controls, of path, look, light and quality, and all plots. The palette (Ctrl+P) leads back.";
+    if ui.button("More controls").on_hover_text(tip).clicked() {
+        asks.push(Command::ToggleSimple);
+    }
+}
+
 fn motion(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut motion = state.settings.motion;
     let measures = state.measures();
     let usual = state.usual().motion;
-    if let Some(speed) = speed::show(ui, motion.speed, usual.speed, &measures) {
+    let is_simple = state.settings.window.simple;
+    let fields = if is_simple { &speed::FIELDS[..1] } else { &speed::FIELDS };
+    if let Some(speed) = speed::show(ui, motion.speed, usual.speed, &measures, fields) {
         motion.speed = speed;
     }
     separation_row(ui, measures.length, &mut motion, usual);
-    path_rows(ui, measures.length, state.session.scene.tracked, &mut motion, usual);
+    if !is_simple {
+        path_rows(ui, measures.length, state.session.scene.tracked, &mut motion, usual);
+    }
     if motion != state.settings.motion {
         asks.push(Command::Motion(motion));
     }

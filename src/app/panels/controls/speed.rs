@@ -12,12 +12,24 @@ use crate::units::Measures;
 const TIP: &str = "Speed of the scene in units of c.\nβ = v/c,   γ = 1/√(1 − β²),   η = artanh β\n\
     The slider is finer towards 1.   Keys: ↑ ↓\nDouble-click the slider or its name: as usual.";
 
-/// Shows it, in these units too where they have one for speeds; a speed if the user gave one, or the `usual` one.
+/// A field in which the speed is typed: its parameter, symbol, name and tooltip.
+pub type Field = (SpeedParameter, &'static str, &'static str, &'static str);
+
+/// All of them.
+pub const FIELDS: [Field; 3] = [
+    (SpeedParameter::Beta, "β", "Beta, typed", "β = v/c, from 0 to below 1. Enter applies it."),
+    (SpeedParameter::Gamma, "γ", "Gamma, typed", "γ = 1/√(1 − β²), from 1 to 1e30. Enter applies it."),
+    (SpeedParameter::Rapidity, "η", "Rapidity, typed", "η = artanh β, from 0 to 69.77. Enter applies it."),
+];
+
+/// Shows it, in these units too where they have one for speeds, with the fields `shown`; a speed if the user gave one, or the
+/// `usual` one.
 pub fn show(
     ui: &mut Ui,
     current: SpeedSetting,
     usual: SpeedSetting,
     measures: &Measures,
+    shown: &[Field],
 ) -> Option<SpeedSetting> {
     let title = ui.horizontal(|ui| {
         let name = ui.add(Label::new("Speed").selectable(false)).on_hover_text(TIP);
@@ -32,18 +44,23 @@ pub fn show(
         name
     });
     let restored = widgets::is_double_clicked(ui, &title.inner).then_some(usual);
-    let slid = slider(ui, current, usual);
-    let typed = fields(ui, current);
+    let slid = slider(ui, current, usual, shown.len() == FIELDS.len());
+    let typed = fields(ui, current, shown);
     restored.or(typed).or(slid)
 }
 
-fn slider(ui: &mut Ui, current: SpeedSetting, usual: SpeedSetting) -> Option<SpeedSetting> {
+fn slider(
+    ui: &mut Ui,
+    current: SpeedSetting,
+    usual: SpeedSetting,
+    takes_clicks: bool,
+) -> Option<SpeedSetting> {
     let mut position = current.slider_position();
     ui.spacing_mut().slider_width = ui.available_width();
     let slider = Slider::new(&mut position, 0.0..=1.0).show_value(false).smart_aim(false);
     let response = widgets::explained(ui.add(slider), TIP).accessible_name("Speed β");
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(figures::beta(&current.speed())));
-    let marked = marks(ui, response.rect);
+    let marked = marks(ui, response.rect, takes_clicks);
     if widgets::is_double_clicked(ui, &response) {
         return Some(usual);
     }
@@ -51,8 +68,8 @@ fn slider(ui: &mut Ui, current: SpeedSetting, usual: SpeedSetting) -> Option<Spe
     slid.or(marked)
 }
 
-/// Speeds to click below the slider, each where the slider has it.
-fn marks(ui: &mut Ui, slider: Rect) -> Option<SpeedSetting> {
+/// Speeds below the slider, each where the slider has it, to click if it `takes_clicks`.
+fn marks(ui: &mut Ui, slider: Rect, takes_clicks: bool) -> Option<SpeedSetting> {
     const MARKS: [(f64, &str); 6] =
         [(0.0, "0"), (0.5, "0.5"), (0.9, "0.9"), (0.99, "0.99"), (0.999, "0.999"), (0.9999, "0.9999")];
     let (strip, _) = ui.allocate_exact_size(vec2(slider.width(), 15.0), Sense::hover());
@@ -62,7 +79,10 @@ fn marks(ui: &mut Ui, slider: Rect) -> Option<SpeedSetting> {
         let setting = SpeedSetting::new(SpeedParameter::Beta, beta).expect("marks are speeds");
         let x = widgets::handle_x(slider, setting.slider_position());
         let rect = Rect::from_center_size(egui::pos2(x, strip.center().y), vec2(36.0, strip.height()));
-        if mark(ui, rect, &font, text) {
+        if !takes_clicks {
+            let colour = ui.visuals().weak_text_color();
+            ui.painter().text(rect.center(), Align2::CENTER_CENTER, text, font.clone(), colour);
+        } else if mark(ui, rect, &font, text) {
             chosen = Some(setting);
         }
     }
@@ -80,23 +100,13 @@ fn mark(ui: &mut Ui, rect: Rect, font: &FontId, text: &str) -> bool {
     response.clicked()
 }
 
-fn fields(ui: &mut Ui, current: SpeedSetting) -> Option<SpeedSetting> {
-    const FIELDS: [(SpeedParameter, &str, &str, &str); 3] = [
-        (SpeedParameter::Beta, "β", "Beta, typed", "β = v/c, from 0 to below 1. Enter applies it."),
-        (SpeedParameter::Gamma, "γ", "Gamma, typed", "γ = 1/√(1 − β²), from 1 to 1e30. Enter applies it."),
-        (
-            SpeedParameter::Rapidity,
-            "η",
-            "Rapidity, typed",
-            "η = artanh β, from 0 to 69.77. Enter applies it.",
-        ),
-    ];
+fn fields(ui: &mut Ui, current: SpeedSetting, fields: &[Field]) -> Option<SpeedSetting> {
     let error_id = egui::Id::unique("speed error");
     let mut chosen = None;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;
         let width = ((ui.available_width() - 74.0) / 3.0).max(20.0);
-        for (parameter, symbol, name, tip) in FIELDS {
+        for &(parameter, symbol, name, tip) in fields {
             ui.label(symbol).on_hover_text(tip);
             let Some(typed) = widgets::exact_number(ui, name, tip, &current.text(parameter), width) else {
                 continue;

@@ -22,6 +22,9 @@ const STRIP_HEIGHT: f32 = 26.0;
 
 /// Shows it.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    if state.settings.window.simple {
+        return show_presented(ui, state, asks);
+    }
     let rect = ui.max_rect();
     let height = STRIP_HEIGHT.min(rect.height());
     let above = Rect::from_min_size(rect.min, vec2(rect.width(), height));
@@ -29,7 +32,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     face(ui, state, Rect::from_min_max(above.left_bottom(), rect.max), asks);
 }
 
-/// Shows it before an audience: the frame is told, and nothing is chosen.
+/// Shows it before an audience or among few controls: the frame is named, and nothing is chosen.
 pub fn show_presented(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let whose = match state.settings.map.frame {
         Frame::Ground => "the ground".to_owned(),

@@ -31,6 +31,7 @@ use self::traces::chart;
 use crate::app::command::Command;
 use crate::app::curves::{Curves, Quantity};
 use crate::app::panels::Asks;
+use crate::app::plotting::quantities;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::settings::{Coordinates, PlotTab};
@@ -45,6 +46,9 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
             return sketch::show(ui, state, sketched, asks);
         }
         ui.horizontal(|ui| sketch::switch(ui, state, asks));
+    }
+    if state.settings.window.simple && !quantities(&state.settings.plots).is_empty() {
+        return over_time(ui, state, plotted.curves, asks);
     }
     let examination = plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy);
     ui.horizontal_wrapped(|ui| {
