@@ -133,7 +133,7 @@ fn header_of(text: &[u8]) -> (&[u8], bool) {
 /// The byte that separates the fields of the first line in `text`: the one of comma, semicolon and tab that is there most.
 fn separator(text: &[u8]) -> u8 {
     let header = header_of(text).0;
-    let count = |separator: u8| header.iter().filter(|&&byte| byte == separator).count();
+    let count = |separator: u8| header.split(|&byte| byte == separator).count();
     // Of several that are there as often it is the last, the comma.
     [b'\t', b';', b','].into_iter().max_by_key(|&separator| count(separator)).unwrap_or(b',')
 }
