@@ -6,8 +6,10 @@ use egui_kittest::kittest::Queryable as _;
 use egui_kittest::{Harness, SnapshotOptions};
 use gamow::app::App;
 use gamow::app::command::Command;
+use gamow::app::running::LessonCommand;
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
+use gamow::lesson::Library;
 use gamow::scene::{PRESETS, Scene};
 use gamow::settings::{PlotTab, Plots, Theme};
 
@@ -91,6 +93,14 @@ fn tiny_windows() {
         let mut window = window_of_size(cyclist(0.9), size, 1.0);
         window.run();
         window.render().expect("a picture");
+        // A lesson's panel too, whose steps are dots in a row: however narrow it is.
+        let mut state = cyclist(0.9);
+        let lesson = Library::own().open("turned").expect("it is there");
+        state.begin_lesson(&lesson).expect("it can be shown");
+        let mut window = window_of_size(state, size, 1.0);
+        window.run();
+        window.state_mut().ask(Command::Lesson(LessonCommand::ToggleFolded));
+        window.run();
     }
 }
 

@@ -43,7 +43,7 @@ pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
         let place = course.place().step;
         let text = if place < count { format!("{} of {count}", place + 1) } else { "End".to_owned() };
         ui.spacing_mut().item_spacing.x = 0.0;
-        let step = DOT_STEP.min((ui.available_width() - 50.0) / count as f32);
+        let step = DOT_STEP.min((ui.available_width() - 50.0) / count as f32).max(0.0);
         for number in 0..count {
             dot(ui, course, number, vec2(step, DOT_HEIGHT), asks);
         }
