@@ -299,6 +299,25 @@ fn a_preset_is_a_state_by_its_name() {
 }
 
 #[test]
+fn a_link_opens_what_is_shown() {
+    for preset in Preset::all() {
+        let state = started(&["--state", preset.name, "--time=0.25"], Settings::default());
+        let link = state.shown().link().expect("a preset");
+        assert!(link.len() < 400 && link.is_ascii() && !link.contains(' '), "{link}");
+        let mut opened = State::open(Settings::default()).expect("a preset");
+        opened.apply(Command::Open(link.clone().into()));
+        assert_eq!(opened.session.notice, None, "{link}");
+        // The window and the screen are those of whoever opens it.
+        let expected =
+            Settings { window: opened.settings.window, screen: opened.settings.screen, ..state.shown() };
+        assert_eq!(opened.shown(), expected, "{link}");
+        assert!(opened.session.recent.all().is_empty() && opened.shown_files().is_empty(), "{link}");
+        let by_flag = started(&["--state", &link], Settings::default());
+        assert_eq!(by_flag.shown(), expected, "{link}");
+    }
+}
+
+#[test]
 fn a_preset_is_applied_afresh_but_for_the_parts_of_the_window() {
     let mut state = started(&["--beta", "0.3", "--plots=off", "--theme=light"], Settings::default());
     assert_eq!(state.session.preset, None);

@@ -124,6 +124,7 @@ pub static ACTIONS: &[Action] = &[
     action("save the fit", &[], save(Product::Fit)),
     action("save the report of the lesson", &[], save(Product::Report)),
     action("copy the command of this window", &[with_control(Key::C)], Command::Copy(Copied::Command)),
+    action("copy a link to what is shown", &[], Command::Copy(Copied::Link)),
     action("copy the picture", &[], Command::Copy(Copied::Picture)),
     action("copy the command of the picture", &[], Command::Copy(Copied::RenderCommand)),
     action("copy the command of the curves", &[], Command::Copy(Copied::CurveCommand)),

@@ -13,6 +13,7 @@ use super::state::State;
 use crate::flags::choices::Size;
 use crate::platform::clock::Instant;
 use crate::platform::{files, threads};
+use crate::settings::is_link;
 use crate::studio::film::FilmKind;
 
 /// The file that is being chosen: what is typed, and the dialog of the system.
@@ -127,8 +128,12 @@ impl Chooser {
     }
 
     fn command(&mut self, may_replace: Option<&Path>) -> Result<Option<Command>, String> {
-        let path = typed_path(&self.path)?;
         let Some(purpose) = self.purpose else { return Ok(None) };
+        let link = Path::new(self.path.trim());
+        if purpose == Purpose::Open && is_link(link) {
+            return Ok(Some(Command::Open(link.to_owned())));
+        }
+        let path = typed_path(&self.path)?;
         if let Some(folder) = path.parent().filter(|folder| *folder != Path::new("")) {
             if !files::is_folder(folder) {
                 return Err(format!("There is no folder {}.", folder.display()));

@@ -9,7 +9,7 @@ use super::reading::{Contents, Errand, ReadFile, ReadyScene, Use};
 use super::state::State;
 use crate::flags::choices::FileKind;
 use crate::platform::files;
-use crate::settings::{PlotTab, Settings};
+use crate::settings::{PlotTab, Settings, is_link};
 
 impl State {
     /// The files that are shown, which are read again when they change: those of the scene, of
@@ -66,6 +66,9 @@ impl State {
             }
             Ok(Contents::Settings { settings, scene, is_scene }) => {
                 self.show_in(*settings, *scene);
+                if is_link(&path) {
+                    return;
+                }
                 self.session.recent.add(&path);
                 self.session.opened = (!is_scene && FileKind::of(&path).is_none()).then_some(path);
             }

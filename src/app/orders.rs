@@ -35,6 +35,8 @@ pub enum Copied {
     Picture,
     /// The command that opens a window that shows the same.
     Command,
+    /// The link that opens the same.
+    Link,
     /// The command that draws the same picture.
     RenderCommand,
     /// The command that gives the numbers of the selected point's curves.

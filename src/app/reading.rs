@@ -14,7 +14,7 @@ use crate::lesson::Lesson;
 use crate::platform::clock::Instant;
 use crate::platform::{files, threads};
 use crate::scene::Scene;
-use crate::settings::{Settings, SettingsError, looks_like_settings};
+use crate::settings::{Settings, SettingsError, is_link, looks_like_settings};
 
 /// A file that is read sooner than this is not announced.
 const GRACE: Duration = Duration::from_millis(300);
@@ -150,7 +150,9 @@ impl Errand {
 
 /// Whether the file at `path` is a scene's, and none of settings.
 fn is_scene(path: &Path) -> bool {
-    FileKind::of(path).is_none() && !files::read_to_string(path).is_ok_and(|text| looks_like_settings(&text))
+    FileKind::of(path).is_none()
+        && !is_link(path)
+        && !files::read_to_string(path).is_ok_and(|text| looks_like_settings(&text))
 }
 
 /// The files that are being read.

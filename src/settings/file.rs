@@ -9,6 +9,7 @@ use toml::de::{DeString, DeTable, DeValue};
 use super::all::Settings;
 use super::entries::{SCENE, names};
 use super::error::{Problem, SettingsError};
+use super::link::is_link;
 use crate::files::{exr, png, syntax};
 use crate::flags::choices::FileKind;
 use crate::platform::names::problem_in_a_file;
@@ -57,12 +58,15 @@ impl Settings {
     }
 
     /// These settings, with what the file at `path` says in their stead: settings in TOML, or a picture (.png) or
-    /// measurements (.exr) by `gamow render`. A relative path to a scene is looked for beside the file, then where the
+    /// measurements (.exr) by `gamow render`; a link is no file, and says itself what it opens. A relative path to a scene is looked for beside the file, then where the
     /// program runs.
     ///
     /// # Errors
     /// One line that names the file and what is wrong with it.
     pub fn with_file(self, path: &Path) -> Result<Self, SettingsError> {
+        if let Some(link) = path.to_str().filter(|_| is_link(path)) {
+            return self.with_link(link);
+        }
         let source_name = files::shown(path);
         let unreadable = |reason: String| SettingsError::Read { source_name: source_name.clone(), reason };
         if let Some(kind) = FileKind::of(path) {

@@ -7,6 +7,7 @@ use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, value_parser};
 use super::all::Settings;
 use super::entries::SCENE;
 use super::error::{Problem, SettingsError};
+use super::link::is_link;
 use super::presets::Preset;
 use crate::flags::choices::FileKind;
 use crate::scene::looks_like_a_name;
@@ -31,7 +32,7 @@ impl StartArgs {
     #[must_use]
     pub fn file(&self) -> Option<&Path> {
         let path = self.state.as_deref().filter(|state| preset(state).is_none())?;
-        FileKind::of(path).is_none().then_some(path)
+        (FileKind::of(path).is_none() && !is_link(path)).then_some(path)
     }
 
     /// The scene that a flag gives.
@@ -62,7 +63,7 @@ fn named(preset_or_path: &Path, left: &Settings) -> Result<Settings, SettingsErr
         return Ok(preset.settings.clone().in_place_of(left));
     }
     match preset_or_path.to_str() {
-        Some(name) if looks_like_a_name(name) => {
+        Some(name) if looks_like_a_name(name) && !is_link(preset_or_path) => {
             Err(SettingsError::UnknownPreset { name: name.to_owned(), known: Preset::names() })
         }
         _ => Settings::default().in_place_of(left).with_file(preset_or_path),
@@ -76,9 +77,9 @@ fn preset(name: &Path) -> Option<&'static Preset> {
 
 impl Args for StartArgs {
     fn augment_args(command: Command) -> Command {
-        let state = Arg::new(STATE).long(STATE).value_name("PRESET|FILE").value_parser(value_parser!(PathBuf)).help(format!(
+        let state = Arg::new(STATE).long(STATE).value_name("PRESET|FILE|LINK").value_parser(value_parser!(PathBuf)).help(format!(
             "Start from a preset ({}), from the settings in a file (.toml), or from those with which a picture was made \
-             (.png, .exr)",
+             (.png, .exr), or from a link (gamow:?beta=0.99&scene=globe)",
             Preset::names(),
         ));
         let command = Settings::augment_args_for_update(command.arg(state)).next_help_heading(None::<&str>);

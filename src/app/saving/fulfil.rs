@@ -151,6 +151,7 @@ impl App {
                 return self.begin(ctx, job, "the picture".to_owned(), 1);
             }
             Copied::Command => Ok(self.state.shown().window_command(Shell::here())),
+            Copied::Link => self.state.shown().link(),
             Copied::RenderCommand => {
                 Ok(self.settings_of_picture(ui, self.state.session.picture_size).command(Shell::here()))
             }

@@ -39,12 +39,17 @@ const SAVE: [Entry; 7] = [
     ),
 ];
 
-const COPY: [Entry; 5] = [
+const COPY: [Entry; 6] = [
     ("Copy picture", Command::Copy(Copied::Picture), "The views as they are."),
     (
         "Copy values",
         Command::Copy(Copied::Values),
         "What both eyes see of the selected point at T, for a spreadsheet.",
+    ),
+    (
+        "Copy link",
+        Command::Copy(Copied::Link),
+        "One line, gamow:?…, that says all that is shown: Open…, `gamow --state` and `gamow render --state` take it.",
     ),
     ("Copy command", Command::Copy(Copied::Command), "The `gamow` line that opens a window that shows this."),
     (

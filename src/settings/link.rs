@@ -1,0 +1,135 @@
+//! Settings as a link: one line of text that a message, a worksheet or, in a browser, an address can carry. It can be read:
+//! `gamow:?beta=0.99&scene=globe` names the settings that differ from the defaults, as flags have them.
+
+use std::path::Path;
+
+use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
+
+use super::all::Settings;
+use super::entries::{Entry, SCENE};
+use super::error::SettingsError;
+use crate::platform::tell;
+use crate::scene::Scene;
+
+const SCHEME: &str = "gamow:";
+
+/// The longest link that is read, bytes: all settings together need a tenth of it.
+const MOST_BYTES: usize = 16 << 10;
+
+/// The bytes that are escaped in a value: those that mean something in a link, or may end it in a message.
+const ESCAPED: &AsciiSet = &NON_ALPHANUMERIC
+    .remove(b'-')
+    .remove(b'.')
+    .remove(b'_')
+    .remove(b',')
+    .remove(b';')
+    .remove(b'@')
+    .remove(b':');
+
+/// The sections that belong to whoever looks, and not to what is shown.
+const OF_THE_VIEWER: [&str; 2] = ["window", "screen"];
+
+/// Whether `path` is a link, and no path of a file.
+#[must_use]
+pub fn is_link(path: &Path) -> bool {
+    path.to_str().is_some_and(|text| text.trim_start().starts_with(SCHEME))
+}
+
+impl Settings {
+    /// The link that opens what these settings show, in the window and on the screen of whoever opens it.
+    ///
+    /// # Errors
+    /// A scene in a file of its own, which a link cannot carry.
+    pub fn link(&self) -> Result<String, String> {
+        if Scene::preset(&self.scene).is_none() {
+            return Err(format!(
+                "The scene is in a file, {}, which a link cannot carry: save the state beside it and send both.",
+                tell::excerpt(&self.scene)
+            ));
+        }
+        let usual = Self::default().entries();
+        let told = |entry: &Entry| !OF_THE_VIEWER.contains(&entry.section.as_str()) && !usual.contains(entry);
+        let pairs = self.entries().into_iter().filter(told);
+        let pairs =
+            pairs.map(|Entry { key, text, .. }| format!("{key}={}", utf8_percent_encode(&text, ESCAPED)));
+        Ok(format!("{SCHEME}?{}", pairs.collect::<Vec<_>>().join("&")))
+    }
+
+    /// These settings, with what `link` says in their stead.
+    ///
+    /// # Errors
+    /// One line: a setting that does not exist, a value that it cannot have, or a scene that does not come with the program.
+    pub(super) fn with_link(mut self, link: &str) -> Result<Self, SettingsError> {
+        let wrong = |problem: String| SettingsError::Content { place: "the link".to_owned(), problem };
+        let link = link.trim();
+        if link.len() > MOST_BYTES {
+            return Err(wrong(format!(
+                "it is longer than {} kB, the most that is read of one",
+                MOST_BYTES >> 10
+            )));
+        }
+        let pairs = link.strip_prefix(SCHEME).unwrap_or(link);
+        let pairs = pairs.strip_prefix('?').unwrap_or(pairs).split('&').filter(|pair| !pair.is_empty());
+        let flags = pairs.map(|pair| {
+            let (key, value) = pair.split_once('=').ok_or_else(|| {
+                wrong(format!("{} has no value; it should be as in beta=0.9", tell::excerpt(pair)))
+            })?;
+            let value = percent_decode_str(value).decode_utf8();
+            let value = value.map_err(|_| wrong(format!("{} is no text", tell::excerpt(pair))))?;
+            Ok(format!("--{key}={value}"))
+        });
+        let flags = flags.collect::<Result<Vec<_>, _>>()?;
+        self.set(flags).map_err(|problem| problem.at("the link".to_owned()))?;
+        if Scene::preset(&self.scene).is_none() {
+            let scene = tell::excerpt(&self.scene);
+            return Err(wrong(format!(
+                "{SCENE} = {scene}: a link names a scene that comes with the program"
+            )));
+        }
+        Ok(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn opened(link: &str) -> Result<Settings, String> {
+        assert!(is_link(Path::new(link)));
+        Settings::default().with_file(Path::new(link)).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn a_link_says_what_differs_from_the_defaults_and_can_be_read() {
+        assert_eq!(Settings::default().link().expect("a preset"), "gamow:?");
+        assert_eq!(opened("gamow:?").expect("it is a link"), Settings::default());
+        let settings = opened("gamow:?scene=globe&beta=0.99&time=-2.5&gaze=10,-3").expect("it is a link");
+        assert_eq!((settings.scene.as_str(), settings.time), ("globe", Some(-2.5)));
+        assert_eq!(settings.speed().beta(), 0.99);
+        let link = settings.link().expect("a preset");
+        assert_eq!(link, "gamow:?scene=globe&time=-2.5&beta=0.99&gaze=10,-3");
+        // Blanks around it come from a message.
+        assert_eq!(opened(&format!("  {link}\n")).expect("it is a link"), settings);
+    }
+
+    #[test]
+    fn a_bad_link_is_refused_in_a_line() {
+        let long = format!("gamow:?time={}", "1".repeat(MOST_BYTES));
+        for (link, told) in [
+            ("gamow:?beta=1", "the link: beta = 1 is out of range"),
+            ("gamow:?bet=0.5", "the link: there is no setting `bet`"),
+            ("gamow:?beta", "the link: beta has no value; it should be as in beta=0.9"),
+            ("gamow:?scene=%ff", "the link: scene=%ff is no text"),
+            (
+                "gamow:?scene=/etc/passwd",
+                "the link: scene = /etc/passwd: a link names a scene that comes with the program",
+            ),
+            ("gamow:?=", "the link: "),
+            ("gamow:?beta=0.5&beta=0.6", "the link: "),
+            (&long, "the link: it is longer than 16 kB"),
+        ] {
+            let error = opened(link).expect_err(link);
+            assert!(error.starts_with(told) && !error.contains('\n'), "{link}: {error}");
+        }
+    }
+}
