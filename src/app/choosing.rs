@@ -82,7 +82,11 @@ impl Chooser {
             _ => folder.join("").display().to_string(),
         };
         self.folder = Some(folder);
-        self.size = Size(state.session.picture_size).to_string();
+        self.size = Size(match self.purpose {
+            Some(Purpose::Save(Product::Film)) => within(FILM_WIDTH, state.session.picture_size),
+            _ => state.session.picture_size,
+        })
+        .to_string();
         self.wants_focus = true;
         (self.remark, self.replaced, self.dialog) = (None, None, None);
     }
@@ -161,9 +165,21 @@ impl Chooser {
     }
 }
 
-/// What is typed as a path, `~/` being the user's own folder.
+/// Width of a film that is proposed, pixels: it has hundreds of frames, and one as large as the window would take 100 MB.
+const FILM_WIDTH: u32 = 480;
+
+/// `size` made so small that it is no wider than this, in the same shape.
+fn within(width: u32, size: [u32; 2]) -> [u32; 2] {
+    let factor = f64::from(width.min(size[0])) / f64::from(size[0].max(1));
+    size.map(|side| ((f64::from(side) * factor).round() as u32).max(1))
+}
+
+/// What is typed as a path, `~/` being the user's own folder. A whole path that is typed behind the folder that stands there
+/// begins anew: `/home/me//tmp/a.csv` is `/tmp/a.csv`.
 fn typed_path(text: &str) -> Result<PathBuf, String> {
     let text = text.trim();
+    let again = ["//", "/~/"].into_iter().filter_map(|begin| text.rfind(begin)).max();
+    let text = again.map_or(text, |at| &text[at + 1..]);
     if text.is_empty() {
         return Err("A path is needed.".to_owned());
     }
@@ -224,5 +240,33 @@ impl Dialog {
             Err(TryRecvError::Empty) => None,
             Err(TryRecvError::Disconnected) => Some(Answer::NoDialog),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn a_path_typed_behind_a_folder_begins_anew() {
+        let home = PathBuf::from(std::env::var_os("HOME").expect("there is a home"));
+        for (typed, meant) in [
+            ("/home/me/a.csv", PathBuf::from("/home/me/a.csv")),
+            (" /home/me//tmp/a.csv", PathBuf::from("/tmp/a.csv")),
+            ("/home/me/~/a.csv", home.join("a.csv")),
+            ("~/a.csv", home.join("a.csv")),
+            ("a.csv", PathBuf::from("a.csv")),
+        ] {
+            assert_eq!(typed_path(typed), Ok(meant), "{typed}");
+        }
+        assert!(typed_path(" ").is_err());
+    }
+
+    #[test]
+    fn a_film_is_proposed_in_the_shape_of_the_window() {
+        assert_eq!(within(480, [1560, 508]), [480, 156]);
+        assert_eq!(within(480, [300, 200]), [300, 200]);
+        assert_eq!(within(480, [5000, 1]), [480, 1]);
     }
 }
