@@ -131,8 +131,10 @@ pub struct App {
     keeper: Option<Keeper>,
 }
 
-/// How much larger than usual writing is for an audience.
-const PRESENTED_SCALE: f32 = 1.6;
+/// Bounds of how much larger than usual writing is for an audience, for windows of any size.
+const PRESENTED_SCALES: [f32; 2] = [0.8, 12.0];
+/// How much larger it is on the start page.
+const PRESENTED_START_SCALE: f32 = 1.6;
 /// What stays free around the bar, the controls and the readout, points.
 const INSET: egui::Vec2 = egui::vec2(theme::GAP, theme::GAP / 2.0);
 
@@ -365,7 +367,12 @@ impl App {
     fn set_stage(&mut self, ctx: &egui::Context) {
         let State { settings, session } = &mut self.state;
         session.stage.full_screen = self.full_screen.update(ctx, session.stage.full_screen);
-        let scale = if session.stage.is_presented() { PRESENTED_SCALE } else { 1.0 };
+        let scale = match session.stage.is_presented() {
+            // Its cards have pictures, and are to be in sight.
+            true if session.overlay == Some(Overlay::Start) => PRESENTED_START_SCALE,
+            true => presented_scale(ctx),
+            false => 1.0,
+        };
         if scale != self.text_scale {
             self.text_scale = scale;
             theme::scale_text(ctx, scale);
@@ -471,55 +478,62 @@ impl App {
         self.forget_composed(&layout.panes);
     }
 
+    /// What stands beside the words before an audience.
+    fn beside_words(&self) -> Beside {
+        let plot = if self.state.settings.plots.plot == PlotTab::Fit && self.state.sketched().is_none() {
+            Beside::Fit
+        } else {
+            Beside::Plot
+        };
+        match (self.lesson_part(), self.state.shown_window()) {
+            (LessonPart::Nothing, _) => plot,
+            (_, Window { map: Presence::On, .. }) if !self.state.shows_sketch() => Beside::Map,
+            (_, Window { plots: true, .. }) => plot,
+            _ => Beside::Nothing,
+        }
+    }
+
     /// Shows the views, one plot and the words, large.
     fn show_presented(&mut self, ui: &mut Ui, area: Rect) {
-        let mut shows_map = false;
-        let presentation = match self.lesson_part() {
-            LessonPart::Nothing => Presentation::of(area, &self.arranged(ui)),
-            LessonPart::Strip | LessonPart::Panel => {
-                let beside = match self.state.shown_window() {
-                    Window { map: Presence::On, .. } if !self.state.shows_sketch() => Beside::Map,
-                    Window { plots: true, .. } => Beside::Plot,
-                    Window { .. } => Beside::Nothing,
-                };
-                shows_map = beside == Beside::Map;
-                Presentation::of_lesson(area, &self.arranged(ui), beside)
-            }
-        };
+        let beside = self.beside_words();
+        let need = panels::presented::needed(ui.ctx(), &self.state, area, beside);
+        let presentation = Presentation::of(area, &self.arranged(ui), beside, need);
         self.measure_pictures(ui, &presentation.panes);
         self.choose_methods(ui, &presentation.panes);
-        self.fitting.rest();
+        self.update_fit(ui.ctx(), beside == Beside::Fit);
         self.update_examination(ui, &presentation.panes, false);
         for &pane in &presentation.panes {
             self.interact(ui, pane);
         }
-        self.state.session.shows_map = shows_map && presentation.plot.is_some();
-        if let Some(rect) = presentation.plot.filter(|_| shows_map) {
-            self.panel(ui, "map", rect, panels::map::show_presented);
-        } else if let Some(rect) = presentation.plot {
-            if !self.state.shows_sketch() {
-                self.update_curves();
-            }
-            let curves = std::mem::take(&mut self.curves);
-            self.panel(ui, "plots", rect, |ui, state, asks| {
-                panels::plots::show_one(ui, state, &curves, asks);
-            });
-            self.curves = curves;
+        self.state.session.shows_map = beside == Beside::Map && presentation.plot.is_some();
+        if let Some(rect) = presentation.plot {
+            self.beside(ui, beside, rect);
         }
         self.paint_all(ui, &presentation.panes);
         self.forget_composed(&presentation.panes);
         let views = presentation.panes.iter().map(|pane| pane.rect).reduce(Rect::union);
         self.message(ui.ctx(), views.unwrap_or(area), area);
         halo::paint(ui.ctx());
-        if let Some(rect) = presentation.lesson {
-            self.panel(ui, "lesson", rect, panels::lesson::presented::show);
+        if let Some(rect) = presentation.words {
+            self.panel(ui, "words", rect, |ui, state, asks| {
+                panels::presented::words(ui, state, area, beside, asks);
+            });
         }
-        if !presentation.speed.is_positive() {
+    }
+
+    /// Shows at `rect` what stands beside the words before an audience.
+    fn beside(&mut self, ui: &mut Ui, beside: Beside, rect: Rect) {
+        if beside == Beside::Map {
+            self.panel(ui, "map", rect, panels::map::show_presented);
             return;
         }
-        self.panel(ui, "speed", presentation.speed, |ui, state, _| panels::presented::speed(ui, state));
-        self.panel(ui, "sentence", presentation.sentence, |ui, state, _| panels::sentence::show(ui, state));
-        self.panel(ui, "caption", presentation.caption, |ui, state, _| panels::presented::caption(ui, state));
+        if !self.state.shows_sketch() {
+            self.update_curves();
+        }
+        let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
+        let plotted = Plotted { curves: &curves, fitting: &fitting, examination: None };
+        self.panel(ui, "plots", rect, |ui, state, asks| panels::plots::show_one(ui, state, plotted, asks));
+        (self.curves, self.fitting) = (curves, fitting);
     }
 
     /// Shows the message, if there is one, at the top of `room`.
@@ -580,6 +594,14 @@ impl eframe::App for App {
             log::warn!("{failure}");
         }
     }
+}
+
+/// How much larger than usual writing is for an audience: the smallest is as high as the last row needs, and larger with the
+/// window's zoom.
+fn presented_scale(ctx: &egui::Context) -> f32 {
+    let height = panels::presented::reference_height(ctx.content_rect()) * ctx.zoom_factor();
+    let [least, most] = PRESENTED_SCALES;
+    (panels::presented::LEAST_SHARE * height / theme::SMALL_SIZE).clamp(least, most)
 }
 
 /// A file dropped onto the window.

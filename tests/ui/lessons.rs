@@ -413,6 +413,13 @@ fn fitting(kind: &Kind) -> Answer {
     }
 }
 
+/// Before an audience pictures and words share the room within a few frames.
+fn settle_words(window: &mut Harness<'_, App>) {
+    if window.state().state().session.stage.is_presented() {
+        window.run_steps(4);
+    }
+}
+
 /// Goes through all of `lesson` in `window`, and has `look` look at each of its places.
 fn walk(window: &mut Harness<'_, App>, lesson: &Lesson, mut look: impl FnMut(&Harness<'_, App>, &str)) {
     for _ in 0..6 * lesson.steps.len() + 3 {
@@ -420,9 +427,11 @@ fn walk(window: &mut Harness<'_, App>, lesson: &Lesson, mut look: impl FnMut(&Ha
         let name = format!("{} {}: {at:?}", lesson.name, lesson.title);
         assert!(window.state().state().session.notice.is_none(), "{name}");
         assert_is_as_told(window, &name);
+        settle_words(window);
         look(window, &name);
         if let Some(asked) = course(window).asked().cloned() {
             ask(window, LessonCommand::Draft(Some(fitting(&asked.kind))));
+            settle_words(window);
             look(window, &name);
             ask(window, LessonCommand::Predict);
             let record = course(window).record().expect("a step");
@@ -436,6 +445,7 @@ fn walk(window: &mut Harness<'_, App>, lesson: &Lesson, mut look: impl FnMut(&Ha
         if let Some(observation) = observation.filter(|_| at.phase == Phase::Shown) {
             let other = (observation.options.right + 1) % observation.options.texts.len();
             ask(window, LessonCommand::Observe(other));
+            settle_words(window);
             look(window, &name);
         }
         ask(window, LessonCommand::Forward);

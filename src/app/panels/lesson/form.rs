@@ -16,8 +16,8 @@ use crate::lesson::{Answer, Course, Kind, Number, Options, Prediction};
 /// Shows the form of `prediction`.
 pub fn show(ui: &mut Ui, state: &State, course: &Course, prediction: &Prediction, asks: &mut Asks) {
     match &prediction.kind {
-        Kind::Choice(options) if course.counts_hands() => votes(ui, course, options, asks),
-        Kind::Choice(options) => choices(ui, course, options, asks),
+        Kind::Choice(options) if course.counts_hands() => votes(ui, state, course, options, asks),
+        Kind::Choice(options) => choices(ui, state, course, options, asks),
         Kind::Number(asked) => number(ui, course, asked, asks),
         Kind::Point(_) | Kind::Curve(_) => hint(ui, state, course),
     }
@@ -28,17 +28,21 @@ fn draft(asks: &mut Asks, answer: Option<Answer>) {
 }
 
 /// The choices, one of which can be taken.
-pub fn choices(ui: &mut Ui, course: &Course, options: &Options, asks: &mut Asks) {
+pub fn choices(ui: &mut Ui, state: &State, course: &Course, options: &Options, asks: &mut Asks) {
     for (number, text) in options.texts.iter().enumerate() {
         let is_chosen = course.draft == Some(Answer::Choice(number));
-        if cards::choice(ui, text, is_chosen).clicked() {
+        let card = match state.session.stage.is_presented() {
+            true => cards::lettered_choice(ui, text, number, is_chosen),
+            false => cards::choice(ui, text, is_chosen),
+        };
+        if card.clicked() {
             draft(asks, Some(Answer::Choice(number)));
         }
     }
 }
 
 /// The choices, each with how many hands were raised for it.
-pub fn votes(ui: &mut Ui, course: &Course, options: &Options, asks: &mut Asks) {
+pub fn votes(ui: &mut Ui, state: &State, course: &Course, options: &Options, asks: &mut Asks) {
     let votes = course.votes(options.texts.len());
     let side = 1.6 * TextStyle::Body.resolve(ui.style()).size;
     for (number, text) in options.texts.iter().enumerate() {
@@ -64,7 +68,9 @@ pub fn votes(ui: &mut Ui, course: &Course, options: &Options, asks: &mut Asks) {
             ui.add_space(6.0);
             ui.with_layout(Layout::top_down(Align::Min), |ui| {
                 ui.add_space(2.0);
-                cards::text_behind(ui, text, cards::Sign::Nothing);
+                let is_presented = state.session.stage.is_presented();
+                let letter = cards::Sign::Letter(number, false);
+                cards::text_behind(ui, text, if is_presented { letter } else { cards::Sign::Nothing });
             });
         });
     }

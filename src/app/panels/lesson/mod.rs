@@ -13,6 +13,8 @@ mod shown;
 
 use eframe::egui::{self, StrokeKind, Ui, UiBuilder, vec2};
 
+pub use page::what_is_shown;
+
 use super::Asks;
 use crate::app::state::State;
 use crate::app::theme;
@@ -46,7 +48,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let page = page.with_max_y(page.max.y - foot_height);
         let foot = inside.with_min_y(page.max.y);
         ui.scope_builder(UiBuilder::new().id_salt("page").max_rect(page), |ui| {
-            fitted::show(ui, page::what_is_shown(running), SIZES, |ui| page::show(ui, state, running, asks));
+            fitted::show(ui, what_is_shown(running), SIZES, |ui| page::show(ui, state, running, asks));
         });
         ui.scope_builder(UiBuilder::new().id_salt("foot").max_rect(foot), |ui| {
             foot::show(ui, state, running, asks);
