@@ -8,6 +8,7 @@ mod actions;
 mod aids;
 pub mod args;
 mod automatic;
+mod awake;
 mod background_picture;
 pub mod beyond;
 pub mod border;
@@ -18,6 +19,7 @@ pub mod command;
 pub mod corrected;
 pub mod curves;
 pub mod dial;
+mod digits;
 pub mod examination;
 pub mod eye;
 mod eyes;
@@ -121,6 +123,8 @@ pub struct App {
     faults: Faulty,
     /// Those in the projector's window, once there was one.
     projected: Option<EyePictures>,
+    /// On which screen the projector's window is.
+    screen: projector::Screen,
     full_screen: FullScreen,
     text_scale: f32,
     chooser: Chooser,
@@ -154,6 +158,7 @@ impl App {
             refines: true,
             faults: Faulty::of(ctx, render_state),
             projected: None,
+            screen: projector::Screen::default(),
             full_screen: FullScreen::default(),
             text_scale: 1.0,
             chooser: Chooser::default(),
@@ -310,7 +315,7 @@ impl App {
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         ctx.set_theme(theme::preference(self.state.settings.window.theme));
-        let mut asks = actions::asked(&ctx);
+        let mut asks = actions::asked(&ctx, &self.state);
         if self.shows_start() {
             asks.retain(panels::start::lets_through);
         }
@@ -578,7 +583,8 @@ impl eframe::App for App {
         log::trace!("a frame took {:.3} ms", 1e3 * ctx.input(|input| input.unstable_dt));
     }
 
-    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        self.choose_screen(frame);
         self.show(ui);
     }
 
