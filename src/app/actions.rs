@@ -6,11 +6,13 @@ use relativity_render::Geometry;
 
 use super::chooser::{Product, Purpose};
 use super::command::Command;
+use super::digits;
 use super::focus;
 use super::orders::Copied;
 use super::overlay::Overlay;
 use super::plotting::PlotCommand;
 use super::running::LessonCommand;
+use super::state::State;
 
 /// Something that can be asked for by name or by key.
 #[derive(Debug)]
@@ -155,11 +157,17 @@ fn keys_text(keys: KeyboardShortcut) -> String {
     format!("{held}{name}")
 }
 
-/// What the keys pressed since the last frame ask for, but for those that the widget with the keyboard takes.
-pub fn asked(ctx: &Context) -> Vec<Command> {
+/// What the keys pressed since the last frame ask for, but for those that the widget with the keyboard takes. Digits answer the
+/// lesson where it has choices.
+pub fn asked(ctx: &Context, state: &State) -> Vec<Command> {
     let is_copying_text = ctx.plugin::<LabelSelectionState>().lock().has_selection();
-    let is_meant = |event: &&Event| !(is_copying_text && **event == Event::Copy);
-    let pressed: Vec<_> = ctx.input(|input| input.events.iter().filter(is_meant).filter_map(bound).collect());
+    let is_meant =
+        |event: &&Event| !(is_copying_text && **event == Event::Copy) && !digits::counts(state, event);
+    let answered =
+        |event: &Event| digits::answered(state, event).map(|(digit, command)| (key(digit), command));
+    let meaning = |event: &Event| answered(event).or_else(|| bound(event));
+    let pressed: Vec<_> =
+        ctx.input(|input| input.events.iter().filter(is_meant).filter_map(meaning).collect());
     pressed.into_iter().filter(|(keys, _)| !focus::takes(ctx, *keys)).map(|(_, command)| command).collect()
 }
 

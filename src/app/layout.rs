@@ -227,36 +227,19 @@ impl LessonPart {
     }
 }
 
-/// What is shown to an audience: the views, and below them the speed and what it is all about beside one plot.
+/// What is shown to an audience: the views, and below them words beside a plot, the map or a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Presentation {
     /// The views.
     pub panes: Vec<Pane>,
-    /// The speed, large.
-    pub speed: Rect,
-    /// The moment in a sentence.
-    pub sentence: Rect,
-    /// What is shown and why.
-    pub caption: Rect,
-    /// The words of a lesson, in the place of those.
-    pub lesson: Option<Rect>,
-    /// One plot, or the map.
+    /// The words; none where the picture needs the whole screen.
+    pub words: Option<Rect>,
+    /// One plot, the map, or the fit with its residuals and its table.
     pub plot: Option<Rect>,
 }
 
-/// How much of the height and of the width the words take below presented views, and of their height the speed and the
-/// sentence do.
-const WORDS_SHARE: Vec2 = vec2(0.5, 0.34);
-const SPEED_SHARE: f32 = 0.27;
-const SENTENCE_SHARE: f32 = 0.39;
-
-/// How much of the height the words of a lesson take, and of the width where there is a plot beside them.
-const LESSON_WORDS_SHARE: Vec2 = vec2(0.56, 0.42);
-/// The same where the map is beside them: it is wide, and has much to tell.
-const MAPPED_WORDS_SHARE: Vec2 = vec2(0.4, 0.5);
-
-/// What stands beside the words of a lesson before an audience.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// What stands beside the words before an audience.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Beside {
     /// Nothing: they have all the room.
     Nothing,
@@ -264,57 +247,55 @@ pub enum Beside {
     Plot,
     /// The map.
     Map,
+    /// The fit: readings, residuals and a table.
+    Fit,
+}
+
+impl Beside {
+    /// How much of the width the words take.
+    const fn words_width(self) -> f32 {
+        match self {
+            Self::Nothing => 1.0,
+            Self::Plot | Self::Map => 0.5,
+            Self::Fit => 0.38,
+        }
+    }
+
+    /// Least and most of the height that the words, and what stands beside them, take from the views; and most where they
+    /// could not be read from the last row else.
+    const fn heights(self) -> [f32; 3] {
+        match self {
+            Self::Nothing => [0.12, 0.62, 0.66],
+            Self::Plot | Self::Map => [0.38, 0.54, 0.66],
+            Self::Fit => [0.58, 0.62, 0.76],
+        }
+    }
 }
 
 impl Presentation {
-    /// That in a window with this inner `area`, whose views are `arranged`.
+    /// That in a window with this inner `area`, whose views are `arranged`. The words take as much of the height as they
+    /// `need`, as far as that is known, and the views the rest; an infinite need is that of words that are too small.
     #[must_use]
-    pub fn of(area: Rect, arranged: &Arrangement) -> Self {
+    pub fn of(area: Rect, arranged: &Arrangement, beside: Beside, need: Option<f32>) -> Self {
         if let Some(panes) = arranged.whole_screen(area) {
-            return Self { panes, ..Self::empty(area) };
+            return Self { panes, words: None, plot: None };
         }
-        let (upper, lower) = split_top(area, (1.0 - WORDS_SHARE.y) * area.height());
-        let (words, plot) = split_left(lower, WORDS_SHARE.x * lower.width());
-        let words = inside(words);
-        let (speed, rest) = split_top(words, SPEED_SHARE * words.height());
-        let (sentence, caption) = split_top(rest, SENTENCE_SHARE * words.height());
-        let panes = large_enough(upper).map_or_else(Vec::new, |views| arranged.panes(views));
-        Self { panes, speed, sentence, caption, lesson: None, plot: large_enough(plot) }
-    }
-
-    /// That with the words of a lesson, and what stands beside them.
-    #[must_use]
-    pub fn of_lesson(area: Rect, arranged: &Arrangement, beside: Beside) -> Self {
-        if let Some(panes) = arranged.whole_screen(area) {
-            return Self { panes, ..Self::empty(area) };
-        }
-        let share = match beside {
-            Beside::Nothing => vec2(1.0, LESSON_WORDS_SHARE.y),
-            Beside::Plot => LESSON_WORDS_SHARE,
-            Beside::Map => MAPPED_WORDS_SHARE,
+        let [least, most, utmost] = beside.heights().map(|share| share * area.height());
+        let height = match need {
+            Some(f32::INFINITY) => utmost,
+            Some(need) => (need + 2.0 * around(most)).clamp(least, most),
+            None => most,
         };
-        let (upper, lower) = split_top(area, (1.0 - share.y) * area.height());
-        let (words, plot) = split_left(lower, share.x * lower.width());
+        let (upper, lower) = split_top(area, area.height() - height);
+        let (words, plot) = split_left(lower, beside.words_width() * lower.width());
         let panes = large_enough(upper).map_or_else(Vec::new, |views| arranged.panes(views));
-        Self { panes, lesson: Some(inside(words)), plot: large_enough(plot), ..Self::empty(area) }
-    }
-
-    const fn empty(area: Rect) -> Self {
-        let nothing = Rect::from_min_max(area.min, area.min);
-        Self {
-            panes: Vec::new(),
-            speed: nothing,
-            sentence: nothing,
-            caption: nothing,
-            lesson: None,
-            plot: None,
-        }
+        Self { panes, words: Some(words.shrink(around(most))), plot: large_enough(plot) }
     }
 }
 
-/// What of `words` is written in.
-fn inside(words: Rect) -> Rect {
-    words.shrink((2.0 * GAP).min(0.1 * words.height()))
+/// What stays free around words in a part of this `height`.
+fn around(height: f32) -> f32 {
+    (1.5 * GAP).min(0.1 * height)
 }
 
 /// The views alone, in all of `area`.

@@ -8,6 +8,7 @@ mod actions;
 mod aids;
 pub mod args;
 mod automatic;
+mod awake;
 mod background_picture;
 pub mod beyond;
 pub mod border;
@@ -18,6 +19,7 @@ pub mod command;
 pub mod corrected;
 pub mod curves;
 pub mod dial;
+mod digits;
 pub mod examination;
 pub mod eye;
 mod eyes;
@@ -123,6 +125,8 @@ pub struct App {
     faults: Faulty,
     /// Those in the projector's window, once there was one.
     projected: Option<EyePictures>,
+    /// On which screen the projector's window is.
+    screen: projector::Screen,
     full_screen: FullScreen,
     text_scale: f32,
     chooser: Chooser,
@@ -134,8 +138,10 @@ pub struct App {
     keeper: Option<Keeper>,
 }
 
-/// How much larger than usual writing is for an audience.
-const PRESENTED_SCALE: f32 = 1.6;
+/// Bounds of how much larger than usual writing is for an audience, for windows of any size.
+const PRESENTED_SCALES: [f32; 2] = [0.8, 12.0];
+/// How much larger it is on the start page.
+const PRESENTED_START_SCALE: f32 = 1.6;
 /// What stays free around the bar, the controls and the readout, points.
 const INSET: egui::Vec2 = egui::vec2(theme::GAP, theme::GAP / 2.0);
 
@@ -155,6 +161,7 @@ impl App {
             refines: true,
             faults: Faulty::of(ctx, render_state),
             projected: None,
+            screen: projector::Screen::default(),
             full_screen: FullScreen::default(),
             text_scale: 1.0,
             chooser: Chooser::default(),
@@ -324,7 +331,7 @@ impl App {
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         ctx.set_theme(theme::preference(self.state.settings.window.theme));
-        let mut asks = actions::asked(&ctx);
+        let mut asks = actions::asked(&ctx, &self.state);
         if self.shows_start() {
             asks.retain(panels::start::lets_through);
         }
@@ -383,7 +390,12 @@ impl App {
     fn set_stage(&mut self, ctx: &egui::Context) {
         let State { settings, session } = &mut self.state;
         session.stage.full_screen = self.full_screen.update(ctx, session.stage.full_screen);
-        let scale = if session.stage.is_presented() { PRESENTED_SCALE } else { 1.0 };
+        let scale = match session.stage.is_presented() {
+            // Its cards have pictures, and are to be in sight.
+            true if session.overlay == Some(Overlay::Start) => PRESENTED_START_SCALE,
+            true => presented_scale(ctx),
+            false => 1.0,
+        };
         if scale != self.text_scale {
             self.text_scale = scale;
             theme::scale_text(ctx, scale);
@@ -489,55 +501,62 @@ impl App {
         self.forget_composed(&layout.panes);
     }
 
+    /// What stands beside the words before an audience.
+    fn beside_words(&self) -> Beside {
+        let plot = if self.state.settings.plots.plot == PlotTab::Fit && self.state.sketched().is_none() {
+            Beside::Fit
+        } else {
+            Beside::Plot
+        };
+        match (self.lesson_part(), self.state.shown_window()) {
+            (LessonPart::Nothing, _) => plot,
+            (_, Window { map: Presence::On, .. }) if !self.state.shows_sketch() => Beside::Map,
+            (_, Window { plots: true, .. }) => plot,
+            _ => Beside::Nothing,
+        }
+    }
+
     /// Shows the views, one plot and the words, large.
     fn show_presented(&mut self, ui: &mut Ui, area: Rect) {
-        let mut shows_map = false;
-        let presentation = match self.lesson_part() {
-            LessonPart::Nothing => Presentation::of(area, &self.arranged(ui)),
-            LessonPart::Strip | LessonPart::Panel => {
-                let beside = match self.state.shown_window() {
-                    Window { map: Presence::On, .. } if !self.state.shows_sketch() => Beside::Map,
-                    Window { plots: true, .. } => Beside::Plot,
-                    Window { .. } => Beside::Nothing,
-                };
-                shows_map = beside == Beside::Map;
-                Presentation::of_lesson(area, &self.arranged(ui), beside)
-            }
-        };
+        let beside = self.beside_words();
+        let need = panels::presented::needed(ui.ctx(), &self.state, area, beside);
+        let presentation = Presentation::of(area, &self.arranged(ui), beside, need);
         self.measure_pictures(ui, &presentation.panes);
         self.choose_methods(ui, &presentation.panes);
-        self.fitting.rest();
+        self.update_fit(ui.ctx(), beside == Beside::Fit);
         self.update_examination(ui, &presentation.panes, false);
         for &pane in &presentation.panes {
             self.interact(ui, pane);
         }
-        self.state.session.shows_map = shows_map && presentation.plot.is_some();
-        if let Some(rect) = presentation.plot.filter(|_| shows_map) {
-            self.panel(ui, "map", rect, panels::map::show_presented);
-        } else if let Some(rect) = presentation.plot {
-            if !self.state.shows_sketch() {
-                self.update_curves();
-            }
-            let curves = std::mem::take(&mut self.curves);
-            self.panel(ui, "plots", rect, |ui, state, asks| {
-                panels::plots::show_one(ui, state, &curves, asks);
-            });
-            self.curves = curves;
+        self.state.session.shows_map = beside == Beside::Map && presentation.plot.is_some();
+        if let Some(rect) = presentation.plot {
+            self.beside(ui, beside, rect);
         }
         self.paint_all(ui, &presentation.panes);
         self.forget_composed(&presentation.panes);
         let views = presentation.panes.iter().map(|pane| pane.rect).reduce(Rect::union);
         self.message(ui.ctx(), views.unwrap_or(area), area);
         halo::paint(ui.ctx());
-        if let Some(rect) = presentation.lesson {
-            self.panel(ui, "lesson", rect, panels::lesson::presented::show);
+        if let Some(rect) = presentation.words {
+            self.panel(ui, "words", rect, |ui, state, asks| {
+                panels::presented::words(ui, state, area, beside, asks);
+            });
         }
-        if !presentation.speed.is_positive() {
+    }
+
+    /// Shows at `rect` what stands beside the words before an audience.
+    fn beside(&mut self, ui: &mut Ui, beside: Beside, rect: Rect) {
+        if beside == Beside::Map {
+            self.panel(ui, "map", rect, panels::map::show_presented);
             return;
         }
-        self.panel(ui, "speed", presentation.speed, |ui, state, _| panels::presented::speed(ui, state));
-        self.panel(ui, "sentence", presentation.sentence, |ui, state, _| panels::sentence::show(ui, state));
-        self.panel(ui, "caption", presentation.caption, |ui, state, _| panels::presented::caption(ui, state));
+        if !self.state.shows_sketch() {
+            self.update_curves();
+        }
+        let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
+        let plotted = Plotted { curves: &curves, fitting: &fitting, examination: None };
+        self.panel(ui, "plots", rect, |ui, state, asks| panels::plots::show_one(ui, state, plotted, asks));
+        (self.curves, self.fitting) = (curves, fitting);
     }
 
     /// Shows the message, if there is one, at the top of `room`.
@@ -582,7 +601,8 @@ impl eframe::App for App {
         log::trace!("a frame took {:.3} ms", 1e3 * ctx.input(|input| input.unstable_dt));
     }
 
-    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        self.choose_screen(frame);
         self.show(ui);
     }
 
@@ -598,6 +618,14 @@ impl eframe::App for App {
             log::warn!("{failure}");
         }
     }
+}
+
+/// How much larger than usual writing is for an audience: the smallest is as high as the last row needs, and larger with the
+/// window's zoom.
+fn presented_scale(ctx: &egui::Context) -> f32 {
+    let height = panels::presented::reference_height(ctx.content_rect()) * ctx.zoom_factor();
+    let [least, most] = PRESENTED_SCALES;
+    (panels::presented::LEAST_SHARE * height / theme::SMALL_SIZE).clamp(least, most)
 }
 
 /// A file dropped onto the window.

@@ -1,22 +1,47 @@
 //! The projector's window: the views, while the controls stay on the lecturer's screen.
 
-use eframe::egui::{Context, Ui, ViewportBuilder, ViewportClass, ViewportCommand, ViewportId};
+use eframe::egui::{Context, Rect, Ui, ViewportBuilder, ViewportClass, ViewportCommand, ViewportId};
 
 use super::command::Command;
 use super::eyes::EyePictures;
-use super::{App, actions, halo, layout};
+use super::layout::{self, Beside, Presentation};
+use super::{App, actions, halo, panels, theme};
+
+/// The screen on which the projector's window opens.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum Screen {
+    /// It is not open.
+    #[default]
+    NotChosen,
+    /// There is no other one than the lecturer's.
+    Same,
+    /// The one of this number, in the system's order.
+    Other(usize),
+}
 
 /// What it is called among windows.
 fn id() -> ViewportId {
     ViewportId::from_hash_of("projector")
 }
 
-/// How it opens: to be moved to the projector's screen, and made as large as that by F11.
-fn window() -> ViewportBuilder {
-    ViewportBuilder::default()
+/// How it opens: on all of the other `screen` if there is one; else to be moved to the projector's, and made as large as that
+/// by F11.
+fn window(screen: Screen) -> ViewportBuilder {
+    let window = ViewportBuilder::default()
         .with_title("Gamow: views")
         .with_inner_size([1024.0, 520.0])
-        .with_min_inner_size([240.0, 160.0])
+        .with_min_inner_size([240.0, 160.0]);
+    match screen {
+        Screen::Other(number) => window.with_monitor(number),
+        Screen::Same | Screen::NotChosen => window,
+    }
+}
+
+/// Returns the number of a screen that the window of this `frame` is not on, in the system's order.
+fn other_screen(frame: &eframe::Frame) -> Option<usize> {
+    let window = frame.winit_window()?;
+    let own = window.current_monitor()?;
+    window.available_monitors().position(|screen| screen != own)
 }
 
 /// Whether `command` is about this window alone, and then done: what it says of the whole screen is said of its own.
@@ -34,13 +59,22 @@ fn takes(ctx: &Context, command: &Command) -> bool {
 }
 
 impl App {
+    /// Chooses the screen of the projector's window as that opens: a window does not move because another one does.
+    pub(super) fn choose_screen(&mut self, frame: &eframe::Frame) {
+        self.screen = match (self.state.session.stage.projector, self.screen) {
+            (false, _) => Screen::NotChosen,
+            (true, Screen::NotChosen) => other_screen(frame).map_or(Screen::Same, Screen::Other),
+            (true, chosen) => chosen,
+        };
+    }
+
     /// Shows the projector's window while there is one.
     pub(super) fn update_projector(&mut self, ctx: &Context) {
         if !self.state.session.stage.projector {
             self.projected.iter_mut().for_each(EyePictures::forget);
             return;
         }
-        let is_closed = ctx.show_viewport_immediate(id(), window(), |ui, class| {
+        let is_closed = ctx.show_viewport_immediate(id(), window(self.screen), |ui, class| {
             if class == ViewportClass::Immediate {
                 self.read_projector_keys(ui.ctx());
             }
@@ -54,18 +88,27 @@ impl App {
 
     /// Has the keys work in a window of its own, too.
     fn read_projector_keys(&mut self, ctx: &Context) {
-        let asks = actions::asked(ctx).into_iter().filter(|command| !takes(ctx, command));
+        let asks = actions::asked(ctx, &self.state).into_iter().filter(|command| !takes(ctx, command));
         self.apply(ctx, asks.collect());
     }
 
-    /// Shows the views, and nothing else, in a window whose `ui` this is.
+    /// Shows the views, and the words of a lesson with what stands beside them, in a window whose `ui` this is.
     fn show_projected(&mut self, ui: &mut Ui) {
         if self.projected.is_none() {
             self.projected = self.eyes.as_ref().map(EyePictures::another);
         }
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-        let panes = layout::views(area, &self.arranged(ui).without_corrected());
+        let arranged = self.arranged(ui).without_corrected();
+        let beside = self.state.session.lesson.is_some().then(|| self.beside_words());
+        let lesson = beside.map(|beside| {
+            let need = panels::presented::needed(ui.ctx(), &self.state, area, beside);
+            (beside, Presentation::of(area, &arranged, beside, need))
+        });
+        let panes = match &lesson {
+            Some((_, lesson)) => lesson.panes.clone(),
+            None => layout::views(area, &arranged),
+        };
         // What is off is examined in pictures of the other window's size.
         let (size, examination) = (self.state.session.picture_size, self.examination.take());
         let choices = self.state.session.choices.clone();
@@ -80,6 +123,25 @@ impl App {
         std::mem::swap(&mut self.eyes, &mut self.projected);
         (self.state.session.picture_size, self.examination) = (size, examination);
         self.state.session.choices = choices;
+        if let Some((beside, lesson)) = lesson {
+            self.show_projected_lesson(ui, area, beside, &lesson);
+        }
         halo::paint(ui.ctx());
+    }
+
+    /// Shows the words of the lesson and what stands beside them in the projector's window of this `area`.
+    fn show_projected_lesson(&mut self, ui: &mut Ui, area: Rect, beside: Beside, lesson: &Presentation) {
+        let size = theme::BODY_SIZE * super::presented_scale(ui.ctx());
+        ui.scope(|ui| {
+            theme::set_body_size(ui.style_mut(), size);
+            if let Some(rect) = lesson.plot {
+                self.beside(ui, beside, rect);
+            }
+            if let Some(rect) = lesson.words {
+                self.panel(ui, "projected words", rect, |ui, state, asks| {
+                    panels::presented::words(ui, state, area, beside, asks);
+                });
+            }
+        });
     }
 }

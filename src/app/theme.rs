@@ -119,6 +119,8 @@ pub const fn preference(theme: Theme) -> ThemePreference {
 
 /// The smallest writing there is, points.
 pub const SMALLEST_SIZE: f32 = 11.0;
+/// Size of small writing, points.
+pub const SMALL_SIZE: f32 = 11.5;
 /// Size of most writing, points.
 pub const BODY_SIZE: f32 = 14.0;
 
@@ -131,7 +133,7 @@ pub fn scale_text(ctx: &egui::Context, scale: f32) {
 pub fn set_body_size(style: &mut egui::Style, size: f32) {
     let size = |points: f32, family| FontId::new(size / BODY_SIZE * points, family);
     style.text_styles = [
-        (TextStyle::Small, size(11.5, FontFamily::Proportional)),
+        (TextStyle::Small, size(SMALL_SIZE, FontFamily::Proportional)),
         (TextStyle::Body, size(BODY_SIZE, FontFamily::Proportional)),
         (TextStyle::Button, size(BODY_SIZE, FontFamily::Proportional)),
         (TextStyle::Heading, size(16.0, FontFamily::Proportional)),
@@ -144,6 +146,12 @@ pub fn set_body_size(style: &mut egui::Style, size: f32) {
 #[must_use]
 pub fn text_scale(style: &egui::Style) -> f32 {
     TextStyle::Body.resolve(style).size / BODY_SIZE
+}
+
+/// Writing of this size, points, as much larger as all other writing of this `style` is.
+#[must_use]
+pub fn scaled_font(style: &egui::Style, points: f32) -> FontId {
+    FontId::proportional(points * text_scale(style))
 }
 
 /// Sets fonts, spacing and both palettes.

@@ -8,7 +8,7 @@ use relativity_render::Geometry;
 
 use super::eye::Eye;
 use super::state::State;
-use super::{clock, theme};
+use super::{awake, clock, theme};
 use crate::caption::times::told;
 use crate::figures;
 use crate::flags::choices::ProjectionChoice;
@@ -100,18 +100,21 @@ impl State {
     }
 }
 
-/// Where the pointer is in the view at `rect`, as long as what is under it is to be told: not while it drags, nor while T
-/// runs fast.
+/// Where the pointer is in the view at `rect`, as long as what is under it is to be told: not while it drags or was forgotten,
+/// nor while T runs fast.
 #[must_use]
 pub fn pointer(ui: &Ui, state: &State, rect: Rect) -> Option<Pos2> {
-    let is_free = !ui.input(|input| input.pointer.any_down()) && state.is_legible();
+    let is_used = awake::is_moved(ui.ctx()) || awake::is_opened(ui.ctx());
+    let is_free = is_used && !ui.input(|input| input.pointer.any_down()) && state.is_legible();
     ui.ctx().pointer_hover_pos().filter(|_| is_free && ui.rect_contains_pointer(rect))
 }
 
-/// Writes what is `under` a `pointer` beside it, inside `view`.
+/// Writes what is `under` a `pointer` beside it, inside `view`: its name and D, and the rest once it was clicked. Assistive
+/// technology has all of it.
 pub fn show(ui: &Ui, view: Rect, pointer: Pos2, under: &Under) {
     let name = format!("Under the pointer: {}; {}", under.title(), under.lines.join("; "));
-    tag(ui, view, pointer, &under.title(), &under.lines, &name);
+    let lines = if awake::is_opened(ui.ctx()) { under.lines.as_slice() } else { &[] };
+    tag(ui, view, pointer, &under.title(), lines, &name);
 }
 
 /// Says at `place` in `view` that nothing is there that could be followed.
@@ -137,7 +140,7 @@ fn tag(ui: &Ui, view: Rect, place: Pos2, title: &str, lines: &[String], name: &s
     painter.rect_filled(rect, 4.0, Color32::from_black_alpha(185));
     painter.galley(rect.min + MARGIN, galley, Color32::WHITE);
     let response =
-        ui.interact(rect.intersect(view), ui.scope_id().with(("tag", lines.is_empty())), Sense::hover());
+        ui.interact(rect.intersect(view), ui.scope_id().with(("tag", name == NOTHING)), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name));
 }
 

@@ -1,7 +1,7 @@
 //! Lessons in the window: what a student does in the panel, what an audience sees, and the way back.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Rect, Vec2, pos2};
+use eframe::egui::{Event, Key, Rect, Vec2, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::App;
@@ -23,6 +23,8 @@ pub const TESTS: &[Test] = &[
         an_observation_against_what_was_shown,
     ),
     ("hands_are_counted_in_a_lesson_of_a_class", hands_are_counted),
+    ("digits_answer_a_lesson_that_has_choices_and_change_no_picture", digits_answer),
+    ("hands_in_a_lesson_are_typed_as_numbers", hands_are_typed),
     ("a_narrow_window_folds_the_lesson_for_its_controls", a_narrow_window_folds_the_lesson),
     ("what_was_explored_in_a_lesson_is_set_up_again_and_undone", what_was_explored_is_set_up_again),
     ("closing_a_lesson_has_the_parts_of_the_window_as_before", closing_a_lesson),
@@ -258,6 +260,59 @@ fn hands_are_counted() {
     assert_eq!(course(&window).score().asked, 0);
 }
 
+fn digits_answer() {
+    for is_presented in [false, true] {
+        let mut window = window(&lesson(), [1280.0, 800.0]);
+        if is_presented {
+            window.state_mut().ask(Command::TogglePresenting);
+            window.run_steps(4);
+            // Cards that are held up have letters.
+            assert!(["A", "B"].iter().all(|letter| labels(&window).iter().any(|label| label == letter)));
+        }
+        let geometry = window.state().state().settings.geometry();
+        for (digit, draft) in [(Key::Num2, 1), (Key::Num1, 0), (Key::Num3, 0), (Key::Num4, 0)] {
+            key(&mut window, digit);
+            assert_eq!(course(&window).draft, Some(Answer::Choice(draft)), "{digit:?}");
+            assert_eq!(window.state().state().settings.geometry(), geometry, "{digit:?}");
+        }
+        ask(&mut window, LessonCommand::Predict);
+        ask(&mut window, LessonCommand::Forward);
+        key(&mut window, Key::Num2);
+        assert_eq!(course(&window).records()[0].observed, Some(1));
+        assert_eq!(window.state().state().settings.geometry(), geometry);
+        // Where nothing is asked they do what they always do.
+        ask(&mut window, LessonCommand::Forward);
+        key(&mut window, Key::Num2);
+        assert_ne!(window.state().state().settings.geometry(), geometry);
+    }
+}
+
+fn hands_are_typed() {
+    for is_presented in [false, true] {
+        let mut window = window(&lesson(), [1280.0, 800.0]);
+        if is_presented {
+            window.state_mut().ask(Command::TogglePresenting);
+        }
+        ask(&mut window, LessonCommand::ToggleClass);
+        let geometry = window.state().state().settings.geometry();
+        let digit = |window: &mut Harness<'_, App>, digit: Key, text: &str| {
+            window.key_press(digit);
+            window.event(Event::Text(text.to_owned()));
+            window.run_steps(2);
+        };
+        // Nothing has the keyboard: the first field takes it.
+        digit(&mut window, Key::Num1, "1");
+        digit(&mut window, Key::Num2, "2");
+        key(&mut window, Key::Tab);
+        assert_eq!(course(&window).draft, Some(Answer::Votes(vec![12, 0])));
+        window.get_by_role_and_label(Role::TextInput, "Hands for long: 0").click();
+        window.run_steps(2);
+        digit(&mut window, Key::Num4, "4");
+        assert_eq!(course(&window).draft, Some(Answer::Votes(vec![12, 4])));
+        assert_eq!(window.state().state().settings.geometry(), geometry);
+    }
+}
+
 fn a_narrow_window_folds_the_lesson() {
     let has_controls = |window: &Harness<'_, App>| window.query_by_label("Speed β").is_some();
     let mut wide = window(&lesson(), [1280.0, 800.0]);
@@ -412,6 +467,13 @@ fn fitting(kind: &Kind) -> Answer {
     }
 }
 
+/// Before an audience pictures and words share the room within a few frames.
+fn settle_words(window: &mut Harness<'_, App>) {
+    if window.state().state().session.stage.is_presented() {
+        window.run_steps(4);
+    }
+}
+
 /// Goes through all of `lesson` in `window`, and has `look` look at each of its places.
 fn walk(window: &mut Harness<'_, App>, lesson: &Lesson, mut look: impl FnMut(&Harness<'_, App>, &str)) {
     for _ in 0..6 * lesson.steps.len() + 3 {
@@ -419,9 +481,11 @@ fn walk(window: &mut Harness<'_, App>, lesson: &Lesson, mut look: impl FnMut(&Ha
         let name = format!("{} {}: {at:?}", lesson.name, lesson.title);
         assert!(window.state().state().session.notice.is_none(), "{name}");
         assert_is_as_told(window, &name);
+        settle_words(window);
         look(window, &name);
         if let Some(asked) = course(window).asked().cloned() {
             ask(window, LessonCommand::Draft(Some(fitting(&asked.kind))));
+            settle_words(window);
             look(window, &name);
             ask(window, LessonCommand::Predict);
             let record = course(window).record().expect("a step");
@@ -435,6 +499,7 @@ fn walk(window: &mut Harness<'_, App>, lesson: &Lesson, mut look: impl FnMut(&Ha
         if let Some(observation) = observation.filter(|_| at.phase == Phase::Shown) {
             let other = (observation.options.right + 1) % observation.options.texts.len();
             ask(window, LessonCommand::Observe(other));
+            settle_words(window);
             look(window, &name);
         }
         ask(window, LessonCommand::Forward);

@@ -34,6 +34,7 @@ mod stereo;
 mod support;
 mod time;
 mod times;
+mod two_keys;
 mod way_back;
 mod wheels;
 mod words;
@@ -79,6 +80,7 @@ fn main() -> ExitCode {
         stereo::TESTS,
         time::TESTS,
         times::TESTS,
+        two_keys::TESTS,
         way_back::TESTS,
         wheels::TESTS,
         words::TESTS,

@@ -14,7 +14,9 @@ use gamow::settings::PlotTab;
 
 use super::Test;
 use super::picking::{FRONT_TYRE, click};
-use super::support::{cyclist, label_starting_with, labels, open, pane, slider, window, window_of_size};
+use super::support::{
+    FRAME, cyclist, label_starting_with, labels, open, pane, slider, window, window_of_size,
+};
 
 pub const TESTS: &[Test] = &[
     ("a_message_of_any_length_stays_over_the_views", a_message_of_any_length),
@@ -34,6 +36,7 @@ pub const TESTS: &[Test] = &[
     ("no_tooltip_covers_what_was_dragged", no_tooltip_covers_what_was_dragged),
     ("no_writing_in_the_window_is_smaller_than_eleven_points", no_writing_is_small),
     ("a_newcomer_is_told_to_click_until_the_first_click", a_newcomer_is_told_to_click),
+    ("a_hint_in_the_views_goes_by_itself", a_hint_goes_by_itself),
     ("the_tabulator_reaches_every_control_and_both_views_visibly", the_tabulator_reaches_everything),
     ("scroll_bars_have_room_of_their_own", scroll_bars_have_room),
     ("the_help_fits_into_the_smallest_window", the_help_fits),
@@ -415,6 +418,20 @@ fn no_writing_is_small() {
             }
         }
     }
+}
+
+/// The hint goes by itself, and covers nothing else that is written in the view.
+fn a_hint_goes_by_itself() {
+    let hint = "Click a point to follow it.";
+    let mut state = cyclist(0.9);
+    state.session.hint = true;
+    let mut window = window(state);
+    let has_hint = |window: &Harness<'_, App>| labels(window).iter().any(|label| label == hint);
+    assert!(has_hint(&window));
+    window.run_steps((11.0 / FRAME) as usize);
+    assert!(has_hint(&window));
+    window.run_steps((2.0 / FRAME) as usize);
+    assert!(!has_hint(&window) && window.state().state().session.hint);
 }
 
 fn a_newcomer_is_told_to_click() {

@@ -3,7 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Rect, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::eye::Eye;
@@ -17,11 +17,12 @@ use relativity_core::{Aperture, SourcePoint, sighting};
 use relativity_render::{Gaze, Geometry, Gpu, Method, Renderers};
 
 use super::Test;
-use super::support::{SEPARATION, cyclist, drag, label_starting_with, pane, shown, window};
+use super::support::{FRAME, SEPARATION, cyclist, drag, label_starting_with, pane, shown, window};
 
 pub const TESTS: &[Test] = &[
     ("clicking_the_wheel_at_beta_0_9_plots_that_point", || clicking_the_wheel(0.9)),
     ("clicking_the_wheel_at_beta_0_1_plots_that_point", || clicking_the_wheel(0.1)),
+    ("a_pointer_that_was_forgotten_tells_nothing", a_forgotten_pointer),
     ("shift_clicking_compares_points", shift_clicking_compares_points),
     ("double_clicking_follows_again_and_picks_nothing", double_clicking_follows_again),
     ("a_click_beside_everything_changes_nothing", a_click_beside_everything),
@@ -51,6 +52,47 @@ fn place(window: &Harness<'_, App>, rest: [f64; 3], eye: usize) -> Pos2 {
     let camera = state.view(Eye::BOTH[eye], [pane.width() as u32, pane.height() as u32]).camera;
     let [u, v] = camera.pixel(DVec3::from(seen.position)).expect("in front");
     pane.min + vec2(u as f32, v as f32)
+}
+
+/// What is under the pointer is told once it moves, in a line; at length after a click; and no longer after three seconds or
+/// once a key is pressed.
+fn a_forgotten_pointer() {
+    let mut window = window(cyclist(0.9));
+    let tyre = place(&window, ON_THE_TYRE, 0);
+    let tag = |window: &Harness<'_, App>| {
+        let nodes = window.root().children_recursive();
+        let mut told = nodes.filter(|node| {
+            let node = node.accesskit_node();
+            let told = node.label().or_else(|| node.value());
+            told.is_some_and(|told| told.starts_with("Under the pointer: "))
+        });
+        told.next().map(|node| node.rect().height())
+    };
+    assert_eq!(tag(&window), None);
+    window.hover_at(tyre);
+    window.run_steps(2);
+    let line = tag(&window).expect("it moved");
+    assert!(line < 30.0, "a line, not {line} points");
+    window.run_steps((2.5 / FRAME) as usize);
+    assert_eq!(tag(&window), Some(line));
+    window.run_steps((0.7 / FRAME) as usize);
+    assert_eq!(tag(&window), None, "it was forgotten");
+    window.hover_at(tyre + vec2(0.0, 0.5));
+    window.run_steps(2);
+    assert_eq!(tag(&window), Some(line));
+    window.key_press(Key::ArrowRight);
+    window.run_steps(2);
+    assert_eq!(tag(&window), None, "a key is pressed and the picture changes");
+    let tyre = place(&window, ON_THE_TYRE, 0);
+    click(&mut window, tyre, Modifiers::NONE);
+    window.run_steps(2);
+    let all = tag(&window).expect("it was clicked");
+    assert!(all > 2.0 * line, "{all} is not the rest too");
+    window.run_steps((4.0 / FRAME) as usize);
+    assert_eq!(tag(&window), Some(all), "it is read");
+    window.key_press(Key::ArrowLeft);
+    window.run_steps(2);
+    assert_eq!(tag(&window), None);
 }
 
 /// Presses the button at `place` and lets it go.

@@ -19,6 +19,7 @@ pub const TESTS: &[Test] = &[
     ("a_double_click_on_a_title_has_a_part_alone", a_part_alone),
     ("the_comfortable_button_narrows_d_and_says_so", the_comfortable_button),
     ("the_projectors_window_shows_the_views_and_goes_again", the_projectors_window),
+    ("a_projector_has_the_lessons_words_and_the_lecturer_keeps_notes", a_projector_has_the_lessons_words),
     ("the_meter_knows_the_distance_and_costs_nothing_unseen", the_meter_knows_the_distance),
 ];
 
@@ -209,4 +210,24 @@ fn the_projectors_window() {
         window.run();
     }
     assert_eq!(views(&window), 1);
+}
+
+fn a_projector_has_the_lessons_words() {
+    let lesson = gamow::lesson::Library::own().open("turned").expect("a lesson");
+    let mut state = cyclist(0.9);
+    state.begin_lesson(&lesson).expect("it can be worked out");
+    let mut window = window(state);
+    let count = |window: &Harness<'_, App>, text: &str| {
+        super::support::labels(window).iter().filter(|label| label.starts_with(text)).count()
+    };
+    let (question, notes) = ("What do you see as it passes", "Notes, for you alone: about ");
+    let once = count(&window, question);
+    assert_eq!(count(&window, notes), 0);
+    window.key_press(Key::W);
+    window.run_steps(4);
+    assert_eq!(count(&window, question), 2 * once, "the audience reads it, too");
+    assert!(count(&window, notes) > 0 && count(&window, "Answer") > 0 && count(&window, "Wrong") > 0);
+    window.key_press(Key::W);
+    window.run_steps(2);
+    assert_eq!((count(&window, question), count(&window, notes)), (once, 0));
 }

@@ -1,50 +1,121 @@
-//! What an audience is told below the views: the speed, so large that the last row reads it, and what is shown and why.
+//! The words for an audience, below the views: the speed and the moment, and what is shown and why, or those of a lesson; so
+//! large that the last row reads them.
 
-use eframe::egui::accesskit::Role;
-use eframe::egui::text::LayoutJob;
-use eframe::egui::{self, Align2, Color32, FontId, Rect, Sense, Ui};
+use std::hash::{DefaultHasher, Hash, Hasher as _};
 
+use eframe::egui::{Context, Id, Label, Rect, RichText, TextStyle, Ui};
+
+use super::{Asks, lesson};
+use crate::app::layout::Beside;
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::widgets::fitted;
 use crate::figures;
 
-/// Largest and smallest sizes of the speed and of the caption at the usual scale of writing, points.
-const SPEED_SIZES: [f32; 2] = [44.0, 12.0];
-const CAPTION_SIZES: [f32; 2] = [17.0, 7.0]; // 11.2 for an audience
-/// From one size that is tried to the next.
-const STEP: f32 = 0.92;
+/// Least size of writing before an audience, as a part of the window's height.
+pub const LEAST_SHARE: f32 = 0.03;
+/// Largest and smallest sizes of the words, as parts of the same height. The smallest is for windows that nobody presents
+/// in: in those of usual shapes all that comes with the program stays above [`LEAST_SHARE`].
+const SIZES: [f32; 2] = [0.042, 0.018];
+/// How much larger than the other words the speed is.
+const SPEED: f32 = 1.5;
+/// Height of the smallest writing in a window of this height that is less wide than high, in widths.
+const LEAST_ASPECT: f32 = 0.75;
 
-/// Shows the speed.
-pub fn speed(ui: &Ui, state: &State) {
+/// Part of the room from which on words need all of it.
+const NEARLY: f32 = 0.92;
+
+/// Height of words, as far as it is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Known {
+    /// What they are, and in which window.
+    key: u64,
+    /// The height that they need; infinite if they would be too small.
+    need: f32,
+}
+
+/// Returns the height in proportion to which a window of this `area` writes for an audience.
+#[must_use]
+pub fn reference_height(area: Rect) -> f32 {
+    area.height().min(LEAST_ASPECT * area.width())
+}
+
+/// Returns the height that the words need in a window of this `area` with this `beside` them, if that is known.
+#[must_use]
+pub fn needed(ctx: &Context, state: &State, area: Rect, beside: Beside) -> Option<f32> {
+    let key = key(state, area, beside);
+    let known = ctx.data(|data| data.get_temp::<Known>(id(ctx)));
+    known.filter(|known| known.key == key).map(|known| known.need)
+}
+
+/// Shows the words of a window of this `area` with this `beside` them, in all of the room there is.
+pub fn words(ui: &mut Ui, state: &State, area: Rect, beside: Beside, asks: &mut Asks) {
+    let (key, room) = (key(state, area, beside), ui.max_rect().height());
+    let height = ui.ctx().zoom_factor() * reference_height(area);
+    let sizes = SIZES.map(|share| share * height);
+    let [need, size] = fitted::show(ui, key, sizes, |ui| {
+        let size = TextStyle::Body.resolve(ui.style()).size;
+        ui.spacing_mut().item_spacing.y = 0.25 * size;
+        if state.session.lesson.is_some() {
+            lesson::presented::show(ui, state, asks);
+        } else {
+            preset(ui, state, size);
+        }
+    });
+    let is_small = size < LEAST_SHARE * height;
+    note(ui.ctx(), key, [need, room], is_small);
+}
+
+/// Keeps that the words with this key need so much where they have that `room`: it is given to them from the next pass on.
+/// What is too small, or grows while it is shown, gets all the room there is.
+fn note(ctx: &Context, key: u64, [need, room]: [f32; 2], is_small: bool) {
+    let id = id(ctx);
+    let known = ctx.data(|data| data.get_temp::<Known>(id)).filter(|known| known.key == key);
+    let exceeds = need > room + 0.5;
+    let next = match known.map(|known| known.need) {
+        Some(f32::INFINITY) => return,
+        _ if is_small => f32::INFINITY,
+        Some(_) if exceeds => f32::INFINITY,
+        Some(_) => return,
+        None if exceeds => return,
+        // Nearly as much is as good: another height would have all written anew.
+        None if need > NEARLY * room => room,
+        None => need,
+    };
+    ctx.data_mut(|data| data.insert_temp(id, Known { key, need: next }));
+    ctx.request_discard("the words get as much room as they need");
+    ctx.request_repaint();
+}
+
+fn id(ctx: &Context) -> Id {
+    Id::unique(("words for an audience", ctx.viewport_id()))
+}
+
+/// Tells what the words are, and in which room.
+fn key(state: &State, area: Rect, beside: Beside) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    match &state.session.lesson {
+        Some(running) => lesson::what_is_shown(running).hash(&mut hasher),
+        None => state.session.preset.map(|preset| preset.name).hash(&mut hasher),
+    }
+    (beside, [area.width(), area.height()].map(f32::to_bits)).hash(&mut hasher);
+    hasher.finish()
+}
+
+/// Shows the speed, the moment in a sentence, and what the preset shows and why.
+fn preset(ui: &mut Ui, state: &State, size: f32) {
     let speed = state.speed();
     let beta = figures::beta(&speed);
     let text = match state.measures().speed(&speed) {
         Some(speed) => format!("β = {beta}   {speed}"),
         None => format!("β = {beta}"),
     };
-    write(ui, &text, SPEED_SIZES, ui.visuals().strong_text_color());
-}
-
-/// Shows what the preset shows and why.
-pub fn caption(ui: &Ui, state: &State) {
-    let Some(preset) = state.session.preset else { return };
-    write(ui, &format!("{}. {}", preset.title, preset.caption), CAPTION_SIZES, ui.visuals().text_color());
-}
-
-/// Writes `text` into all the room there is, as large as it fits.
-fn write(ui: &Ui, text: &str, [largest, smallest]: [f32; 2], colour: Color32) {
-    let room = ui.max_rect();
-    let scale = theme::text_scale(ui.style());
-    let laid_out = |size: f32| {
-        let font = FontId::proportional(scale * size);
-        ui.painter().layout_job(LayoutJob::simple(text.to_owned(), font, colour, room.width()))
-    };
-    let sizes =
-        std::iter::successors(Some(largest), |size| Some(size * STEP).filter(|size| *size > smallest));
-    let fits = |size: &f32| laid_out(*size).size().y <= room.height();
-    let galley = laid_out(sizes.into_iter().find(fits).unwrap_or(smallest));
-    let place: Rect = Align2::LEFT_CENTER.anchor_size(room.left_center(), galley.size());
-    ui.painter().galley(place.min, galley, colour);
-    let response = ui.interact(room, ui.scope_id().with("text"), Sense::hover());
-    response.widget_info(|| egui::WidgetInfo::labeled(Role::Label, true, text));
+    let strong = ui.visuals().strong_text_color();
+    let write = |ui: &mut Ui, text: RichText| ui.add(Label::new(text).selectable(false));
+    write(ui, RichText::new(text).size(SPEED * size).color(strong));
+    // A number is not parted from its unit, nor from what it is the value of.
+    let sentence = state.moment().sentence().replace(" nm", "\u{a0}nm").replace(" = ", "\u{a0}=\u{a0}");
+    write(ui, RichText::new(sentence).color(strong));
+    if let Some(preset) = state.session.preset {
+        write(ui, RichText::new(format!("{}. {}", preset.title, preset.caption)));
+    }
 }

@@ -1,9 +1,11 @@
 //! What the two eyes see, side by side: pictures, markers of the followed points, and the mouse in
 //! them.
 
+use std::sync::Arc;
+
 use eframe::egui::{
-    self, Align2, Color32, CursorIcon, Event, EventFilter, Key, Painter, Pos2, Rect, Response, Sense, Stroke,
-    StrokeKind, TextStyle, TextureId, Ui, pos2, vec2,
+    self, Align2, Color32, CursorIcon, Event, EventFilter, Galley, Key, Painter, Pos2, Rect, Response, Sense,
+    Stroke, StrokeKind, TextStyle, TextureId, Ui, pos2, vec2,
 };
 use relativity_core::math;
 use relativity_render::{Camera, Colour, Geometry, Method, PreparedScene, Projection, View};
@@ -19,7 +21,7 @@ use crate::app::pointer::{Pick, Turn, Zoom};
 use crate::app::points::Point;
 use crate::app::state::State;
 use crate::app::widgets::pane_title;
-use crate::app::{beyond, highlight, layouts, predicted, slide, theme, under};
+use crate::app::{awake, beyond, highlight, layouts, predicted, slide, theme, under};
 use crate::caption;
 use crate::figures;
 use crate::flags::choices::Form;
@@ -180,11 +182,12 @@ fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let ruler = slide::paint(ui, &inside, state, pane);
     let pane = EyePane { rect: pane.rect.with_max_y(pane.rect.max.y - ruler), ..pane };
     beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
-    let _ = write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
-    let _ = write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
-    let hint = predicted::hint(state).or_else(|| state.session.hint.then(|| HINT.to_owned()));
+    let note = write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
+    let unseen = write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
+    let hint = predicted::hint(state).or_else(|| newcomers_hint(ui, state));
     if let Some(hint) = hint.filter(|_| pane.takes_the_mouse()) {
-        let place = write(ui, &inside, pane, Align2::CENTER_BOTTOM, hint.clone());
+        let corner = free_corner(ui, &inside, pane, &hint, [note, unseen]);
+        let place = write(ui, &inside, pane, corner, hint.clone());
         let response = ui.interact(place, ui.scope_id().with(("hint", pane.eye.index())), Sense::hover());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &hint));
     }
@@ -280,14 +283,38 @@ fn unseen(ui: &Ui, state: &State, pane: EyePane) -> Option<String> {
     caption::notice(&state.session.prepared.received_shares(&state.view(pane.eye, pane.size), &appearance))
 }
 
-/// What a newcomer is told in the views.
+/// What a newcomer is told in the views, and for how many seconds.
 const HINT: &str = "Click a point to follow it.";
+const HINT_TIME: f64 = 12.0;
 
-/// Writes `text` into a corner of the picture; where that is.
-fn write(ui: &Ui, painter: &Painter, pane: EyePane, corner: Align2, text: String) -> Rect {
+/// What is told to a newcomer who has not clicked yet: for a while, and to no audience.
+fn newcomers_hint(ui: &Ui, state: &State) -> Option<String> {
+    let is_told = state.session.hint && !state.session.stage.is_presented();
+    (is_told && awake::is_new(ui.ctx(), HINT, HINT_TIME)).then(|| HINT.to_owned())
+}
+
+/// The first corner in which `text` covers none of the `others`.
+fn free_corner(ui: &Ui, painter: &Painter, pane: EyePane, text: &str, others: [Rect; 2]) -> Align2 {
+    const CORNERS: [Align2; 4] =
+        [Align2::CENTER_BOTTOM, Align2::RIGHT_BOTTOM, Align2::RIGHT_TOP, Align2::CENTER_CENTER];
+    let is_free = |corner: &Align2| {
+        let place = written(ui, painter, pane, *corner, text.to_owned()).1.expand(6.0);
+        others.iter().all(|other| !other.is_positive() || !other.expand(6.0).intersects(place))
+    };
+    CORNERS.into_iter().find(is_free).unwrap_or(Align2::CENTER_CENTER)
+}
+
+/// `text` laid out in a corner of the picture, and where that is.
+fn written(ui: &Ui, painter: &Painter, pane: EyePane, corner: Align2, text: String) -> (Arc<Galley>, Rect) {
     let font = TextStyle::Small.resolve(ui.style());
     let galley = painter.layout(text, font, Color32::WHITE, (pane.rect.width() - 24.0).max(1.0));
     let place = corner.align_size_within_rect(galley.size(), pane.rect.shrink(8.0));
+    (galley, place)
+}
+
+/// Writes `text` into a corner of the picture; where that is.
+fn write(ui: &Ui, painter: &Painter, pane: EyePane, corner: Align2, text: String) -> Rect {
+    let (galley, place) = written(ui, painter, pane, corner, text);
     if galley.size().x > 0.0 {
         painter.rect_filled(place.expand2(vec2(5.0, 2.0)), 3.0, Color32::from_black_alpha(150));
         painter.galley(place.min, galley, Color32::WHITE);

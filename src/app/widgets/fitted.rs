@@ -10,20 +10,22 @@ use crate::app::theme;
 const STEP: f32 = 0.25;
 
 /// Shows `contents` in the rest of `ui`, most writing between the largest and the smallest of these `sizes`, points. They
-/// are tried anew when `key` changes, which tells what is shown: a larger text, another width.
-pub fn show(ui: &mut Ui, key: impl Hash, sizes: [f32; 2], contents: impl FnOnce(&mut Ui)) {
+/// are tried anew when `key` changes, which tells what is shown: a larger text, another width. Returns the height that they
+/// need, and the size that they have by then.
+pub fn show(ui: &mut Ui, key: impl Hash, sizes: [f32; 2], contents: impl FnOnce(&mut Ui)) -> [f32; 2] {
     let [largest, smallest] = sizes;
     let room = ui.available_rect_before_wrap();
     let key = hash_of(&(key, [room.width(), room.height(), largest].map(f32::to_bits)));
     let id = ui.scope_id().with("size of writing");
     let known = ui.data(|data| data.get_temp::<(u64, f32)>(id)).filter(|(known, _)| *known == key);
     let size = known.map_or(largest, |(_, size)| size);
-    let mut next = size;
+    let (mut next, mut height) = (size, 0.0);
     ui.scope_builder(UiBuilder::new().id_salt("fitted").max_rect(room), |ui| {
         theme::set_body_size(ui.style_mut(), size);
         let area = ScrollArea::vertical().auto_shrink(false);
         let shown = area.show(ui, contents);
         let [needs, has] = [shown.content_size.y, shown.inner_rect.height()];
+        height = needs;
         if needs > has + 0.5 && size > smallest {
             // Lines become fewer as they become lower.
             let fitting = ((has / needs).sqrt() * size / STEP).floor() * STEP;
@@ -33,6 +35,7 @@ pub fn show(ui: &mut Ui, key: impl Hash, sizes: [f32; 2], contents: impl FnOnce(
         }
     });
     ui.data_mut(|data| data.insert_temp(id, (key, next)));
+    [height, next]
 }
 
 fn hash_of(key: &impl Hash) -> u64 {

@@ -5,7 +5,7 @@
 
 mod checks;
 mod deeds;
-mod dice;
+pub mod dice;
 mod files;
 mod hands;
 mod nodes;

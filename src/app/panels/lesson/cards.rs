@@ -2,8 +2,8 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Color32, Frame, Layout, Margin, Response, RichText, Sense, Stroke, TextStyle, Ui, UiBuilder,
-    WidgetInfo, vec2,
+    Align, Align2, Color32, FontId, Frame, Layout, Margin, Response, RichText, Sense, Stroke, TextStyle, Ui,
+    UiBuilder, WidgetInfo, vec2,
 };
 
 use crate::app::theme;
@@ -24,6 +24,8 @@ const INSIDE: Margin = Margin::symmetric(9, 6);
 pub enum Sign {
     /// A ring, filled if it is chosen.
     Ring(bool),
+    /// The letter of the choice with this number, from 0, and whether it is chosen: an audience holds up cards.
+    Letter(usize, bool),
     /// A tick: it is so.
     Right,
     /// Nothing.
@@ -32,6 +34,15 @@ pub enum Sign {
 
 /// A card that can be chosen.
 pub fn choice(ui: &mut Ui, text: &Text, is_chosen: bool) -> Response {
+    signed_choice(ui, text, Sign::Ring(is_chosen), is_chosen)
+}
+
+/// The card of the choice with this number, from 0, that has its letter.
+pub fn lettered_choice(ui: &mut Ui, text: &Text, number: usize, is_chosen: bool) -> Response {
+    signed_choice(ui, text, Sign::Letter(number, is_chosen), is_chosen)
+}
+
+fn signed_choice(ui: &mut Ui, text: &Text, sign: Sign, is_chosen: bool) -> Response {
     let name = markdown::said(ui, &text.markdown);
     let builder = UiBuilder::new().id_salt(("choice", text.line, &name)).sense(Sense::click());
     let response = ui
@@ -42,7 +53,7 @@ pub fn choice(ui: &mut Ui, text: &Text, is_chosen: bool) -> Response {
                 (false, true) => ui.visuals().text_color(),
                 (false, false) => quiet_line(ui),
             };
-            card(ui, text, Sign::Ring(is_chosen), colour);
+            card(ui, text, sign, colour);
         })
         .response;
     response.widget_info(|| WidgetInfo::selected(Role::RadioButton, ui.is_enabled(), is_chosen, &name));
@@ -81,11 +92,24 @@ pub fn text_behind(ui: &mut Ui, text: &Text, sign: Sign) {
     ui.with_layout(Layout::left_to_right(Align::Min), |ui| {
         ui.spacing_mut().item_spacing.x = 0.5 * size;
         if sign != Sign::Nothing {
-            let (rect, _) = ui.allocate_exact_size(vec2(size, 1.3 * size), Sense::hover());
-            paint(ui, sign, rect.center(), 0.42 * size);
+            let part = if matches!(sign, Sign::Letter(..)) { LETTER } else { 1.0 };
+            let (rect, response) = ui.allocate_exact_size(vec2(part * size, 1.3 * size), Sense::hover());
+            if let Sign::Letter(number, _) = sign {
+                response.widget_info(|| WidgetInfo::labeled(Role::Label, true, letter(number)));
+            }
+            paint(ui, sign, rect.center(), 0.42 * part * size);
         }
         ui.vertical(|ui| markdown::show(ui, &text.markdown));
     });
+}
+
+/// How much larger than other signs a letter with its ring is.
+const LETTER: f32 = 1.4;
+
+/// The letter of the choice with this number, from 0.
+fn letter(number: usize) -> String {
+    let letter = u8::try_from(number).ok().and_then(|number| b'A'.checked_add(number));
+    letter.map_or_else(String::new, |letter| char::from(letter).to_string())
 }
 
 fn paint(ui: &Ui, sign: Sign, centre: eframe::egui::Pos2, radius: f32) {
@@ -93,6 +117,17 @@ fn paint(ui: &Ui, sign: Sign, centre: eframe::egui::Pos2, radius: f32) {
     match sign {
         Sign::Nothing => {}
         Sign::Right => icons::sign(painter, Icon::Done, centre, 1.1 * radius, right_colour(ui)),
+        Sign::Letter(number, is_chosen) => {
+            let visuals = ui.visuals();
+            let [fill, ink] = if is_chosen {
+                theme::primary_colours(visuals)
+            } else {
+                [visuals.widgets.inactive.weak_bg_fill, visuals.strong_text_color()]
+            };
+            painter.circle(centre, radius, fill, Stroke::new(1.3, visuals.weak_text_color()));
+            let font = FontId::proportional(1.3 * radius);
+            painter.text(centre, Align2::CENTER_CENTER, letter(number), font, ink);
+        }
         Sign::Ring(is_chosen) => {
             let visuals = ui.visuals();
             let colour =

@@ -1,6 +1,6 @@
 //! How a prediction is entered: a choice, hands that are counted, a number, a place or a curve; and how sure one is.
 
-use eframe::egui::{Align, Id, Key, Label, Layout, RichText, Sense, TextEdit, TextStyle, Ui, vec2};
+use eframe::egui::{Align, Event, Id, Key, Layout, RichText, TextEdit, TextStyle, Ui, vec2};
 
 use super::asked::ask;
 use super::cards;
@@ -16,8 +16,8 @@ use crate::lesson::{Answer, Course, Kind, Number, Options, Prediction};
 /// Shows the form of `prediction`.
 pub fn show(ui: &mut Ui, state: &State, course: &Course, prediction: &Prediction, asks: &mut Asks) {
     match &prediction.kind {
-        Kind::Choice(options) if course.counts_hands() => votes(ui, course, options, asks),
-        Kind::Choice(options) => choices(ui, course, options, asks),
+        Kind::Choice(options) if course.counts_hands() => votes(ui, state, course, options, asks),
+        Kind::Choice(options) => choices(ui, state, course, options, asks),
         Kind::Number(asked) => number(ui, course, asked, asks),
         Kind::Point(_) | Kind::Curve(_) => hint(ui, state, course),
     }
@@ -28,17 +28,21 @@ fn draft(asks: &mut Asks, answer: Option<Answer>) {
 }
 
 /// The choices, one of which can be taken.
-pub fn choices(ui: &mut Ui, course: &Course, options: &Options, asks: &mut Asks) {
+pub fn choices(ui: &mut Ui, state: &State, course: &Course, options: &Options, asks: &mut Asks) {
     for (number, text) in options.texts.iter().enumerate() {
         let is_chosen = course.draft == Some(Answer::Choice(number));
-        if cards::choice(ui, text, is_chosen).clicked() {
+        let card = match state.session.stage.is_presented() {
+            true => cards::lettered_choice(ui, text, number, is_chosen),
+            false => cards::choice(ui, text, is_chosen),
+        };
+        if card.clicked() {
             draft(asks, Some(Answer::Choice(number)));
         }
     }
 }
 
 /// The choices, each with how many hands were raised for it.
-pub fn votes(ui: &mut Ui, course: &Course, options: &Options, asks: &mut Asks) {
+pub fn votes(ui: &mut Ui, state: &State, course: &Course, options: &Options, asks: &mut Asks) {
     let votes = course.votes(options.texts.len());
     let side = 1.6 * TextStyle::Body.resolve(ui.style()).size;
     for (number, text) in options.texts.iter().enumerate() {
@@ -54,20 +58,46 @@ pub fn votes(ui: &mut Ui, course: &Course, options: &Options, asks: &mut Asks) {
             if icons::button(ui, Icon::More, &format!("One more for {name}"), size, false).clicked() {
                 draft(asks, changed(1));
             }
-            let count = votes[number];
-            let label =
-                ui.add_sized(vec2(1.2 * side, side), Label::new(count.to_string()).sense(Sense::hover()));
-            label.accessible_name(format!("Hands for {name}: {count}"));
+            let count = hands(ui, course, number, (votes[number], &name), 1.7 * side);
+            if let Some(count) = count {
+                let mut votes = votes.clone();
+                votes[number] = count;
+                draft(asks, Some(Answer::Votes(votes)));
+            }
             if icons::button(ui, Icon::Fewer, &format!("One fewer for {name}"), size, false).clicked() {
                 draft(asks, changed(-1));
             }
             ui.add_space(6.0);
             ui.with_layout(Layout::top_down(Align::Min), |ui| {
                 ui.add_space(2.0);
-                cards::text_behind(ui, text, cards::Sign::Nothing);
+                let is_presented = state.session.stage.is_presented();
+                let letter = cards::Sign::Letter(number, false);
+                cards::text_behind(ui, text, if is_presented { letter } else { cards::Sign::Nothing });
             });
         });
     }
+}
+
+/// Most hands that are counted for one choice.
+const MOST_HANDS: u32 = 9999;
+
+/// The field in which the count of the hands for a choice is typed: a new one, if it changes. A digit that is typed while no
+/// field has the keyboard begins the first.
+fn hands(ui: &mut Ui, course: &Course, number: usize, (count, name): (u32, &str), width: f32) -> Option<u32> {
+    let id = Id::unique(("hands", &course.lesson().name, course.place().step, number));
+    let types_digit = |event: &Event| matches!(event, Event::Text(text) if text.starts_with(|sign: char| sign.is_ascii_digit()));
+    if number == 0 && !ui.ctx().text_edit_focused() && ui.input(|input| input.events.iter().any(types_digit))
+    {
+        ui.memory_mut(|memory| memory.request_focus(id));
+    }
+    let mut text = if count == 0 { String::new() } else { count.to_string() };
+    let field = TextEdit::singleline(&mut text).id(id).desired_width(width).hint_text("0");
+    let response = ui.add(field.char_limit(4));
+    let changed = response.changed();
+    response.accessible_name(format!("Hands for {name}: {count}"));
+    let typed: String = text.chars().filter(char::is_ascii_digit).collect();
+    let typed = typed.parse().unwrap_or(0).min(MOST_HANDS);
+    (changed && typed != count).then_some(typed)
 }
 
 /// The field in which a number is typed. Enter predicts it.

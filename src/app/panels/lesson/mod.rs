@@ -6,12 +6,15 @@ mod end;
 mod foot;
 mod form;
 mod head;
+mod notes;
 mod observed;
 mod page;
 pub mod presented;
 mod shown;
 
 use eframe::egui::{self, StrokeKind, Ui, UiBuilder, vec2};
+
+pub use page::what_is_shown;
 
 use super::Asks;
 use crate::app::state::State;
@@ -22,6 +25,8 @@ use crate::app::widgets::fitted;
 const SIZES: [f32; 2] = [theme::BODY_SIZE, 12.0];
 /// Space between the border of the panel and what is in it.
 const AROUND: egui::Vec2 = vec2(14.0, 10.0);
+/// Part of the page that a lecturer's notes take while there is a projector's window.
+const NOTES_SHARE: f32 = 0.45;
 /// Height of the buttons below the page.
 const FOOT_HEIGHT: f32 = 74.0;
 
@@ -45,9 +50,17 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let foot_height = FOOT_HEIGHT.min(0.5 * page.height()).max(0.0);
         let page = page.with_max_y(page.max.y - foot_height);
         let foot = inside.with_min_y(page.max.y);
+        let has_notes = state.session.stage.projector;
+        let notes = page.with_min_y(page.max.y - if has_notes { NOTES_SHARE * page.height() } else { 0.0 });
+        let page = page.with_max_y(notes.min.y);
         ui.scope_builder(UiBuilder::new().id_salt("page").max_rect(page), |ui| {
-            fitted::show(ui, page::what_is_shown(running), SIZES, |ui| page::show(ui, state, running, asks));
+            fitted::show(ui, what_is_shown(running), SIZES, |ui| page::show(ui, state, running, asks));
         });
+        if has_notes {
+            ui.scope_builder(UiBuilder::new().id_salt("notes").max_rect(notes), |ui| {
+                fitted::show(ui, what_is_shown(running), SIZES, |ui| notes::show(ui, running));
+            });
+        }
         ui.scope_builder(UiBuilder::new().id_salt("foot").max_rect(foot), |ui| {
             foot::show(ui, state, running, asks);
         });

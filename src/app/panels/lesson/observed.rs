@@ -6,14 +6,20 @@ use super::asked::ask;
 use super::cards;
 use crate::app::panels::Asks;
 use crate::app::running::LessonCommand;
+use crate::app::state::State;
 use crate::lesson::{Choices, Course, Record};
 
 /// Shows the question, and what is to say to its answer.
-pub fn show(ui: &mut Ui, course: &Course, asked: &Choices, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, course: &Course, asked: &Choices, asks: &mut Asks) {
     cards::question(ui, &asked.question);
     let observed = course.record().and_then(|record: &Record| record.observed);
     for (number, text) in asked.options.texts.iter().enumerate() {
-        if cards::choice(ui, text, observed == Some(number)).clicked() {
+        let is_chosen = observed == Some(number);
+        let card = match state.session.stage.is_presented() {
+            true => cards::lettered_choice(ui, text, number, is_chosen),
+            false => cards::choice(ui, text, is_chosen),
+        };
+        if card.clicked() {
             ask(asks, LessonCommand::Observe(number));
         }
     }
@@ -23,7 +29,11 @@ pub fn show(ui: &mut Ui, course: &Course, asked: &Choices, asks: &mut Asks) {
         }
         Some(_) => {
             ui.label("Something else was shown. That is easily missed: look again.");
-            if ui.button("Look again").on_hover_text("Shows it again from the beginning").clicked() {
+            // Before an audience the key that goes back does it.
+            let is_presented = state.session.stage.is_presented();
+            if !is_presented
+                && ui.button("Look again").on_hover_text("Shows it again from the beginning").clicked()
+            {
                 ask(asks, LessonCommand::SetUp);
             }
         }

@@ -53,7 +53,7 @@ fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &m
     }
     if let Some(observation) = &step.observation {
         apart(ui, step.prediction.is_some() || has_text);
-        observed::show(ui, &running.course, observation, asks);
+        observed::show(ui, state, &running.course, observation, asks);
     }
 }
 

@@ -4,6 +4,7 @@ use eframe::egui::{Align2, Painter, Pos2, Stroke, TextStyle, Ui, pos2, vec2};
 
 use super::canvas;
 use super::labels::Labels;
+use crate::app::theme;
 use crate::figures;
 use crate::map::{Chart, ticks};
 use crate::units::Unit;
@@ -37,12 +38,14 @@ pub fn paint(ui: &Ui, painter: &Painter, chart: &Chart, [across, up]: [Axis<'_>;
     write(up, room.min + vec2(4.0, 2.0), Align2::LEFT_TOP, &name(up));
     let [xs, ys] = chart.range();
     let [center_x, center_y] = chart.center;
-    for (value, text) in numbers(xs, across.unit, chart.scale) {
+    // Larger numbers need more room.
+    let scale = chart.scale / f64::from(theme::text_scale(ui.style()));
+    for (value, text) in numbers(xs, across.unit, scale) {
         let x = canvas::place(chart, [value, center_y]).x;
         painter.vline(x, room.y_range(), if value == 0.0 { zero } else { line });
         write(across, pos2(x, room.max.y - 2.0), Align2::CENTER_BOTTOM, &text);
     }
-    for (value, text) in numbers(ys, up.unit, chart.scale) {
+    for (value, text) in numbers(ys, up.unit, scale) {
         let y = canvas::place(chart, [center_x, value]).y;
         painter.hline(room.x_range(), y, if value == 0.0 { zero } else { line });
         write(up, pos2(room.min.x + 4.0, y), Align2::LEFT_CENTER, &text);

@@ -66,13 +66,16 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
     }
 }
 
-/// Shows the first of the plots of what is chosen, and nothing else; of a tab with a table the first plot of all. A curve
-/// that a lesson has drawn goes before.
-pub fn show_one(ui: &mut Ui, state: &State, curves: &[Curves], asks: &mut Asks) {
+/// Shows, before an audience, the first of the plots of what is chosen and nothing else; of the Fit tab the readings with their
+/// residuals and the table. A curve that a lesson has drawn goes before.
+pub fn show_one(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
     if let Some(sketched) = state.sketched() {
         return sketch::show(ui, state, sketched, asks);
     }
-    over_time(ui, state, curves, asks);
+    match state.settings.plots.plot {
+        PlotTab::Fit => fit::show_presented(ui, state, plotted.fitting, asks),
+        _ => over_time(ui, state, plotted.curves, asks),
+    }
 }
 
 /// Plots over T side by side, each below what it is called and what it is now.

@@ -14,7 +14,7 @@ use crate::map::{Instant, Projection, field_of_view};
 use crate::settings::{Frame, Motion};
 
 /// Size of the words.
-const WORDS: FontId = FontId::proportional(11.5);
+const WORDS_SIZE: f32 = theme::SMALL_SIZE;
 /// From the corner to the title, beside the symbol of the axis, points.
 const TITLE: Vec2 = vec2(44.0, 3.0);
 
@@ -31,13 +31,14 @@ pub(super) fn paint(
     fields_of_view(ui, painter, state, instant, sheet);
     axes::paint(ui, painter, &sheet.chart, axes_of(state, sheet.projection), labels);
     let words = |place, align, text: &str, labels: &mut Labels| {
-        write(painter, place, align, (text, ui.visuals().weak_text_color()), labels);
+        let font = theme::scaled_font(ui.style(), WORDS_SIZE);
+        write(painter, place, align, (text, font, ui.visuals().weak_text_color()), labels);
     };
     let title = match sheet.projection {
         Projection::Plan => "from above",
         Projection::Side => "from the side",
     };
-    words(sheet.room().min + TITLE, Align2::LEFT_TOP, title, labels);
+    words(sheet.room().min + theme::text_scale(ui.style()) * TITLE, Align2::LEFT_TOP, title, labels);
     for (place, name) in street(ui, painter, state, sheet) {
         words(place, Align2::RIGHT_BOTTOM, name, labels);
     }
@@ -49,10 +50,10 @@ fn write(
     painter: &Painter,
     place: Pos2,
     align: Align2,
-    (text, colour): (&str, Color32),
+    (text, font, colour): (&str, FontId, Color32),
     labels: &mut Labels,
 ) {
-    let galley = painter.layout_no_wrap(text.to_owned(), WORDS, colour);
+    let galley = painter.layout_no_wrap(text.to_owned(), font, colour);
     let rect = align.anchor_size(place, galley.size());
     if labels.is_free(rect) {
         painter.galley(rect.min, galley, colour);
@@ -126,7 +127,8 @@ fn abreast(ui: &Ui, painter: &Painter, instant: &Instant, sheet: &Sheet, labels:
     dashed(painter, [pos2(x, room.min.y), pos2(x, room.max.y)], colour);
     if sheet.projection == Projection::Plan {
         let text = if instant.frame() == Frame::Ground { "abreast: x = 0" } else { "abreast of the eyes" };
-        write(painter, pos2(x + 4.0, room.min.y + 3.0), Align2::LEFT_TOP, (text, colour), labels);
+        let font = theme::scaled_font(ui.style(), WORDS_SIZE);
+        write(painter, pos2(x + 4.0, room.min.y + 3.0), Align2::LEFT_TOP, (text, font, colour), labels);
     }
 }
 

@@ -2,16 +2,17 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{Color32, FontId, Galley, Rect, Ui, pos2, vec2};
+use eframe::egui::{Color32, Galley, Rect, Ui, pos2, vec2};
 
 use super::sheet::colour;
 use crate::app::state::State;
+use crate::app::theme;
 use crate::map::Picture;
 use crate::settings::Frame;
 
 /// Its height, and the size of its writing.
 const HEIGHT: f32 = 18.0;
-const FONT: FontId = FontId::proportional(12.0);
+const FONT_SIZE: f32 = 12.0;
 /// Side of a square of colour, and the space after it and after each entry.
 const SQUARE: f32 = 9.0;
 const AFTER: f32 = 4.0;
@@ -33,25 +34,29 @@ pub(super) fn show(ui: &Ui, state: &State, rect: Rect) -> Rect {
         Frame::Ground => &WORDS,
         Frame::Bicycle => &ON_BOARD,
     };
+    let font = theme::scaled_font(ui.style(), FONT_SIZE);
+    let [height, square_side] = [HEIGHT, SQUARE].map(|points| points * theme::text_scale(ui.style()));
     let laid_out = |which: usize| -> Vec<(Color32, Arc<Galley>)> {
         let entry = |(picture, words): &(Picture, [&str; 2])| {
-            let text = ui.painter().layout_no_wrap(words[which].to_owned(), FONT, ui.visuals().text_color());
+            let text =
+                ui.painter().layout_no_wrap(words[which].to_owned(), font.clone(), ui.visuals().text_color());
             (colour(*picture, ui.visuals()), text)
         };
         entries.iter().map(entry).collect()
     };
     let width = |laid_out: &[(Color32, Arc<Galley>)]| {
-        laid_out.iter().map(|(_, text)| text.size().x + SQUARE + AFTER + BETWEEN).sum::<f32>() - BETWEEN
+        laid_out.iter().map(|(_, text)| text.size().x + square_side + AFTER + BETWEEN).sum::<f32>() - BETWEEN
     };
     let long = laid_out(0);
     let shown = if width(&long) <= rect.width() { long } else { laid_out(1) };
-    let mut left = pos2(rect.min.x, rect.min.y + HEIGHT / 2.0);
+    let mut left = pos2(rect.min.x, rect.min.y + height / 2.0);
     for (colour, text) in shown {
-        let square = Rect::from_center_size(left + vec2(SQUARE / 2.0, 0.0), vec2(SQUARE, SQUARE));
+        let square =
+            Rect::from_center_size(left + vec2(square_side / 2.0, 0.0), vec2(square_side, square_side));
         ui.painter().rect_filled(square, 2.0, colour);
-        let place = left + vec2(SQUARE + AFTER, -text.size().y / 2.0);
+        let place = left + vec2(square_side + AFTER, -text.size().y / 2.0);
         left.x = place.x + text.size().x + BETWEEN;
         ui.painter().galley(place, text, ui.visuals().text_color());
     }
-    Rect::from_min_max(pos2(rect.min.x, (rect.min.y + HEIGHT + 2.0).min(rect.max.y)), rect.max)
+    Rect::from_min_max(pos2(rect.min.x, (rect.min.y + height + 2.0).min(rect.max.y)), rect.max)
 }

@@ -1,6 +1,6 @@
 //! The eyes, and the followed points in each of their pictures.
 
-use eframe::egui::{Align2, FontId, Painter, Stroke, Ui, vec2};
+use eframe::egui::{Align2, Painter, Stroke, Ui, vec2};
 
 use super::sheet::{Sheet, colour};
 use crate::app::eye::Eye;
@@ -11,7 +11,7 @@ use crate::app::theme;
 use crate::map::{Instant, Picture, Projection};
 use crate::settings::Frame;
 
-const FONT: FontId = FontId::proportional(12.5);
+const FONT_SIZE: f32 = 12.5;
 /// How near x = 0 is abreast, points.
 const ABREAST: f64 = 4.0;
 const EYE_RADIUS: f32 = 4.0;
@@ -68,7 +68,7 @@ fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: 
     for (at, text, colour) in words {
         let Some(at) = at.filter(|at| at.x.abs() * sheet.chart.scale <= ABREAST) else { continue };
         let place = canvas::place(&sheet.chart, sheet.projection.flat(at));
-        labels.write(painter, (place, 8.0), text, FONT, colour);
+        labels.write(painter, (place, 8.0), text, theme::scaled_font(ui.style(), FONT_SIZE), colour);
         canvas::name_place(ui, sheet.room(), place, &format!("{}: {text}", sheet.name()));
     }
 }
@@ -80,7 +80,8 @@ fn eyes(ui: &Ui, painter: &Painter, instant: &Instant, sheet: &Sheet, labels: &m
         let colour = theme::eye_colour(eye, ui.visuals());
         painter.circle_filled(place, EYE_RADIUS, colour);
         if sheet.projection == Projection::Plan {
-            labels.keep_free(painter.text(place + vec2(side * 9.0, 0.0), anchor, eye.name(), FONT, colour));
+            let font = theme::scaled_font(ui.style(), FONT_SIZE);
+            labels.keep_free(painter.text(place + vec2(side * 9.0, 0.0), anchor, eye.name(), font, colour));
         }
         canvas::name_place(ui, sheet.room(), place, &format!("{}: {}", sheet.name(), eye.name()));
     }

@@ -4,7 +4,7 @@ mod export;
 mod plots;
 mod table;
 
-use eframe::egui::{self, ComboBox, DragValue, RichText, ScrollArea, Sense, Ui};
+use eframe::egui::{self, ComboBox, DragValue, RichText, ScrollArea, Sense, TextStyle, Ui};
 use relativity_core::{Curves, Model, PublishedVariant};
 
 pub(super) use self::export::{csv, panels};
@@ -14,7 +14,8 @@ use crate::app::command::Command;
 use crate::app::fitting::Fitting;
 use crate::app::panels::Asks;
 use crate::app::state::State;
-use crate::app::widgets::{choice, end_of_range, number};
+use crate::app::theme;
+use crate::app::widgets::{choice, end_of_range, fitted, number};
 use crate::flags::TimeRange;
 use crate::settings::{DataFrom, FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT};
 use crate::units::Unit;
@@ -58,6 +59,36 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
     if setup != state.settings.fit {
         asks.push(Command::Fit(setup));
     }
+}
+
+/// Part of the width that the readings take before an audience, and of the height beside them the table.
+const READINGS_SHARE: f32 = 0.5;
+const PRESENTED_TABLE_SHARE: f32 = 0.48;
+/// Sizes of the table before an audience, as parts of most large writing: as large as fits.
+const PRESENTED_SIZES: [f32; 2] = [0.9, 0.5];
+/// Width of the table before an audience, in heights of its largest writing.
+const TABLE_IN_LETTERS: f32 = 13.5;
+
+/// Shows the tab to an audience: the readings on the left, and beside them the table above the residuals. Nothing is chosen.
+pub fn show_presented(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
+    let area = ui.available_rect_before_wrap();
+    let middle = area.min.x + READINGS_SHARE * area.width();
+    let right = area.with_min_x(middle + theme::GAP);
+    let table = right.with_max_y(right.min.y + PRESENTED_TABLE_SHARE * right.height());
+    let residuals = right.with_min_y(table.max.y);
+    part(ui, "fit table", table, |ui| {
+        let size = TextStyle::Body.resolve(ui.style()).size.min(table.width() / TABLE_IN_LETTERS);
+        let key = fitting.shown().is_some();
+        let _ = fitted::show(ui, key, PRESENTED_SIZES.map(|part| part * size), |ui| {
+            table::show_presented(ui, fitting, state.measures().length);
+        });
+    });
+    part(ui, "fit readings", area.with_max_x(middle), |ui| {
+        plots::show_first(ui, state, fitting, plots::Half::Readings, asks);
+    });
+    part(ui, "fit residuals", residuals, |ui| {
+        plots::show_first(ui, state, fitting, plots::Half::Residuals, asks);
+    });
 }
 
 fn row(ui: &mut Ui, widgets: impl FnOnce(&mut Ui)) {

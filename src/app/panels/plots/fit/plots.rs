@@ -16,6 +16,8 @@ const RESIDUALS_SHARE: f32 = 0.44;
 /// Room for the numbers of both plots: residuals have one digit more.
 const Y_AXIS_WIDTH: f32 = 54.0;
 const TITLE_HEIGHT: f32 = 20.0;
+/// What the lower plot of a curve is of.
+const RESIDUALS: &str = "residuals / rad";
 /// A plot less wide has no room for a caption.
 const NARROWEST_WITH_CAPTION: f32 = 240.0;
 /// An outdated picture is drawn this faintly.
@@ -45,6 +47,48 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
             });
         }
     });
+}
+
+/// A half of what is plotted of a curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Half {
+    /// The readings and the fit.
+    Readings,
+    /// What the fit leaves over.
+    Residuals,
+}
+
+/// Shows a `half` of the first of the fitted curves in all the room there is; nothing where there are no samples.
+pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, asks: &mut Asks) {
+    if fitting.shown().is_none_or(|outcome| outcome.data.iter().all(Vec::is_empty)) {
+        return;
+    }
+    let [uses_azimuth, _] = state.settings.fit.curves.used();
+    let quantity = if uses_azimuth { Quantity::DeltaPhi } else { Quantity::DeltaTheta };
+    let drawing = Drawing::new(ui.visuals(), state, fitting, quantity);
+    let size = ui.available_size().max(vec2(20.0, 20.0));
+    let (name, unit) = (label(quantity), format!("{} / rad", label(quantity)));
+    match half {
+        Half::Readings => {
+            let readings = Part {
+                name: format!("Fit of {name} against T"),
+                size,
+                with_times: true,
+                heading: Some(&unit),
+            };
+            readings.show(ui, state, drawing.curve_bounds(), asks, |plot| drawing.curve(plot));
+        }
+        Half::Residuals if drawing.fitted.is_some() => {
+            let residuals = Part {
+                name: format!("Residuals of {name} against T"),
+                size,
+                with_times: true,
+                heading: Some(RESIDUALS),
+            };
+            residuals.show(ui, state, drawing.residual_bounds(), asks, |plot| drawing.residuals(plot));
+        }
+        Half::Residuals => {}
+    }
 }
 
 /// A curve and its residuals, in `size`.
@@ -78,23 +122,23 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
             name: format!("Residuals of {name} against T"),
             size: vec2(size.x, residuals_height),
             with_times: true,
-            heading: Some("residuals / rad"),
+            heading: Some(RESIDUALS),
         };
         residuals.show(ui, state, drawing.residual_bounds(), asks, |plot| drawing.residuals(plot));
     }
 }
 
 /// One plot.
-struct Part {
+struct Part<'h> {
     name: String,
     size: Vec2,
     /// Whether T is written along it.
     with_times: bool,
     /// What it is of, where that stands in it.
-    heading: Option<&'static str>,
+    heading: Option<&'h str>,
 }
 
-impl Part {
+impl Part<'_> {
     fn show<'a>(
         &self,
         ui: &mut Ui,

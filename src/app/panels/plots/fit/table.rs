@@ -4,6 +4,7 @@ use eframe::egui::{Grid, RichText, Ui};
 use relativity_core::{DEFAULT_REPLICATES, Model, Parameter};
 
 use crate::app::fitting::{FitOutcome, Fitted, Fitting};
+use crate::app::theme;
 use crate::app::widgets::named_text;
 use crate::caption::capitalised;
 use crate::estimate::samples::Samples;
@@ -15,6 +16,8 @@ use crate::units::Unit;
 const CHANCE: f64 = 3.0;
 /// Below this share of a parameter its uncertainty is rounding, and no measure of anything.
 const ROUNDING: f64 = 1e-10;
+/// The number of the interval's column.
+const INTERVAL: usize = 3;
 
 /// Shows the newest outcome, its lengths in this unit, faintly if it is outdated.
 pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
@@ -28,7 +31,7 @@ pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
     }
     match &outcome.fitted {
         Ok(fitted) => {
-            table(ui, fitted, length);
+            table(ui, fitted, length, Columns::All);
             if let Some(verdict) = verdict(fitted) {
                 ui.label(RichText::new(verdict).strong());
             }
@@ -47,14 +50,50 @@ pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
     }
 }
 
-fn table(ui: &mut Ui, fitted: &Fitted, length: Unit) {
-    Grid::new("fit").num_columns(6).spacing([6.0, 3.0]).min_col_width(12.0).show(ui, |ui| {
+/// Shows an audience the newest outcome: the numbers, and whether they are right.
+pub fn show_presented(ui: &mut Ui, fitting: &Fitting, length: Unit) {
+    let Some(outcome) = fitting.shown() else {
+        ui.label(RichText::new("Fitting …").weak());
+        return;
+    };
+    if fitting.is_outdated() {
+        ui.multiply_opacity(0.5);
+    }
+    match &outcome.fitted {
+        Ok(fitted) => {
+            table(ui, fitted, length, Columns::Few);
+            if let Some(verdict) = verdict(fitted) {
+                ui.label(RichText::new(verdict).strong());
+            }
+        }
+        Err(problem) => {
+            ui.label(RichText::new("No fit").strong());
+            ui.label(sentence(problem));
+        }
+    }
+}
+
+/// The columns of the table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Columns {
+    /// All of them.
+    All,
+    /// All but the interval, for an audience.
+    Few,
+}
+
+fn table(ui: &mut Ui, fitted: &Fitted, length: Unit, columns: Columns) {
+    let apart = 6.0 * theme::text_scale(ui.style());
+    Grid::new("fit").num_columns(6).spacing([apart, 3.0]).min_col_width(12.0).show(ui, |ui| {
         let mut heads = vec![
             ("", "Parameter"),
             ("value", "The best fit: least sum of squared residuals."),
             ("±", "Standard error: standard deviation over the bootstrap's replicates, refits of samples drawn with replacement."),
             ("95 %", "Interval that holds 95 % of the replicates: from the 2.5th to the 97.5th percentile."),
         ];
+        if columns == Columns::Few {
+            heads.truncate(INTERVAL);
+        }
         if fitted.estimates.iter().any(|(.., truth)| truth.is_some()) {
             heads.extend([
                 ("truth", "What the samples were made with."),
@@ -67,7 +106,8 @@ fn table(ui: &mut Ui, fitted: &Fitted, length: Unit) {
         ui.end_row();
         for (parameter, estimate, truth) in &fitted.estimates {
             let unit = if *parameter == Parameter::Beta { Unit::OWN } else { length };
-            row(ui, *parameter, unit, &shown(estimate, unit), truth.map(|truth| unit.shown(truth)));
+            let truth = truth.map(|truth| unit.shown(truth));
+            row(ui, *parameter, unit, &shown(estimate, unit), truth, columns);
         }
     });
 }
@@ -83,7 +123,14 @@ fn shown(estimate: &Estimate, unit: Unit) -> Estimate {
 }
 
 /// An estimate and the truth if that is known, both in this unit.
-fn row(ui: &mut Ui, parameter: Parameter, unit: Unit, estimate: &Estimate, truth: Option<f64>) {
+fn row(
+    ui: &mut Ui,
+    parameter: Parameter,
+    unit: Unit,
+    estimate: &Estimate,
+    truth: Option<f64>,
+    columns: Columns,
+) {
     let (symbol, tip) = named(parameter);
     let Estimate { value, uncertainty, ci95: [low, high], .. } = *estimate;
     let places = figures::decimals_of(uncertainty) as u8;
@@ -92,8 +139,10 @@ fn row(ui: &mut Ui, parameter: Parameter, unit: Unit, estimate: &Estimate, truth
     let value_text = RichText::new(number(value)).strong();
     named_text(ui, value_text, format!("Fitted {symbol}: {}", number(value)));
     named_text(ui, number(uncertainty), format!("Uncertainty of {symbol}: {}", number(uncertainty)));
-    let interval = format!("{} … {}", number(low), number(high));
-    named_text(ui, interval.as_str(), format!("95 % interval of {symbol}: {interval}"));
+    if columns == Columns::All {
+        let interval = format!("{} … {}", number(low), number(high));
+        named_text(ui, interval.as_str(), format!("95 % interval of {symbol}: {interval}"));
+    }
     if let Some(truth) = truth {
         let truth_text = figures::trimmed(truth, 4);
         named_text(ui, truth_text.as_str(), format!("True {symbol}: {truth_text}"));

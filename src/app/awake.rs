@@ -1,0 +1,67 @@
+//! Whether the pointer is in use: what is under it is told while it moves and a little longer, not where it was forgotten.
+
+use eframe::egui::{Context, Event, Id, Pos2};
+
+/// For how long after its last movement the pointer is in use, seconds.
+const AFTER: f32 = 3.0;
+/// How far the pointer may move before what was clicked is left, points.
+const NEAR: f32 = 12.0;
+
+/// Time of the last key, seconds, and where a click has opened what is under the pointer since then.
+#[derive(Debug, Clone, Copy)]
+struct Seen {
+    key: f64,
+    opened: Option<Pos2>,
+}
+
+fn seen(ctx: &Context) -> Seen {
+    let id = Id::unique(("what the pointer was used for", ctx.viewport_id()));
+    let before = ctx.data(|data| data.get_temp::<Seen>(id));
+    let mut seen = before.unwrap_or(Seen { key: f64::NEG_INFINITY, opened: None });
+    let is_key = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
+    let (time, has_key, clicked) = ctx.input(|input| {
+        let clicked = input.pointer.primary_clicked().then(|| input.pointer.interact_pos()).flatten();
+        (input.time, input.events.iter().any(is_key), clicked)
+    });
+    let here = ctx.pointer_hover_pos();
+    let is_left = |at: &Pos2| here.is_none_or(|here| here.distance(*at) > NEAR);
+    if has_key {
+        seen = Seen { key: time, opened: None };
+    } else if clicked.is_some() || seen.opened.as_ref().is_some_and(is_left) {
+        seen.opened = clicked;
+    }
+    ctx.data_mut(|data| data.insert_temp(id, seen));
+    seen
+}
+
+/// Returns whether it is less than so many `seconds` since this was first asked of `what`. A frame is shown when that ends.
+#[must_use]
+pub fn is_new(ctx: &Context, what: &'static str, seconds: f64) -> bool {
+    let now = ctx.input(|input| input.time);
+    let since = now - ctx.data_mut(|data| *data.get_temp_mut_or(Id::unique(what), now));
+    let is_new = since < seconds;
+    if is_new {
+        ctx.request_repaint_after_secs((seconds - since) as f32 + 0.01);
+    }
+    is_new
+}
+
+/// Returns whether a click has opened what is under the pointer: it is told at length until the pointer moves on or a key is
+/// pressed.
+#[must_use]
+pub fn is_opened(ctx: &Context) -> bool {
+    seen(ctx).opened.is_some()
+}
+
+/// Returns whether the pointer has moved in the last seconds, and since the last key. Where it rests a frame is shown when that
+/// ends.
+#[must_use]
+pub fn is_moved(ctx: &Context) -> bool {
+    let key = seen(ctx).key;
+    let (now, since) = ctx.input(|input| (input.time, input.pointer.time_since_last_movement()));
+    let is_moved = since < AFTER && now - f64::from(since) >= key;
+    if is_moved {
+        ctx.request_repaint_after_secs(AFTER - since + 0.01);
+    }
+    is_moved
+}

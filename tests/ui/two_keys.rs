@@ -1,0 +1,202 @@
+//! What an audience is shown, whichever of the presenter's two keys is pressed when.
+
+use eframe::egui::{FontId, Key, Pos2, Rect, Vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::NodeT as _;
+use gamow::app::App;
+use gamow::app::command::Command;
+use gamow::app::running::LessonCommand;
+use gamow::app::state::State;
+use gamow::lesson::{Course, Library, Phase};
+use gamow::settings::{Face, PlotTab, Presence, Preset, Settings};
+
+use super::Test;
+use super::random_user::dice::Dice;
+use super::support::FRAME;
+
+pub const TESTS: &[Test] = &[
+    ("a_preset_about_a_fit_shows_an_audience_its_readings_residuals_and_numbers", presets_about_a_fit),
+    ("an_audience_reads_every_word_of_every_lesson", every_word_is_read),
+    ("no_press_of_a_presenters_two_keys_hides_a_plot_or_a_text", no_press_hides),
+];
+
+const SEED: u64 = 31;
+const PRESSES: usize = 50;
+/// The least part of the screen that the readings of a fit have; other plots and the map have half of it.
+const READINGS: f32 = 0.125;
+
+/// A window that is presented. Nothing is drawn in its views, which takes most of the time.
+fn presented(state: State, size: [f32; 2]) -> Harness<'static, App> {
+    let mut window = Harness::builder()
+        .with_size(Vec2::from(size))
+        .with_step_dt(FRAME)
+        .with_max_steps(60)
+        .build_eframe(|cc| App::new(&cc.egui_ctx, None, state));
+    window.state_mut().ask(Command::TogglePresenting);
+    window.run_steps(4);
+    window
+}
+
+/// Everything that has a name, and where it is.
+fn named(window: &Harness<'_, App>) -> Vec<(String, Rect)> {
+    let nodes = window.root().children_recursive();
+    let named = nodes.filter_map(|node| {
+        Some((node.accesskit_node().label().or_else(|| node.accesskit_node().value())?, node.rect()))
+    });
+    named.collect()
+}
+
+/// Waits until the fit is made.
+fn settle(window: &mut Harness<'_, App>) {
+    for _ in 0..600 {
+        window.run_steps(2);
+        if window.state().is_settled() {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    panic!("the fit is never made");
+}
+
+fn presets_about_a_fit() {
+    for size in [[1280.0, 800.0], [1920.0, 1080.0], [1024.0, 600.0]] {
+        for preset in Preset::all().iter().filter(|preset| preset.settings.plots.plot == PlotTab::Fit) {
+            let mut state = State::open(preset.settings.clone()).expect("a preset");
+            state.session.preset = Some(preset);
+            let mut window = presented(state, size);
+            settle(&mut window);
+            let all = named(&window);
+            let of = |name: &str| all.iter().find(|(label, _)| label.starts_with(name));
+            for (name, least) in
+                [("Fit of Δφ against T", READINGS), ("Residuals of Δφ against T", 0.5 * READINGS)]
+            {
+                let (_, rect) = of(name).unwrap_or_else(|| panic!("{name} of {} in {size:?}", preset.name));
+                assert!(rect.area() >= least * size[0] * size[1], "{name} at {rect:?} in {size:?}");
+            }
+            for number in ["Fitted β: 0.9", "Uncertainty of β: 0.00", "True β: 0.9", "β off by "] {
+                assert!(of(number).is_some(), "{number} of {} in {size:?}", preset.name);
+            }
+            let verdict = if preset.name == "measuring" { "Agrees with the truth" } else { "Wrong: β is 1" };
+            assert!(of(verdict).is_some(), "{verdict} of {} in {size:?}", preset.name);
+        }
+    }
+}
+
+/// The least height of writing, as a part of the screen's.
+const LEAST: f32 = 0.03;
+
+/// Every line at each place of each lesson is high enough, and on the screen.
+fn every_word_is_read() {
+    let size = [1024.0, 600.0];
+    let screen = Rect::from_min_size(Pos2::ZERO, size.into());
+    for lesson in Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()) {
+        let mut state = State::open(Settings::default()).expect("usual settings");
+        state.begin_lesson(lesson).expect("it can be worked out");
+        let mut window = presented(state, size);
+        let font = FontId::proportional(LEAST * size[1]);
+        let row = window.ctx.fonts_mut(|fonts| fonts.row_height(&font)) - 1.0;
+        while let Some(place) = course(&window).step().map(|_| course(&window).place()) {
+            for (text, rect) in words(&window) {
+                let at = format!("{} {place:?}: {text:?} at {rect:?}", lesson.name);
+                assert!(screen.contains_rect(rect), "{at} is not on the screen");
+                assert!(rect.height() >= row, "{at} is too small");
+            }
+            window.key_press(Key::PageDown);
+            window.run_steps(2);
+            window.state_mut().ask(Command::Lesson(LessonCommand::Observe(1)));
+            window.run_steps(6);
+        }
+    }
+}
+
+fn course<'a>(window: &'a Harness<'_, App>) -> &'a Course {
+    window.state().state().course().expect("a lesson")
+}
+
+/// What is written, without the names of marks in the pictures.
+fn words(window: &Harness<'_, App>) -> Vec<(String, Rect)> {
+    const MARKS: [&str; 4] = ["Clock of ", "Where the ", "Map, ", "seen abreast"];
+    let mut words = named(window);
+    words.retain(|(text, rect)| rect.is_positive() && !MARKS.iter().any(|mark| text.starts_with(mark)));
+    words
+}
+
+/// What the beginnings of the names are of which an audience must see one: the plot or the map that the step is about.
+fn expected(state: &State) -> &'static [&'static str] {
+    let window = state.shown_window();
+    match state.sketched() {
+        Some(sketched) if sketched.is_revealed => return &["Plot of "],
+        Some(_) => return &["Plot to draw "],
+        None => {}
+    }
+    match (window.map, window.plots, state.settings.plots.plot) {
+        (Presence::On, ..) if state.settings.map.face == Face::Space => &["Map, from above"],
+        (Presence::On, ..) => &["Map, x against t"],
+        (_, true, PlotTab::Fit) => &["Fit of "],
+        (_, true, _) => &["Plot of "],
+        (_, false, _) => &[],
+    }
+}
+
+/// The words that an audience must read at the present place of the lesson, each as its beginning without formulas.
+fn texts(state: &State) -> Vec<String> {
+    let Some(course) = state.course() else { return Vec::new() };
+    let Some(step) = course.step() else { return vec![course.lesson().sentence.markdown.clone()] };
+    let is_running = state.session.lesson.as_ref().is_some_and(gamow::app::running::Running::is_running);
+    let mut texts = match course.place().phase {
+        Phase::Ask => vec![step.text.markdown.clone()],
+        Phase::Shown => step.reveal.iter().map(|reveal| reveal.text.markdown.clone()).collect(),
+        Phase::Explained => vec![step.explanation.markdown.clone()],
+    };
+    let question = step.prediction.as_ref().map(|asked| asked.question.markdown.clone());
+    let seen = step.observation.as_ref().map(|asked| asked.question.markdown.clone());
+    match course.place().phase {
+        Phase::Ask => texts.extend(question),
+        Phase::Shown if !is_running => texts.extend(question.into_iter().chain(seen)),
+        _ => {}
+    }
+    texts
+}
+
+/// The beginning of a text up to the first sign that is not written as it stands.
+fn beginning(text: &str) -> &str {
+    let end = text.find(['$', '*', '_', '\n', '[', '`', '{', '\\']).unwrap_or(text.len());
+    text[..end].trim()
+}
+
+fn no_press_hides() {
+    let size = [1280.0, 800.0];
+    for (number, lesson) in Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()).enumerate() {
+        let mut state = State::open(Settings::default()).expect("usual settings");
+        state.begin_lesson(lesson).expect("it can be worked out");
+        let mut window = presented(state, size);
+        let mut dice = Dice::of_step(SEED, number);
+        for press in 0..PRESSES {
+            let key = if dice.happens(65) { Key::PageDown } else { Key::PageUp };
+            window.key_press(key);
+            window.run_steps(2);
+            let all = named(&window);
+            let state = window.state().state();
+            let course = state.course().expect("the lesson goes on");
+            let at = format!("{}, press {press}: {:?}", lesson.name, course.place());
+            assert!(state.session.stage.is_presented() && state.session.notice.is_none(), "{at}");
+            for text in texts(state) {
+                let begins = beginning(&text);
+                assert!(all.iter().any(|(label, _)| label.starts_with(begins)), "{at}: {begins:?} is lost");
+            }
+            if course.step().is_none() {
+                continue;
+            }
+            for name in expected(state) {
+                // While the fit is made there is its place alone.
+                let is_made = *name != "Fit of " || window.state().is_settled();
+                let place = all.iter().find(|(label, _)| label.starts_with(name)).map(|(_, rect)| *rect);
+                if let Some(rect) = place {
+                    let least = if *name == "Fit of " { READINGS } else { 0.5 * READINGS };
+                    assert!(rect.area() >= least * size[0] * size[1], "{at}: {name} at {rect:?}");
+                }
+                assert!(place.is_some() || !is_made, "{at}: {name} is hidden");
+            }
+        }
+    }
+}
