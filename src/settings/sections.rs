@@ -133,7 +133,8 @@ pub struct Light {
     /// 0.9 c needs about 80.
     #[arg(long, value_name = "auto|EV", allow_hyphen_values = true)]
     pub exposure: Exposure,
-    /// Whether what is received as ultraviolet or infrared keeps its form, very dark; eyes see nothing there.
+    /// Whether what is received as ultraviolet or infrared keeps its form, in hatched grey (rising lines for infrared,
+    /// falling ones for ultraviolet); eyes see nothing there.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub invisible: OnOff,
     /// How form is shown.
