@@ -192,6 +192,7 @@ impl State {
             controls: before.controls,
             readout: before.readout,
             dials: before.dials,
+            resting_clock: before.resting_clock,
             ruler: before.ruler,
             resting: before.resting,
             ..now

@@ -89,14 +89,14 @@ fn every_pixel_of_unseen_light_is_neutral() {
 /// Root mean square of the change of lightness (0 to 255) from a pixel to the one `right` columns and one row below, inside
 /// the body.
 fn change(Shown { hits, body, .. }: &Shown, right: isize) -> f64 {
-    let width = body.size[0] as isize;
+    let width = (body.size[0] as usize).cast_signed();
     let is_inside =
         |i: isize| usize::try_from(i).is_ok_and(|i| hits.hits.get(i).is_some_and(Option::is_some));
     let (mut sum, mut count) = (0.0, 0.0);
-    for i in 0..body.rgba.len() as isize {
+    for i in 0..body.rgba.len().cast_signed() {
         let other = i + width + right;
         if is_inside(i) && is_inside(other) {
-            let [a, b] = [i, other].map(|i| f64::from(body.rgba[i as usize][1]));
+            let [a, b] = [i, other].map(|i| f64::from(body.rgba[i.cast_unsigned()][1]));
             (sum, count) = (sum + (a - b) * (a - b), count + 1.0);
         }
     }
