@@ -5,12 +5,13 @@
 use std::f32::consts::TAU;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Color32, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2};
+use eframe::egui::{Align2, Color32, Pos2, Rect, Sense, Stroke, TextStyle, Ui, Vec2, WidgetInfo, pos2, vec2};
 use relativity_render::Geometry;
 
 use super::eye::Eye;
 use super::points::Point;
 use super::state::State;
+use crate::figures;
 use crate::plot::round_step;
 use crate::units::Unit;
 
@@ -21,6 +22,8 @@ const RADII: [f32; 2] = [9.5, 20.0];
 const RADIUS_SHARE: f32 = 0.035;
 /// From the middle of the marker to the nearest of the rim, points.
 const AWAY: f32 = 15.0;
+/// What stays free below the resting clock: its count and a line of the view's own stand there.
+const BELOW_RESTING: f32 = 56.0;
 /// What stays free between the dial and the edge of the view.
 const MARGIN: f32 = 2.0;
 
@@ -31,6 +34,15 @@ pub struct Dial {
     pub turn: f64,
     /// The own time that a turn of it takes, units of the scene.
     pub period: f64,
+    /// The turns that it has made, where they are counted.
+    pub count: Option<f64>,
+}
+
+impl Dial {
+    /// One that shows `time`, and counts nothing.
+    fn showing(time: f64, period: f64) -> Self {
+        Self { turn: (time / period).rem_euclid(1.0), period, count: None }
+    }
 }
 
 /// How long a turn takes: a round number of this `unit`. In units of the scene.
@@ -62,8 +74,38 @@ impl State {
         let seen = self.sighting(point, eye).filter(|seen| is_on && seen.own_time.is_finite())?;
         let period = period(self.measures().time);
         let turning = self.on_wheel(&point.track, seen.own_time).map_or(0.0, |wheel| wheel.turning);
-        let own_time = seen.own_time * ((1.0 - turning) * (1.0 + turning)).sqrt();
-        Some(Dial { turn: (own_time / period).rem_euclid(1.0), period })
+        let slowed = ((1.0 - turning) * (1.0 + turning)).sqrt();
+        let first = self.first_own_time(point, eye)?;
+        let count = slowed * (seen.own_time - first) / period;
+        Some(Dial { count: self.counts().then_some(count), ..Dial::showing(slowed * seen.own_time, period) })
+    }
+
+    /// The clock that rests beside the eyes, which shows T; none where none is drawn, or no light is shown that `eye`
+    /// receives.
+    #[must_use]
+    pub fn resting_dial(&self, eye: Eye) -> Option<Dial> {
+        let is_on = self.settings.window.dials && self.counts() && self.shows_what_is_received(eye);
+        let (period, time) = (period(self.measures().time), self.session.time);
+        let count = (time - self.first_time().unwrap_or(0.0)) / period;
+        is_on.then(|| Dial { count: Some(count), ..Dial::showing(time, period) })
+    }
+
+    /// Whether turns are counted, and a resting clock is there to compare them with.
+    const fn counts(&self) -> bool {
+        self.settings.window.resting_clock
+    }
+
+    /// The time T at which the step of the lesson begins; `None` without one.
+    fn first_time(&self) -> Option<f64> {
+        self.lesson_settings().and_then(|settings| settings.time)
+    }
+
+    /// The own time of `point` from which turns are counted.
+    fn first_own_time(&self, point: &Point, eye: Eye) -> Option<f64> {
+        let Some(time) = self.first_time().filter(|_| self.counts()) else { return Some(0.0) };
+        let both = self.settings.shown_disparity(&point.track, time).ok()?;
+        let seen = [both.primary, both.secondary][eye.index()];
+        seen.own_time.is_finite().then_some(seen.own_time)
     }
 
     /// Whether the picture of `eye` is made of the light that it receives at T.
@@ -74,7 +116,7 @@ impl State {
     }
 }
 
-/// How a dial is drawn.
+/// How a dial beside a marker is drawn.
 #[derive(Debug, Clone, Copy)]
 pub struct Drawn {
     /// Where the marker is that it stands beside.
@@ -88,13 +130,40 @@ pub struct Drawn {
 /// Draws `dial`, and tells its `name` to who does not see it, the `tip` to who points at it.
 pub fn show(ui: &Ui, dial: Dial, drawn: Drawn, name: &str, tip: String) {
     let (centre, radius) = face(drawn.marker, drawn.view);
-    let (painter, visuals) = (ui.painter().with_clip_rect(drawn.view), ui.visuals());
     let outwards = (centre - drawn.marker).normalized();
     let [near, far] = [drawn.marker + 7.0 * outwards, centre - radius * outwards];
-    painter.line_segment([near, far], Stroke::new(1.5, drawn.colour));
+    ui.painter().with_clip_rect(drawn.view).line_segment([near, far], Stroke::new(1.5, drawn.colour));
+    paint(ui, dial, Face { centre, radius, view: drawn.view, colour: drawn.colour }, name, tip);
+}
+
+/// Draws the clock that rests beside the eyes at the lower edge of the `view` of `eye`, if it is shown.
+pub fn show_resting(ui: &Ui, state: &State, eye: Eye, view: Rect) {
+    const TIP: &str = "A clock that rests beside you, and shows T: nothing has to come from far for you to read it. Count its turns \
+        against those of a clock that rides past.";
+    let Some(dial) = state.resting_dial(eye) else { return };
+    let name = format!("Clock beside you, {}", eye.name());
+    let radius = radius(view);
+    let centre = pos2(view.center().x, view.max.y - radius - BELOW_RESTING);
+    let colour = ui.visuals().strong_text_color();
+    paint(ui, dial, Face { centre, radius, view, colour }, &name, TIP.to_owned());
+}
+
+/// A dial's face.
+#[derive(Debug, Clone, Copy)]
+struct Face {
+    centre: Pos2,
+    radius: f32,
+    /// The view that it stands in.
+    view: Rect,
+    /// Of its rim.
+    colour: Color32,
+}
+
+fn paint(ui: &Ui, dial: Dial, Face { centre, radius, view, colour }: Face, name: &str, tip: String) {
+    let (painter, visuals) = (ui.painter().with_clip_rect(view), ui.visuals());
     let behind =
         if visuals.dark_mode { Color32::from_black_alpha(215) } else { Color32::from_white_alpha(235) };
-    painter.circle(centre, radius, behind, Stroke::new(1.5, drawn.colour));
+    painter.circle(centre, radius, behind, Stroke::new(1.5, colour));
     for quarter in 0..4 {
         let direction = towards(f64::from(quarter) / 4.0);
         let ends = [0.72, 0.92].map(|part| centre + part * radius * direction);
@@ -103,8 +172,18 @@ pub fn show(ui: &Ui, dial: Dial, drawn: Drawn, name: &str, tip: String) {
     let hand = Stroke::new(2.0, visuals.strong_text_color());
     painter.line_segment([centre, centre + 0.8 * radius * towards(dial.turn)], hand);
     let rect = Rect::from_center_size(centre, Vec2::splat(2.0 * radius));
-    let response = ui.interact(rect.intersect(drawn.view), ui.scope_id().with(name), Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name}: {:.4}", dial.turn)));
+    let response = ui.interact(rect.intersect(view), ui.scope_id().with(name), Sense::hover());
+    let count = dial.count.map(|count| figures::fixed(count, 2));
+    let counted = count.as_ref().map_or_else(String::new, |count| format!(", {count} turns"));
+    response
+        .widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name}: {:.4}{counted}", dial.turn)));
+    if let Some(count) = count {
+        let galley =
+            painter.layout_no_wrap(count, TextStyle::Body.resolve(ui.style()), visuals.strong_text_color());
+        let place = Align2::CENTER_TOP.anchor_size(centre + vec2(0.0, radius + 3.0), galley.size());
+        painter.rect_filled(place.expand2(vec2(3.0, 0.0)), 3.0, behind);
+        painter.galley(place.min, galley, visuals.strong_text_color());
+    }
     response.on_hover_text(tip);
 }
 
@@ -113,9 +192,14 @@ fn towards(turn: f64) -> Vec2 {
     Vec2::angled((turn as f32 - 0.25) * TAU)
 }
 
+/// The radius of a face in the `view`.
+fn radius(view: Rect) -> f32 {
+    (RADIUS_SHARE * view.height()).clamp(RADII[0], RADII[1])
+}
+
 /// Middle and radius of the face beside a `marker`: above it to the right, else where there is room in the `view`.
 fn face(marker: Pos2, view: Rect) -> (Pos2, f32) {
-    let radius = (RADIUS_SHARE * view.height()).clamp(RADII[0], RADII[1]);
+    let radius = radius(view);
     let (room, away) = (view.shrink(radius + MARGIN), (AWAY + radius) * std::f32::consts::FRAC_1_SQRT_2);
     let x = if marker.x + away > room.max.x { -away } else { away };
     let y = if marker.y - away < room.min.y { away } else { -away };
@@ -124,8 +208,6 @@ fn face(marker: Pos2, view: Rect) -> (Pos2, f32) {
 
 #[cfg(test)]
 mod tests {
-    use eframe::egui::pos2;
-
     use super::*;
     use crate::flags::{SpeedParameter, SpeedSetting};
     use crate::settings::Settings;
@@ -156,7 +238,7 @@ mod tests {
         {
             for time in [-20.0, -1.3, 0.0, 3.7, 55.5] {
                 for (eye, a) in Eye::BOTH.into_iter().zip([-0.05, 0.05]) {
-                    let Dial { turn, period: shown } = dial(&cyclist(time, units), eye);
+                    let Dial { turn, period: shown, .. } = dial(&cyclist(time, units), eye);
                     assert!((shown - period).abs() < 1e-9, "{units:?}: {shown} for {period}");
                     let expected = (own_time(a, time) / period).rem_euclid(1.0);
                     let off = (turn - expected + 0.5).rem_euclid(1.0) - 0.5;
@@ -209,6 +291,27 @@ mod tests {
                 let rate = turned / (2.0 * STEP);
                 assert!((rate / seen.doppler_factor - 1.0).abs() < 1e-5, "T = {time}: {rate}");
             }
+        }
+    }
+
+    /// Without a lesson turns are counted from each clock's zero: so that of the front is the own time over the period, of
+    /// which the hand shows the rest; and the resting clock shows T.
+    #[test]
+    fn turns_are_counted_where_a_resting_clock_is_drawn() {
+        for time in [-20.0, 0.0, 3.7, 55.5] {
+            let mut state = cyclist(time, Units::Natural);
+            assert_eq!((dial(&state, Eye::Left).count, state.resting_dial(Eye::Left)), (None, None));
+            state.settings.window.resting_clock = true;
+            for (eye, a) in Eye::BOTH.into_iter().zip([-0.05, 0.05]) {
+                let Dial { turn, count, .. } = dial(&state, eye);
+                let count = count.expect("it is counted");
+                assert!((count - own_time(a, time) / 2.0).abs() < 1e-8, "T = {time}: {count}");
+                assert!((count.rem_euclid(1.0) - turn).abs() < 1e-9);
+                let resting = state.resting_dial(eye).expect("it is drawn");
+                assert_eq!(resting.count, Some(time / 2.0));
+            }
+            state.settings.window.dials = false;
+            assert_eq!(state.resting_dial(Eye::Left), None);
         }
     }
 

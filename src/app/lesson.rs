@@ -190,6 +190,7 @@ impl State {
             simple: before.simple,
             readout: before.readout,
             dials: before.dials,
+            resting_clock: before.resting_clock,
             ruler: before.ruler,
             resting: before.resting,
             ..now

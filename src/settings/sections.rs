@@ -133,7 +133,8 @@ pub struct Light {
     /// 0.9 c needs about 80.
     #[arg(long, value_name = "auto|EV", allow_hyphen_values = true)]
     pub exposure: Exposure,
-    /// Whether what is received as ultraviolet or infrared keeps its form, very dark; eyes see nothing there.
+    /// Whether what is received as ultraviolet or infrared keeps its form, in hatched grey (rising lines for infrared,
+    /// falling ones for ultraviolet); eyes see nothing there.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub invisible: OnOff,
     /// How form is shown.
@@ -576,6 +577,10 @@ pub struct Window {
     /// At each followed point in the views, a clock that shows the body's own time as the eye sees it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub dials: OnOff,
+    /// In each view a clock that rests beside the eyes, to compare them with; and at every clock the turns that its hand made
+    /// since the step of a lesson began, else since it showed 0.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
+    pub resting_clock: OnOff,
     /// Along the lower edge of conformal views, a ruler of rapidity and the spectrum that stands still above it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub ruler: OnOff,
@@ -606,6 +611,7 @@ impl Default for Window {
             strip_share: Share(None),
             map_share: Share(None),
             dials: true,
+            resting_clock: false,
             ruler: true,
             resting: false,
             units: Units::Natural,

@@ -124,9 +124,22 @@ fn fit() -> impl Strategy<Value = FitSetup> {
 fn window() -> impl Strategy<Value = Window> {
     let share = || proptest::option::of(number(0.0..=1.0)).prop_map(Share);
     let shares = (share(), share(), share());
-    (any::<[bool; 11]>(), shares, choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
+    (any::<[bool; 12]>(), shares, choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
         |(
-            [views, corrected, spectrum, sentence, plots, controls, simple, readout, dials, ruler, resting],
+            [
+                views,
+                corrected,
+                spectrum,
+                sentence,
+                plots,
+                controls,
+                simple,
+                readout,
+                dials,
+                resting_clock,
+                ruler,
+                resting,
+            ],
             (side_share, strip_share, map_share),
             map,
             units,
@@ -146,6 +159,7 @@ fn window() -> impl Strategy<Value = Window> {
                 strip_share,
                 map_share,
                 dials,
+                resting_clock,
                 ruler,
                 resting,
                 units,

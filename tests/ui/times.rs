@@ -8,6 +8,7 @@ use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::state::State;
 use gamow::flags::TimeRange;
+use gamow::lesson::Library;
 use gamow::settings::{Playback, Window};
 use gamow::units::Units;
 use relativity_render::Geometry;
@@ -26,6 +27,7 @@ pub const TESTS: &[Test] = &[
     ("what_is_under_the_pointer_is_told", what_is_under_the_pointer_is_told),
     ("nothing_is_told_of_what_no_ray_leads_to", nothing_is_told_where_no_ray_leads),
     ("clocks_show_own_time_and_can_be_switched_off", clocks_show_own_time),
+    ("a_lesson_counts_the_turns_of_its_clocks", a_lesson_counts_turns),
 ];
 
 /// What a unit of length and of time is in these: 0.65 m, and what light takes for that.
@@ -242,4 +244,38 @@ fn clocks_show_own_time() {
     window.state_mut().ask(Command::Window(Window { dials: false, ..settings }));
     window.run();
     assert!(window.query_by_label_contains("Clock of").is_none());
+}
+
+/// The clock that comes in the lesson, against the one that rests, from the beginning of its first step.
+fn a_lesson_counts_turns() {
+    let mut state = cyclist(0.9);
+    let lesson = Library::own().open("clocks").expect("the program's own");
+    state.begin_lesson(&lesson).expect("it begins");
+    let mut window = window_of_size(state, [1280.0, 800.0], 1.0);
+    let turns = |window: &Harness<'_, App>, clock: &str| -> f64 {
+        let label = label_starting_with(window, clock);
+        let count = label.trim_end_matches(" turns").rsplit(' ').next().expect("a count").replace('−', "-");
+        count.parse().expect("a number")
+    };
+    window.run_steps(2);
+    for eye in ["Left eye", "Right eye"] {
+        for clock in ["Clock of front hub", "Clock beside you"] {
+            assert_eq!(turns(&window, &format!("{clock}, {eye}")), 0.0, "{clock}");
+        }
+    }
+    window.state_mut().ask(Command::Time(0.0));
+    window.run_steps(2);
+    // At 0.8 c, where the hub rests; a turn is 2 units.
+    let gamma = 1.0 / 0.6;
+    let own_time = |a: f64, time: f64| {
+        let [received, x] = [gamma * (time - 0.8 * a), gamma * (a - 0.8 * time)];
+        let [dx, y, z]: [f64; 3] = [-0.525 - x, 3.901, -1.975];
+        received - (dx * dx + y * y + z * z).sqrt()
+    };
+    for (eye, a) in [("Left eye", -0.05), ("Right eye", 0.05)] {
+        let expected = 0.5 * (own_time(a, 0.0) - own_time(a, -4.0));
+        let counted = turns(&window, &format!("Clock of front hub, {eye}"));
+        assert!((counted - expected).abs() < 6e-3, "{eye}: {counted} for {expected}");
+        assert_eq!(turns(&window, &format!("Clock beside you, {eye}")), 2.0);
+    }
 }

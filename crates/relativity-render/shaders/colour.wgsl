@@ -1,4 +1,4 @@
-// Received light: from a Doppler factor to linear sRGB. The same as `light.rs`, `tone.rs` and `shade.rs`, by tables.
+// Received light: from a Doppler factor to linear sRGB. The same as `light.rs`, `tone.rs`, `hatch.rs` and `shade.rs`, by tables.
 
 // A table per row, see `palette.rs`; the last component is log2 of what the colour is multiplied by.
 @group(0) @binding(1) var tables: texture_2d<f32>;
@@ -32,7 +32,7 @@ override LEAST_BETA: f32;
 override MOST_RAPID: f32;
 override MAP_PER_OCTAVE: f32;
 
-// The tables' rows. What eyes do not see of a light stands in the row after it.
+// The tables' rows. The share of a light that eyes do not see stands in the row after it.
 const LINE_ROW = 0;
 const GLOW_ROW = 2;
 const BAND_ROW = 4;
@@ -60,23 +60,32 @@ fn shoulder(x: f32) -> f32 {
     return min(x, KNEE) + (1.0 - KNEE) * (above / (1.0 + above));
 }
 
-// `light` as a screen shows it, with what eyes do not see of it under it, where it is all but black.
-fn shown(light: vec3f, row: i32, place: f32) -> vec3f {
+// `light` as a screen shows it; w: its unseen share, where it is all but black.
+fn shown(light: vec3f, row: i32, place: f32) -> vec4f {
     let largest = max(light.r, max(light.g, light.b));
     let toned = shoulder(largest);
-    var colour = light * (toned / max(largest, 1e-30));
+    let colour = light * (toned / max(largest, 1e-30));
+    var unseen = 0.0;
     if INVISIBLE {
         let left = 1.0 - toned;
         let last = f32(textureDimensions(tables).x) - 1.0;
         let entry = vec2i(i32(clamp(place, 0.0, last) + 0.5), row + 1);
-        colour += textureLoad(tables, entry, 0).rgb * (left * left * left * left);
+        unseen = textureLoad(tables, entry, 0).r * (left * left * left * left);
     }
-    return colour;
+    return vec4f(colour, unseen);
+}
+
+// The grey of light with this unseen share, from -1 (ultraviolet) to 1 (infrared), in the pixel with this middle.
+fn hatched(unseen: f32, pixel: vec2f) -> f32 {
+    let periods = (pixel.x + select(-pixel.y, pixel.y, unseen > 0.0)) * frame.hatch[0].y;
+    let from_line = abs(fract(periods) - 0.5) * frame.hatch[0].x;
+    let cover = clamp(frame.hatch[0].z - from_line + 0.5, 0.0, 1.0);
+    return abs(unseen) * (frame.hatch[1].x + frame.hatch[1].y * cover);
 }
 
 // `light`: of one place in a table that place at rest, how far it moves per octave of the shift (back for light of one
 // wavelength, forth for a black body), the exponent n of D^n, and log2 of the exposure.
-fn of_one_place(light: vec4f, octaves: f32, shift: f32) -> vec3f {
+fn of_one_place(light: vec4f, octaves: f32, shift: f32) -> vec4f {
     let row = select(GLOW_ROW, LINE_ROW, light.y < 0.0);
     let place = light.x + light.y * shift;
     let entry = looked_up(row, place);
@@ -85,7 +94,7 @@ fn of_one_place(light: vec4f, octaves: f32, shift: f32) -> vec3f {
 
 // `light`: of daylight the band's place at rest, log2 of the exposure for the band and for all wavelengths, and the
 // exponent with which the band becomes brighter.
-fn of_daylight(light: vec4f, octaves: f32, shift: f32) -> vec3f {
+fn of_daylight(light: vec4f, octaves: f32, shift: f32) -> vec4f {
     let place = DAYLIGHT_PLACE + GLOW_PER_OCTAVE * shift;
     let white = looked_up(GLOW_ROW, place);
     let own = looked_up(BAND_ROW, light.x - BAND_PER_OCTAVE * shift);
@@ -123,7 +132,7 @@ const PARTS = array<vec2f, 6>(
 );
 
 // `light` as of daylight; its parts as `daylight.rs` has them, the hottest first.
-fn of_street_daylight(light: vec4f, shift: f32, facing: Facing) -> vec3f {
+fn of_street_daylight(light: vec4f, shift: f32, facing: Facing) -> vec4f {
     let ahead = facing.ahead;
     let gamma = sqrt(1.0 + facing.rapid * facing.rapid);
     let beta = facing.rapid / gamma;
@@ -174,22 +183,26 @@ fn of_street_daylight(light: vec4f, shift: f32, facing: Facing) -> vec3f {
     return shown(sum / max(shares, 1e-30), GLOW_ROW, hottest_place);
 }
 
-fn colour_of(light: vec4f, doppler: f32, facing: Facing) -> vec3f {
+fn colour_of(light: vec4f, doppler: f32, facing: Facing) -> vec4f {
     let octaves = log2(doppler);
     let shift = select(0.0, octaves, DOPPLER_SHIFT);
     switch SPECTRUM {
-        case 0u: { return light.rgb; }
+        case 0u: { return light; }
         case 1u: { return of_one_place(light, octaves, shift); }
         case 2u: { return of_daylight(light, octaves, shift); }
         case 4u: { return of_street_daylight(light, shift, facing); }
-        default: { return looked_up(MAP_ROW, MAP_MIDDLE + MAP_PER_OCTAVE * octaves).rgb; }
+        default: { return vec4f(looked_up(MAP_ROW, MAP_MIDDLE + MAP_PER_OCTAVE * octaves).rgb, 0.0); }
     }
 }
 
-// Of a body with this `light`, which is rgb at rest, else as above. Form comes after the shoulder: so it shows in what is
+// Of a body with this `light`, which is rgb and the unseen share at rest, else as above, in the pixel with this middle. Form comes after the shoulder: so it shows in what is
 // very bright, and in what is all but black.
-fn received_colour(light: vec4f, doppler: f32, normal: vec3f, facing: Facing) -> vec3f {
-    let colour = colour_of(light, doppler, facing);
+fn received_colour(light: vec4f, doppler: f32, normal: vec3f, facing: Facing, pixel: vec2f) -> vec3f {
+    let found = colour_of(light, doppler, facing);
+    var colour = found.rgb;
+    if INVISIBLE || SPECTRUM == 0u {
+        colour += hatched(found.a, pixel);
+    }
     if FORM {
         return colour * (FORM_ACROSS + FORM_TOWARDS * dot(normal, vec3f(LIGHT_X, LIGHT_Y, LIGHT_Z)));
     }

@@ -332,7 +332,7 @@ fn picture(fragment: Fragment) -> Picture {
     let measure = measure(fragment);
     let turning = spin_of(fragment.spin, fragment.rim);
     let facing = facing_of(body_of(fragment), measure.place, measure.normal, turning);
-    var colour = received_colour(fragment.light, measure.doppler, measure.normal, facing)
+    var colour = received_colour(fragment.light, measure.doppler, measure.normal, facing, fragment.position.xy)
         * fragment.cover_brightness_index.y;
     if PATTERNS {
         let spin = spin_of(fragment.spin, fragment.rim);

@@ -23,11 +23,8 @@ const VIOLET_END_NM: [f64; 2] = [VISIBLE_NM[0], 420.0];
 /// Visible light fades from full at the first of these to black at the second, nm. The paper's 700 nm
 /// is full red.
 const RED_END_NM: [f64; 2] = [710.0, VISIBLE_NM[1]];
-/// What is received as ultraviolet and as infrared, kept very dark, linear sRGB: violet-black and red-black. Paler than
-/// any light of one wavelength, so that nobody takes them for that.
-const DARK: [[f64; 3]; 2] = [[0.070, 0.030, 0.140], [0.120, 0.022, 0.016]];
-/// Between these what glows shows less and less of its dark infrared, K.
-const DARK_GLOW_KELVIN: [f64; 2] = [1000.0, 3500.0];
+/// Between these a smaller and smaller share of a glow is shown as infrared, K.
+const UNSEEN_GLOW_KELVIN: [f64; 2] = [1000.0, 3500.0];
 /// False colours for D far below 1, at 1 and far above, linear sRGB.
 const FALSE_COLOURS: [[f64; 3]; 3] = [[0.60, 0.03, 0.01], [0.72, 0.72, 0.68], [0.02, 0.10, 0.80]];
 
@@ -72,19 +69,20 @@ pub fn linear_srgb(wavelength_nm: f64) -> [f64; 3] {
     spectral_hue(wavelength_nm).map(|part| part * visibility(wavelength_nm))
 }
 
-/// Linear sRGB of what eyes do not see of light of `wavelength_nm`: all of it below [`VISIBLE_NM`], violet-black, and
-/// above, red-black; none from 420 nm to 710 nm.
+/// Returns the share of light of `wavelength_nm` that eyes do not see, with the sign of [`crate::hatch`]: 1 above
+/// [`VISIBLE_NM`] (infrared), -1 below (ultraviolet); none from 420 nm to 710 nm.
 #[must_use]
-pub fn dark_line(wavelength_nm: f64) -> [f64; 3] {
+pub fn unseen_line(wavelength_nm: f64) -> f64 {
     let is_long = wavelength_nm > 0.5 * (VIOLET_END_NM[1] + RED_END_NM[0]);
-    DARK[usize::from(is_long)].map(|part| part * (1.0 - visibility(wavelength_nm)))
+    let share = 1.0 - visibility(wavelength_nm);
+    if is_long { share } else { -share }
 }
 
-/// Linear sRGB of what eyes do not see of a body that glows at 2^`log2_kelvin`: all of it up to 1000 K, none from 3500 K.
+/// Returns the share of the light of a body that glows at 2^`log2_kelvin` that eyes do not see, with the sign of
+/// [`crate::hatch`]: 1 (infrared) up to 1000 K, 0 from 3500 K.
 #[must_use]
-pub fn dark_glow(log2_kelvin: f64) -> [f64; 3] {
-    let seen = smoothstep(DARK_GLOW_KELVIN.map(log2), log2_kelvin);
-    DARK[1].map(|part| part * (1.0 - seen))
+pub fn unseen_glow(log2_kelvin: f64) -> f64 {
+    1.0 - smoothstep(UNSEEN_GLOW_KELVIN.map(log2), log2_kelvin)
 }
 
 /// The false colour of light shifted by `octaves` (log2 D), linear sRGB: grey at D = 1, bluer above, redder below, and

@@ -7,6 +7,7 @@ use relativity_core::math::{cosh, exp, sin_cos, sinh};
 use crate::backdrop::{Backdrop, Floor};
 use crate::camera::{Axes, Camera, Gauge};
 use crate::group_view::{GroupView, reference_of_depths};
+use crate::hatch::Hatch;
 use crate::mercator::Mercator;
 use crate::prepared_body::{Extent, packed};
 use crate::scene::{PreparedGroup, PreparedScene};
@@ -61,6 +62,8 @@ pub struct Frame {
     /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, a road; walls, frames, glass,
     /// doors, shops.
     pub backdrop: [[f32; 4]; 11],
+    /// The hatch of what eyes do not see: see [`Hatch::packed`].
+    pub hatch: [[f32; 4]; 2],
     /// Its product with an apparent position is the clip coordinate x. In a conformal picture the unit vector along the
     /// baseline, and the clip coordinates of a unit of u.
     pub clip_right: [f32; 4],
@@ -193,6 +196,7 @@ impl Frame {
             houses: HOUSES.map(|[height, shade]| [height as f32, shade as f32, 0.0, 0.0]),
             openings: OPENINGS.map(|opening| opening.map(|v| v as f32)),
             backdrop: backdrop.colours().map(|colour| vector(colour.into())),
+            hatch: Hatch::new(camera.size, appearance.light).packed(),
             clip_right,
             clip_up,
             forward,

@@ -75,6 +75,7 @@ mod frame;
 pub mod gpu;
 mod gpu_error;
 pub mod group_view;
+mod hatch;
 mod hierarchy;
 mod hits;
 pub mod intersect;

@@ -7,7 +7,7 @@ use relativity_core::doppler::intensity_factor;
 use relativity_core::math::{exp2, log2};
 
 use crate::body::Emission;
-use crate::colour::{dark_glow, dark_line, false_colour, linear_srgb, luminance};
+use crate::colour::{false_colour, linear_srgb, luminance, unseen_glow, unseen_line};
 use crate::daylight::{Part, log2_more};
 use crate::effects::{Effects, Spectrum};
 use crate::palette;
@@ -35,6 +35,15 @@ pub enum Light {
     Daylight(Option<f64>),
     /// None: the colour tells the Doppler factor.
     Map,
+}
+
+/// Light as a screen shows it: what eyes see of it, and how much of the hatch lies over that.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shown {
+    /// Linear sRGB, in [0, 1].
+    pub colour: [f64; 3],
+    /// The unseen share, with the sign of [`crate::hatch`].
+    pub unseen: f64,
 }
 
 /// What has to be known of light of a broad spectrum for one Doppler factor.
@@ -69,22 +78,23 @@ impl Light {
         }
     }
 
-    /// Linear sRGB, in [0, 1], of it at `doppler_factor`, on a surface that faces the light.
-    pub fn shown(self, appearance: &Appearance, doppler_factor: f64) -> [f64; 3] {
+    /// How a screen shows it at `doppler_factor`, on a surface that faces the light.
+    pub fn shown(self, appearance: &Appearance, doppler_factor: f64) -> Shown {
         self.shown_in_parts(appearance, doppler_factor, &[Part::OWN])
     }
 
     /// The same where daylight is received in these `parts`, the hottest first.
-    pub fn shown_in_parts(self, appearance: &Appearance, doppler_factor: f64, parts: &[Part]) -> [f64; 3] {
+    pub fn shown_in_parts(self, appearance: &Appearance, doppler_factor: f64, parts: &[Part]) -> Shown {
         if self == Self::Map {
-            return false_colour(log2(doppler_factor));
+            return Shown { colour: false_colour(log2(doppler_factor)), unseen: 0.0 };
         }
         let shift = if appearance.doppler_shift { log2(doppler_factor) } else { 0.0 };
         // A product that overflows is as bright as can be, not infinite: black times infinity is no number.
         let exposed = |part: f64| (part * exp2(appearance.exposure_ev)).min(f64::MAX);
         let received = self.received(shift, self.log2_intensity(appearance, doppler_factor), parts);
-        let shown = toned(received.map(exposed));
-        if appearance.invisible { over_dark(shown, self.dark(shift, parts)) } else { shown }
+        let colour = toned(received.map(exposed));
+        let unseen = if appearance.invisible { left_dark(colour) * self.unseen(shift, parts) } else { 0.0 };
+        Shown { colour, unseen }
     }
 
     /// log2 of the part of the received intensity that its colour does not tell: D^n of one wavelength, and of all where
@@ -123,16 +133,16 @@ impl Light {
         }
     }
 
-    /// Returns linear sRGB, very dark, for its invisible part; for daylight, that of its hottest part.
-    fn dark(self, shift: f64, parts: &[Part]) -> [f64; 3] {
+    /// Returns its unseen share; for daylight, that of its hottest part.
+    fn unseen(self, shift: f64, parts: &[Part]) -> f64 {
         match self {
-            Self::Line(nm) => dark_line(exp2(log2(nm) - shift)),
-            Self::Glow(kelvin) => dark_glow(log2(kelvin) + shift),
+            Self::Line(nm) => unseen_line(exp2(log2(nm) - shift)),
+            Self::Glow(kelvin) => unseen_glow(log2(kelvin) + shift),
             Self::Daylight(_) => {
                 let hottest = parts.first().map_or(0.0, |part| part.log2_doppler);
-                dark_glow(log2(DAYLIGHT_KELVIN) + shift + hottest)
+                unseen_glow(log2(DAYLIGHT_KELVIN) + shift + hottest)
             }
-            Self::Map => [0.0; 3],
+            Self::Map => 0.0,
         }
     }
 
@@ -141,8 +151,8 @@ impl Light {
         let (exponent, exposure) = (self.exponent(appearance), appearance.exposure_ev);
         match (effects.spectrum(), self) {
             (Spectrum::AtRest, _) => {
-                let [red, green, blue] = self.shown(appearance, 1.0);
-                [red, green, blue, 0.0]
+                let Shown { colour: [red, green, blue], unseen } = self.shown(appearance, 1.0);
+                [red, green, blue, unseen]
             }
             (_, Self::Line(nm)) => {
                 [palette::LINE.place(log2(nm)), -palette::LINE.per_octave(), exponent, exposure]
@@ -195,10 +205,9 @@ fn daylight(tint: Option<f64>) -> Levels {
     Levels { glow: white + log2(WHITE_SHARE) + scale, band: log2(1.0 - WHITE_SHARE) + scale - visible }
 }
 
-/// `shown` with `dark` under it, which shows only where the other is all but black.
-fn over_dark(shown: [f64; 3], dark: [f64; 3]) -> [f64; 3] {
-    let left = (1.0 - shown.into_iter().fold(0.0, f64::max)).powi(4);
-    std::array::from_fn(|i| shown[i] + left * dark[i])
+/// Returns the share of the hatch that shows over `colour`: much only where that is all but black.
+fn left_dark(colour: [f64; 3]) -> f64 {
+    (1.0 - colour.into_iter().fold(0.0, f64::max)).powi(4)
 }
 
 /// Received over rest intensity of this `emission` at `doppler_factor`, before any exposure: D^n of light of one
@@ -250,9 +259,9 @@ mod tests {
         ];
         for light in lights {
             for exponent in -100..=100 {
-                let colour = light.shown(&appearance, exp2(f64::from(exponent)));
-                let is_shown = colour.into_iter().all(|part| (0.0..=1.0).contains(&part));
-                assert!(is_shown, "{light:?} at D = 2^{exponent}: {colour:?}");
+                let shown = light.shown(&appearance, exp2(f64::from(exponent)));
+                let is_shown = shown.colour.into_iter().all(|part| (0.0..=1.0).contains(&part));
+                assert!(is_shown && shown.unseen.abs() <= 1.0, "{light:?} at D = 2^{exponent}: {shown:?}");
             }
         }
     }

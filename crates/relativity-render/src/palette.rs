@@ -2,16 +2,15 @@
 
 use relativity_core::math::{exp2, log2};
 
-use crate::colour::{dark_glow, dark_line, false_colour, linear_srgb};
+use crate::colour::{false_colour, linear_srgb, unseen_glow, unseen_line};
 use crate::daylight::{LEAST_BETA, MOST_RAPID, log2_quantum_nm};
 use crate::effects::Constant;
 use crate::planck::{Broad, DAYLIGHT_KELVIN, band, black_body};
 
 /// Entries of a table.
 pub const ENTRIES: u32 = 2048;
-/// Tables: the light of one wavelength over log2 of that, nm, and what eyes do not see of it; of black bodies over log2
-/// of the temperature, K, and what eyes do not see of it; of bands over log2 of their middle, nm; and the false colours
-/// over log2 D.
+/// Tables: the light of one wavelength over log2 of that, nm, and its unseen share; of black bodies over log2 of the
+/// temperature, K, and their unseen share; of bands over log2 of their middle, nm; and the false colours over log2 D.
 pub const ROWS: u32 = 6;
 
 /// The range of a table: outside, its ends hold.
@@ -67,15 +66,17 @@ pub fn daylight_quanta() -> f64 {
     log2_quantum_nm() - BAND.first
 }
 
-/// The tables, RGBA, a row each. The last component is log2 of what the colour is multiplied by.
+/// The tables, RGBA, a row each. The last component is log2 of what the colour is multiplied by. Unseen shares are the
+/// first component of theirs.
 pub fn tables() -> Vec<[f32; 4]> {
     let plain = |[red, green, blue]: [f64; 3]| [red, green, blue, 0.0];
+    let share = |share: f64| [share, 0.0, 0.0, 0.0];
     let broad = |Broad { hue: [red, green, blue], log2_level }| [red, green, blue, log2_level];
     let line = LINE.table(|log2_nm| plain(linear_srgb(exp2(log2_nm))));
-    let dark_line = LINE.table(|log2_nm| plain(dark_line(exp2(log2_nm))));
+    let unseen_line = LINE.table(|log2_nm| share(unseen_line(exp2(log2_nm))));
     let glow = GLOW.table(|log2_kelvin| broad(black_body(log2_kelvin)));
-    let dark_glow = GLOW.table(|log2_kelvin| plain(dark_glow(log2_kelvin)));
+    let unseen_glow = GLOW.table(|log2_kelvin| share(unseen_glow(log2_kelvin)));
     let band = BAND.table(|log2_nm| broad(band(log2_nm)));
     let map = MAP.table(|octaves| plain(false_colour(octaves)));
-    line.chain(dark_line).chain(glow).chain(dark_glow).chain(band).chain(map).collect()
+    line.chain(unseen_line).chain(glow).chain(unseen_glow).chain(band).chain(map).collect()
 }

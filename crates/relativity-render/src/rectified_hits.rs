@@ -3,12 +3,13 @@
 
 use relativity_core::threads::prelude::*;
 
+use crate::hatch::Hatch;
 use crate::pattern::Covered;
 use crate::picture::{Picture, encoded};
 use crate::rectify::Rectification;
-use crate::reference::{Hit, HitImage, sample_grid};
+use crate::reference::{HitImage, sample_grid};
 use crate::scene::PreparedScene;
-use crate::shade::surface_colour;
+use crate::shade::{Received, surface_colour};
 use crate::view::Appearance;
 
 /// Rays per corrected pixel, along each side.
@@ -38,13 +39,19 @@ impl Rectification {
         blank: Blank,
     ) -> Picture {
         let [width, height] = self.rest().size;
+        let hatch = Hatch::new([width, height], appearance.light);
         let colour = |place: [f64; 2]| {
             let Some(source) = self.ground_place(place) else { return blank.outside };
             let [column, row] = source.map(f64::floor);
             let index = row as usize * hits.size[0] as usize + column as usize;
             let Some(hit) = hits.hits.get(index).copied().flatten() else { return blank.background };
             let doppler_factor = self.doppler_factor([column + 0.5, row + 0.5]);
-            corrected_colour(scene, &hit, appearance, doppler_factor)
+            // What is left of the hit's Doppler effect.
+            let doppler_factor = hit.doppler_factor / doppler_factor;
+            let received = Received { rest_normal: hit.rest_normal, doppler_factor, facing: None, place };
+            let colour = surface_colour(appearance, &scene.bodies()[hit.body], received, &hatch);
+            let mark = scene.mark(&hit, Covered::NOTHING);
+            colour.map(|part| part * mark)
         };
         let pixel = |index: u32| {
             let places = sample_grid([index % width, index / width], SAMPLES);
@@ -58,22 +65,10 @@ impl Rectification {
     }
 }
 
-/// What is left of the Doppler effect of `hit` when one with `doppler_factor` is undone.
-fn corrected_colour(
-    scene: &PreparedScene,
-    hit: &Hit,
-    appearance: &Appearance,
-    doppler_factor: f64,
-) -> [f64; 3] {
-    let left = hit.doppler_factor / doppler_factor;
-    let colour = surface_colour(appearance, &scene.bodies()[hit.body], hit.rest_normal, left, None);
-    colour.map(|part| part * scene.mark(hit, Covered::NOTHING))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Body, Camera, Gaze, Geometry, Shading, Shape, Velocity, View};
+    use crate::{Body, Camera, Gaze, Geometry, Hit, Shading, Shape, Velocity, View};
     use relativity_core::{Aperture, Speed};
 
     const RED_NM: f64 = 640.0;

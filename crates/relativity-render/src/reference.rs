@@ -12,13 +12,14 @@ use crate::cap::Cap;
 use crate::daylight::Facing;
 use crate::first_entry::{Chosen, Found};
 use crate::group_view::{GroupView, RestRay};
+use crate::hatch::Hatch;
 use crate::hierarchy::Lines;
 use crate::intersect::Entry;
 use crate::pattern::Covered;
 use crate::picture::{Picture, encoded};
 use crate::ray::Ray;
 use crate::scene::PreparedScene;
-use crate::shade::surface_colour;
+use crate::shade::{Received, surface_colour};
 use crate::tiles::TILE_SIDE;
 use crate::view::{Appearance, Geometry, View};
 use crate::wheel::spin::{Spin, about_y};
@@ -228,6 +229,7 @@ impl PreparedScene {
     ) -> Vec<[u8; 4]> {
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let backdrop = Backdrop::new(&view.camera, appearance);
+        let hatch = Hatch::new(view.camera.size, appearance.light);
         let group_views = self.group_views(view);
         self.pixels(view, &group_views, &lines_of_sight, samples, goes_on, |met| {
             let rays = met.places.iter().zip(met.sights).zip(met.hits);
@@ -236,8 +238,13 @@ impl PreparedScene {
                     let turns = lines_of_sight.turns(place).map(|turn| turn / f64::from(samples));
                     self.mark(hit, self.covered(hit, &group_views, line_of_sight, turns))
                 };
-                let facing = |hit: &Hit| self.facing(appearance, &group_views, hit);
-                let colour = self.colour(appearance, &backdrop, line_of_sight, hit, mark, facing);
+                let surface = |hit: &Hit| {
+                    let facing = self.facing(appearance, &group_views, hit);
+                    let Hit { rest_normal, doppler_factor, .. } = *hit;
+                    let received = Received { rest_normal, doppler_factor, facing, place };
+                    surface_colour(appearance, &self.bodies()[hit.body], received, &hatch)
+                };
+                let colour = self.colour(&backdrop, line_of_sight, hit, mark, surface);
                 std::array::from_fn(|i| sum[i] + colour[i])
             });
             encoded(sum.map(|part| part / f64::from(samples * samples)))
@@ -277,19 +284,17 @@ impl PreparedScene {
     /// Linear sRGB of what is seen along `line_of_sight`, in [0, 1] where it is a body.
     fn colour(
         &self,
-        appearance: &Appearance,
         backdrop: &Backdrop,
         line_of_sight: DVec3,
         hit: Option<Hit>,
         mark: impl Fn(&Hit) -> f64,
-        facing: impl Fn(&Hit) -> Option<Facing>,
+        surface: impl Fn(&Hit) -> [f64; 3],
     ) -> [f64; 3] {
         let ground_distance = backdrop.ground_distance(line_of_sight);
         match (hit, ground_distance) {
             (Some(hit), ground) if ground.is_none_or(|distance| hit.distance <= distance) => {
                 let body = &self.bodies()[hit.body];
-                let Hit { rest_normal, doppler_factor, .. } = hit;
-                let colour = surface_colour(appearance, body, rest_normal, doppler_factor, facing(&hit));
+                let colour = surface(&hit);
                 let mark = if body.marking.is_some() { mark(&hit) } else { 1.0 };
                 colour.map(|part| part * mark)
             }

@@ -4,7 +4,8 @@ use glam::DVec3;
 
 use crate::daylight::Facing;
 use crate::effects::Constant;
-use crate::light::Light;
+use crate::hatch::Hatch;
+use crate::light::{Light, Shown};
 use crate::prepared_body::PreparedBody;
 use crate::view::{Appearance, Shading};
 
@@ -26,8 +27,21 @@ pub fn form(rest_normal: DVec3) -> f64 {
     FORM[0] + FORM[1] * rest_normal.dot(LIGHT.normalize())
 }
 
-/// Linear sRGB, in [0, 1], of the surface of `body` with `rest_normal`, received at `doppler_factor`; and how it
-/// faces the street's daylight, if that lights it.
+/// Light that arrives from a surface: of one with the outward unit normal `rest_normal` in the rest frame.
+#[derive(Debug, Clone, Copy)]
+pub struct Received {
+    /// The outward unit normal of the surface, rest frame.
+    pub rest_normal: DVec3,
+    /// The Doppler factor of its light.
+    pub doppler_factor: f64,
+    /// The motion of the surface through the street's daylight, if that lights it.
+    pub facing: Option<Facing>,
+    /// Where it is seen in the picture, px.
+    pub place: [f64; 2],
+}
+
+/// Linear sRGB, in [0, 1], of the surface of `body` with `rest_normal`, received at `doppler_factor` in
+/// the pixel around `place`, px; `facing` the street's daylight, if that lights it.
 ///
 /// Form and the body's brightness come after the shoulder: so they show in what is very bright, and in what is all but
 /// black.
@@ -35,18 +49,18 @@ pub fn form(rest_normal: DVec3) -> f64 {
 pub fn surface_colour(
     appearance: &Appearance,
     body: &PreparedBody,
-    rest_normal: DVec3,
-    doppler_factor: f64,
-    facing: Option<Facing>,
+    Received { rest_normal, doppler_factor, facing, place }: Received,
+    hatch: &Hatch,
 ) -> [f64; 3] {
     let shading = match appearance.shading {
         Shading::Emission => 1.0,
         Shading::Form => form(rest_normal),
     };
     let light = Light::new(body.emission, appearance);
-    let shown = match facing {
+    let Shown { colour, unseen } = match facing {
         Some(facing) => light.shown_in_parts(appearance, doppler_factor, &facing.parts()),
         None => light.shown(appearance, doppler_factor),
     };
-    shown.map(|part| part * shading * body.brightness)
+    let grey = hatch.grey(unseen, place);
+    colour.map(|part| (part + grey) * shading * body.brightness)
 }

@@ -148,7 +148,7 @@ pub struct Appearance {
     pub intensity_exponent: Option<f64>,
     /// Exposure: factor on linear light is 2^`exposure_ev`.
     pub exposure_ev: f64,
-    /// Whether what is received as ultraviolet or infrared keeps its form, very dark; else it is black.
+    /// Whether what is received as ultraviolet or infrared keeps its form, in hatched grey; else it is black.
     pub invisible: bool,
     /// Shading.
     pub shading: Shading,

@@ -18,6 +18,7 @@ fn main() -> ExitCode {
     gpu_support::run(&[
         ("pictures_are_the_references", pictures_are_the_references),
         ("patterns_are_the_references", patterns_are_the_references),
+        ("the_hatch_is_the_references", the_hatch_is_the_references),
         ("edges_are_the_references_on_average", edges_are_the_references_on_average),
         ("every_speed_gives_a_picture", every_speed_gives_a_picture),
     ])
@@ -83,6 +84,19 @@ fn patterns_are_the_references(renderers: &mut Renderers) {
         let scene = PreparedScene::moving(&marked.collect::<Vec<_>>());
         agree_with_the_reference(renderers, &scene, &appearances);
     }
+}
+
+/// Bodies that shine in ultraviolet and infrared of their own, so that the hatch is there with and without a Doppler effect.
+fn the_hatch_is_the_references(renderers: &mut Renderers) {
+    let bodies = patterned_life().into_iter().zip([300.0, 900.0, 760.0, 5000.0, 100.0]);
+    let lit: Vec<_> = bodies.map(|(body, nm)| Body { emission: Emission::Wavelength(nm), ..body }).collect();
+    let scene = PreparedScene::moving(&lit);
+    let rest = Appearance { intensity_exponent: None, doppler_shift: false, ..Appearance::default() };
+    agree_with_the_reference(
+        renderers,
+        &scene,
+        &[rest, Appearance::default(), Appearance { light: true, ..rest }],
+    );
 }
 
 const PATTERNS: [Pattern; 7] = [

@@ -6,8 +6,8 @@
 mod support;
 
 use relativity_render::colour::{
-    colour_matching, dark_glow, dark_line, false_colour, hue_preserving_clip, linear_srgb, luminance,
-    srgb_decoded, srgb_encoded, srgb_level,
+    colour_matching, false_colour, hue_preserving_clip, linear_srgb, luminance, srgb_decoded, srgb_encoded,
+    srgb_level, unseen_glow, unseen_line,
 };
 use relativity_render::tone::{KNEE, shoulder, toned, untoned};
 
@@ -134,23 +134,17 @@ fn visible_light_fades_smoothly_to_black_at_both_ends() {
 }
 
 #[test]
-fn what_is_not_seen_keeps_a_few_per_cent_and_fades_out_where_light_fades_in() {
-    let [ultraviolet, infrared] = [200.0, 2000.0].map(dark_line);
-    assert_eq!([dark_line(1e-3), dark_line(1e9)], [ultraviolet, infrared]);
-    for dark in [ultraviolet, infrared] {
-        assert!((0.02..0.06).contains(&luminance(dark)), "{dark:?}");
-    }
-    assert!(ultraviolet[2] > 1.5 * ultraviolet[0] && infrared[0] > 3.0 * infrared[2]);
+fn the_unseen_share_is_signed_and_fades_out_where_light_fades_in() {
+    assert_eq!([1e-3, 200.0, 380.0, 780.0, 2000.0, 1e9].map(unseen_line), [-1.0, -1.0, -1.0, 1.0, 1.0, 1.0]);
     for wavelength in nm(420, 710, 1) {
-        assert_eq!(dark_line(wavelength), [0.0; 3], "{wavelength} nm");
+        assert_eq!(unseen_line(wavelength), 0.0, "{wavelength} nm");
     }
     for wavelength in nm(360, 800, 1) {
-        let [here, next] = [wavelength, wavelength + 1.0].map(dark_line);
-        let step = (0..3).map(|i| (here[i] - next[i]).abs()).fold(0.0, f64::max);
-        assert!(step < 0.006, "a jump of {step} at {wavelength} nm");
+        let [here, next] = [wavelength, wavelength + 1.0].map(unseen_line);
+        assert!((here - next).abs() < 0.05, "a jump from {here} to {next} at {wavelength} nm");
+        assert!(next >= here, "more infrared than at {wavelength} nm is less: {next}");
     }
-    assert_eq!(dark_glow(f64::log2(900.0)), infrared);
-    assert_eq!(dark_glow(f64::log2(4000.0)), [0.0; 3]);
+    assert_eq!([900.0, 4000.0].map(|kelvin| unseen_glow(f64::log2(kelvin))), [1.0, 0.0]);
 }
 
 #[test]
@@ -222,6 +216,6 @@ fn colours_end_where_the_documentation_says() {
     assert_eq!([violet, red].map(linear_srgb), [[0.0; 3]; 2]);
     assert!([violet + 1.0, red - 1.0].iter().all(|&nm| luminance(linear_srgb(nm)) > 0.0));
     let [first, last] = ["none from ", "none from 420 nm to "].map(nm);
-    assert!([first, last].iter().all(|&nm| dark_line(nm) == [0.0; 3]));
-    assert!([first - 1.0, last + 1.0].iter().all(|&nm| luminance(dark_line(nm)) > 0.0));
+    assert!([first, last].iter().all(|&nm| unseen_line(nm) == 0.0));
+    assert!([first - 1.0, last + 1.0].iter().all(|&nm| unseen_line(nm) != 0.0));
 }

@@ -343,7 +343,7 @@ fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, coat: Coat)
             continue;
         }
         // Two clocks in one place could not be read.
-        if pane.rect.contains(place) && (pane.takes_the_mouse() || is_in_turn(state)) {
+        if pane.rect.contains(place) && can_be_read(state, pane) {
             clock(ui, state, pane, point, place);
         }
         let own = theme::point_colour(point.number, visuals);
@@ -351,6 +351,14 @@ fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, coat: Coat)
             if pane.is_shared { layouts::marker_colours(state, pane.eye, own, visuals) } else { [own; 2] };
         marker.paint(painter, place, radius, [ring, dot]);
     }
+    if coat == Coat::Ring && can_be_read(state, pane) {
+        dial::show_resting(ui, state, pane.eye, pane.rect);
+    }
+}
+
+/// Whether a clock in `pane` does not stand where the other eye's does.
+fn can_be_read(state: &State, pane: EyePane) -> bool {
+    pane.takes_the_mouse() || is_in_turn(state)
 }
 
 /// Whether the eyes are shown one after the other.

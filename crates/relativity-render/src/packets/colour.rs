@@ -1,10 +1,14 @@
 //! From a Doppler factor to linear sRGB, as `shaders/colour.wgsl` has it.
 
+use std::array::from_fn;
+
 use super::daylight::{Facing, of_street_daylight};
 use super::logarithm::{MOST_POWER, log2, power_of_two};
-use super::tables::{BAND_ROW, GLOW_ROW, LINE_ROW, MAP_ROW, Tables, shown};
+use super::places::pixel_of_lane;
+use super::tables::{BAND_ROW, GLOW_ROW, LINE_ROW, MAP_ROW, Shown, Tables, shown};
 use crate::effects::{Effects, Spectrum};
-use crate::lanes::{F, Simd, SimdFloat as _, V3, all};
+use crate::hatch::Hatch;
+use crate::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all};
 use crate::shade::FORM;
 
 #[inline(always)]
@@ -14,7 +18,7 @@ fn of_one_place<S: Simd>(
     light: [f32; 4],
     octaves: F<S>,
     shift: F<S>,
-) -> V3<S> {
+) -> Shown<S> {
     let [at_rest, per_octave, exponent, exposure] = light;
     let row = if per_octave < 0.0 { LINE_ROW } else { GLOW_ROW };
     let place = shift * per_octave + at_rest;
@@ -30,7 +34,7 @@ fn of_daylight<S: Simd>(
     light: [f32; 4],
     octaves: F<S>,
     shift: F<S>,
-) -> V3<S> {
+) -> Shown<S> {
     let [band, band_exposure, exposure, band_exponent] = light;
     let place = shift * tables.glow_per_octave + tables.daylight_place;
     let (white, white_level) = tables.looked_up(GLOW_ROW, place);
@@ -52,9 +56,10 @@ fn colour_of<S: Simd>(
     light: [f32; 4],
     doppler: F<S>,
     facing: Option<Facing<S>>,
-) -> V3<S> {
+) -> Shown<S> {
     if effects.spectrum() == Spectrum::AtRest {
-        return V3::of_four(simd, light);
+        let unseen = (light[3] != 0.0).then(|| all(simd, light[3]));
+        return Shown { colour: V3::of_four(simd, light), unseen };
     }
     let octaves = log2(doppler);
     let shift = if effects.doppler_shift { octaves } else { all(simd, 0.0) };
@@ -65,23 +70,52 @@ fn colour_of<S: Simd>(
             let facing = facing.expect("it is known where the street's daylight is shown");
             of_street_daylight(effects, tables, light, shift, facing)
         }
-        Spectrum::Map => tables.looked_up(MAP_ROW, octaves * tables.map_per_octave + tables.map_middle).0,
+        Spectrum::Map => {
+            let place = octaves * tables.map_per_octave + tables.map_middle;
+            Shown { colour: tables.looked_up(MAP_ROW, place).0, unseen: None }
+        }
+    }
+}
+
+/// The hatch in the pixels of a packet.
+#[derive(Debug, Clone, Copy)]
+pub struct Hatched<'a> {
+    pub hatch: &'a Hatch,
+    /// The pixel at the top left.
+    pub corner: [u32; 2],
+}
+
+impl Hatched<'_> {
+    /// The grey of light with this unseen share.
+    #[inline(always)]
+    fn grey<S: Simd>(self, unseen: F<S>) -> F<S> {
+        let shares: [f32; LANES] = unseen.into();
+        let grey = |lane: usize| {
+            let place = pixel_of_lane(self.corner, lane).map(f64::from);
+            self.hatch.grey(shares[lane].into(), place) as f32
+        };
+        F::simd_from(unseen.simd, from_fn(grey))
     }
 }
 
 /// Linear sRGB of a body with this [`Light::packed`](crate::light::Light::packed) where it is received with this Doppler
-/// factor, before its brightness; and `facing` the street's daylight, where that lights it.
+/// factor, before its brightness; `facing` the street's daylight, where that lights it, and `hatched` in these pixels.
 #[inline(always)]
 pub fn received_colour<S: Simd>(
-    simd: S,
     effects: Effects,
     tables: &Tables,
     light: [f32; 4],
     doppler: F<S>,
     normal: V3<S>,
     facing: Option<Facing<S>>,
+    hatched: Hatched<'_>,
 ) -> V3<S> {
-    let colour = colour_of(simd, effects, tables, light, doppler, facing);
+    let simd = doppler.simd;
+    let Shown { mut colour, unseen } = colour_of(simd, effects, tables, light, doppler, facing);
+    if let Some(unseen) = unseen {
+        let grey = hatched.grey(unseen);
+        colour += V3::new(grey, grey, grey);
+    }
     if !effects.form {
         return colour;
     }
@@ -98,11 +132,18 @@ mod tests {
     use crate::body::Emission;
     use crate::colour::srgb_encoded;
     use crate::daylight;
-    use crate::lanes::{LANES, SimdFrom as _};
-    use crate::light::Light;
+    use crate::light::{self, Light};
     use crate::packets::testing::at_every_level;
     use crate::shade::form;
     use crate::view::{Appearance, Colour, Shading};
+
+    const CORNER: [u32; 2] = [40, 14];
+
+    /// The reference's colour in the pixel of this lane.
+    fn expected(shown: light::Shown, hatch: &Hatch, lane: usize) -> [f64; 3] {
+        let grey = hatch.grey(shown.unseen, pixel_of_lane(CORNER, lane).map(f64::from));
+        shown.colour.map(|part| part + grey)
+    }
 
     fn appearances() -> Vec<Appearance> {
         let colours = [Colour::OneWavelength, Colour::Glowing, Colour::White, Colour::False];
@@ -151,6 +192,8 @@ mod tests {
             Emission::Wavelength(700.0),
         ];
         let normal = DVec3::new(0.48, -0.6, 0.64);
+        let hatch = Hatch::new([640, 480], false);
+        let hatched = Hatched { hatch: &hatch, corner: CORNER };
         let mut worst: f64 = 0.0;
         for appearance in appearances() {
             let effects = Effects::new(true, &appearance);
@@ -163,14 +206,15 @@ mod tests {
                     for factors in doppler_factors() {
                         let toward = V3::all(simd, normal.as_vec3().to_array());
                         let doppler = F::simd_from(simd, factors);
-                        let found = received_colour(simd, effects, Tables::shared(), packed, doppler, toward, None);
+                        let found = received_colour(effects, Tables::shared(), packed, doppler, toward, None, hatched);
                         for (lane, factor) in factors.into_iter().enumerate() {
                             bits.extend(found.lane(lane).map(f32::to_bits));
                             let shading = if effects.form { form(normal) } else { 1.0 };
                             // That table ends there.
                             let ends = if light == Light::Map { 256.0 } else { 1e9 };
                             let told = f64::from(factor).clamp(1.0 / ends, ends);
-                            let expected = light.shown(&appearance, told).map(|part| part * shading);
+                            let shown = light.shown(&appearance, told);
+                            let expected = expected(shown, &hatch, lane).map(|part| part * shading);
                             for (found, expected) in found.lane(lane).into_iter().zip(expected) {
                                 let off = 255.0 * (srgb_encoded(found.into()) - srgb_encoded(expected)).abs();
                                 worst = worst.max(off);
@@ -191,6 +235,8 @@ mod tests {
             let (colour, shading) = (Colour::StreetDaylight, Shading::Emission);
             Appearance { colour, exposure_ev, shading, ..Appearance::default() }
         };
+        let hatch = Hatch::new([640, 480], false);
+        let hatched = Hatched { hatch: &hatch, corner: CORNER };
         let mut worst: f64 = 0.0;
         for (rapid, ahead, exposure_ev) in [
             (0.0, 0.3, 0.0),
@@ -214,10 +260,11 @@ mod tests {
                     for factors in doppler_factors() {
                         let (doppler, toward) = (F::simd_from(simd, factors), V3::all(simd, [0.0, 0.0, 1.0]));
                         let found =
-                            received_colour(simd, effects, Tables::shared(), packed, doppler, toward, Some(facing));
+                            received_colour(effects, Tables::shared(), packed, doppler, toward, Some(facing), hatched);
                         let parts = daylight::Facing { rapid, ahead }.parts();
                         for (lane, factor) in factors.into_iter().enumerate() {
-                            let expected = light.shown_in_parts(&appearance, factor.into(), &parts);
+                            let shown = light.shown_in_parts(&appearance, factor.into(), &parts);
+                            let expected = expected(shown, &hatch, lane);
                             for (found, expected) in found.lane(lane).into_iter().zip(expected) {
                                 let off = 255.0 * (srgb_encoded(found.into()) - srgb_encoded(expected)).abs();
                                 worst = worst.max(off);

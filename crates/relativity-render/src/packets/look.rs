@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 use crate::effects::Effects;
 use crate::frame::Frame;
 use crate::group_view::{GroupView, reference_of_depths};
+use crate::hatch::Hatch;
 use crate::light::Light;
 use crate::pipelines::AmongOthers;
 use crate::prepared_body::PreparedBody;
@@ -20,6 +21,8 @@ pub struct Look<'a> {
     /// How each of the groups is seen.
     pub views: Vec<GroupView>,
     frames: Vec<Frame>,
+    /// How light that eyes do not see is drawn.
+    pub hatch: Hatch,
     /// The number of the group among whose bodies the depths of all are told.
     reference: usize,
     /// What turns, with its number; these ascend.
@@ -41,7 +44,9 @@ impl<'a> Look<'a> {
     /// A picture that looks as `appearance` says, or numbers.
     pub fn new(scene: &'a PreparedScene, view: &View, appearance: Option<&Appearance>) -> Self {
         let views = scene.group_views(view);
-        let frames = Frame::of_groups(scene, &views, appearance.unwrap_or(&Appearance::default()));
+        let plain = Appearance::default();
+        let appearance = appearance.unwrap_or(&plain);
+        let frames = Frame::of_groups(scene, &views, appearance);
         let turning = scene.spinning().iter().filter_map(|&number| {
             let body = &scene.bodies()[number as usize];
             let view = &views[body.group];
@@ -56,6 +61,7 @@ impl<'a> Look<'a> {
             scene,
             views,
             frames,
+            hatch: Hatch::new(view.camera.size, appearance.light),
         }
     }
 

@@ -19,10 +19,16 @@ pub fn centres<S: Simd>(simd: S, [left, top]: [u32; 2]) -> [F<S>; 2] {
     [F::simd_from(simd, u), F::simd_from(simd, v)]
 }
 
+/// The pixel in this lane of the packet with this corner.
+#[inline(always)]
+pub fn pixel_of_lane([left, top]: [u32; 2], lane: usize) -> [u32; 2] {
+    [left + lane as u32 % 4, top + lane as u32 / 4]
+}
+
 /// Writes the pixel in this lane of the packet with this corner, if it is in `tile`, into the rows that that is in.
 #[inline(always)]
 pub fn write_one<T>(tile: &Tile, [left, top]: [u32; 2], rows: &mut Rows<'_, T>, lane: usize, value: T) {
-    let [u, v] = [left + lane as u32 % 4, top + lane as u32 / 4];
+    let [u, v] = pixel_of_lane([left, top], lane);
     if u < tile.corner[0] + tile.size[0] && v < tile.corner[1] + tile.size[1] {
         rows.put([u, v], value);
     }

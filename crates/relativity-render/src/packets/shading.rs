@@ -1,7 +1,7 @@
 //! What a tile looks like.
 
 use super::backdrop::{behind, part};
-use super::colour::received_colour;
+use super::colour::{Hatched, received_colour};
 use super::daylight::facing_of;
 use super::encode::encoded;
 use super::look::Look;
@@ -58,7 +58,7 @@ impl<S: Simd> Drawn<S, 4> {
         let sights = TileSights::new(simd, look.frame(), tile.corner);
         for place in 0..PACKETS {
             let corner = packet_places(tile.corner, place);
-            let (mut linear, cover) = self.bodies(simd, look, appearance, tables, place);
+            let (mut linear, cover) = self.bodies(simd, look, appearance, tables, place, corner);
             if cover.simd_lt(1.0).any_true() {
                 linear += behind(simd, look.frame(), part, sights.of_packet(place)) * (1.0 - cover);
             }
@@ -76,7 +76,9 @@ impl<S: Simd> Drawn<S, 4> {
         appearance: &Appearance,
         tables: &Tables,
         place: usize,
+        corner: [u32; 2],
     ) -> (V3<S>, F<S>) {
+        let hatched = Hatched { hatch: &look.hatch, corner };
         let zero = all(simd, 0.0);
         let mut samples = [(V3::all(simd, [0.0; 3]), zero); 4];
         let mut nearest_solid = [all(simd, f32::INFINITY); 4];
@@ -86,7 +88,8 @@ impl<S: Simd> Drawn<S, 4> {
             }
             for owner in packet.owners[0]..packet.owners[1] {
                 let Some(at) = Packet::owned(simd, &packet.solid, owner) else { continue };
-                let (colour, _) = Self::colour(simd, look, appearance, tables, self.owners[owner], packet);
+                let (colour, _) =
+                    Self::colour(simd, look, appearance, tables, self.owners[owner], packet, hatched);
                 for sample in 0..4 {
                     let nearest = packet.solid[sample];
                     let holds = nearest.owner.simd_eq(at);
@@ -103,7 +106,7 @@ impl<S: Simd> Drawn<S, 4> {
             for owner in packet.owners[0]..packet.owners[1] {
                 let Some(at) = Packet::owned(simd, &packet.thin, owner) else { continue };
                 let (colour, alpha) =
-                    Self::colour(simd, look, appearance, tables, self.owners[owner], packet);
+                    Self::colour(simd, look, appearance, tables, self.owners[owner], packet, hatched);
                 let through = 1.0 - alpha;
                 for sample in 0..4 {
                     let thin = packet.thin[sample];
@@ -130,6 +133,7 @@ impl<S: Simd> Drawn<S, 4> {
         tables: &Tables,
         owner: Owner,
         packet: &Packet<S, 4>,
+        hatched: Hatched<'_>,
     ) -> (V3<S>, F<S>) {
         simd.vectorize(
             #[inline(always)]
@@ -143,7 +147,8 @@ impl<S: Simd> Drawn<S, 4> {
                 let facing = is_lit_by_the_street.then(|| {
                     facing_of(simd, kind, turns, &group, &body, surface.place, surface.normal, &spin)
                 });
-                let colour = received_colour(simd, effects, tables, light, doppler, surface.normal, facing);
+                let colour =
+                    received_colour(effects, tables, light, doppler, surface.normal, facing, hatched);
                 let colour = colour * (seen.body.brightness as f32);
                 if seen.body.marking.is_none() {
                     return (colour, test.alpha);

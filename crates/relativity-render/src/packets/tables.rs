@@ -12,7 +12,7 @@ use crate::planck::DAYLIGHT_KELVIN;
 use crate::shade::LIGHT;
 use crate::tone::KNEE;
 
-/// The rows of the tables. The row after a light's own is for its invisible part.
+/// The rows of the tables. The row after a light's own has its unseen share.
 pub const LINE_ROW: usize = 0;
 pub const GLOW_ROW: usize = 2;
 pub const BAND_ROW: usize = 4;
@@ -74,22 +74,22 @@ impl Tables {
         )
     }
 
-    /// Returns the invisible part of the light of this row.
+    /// Returns the unseen share of the light of this row.
     #[inline(always)]
-    fn dark<S: Simd>(&self, row: usize, place: F<S>) -> V3<S> {
+    fn unseen<S: Simd>(&self, row: usize, place: F<S>) -> F<S> {
         let simd = place.simd;
         let table = &self.rows[row + 1];
         let entries = entries(clamp(place, all(simd, 0.0), all(simd, LAST)) + 0.5);
-        let mut parts = [[0.0; LANES]; 3];
-        for lane in 0..LANES {
-            let entry = table[entries[lane]];
-            for part in 0..3 {
-                parts[part][lane] = entry[part];
-            }
-        }
-        let [red, green, blue] = parts;
-        V3::new(F::simd_from(simd, red), F::simd_from(simd, green), F::simd_from(simd, blue))
+        F::simd_from(simd, entries.map(|entry| table[entry][0]))
     }
+}
+
+/// Light as a screen shows it, as [`crate::light::Shown`].
+#[derive(Debug, Clone, Copy)]
+pub struct Shown<S: Simd> {
+    pub colour: V3<S>,
+    /// The unseen share; `None` where it is 0 everywhere.
+    pub unseen: Option<F<S>>,
 }
 
 /// The whole parts of numbers within a table.
@@ -107,16 +107,16 @@ fn shoulder<S: Simd>(x: F<S>) -> F<S> {
     x.min(KNEE as f32) + above / (above + 1.0) * ABOVE
 }
 
-/// `light` as a screen shows it, with what eyes do not see of it under it, where it is all but black.
+/// `light` as a screen shows it, with its unseen share, where it is all but black.
 #[inline(always)]
-pub fn shown<S: Simd>(effects: Effects, tables: &Tables, light: V3<S>, row: usize, place: F<S>) -> V3<S> {
+pub fn shown<S: Simd>(effects: Effects, tables: &Tables, light: V3<S>, row: usize, place: F<S>) -> Shown<S> {
     let largest = light.x.max(light.y).max(light.z);
     let toned = shoulder(largest);
     let colour = light * (toned / largest.max(1e-30));
     if !effects.invisible {
-        return colour;
+        return Shown { colour, unseen: None };
     }
     let left = 1.0 - toned;
     let square = left * left;
-    colour + tables.dark(row, place) * (square * square)
+    Shown { colour, unseen: Some(tables.unseen(row, place) * (square * square)) }
 }

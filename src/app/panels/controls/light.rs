@@ -111,7 +111,11 @@ const COLOURS: [(Colour, &str, &str); 5] = [
 ];
 
 const UNSEEN: [(bool, &str, &str); 2] = [
-    (true, "Dim", "It keeps its form: ultraviolet in violet-black, infrared in red-black."),
+    (
+        true,
+        "Hatched",
+        "It keeps its form in grey: infrared with rising lines (/), ultraviolet with falling ones (\\).",
+    ),
     (false, "Black", "As eyes see it."),
 ];
 
