@@ -69,7 +69,7 @@ pub fn linear_srgb(wavelength_nm: f64) -> [f64; 3] {
     spectral_hue(wavelength_nm).map(|part| part * visibility(wavelength_nm))
 }
 
-/// Returns the share of light of `wavelength_nm` that eyes do not see, with the sign of [`crate::hatch`]: 1 above
+/// Returns the share of light of `wavelength_nm` that eyes do not see, with the sign of `hatch.rs`: 1 above
 /// [`VISIBLE_NM`] (infrared), -1 below (ultraviolet); none from 420 nm to 710 nm.
 #[must_use]
 pub fn unseen_line(wavelength_nm: f64) -> f64 {
@@ -79,7 +79,7 @@ pub fn unseen_line(wavelength_nm: f64) -> f64 {
 }
 
 /// Returns the share of the light of a body that glows at 2^`log2_kelvin` that eyes do not see, with the sign of
-/// [`crate::hatch`]: 1 (infrared) up to 1000 K, 0 from 3500 K.
+/// `hatch.rs`: 1 (infrared) up to 1000 K, 0 from 3500 K.
 #[must_use]
 pub fn unseen_glow(log2_kelvin: f64) -> f64 {
     1.0 - smoothstep(UNSEEN_GLOW_KELVIN.map(log2), log2_kelvin)
