@@ -106,7 +106,11 @@ pub static ACTIONS: &[Action] = &[
     action("the whole of every plot", &[], Command::Plotting(PlotCommand::Whole)),
     action("the whole screen", &[key(Key::F11)], Command::ToggleFullScreen),
     action("present: large writing, and no controls", &[key(Key::P)], Command::TogglePresenting),
-    action("the views in a window of their own, for a projector", &[key(Key::W)], Command::ToggleProjector),
+    action(
+        "a window for a projector: the views and a lesson's words",
+        &[key(Key::W)],
+        Command::ToggleProjector,
+    ),
     action("back in the lesson, or the preset before", &[key(Key::PageUp)], Command::ShowNext(-1)),
     action("on in the lesson, or the next preset", &[key(Key::PageDown)], Command::ShowNext(1)),
     action("set up the step of the lesson again", &[], Command::Lesson(LessonCommand::SetUp)),
@@ -162,7 +166,7 @@ fn keys_text(keys: KeyboardShortcut) -> String {
 pub fn asked(ctx: &Context, state: &State) -> Vec<Command> {
     let is_copying_text = ctx.plugin::<LabelSelectionState>().lock().has_selection();
     let is_meant =
-        |event: &&Event| !(is_copying_text && **event == Event::Copy) && !digits::counts(state, event);
+        |event: &&Event| !(digits::counts(state, event) || is_copying_text && **event == Event::Copy);
     let answered =
         |event: &Event| digits::answered(state, event).map(|(digit, command)| (key(digit), command));
     let meaning = |event: &Event| answered(event).or_else(|| bound(event));

@@ -150,7 +150,7 @@ pub enum Command {
     ToggleFullScreen,
     /// Begin to present, or end it.
     TogglePresenting,
-    /// Show the views in a window of their own, too, or no longer.
+    /// Show the views and a lesson's words in a window for a projector, too, or no longer.
     ToggleProjector,
     /// Have a part alone in the window, or all others again.
     ToggleMaximised(Part),

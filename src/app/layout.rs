@@ -267,7 +267,7 @@ impl Beside {
         match self {
             Self::Nothing => [0.12, 0.62, 0.66],
             Self::Plot | Self::Map => [0.38, 0.54, 0.66],
-            Self::Fit => [0.58, 0.62, 0.76],
+            Self::Fit => [0.58, 0.62, 0.7],
         }
     }
 }
@@ -612,18 +612,37 @@ mod tests {
     fn an_audience_has_all_parts_apart_and_large() {
         for size in SIZES {
             let arranged = Arrangement::of(&Settings::default(), 2.54 / 96.0, 1.6);
-            let shown = Presentation::of(Rect::from_min_size(Pos2::ZERO, size.into()), &arranged);
-            let words = [shown.speed, shown.sentence, shown.caption];
-            let all: Vec<Rect> =
-                words.into_iter().chain(shown.plot).chain(shown.panes.iter().map(|pane| pane.rect)).collect();
-            assert_apart(&all, size);
-            if size[0] >= 800.0 {
-                assert!(shown.panes.len() == 2 && shown.plot.is_some());
-                assert!(
-                    words.iter().all(|words| words.width() > 300.0 && words.height() > 40.0),
-                    "{words:?}"
-                );
+            let area = Rect::from_min_size(Pos2::ZERO, size.into());
+            for beside in [Beside::Nothing, Beside::Plot, Beside::Map, Beside::Fit] {
+                for need in [None, Some(0.0), Some(0.3 * size[1]), Some(f32::INFINITY)] {
+                    let shown = Presentation::of(area, &arranged, beside, need);
+                    let parts = shown.words.into_iter().chain(shown.plot);
+                    let all: Vec<Rect> = parts.chain(shown.panes.iter().map(|pane| pane.rect)).collect();
+                    assert_apart(&all, size);
+                    if size[0] < 800.0 {
+                        continue;
+                    }
+                    let words = shown.words.expect("words");
+                    assert_eq!((shown.panes.len(), shown.plot.is_some()), (2, beside != Beside::Nothing));
+                    assert!(
+                        words.width() > 0.3 * size[0] && words.height() > 40.0,
+                        "{words:?} {beside:?} {need:?}"
+                    );
+                }
             }
+        }
+    }
+
+    #[test]
+    fn pictures_grow_where_the_words_need_less() {
+        let arranged = Arrangement::of(&Settings::default(), 2.54 / 96.0, 1.6);
+        let area = Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 800.0));
+        for beside in [Beside::Nothing, Beside::Plot, Beside::Map, Beside::Fit] {
+            let heights = [0.0, 300.0, 1000.0, f32::INFINITY].map(|need| {
+                let shown = Presentation::of(area, &arranged, beside, Some(need));
+                shown.panes[0].rect.height()
+            });
+            assert!(heights.is_sorted_by(|a, b| a >= b) && heights[0] > heights[3], "{beside:?} {heights:?}");
         }
     }
 }

@@ -44,6 +44,7 @@ pub mod on_texture;
 pub mod on_wheel;
 mod opening;
 pub mod orders;
+mod other_screen;
 pub mod overlay;
 pub mod painting;
 mod panels;
@@ -95,8 +96,9 @@ use fitting::Fitting;
 use full_screen::FullScreen;
 use layout::{Beside, Layout, LessonPart, Presentation};
 use notice::Notice;
+use other_screen::Screen;
 use overlay::Overlay;
-use panels::{Asks, plots::Plotted};
+use panels::{Asks, plots::Plotted, presented::Words};
 use panes::{Arrangement, Content};
 use persistence::Keeper;
 use reading::Reader;
@@ -126,7 +128,7 @@ pub struct App {
     /// Those in the projector's window, once there was one.
     projected: Option<EyePictures>,
     /// On which screen the projector's window is.
-    screen: projector::Screen,
+    screen: Screen,
     full_screen: FullScreen,
     text_scale: f32,
     chooser: Chooser,
@@ -138,9 +140,7 @@ pub struct App {
     keeper: Option<Keeper>,
 }
 
-/// Bounds of how much larger than usual writing is for an audience, for windows of any size.
-const PRESENTED_SCALES: [f32; 2] = [0.8, 12.0];
-/// How much larger it is on the start page.
+/// How much larger than usual writing is for an audience on the start page.
 const PRESENTED_START_SCALE: f32 = 1.6;
 /// What stays free around the bar, the controls and the readout, points.
 const INSET: egui::Vec2 = egui::vec2(theme::GAP, theme::GAP / 2.0);
@@ -161,7 +161,7 @@ impl App {
             refines: true,
             faults: Faulty::of(ctx, render_state),
             projected: None,
-            screen: projector::Screen::default(),
+            screen: Screen::default(),
             full_screen: FullScreen::default(),
             text_scale: 1.0,
             chooser: Chooser::default(),
@@ -393,7 +393,7 @@ impl App {
         let scale = match session.stage.is_presented() {
             // Its cards have pictures, and are to be in sight.
             true if session.overlay == Some(Overlay::Start) => PRESENTED_START_SCALE,
-            true => presented_scale(ctx),
+            true => panels::presented::scale(ctx),
             false => 1.0,
         };
         if scale != self.text_scale {
@@ -519,8 +519,9 @@ impl App {
     /// Shows the views, one plot and the words, large.
     fn show_presented(&mut self, ui: &mut Ui, area: Rect) {
         let beside = self.beside_words();
-        let need = panels::presented::needed(ui.ctx(), &self.state, area, beside);
-        let presentation = Presentation::of(area, &self.arranged(ui), beside, need);
+        let what = self.words();
+        let words = Words { what: &what, area, beside };
+        let presentation = Presentation::of(area, &self.arranged(ui), beside, words.needed(ui.ctx()));
         self.measure_pictures(ui, &presentation.panes);
         self.choose_methods(ui, &presentation.panes);
         self.update_fit(ui.ctx(), beside == Beside::Fit);
@@ -538,10 +539,25 @@ impl App {
         self.message(ui.ctx(), views.unwrap_or(area), area);
         halo::paint(ui.ctx());
         if let Some(rect) = presentation.words {
-            self.panel(ui, "words", rect, |ui, state, asks| {
-                panels::presented::words(ui, state, area, beside, asks);
-            });
+            self.show_words(ui, rect, words);
         }
+    }
+
+    /// Tells which words an audience has.
+    fn words(&self) -> String {
+        let session = &self.state.session;
+        let lesson = session.lesson.as_ref().map(panels::lesson::what_is_shown);
+        lesson.or_else(|| session.preset.map(|preset| preset.name.to_owned())).unwrap_or_default()
+    }
+
+    /// Shows an audience the `words` of the lesson, else those of the preset.
+    fn show_words(&mut self, ui: &mut Ui, rect: Rect, words: Words<'_>) {
+        self.panel(ui, "words", rect, |ui, state, asks| {
+            words.show(ui, |ui| match state.session.lesson {
+                Some(_) => panels::lesson::presented::show(ui, state, asks),
+                None => panels::presented::preset(ui, state),
+            });
+        });
     }
 
     /// Shows at `rect` what stands beside the words before an audience.
@@ -618,14 +634,6 @@ impl eframe::App for App {
             log::warn!("{failure}");
         }
     }
-}
-
-/// How much larger than usual writing is for an audience: the smallest is as high as the last row needs, and larger with the
-/// window's zoom.
-fn presented_scale(ctx: &egui::Context) -> f32 {
-    let height = panels::presented::reference_height(ctx.content_rect()) * ctx.zoom_factor();
-    let [least, most] = PRESENTED_SCALES;
-    (panels::presented::LEAST_SHARE * height / theme::SMALL_SIZE).clamp(least, most)
 }
 
 /// A file dropped onto the window.

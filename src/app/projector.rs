@@ -1,23 +1,13 @@
 //! The projector's window: the views, while the controls stay on the lecturer's screen.
 
-use eframe::egui::{Context, Rect, Ui, ViewportBuilder, ViewportClass, ViewportCommand, ViewportId};
+use eframe::egui::{Context, Ui, ViewportBuilder, ViewportClass, ViewportCommand, ViewportId};
 
 use super::command::Command;
 use super::eyes::EyePictures;
-use super::layout::{self, Beside, Presentation};
-use super::{App, actions, halo, panels, theme};
-
-/// The screen on which the projector's window opens.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) enum Screen {
-    /// It is not open.
-    #[default]
-    NotChosen,
-    /// There is no other one than the lecturer's.
-    Same,
-    /// The one of this number, in the system's order.
-    Other(usize),
-}
+use super::layout::{self, Presentation};
+use super::other_screen::Screen;
+use super::panels::presented::{self, Words};
+use super::{App, actions, halo, theme};
 
 /// What it is called among windows.
 fn id() -> ViewportId {
@@ -101,9 +91,10 @@ impl App {
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
         let arranged = self.arranged(ui).without_corrected();
         let beside = self.state.session.lesson.is_some().then(|| self.beside_words());
+        let what = self.words();
         let lesson = beside.map(|beside| {
-            let need = panels::presented::needed(ui.ctx(), &self.state, area, beside);
-            (beside, Presentation::of(area, &arranged, beside, need))
+            let words = Words { what: &what, area, beside };
+            (words, Presentation::of(area, &arranged, beside, words.needed(ui.ctx())))
         });
         let panes = match &lesson {
             Some((_, lesson)) => lesson.panes.clone(),
@@ -123,24 +114,22 @@ impl App {
         std::mem::swap(&mut self.eyes, &mut self.projected);
         (self.state.session.picture_size, self.examination) = (size, examination);
         self.state.session.choices = choices;
-        if let Some((beside, lesson)) = lesson {
-            self.show_projected_lesson(ui, area, beside, &lesson);
+        if let Some((words, lesson)) = lesson {
+            self.show_projected_lesson(ui, words, &lesson);
         }
         halo::paint(ui.ctx());
     }
 
-    /// Shows the words of the lesson and what stands beside them in the projector's window of this `area`.
-    fn show_projected_lesson(&mut self, ui: &mut Ui, area: Rect, beside: Beside, lesson: &Presentation) {
-        let size = theme::BODY_SIZE * super::presented_scale(ui.ctx());
+    /// Shows the words of the lesson and what stands beside them in the projector's window.
+    fn show_projected_lesson(&mut self, ui: &mut Ui, words: Words<'_>, lesson: &Presentation) {
+        let size = theme::BODY_SIZE * presented::scale(ui.ctx());
         ui.scope(|ui| {
             theme::set_body_size(ui.style_mut(), size);
             if let Some(rect) = lesson.plot {
-                self.beside(ui, beside, rect);
+                self.beside(ui, words.beside, rect);
             }
             if let Some(rect) = lesson.words {
-                self.panel(ui, "projected words", rect, |ui, state, asks| {
-                    panels::presented::words(ui, state, area, beside, asks);
-                });
+                self.show_words(ui, rect, words);
             }
         });
     }

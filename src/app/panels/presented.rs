@@ -5,9 +5,9 @@ use std::hash::{DefaultHasher, Hash, Hasher as _};
 
 use eframe::egui::{Context, Id, Label, Rect, RichText, TextStyle, Ui};
 
-use super::{Asks, lesson};
 use crate::app::layout::Beside;
 use crate::app::state::State;
+use crate::app::theme;
 use crate::app::widgets::fitted;
 use crate::figures;
 
@@ -16,6 +16,8 @@ pub const LEAST_SHARE: f32 = 0.03;
 /// Largest and smallest sizes of the words, as parts of the same height. The smallest is for windows that nobody presents
 /// in: in those of usual shapes all that comes with the program stays above [`LEAST_SHARE`].
 const SIZES: [f32; 2] = [0.042, 0.018];
+/// Bounds of how much larger than usual writing is for an audience, for windows of any size.
+const SCALES: [f32; 2] = [0.8, 12.0];
 /// How much larger than the other words the speed is.
 const SPEED: f32 = 1.5;
 /// Height of the smallest writing in a window of this height that is less wide than high, in widths.
@@ -39,30 +41,51 @@ pub fn reference_height(area: Rect) -> f32 {
     area.height().min(LEAST_ASPECT * area.width())
 }
 
-/// Returns the height that the words need in a window of this `area` with this `beside` them, if that is known.
+/// Returns how much larger than usual writing is for an audience: the smallest is as high as the last row needs, and larger with
+/// the window's zoom.
 #[must_use]
-pub fn needed(ctx: &Context, state: &State, area: Rect, beside: Beside) -> Option<f32> {
-    let key = key(state, area, beside);
-    let known = ctx.data(|data| data.get_temp::<Known>(id(ctx)));
-    known.filter(|known| known.key == key).map(|known| known.need)
+pub fn scale(ctx: &Context) -> f32 {
+    let height = reference_height(ctx.content_rect()) * ctx.zoom_factor();
+    let [least, most] = SCALES;
+    (LEAST_SHARE * height / theme::SMALL_SIZE).clamp(least, most)
 }
 
-/// Shows the words of a window of this `area` with this `beside` them, in all of the room there is.
-pub fn words(ui: &mut Ui, state: &State, area: Rect, beside: Beside, asks: &mut Asks) {
-    let (key, room) = (key(state, area, beside), ui.max_rect().height());
-    let height = ui.ctx().zoom_factor() * reference_height(area);
-    let sizes = SIZES.map(|share| share * height);
-    let [need, size] = fitted::show(ui, key, sizes, |ui| {
-        let size = TextStyle::Body.resolve(ui.style()).size;
-        ui.spacing_mut().item_spacing.y = 0.25 * size;
-        if state.session.lesson.is_some() {
-            lesson::presented::show(ui, state, asks);
-        } else {
-            preset(ui, state, size);
-        }
-    });
-    let is_small = size < LEAST_SHARE * height;
-    note(ui.ctx(), key, [need, room], is_small);
+/// Words, and where they are shown.
+#[derive(Debug, Clone, Copy)]
+pub struct Words<'a> {
+    /// What they are: others have another text here.
+    pub what: &'a str,
+    /// All of the window.
+    pub area: Rect,
+    /// What stands beside them.
+    pub beside: Beside,
+}
+
+impl Words<'_> {
+    /// Returns the height that they need, if that is known.
+    #[must_use]
+    pub fn needed(&self, ctx: &Context) -> Option<f32> {
+        let known = ctx.data(|data| data.get_temp::<Known>(id(ctx)));
+        known.filter(|known| known.key == self.key()).map(|known| known.need)
+    }
+
+    /// Shows these `contents` in all of the room there is.
+    pub fn show(&self, ui: &mut Ui, contents: impl FnOnce(&mut Ui)) {
+        let (key, room) = (self.key(), ui.max_rect().height());
+        let height = ui.ctx().zoom_factor() * reference_height(self.area);
+        let [need, size] = fitted::show(ui, key, SIZES.map(|share| share * height), |ui| {
+            ui.spacing_mut().item_spacing.y = 0.25 * TextStyle::Body.resolve(ui.style()).size;
+            contents(ui);
+        });
+        note(ui.ctx(), key, [need, room], size < LEAST_SHARE * height);
+    }
+
+    fn key(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        let size = [self.area.width(), self.area.height()].map(f32::to_bits);
+        (self.what, self.beside, size).hash(&mut hasher);
+        hasher.finish()
+    }
 }
 
 /// Keeps that the words with this key need so much where they have that `room`: it is given to them from the next pass on.
@@ -90,19 +113,9 @@ fn id(ctx: &Context) -> Id {
     Id::unique(("words for an audience", ctx.viewport_id()))
 }
 
-/// Tells what the words are, and in which room.
-fn key(state: &State, area: Rect, beside: Beside) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    match &state.session.lesson {
-        Some(running) => lesson::what_is_shown(running).hash(&mut hasher),
-        None => state.session.preset.map(|preset| preset.name).hash(&mut hasher),
-    }
-    (beside, [area.width(), area.height()].map(f32::to_bits)).hash(&mut hasher);
-    hasher.finish()
-}
-
 /// Shows the speed, the moment in a sentence, and what the preset shows and why.
-fn preset(ui: &mut Ui, state: &State, size: f32) {
+pub fn preset(ui: &mut Ui, state: &State) {
+    let size = TextStyle::Body.resolve(ui.style()).size;
     let speed = state.speed();
     let beta = figures::beta(&speed);
     let text = match state.measures().speed(&speed) {

@@ -112,7 +112,7 @@ fn place(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
 }
 
-const PROJECTOR_TIP: &str = "Shows the views in a window of their own, for a projector, while the controls stay here. Keys and mouse \
+const PROJECTOR_TIP: &str = "Shows the views, and a lesson's words, in a window for a projector, on the other screen if there is one, while the controls stay here. Keys and mouse \
     work there, too.   Key: W";
 
 /// Width of a screen on a desk, cm: what is changed first where none is set.

@@ -17,10 +17,9 @@ pub fn show(ui: &mut Ui, running: &Running) {
         match &prediction.kind {
             Kind::Choice(options) => answers(ui, options),
             Kind::Number(asked) => {
-                let truth = asked.truth.map(|truth| asked.text(truth));
-                truth.into_iter().for_each(|truth| {
-                    ui.label(format!("Answer: {truth}"));
-                });
+                if let Some(truth) = asked.truth {
+                    ui.label(format!("Answer: {}", asked.text(truth)));
+                }
             }
             Kind::Point(_) | Kind::Curve(_) => cards::quiet(ui, "The answer is shown by the next press."),
         }

@@ -15,9 +15,10 @@ pub fn show(ui: &mut Ui, state: &State, course: &Course, asked: &Choices, asks: 
     let observed = course.record().and_then(|record: &Record| record.observed);
     for (number, text) in asked.options.texts.iter().enumerate() {
         let is_chosen = observed == Some(number);
-        let card = match state.session.stage.is_presented() {
-            true => cards::lettered_choice(ui, text, number, is_chosen),
-            false => cards::choice(ui, text, is_chosen),
+        let card = if state.session.stage.is_presented() {
+            cards::lettered_choice(ui, text, number, is_chosen)
+        } else {
+            cards::choice(ui, text, is_chosen)
         };
         if card.clicked() {
             ask(asks, LessonCommand::Observe(number));

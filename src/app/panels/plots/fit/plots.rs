@@ -66,7 +66,9 @@ pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, ask
     let [uses_azimuth, _] = state.settings.fit.curves.used();
     let quantity = if uses_azimuth { Quantity::DeltaPhi } else { Quantity::DeltaTheta };
     let drawing = Drawing::new(ui.visuals(), state, fitting, quantity);
-    let size = ui.available_size().max(vec2(20.0, 20.0));
+    // The numbers along T are larger than the plot reckons with.
+    let below = 0.5 * TextStyle::Body.resolve(ui.style()).size;
+    let size = (ui.available_size() - vec2(0.0, below)).max(vec2(20.0, 20.0));
     let (name, unit) = (label(quantity), format!("{} / rad", label(quantity)));
     match half {
         Half::Readings => {
