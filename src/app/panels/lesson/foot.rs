@@ -55,6 +55,9 @@ fn lead_on(ui: &mut Ui, running: &Running, asks: &mut Asks) {
         if main(ui, "Predict", is_told).clicked() {
             ask(asks, LessonCommand::Predict);
         }
+        if course.is_answered() {
+            return;
+        }
         let skip = Button::new("Skip").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false);
         if ui.add(skip).on_hover_text("Goes on without a prediction").clicked() {
             ask(asks, LessonCommand::Skip);

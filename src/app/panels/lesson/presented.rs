@@ -2,7 +2,7 @@
 
 use eframe::egui::{RichText, Ui, UiBuilder};
 
-use super::{cards, end, form, page, shown};
+use super::{cards, end, form, observed, page, shown};
 use crate::app::panels::Asks;
 use crate::app::running::Running;
 use crate::app::state::State;
@@ -56,16 +56,19 @@ fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut 
                 page::text(ui, &step.text);
             }
             cards::question(ui, &prediction.question);
-            let is_open = course.asked().is_some();
             match &prediction.kind {
-                _ if !is_open => shown::said(ui, state, step, course),
                 Kind::Choice(options) if course.counts_hands() => form::votes(ui, course, options, asks),
                 Kind::Choice(options) => form::choices(ui, course, options, asks),
                 Kind::Point(_) | Kind::Curve(_) => form::hint(ui, state, course),
+                Kind::Number(_) if course.is_answered() => shown::said(ui, state, step, course),
                 Kind::Number(_) => {}
             }
         }
         (Phase::Ask, None) => page::text(ui, &step.text),
+        (Phase::Shown, Some(_)) if !running.is_running() && !course.tells_truth() => {
+            page::said_to_reveal(ui, step);
+            step.observation.iter().for_each(|asked| observed::show(ui, course, asked, asks));
+        }
         (Phase::Shown, Some(prediction)) if !running.is_running() => {
             cards::question(ui, &prediction.question);
             shown::compared(ui, state, step, course);
