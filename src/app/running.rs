@@ -1,7 +1,7 @@
 //! A lesson that is gone through in the window, and what can be asked for in it.
 
 use crate::flags::{SpeedParameter, SpeedSetting};
-use crate::lesson::{Animated, Animation, Answer, Confidence, Course, Place};
+use crate::lesson::{Animated, Animation, Answer, Confidence, Course, Place, Score};
 use crate::settings::{Settings, Window};
 
 /// Something asked for in a lesson.
@@ -54,6 +54,8 @@ pub struct Running {
     pub(super) run: Option<Run>,
     /// The settings that it has at its present place.
     pub(super) told: Option<Told>,
+    /// What became of the predictions, once the end is reached.
+    pub score: Option<Score>,
 }
 
 /// The settings that a lesson has at a place, in somebody's window.

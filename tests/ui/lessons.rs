@@ -29,6 +29,7 @@ pub const TESTS: &[Test] = &[
     ("a_lesson_that_is_closed_keeps_its_answers", a_closed_lesson_keeps_its_answers),
     ("a_lesson_that_is_written_anew_keeps_its_place", a_lesson_written_anew),
     ("an_audience_is_led_through_a_lesson_with_two_keys", an_audience_is_led_through),
+    ("the_end_of_a_lesson_leads_to_the_next_and_to_its_pages", the_end_leads_on),
     ("every_step_of_every_lesson_fits_and_shows_its_state", every_step_of_every_lesson),
     ("every_step_of_every_lesson_fits_before_an_audience", every_step_before_an_audience),
 ];
@@ -273,7 +274,8 @@ fn hands_are_counted() {
     for hands in ["Hands for short: 1", "Hands for long: 2"] {
         assert!(labels(&window).iter().any(|label| label == hands), "{hands}");
     }
-    assert_eq!(course(&window).score().asked, 0);
+    let score = course(&window).score(&Settings::default());
+    assert_eq!((score.asked, score.others), (0, vec!["Step 1: 2 of 3 hands were right.".to_owned()]));
 }
 
 fn a_narrow_window_folds_the_lesson() {
@@ -509,6 +511,39 @@ fn named(window: &Harness<'_, App>, left: f32, right: f32) -> Vec<(String, Rect)
     named.filter(|(_, rect)| rect.min.x >= left && rect.min.x < right && rect.is_positive()).collect()
 }
 
+fn the_end_leads_on() {
+    let library = Library::own();
+    let colour = library.open("colour").expect("a lesson");
+    let mut window = window(&colour, [1280.0, 800.0]);
+    for _ in 0..40 {
+        if matches!(course(&window).asked().map(|asked| &asked.kind), Some(Kind::Curve(_))) {
+            let drawn = Answer::Curve(vec![[-1.0, 1.0], [1.0, 1.0]]);
+            ask(&mut window, LessonCommand::Draft(Some(drawn)));
+        }
+        if course(&window).step().is_some() {
+            ask(&mut window, LessonCommand::Forward);
+        }
+    }
+    assert_eq!(course(&window).step(), None);
+    // Every prediction is counted, or said in a sentence.
+    window.get_by_label("Predicted: 0 of 3 right, 3 skipped.");
+    let told = labels(&window);
+    assert!(
+        told.iter().any(|label| label.starts_with("Step 2: a curve was drawn, rms difference ")),
+        "{told:?}"
+    );
+    for page in ["Report…", "Worksheet…", "Lab…", "Teacher’s page…"] {
+        window.get_by_role_and_label(Role::Button, page);
+    }
+    let next = library.after("colour").expect("there is one").clone();
+    let name = labels(&window).into_iter().find(|label| label.starts_with("Next: ")).expect("a way on");
+    press(&mut window, &name);
+    assert_eq!(
+        (course(&window).lesson().name.clone(), course(&window).place()),
+        (next.name.clone(), Place::START)
+    );
+}
+
 fn every_step_of_every_lesson() {
     // What stands beside the panel takes long and changes nothing in it.
     let parts = Window { plots: false, map: Presence::Off, ..Window::default() };
@@ -527,7 +562,8 @@ fn every_step_of_every_lesson() {
                 );
                 let is_foot = ["Back", "Skip", "Predict", "Next", "Finish", "Close", "Count hands"];
                 let is_foot =
-                    is_foot.iter().chain(&["Set up again", "All lessons"]).any(|foot| *foot == text);
+                    is_foot.iter().chain(&["Set up again", "All lessons"]).any(|foot| *foot == text)
+                        || text.starts_with("Next: ");
                 assert!(rect.min.y < foot.min.y - 2.0 || is_foot, "{name}: {text:?} at {rect:?}");
             }
         });

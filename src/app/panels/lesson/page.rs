@@ -12,7 +12,7 @@ use crate::lesson::{Course, Phase, Step, Text};
 /// Shows the page of the present place.
 pub fn show(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
     let course = &running.course;
-    let Some(step) = course.step() else { return end::show(ui, course, asks) };
+    let Some(step) = course.step() else { return end::show(ui, running, asks) };
     ui.spacing_mut().item_spacing.y = 6.0;
     if step.title != course.lesson().title {
         ui.label(RichText::new(&step.title).heading().strong());
