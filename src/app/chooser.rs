@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::lesson::worksheet::Sheet;
+
 /// What a file is chosen for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
@@ -30,6 +32,12 @@ pub enum Product {
     Fit,
     /// What was done in the lesson, as a page.
     Report,
+    /// The questions of the lesson, to print.
+    Worksheet,
+    /// The lab of the lesson, to print.
+    LabSheet,
+    /// The page for whoever teaches the lesson.
+    TeachersPage,
 }
 
 impl Product {
@@ -43,6 +51,20 @@ impl Product {
             Self::Film => "film",
             Self::Fit => "fit",
             Self::Report => "report",
+            Self::Worksheet => "worksheet",
+            Self::LabSheet => "lab",
+            Self::TeachersPage => "teacher’s page",
+        }
+    }
+
+    /// The sheet of a lesson that it is, if it is one.
+    #[must_use]
+    pub const fn sheet(self) -> Option<Sheet> {
+        match self {
+            Self::Worksheet => Some(Sheet::Questions),
+            Self::LabSheet => Some(Sheet::Lab),
+            Self::TeachersPage => Some(Sheet::Teacher),
+            _ => None,
         }
     }
 
@@ -68,7 +90,7 @@ impl Product {
             Self::State => &["toml"],
             Self::Film => &["gif", "png"],
             Self::Fit => &["json"],
-            Self::Report => &["html"],
+            Self::Report | Self::Worksheet | Self::LabSheet | Self::TeachersPage => &["html"],
         }
     }
 
@@ -82,6 +104,9 @@ impl Product {
             Self::Film => "-film",
             Self::Fit => "-fit",
             Self::Report => "-report",
+            Self::Worksheet => "-worksheet",
+            Self::LabSheet => "-lab",
+            Self::TeachersPage => "-teacher",
         };
         format!("{subject}{what}.{}", self.endings()[0])
     }
@@ -126,6 +151,9 @@ impl Purpose {
             Self::Save(Product::Film) => "Save a film",
             Self::Save(Product::Fit) => "Save the fit",
             Self::Save(Product::Report) => "Save the report of the lesson",
+            Self::Save(Product::Worksheet) => "Save the worksheet of the lesson",
+            Self::Save(Product::LabSheet) => "Save the lab of the lesson",
+            Self::Save(Product::TeachersPage) => "Save the teacher’s page of the lesson",
         }
     }
 }

@@ -72,7 +72,8 @@ impl Chooser {
         self.path = match self.purpose {
             Some(Purpose::Save(product)) => {
                 let scene = Path::new(&state.settings.scene).file_stem().unwrap_or_default();
-                let lesson = state.course().filter(|_| product == Product::Report);
+                let lesson =
+                    state.course().filter(|_| product == Product::Report || product.sheet().is_some());
                 let subject = lesson.map_or_else(
                     || scene.to_string_lossy().into_owned(),
                     |course| course.lesson().name.clone(),

@@ -41,8 +41,15 @@ impl State {
             course.take_up(way);
         }
         let before = self.session.lesson.as_ref().map_or(self.settings.window, |running| running.before);
-        self.session.lesson =
-            Some(Running { course, is_folded: false, before, plots_in: None, run: None, told: None });
+        self.session.lesson = Some(Running {
+            course,
+            is_folded: false,
+            before,
+            plots_in: None,
+            run: None,
+            told: None,
+            score: None,
+        });
         self.session.overlay = None;
         if !lesson.is_a_preset() {
             self.session.next_lesson = Some(lesson.name.clone());
@@ -212,15 +219,28 @@ impl State {
             return;
         }
         let lesson = running.course.lesson();
-        let step = place.step.min(lesson.steps.len().saturating_sub(1));
+        let count = lesson.steps.len();
+        let step = place.step.min(count.saturating_sub(1));
         let is_revealed = running.course.is_revealed() || place.step > step;
-        let told = lesson.settings(step, is_revealed, &base).map(|settings| Told { place, base, settings });
+        let told = lesson.settings(step, is_revealed, &base).map(|settings| Told {
+            place,
+            base: base.clone(),
+            settings,
+        });
         if let Err(error) = &told {
             self.session.notice = Some(Notice::error(error));
         }
         if let Some(running) = &mut self.session.lesson {
+            // The scenes are opened for it, which takes too long for every frame.
+            running.score = (place.step >= count).then(|| running.course.score(&base));
             running.told = told.ok();
         }
+    }
+
+    /// The lesson that comes after the one that is gone through.
+    #[must_use]
+    pub fn lesson_after(&self) -> Option<Arc<Lesson>> {
+        self.library().after(&self.course()?.lesson().name).map(Arc::clone)
     }
 
     fn close_lesson(&mut self) {

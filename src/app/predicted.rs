@@ -38,7 +38,7 @@ pub(super) fn hint(state: &State) -> Option<String> {
 fn clicked(state: &State) -> Option<Gaze> {
     let course = state.course()?;
     let record = course.record()?;
-    let made = if record.outcome.is_none() { course.draft.as_ref() } else { record.answer() };
+    let made = if course.asked().is_some() { course.draft.as_ref() } else { record.answer() };
     match made {
         Some(Answer::Direction(direction)) => Some(*direction),
         _ => None,

@@ -1,7 +1,7 @@
 //! A lesson that is gone through in the window, and what can be asked for in it.
 
 use crate::flags::{SpeedParameter, SpeedSetting};
-use crate::lesson::{Animated, Animation, Answer, Course, Place};
+use crate::lesson::{Animated, Animation, Answer, Confidence, Course, Place, Score};
 use crate::settings::{Settings, Window};
 
 /// Something asked for in a lesson.
@@ -11,8 +11,8 @@ pub enum LessonCommand {
     Open(String),
     /// Enter this for the prediction.
     Draft(Option<Answer>),
-    /// Be this sure of it, from 1 to 5.
-    Confidence(Option<u8>),
+    /// Be this sure of it.
+    Confidence(Option<Confidence>),
     /// Make the prediction that was entered.
     Predict,
     /// Go on without.
@@ -54,6 +54,8 @@ pub struct Running {
     pub(super) run: Option<Run>,
     /// The settings that it has at its present place.
     pub(super) told: Option<Told>,
+    /// What became of the predictions, once the end is reached.
+    pub score: Option<Score>,
 }
 
 /// The settings that a lesson has at a place, in somebody's window.

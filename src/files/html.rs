@@ -33,8 +33,8 @@ code { font-size: 12px; overflow-wrap: anywhere; }
             }
             Self::Print => {
                 "\
-@page { margin: 18mm; }
-body { font: 11pt/1.45 serif; color: #000; background: #fff; max-width: 174mm; margin: 0 auto; padding: 1rem; }
+@page { margin: 15mm; }
+body { font: 11pt/1.45 serif; color: #000; background: #fff; max-width: 180mm; margin: 0 auto; padding: 1rem; }
 @media print { body { padding: 0; } }
 h1, h2, h3 { line-height: 1.2; margin: 1.2em 0 0.5em; break-after: avoid; }
 h1 { font-size: 17pt; margin-top: 0; }
@@ -50,6 +50,20 @@ a { color: inherit; }
 code { font-size: 9.5pt; overflow-wrap: anywhere; }
 .answer-lines { break-inside: avoid; margin: 0.3em 0 1em; }
 .answer-lines > div { height: 8.5mm; border-bottom: 0.5pt solid #888; }
+.sheet { font-size: 10pt; line-height: 1.3; }
+.sheet h2 { clear: both; margin: 0.7em 0 0.2em; }
+.sheet h3 { float: left; margin: 0 0.7em 0 0; line-height: inherit; font-size: inherit; }
+.sheet p { margin: 0.3em 0; }
+.sheet .question { margin: 0.3em 0; }
+.sheet .question h3 + p { margin-top: 0; }
+.sheet .opening { overflow: hidden; }
+.sheet .choices { columns: 2; }
+.sheet .choices p { margin: 0 0 0.15em; break-inside: avoid; }
+.sheet .answer-lines { margin: 0 0 0.4em; }
+.sheet .answer-lines > div { height: 7.5mm; }
+.sheet .name { float: right; }
+.sheet figure.beside { float: right; width: 70mm; margin: 0 0 2mm 4mm; }
+.sheet figure.plot > svg { max-height: 55mm; }
 "
             }
         }

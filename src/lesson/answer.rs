@@ -73,9 +73,57 @@ pub enum Outcome {
     Made {
         /// What.
         answer: Answer,
-        /// How sure, from 1 to 5, if that was told.
-        confidence: Option<u8>,
+        /// How sure, if that was said.
+        confidence: Option<Confidence>,
     },
+}
+
+/// How sure somebody is of a prediction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(from = "u8", into = "u8")]
+pub enum Confidence {
+    /// It is a guess.
+    Guess,
+    /// Somewhat.
+    FairlySure,
+    /// It must be so.
+    Sure,
+}
+
+impl Confidence {
+    /// All of them, from the least.
+    pub const ALL: [Self; 3] = [Self::Guess, Self::FairlySure, Self::Sure];
+
+    /// Its name, on its button and in a report.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Guess => "a guess",
+            Self::FairlySure => "fairly sure",
+            Self::Sure => "sure",
+        }
+    }
+}
+
+/// Files of answers have a scale from 1 to 5, of which earlier versions offered every number.
+impl From<u8> for Confidence {
+    fn from(number: u8) -> Self {
+        match number {
+            0..=2 => Self::Guess,
+            3 => Self::FairlySure,
+            4.. => Self::Sure,
+        }
+    }
+}
+
+impl From<Confidence> for u8 {
+    fn from(confidence: Confidence) -> Self {
+        match confidence {
+            Confidence::Guess => 1,
+            Confidence::FairlySure => 3,
+            Confidence::Sure => 5,
+        }
+    }
 }
 
 /// What somebody did in a step.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::answer::{Answer, Outcome, Record};
+use super::answer::{Answer, Confidence, Outcome, Record};
 use super::answers::Way;
 use super::error::LessonError;
 use super::place::{Phase, Place};
@@ -16,10 +16,12 @@ pub struct Course {
     records: Vec<Record>,
     /// What is being entered for the present step.
     pub draft: Option<Answer>,
-    /// How sure of it, from 1 to 5.
-    pub confidence: Option<u8>,
+    /// How sure of it.
+    pub confidence: Option<Confidence>,
     /// Whether hands are counted.
     is_class: bool,
+    /// Whether the question of what was seen was passed over at the present place.
+    is_passed_over: bool,
 }
 
 impl Course {
@@ -30,7 +32,15 @@ impl Course {
     pub fn new(lesson: &Lesson) -> Result<Self, LessonError> {
         let lesson = Arc::new(lesson.worked_out()?);
         let records = vec![Record::default(); lesson.steps.len()];
-        Ok(Self { lesson, place: Place::START, records, draft: None, confidence: None, is_class: false })
+        Ok(Self {
+            lesson,
+            place: Place::START,
+            records,
+            draft: None,
+            confidence: None,
+            is_class: false,
+            is_passed_over: false,
+        })
     }
 
     /// The same way through a `lesson` that was written anew: at the present place, if there still is one, with the
@@ -59,6 +69,17 @@ impl Course {
         let last = Place { step: self.lesson.steps.len(), phase: Phase::Ask };
         self.place = self.reached(kept.place().min(last));
         (self.draft, self.confidence) = kept.draft(&self.lesson, self.place);
+        if self.draft.is_none() {
+            (self.draft, self.confidence) = self.said();
+        }
+    }
+
+    /// Returns the answer that was given to the question of the present place, and how sure it was.
+    fn said(&self) -> (Option<Answer>, Option<Confidence>) {
+        match self.asked().and_then(|_| self.record()?.outcome.clone()) {
+            Some(Outcome::Made { answer, confidence }) => (Some(answer), confidence),
+            Some(Outcome::Skipped) | None => (None, None),
+        }
     }
 
     /// Returns whether nothing was done in it.
@@ -71,7 +92,7 @@ impl Course {
     /// Begins it anew, without the answers that were given.
     pub fn begin_anew(&mut self) {
         self.records.fill(Record::default());
-        (self.place, self.draft, self.confidence) = (Place::START, None, None);
+        (self.place, self.draft, self.confidence, self.is_passed_over) = (Place::START, None, None, false);
     }
 
     /// The lesson, worked out.
@@ -104,11 +125,17 @@ impl Course {
         self.records.get(self.place.step)
     }
 
-    /// The prediction that is asked for now: that of the present step, until it is made or skipped.
+    /// The prediction that is asked for now: that of the present step, before its reveal. Whoever comes back to it finds it
+    /// open: skipped, it can be made; made, it can be changed.
     #[must_use]
     pub fn asked(&self) -> Option<&Prediction> {
-        let is_open = self.place.phase == Phase::Ask && self.record()?.outcome.is_none();
-        self.step()?.prediction.as_ref().filter(|_| is_open)
+        self.step()?.prediction.as_ref().filter(|_| self.place.phase == Phase::Ask)
+    }
+
+    /// Whether the question of the present step was answered before.
+    #[must_use]
+    pub fn is_answered(&self) -> bool {
+        self.record().is_some_and(|record| record.answer().is_some())
     }
 
     /// Whether hands are counted.
@@ -128,6 +155,21 @@ impl Course {
         !matches!(self.place.phase, Phase::Ask)
     }
 
+    /// Whether the truth is told beside the prediction: after the reveal, once the question of what was seen is answered or
+    /// passed over.
+    #[must_use]
+    pub fn tells_truth(&self) -> bool {
+        self.is_revealed() && !self.waits_for_observation()
+    }
+
+    /// Whether the question of what was seen is open, with a truth to be told after it.
+    fn waits_for_observation(&self) -> bool {
+        let is_asked =
+            self.step().is_some_and(|step| step.observation.is_some() && step.prediction.is_some());
+        let is_answered = self.record().is_some_and(|record| record.observed.is_some());
+        is_asked && !is_answered && !self.is_passed_over && self.place.phase == Phase::Shown
+    }
+
     /// Whether the reveal of the step of this number has been asked for, or the step been left behind.
     #[must_use]
     pub fn is_done(&self, number: usize) -> bool {
@@ -142,7 +184,7 @@ impl Course {
         self.settle(Outcome::Made { answer, confidence: self.confidence });
     }
 
-    /// Goes on to the reveal without a prediction, which is recorded.
+    /// Goes on to the reveal without a prediction, which is recorded. One that was made before stays.
     pub fn skip(&mut self) {
         self.settle(Outcome::Skipped);
     }
@@ -151,7 +193,8 @@ impl Course {
         if self.asked().is_none() {
             return;
         }
-        if let Some(record) = self.records.get_mut(self.place.step) {
+        let is_kept = outcome == Outcome::Skipped && self.is_answered();
+        if let Some(record) = self.records.get_mut(self.place.step).filter(|_| !is_kept) {
             record.outcome = Some(outcome);
         }
         self.go_to(Place { phase: Phase::Shown, ..self.place });
@@ -169,6 +212,7 @@ impl Course {
         match self.asked() {
             Some(_) if self.draft.as_ref().is_some_and(Answer::is_told) => self.predict(),
             Some(_) => self.skip(),
+            None if self.waits_for_observation() => self.is_passed_over = true,
             None => self.go_to(self.next(self.place).unwrap_or(self.place)),
         }
     }
@@ -182,10 +226,12 @@ impl Course {
     /// Goes to `place`, or to the nearest before it that can be reached: no reveal without its prediction.
     pub fn go_to(&mut self, place: Place) {
         let reached = self.reached(place);
-        if reached.step != self.place.step {
-            (self.draft, self.confidence) = (None, None);
+        if reached != self.place {
+            // Whoever comes back from the explanation has been told.
+            self.is_passed_over = reached.phase == Phase::Shown && reached < self.place;
+            self.place = reached;
+            (self.draft, self.confidence) = self.said();
         }
-        self.place = reached;
     }
 
     /// `place`, or the nearest before it that can be reached.
@@ -239,7 +285,8 @@ impl Course {
     /// Whether there is a place after this one, and one before it.
     #[must_use]
     pub fn can_go(&self) -> [bool; 2] {
-        [self.before(self.place).is_some(), self.asked().is_some() || self.next(self.place).is_some()]
+        let is_open = self.asked().is_some() || self.waits_for_observation();
+        [self.before(self.place).is_some(), is_open || self.next(self.place).is_some()]
     }
 
     /// How many have raised their hands for each of so many choices.
@@ -251,10 +298,15 @@ impl Course {
         }
     }
 
-    /// Whether hands are counted for the prediction that is asked for.
+    /// Whether hands are counted for the prediction that is asked for. An answer from before is shown as it was given.
     #[must_use]
     pub fn counts_hands(&self) -> bool {
-        self.is_class && self.asked().is_some_and(|asked| matches!(asked.kind, Kind::Choice(_)))
+        let counts = match &self.draft {
+            Some(Answer::Votes(_)) => true,
+            Some(Answer::Choice(_)) => false,
+            _ => self.is_class,
+        };
+        counts && self.asked().is_some_and(|asked| matches!(asked.kind, Kind::Choice(_)))
     }
 }
 
@@ -287,10 +339,10 @@ mod tests {
         course.predict();
         assert_eq!(course.place(), at(1, Phase::Ask), "nothing was entered");
         course.draft = Some(Answer::Choice(1));
-        course.confidence = Some(4);
+        course.confidence = Some(Confidence::Sure);
         course.predict();
         assert_eq!(course.place(), at(1, Phase::Shown));
-        let made = Outcome::Made { answer: Answer::Choice(1), confidence: Some(4) };
+        let made = Outcome::Made { answer: Answer::Choice(1), confidence: Some(Confidence::Sure) };
         assert_eq!(course.record().and_then(|record| record.outcome.clone()), Some(made));
         course.go_to(end);
         assert_eq!((course.place(), course.step()), (end, None));
@@ -313,9 +365,71 @@ mod tests {
             assert_eq!(course.place(), *place);
         }
         assert!(!course.can_go()[0]);
-        // What was predicted stays.
+        // What was skipped is asked again, and going on without an answer skips it again.
         course.go_to(at(1, Phase::Ask));
-        assert!(course.asked().is_none());
+        assert!(course.asked().is_some() && course.draft.is_none());
+        course.forward();
+        assert_eq!(
+            (course.place(), &course.records()[1].outcome),
+            (at(1, Phase::Shown), &Some(Outcome::Skipped))
+        );
+    }
+
+    #[test]
+    fn an_answer_is_found_again_and_can_be_changed() {
+        let made = |choice| {
+            Some(Outcome::Made { answer: Answer::Choice(choice), confidence: Some(Confidence::Guess) })
+        };
+        let mut course = course(ASKED);
+        course.go_to(at(1, Phase::Ask));
+        (course.draft, course.confidence) = (Some(Answer::Choice(0)), Some(Confidence::Guess));
+        course.predict();
+        for come_back in [Course::back, |course: &mut Course| course.go_to(at(1, Phase::Ask))] {
+            come_back(&mut course);
+            assert!(course.asked().is_some());
+            let found = (course.draft.clone(), course.confidence);
+            assert_eq!(found, (Some(Answer::Choice(0)), Some(Confidence::Guess)));
+            course.forward();
+            assert_eq!((course.place(), &course.records()[1].outcome), (at(1, Phase::Shown), &made(0)));
+        }
+        // Neither an empty answer nor *Skip* takes it away.
+        course.back();
+        course.draft = None;
+        course.forward();
+        assert_eq!(course.records()[1].outcome, made(0));
+        course.back();
+        course.skip();
+        assert_eq!(course.records()[1].outcome, made(0));
+        course.back();
+        course.draft = Some(Answer::Choice(1));
+        course.predict();
+        assert_eq!(course.records()[1].outcome, made(1));
+    }
+
+    #[test]
+    fn the_truth_waits_for_what_was_seen() {
+        let text = ASKED.replace("### Explain", "### Observe\n\nSeen?\n\n- [x] yes\n- [ ] no\n\n### Explain");
+        let mut course = course(&text);
+        course.go_to(at(1, Phase::Ask));
+        assert!(!course.tells_truth());
+        course.draft = Some(Answer::Choice(0));
+        course.predict();
+        assert_eq!((course.place(), course.tells_truth()), (at(1, Phase::Shown), false));
+        // Passed over, the truth comes at the same place.
+        course.forward();
+        assert_eq!((course.place(), course.tells_truth()), (at(1, Phase::Shown), true));
+        course.forward();
+        assert_eq!((course.place(), course.tells_truth()), (at(1, Phase::Explained), true));
+        course.back();
+        assert!(course.tells_truth());
+        // Shown again from the question on, it waits again; until what was seen is said.
+        course.back();
+        course.forward();
+        assert_eq!((course.place(), course.tells_truth()), (at(1, Phase::Shown), false));
+        course.observe(1);
+        assert!(course.tells_truth());
+        course.forward();
+        assert_eq!(course.place(), at(1, Phase::Explained));
     }
 
     #[test]

@@ -22,7 +22,7 @@ pub mod values;
 mod verdict;
 pub mod worksheet;
 
-pub use answer::{Answer, Outcome, Record};
+pub use answer::{Answer, Confidence, Outcome, Record};
 pub use answers::{Answers, Moment, Way};
 pub use course::Course;
 pub use error::LessonError;

@@ -91,6 +91,8 @@ pub struct Step {
     pub observation: Option<Choices>,
     /// Why that is so.
     pub explanation: Text,
+    /// Advice for whoever teaches, on their page alone.
+    pub teaching: Text,
 }
 
 /// What is to be predicted.
@@ -232,6 +234,7 @@ impl Lesson {
             reveal: None,
             observation: None,
             explanation: Text::default(),
+            teaching: Text::default(),
         };
         Self {
             name: preset.name.to_owned(),

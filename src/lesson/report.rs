@@ -79,7 +79,7 @@ fn told(verdict: &Verdict, record: &Record) -> String {
     let Verdict { right, said, is } = verdict;
     let (who, sure) = match &record.outcome {
         Some(Outcome::Made { answer: Answer::Votes(_), .. }) => ("Hands raised", String::new()),
-        Some(Outcome::Made { confidence: Some(sure), .. }) => ("Predicted", format!(" (sure: {sure} of 5)")),
+        Some(Outcome::Made { confidence: Some(sure), .. }) => ("Predicted", format!(" ({})", sure.name())),
         Some(Outcome::Made { .. }) => ("Predicted", String::new()),
         Some(Outcome::Skipped) | None => ("Predicted", " (skipped)".to_owned()),
     };

@@ -1,39 +1,84 @@
-//! How many of somebody's predictions were right.
+//! How many of somebody's predictions were right, and by how much the others were off.
 
-use super::answer::Outcome;
+use super::answer::{Answer, Outcome};
 use super::course::Course;
+use super::plan::Kind;
+use super::truth::Sight;
+use super::verdict::{difference, verdict};
+use crate::settings::Settings;
 
-/// What became of the predictions of a lesson that are right or wrong: choices and numbers.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+/// What became of the predictions of a lesson.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Score {
-    /// How many were asked for and made or skipped.
+    /// Choices, numbers and places that were asked for, and made or skipped; and curves that were skipped.
     pub asked: usize,
-    /// How many were right.
+    /// How many of these were right.
     pub right: usize,
     /// How many were skipped.
     pub skipped: usize,
+    /// The predictions that such a count does not do justice to, a sentence each: curves, clicked places, counted hands.
+    pub others: Vec<String>,
 }
 
 impl Course {
-    /// How many of the predictions so far were right. Hands that were counted, places and curves are neither.
+    /// How many of the predictions so far were right, in states in the place of what `base` says otherwise. Curves that were
+    /// drawn and hands that were counted are neither right nor wrong.
     #[must_use]
-    pub fn score(&self) -> Score {
+    pub fn score(&self, base: &Settings) -> Score {
         let mut score = Score::default();
-        for (step, record) in self.lesson().steps.iter().zip(self.records()) {
+        for (number, (step, record)) in self.lesson().steps.iter().zip(self.records()).enumerate() {
             let Some((prediction, outcome)) = step.prediction.as_ref().zip(record.outcome.as_ref()) else {
                 continue;
             };
-            let is_right = match outcome {
-                Outcome::Skipped => None,
-                Outcome::Made { answer, .. } => match answer.is_right(&prediction.kind) {
-                    Some(is_right) => Some(is_right),
-                    None => continue,
-                },
+            let Outcome::Made { answer, .. } = outcome else {
+                score.asked += 1;
+                score.skipped += 1;
+                continue;
             };
-            score.asked += 1;
-            score.right += usize::from(is_right == Some(true));
-            score.skipped += usize::from(is_right.is_none());
+            let mut right = answer.is_right(&prediction.kind);
+            let other = match (&prediction.kind, answer) {
+                (Kind::Choice(options), Answer::Votes(votes)) => {
+                    let all: u32 = votes.iter().fold(0, |sum, votes| sum.saturating_add(*votes));
+                    let count = votes.get(options.right).copied().unwrap_or(0);
+                    Some(format!("{count} of {all} hands were right"))
+                }
+                (Kind::Point(point), Answer::Direction(direction)) => {
+                    let settings = self.lesson().settings(number, true, base);
+                    let found = settings.ok().and_then(|settings| {
+                        with_sight(&settings, |sight| {
+                            let right = verdict(step, record, sight)?.right;
+                            Some((right, sight.degrees_to(*direction, &point.body)?))
+                        })
+                    });
+                    right = found.as_ref().and_then(|(right, _)| *right);
+                    found.map(|(_, off)| format!("the place was {off} away"))
+                }
+                (Kind::Curve(curve), Answer::Curve(points)) => {
+                    let settings = self.lesson().settings(number, true, base);
+                    let off = settings
+                        .ok()
+                        .and_then(|settings| with_sight(&settings, |sight| difference(curve, points, sight)));
+                    Some(format!(
+                        "a curve was drawn{}",
+                        off.map(|off| format!(", {off}")).unwrap_or_default()
+                    ))
+                }
+                _ => None,
+            };
+            if let Some(right) = right {
+                score.asked += 1;
+                score.right += usize::from(right);
+            }
+            score.others.extend(other.map(|other| format!("Step {}: {other}.", number + 1)));
         }
         score
     }
+}
+
+/// Calls `get` with what is shown of `settings`; `None` where they cannot be shown.
+fn with_sight<T>(settings: &Settings, get: impl FnOnce(&Sight<'_>) -> Option<T>) -> Option<T> {
+    let scene = settings.opened_scene().ok()?;
+    let (track, prepared) = (settings.track(&scene), scene.prepared());
+    let time = settings.time.unwrap_or_else(|| settings.time_of_approach(&track));
+    get(&Sight { settings, scene: &scene, prepared: &prepared, track, time })
 }

@@ -80,6 +80,14 @@ fn option(options: &Options, number: usize) -> String {
     options.texts.get(number).map(|text| text.markdown.clone()).unwrap_or_default()
 }
 
+impl Sight<'_> {
+    /// The angle between `direction` and where the left eye sees `body`, in degrees with its sign.
+    #[must_use]
+    pub fn degrees_to(&self, direction: Gaze, body: &str) -> Option<String> {
+        Some(figures::degrees(angle_between(direction, self.direction(body)?)))
+    }
+}
+
 impl Number {
     /// `number` with the decimals and the unit that are asked for.
     #[must_use]

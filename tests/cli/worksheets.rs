@@ -104,24 +104,67 @@ fn a_worksheet_asks_and_holds_its_answers_back() {
             // Names of SVG's own spaces are no addresses that are loaded.
             page.replace("http://www.w3.org/", "").contains(foreign)
         }));
+        assert_eq!(page.matches("data:image/png;base64,iVBORw0KGgo").count(), 1);
     }
     // 1/gamma is 0.8 at 0.6 c and 0.6 at 0.8 c; gamma is 1.25.
     assert!(sheet.contains("1.250") && !sheet.contains("0.600 times") && answers.contains("0.600 times"));
     assert!(!sheet.contains("The end of it.") && answers.contains("The end of it."));
     assert!(!sheet.contains('☒') && answers.contains("☒ It shrank."));
-    assert_eq!(
-        [&sheet, &answers].map(|page| page.matches("data:image/png;base64,iVBORw0KGgo").count()),
-        [1, 2]
+    assert!(sheet.contains("class=\"answer-lines\"") && !answers.contains("class=\"answer-lines\""));
+}
+
+/// Nothing of the reveal, not even its numbers, stands on the sheet of a pupil, and no picture of it.
+#[test]
+fn a_worksheet_can_be_read_ahead() {
+    let revealed = LESSON.replace("### Observe", "It was {contraction:.4}.\n\n### Observe").replace(
+        "## In a sentence",
+        "## Second\n\nAgain.\n\n### Predict\n\nAnd now?\n\n- [x] so\n- [ ] not so\n\n### Reveal\n\nSo.\n\n## In a sentence",
     );
-    assert!(sheet.contains("class=\"answer-lines\""));
+    let folder = Folder::with_lesson(&revealed);
+    folder.worksheet("sheet.html", &[]).text();
+    folder.worksheet("answers.html", &["--answers"]).text();
+    let [sheet, answers] = ["sheet.html", "answers.html"].map(|name| read(&folder.path(name)));
+    assert!(answers.contains("It was 0.6000.") && !sheet.contains("0.6000") && !sheet.contains("0.80"));
+    // The second step begins as the first was revealed.
+    assert_eq!([&sheet, &answers].map(|page| page.matches("data:image/png").count()), [1, 2]);
+    for once in ["Reveal it in the window.", "And now?"] {
+        assert_eq!(sheet.matches(once).count(), if once == "And now?" { 1 } else { 2 }, "{once}");
+    }
+}
+
+#[test]
+fn the_page_of_whoever_teaches_has_aim_minutes_answers_and_advice() {
+    let advised = LESSON.replace("## In a sentence", "### Teach\n\nMind the gap.\n\n## In a sentence");
+    let folder = Folder::with_lesson(&advised);
+    let mut command = gamow();
+    let (own, page) = (folder.path("own.md"), folder.path("teacher.html"));
+    assert_eq!(run(command.arg("lesson").arg(own).arg("--teacher").arg(&page), b"").text(), "");
+    let page = read(&page);
+    let told = [
+        "Aim.",
+        "The end of it.",
+        "5 in all",
+        "What to say.",
+        "Two balls.",
+        "0.600 times",
+        "It grew.",
+        "Mind the gap.",
+    ];
+    for told in told {
+        assert!(page.contains(told), "{told} is missing");
+    }
+    folder.worksheet("sheet.html", &[]).text();
+    assert!(!read(&folder.path("sheet.html")).contains("Mind the gap."));
 }
 
 /// The data that a worksheet carries, as `gamow fit` reads them, tell the speed as well as the worksheet says.
 #[test]
 fn the_lab_of_a_worksheet_has_data_that_can_be_fitted() {
     let folder = Folder::with_lesson(LESSON);
-    folder.worksheet("sheet.html", &[]).text();
-    let page = read(&folder.path("sheet.html"));
+    let mut command = gamow();
+    let (own, sheet) = (folder.path("own.md"), folder.path("sheet.html"));
+    run(command.arg("lesson").arg(own).arg("--lab").arg(&sheet), b"").text();
+    let page = read(&sheet);
     let data = page.split("data:text/csv;base64,").nth(1).expect("data").split('"').next().expect("an end");
     let csv = decoded(data);
     assert_eq!(csv.lines().count(), 13, "{csv}");
@@ -194,16 +237,18 @@ fn a_hostile_lesson_makes_a_harmless_page() {
     );
     let name = "-<script>'&$(x).md";
     std::fs::write(folder.path().join(name), lesson).expect("it is written");
-    let path = folder.path().join("page.html");
-    run(
-        gamow()
-            .args(["lesson", &format!("./{name}"), "--answers", "--worksheet"])
-            .arg(&path)
-            .current_dir(folder.path()),
-        b"",
-    )
-    .text();
-    let page = std::fs::read_to_string(path).expect("it is written");
+    let pages =
+        [&["--worksheet"][..], &["--answers", "--worksheet"], &["--lab"], &["--teacher"]].map(|sheet| {
+            let path = folder.path().join("page.html");
+            let mut command = gamow();
+            command.args(["lesson", &format!("./{name}")]).args(sheet).arg(&path).current_dir(folder.path());
+            run(&mut command, b"").text();
+            read(&path)
+        });
+    pages.iter().for_each(|page| assert_is_harmless(page));
+}
+
+fn assert_is_harmless(page: &str) {
     let tags: Vec<&str> = page.split('<').skip(1).filter_map(|tag| tag.split('>').next()).collect();
     for tag in tags {
         // What stands between quotes is a value.
@@ -215,5 +260,10 @@ fn a_hostile_lesson_makes_a_harmless_page() {
     }
     assert_eq!(page.matches("</title>").count(), 1);
     // The command of the fit takes the file for a file.
-    assert!(page.contains("gamow fit './-&lt;script&gt;'\\''&amp;$(x).csv'"), "{page:.0}");
+    let commands = page.matches("gamow fit ").count();
+    assert_eq!(
+        page.matches("gamow fit './-&lt;script&gt;'\\''&amp;$(x).csv'").count(),
+        commands,
+        "{page:.0}"
+    );
 }

@@ -8,7 +8,7 @@ use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::running::LessonCommand;
 use gamow::app::state::State;
-use gamow::lesson::{Answer, Course, Kind, Lesson, Library, Outcome, Phase, Place};
+use gamow::lesson::{Answer, Confidence, Course, Kind, Lesson, Library, Outcome, Phase, Place};
 use gamow::settings::{Presence, Settings, Theme, Window};
 use relativity_render::Gaze;
 
@@ -31,6 +31,7 @@ pub const TESTS: &[Test] = &[
     ("a_lesson_that_is_closed_keeps_its_answers", a_closed_lesson_keeps_its_answers),
     ("a_lesson_that_is_written_anew_keeps_its_place", a_lesson_written_anew),
     ("an_audience_is_led_through_a_lesson_with_two_keys", an_audience_is_led_through),
+    ("the_end_of_a_lesson_leads_to_the_next_and_to_its_pages", the_end_leads_on),
     ("every_step_of_every_lesson_fits_and_shows_its_state", every_step_of_every_lesson),
     ("every_step_of_every_lesson_fits_before_an_audience", every_step_before_an_audience),
 ];
@@ -157,7 +158,7 @@ fn place(step: usize, phase: Phase) -> Place {
     Place { step, phase }
 }
 
-fn made(answer: Answer, confidence: Option<u8>) -> Outcome {
+fn made(answer: Answer, confidence: Option<Confidence>) -> Outcome {
     Outcome::Made { answer, confidence }
 }
 
@@ -174,9 +175,12 @@ fn a_lesson_is_gone_through() {
     window.get_by_label("1 of 2");
     assert!(window.get_by_role_and_label(Role::Button, "Predict").accesskit_node().is_disabled());
     choose(&mut window, "short");
-    press(&mut window, "Sure: 4 of 5");
+    press(&mut window, "How sure: fairly sure");
     press(&mut window, "Predict");
-    assert_eq!(course(&window).records()[0].outcome, Some(made(Answer::Choice(0), Some(4))));
+    assert_eq!(
+        course(&window).records()[0].outcome,
+        Some(made(Answer::Choice(0), Some(Confidence::FairlySure)))
+    );
     // The reveal lasts two seconds.
     assert!(is_running(&window) && window.query_by_label("What did you see?").is_none());
     window.run_steps(10);
@@ -184,11 +188,12 @@ fn a_lesson_is_gone_through() {
     window.run_steps(40);
     assert!(!is_running(&window));
     assert!((time(&window) + 5.0).abs() < 1e-12);
-    for name in ["You said", "It is"] {
+    // What was seen is asked before the truth is told.
+    assert!(window.query_by_label("You said").is_none() && window.query_by_label("It is").is_none());
+    choose(&mut window, "They looked long.");
+    for name in ["That is what was shown.", "You said", "It is"] {
         window.get_by_label(name);
     }
-    choose(&mut window, "They looked long.");
-    window.get_by_label("That is what was shown.");
     assert_eq!(course(&window).records()[0].observed, Some(0));
     press(&mut window, "Next");
     window.get_by_label("Light is late.");
@@ -221,11 +226,24 @@ fn skipped_and_back() {
     press(&mut window, "Back");
     assert_eq!(course(&window).place(), Place::START);
     assert!((window.state().state().session.time + 20.0).abs() < 1e-12);
-    window.get_by_label("You left this out.");
+    // What was skipped is asked again, and can be skipped again.
+    window.get_by_role_and_label(Role::RadioButton, "long");
+    window.get_by_role_and_label(Role::Button, "Skip");
     press(&mut window, "Step 2: Gamma");
     assert_eq!(course(&window).place(), place(1, Phase::Ask));
     press(&mut window, "Step 1: Rods");
     assert_eq!(course(&window).place(), Place::START);
+    choose(&mut window, "short");
+    press(&mut window, "Predict");
+    assert_eq!(course(&window).records()[0].outcome, Some(made(Answer::Choice(0), None)));
+    press(&mut window, "Finish");
+    press(&mut window, "Back");
+    // What was said is shown, and can be changed.
+    window.get_by_label("This is what you said. You can change it.");
+    assert_eq!(course(&window).draft, Some(Answer::Choice(0)));
+    choose(&mut window, "long");
+    press(&mut window, "Predict");
+    assert_eq!(course(&window).records()[0].outcome, Some(made(Answer::Choice(1), None)));
 }
 
 fn an_observation_against_what_was_shown() {
@@ -234,8 +252,8 @@ fn an_observation_against_what_was_shown() {
     press(&mut window, "Predict");
     window.get_by_label("Look at them.");
     press(&mut window, "Finish");
-    window.get_by_label("You said, and it is");
     choose(&mut window, "They looked short.");
+    window.get_by_label("You said, rightly,");
     press(&mut window, "Look again");
     assert!(is_running(&window));
     assert!(window.state().state().session.time < -15.0);
@@ -254,10 +272,12 @@ fn hands_are_counted() {
     press(&mut window, "Predict");
     press(&mut window, "Finish");
     assert_eq!(course(&window).records()[0].outcome, Some(made(Answer::Votes(vec![1, 2]), None)));
+    choose(&mut window, "They looked long.");
     for hands in ["Hands for short: 1", "Hands for long: 2"] {
         assert!(labels(&window).iter().any(|label| label == hands), "{hands}");
     }
-    assert_eq!(course(&window).score().asked, 0);
+    let score = course(&window).score(&Settings::default());
+    assert_eq!((score.asked, score.others), (0, vec!["Step 1: 2 of 3 hands were right.".to_owned()]));
 }
 
 fn digits_answer() {
@@ -342,8 +362,9 @@ fn what_was_explored_is_set_up_again() {
     }
     press(&mut window, "Skip");
     press(&mut window, "Finish");
-    press(&mut window, "Next");
-    press(&mut window, "Next");
+    for _ in 0..3 {
+        press(&mut window, "Next");
+    }
     assert_eq!(course(&window).place(), place(1, Phase::Ask));
     window.state_mut().ask(Command::NudgeSpeed(3));
     window.state_mut().ask(Command::Undo);
@@ -414,6 +435,7 @@ fn a_lesson_written_anew() {
     choose(&mut window, "long");
     press(&mut window, "Predict");
     press(&mut window, "Finish");
+    choose(&mut window, "They looked long.");
     press(&mut window, "Next");
     let records = course(&window).records().to_vec();
     std::fs::write(&path, LESSON.replace("Light is late.", "Light needs time.")).expect("it is writable");
@@ -441,7 +463,17 @@ fn an_audience_is_led_through() {
     assert_eq!(course(&window).records()[0].outcome, Some(Outcome::Skipped));
     assert!(is_running(&window) && text(&window, "Look at them."));
     key(&mut window, Key::PageDown);
-    assert!(!is_running(&window) && text(&window, "It is"));
+    assert!(!is_running(&window) && text(&window, "What did you see?") && !text(&window, "It is"));
+    key(&mut window, Key::PageDown);
+    assert!(text(&window, "It is"));
+    // Back at the question its choices are open again.
+    key(&mut window, Key::PageUp);
+    assert!(text(&window, "How long do they look?") && text(&window, "short") && text(&window, "long"));
+    assert!(course(&window).asked().is_some());
+    for _ in 0..3 {
+        key(&mut window, Key::PageDown);
+    }
+    assert!(text(&window, "It is"));
     key(&mut window, Key::PageDown);
     assert!(text(&window, "Light is late."));
     key(&mut window, Key::PageDown);
@@ -543,6 +575,39 @@ fn named(window: &Harness<'_, App>, left: f32, right: f32) -> Vec<(String, Rect)
     named.filter(|(_, rect)| rect.min.x >= left && rect.min.x < right && rect.is_positive()).collect()
 }
 
+fn the_end_leads_on() {
+    let library = Library::own();
+    let colour = library.open("colour").expect("a lesson");
+    let mut window = window(&colour, [1280.0, 800.0]);
+    for _ in 0..40 {
+        if matches!(course(&window).asked().map(|asked| &asked.kind), Some(Kind::Curve(_))) {
+            let drawn = Answer::Curve(vec![[-1.0, 1.0], [1.0, 1.0]]);
+            ask(&mut window, LessonCommand::Draft(Some(drawn)));
+        }
+        if course(&window).step().is_some() {
+            ask(&mut window, LessonCommand::Forward);
+        }
+    }
+    assert_eq!(course(&window).step(), None);
+    // Every prediction is counted, or said in a sentence.
+    window.get_by_label("Predicted: 0 of 3 right, 3 skipped.");
+    let told = labels(&window);
+    assert!(
+        told.iter().any(|label| label.starts_with("Step 2: a curve was drawn, rms difference ")),
+        "{told:?}"
+    );
+    for page in ["Report…", "Worksheet…", "Lab…", "Teacher’s page…"] {
+        window.get_by_role_and_label(Role::Button, page);
+    }
+    let next = library.after("colour").expect("there is one").clone();
+    let name = labels(&window).into_iter().find(|label| label.starts_with("Next: ")).expect("a way on");
+    press(&mut window, &name);
+    assert_eq!(
+        (course(&window).lesson().name.clone(), course(&window).place()),
+        (next.name.clone(), Place::START)
+    );
+}
+
 fn every_step_of_every_lesson() {
     // What stands beside the panel takes long and changes nothing in it.
     let parts = Window { plots: false, map: Presence::Off, ..Window::default() };
@@ -561,7 +626,8 @@ fn every_step_of_every_lesson() {
                 );
                 let is_foot = ["Back", "Skip", "Predict", "Next", "Finish", "Close", "Count hands"];
                 let is_foot =
-                    is_foot.iter().chain(&["Set up again", "All lessons"]).any(|foot| *foot == text);
+                    is_foot.iter().chain(&["Set up again", "All lessons"]).any(|foot| *foot == text)
+                        || text.starts_with("Next: ");
                 assert!(rect.min.y < foot.min.y - 2.0 || is_foot, "{name}: {text:?} at {rect:?}");
             }
         });

@@ -133,7 +133,7 @@ fn the_bicycle_rests_in_its_own_frame() {
 fn abreast_is_said() {
     let mut window = map_window(cyclist(0.9));
     let said = |window: &Harness<'_, App>| {
-        ["presently abreast", "seen abreast"]
+        ["measured abreast", "seen abreast"]
             .map(|words| window.query_by_label(&format!("Map, from above: {words}")).is_some())
     };
     go_to(&mut window, 0.0);

@@ -389,7 +389,7 @@ fn the_report_holds_all() {
     let mut window = at_lesson(0.9);
     let frame = frame(&window);
     drag(&mut window, place(frame, [-8.05, 3.5]), place(frame, [8.05, 1.5]));
-    ask(&mut window, LessonCommand::Confidence(Some(4)));
+    ask(&mut window, LessonCommand::Confidence(Some(gamow::lesson::Confidence::Sure)));
     ask(&mut window, LessonCommand::Predict);
     for _ in 0..8 {
         window.step();
@@ -404,7 +404,7 @@ fn the_report_holds_all() {
     for told in [
         "<h1>Drawn and clicked</h1>",
         "How does its colour change?",
-        "the dashed curve (sure: 4 of 5)",
+        "the dashed curve (sure)",
         &off,
         "true curve</text>",
         "drawn curve</text>",

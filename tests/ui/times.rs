@@ -132,7 +132,7 @@ fn two_marks_tell_presently_from_seen() {
     let track = gamow::scene::Track { rest: [-1.0, 3.0, 2.0], ..state.session.points.selected().track };
     state.session.points.choose(track, 0, false);
     let mut window = window(state);
-    window.get_by_label("Go to presently abreast").click();
+    window.get_by_label("Go to measured abreast").click();
     window.run();
     let presently = 0.19_f64.sqrt() / 0.9;
     let time = window.state().state().session.time;
@@ -143,7 +143,7 @@ fn two_marks_tell_presently_from_seen() {
     window.run();
     let time = window.state().state().session.time;
     assert!((time - presently - 13.0025_f64.sqrt()).abs() < 1e-12, "{time}");
-    // What is seen happened when it was presently abreast.
+    // What is seen happened when it was measured abreast.
     assert!((shown(&window, "Left eye, happened t") - presently).abs() < 6e-5);
     assert!((shown(&window, "Right eye, Apparent X") + 0.05).abs() < 6e-5);
 }
@@ -156,7 +156,7 @@ fn marks_never_cover_each_other() {
             state.settings.playback = Playback { range: TimeRange(Some(range)), ..Playback::default() };
             let window = window_of_size(state, size, 1.0);
             let rect = |name: &str| window.get_by_label(name).rect();
-            let (presently, seen) = (rect("Go to presently abreast"), rect("Go to seen abreast"));
+            let (presently, seen) = (rect("Go to measured abreast"), rect("Go to seen abreast"));
             assert!(presently.max.x < seen.min.x, "{size:?}, {range:?}: {presently:?} {seen:?}");
             // What there is no room for is in a menu.
             let has_rate = window.query_by_label("Playback rate").is_some();

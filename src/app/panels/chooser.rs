@@ -90,6 +90,9 @@ fn told(ui: &mut Ui, state: &State, product: Product, chooser: &mut Chooser) {
             "What was predicted and seen in each step of the lesson, as a page for a browser, which can be printed."
                 .to_owned()
         }
+        Product::Worksheet | Product::LabSheet | Product::TeachersPage => {
+            "A page for a browser, which prints it; as `gamow lesson` writes it.".to_owned()
+        }
         Product::Fit => "The numbers of the Fit tab, as `gamow fit --json` writes them.".to_owned(),
     };
     ui.label(RichText::new(text).weak());

@@ -246,7 +246,7 @@ impl Mark {
         let [presently_tip, seen_tip] =
             if point.track.spin.is_some() { TURNING_TIPS } else { [PRESENTLY_TIP, SEEN_TIP] };
         let marks = [
-            mark("presently abreast", presently_tip, theme::measured_colour(visuals), presently),
+            mark("measured abreast", presently_tip, theme::measured_colour(visuals), presently),
             if state.settings.baseline().is_along_motion() {
                 mark("seen abreast", seen_tip, theme::equidistance_colour(visuals), seen)
             } else {
@@ -274,7 +274,7 @@ const EQUIDISTANT_TIP: &str = "When both eyes see it equally far (T₀): the one
     that their lines of sight meet where it was.";
 
 const SEEN_TIP: &str = "T₀ = √((d/2)² + y² + z²) − x₀/β: the selected point is seen beside the eyes, equally far from \
-    both, with D = 1/γ and as short as 1/γ. The light left it when it was presently abreast; by now it is measured \
+    both, with D = 1/γ and as short as 1/γ. The light left it when it was measured abreast; by now it is \
     further on.\nClick to go there.";
 
 /// Both of a point that turns.
@@ -282,7 +282,7 @@ const TURNING_TIPS: [&str; 2] = [
     "The selected point itself, not its hub, is measured beside the eyes now, at x = 0. Nobody sees it there yet, since the \
     light of this moment is still on its way.\nClick to go there.",
     "T₀: the selected point itself, not its hub, is seen beside the eyes, equally far from both: they receive one and the same \
-    event. The light left it when it was presently abreast.\nClick to go there.",
+    event. The light left it when it was measured abreast.\nClick to go there.",
 ];
 
 /// Ticks on the scrubber, and below it their names, to click, none of which covers another.

@@ -95,6 +95,13 @@ impl App {
                 let fit = self.fitting.shown().map(|_| Box::new(self.state.fit_key()));
                 self.begin(ui.ctx(), Job::Report(Box::new(course), base, fit, path), name, 1);
             }
+            Product::Worksheet | Product::LabSheet | Product::TeachersPage => {
+                let lesson = self.state.course().map(|course| Box::new(course.lesson().clone()));
+                let Some((lesson, sheet)) = lesson.zip(product.sheet()) else {
+                    return self.tell(ui.ctx(), Notice::error("No lesson is gone through."));
+                };
+                self.begin(ui.ctx(), Job::Sheet(lesson, sheet, path), name, 1);
+            }
             Product::PlotsSvg | Product::PlotsCsv => {
                 let is_drawing = product == Product::PlotsSvg;
                 let text = if is_drawing { self.plots_svg() } else { self.plots_csv() };

@@ -11,7 +11,8 @@ use crate::estimate::samples::{FitKey, Fittable};
 use crate::files::whole::{write_json, write_whole};
 use crate::flags::choices::FileKind;
 use crate::flags::words::Shell;
-use crate::lesson::{Course, report};
+use crate::lesson::worksheet::{self, Sheet};
+use crate::lesson::{Course, Lesson, report};
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 use crate::studio::Studio;
@@ -40,6 +41,8 @@ pub enum Job {
     Fit(Box<FitKey>, PathBuf),
     /// What was done in a lesson, whose states differ from these settings; with a fit.
     Report(Box<Course>, Box<Settings>, Option<Box<FitKey>>, PathBuf),
+    /// A sheet of a lesson, to print.
+    Sheet(Box<Lesson>, Sheet, PathBuf),
 }
 
 /// What became of it.
@@ -79,9 +82,11 @@ impl Job {
     /// Where its file goes; nowhere if it has none.
     fn path(&self) -> &Path {
         match self {
-            Self::Picture(_, path) | Self::Film(.., path) | Self::Fit(_, path) | Self::Report(.., path) => {
-                path
-            }
+            Self::Picture(_, path)
+            | Self::Film(.., path)
+            | Self::Fit(_, path)
+            | Self::Report(.., path)
+            | Self::Sheet(.., path) => path,
             Self::Clipboard(_) => Path::new(""),
         }
     }
@@ -114,6 +119,12 @@ impl Job {
                 // Of what cannot be fitted there is no table.
                 let fit = key.and_then(|key| fitted(&key).ok()).map(|(report, _)| report.to_string());
                 let page = report::page(&course, &base, fit.as_deref())?;
+                write_whole(&path, |file| Ok(file.write_all(page.as_bytes())?))?;
+                let text = format!("Saved {}.", name_of(&path));
+                Ok(Made::File(path, text))
+            }
+            Self::Sheet(lesson, sheet, path) => {
+                let page = worksheet::page(&lesson, sheet)?;
                 write_whole(&path, |file| Ok(file.write_all(page.as_bytes())?))?;
                 let text = format!("Saved {}.", name_of(&path));
                 Ok(Made::File(path, text))

@@ -8,22 +8,30 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::files::whole::{ensure_ending, write_whole};
-use crate::lesson::{Library, worksheet};
+use crate::lesson::Library;
+use crate::lesson::worksheet::{self, Sheet};
 
-/// Writes the worksheet of a lesson: one page to print, with the pictures, the questions, room for answers, and the data of
-/// its lab.
+/// Writes what goes with a lesson on paper: the worksheet with its questions, the task and the data of its lab, a page for
+/// whoever teaches. One of them at least must be named.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
+#[group(id = "sheets", required = true, multiple = true, args = ["worksheet", "lab", "teacher"])]
 pub struct LessonArgs {
     /// Name of the lesson or preset (`gamow --list`), or a file.
     #[arg(value_name = "NAME|FILE.md")]
     name: PathBuf,
-    /// The page that is written.
+    /// The worksheet that is written: questions and room for answers.
     #[arg(long, value_name = "FILE.html")]
-    worksheet: PathBuf,
-    /// With the answers, for whoever teaches.
-    #[arg(long)]
+    worksheet: Option<PathBuf>,
+    /// The answers in place of the worksheet.
+    #[arg(long, requires = "worksheet")]
     answers: bool,
+    /// The sheet of its lab that is written, with the data.
+    #[arg(long, value_name = "FILE.html")]
+    lab: Option<PathBuf>,
+    /// The page that is written for whoever teaches: aim, minutes, what to say, what pupils answer, what can go wrong.
+    #[arg(long, value_name = "FILE.html")]
+    teacher: Option<PathBuf>,
     /// A folder with lessons of one's own, beside the program's.
     #[arg(long, value_name = "DIR")]
     lessons: Option<PathBuf>,
@@ -32,12 +40,27 @@ pub struct LessonArgs {
 const EXAMPLES: &str = "\
 Examples:
   gamow lesson rods --worksheet rods.html
-  gamow lesson rods --worksheet rods-answers.html --answers";
+  gamow lesson rods --worksheet rods-answers.html --answers
+  gamow lesson rods --teacher rods-teacher.html --lab rods-lab.html";
 
 /// Runs `gamow lesson`.
 pub fn run(args: &LessonArgs) -> anyhow::Result<()> {
-    ensure_ending("--worksheet", &args.worksheet, "html")?;
+    let of_questions = if args.answers { Sheet::Answers } else { Sheet::Questions };
+    let sheets = [
+        ("--worksheet", &args.worksheet, of_questions),
+        ("--lab", &args.lab, Sheet::Lab),
+        ("--teacher", &args.teacher, Sheet::Teacher),
+    ];
+    let sheets: Vec<_> =
+        sheets.into_iter().filter_map(|(flag, path, sheet)| Some((flag, path.as_ref()?, sheet))).collect();
+    for (flag, path, _) in &sheets {
+        ensure_ending(flag, path, "html")?;
+    }
     let lesson = Library::new(args.lessons.as_deref())?.open(&args.name)?.worked_out()?;
-    let page = worksheet::page(&lesson, args.answers)?;
-    write_whole(&args.worksheet, |file| Ok(file.write_all(page.as_bytes())?))
+    // All are made before one is written.
+    let pages = sheets.iter().map(|(_, path, sheet)| Ok((path, worksheet::page(&lesson, *sheet)?)));
+    for (path, page) in pages.collect::<anyhow::Result<Vec<_>>>()? {
+        write_whole(path, |file| Ok(file.write_all(page.as_bytes())?))?;
+    }
+    Ok(())
 }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::dated::{Dated, Moment, merged};
-use crate::lesson::answer::{Answer, Outcome, Record};
+use crate::lesson::answer::{Answer, Confidence, Outcome, Record};
 use crate::lesson::place::Place;
 use crate::lesson::plan::{Choices, Kind, Lesson, Options, Prediction, Step};
 
@@ -24,7 +24,7 @@ pub struct Way {
 pub(super) struct Draft {
     pub(super) place: Place,
     pub(super) answer: Option<Answer>,
-    pub(super) confidence: Option<u8>,
+    pub(super) confidence: Option<Confidence>,
 }
 
 /// The answers given in a step, and the questions asked there: a lesson may be rewritten in the meantime.
@@ -72,7 +72,7 @@ impl Way {
 
     /// Returns the answer that was being entered and how sure it was, if that is still asked at `place`.
     #[must_use]
-    pub fn draft(&self, lesson: &Lesson, place: Place) -> (Option<Answer>, Option<u8>) {
+    pub fn draft(&self, lesson: &Lesson, place: Place) -> (Option<Answer>, Option<Confidence>) {
         let draft = self.draft.as_ref().map(|draft| &draft.value).filter(|draft| draft.place == place);
         let step = lesson.steps.get(place.step);
         let prediction = step.and_then(|step| step.prediction.as_ref());

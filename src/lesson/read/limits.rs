@@ -69,7 +69,7 @@ fn check_options(options: &Options) -> Result<(), Wrong> {
 /// Every text that a step shows.
 fn texts(step: &Step) -> impl Iterator<Item = &Text> {
     let reveal = step.reveal.as_ref().map(|reveal| &reveal.text);
-    [&step.text, &step.explanation].into_iter().chain(reveal).chain(questions(step))
+    [&step.text, &step.explanation, &step.teaching].into_iter().chain(reveal).chain(questions(step))
 }
 
 /// The questions of a step and their choices.

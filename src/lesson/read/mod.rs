@@ -9,7 +9,7 @@ use std::io::ErrorKind;
 use std::path::Path;
 
 use self::front::Front;
-use self::parts::{Block, Part, check_blocks, parts};
+use self::parts::{Block, Part, check_blocks, check_slips, parts};
 use self::wrong::Wrong;
 use super::error::LessonError;
 use super::plan::{
@@ -27,7 +27,7 @@ use serde::de::DeserializeOwned;
 const SENTENCE: &str = "In a sentence";
 const LAB: &str = "Lab";
 /// The headings below that of a step.
-const PARTS: [&str; 4] = ["Predict", "Reveal", "Observe", "Explain"];
+const PARTS: [&str; 5] = ["Predict", "Reveal", "Observe", "Explain", "Teach"];
 /// The blocks that are no text.
 const BLOCKS: [&str; 5] = ["state", "play", "number", "point", "curve"];
 /// How long an animation takes, and the longest, seconds.
@@ -87,6 +87,7 @@ fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
     limits::check_length(text)?;
     let (front, first) = Front::of(text)?;
     check_blocks(text, first)?;
+    check_slips(text, first, &[SENTENCE, LAB], &BLOCKS)?;
     let mut sections = parts(text, first, "## ");
     let introduction = sections.remove(0);
     let introduction =
@@ -143,6 +144,7 @@ fn step(section: &Part) -> Result<Step, Wrong> {
         reveal: None,
         observation: None,
         explanation: Text::default(),
+        teaching: Text::default(),
     };
     for (number, part) in below.iter().enumerate() {
         if let Some(first) = below[..number].iter().find(|first| first.title == part.title) {
@@ -155,6 +157,7 @@ fn step(section: &Part) -> Result<Step, Wrong> {
             "Reveal" => step.reveal = Some(reveal(part)?),
             "Observe" => step.observation = Some(choices(part)?),
             "Explain" => step.explanation = part.only_text(&BLOCKS, "in an explanation")?,
+            "Teach" => step.teaching = part.only_text(&BLOCKS, "in advice for whoever teaches")?,
             other => {
                 let known = PARTS.join(", ");
                 return Err((

@@ -27,6 +27,8 @@ pub struct Block {
 }
 
 const FENCE: &str = "```";
+/// At most this many letters of a title are compared with those that are known.
+const EXCERPT: usize = 40;
 
 /// Whether each block of `text` after its `first` lines has an end.
 ///
@@ -45,6 +47,60 @@ pub fn check_blocks(text: &str, first: usize) -> Result<(), Wrong> {
         }
     }
     open.map_or(Ok(()), |(begin, kind)| Err((begin, endless(kind, ""))))
+}
+
+/// Whether every line of `text` after its `first` lines that looks like a heading of a lesson is one, and every block is of a
+/// kind in `known`, or of none: such a block is text. A slip would otherwise pass in silence, as text.
+///
+/// # Errors
+/// The line of the first slip.
+pub fn check_slips(text: &str, first: usize, titles: &[&str], known: &[&str]) -> Result<(), Wrong> {
+    let mut is_block = false;
+    for (number, line) in text.lines().enumerate().skip(first) {
+        let wrong = |problem: String| Err((number + 1, problem));
+        if let Some(kind) = line.strip_prefix(FENCE) {
+            is_block = !is_block;
+            let kind = kind.trim();
+            if is_block && !kind.is_empty() && !known.contains(&kind) {
+                let known = known.join(", ```");
+                let kind = tell::excerpt(kind);
+                return wrong(format!(
+                    "unknown block ```{kind}: there are ```{known}, and ``` alone for text"
+                ));
+            }
+            continue;
+        }
+        let marks = line.trim_start().chars().take_while(|c| *c == '#').count();
+        if is_block || marks == 0 || marks > 6 {
+            continue;
+        }
+        let after = &line.trim_start()[marks..];
+        let right = format!("{} {}", "#".repeat(marks.clamp(2, 3)), tell::excerpt(after));
+        if !after.is_empty() && !after.starts_with([' ', '\t']) {
+            return wrong(format!(
+                "`{}`: a heading has a space behind its marks: `{right}`",
+                tell::excerpt(line)
+            ));
+        }
+        if line.starts_with([' ', '\t']) || !(2..=3).contains(&marks) {
+            return wrong(format!(
+                "`{}`: a heading begins its line, with `## ` for a step or `### ` for a part of it: `{right}`",
+                tell::excerpt(line)
+            ));
+        }
+        let title = after.trim();
+        let sought: String = title.to_lowercase().chars().take(EXCERPT).collect();
+        let near = titles.iter().find(|known| {
+            title != **known && strsim::damerau_levenshtein(&known.to_lowercase(), &sought) <= known.len() / 6
+        });
+        if let Some(near) = near.filter(|_| marks == 2) {
+            return wrong(format!(
+                "a heading `## {}`: it would be a step; write `## {near}`",
+                tell::excerpt(title)
+            ));
+        }
+    }
+    Ok(())
 }
 
 fn endless(kind: &str, place: &str) -> String {

@@ -180,7 +180,11 @@ fn what_cannot_be_worked_out_is_named_with_its_line() {
         ),
         ("A rod comes.", "At $\\gamma = {gamma:3f}$.", "rods.md:19: `{gamma:3f}` is no place for a value"),
         ("A rod comes.", "At {gama}.", "rods.md:19: `{gama}` is no place for a value"),
-        ("A rod comes.", "At {gama:.2}.", "rods.md:19: no value is called `gama`: there are beta, gamma"),
+        (
+            "A rod comes.",
+            "At {gama:.2}.",
+            "rods.md:19: no value is called `gama`: there are 57, most like it gamma, gain",
+        ),
         ("A rod comes.", "At {t of sphere:.2}.", "rods.md:19: Rods has no body called `sphere`: there are "),
         ("A rod comes.", "Its $\\frac{1}{2$ comes.", "rods.md:19: "),
         ("A rod comes.", "One,\nits $\\gamma comes.", "rods.md:20: a `$` without another one"),
@@ -336,4 +340,36 @@ fn errors_quote_little_of_a_file() {
             told.len()
         );
     }
+}
+
+/// Slips that Markdown takes for text: each is named, with its line.
+#[test]
+fn slips_of_headings_and_blocks_are_named_with_their_line() {
+    let slips = [
+        ("```play\n", "```plaay\n", "unknown block ```plaay: there are ```state, "),
+        ("## In a sentence", "## In a Sentence", "write `## In a sentence`"),
+        ("## In a sentence", "## In a sentense", "write `## In a sentence`"),
+        ("## Lab", "## lab", "write `## Lab`"),
+        ("### Observe", "###Observe", "has a space behind its marks: `### Observe`"),
+        ("### Observe", " ### Observe", "a heading begins its line"),
+        ("### Observe", "#### Observe", "a heading begins its line"),
+        ("## How fast", "##How fast", "has a space behind its marks: `## How fast`"),
+    ];
+    for (right, slip, expected) in slips {
+        let text = LESSON.replacen(right, slip, 1);
+        let line = text.lines().position(|line| line == slip.trim_end()).expect("it is there") + 1;
+        let error = read(&text).expect_err(slip).to_string();
+        assert!(error.starts_with(&format!("rods.md:{line}: ")) && error.contains(expected), "{error}");
+        assert_eq!(error.lines().count(), 1);
+    }
+    // What is no slip.
+    for fine in ["```\n## In a Sentence\n```", "Number #7 of them.", "- # of turns"] {
+        read(&LESSON.replace("A rod comes.", fine)).expect(fine);
+    }
+}
+
+#[test]
+fn advice_for_whoever_teaches_is_kept() {
+    let text = LESSON.replace("## How fast", "### Teach\n\nMany say shorter.\n\n## How fast");
+    assert_eq!(read(&text).expect("a lesson").steps[0].teaching.markdown, "Many say shorter.");
 }

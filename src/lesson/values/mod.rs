@@ -22,9 +22,12 @@ use self::places::{filled, line_of_lone_dollar};
 use super::error::LessonError;
 use super::plan::{Choices, Kind, Lesson, Prediction, Text, Told};
 use crate::formula::markdown::{OPTIONS, first_fault};
-use crate::platform::tell;
+use crate::platform::{sizes, tell};
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
+
+/// This many values with similar names are suggested.
+const NEAREST: usize = 5;
 
 /// All of them, in the order of the documentation.
 pub fn all() -> impl Iterator<Item = &'static Value> {
@@ -60,8 +63,14 @@ impl<'a> Asked<'a> {
 
     fn value(&self) -> Result<&'static Value, String> {
         all().find(|value| value.name == self.name).ok_or_else(|| {
-            let known = all().map(|value| value.name).collect::<Vec<_>>().join(", ");
-            format!("no value is called `{}`: there are {known}", tell::excerpt(self.name))
+            let sought: String = self.name.to_lowercase().chars().take(sizes::NAME_LETTERS).collect();
+            let mut known: Vec<_> = all().map(|value| value.name).collect();
+            known.sort_by_key(|known| strsim::damerau_levenshtein(&known.to_lowercase(), &sought));
+            let (count, nearest) = (known.len(), known[..NEAREST.min(known.len())].join(", "));
+            format!(
+                "no value is called `{}`: there are {count}, most like it {nearest}; `assets/lessons/README.md` lists all",
+                tell::excerpt(self.name)
+            )
         })
     }
 }
@@ -139,6 +148,7 @@ impl Lesson {
                 self.fill_all(&mut options.texts, &after)?;
             }
             step.explanation = self.filled(&step.explanation, &after)?;
+            step.teaching = self.filled(&step.teaching, &after)?;
         }
         let last = self.state(self.steps.len().saturating_sub(1), true, &usual)?;
         lesson.sentence = self.filled(&self.sentence, &last)?;

@@ -21,7 +21,7 @@ const OPEN: [Entry; 2] = [
     ("Own data…", Command::Choose(Purpose::OpenData), "Fits measured disparities, as CSV."),
 ];
 
-const SAVE: [Entry; 7] = [
+const SAVE: [Entry; 10] = [
     ("Save picture…", save(Product::Picture), "The views as they are, as PNG. It remembers its state."),
     ("Save plots as SVG…", save(Product::PlotsSvg), "What the shown tab plots, as a drawing."),
     ("Save plots as CSV…", save(Product::PlotsCsv), "What the shown tab plots, as a table."),
@@ -36,6 +36,21 @@ const SAVE: [Entry; 7] = [
         "Report of the lesson…",
         save(Product::Report),
         "What was predicted and seen in each step, as a page to keep or to print.",
+    ),
+    (
+        "Worksheet of the lesson…",
+        save(Product::Worksheet),
+        "The questions with room for answers, as a page to print.",
+    ),
+    (
+        "Lab of the lesson…",
+        save(Product::LabSheet),
+        "What is measured by hand, with its data, as a page to print.",
+    ),
+    (
+        "Teacher’s page of the lesson…",
+        save(Product::TeachersPage),
+        "Aim, minutes, what to say, and the answers, as a page to print.",
     ),
 ];
 
@@ -106,6 +121,13 @@ fn obstacle(state: &State, command: &Command) -> Option<&'static str> {
         Product::PlotsSvg if tab == PlotTab::Accuracy => Some("This tab is a table: save it as CSV."),
         Product::Fit if !is_plotted || tab != PlotTab::Fit => Some("It is made in the Fit tab."),
         Product::Report if state.course().is_none() => Some("No lesson is gone through."),
+        _ if product.sheet().is_some() => match state.course() {
+            None => Some("No lesson is gone through."),
+            Some(course) if *product == Product::LabSheet && course.lesson().lab.is_none() => {
+                Some("This lesson has no lab.")
+            }
+            Some(_) => None,
+        },
         _ => None,
     }
 }

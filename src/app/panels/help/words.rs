@@ -30,7 +30,7 @@ pub const WORDS: [(&str, &str); 15] = [
         "column and row of a point in a conformal picture; motion along the eyes' line takes η from u and keeps v",
     ),
     ("T₀", "the T at which both eyes see the point equally far, so that both receive the same event"),
-    ("presently abreast", "measured beside the eyes now, at x = 0; nobody sees it there yet"),
+    ("measured abreast", "beside the eyes now, at x = 0, by the ground’s clocks; nobody sees it there yet"),
     ("seen abreast", "seen beside the eyes, with D = 1/γ and 1/γ as long"),
     ("light cone", "all events whose light arrives at one place at one time. Each eye has its own"),
     ("as seen", "each point where it was when its light left"),

@@ -8,21 +8,36 @@ use crate::app::chooser::{Product, Purpose};
 use crate::app::command::Command;
 use crate::app::overlay::Overlay;
 use crate::app::panels::Asks;
-use crate::app::running::LessonCommand;
+use crate::app::running::{LessonCommand, Running};
 use crate::app::theme;
 use crate::lesson::{Course, Place, Score};
+
+/// The pages to print: the name of the button, the page, and what stands in it.
+const PAGES: [(&str, Product, &str); 4] = [
+    ("Report…", Product::Report, "What was predicted and seen in each step, as a page to keep or to print"),
+    ("Worksheet…", Product::Worksheet, "The questions with room for answers, as a page to print"),
+    ("Lab…", Product::LabSheet, "What is measured by hand, with its data, as a page to print"),
+    (
+        "Teacher’s page…",
+        Product::TeachersPage,
+        "Aim, minutes, what to say, and the answers, as a page to print",
+    ),
+];
 
 /// How much larger than other writing the sentence is.
 const LARGER: f32 = 1.4;
 
 /// Shows both, and where to go from here.
-pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, running: &Running, asks: &mut Asks) {
+    let course = &running.course;
     cards::quiet(ui, "In a sentence");
     sentence(ui, course);
     ui.add_space(cards::APART);
-    if let Some(told) = told(course.score()) {
-        ui.label(told);
-        ui.add_space(cards::APART);
+    if let Some(score) = &running.score {
+        let lines = told(score);
+        let are_any = !lines.is_empty();
+        lines.into_iter().for_each(|line| _ = ui.label(line));
+        ui.add_space(if are_any { cards::APART } else { 0.0 });
     }
     ui.horizontal_wrapped(|ui| {
         if ui.button("Again").on_hover_text("From its first step").clicked() {
@@ -32,9 +47,11 @@ pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
         if ui.button("Begin anew").on_hover_text(anew).clicked() {
             ask(asks, LessonCommand::BeginAnew);
         }
-        let report = "What was predicted and seen in each step, as a page to keep or to print";
-        if ui.button("Report…").on_hover_text(report).clicked() {
-            asks.push(Command::Choose(Purpose::Save(Product::Report)));
+        for (name, product, tip) in PAGES {
+            let is_there = product != Product::LabSheet || course.lesson().lab.is_some();
+            if is_there && ui.button(name).on_hover_text(tip).clicked() {
+                asks.push(Command::Choose(Purpose::Save(product)));
+            }
         }
         if ui.button("All lessons").clicked() {
             asks.push(Command::Toggle(Overlay::Start));
@@ -51,9 +68,10 @@ pub fn sentence(ui: &mut Ui, course: &Course) {
     });
 }
 
-/// How well it was predicted; nothing where nothing was asked.
-pub fn told(score: Score) -> Option<String> {
-    let Score { asked, right, skipped } = score;
-    let skipped = if skipped == 0 { String::new() } else { format!(", {skipped} skipped") };
-    (asked > 0).then(|| format!("Predicted: {right} of {asked} right{skipped}."))
+/// How well it was predicted, in lines; none where nothing was asked.
+pub fn told(score: &Score) -> Vec<String> {
+    let Score { asked, right, skipped, others } = score;
+    let skipped = if *skipped == 0 { String::new() } else { format!(", {skipped} skipped") };
+    let counted = (*asked > 0).then(|| format!("Predicted: {right} of {asked} right{skipped}."));
+    counted.into_iter().chain(others.iter().cloned()).collect()
 }

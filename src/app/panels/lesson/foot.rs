@@ -24,7 +24,7 @@ pub fn show(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
             if ui.add_enabled(can_go_back, back).on_hover_text("Key: PageUp").clicked() {
                 ask(asks, LessonCommand::Back);
             }
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| lead_on(ui, running, asks));
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| lead_on(ui, state, running, asks));
         });
         ui.horizontal(|ui| {
             if course.lesson().steps.iter().any(|step| {
@@ -43,7 +43,7 @@ pub fn show(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
     });
 }
 
-fn lead_on(ui: &mut Ui, running: &Running, asks: &mut Asks) {
+fn lead_on(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
     let course = &running.course;
     let [_, can_go_on] = course.can_go();
     if running.is_running() {
@@ -55,6 +55,9 @@ fn lead_on(ui: &mut Ui, running: &Running, asks: &mut Asks) {
         if main(ui, "Predict", is_told).clicked() {
             ask(asks, LessonCommand::Predict);
         }
+        if course.is_answered() {
+            return;
+        }
         let skip = Button::new("Skip").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false);
         if ui.add(skip).on_hover_text("Goes on without a prediction").clicked() {
             ask(asks, LessonCommand::Skip);
@@ -63,13 +66,45 @@ fn lead_on(ui: &mut Ui, running: &Running, asks: &mut Asks) {
         if main(ui, "Next", true).on_hover_text("Key: PageDown").clicked() {
             ask(asks, LessonCommand::Forward);
         }
-    } else if main(ui, "Close", true).clicked() {
-        ask(asks, LessonCommand::Close);
+    } else {
+        leave(ui, state, asks);
     }
     let is_a_state_alone = course.step().is_some() && !can_go_on;
     if is_a_state_alone && ui.button("All lessons").clicked() {
         asks.push(Command::Toggle(Overlay::Start));
     }
+}
+
+/// The ways out of a lesson that is over: to the next one, or to none.
+fn leave(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let next = state.lesson_after();
+    if let Some(next) = &next {
+        let begin = main(ui, &next_name(ui, &next.title), true);
+        if begin.on_hover_text(format!("Begins the next lesson: {}", next.title)).clicked() {
+            ask(asks, LessonCommand::Open(next.name.clone()));
+        }
+    }
+    let is_main = next.is_none();
+    let is_closed = if is_main {
+        main(ui, "Close", true).clicked()
+    } else {
+        ui.add(Button::new("Close").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false)).clicked()
+    };
+    if is_closed {
+        ask(asks, LessonCommand::Close);
+    }
+}
+
+/// *Next* with as much of the `title` as there is room for beside the quiet buttons.
+fn next_name(ui: &Ui, title: &str) -> String {
+    let size = eframe::egui::TextStyle::Body.resolve(ui.style()).size;
+    let room = ((ui.available_width() - 9.0 * size) / (0.52 * size)).max(0.0) as usize;
+    let name = format!("Next: {title}");
+    if name.chars().count() <= room {
+        return name;
+    }
+    let begin: String = name.chars().take(room.max(6) - 1).collect();
+    format!("{}…", begin.trim_end())
 }
 
 /// The button that leads on.

@@ -11,7 +11,7 @@ use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::markdown;
 use crate::figures;
-use crate::lesson::{Answer, Course, Kind, Number, Options, Prediction};
+use crate::lesson::{Answer, Confidence, Course, Kind, Number, Options, Prediction};
 
 /// Shows the form of `prediction`.
 pub fn show(ui: &mut Ui, state: &State, course: &Course, prediction: &Prediction, asks: &mut Asks) {
@@ -159,7 +159,7 @@ pub fn hint(ui: &mut Ui, state: &State, course: &Course) {
 
 /// How sure one is.
 pub fn confidence(ui: &mut Ui, course: &Course, asks: &mut Asks) {
-    if course.is_class() {
+    if course.counts_hands() {
         return;
     }
     ui.add_space(cards::APART);
@@ -167,15 +167,11 @@ pub fn confidence(ui: &mut Ui, course: &Course, asks: &mut Asks) {
         ui.spacing_mut().item_spacing.x = 3.0;
         ui.label(RichText::new("How sure?").weak());
         ui.add_space(4.0);
-        for level in 1..=5_u8 {
+        for level in Confidence::ALL {
             let is_chosen = course.confidence == Some(level);
-            let tip = match level {
-                1 => "guessed",
-                5 => "certain",
-                _ => "in between",
-            };
-            let button = ui.selectable_label(is_chosen, format!(" {level} ")).on_hover_text(tip);
-            if button.accessible_name(format!("Sure: {level} of 5")).clicked() {
+            let name = level.name();
+            let button = ui.selectable_label(is_chosen, format!(" {name} "));
+            if button.accessible_name(format!("How sure: {name}")).clicked() {
                 ask(asks, LessonCommand::Confidence(Some(level).filter(|_| !is_chosen)));
             }
         }

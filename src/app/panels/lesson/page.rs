@@ -12,7 +12,7 @@ use crate::lesson::{Course, Phase, Step, Text};
 /// Shows the page of the present place.
 pub fn show(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
     let course = &running.course;
-    let Some(step) = course.step() else { return end::show(ui, course, asks) };
+    let Some(step) = course.step() else { return end::show(ui, running, asks) };
     ui.spacing_mut().item_spacing.y = 6.0;
     if step.title != course.lesson().title {
         ui.label(RichText::new(&step.title).heading().strong());
@@ -30,11 +30,10 @@ fn asked(ui: &mut Ui, state: &State, course: &Course, step: &Step, asks: &mut As
     let Some(prediction) = &step.prediction else { return };
     apart(ui, !step.text.is_empty());
     cards::question(ui, &prediction.question);
-    if course.asked().is_some() {
-        form::show(ui, state, course, prediction, asks);
-        form::confidence(ui, course, asks);
-    } else {
-        shown::said(ui, state, step, course);
+    form::show(ui, state, course, prediction, asks);
+    form::confidence(ui, course, asks);
+    if course.is_answered() {
+        cards::quiet(ui, "This is what you said. You can change it.");
     }
 }
 
@@ -46,14 +45,15 @@ fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &m
         }
         return;
     }
-    if let Some(prediction) = &step.prediction {
+    // What was seen comes first: with the truth beside it, that question would only be copied from.
+    if let Some(observation) = &step.observation {
         apart(ui, has_text);
+        observed::show(ui, state, &running.course, observation, asks);
+    }
+    if let Some(prediction) = step.prediction.as_ref().filter(|_| running.course.tells_truth()) {
+        apart(ui, step.observation.is_some() || has_text);
         cards::question(ui, &prediction.question);
         shown::compared(ui, state, step, &running.course);
-    }
-    if let Some(observation) = &step.observation {
-        apart(ui, step.prediction.is_some() || has_text);
-        observed::show(ui, state, &running.course, observation, asks);
     }
 }
 
@@ -82,5 +82,6 @@ pub fn what_is_shown(running: &Running) -> String {
     let course = &running.course;
     let (lesson, place, record) = (course.lesson(), course.place(), course.record());
     let is_running = running.is_running();
-    format!("{} {place:?} {record:?} {} {is_running} {:?}", lesson.name, course.is_class(), course.step())
+    let (is_class, tells_truth) = (course.counts_hands(), course.tells_truth());
+    format!("{} {place:?} {record:?} {is_class} {tells_truth} {is_running} {:?}", lesson.name, course.step())
 }

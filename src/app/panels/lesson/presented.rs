@@ -38,11 +38,8 @@ fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut 
         (Phase::Ask, Some(prediction)) => {
             page::text(ui, &step.text);
             cards::question(ui, &prediction.question);
-            if course.asked().is_none() {
-                shown::said(ui, state, step, course);
-                return;
-            }
             match &prediction.kind {
+                Kind::Number(_) if course.is_answered() => shown::said(ui, state, step, course),
                 Kind::Number(_) => {}
                 _ => form::show(ui, state, course, prediction, asks),
             }
@@ -56,7 +53,7 @@ fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut 
 /// Part of the window's width from which on the words have two columns.
 const TWO_COLUMNS: f32 = 0.8;
 
-/// What is so, and what was seen: beside it where there is the width.
+/// The words of the reveal, and what was seen: beside them where there is the width. The truth is told once that is answered.
 fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut Asks) {
     let observation = step.observation.as_ref().filter(|_| !running.is_running());
     let is_wide = ui.available_width() > TWO_COLUMNS * ui.ctx().content_rect().width();
@@ -74,7 +71,8 @@ fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &m
 }
 
 fn compared(ui: &mut Ui, state: &State, running: &Running, step: &Step) {
-    if let Some(prediction) = step.prediction.as_ref().filter(|_| !running.is_running()) {
+    let tells_truth = !running.is_running() && running.course.tells_truth();
+    if let Some(prediction) = step.prediction.as_ref().filter(|_| tells_truth) {
         cards::question(ui, &prediction.question);
         shown::compared(ui, state, step, &running.course);
     }

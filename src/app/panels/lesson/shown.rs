@@ -12,7 +12,7 @@ use crate::lesson::{Answer, Course, Kind, Options, Step, verdict};
 pub fn said(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
     let told = course.record().and_then(|record| verdict(step, record, &state.sight()));
     match (kind(step), answer(course)) {
-        (_, None) => cards::quiet(ui, "You left this out."),
+        (_, None) => cards::quiet(ui, "Skipped."),
         (Some(Kind::Choice(options)), Some(Answer::Votes(votes))) => bars(ui, options, votes, None),
         (Some(Kind::Choice(options)), Some(Answer::Choice(choice))) => {
             cards::quiet(ui, "You said");
@@ -36,7 +36,7 @@ pub fn compared(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
             cards::told(ui, &options.texts[options.right], true);
         }
         (Some(Kind::Choice(options)), answer) => {
-            cards::quiet(ui, if answer.is_some() { "You said, and it is" } else { "It is" });
+            cards::quiet(ui, if answer.is_some() { "You said, rightly," } else { "It is" });
             cards::told(ui, &options.texts[options.right], true);
         }
         (Some(kind), answer) => {

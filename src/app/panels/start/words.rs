@@ -19,7 +19,7 @@ pub const OWN: &str = "A lesson is a text file. Write one of your own, and drop 
 /// How many `lessons` there are, and how long they take together.
 pub fn extent(lessons: &[&Arc<Lesson>]) -> String {
     let minutes: u32 = lessons.iter().map(|lesson| lesson.minutes).sum();
-    format!("{} of them, {minutes} minutes together. Later ones build on earlier ones.", lessons.len())
+    format!("{} lessons, {minutes} minutes in all. Later ones build on earlier ones.", lessons.len())
 }
 
 /// What `lesson` serves, and how long it takes.

@@ -62,7 +62,7 @@ fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: 
     let place = |picture| instant.place(&point.track, picture);
     let seen = place(Picture::Seen(0)).zip(place(Picture::Seen(1))).map(|(left, right)| 0.5 * (left + right));
     let words = [
-        (place(Picture::Measured), "presently abreast", theme::measured_colour(ui.visuals())),
+        (place(Picture::Measured), "measured abreast", theme::measured_colour(ui.visuals())),
         (seen, "seen abreast", theme::equidistance_colour(ui.visuals())),
     ];
     for (at, text, colour) in words {

@@ -1,0 +1,51 @@
+//! The sheet of answers: what is right in each step, what is then shown, and why.
+
+use super::common::{choices, head, picture_beside, truth};
+use super::lab;
+use crate::files::html::{Page, escaped};
+use crate::lesson::plan::{Choices, Lesson, Prediction, Step};
+use crate::settings::Settings;
+
+/// Adds it.
+pub fn write(page: &mut Page, lesson: &Lesson) -> anyhow::Result<()> {
+    head(page, lesson, "Answers: ");
+    if !lesson.is_a_preset() {
+        page.text(&lesson.introduction.markdown)?;
+    }
+    for (number, told) in lesson.steps.iter().enumerate() {
+        page.html(&format!(
+            "<div class=\"question opening\">\n<h2>{}. {}</h2>\n",
+            number + 1,
+            escaped(&told.title)
+        ));
+        let settings = lesson.settings(number, true, &Settings::default())?;
+        picture_beside(page, &settings, &told.title)?;
+        step(page, told, &settings)?;
+        page.html("</div>\n");
+        page.text(&told.explanation.markdown)?;
+    }
+    if !lesson.sentence.is_empty() {
+        page.html("<h2>In a sentence</h2>\n");
+        page.text(&lesson.sentence.markdown)?;
+    }
+    if let Some(done) = &lesson.lab {
+        lab::answers(page, lesson, done)?;
+    }
+    Ok(())
+}
+
+/// Adds the questions of a step with their answers, revealed in `settings`.
+pub fn step(page: &mut Page, step: &Step, settings: &Settings) -> anyhow::Result<()> {
+    if let Some(Prediction { question, kind }) = &step.prediction {
+        page.text(&question.markdown)?;
+        truth(page, kind, settings)?;
+    }
+    if let Some(reveal) = &step.reveal {
+        page.text(&reveal.text.markdown)?;
+    }
+    if let Some(Choices { question, options }) = &step.observation {
+        page.text(&question.markdown)?;
+        choices(page, options, Some(options.right))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,45 @@
+//! A lesson on paper: the pupils' sheet, its answers, the lab and the teacher's page.
+
+mod answers;
+mod common;
+mod lab;
+mod pupil;
+mod teacher;
+
+use super::plan::Lesson;
+use crate::files::html::{Page, Style};
+
+/// A kind of sheet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Sheet {
+    /// Questions, with room for answers.
+    Questions,
+    /// The answers to these.
+    Answers,
+    /// The task of the lab, with its data.
+    Lab,
+    /// The plan and the answers, for whoever teaches.
+    Teacher,
+}
+
+/// The page of this kind of `lesson`, which is worked out.
+///
+/// # Errors
+/// A lab where there is none, those of the renderer, and of what is fitted in the lab.
+pub fn page(lesson: &Lesson, sheet: Sheet) -> anyhow::Result<String> {
+    let mut page = Page::new(&lesson.title, Style::Print);
+    page.html("<div class=\"sheet\">\n");
+    match sheet {
+        Sheet::Questions => pupil::write(&mut page, lesson)?,
+        Sheet::Answers => answers::write(&mut page, lesson)?,
+        Sheet::Teacher => teacher::write(&mut page, lesson)?,
+        Sheet::Lab => {
+            let Some(done) = &lesson.lab else {
+                anyhow::bail!("{}: this lesson has no lab: a heading `## Lab`", lesson.source_name);
+            };
+            lab::write(&mut page, lesson, done)?;
+        }
+    }
+    page.html("</div>\n");
+    Ok(page.finish())
+}

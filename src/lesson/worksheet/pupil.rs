@@ -1,0 +1,87 @@
+//! The sheet of a pupil, two pages at most: questions, and room for answers. It tells no answer, so that it can be read ahead.
+
+use super::common::{choices, head, name_and_date, picture_beside, plot};
+use crate::files::html::{Page, answer_lines, escaped};
+use crate::lesson::answer::Confidence;
+use crate::lesson::plan::{Choices, Kind, Lesson, Prediction, Step};
+use crate::settings::Settings;
+
+/// Lines for an explanation, and for a sentence to take away.
+const LINES: [usize; 2] = [2, 2];
+
+/// Adds it.
+pub fn write(page: &mut Page, lesson: &Lesson) -> anyhow::Result<()> {
+    name_and_date(page);
+    head(page, lesson, "");
+    if !lesson.is_a_preset() {
+        page.text(&lesson.introduction.markdown)?;
+    }
+    for number in 0..lesson.steps.len() {
+        step(page, lesson, number)?;
+    }
+    if !lesson.sentence.is_empty() {
+        page.html("<div class=\"question\">\n<h2>In a sentence</h2>\n");
+        page.html(&answer_lines(LINES[1]));
+        page.html("</div>\n");
+    }
+    Ok(())
+}
+
+fn step(page: &mut Page, lesson: &Lesson, number: usize) -> anyhow::Result<()> {
+    let Step { title, text, prediction, reveal, observation, explanation, .. } = &lesson.steps[number];
+    let shown = lesson.settings(number, false, &Settings::default())?;
+    page.html("<div class=\"question opening\">\n");
+    page.html(&format!("<h2>{}. {}</h2>\n", number + 1, escaped(title)));
+    if has_picture(lesson, number, &shown)? {
+        picture_beside(page, &shown, title)?;
+    }
+    page.text(&text.markdown)?;
+    if let Some(Prediction { question, kind }) = prediction {
+        page.html("<h3>Predict</h3>\n");
+        page.text(&question.markdown)?;
+        ask(page, kind, &shown)?;
+        let scale = Confidence::ALL.map(|level| format!("☐ {}", level.name())).join(" &ensp; ");
+        page.html(&format!("<p>How sure? &ensp; {scale}</p>\n"));
+    }
+    page.html("</div>\n");
+    if reveal.is_some() || observation.is_some() {
+        page.html("<div class=\"question\">\n<h3>See</h3>\n");
+        if reveal.is_some() {
+            page.html("<p>Reveal it in the window.</p>\n");
+        }
+        if let Some(Choices { question, options }) = observation {
+            page.text(&question.markdown)?;
+            choices(page, options, None)?;
+        }
+        page.html("</div>\n");
+    }
+    if !explanation.is_empty() {
+        page.html("<div class=\"question\">\n<h3>Explain</h3>\n");
+        page.html(&answer_lines(LINES[0]));
+        page.html("</div>\n");
+    }
+    Ok(())
+}
+
+/// Whether a step has a picture: where a place is to be marked, and where a scene is new. The first picture of a scene that
+/// was there before is often the reveal of the step before, and would answer its question.
+fn has_picture(lesson: &Lesson, number: usize, shown: &Settings) -> anyhow::Result<bool> {
+    let kind = lesson.steps[number].prediction.as_ref().map(|prediction| &prediction.kind);
+    let Some(before) = number.checked_sub(1) else { return Ok(true) };
+    let is_new = lesson.settings(before, true, &Settings::default())?.scene != shown.scene;
+    Ok(is_new || matches!(kind, Some(Kind::Point(_))))
+}
+
+fn ask(page: &mut Page, kind: &Kind, settings: &Settings) -> anyhow::Result<()> {
+    match kind {
+        Kind::Choice(options) => choices(page, options, None)?,
+        Kind::Number(number) => {
+            page.html(&format!("<p>____________ {}</p>\n", escaped(&number.unit)));
+        }
+        Kind::Point(_) => page.html("<p>Mark the place with a cross in the left picture.</p>\n"),
+        Kind::Curve(curve) => {
+            page.html(&format!("<figure class=\"plot\">\n{}</figure>\n", plot(curve, settings, false)?));
+        }
+    }
+    Ok(())
+}
