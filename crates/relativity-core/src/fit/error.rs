@@ -79,8 +79,8 @@ pub enum FitError {
     },
     /// The data do not tell parameters apart.
     #[error(
-        "the data cannot tell {parameter} from {partner}: {parameter} = {value:.3e} +- {standard_error:.1e}, \
-         correlation {correlation:.6}"
+        "the data cannot tell {parameter} from {partner}: {parameter} = {value:.3e} {}, correlation {correlation:.6}",
+        spread(*.standard_error)
     )]
     Indistinguishable {
         /// The parameter that is least determined.
@@ -117,6 +117,15 @@ pub enum FitError {
     },
 }
 
+/// A standard error in words; where it is infinite there is no number to give.
+fn spread(standard_error: f64) -> String {
+    if standard_error.is_finite() {
+        format!("+- {standard_error:.1e}")
+    } else {
+        "or anything else".to_owned()
+    }
+}
+
 /// Why the search for a minimum ended without one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum NotConverged {
@@ -132,4 +141,22 @@ pub enum NotConverged {
     /// The search came to an object whose disparities are not finite.
     #[error("the search leads to objects whose disparities are not finite")]
     NotFinite,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_infinite_standard_error_is_said_in_words() {
+        let told = |standard_error| {
+            let (parameter, value, partner, correlation) = ("z", -118.7, "beta", 1.0);
+            let error =
+                FitError::Indistinguishable { parameter, value, standard_error, partner, correlation };
+            error.to_string()
+        };
+        let begin = "the data cannot tell z from beta: z = -1.187e2 ";
+        assert_eq!(told(2000.0), format!("{begin}+- 2.0e3, correlation 1.000000"));
+        assert_eq!(told(f64::INFINITY), format!("{begin}or anything else, correlation 1.000000"));
+    }
 }
