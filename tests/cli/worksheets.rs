@@ -245,7 +245,9 @@ fn a_hostile_lesson_makes_a_harmless_page() {
             run(&mut command, b"").text();
             read(&path)
         });
-    pages.iter().for_each(|page| assert_is_harmless(page));
+    for page in &pages {
+        assert_is_harmless(page);
+    }
 }
 
 fn assert_is_harmless(page: &str) {

@@ -36,7 +36,9 @@ pub fn show(ui: &mut Ui, running: &Running, asks: &mut Asks) {
     if let Some(score) = &running.score {
         let lines = told(score);
         let are_any = !lines.is_empty();
-        lines.into_iter().for_each(|line| _ = ui.label(line));
+        for line in lines {
+            ui.label(line);
+        }
         ui.add_space(if are_any { cards::APART } else { 0.0 });
     }
     ui.horizontal_wrapped(|ui| {
