@@ -164,8 +164,8 @@ fn keys_text(keys: KeyboardShortcut) -> String {
     format!("{held}{name}")
 }
 
-/// What the keys pressed since the last frame ask for, but for those that the widget with the keyboard takes. Digits answer the
-/// lesson where it has choices.
+/// Returns the commands of the keys pressed since the last frame, except keys that the focused widget takes.
+/// Digits answer the lesson while it shows choices.
 pub fn asked(ctx: &Context, state: &State) -> Vec<Command> {
     let is_copying_text = ctx.plugin::<LabelSelectionState>().lock().has_selection();
     let is_meant =

@@ -1,10 +1,10 @@
-//! Whether the pointer is in use: what is under it is told while it moves and a little longer, not where it was forgotten.
+//! Use of the pointer: hover labels appear while it moves and for a few seconds after, not where it was forgotten.
 
 use eframe::egui::{Context, Event, Id, Pos2};
 
 /// For how long after its last movement the pointer is in use, seconds.
 const AFTER: f32 = 3.0;
-/// How far the pointer may move before what was clicked is left, points.
+/// Distance that the pointer may move before a label opened by a click closes, points.
 const NEAR: f32 = 12.0;
 
 /// Time of the last key, seconds, and where a click has opened what is under the pointer since then.
@@ -34,7 +34,8 @@ fn seen(ctx: &Context) -> Seen {
     seen
 }
 
-/// Returns whether it is less than so many `seconds` since this was first asked of `what`. A frame is shown when that ends.
+/// Returns whether fewer than `seconds` have passed since the first call for `what`. Requests a repaint for when
+/// they have.
 #[must_use]
 pub fn is_new(ctx: &Context, what: &'static str, seconds: f64) -> bool {
     let now = ctx.input(|input| input.time);
@@ -46,8 +47,7 @@ pub fn is_new(ctx: &Context, what: &'static str, seconds: f64) -> bool {
     is_new
 }
 
-/// Returns whether a click has opened what is under the pointer: it is told at length until the pointer moves on or a key is
-/// pressed.
+/// Returns whether a click has opened the full hover label, until the pointer moves on or a key is pressed.
 #[must_use]
 pub fn is_opened(ctx: &Context) -> bool {
     seen(ctx).opened.is_some()

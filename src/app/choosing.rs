@@ -175,8 +175,8 @@ fn within(width: u32, size: [u32; 2]) -> [u32; 2] {
     size.map(|side| ((f64::from(side) * factor).round() as u32).max(1))
 }
 
-/// What is typed as a path, `~/` being the user's own folder. A whole path that is typed behind the folder that stands there
-/// begins anew: `/home/me//tmp/a.csv` is `/tmp/a.csv`.
+/// Parses a typed path, in which `~/` is the home folder. A full path typed behind the prefilled folder starts
+/// afresh: `/home/me//tmp/a.csv` is `/tmp/a.csv`.
 fn typed_path(text: &str) -> Result<PathBuf, String> {
     let text = text.trim();
     let again = ["//", "/~/"].into_iter().filter_map(|begin| text.rfind(begin)).max();

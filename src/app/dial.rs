@@ -22,7 +22,7 @@ const RADII: [f32; 2] = [9.5, 20.0];
 const RADIUS_SHARE: f32 = 0.035;
 /// From the middle of the marker to the nearest of the rim, points.
 const AWAY: f32 = 15.0;
-/// What stays free below the resting clock: its count and a line of the view's own stand there.
+/// Room below the resting clock for its count and a line of the view's own, points.
 const BELOW_RESTING: f32 = 56.0;
 /// What stays free between the dial and the edge of the view.
 const MARGIN: f32 = 2.0;
@@ -39,7 +39,7 @@ pub struct Dial {
 }
 
 impl Dial {
-    /// One that shows `time`, and counts nothing.
+    /// Returns a dial that shows `time`, without a count of turns.
     fn showing(time: f64, period: f64) -> Self {
         Self { turn: (time / period).rem_euclid(1.0), period, count: None }
     }
@@ -116,7 +116,7 @@ impl State {
     }
 }
 
-/// How a dial beside a marker is drawn.
+/// The place and colour of a dial beside a marker.
 #[derive(Debug, Clone, Copy)]
 pub struct Drawn {
     /// Where the marker is that it stands beside.
@@ -148,14 +148,14 @@ pub fn show_resting(ui: &Ui, state: &State, eye: Eye, view: Rect) {
     paint(ui, dial, Face { centre, radius, view, colour }, &name, TIP.to_owned());
 }
 
-/// A dial's face.
+/// The face of a dial.
 #[derive(Debug, Clone, Copy)]
 struct Face {
     centre: Pos2,
     radius: f32,
-    /// The view that it stands in.
+    /// The view that contains the dial.
     view: Rect,
-    /// Of its rim.
+    /// Colour of the dial's rim.
     colour: Color32,
 }
 

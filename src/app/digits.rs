@@ -1,4 +1,4 @@
-//! The digits on the keyboard while a lesson has choices on screen: they answer there, or are the counts of hands.
+//! Digit keys while a lesson shows choices: they pick an answer, or are typed into the fields for votes.
 
 use eframe::egui::{Event, Key};
 
@@ -20,7 +20,7 @@ fn pressed(event: &Event) -> Option<(Key, usize)> {
     number.filter(|_| is_alone).map(|number| (*key, number))
 }
 
-/// Returns whether `event` presses a digit that is a part of a count of hands: their fields take it.
+/// Returns whether `event` presses a digit of a count of votes, which is left to its field.
 #[must_use]
 pub fn counts(state: &State, event: &Event) -> bool {
     pressed(event).is_some() && state.course().is_some_and(crate::lesson::Course::counts_hands)

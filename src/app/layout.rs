@@ -227,18 +227,18 @@ impl LessonPart {
     }
 }
 
-/// What is shown to an audience: the views, and below them words beside a plot, the map or a fit.
+/// The layout for an audience: the views, and below them words beside a plot, the map or a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Presentation {
     /// The views.
     pub panes: Vec<Pane>,
     /// The words; none where the picture needs the whole screen.
     pub words: Option<Rect>,
-    /// One plot, the map, or the fit with its residuals and its table.
+    /// Room for the plot, the map, or the fit with its residuals and its table.
     pub plot: Option<Rect>,
 }
 
-/// What stands beside the words before an audience.
+/// The panel beside the words for an audience.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Beside {
     /// Nothing: they have all the room.
@@ -252,7 +252,7 @@ pub enum Beside {
 }
 
 impl Beside {
-    /// How much of the width the words take.
+    /// Returns the share of the width that the words take.
     const fn words_width(self) -> f32 {
         match self {
             Self::Nothing => 1.0,
@@ -261,8 +261,8 @@ impl Beside {
         }
     }
 
-    /// Least and most of the height that the words, and what stands beside them, take from the views; and most where they
-    /// could not be read from the last row else.
+    /// Returns shares of the height for the words and the panel beside them: the least, the most, and the most for
+    /// words that could otherwise not be read from the last row.
     const fn heights(self) -> [f32; 3] {
         match self {
             Self::Nothing => [0.12, 0.62, 0.66],
@@ -273,8 +273,8 @@ impl Beside {
 }
 
 impl Presentation {
-    /// That in a window with this inner `area`, whose views are `arranged`. The words take as much of the height as they
-    /// `need`, as far as that is known, and the views the rest; an infinite need is that of words that are too small.
+    /// Lays out a window with this inner `area`, its views as `arranged`. The words take as much of the height as they
+    /// `need`, if that is known, and the views the rest; an infinite need means that the words are too small.
     #[must_use]
     pub fn of(area: Rect, arranged: &Arrangement, beside: Beside, need: Option<f32>) -> Self {
         if let Some(panes) = arranged.whole_screen(area) {
@@ -293,7 +293,7 @@ impl Presentation {
     }
 }
 
-/// What stays free around words in a part of this `height`.
+/// Returns the margin around words in a part of this `height`.
 fn around(height: f32) -> f32 {
     (1.5 * GAP).min(0.1 * height)
 }

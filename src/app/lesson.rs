@@ -67,7 +67,7 @@ impl State {
         }
     }
 
-    /// Shows what the file at `path`, that of the lesson, says by now: `lesson`.
+    /// Continues the running lesson as `lesson`, the new contents of its file at `path`.
     pub(super) fn renew_lesson(&mut self, lesson: &Lesson, path: &Path) {
         let Some(running) = &mut self.session.lesson else { return };
         match running.course.renewed(lesson) {

@@ -140,7 +140,7 @@ pub struct App {
     keeper: Option<Keeper>,
 }
 
-/// How much larger than usual writing is for an audience on the start page.
+/// Enlargement of the start page's text for an audience.
 const PRESENTED_START_SCALE: f32 = 1.6;
 /// What stays free around the bar, the controls and the readout, points.
 const INSET: egui::Vec2 = egui::vec2(theme::GAP, theme::GAP / 2.0);
@@ -250,7 +250,7 @@ impl App {
         self.reader.is_busy()
     }
 
-    /// Does what the user would have asked for; what a file has to be read for, once that is read.
+    /// Applies `command` as if the user had given it; a file that it needs is read first, in the background.
     pub fn ask(&mut self, command: Command) {
         if let Some(errand) = self.state.errand(&command) {
             self.state.session.chooser = None;
@@ -501,7 +501,7 @@ impl App {
         self.forget_composed(&layout.panes);
     }
 
-    /// What stands beside the words before an audience.
+    /// Returns the panel to show beside the words for an audience.
     fn beside_words(&self) -> Beside {
         let plot = if self.state.settings.plots.plot == PlotTab::Fit && self.state.sketched().is_none() {
             Beside::Fit
@@ -560,7 +560,7 @@ impl App {
         });
     }
 
-    /// Shows at `rect` what stands beside the words before an audience.
+    /// Shows the panel `beside` the words for an audience, at `rect`.
     fn beside(&mut self, ui: &mut Ui, beside: Beside, rect: Rect) {
         if beside == Beside::Map {
             self.panel(ui, "map", rect, panels::map::show_presented);

@@ -50,7 +50,7 @@ impl State {
         }
     }
 
-    /// Shows a file that was read. What is wrong with it is said, and all stays as it is.
+    /// Shows a file that was read. An error becomes a notice, and the picture stays as it is.
     pub(super) fn show_file(&mut self, file: ReadFile) {
         let ReadFile { path, purpose, contents } = file;
         if !self.still_shows(&path, purpose) {

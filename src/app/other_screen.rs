@@ -3,7 +3,7 @@
 /// The screen on which the projector's window opens.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Screen {
-    /// It is not open.
+    /// No screen, while the window is closed.
     #[default]
     NotChosen,
     /// There is no other one than the lecturer's.

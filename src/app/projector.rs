@@ -14,8 +14,8 @@ fn id() -> ViewportId {
     ViewportId::from_hash_of("projector")
 }
 
-/// How it opens: on all of the other `screen` if there is one; else to be moved to the projector's, and made as large as that
-/// by F11.
+/// Builds the projector's window: on the whole of the other `screen` if there is one; else for the lecturer to move
+/// to the projector and to enlarge with F11.
 fn window(screen: Screen) -> ViewportBuilder {
     let window = ViewportBuilder::default()
         .with_title("Gamow: views")
@@ -82,7 +82,7 @@ impl App {
         self.apply(ctx, asks.collect());
     }
 
-    /// Shows the views, and the words of a lesson with what stands beside them, in a window whose `ui` this is.
+    /// Shows the views, and a lesson's words with the panel beside them, in the window of this `ui`.
     fn show_projected(&mut self, ui: &mut Ui) {
         if self.projected.is_none() {
             self.projected = self.eyes.as_ref().map(EyePictures::another);
@@ -120,7 +120,7 @@ impl App {
         halo::paint(ui.ctx());
     }
 
-    /// Shows the words of the lesson and what stands beside them in the projector's window.
+    /// Shows the lesson's words and the panel beside them in the projector's window.
     fn show_projected_lesson(&mut self, ui: &mut Ui, words: Words<'_>, lesson: &Presentation) {
         let size = theme::BODY_SIZE * presented::scale(ui.ctx());
         ui.scope(|ui| {

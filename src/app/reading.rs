@@ -22,15 +22,15 @@ const GRACE: Duration = Duration::from_millis(300);
 /// The use that is made of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Use {
-    /// It is shown, whatever is in it.
+    /// The contents are shown, whatever their kind.
     Show,
     /// The measured disparities in it are fitted.
     Fit,
-    /// It has changed on disk, and is that of the scene that is shown,
+    /// The file of the scene that is shown has changed on disk.
     RenewScene,
-    /// that of the settings,
+    /// The file of the settings that are shown has changed on disk.
     RenewSettings,
-    /// or that of the lesson.
+    /// The file of the running lesson has changed on disk.
     RenewLesson,
 }
 
@@ -44,22 +44,22 @@ impl Use {
 /// A file to be read.
 #[derive(Debug, Clone)]
 pub struct Errand {
-    /// The file.
+    /// Path of the file to read.
     pub path: PathBuf,
     /// Why it is read.
     pub purpose: Use,
-    /// What the window shows: it holds for what the file does not say.
+    /// The window's present settings, which supply what the file leaves open.
     pub settings: Settings,
 }
 
 /// A file that was read, or could not be.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReadFile {
-    /// The file.
+    /// Path of the file read.
     pub path: PathBuf,
     /// Why it was read.
     pub purpose: Use,
-    /// What is in it, or one line that says what is wrong.
+    /// The contents, or a one-line error message.
     pub contents: Result<Contents, String>,
 }
 
@@ -70,25 +70,25 @@ pub enum Contents {
     Settings {
         /// The settings that it leads to.
         settings: Box<Settings>,
-        /// Their scene.
+        /// The scene of these settings.
         scene: Box<ReadyScene>,
         /// Whether the file is the scene's own.
         is_scene: bool,
     },
     /// The scene of the settings that are shown, and whether with what rests around it.
     Scene(Box<ReadyScene>, bool),
-    /// A lesson.
+    /// A lesson in Markdown.
     Lesson(Box<Lesson>),
-    /// Measured disparities.
+    /// A table of measured disparities.
     Data(DataFile),
 }
 
 /// A scene that is ready to be drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReadyScene {
-    /// It, at rest, as its file says.
+    /// The scene at rest, as its file describes it.
     pub scene: Scene,
-    /// It, ready to be drawn and picked from.
+    /// The scene prepared for drawing and picking.
     pub prepared: PreparedScene,
 }
 
@@ -172,7 +172,7 @@ struct Underway {
 }
 
 impl Reader {
-    /// One that announces each file that it has read by a repaint.
+    /// Creates a reader that requests a repaint after each file it has read.
     #[must_use]
     pub fn new(ctx: Context) -> Self {
         let (sender, read) = channel();
@@ -200,7 +200,7 @@ impl Reader {
         });
     }
 
-    /// The files that have been read since this was last asked, and are still wanted.
+    /// Takes the files read since the last call, except those no longer wanted.
     pub fn finished(&mut self) -> Vec<ReadFile> {
         let mut finished = Vec::new();
         for (number, file) in self.read.try_iter() {

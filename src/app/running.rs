@@ -54,7 +54,7 @@ pub struct Running {
     pub(super) run: Option<Run>,
     /// The settings that it has at its present place.
     pub(super) told: Option<Told>,
-    /// What became of the predictions, once the end is reached.
+    /// The score of the predictions, once the end is reached.
     pub score: Option<Score>,
 }
 

@@ -100,8 +100,8 @@ impl State {
     }
 }
 
-/// Where the pointer is in the view at `rect`, as long as what is under it is to be told: not while it drags or was forgotten,
-/// nor while T runs fast.
+/// Returns the pointer's position in the view at `rect` while its hover label may show: not during a drag, where it
+/// was forgotten, or while T runs fast.
 #[must_use]
 pub fn pointer(ui: &Ui, state: &State, rect: Rect) -> Option<Pos2> {
     let is_used = awake::is_moved(ui.ctx()) || awake::is_opened(ui.ctx());

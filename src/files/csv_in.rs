@@ -35,7 +35,7 @@ pub struct Rows<R> {
 }
 
 impl<R: Read> Rows<R> {
-    /// Of what `reader` gives, as far as its header, which says what separates the fields.
+    /// Reads `reader` as far as its header, which determines the field separator.
     ///
     /// # Errors
     ///

@@ -73,28 +73,28 @@ pub enum Outcome {
     Made {
         /// What.
         answer: Answer,
-        /// How sure, if that was said.
+        /// Confidence in the answer, if given.
         confidence: Option<Confidence>,
     },
 }
 
-/// How sure somebody is of a prediction.
+/// Degree of confidence in a prediction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(from = "u8", into = "u8")]
 pub enum Confidence {
-    /// It is a guess.
+    /// A guess, the lowest degree.
     Guess,
-    /// Somewhat.
+    /// Fairly sure, the middle degree.
     FairlySure,
-    /// It must be so.
+    /// Sure, the highest degree.
     Sure,
 }
 
 impl Confidence {
-    /// All of them, from the least.
+    /// The three degrees, lowest first.
     pub const ALL: [Self; 3] = [Self::Guess, Self::FairlySure, Self::Sure];
 
-    /// Its name, on its button and in a report.
+    /// Returns the degree's name on its button and in a report.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

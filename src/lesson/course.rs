@@ -16,7 +16,7 @@ pub struct Course {
     records: Vec<Record>,
     /// What is being entered for the present step.
     pub draft: Option<Answer>,
-    /// How sure of it.
+    /// Confidence in the draft, if chosen.
     pub confidence: Option<Confidence>,
     /// Whether hands are counted.
     is_class: bool,
@@ -125,7 +125,7 @@ impl Course {
         self.records.get(self.place.step)
     }
 
-    /// The prediction that is asked for now: that of the present step, before its reveal. Whoever comes back to it finds it
+    /// Returns the open prediction: that of the present step, before its reveal. Whoever comes back to it finds it
     /// open: skipped, it can be made; made, it can be changed.
     #[must_use]
     pub fn asked(&self) -> Option<&Prediction> {
@@ -155,14 +155,14 @@ impl Course {
         !matches!(self.place.phase, Phase::Ask)
     }
 
-    /// Whether the truth is told beside the prediction: after the reveal, once the question of what was seen is answered or
-    /// passed over.
+    /// Returns whether the truth is shown beside the prediction: after the reveal, once the question of what was
+    /// seen is answered or passed over.
     #[must_use]
     pub fn tells_truth(&self) -> bool {
         self.is_revealed() && !self.waits_for_observation()
     }
 
-    /// Whether the question of what was seen is open, with a truth to be told after it.
+    /// Returns whether the question of what was seen is open and the truth comes after it.
     fn waits_for_observation(&self) -> bool {
         let is_asked =
             self.step().is_some_and(|step| step.observation.is_some() && step.prediction.is_some());
@@ -298,7 +298,7 @@ impl Course {
         }
     }
 
-    /// Whether hands are counted for the prediction that is asked for. An answer from before is shown as it was given.
+    /// Returns whether the open prediction is answered by counting votes. An earlier answer keeps its own form.
     #[must_use]
     pub fn counts_hands(&self) -> bool {
         let counts = match &self.draft {

@@ -1,4 +1,4 @@
-//! How many of somebody's predictions were right, and by how much the others were off.
+//! The score of a course: the number of right predictions, and how far off the others were.
 
 use super::answer::{Answer, Outcome};
 use super::course::Course;
@@ -7,22 +7,22 @@ use super::truth::Sight;
 use super::verdict::{difference, verdict};
 use crate::settings::Settings;
 
-/// What became of the predictions of a lesson.
+/// Summary of a lesson's predictions.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Score {
-    /// Choices, numbers and places that were asked for, and made or skipped; and curves that were skipped.
+    /// Number of choices, numbers and places that were predicted, and of predictions that were skipped.
     pub asked: usize,
-    /// How many of these were right.
+    /// Number of right predictions among these.
     pub right: usize,
     /// How many were skipped.
     pub skipped: usize,
-    /// The predictions that such a count does not do justice to, a sentence each: curves, clicked places, counted hands.
+    /// Remarks, a sentence each, on predictions for which right or wrong is not enough: curves, clicked places, votes.
     pub others: Vec<String>,
 }
 
 impl Course {
-    /// How many of the predictions so far were right, in states in the place of what `base` says otherwise. Curves that were
-    /// drawn and hands that were counted are neither right nor wrong.
+    /// Sums up the predictions so far; each step's state falls back on `base`. Drawn curves and counted votes are
+    /// neither right nor wrong.
     #[must_use]
     pub fn score(&self, base: &Settings) -> Score {
         let mut score = Score::default();

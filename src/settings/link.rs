@@ -55,7 +55,7 @@ impl Settings {
         Ok(format!("{SCHEME}?{}", pairs.collect::<Vec<_>>().join("&")))
     }
 
-    /// These settings, with what `link` says in their stead.
+    /// Returns these settings, overridden by those in `link`.
     ///
     /// # Errors
     /// One line: a setting that does not exist, a value that it cannot have, or a scene that does not come with the program.

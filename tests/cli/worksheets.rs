@@ -113,7 +113,7 @@ fn a_worksheet_asks_and_holds_its_answers_back() {
     assert!(sheet.contains("class=\"answer-lines\"") && !answers.contains("class=\"answer-lines\""));
 }
 
-/// Nothing of the reveal, not even its numbers, stands on the sheet of a pupil, and no picture of it.
+/// A pupil's sheet has nothing of the reveal: no words, no numbers and no picture.
 #[test]
 fn a_worksheet_can_be_read_ahead() {
     let revealed = LESSON.replace("### Observe", "It was {contraction:.4}.\n\n### Observe").replace(

@@ -248,7 +248,7 @@ fn settings_survive() {
     assert_ne!(loaded, cyclist(0.9).settings);
 }
 
-/// What can be clicked, dragged or typed into, besides plots and views.
+/// Returns the labels of all that can be clicked, dragged or typed into, besides plots and views.
 fn controls(window: &Harness<'_, App>) -> Vec<String> {
     let is_control = |role: Role| {
         matches!(

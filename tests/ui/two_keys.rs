@@ -1,4 +1,4 @@
-//! What an audience is shown, whichever of the presenter's two keys is pressed when.
+//! The audience's window under any sequence of the presenter's two keys.
 
 use eframe::egui::{FontId, Key, Pos2, Rect, Vec2};
 use egui_kittest::Harness;
@@ -113,7 +113,7 @@ fn course<'a>(window: &'a Harness<'_, App>) -> &'a Course {
     window.state().state().course().expect("a lesson")
 }
 
-/// What is written, without the names of marks in the pictures.
+/// Returns the written words and their places, without the names of marks in the pictures.
 fn words(window: &Harness<'_, App>) -> Vec<(String, Rect)> {
     const MARKS: [&str; 4] = ["Clock of ", "Where the ", "Map, ", "seen abreast"];
     let mut words = named(window);
@@ -121,7 +121,7 @@ fn words(window: &Harness<'_, App>) -> Vec<(String, Rect)> {
     words
 }
 
-/// What the beginnings of the names are of which an audience must see one: the plot or the map that the step is about.
+/// Returns the beginning of the name that an audience must see: that of the plot or the map of the step.
 fn expected(state: &State) -> &'static [&'static str] {
     let window = state.shown_window();
     match state.sketched() {
@@ -158,7 +158,7 @@ fn texts(state: &State) -> Vec<String> {
     texts
 }
 
-/// The beginning of a text up to the first sign that is not written as it stands.
+/// Returns the text up to its first character of markup.
 fn beginning(text: &str) -> &str {
     let end = text.find(['$', '*', '_', '\n', '[', '`', '{', '\\']).unwrap_or(text.len());
     text[..end].trim()

@@ -8,7 +8,8 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-/// From one line to the next: this part of the shorter side of a picture, but no fewer pixels than can be told apart.
+/// Distance between lines, as a share of the shorter side of a picture, and the least in px, which keeps lines
+/// visibly apart.
 const PERIOD: f64 = 1.0 / 80.0;
 const LEAST_PERIOD_PX: f64 = 5.0;
 /// Width of a line over the period.

@@ -78,7 +78,7 @@ impl Light {
         }
     }
 
-    /// How a screen shows it at `doppler_factor`, on a surface that faces the light.
+    /// Returns the colour and the unseen share at `doppler_factor`, for a surface that faces the light.
     pub fn shown(self, appearance: &Appearance, doppler_factor: f64) -> Shown {
         self.shown_in_parts(appearance, doppler_factor, &[Part::OWN])
     }

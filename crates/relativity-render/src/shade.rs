@@ -36,7 +36,7 @@ pub struct Received {
     pub doppler_factor: f64,
     /// The motion of the surface through the street's daylight, if that lights it.
     pub facing: Option<Facing>,
-    /// Where it is seen in the picture, px.
+    /// Position in the picture, px.
     pub place: [f64; 2],
 }
 

@@ -11,7 +11,7 @@ const INFRARED_NM: f64 = 900.0;
 const ULTRAVIOLET_NM: f64 = 300.0;
 const RED_NM: f64 = 700.0;
 
-/// The sizes that are looked at.
+/// Widths of the pictures that are examined, px.
 fn widths(light: bool) -> [u32; 2] {
     if light { [300, 800] } else { [300, 2000] }
 }

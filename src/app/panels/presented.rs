@@ -18,7 +18,7 @@ pub const LEAST_SHARE: f32 = 0.03;
 const SIZES: [f32; 2] = [0.042, 0.018];
 /// Bounds of how much larger than usual writing is for an audience, for windows of any size.
 const SCALES: [f32; 2] = [0.8, 12.0];
-/// How much larger than the other words the speed is.
+/// Size of the speed, relative to the other words.
 const SPEED: f32 = 1.5;
 /// Height of the smallest writing in a window of this height that is less wide than high, in widths.
 const LEAST_ASPECT: f32 = 0.75;
@@ -29,7 +29,7 @@ const NEARLY: f32 = 0.92;
 /// Height of words, as far as it is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Known {
-    /// What they are, and in which window.
+    /// Hash of the words, the panel beside them and the window's size.
     key: u64,
     /// The height that they need; infinite if they would be too small.
     need: f32,
@@ -53,11 +53,11 @@ pub fn scale(ctx: &Context) -> f32 {
 /// Words, and where they are shown.
 #[derive(Debug, Clone, Copy)]
 pub struct Words<'a> {
-    /// What they are: others have another text here.
+    /// Identifier of the words, different for each text.
     pub what: &'a str,
-    /// All of the window.
+    /// Inner area of the whole window.
     pub area: Rect,
-    /// What stands beside them.
+    /// The panel beside them.
     pub beside: Beside,
 }
 

@@ -283,11 +283,11 @@ fn unseen(ui: &Ui, state: &State, pane: EyePane) -> Option<String> {
     caption::notice(&state.session.prepared.received_shares(&state.view(pane.eye, pane.size), &appearance))
 }
 
-/// What a newcomer is told in the views, and for how many seconds.
+/// The hint for newcomers in the views, and its duration in seconds.
 const HINT: &str = "Click a point to follow it.";
 const HINT_TIME: f64 = 12.0;
 
-/// What is told to a newcomer who has not clicked yet: for a while, and to no audience.
+/// Returns the hint for a newcomer who has not clicked yet: for a while, and never before an audience.
 fn newcomers_hint(ui: &Ui, state: &State) -> Option<String> {
     let is_told = state.session.hint && !state.session.stage.is_presented();
     (is_told && awake::is_new(ui.ctx(), HINT, HINT_TIME)).then(|| HINT.to_owned())

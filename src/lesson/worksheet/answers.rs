@@ -6,7 +6,7 @@ use crate::files::html::{Page, escaped};
 use crate::lesson::plan::{Choices, Lesson, Prediction, Step};
 use crate::settings::Settings;
 
-/// Adds it.
+/// Adds the answer sheet to `page`.
 pub fn write(page: &mut Page, lesson: &Lesson) -> anyhow::Result<()> {
     head(page, lesson, "Answers: ");
     if !lesson.is_a_preset() {

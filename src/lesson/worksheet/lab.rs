@@ -48,7 +48,7 @@ pub fn answers(page: &mut Page, lesson: &Lesson, lab: &Lab) -> anyhow::Result<()
     Ok(())
 }
 
-/// Whether the state of the lab says how readings are taken.
+/// Returns whether the lab's state sets how readings are taken.
 fn has_readings(settings: &Settings) -> bool {
     settings.fit != Settings::default().fit
 }
@@ -57,7 +57,8 @@ fn taken(settings: &Settings) -> anyhow::Result<Taken> {
     samples_of(settings, &settings.opened_scene()?).map_err(anyhow::Error::msg)
 }
 
-/// What a fit of the readings tells: the standard errors, and `with_answers` the values beside the true ones.
+/// Returns the expected result of a fit of the readings: standard errors, and `with_answers` the values beside the
+/// true ones.
 fn results(
     lesson: &Lesson,
     settings: &Settings,

@@ -1,4 +1,4 @@
-//! The sheet of a pupil, two pages at most: questions, and room for answers. It tells no answer, so that it can be read ahead.
+//! The pupil's sheet, two pages at most: questions and room for answers. No answers, so that it can be read ahead.
 
 use super::common::{choices, head, name_and_date, picture_beside, plot};
 use crate::files::html::{Page, answer_lines, escaped};
@@ -9,7 +9,7 @@ use crate::settings::Settings;
 /// Lines for an explanation, and for a sentence to take away.
 const LINES: [usize; 2] = [2, 2];
 
-/// Adds it.
+/// Adds the pupil's sheet to `page`.
 pub fn write(page: &mut Page, lesson: &Lesson) -> anyhow::Result<()> {
     name_and_date(page);
     head(page, lesson, "");

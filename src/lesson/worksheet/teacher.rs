@@ -8,7 +8,7 @@ use crate::files::html::{Page, escaped};
 use crate::lesson::plan::{Kind, Lesson, Options, Step};
 use crate::settings::Settings;
 
-/// Adds it.
+/// Adds the teacher's page to `page`.
 pub fn write(page: &mut Page, lesson: &Lesson) -> anyhow::Result<()> {
     head(page, lesson, "Teacher\u{2019}s page: ");
     page.text(&lesson.introduction.markdown)?;

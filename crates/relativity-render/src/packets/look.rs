@@ -21,7 +21,7 @@ pub struct Look<'a> {
     /// How each of the groups is seen.
     pub views: Vec<GroupView>,
     frames: Vec<Frame>,
-    /// How light that eyes do not see is drawn.
+    /// The hatch for light outside the visible range.
     pub hatch: Hatch,
     /// The number of the group among whose bodies the depths of all are told.
     reference: usize,

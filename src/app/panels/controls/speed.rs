@@ -15,7 +15,7 @@ const TIP: &str = "Speed of the scene in units of c.\nβ = v/c,   γ = 1/√(1 �
 /// A field in which the speed is typed: its parameter, symbol, name and tooltip.
 pub type Field = (SpeedParameter, &'static str, &'static str, &'static str);
 
-/// All of them.
+/// The fields for β, γ and η.
 pub const FIELDS: [Field; 3] = [
     (SpeedParameter::Beta, "β", "Beta, typed", "β = v/c, from 0 to below 1. Enter applies it."),
     (SpeedParameter::Gamma, "γ", "Gamma, typed", "γ = 1/√(1 − β²), from 1 to 1e30. Enter applies it."),
@@ -68,7 +68,7 @@ fn slider(
     slid.or(marked)
 }
 
-/// Speeds below the slider, each where the slider has it, to click if it `takes_clicks`.
+/// Shows marked speeds below the slider at its positions for them; returns one that is clicked, if it `takes_clicks`.
 fn marks(ui: &mut Ui, slider: Rect, takes_clicks: bool) -> Option<SpeedSetting> {
     const MARKS: [(f64, &str); 6] =
         [(0.0, "0"), (0.5, "0.5"), (0.9, "0.9"), (0.99, "0.99"), (0.999, "0.999"), (0.9999, "0.9999")];

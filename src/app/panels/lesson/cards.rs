@@ -103,7 +103,7 @@ pub fn text_behind(ui: &mut Ui, text: &Text, sign: Sign) {
     });
 }
 
-/// How much larger than other signs a letter with its ring is.
+/// Size of a letter with its ring, relative to other signs.
 const LETTER: f32 = 1.4;
 
 /// The letter of the choice with this number, from 0.

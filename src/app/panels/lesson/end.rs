@@ -12,7 +12,7 @@ use crate::app::running::{LessonCommand, Running};
 use crate::app::theme;
 use crate::lesson::{Course, Place, Score};
 
-/// The pages to print: the name of the button, the page, and what stands in it.
+/// The pages to print: each button's name, its page and its tooltip.
 const PAGES: [(&str, Product, &str); 4] = [
     ("Report…", Product::Report, "What was predicted and seen in each step, as a page to keep or to print"),
     ("Worksheet…", Product::Worksheet, "The questions with room for answers, as a page to print"),
@@ -70,7 +70,7 @@ pub fn sentence(ui: &mut Ui, course: &Course) {
     });
 }
 
-/// How well it was predicted, in lines; none where nothing was asked.
+/// Sums up the score in lines; none if nothing was predicted or skipped.
 pub fn told(score: &Score) -> Vec<String> {
     let Score { asked, right, skipped, others } = score;
     let skipped = if *skipped == 0 { String::new() } else { format!(", {skipped} skipped") };

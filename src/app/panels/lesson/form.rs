@@ -79,11 +79,11 @@ pub fn votes(ui: &mut Ui, state: &State, course: &Course, options: &Options, ask
     }
 }
 
-/// Most hands that are counted for one choice.
+/// Largest number of votes for one choice.
 const MOST_HANDS: u32 = 9999;
 
-/// The field in which the count of the hands for a choice is typed: a new one, if it changes. A digit that is typed while no
-/// field has the keyboard begins the first.
+/// Shows the field for the number of votes for a choice; returns a new number when it changes. A digit typed while no
+/// field has the keyboard focus goes to the first one.
 fn hands(ui: &mut Ui, course: &Course, number: usize, (count, name): (u32, &str), width: f32) -> Option<u32> {
     let id = Id::unique(("hands", &course.lesson().name, course.place().step, number));
     let types_digit = |event: &Event| matches!(event, Event::Text(text) if text.starts_with(|sign: char| sign.is_ascii_digit()));

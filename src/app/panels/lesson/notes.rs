@@ -1,4 +1,4 @@
-//! What a lecturer is told while the audience looks at the projector: the answer, the other answers, why, and the minutes left.
+//! The lecturer's notes while the audience looks at the projector: the answers, why, and the minutes left.
 
 use eframe::egui::{RichText, Ui};
 
@@ -45,7 +45,7 @@ fn answers(ui: &mut Ui, options: &Options) {
     }
 }
 
-/// How many of the lesson's minutes are left, if every step takes as long.
+/// Formats the minutes left of the lesson, with all steps taken as equally long.
 fn minutes_left(course: &Course) -> String {
     let (steps, minutes) = (course.lesson().steps.len().max(1), f64::from(course.lesson().minutes));
     let done = match course.place().phase {

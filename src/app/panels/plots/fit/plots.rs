@@ -16,7 +16,7 @@ const RESIDUALS_SHARE: f32 = 0.44;
 /// Room for the numbers of both plots: residuals have one digit more.
 const Y_AXIS_WIDTH: f32 = 54.0;
 const TITLE_HEIGHT: f32 = 20.0;
-/// What the lower plot of a curve is of.
+/// Heading of the lower plot of a curve.
 const RESIDUALS: &str = "residuals / rad";
 /// A plot less wide has no room for a caption.
 const NARROWEST_WITH_CAPTION: f32 = 240.0;
@@ -54,7 +54,7 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
 pub enum Half {
     /// The readings and the fit.
     Readings,
-    /// What the fit leaves over.
+    /// The residuals of the fit.
     Residuals,
 }
 

@@ -76,9 +76,9 @@ pub fn show_presented(ui: &mut Ui, fitting: &Fitting, length: Unit) {
 /// The columns of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Columns {
-    /// All of them.
+    /// Every column, with the interval.
     All,
-    /// All but the interval, for an audience.
+    /// No column for the interval, for an audience.
     Few,
 }
 
