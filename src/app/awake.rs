@@ -1,4 +1,4 @@
-//! Use of the pointer: hover labels appear while it moves and for a few seconds after, not where it was forgotten.
+//! Use of the pointer: hover labels appear while it moves and for a few seconds after, not where it rests unused.
 
 use eframe::egui::{Context, Event, Id, Pos2};
 

@@ -119,11 +119,11 @@ impl State {
 /// The place and colour of a dial beside a marker.
 #[derive(Debug, Clone, Copy)]
 pub struct Drawn {
-    /// Where the marker is that it stands beside.
+    /// Position of the marker beside the dial.
     pub marker: Pos2,
-    /// The view that it stands in.
+    /// The view that contains the dial.
     pub view: Rect,
-    /// Of its rim.
+    /// Colour of the dial's rim, and of the line from the marker.
     pub colour: Color32,
 }
 

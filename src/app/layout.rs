@@ -234,7 +234,7 @@ pub struct Presentation {
     pub panes: Vec<Pane>,
     /// The words; none where the picture needs the whole screen.
     pub words: Option<Rect>,
-    /// Room for the plot, the map, or the fit with its residuals and its table.
+    /// Room for the plot, the map, or the fit with its residuals and its table; none where it would be too small.
     pub plot: Option<Rect>,
 }
 

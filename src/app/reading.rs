@@ -48,7 +48,7 @@ pub struct Errand {
     pub path: PathBuf,
     /// Why it is read.
     pub purpose: Use,
-    /// The window's present settings, which supply what the file leaves open.
+    /// The window's present settings, which complete the contents of the file.
     pub settings: Settings,
 }
 

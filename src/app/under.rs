@@ -100,8 +100,8 @@ impl State {
     }
 }
 
-/// Returns the pointer's position in the view at `rect` while its hover label may show: not during a drag, where it
-/// was forgotten, or while T runs fast.
+/// Returns the pointer's position in the view at `rect` while its hover label may show: not during a drag, while the
+/// pointer is out of use, or while T runs fast.
 #[must_use]
 pub fn pointer(ui: &Ui, state: &State, rect: Rect) -> Option<Pos2> {
     let is_used = awake::is_moved(ui.ctx()) || awake::is_opened(ui.ctx());

@@ -113,7 +113,7 @@ fn a_worksheet_asks_and_holds_its_answers_back() {
     assert!(sheet.contains("class=\"answer-lines\"") && !answers.contains("class=\"answer-lines\""));
 }
 
-/// A pupil's sheet has nothing of the reveal: no words, no numbers and no picture.
+/// A pupil's sheet gives nothing of the reveal away: neither its numbers nor a picture.
 #[test]
 fn a_worksheet_can_be_read_ahead() {
     let revealed = LESSON.replace("### Observe", "It was {contraction:.4}.\n\n### Observe").replace(

@@ -54,8 +54,8 @@ fn place(window: &Harness<'_, App>, rest: [f64; 3], eye: usize) -> Pos2 {
     pane.min + vec2(u as f32, v as f32)
 }
 
-/// The hover label is one line after a move, until three seconds at rest or a key; after a click it is complete, until
-/// a key.
+/// The hover label has one line after a move, until three seconds at rest or a key press. After a click it has all,
+/// until a key press.
 fn a_forgotten_pointer() {
     let mut window = window(cyclist(0.9));
     let tyre = place(&window, ON_THE_TYRE, 0);

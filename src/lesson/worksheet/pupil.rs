@@ -1,4 +1,4 @@
-//! The pupil's sheet, two pages at most: questions and room for answers. No answers, so that it can be read ahead.
+//! The pupil's sheet, two pages at most: questions and room to answer, but no solutions: it can be read ahead.
 
 use super::common::{choices, head, name_and_date, picture_beside, plot};
 use crate::files::html::{Page, answer_lines, escaped};

@@ -76,9 +76,9 @@ pub fn show_presented(ui: &mut Ui, fitting: &Fitting, length: Unit) {
 /// The columns of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Columns {
-    /// Every column, with the interval.
+    /// Every column, the interval included.
     All,
-    /// No column for the interval, for an audience.
+    /// Every column but the interval, for an audience.
     Few,
 }
 
