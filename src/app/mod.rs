@@ -555,7 +555,7 @@ impl App {
         self.panel(ui, "words", rect, |ui, state, asks| {
             words.show(ui, |ui| match state.session.lesson {
                 Some(_) => panels::lesson::presented::show(ui, state, asks),
-                None => panels::presented::preset(ui, state),
+                None => panels::presented::preset(ui, state, words.beside),
             });
         });
     }

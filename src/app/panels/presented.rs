@@ -113,8 +113,9 @@ fn id(ctx: &Context) -> Id {
     Id::unique(("words for an audience", ctx.viewport_id()))
 }
 
-/// Shows the speed, the moment in a sentence, and what the preset shows and why.
-pub fn preset(ui: &mut Ui, state: &State) {
+/// Shows the speed, the moment in a sentence, and the caption of the preset. A fit is of the whole passage: beside it no moment
+/// is described, and the views keep that room.
+pub fn preset(ui: &mut Ui, state: &State, beside: Beside) {
     let size = TextStyle::Body.resolve(ui.style()).size;
     let speed = state.speed();
     let beta = figures::beta(&speed);
@@ -125,9 +126,11 @@ pub fn preset(ui: &mut Ui, state: &State) {
     let strong = ui.visuals().strong_text_color();
     let write = |ui: &mut Ui, text: RichText| ui.add(Label::new(text).selectable(false));
     write(ui, RichText::new(text).size(SPEED * size).color(strong));
-    // A number is not parted from its unit, nor from what it is the value of.
-    let sentence = state.moment().sentence().replace(" nm", "\u{a0}nm").replace(" = ", "\u{a0}=\u{a0}");
-    write(ui, RichText::new(sentence).color(strong));
+    if beside != Beside::Fit {
+        // A number is not parted from its unit, nor from what it is the value of.
+        let sentence = state.moment().sentence().replace(" nm", "\u{a0}nm").replace(" = ", "\u{a0}=\u{a0}");
+        write(ui, RichText::new(sentence).color(strong));
+    }
     if let Some(preset) = state.session.preset {
         write(ui, RichText::new(format!("{}. {}", preset.title, preset.caption)));
     }
