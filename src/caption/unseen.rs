@@ -1,4 +1,4 @@
-//! Why a part of a picture is dark.
+//! The note in a picture on light that eyes do not see.
 
 use relativity_render::received::Shares;
 use relativity_render::spectrum::Band;
@@ -8,9 +8,10 @@ const SUBSTANTIAL: f64 = 0.03;
 /// From this part on it is all of it.
 const ALL: f64 = 0.97;
 
-/// What a picture says of light outside the visible in it, from the shares of its groups; `None` where there is little.
+/// Returns what a picture says of light outside the visible in it, from the shares of its groups, where that is drawn
+/// hatched or else black; `None` where there is little.
 #[must_use]
-pub fn notice(groups: &[Shares]) -> Option<String> {
+pub fn notice(groups: &[Shares], is_hatched: bool) -> Option<String> {
     let shown: Vec<&Shares> =
         groups.iter().filter(|shares| shares.iter().any(|share| *share > 0.0)).collect();
     let any = |band: Band, part: f64| shown.iter().any(|shares| shares[band as usize] >= part);
@@ -20,7 +21,8 @@ pub fn notice(groups: &[Shares]) -> Option<String> {
         return Some(format!("received as {}: eyes see nothing", band.name()));
     }
     let names: Vec<_> = unseen.into_iter().filter(|band| any(*band, SUBSTANTIAL)).map(Band::name).collect();
-    (!names.is_empty()).then(|| format!("dark parts are {}: eyes see nothing there", names.join(" and ")))
+    let drawn = if is_hatched { "hatched" } else { "black" };
+    (!names.is_empty()).then(|| format!("{drawn} parts are {}: eyes see nothing there", names.join(" and ")))
 }
 
 #[cfg(test)]
@@ -28,22 +30,24 @@ mod tests {
     use super::*;
 
     #[test]
-    fn black_is_explained_and_nothing_else() {
-        let said = |groups: &[Shares]| notice(groups).unwrap_or_default();
+    fn unseen_light_is_explained_and_nothing_else() {
+        let said = |groups: &[Shares]| notice(groups, true).unwrap_or_default();
         assert_eq!(said(&[[1.0, 0.0, 0.0]]), "received as ultraviolet: eyes see nothing");
         assert_eq!(said(&[[0.0, 0.02, 0.98]]), "received as infrared: eyes see nothing");
-        assert_eq!(said(&[[0.5, 0.5, 0.0]]), "dark parts are ultraviolet: eyes see nothing there");
+        assert_eq!(said(&[[0.5, 0.5, 0.0]]), "hatched parts are ultraviolet: eyes see nothing there");
         assert_eq!(
             said(&[[0.4, 0.2, 0.4]]),
-            "dark parts are ultraviolet and infrared: eyes see nothing there"
+            "hatched parts are ultraviolet and infrared: eyes see nothing there"
         );
         // A street in sight, and a rider who is not.
         assert_eq!(
             said(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
-            "dark parts are ultraviolet: eyes see nothing there"
+            "hatched parts are ultraviolet: eyes see nothing there"
         );
         assert_eq!(said(&[[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]]), "");
         assert_eq!(said(&[[0.01, 0.99, 0.0]]), "");
         assert_eq!(said(&[]), "");
+        let black = notice(&[[0.5, 0.5, 0.0]], false);
+        assert_eq!(black.as_deref(), Some("black parts are ultraviolet: eyes see nothing there"));
     }
 }

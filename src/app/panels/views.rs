@@ -277,10 +277,11 @@ fn drawn_by(state: &State, eye: Eye, drawn: Method) -> Option<String> {
 /// Errors up to this are not told of in the picture, pixels.
 const UNSEEN_PX: f64 = 0.1;
 
-/// Why something in the picture is dark that shines.
+/// Returns the note on light that eyes do not see.
 fn unseen(ui: &Ui, state: &State, pane: EyePane) -> Option<String> {
     let appearance = state.appearance(!ui.visuals().dark_mode);
-    caption::notice(&state.session.prepared.received_shares(&state.view(pane.eye, pane.size), &appearance))
+    let shares = state.session.prepared.received_shares(&state.view(pane.eye, pane.size), &appearance);
+    caption::notice(&shares, state.settings.light.invisible)
 }
 
 /// The hint for newcomers in the views, and its duration in seconds.
