@@ -20,8 +20,8 @@ fn header_faults_are_named() {
     assert_complaint("\n\n", &format!("2: {no_header}"));
     assert_complaint("beta,d,z,T\n", &format!("1: column y is missing; {needed} beta, d, z, T"));
     assert_complaint(
-        "beta;d;y;z;T\n",
-        &format!("1: column beta, gamma or rapidity is missing; {needed} beta;d;y;z;T"),
+        "beta|d|y|z|T\n",
+        &format!("1: column beta, gamma or rapidity is missing; {needed} beta|d|y|z|T"),
     );
     assert_complaint("beta,d,y,z,t\n", &format!("1: column T is missing; {needed} beta, d, y, z, t"));
     assert_complaint(

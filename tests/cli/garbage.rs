@@ -101,6 +101,14 @@ fn garbage_is_evaluated_or_refused_in_one_line() {
     }
 }
 
+/// A file that a fuzzer damaged: in builds with their assertions its inflater ended the program.
+#[test]
+fn damaged_measurements_are_refused_in_one_line() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cli/damaged.exr");
+    let complaint = run(gamow().args(["measure", "--object", "0", file]), b"").complaint();
+    assert!(complaint.contains("damaged.exr: ") && complaint.contains("malformed"), "{complaint}");
+}
+
 #[test]
 fn every_edge_of_the_domain_gives_finite_numbers() {
     let mut garbage = Garbage(2020); // the year of the paper
