@@ -8,8 +8,7 @@ const RADIUS: f32 = 22.0;
 
 /// Draws it, above everything, while the pointer is in use.
 pub fn paint(ctx: &Context) {
-    let is_used = awake::is_moved(ctx);
-    let Some(pointer) = ctx.pointer_hover_pos().filter(|_| is_used) else { return };
+    let Some(pointer) = ctx.pointer_hover_pos().filter(|_| awake::is_moved(ctx)) else { return };
     let painter = ctx.layer_painter(LayerId::new(Order::Debug, Id::unique("halo")));
     painter.circle_filled(pointer, RADIUS, Color32::from_rgba_unmultiplied(0xF0, 0xE4, 0x42, 60));
     painter.circle_stroke(pointer, RADIUS, Stroke::new(4.0, Color32::from_black_alpha(130)));

@@ -104,9 +104,11 @@ impl State {
 /// pointer is out of use, or while T runs fast.
 #[must_use]
 pub fn pointer(ui: &Ui, state: &State, rect: Rect) -> Option<Pos2> {
+    // A pointer elsewhere has no label that a later frame would have to take away.
+    let pointer = ui.ctx().pointer_hover_pos().filter(|_| ui.rect_contains_pointer(rect))?;
     let is_used = awake::is_moved(ui.ctx()) || awake::is_opened(ui.ctx());
     let is_free = is_used && !ui.input(|input| input.pointer.any_down()) && state.is_legible();
-    ui.ctx().pointer_hover_pos().filter(|_| is_free && ui.rect_contains_pointer(rect))
+    is_free.then_some(pointer)
 }
 
 /// Writes what is `under` a `pointer` beside it, inside `view`: its name and D, and the rest once it was clicked. Assistive
