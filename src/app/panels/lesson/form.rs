@@ -85,7 +85,7 @@ const MOST_HANDS: u32 = 9999;
 /// Shows the field for the number of votes for a choice; returns a new number when it changes. A digit typed while no
 /// field has the keyboard focus goes to the first one.
 fn hands(ui: &mut Ui, course: &Course, number: usize, (count, name): (u32, &str), width: f32) -> Option<u32> {
-    let id = Id::unique(("hands", &course.lesson().name, course.place().step, number));
+    let id = Id::unique(("hands", ui.layer_id(), &course.lesson().name, course.place().step, number));
     let types_digit = |event: &Event| matches!(event, Event::Text(text) if text.starts_with(|sign: char| sign.is_ascii_digit()));
     if number == 0 && !ui.ctx().text_edit_focused() && ui.input(|input| input.events.iter().any(types_digit))
     {
@@ -103,7 +103,7 @@ fn hands(ui: &mut Ui, course: &Course, number: usize, (count, name): (u32, &str)
 
 /// The field in which a number is typed. Enter predicts it.
 pub fn number(ui: &mut Ui, course: &Course, asked: &Number, asks: &mut Asks) {
-    let id = Id::unique(("number predicted", &course.lesson().name, course.place().step));
+    let id = Id::unique(("number predicted", ui.layer_id(), &course.lesson().name, course.place().step));
     ui.horizontal(|ui| {
         let drafted = match course.draft {
             Some(Answer::Number(number)) => figures::shortest(number),
