@@ -175,8 +175,8 @@ fn paint(ui: &Ui, dial: Dial, Face { centre, radius, view, colour }: Face, name:
     let response = ui.interact(rect.intersect(view), ui.scope_id().with(name), Sense::hover());
     let count = dial.count.map(|count| figures::fixed(count, 2));
     let counted = count.as_ref().map_or_else(String::new, |count| format!(", {count} turns"));
-    response
-        .widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name}: {:.4}{counted}", dial.turn)));
+    let turn = dial.turn + 0.0; // no minus before 0
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name}: {turn:.4}{counted}")));
     if let Some(count) = count {
         let galley =
             painter.layout_no_wrap(count, TextStyle::Body.resolve(ui.style()), visuals.strong_text_color());

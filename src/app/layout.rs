@@ -267,7 +267,7 @@ impl Beside {
         match self {
             Self::Nothing => [0.12, 0.62, 0.66],
             Self::Plot | Self::Map => [0.38, 0.54, 0.66],
-            Self::Fit => [0.58, 0.62, 0.76],
+            Self::Fit => [0.64, 0.64, 0.76],
         }
     }
 }

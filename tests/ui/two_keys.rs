@@ -115,7 +115,7 @@ fn course<'a>(window: &'a Harness<'_, App>) -> &'a Course {
 
 /// Returns the written words and their places, without the names of marks in the pictures.
 fn words(window: &Harness<'_, App>) -> Vec<(String, Rect)> {
-    const MARKS: [&str; 4] = ["Clock of ", "Where the ", "Map, ", "seen abreast"];
+    const MARKS: [&str; 5] = ["Clock of ", "Clock beside you", "Where the ", "Map, ", "seen abreast"];
     let mut words = named(window);
     words.retain(|(text, rect)| rect.is_positive() && !MARKS.iter().any(|mark| text.starts_with(mark)));
     words
