@@ -19,7 +19,7 @@ use gamow::flags::words::words;
 use gamow::settings::{Motion, Playback, PlotTab, Plots, Settings};
 
 use super::Test;
-use super::support::{cyclist, labels, type_into, window};
+use super::support::{cyclist, labels, type_into, wait_for_file, window};
 
 pub const TESTS: &[Test] = &[
     ("a_saved_picture_opens_as_the_state_that_it_shows", a_saved_picture_opens_as_its_state),
@@ -460,7 +460,9 @@ fn saved_plots_hold_the_numbers_of_the_core() {
         let mut then = state.clone();
         then.apply(Command::Time(row[0]));
         let both = then.disparity(state.session.points.selected()).expect("in the domain");
-        assert_eq!(row[1..], [both.dphi, both.dtheta]);
+        assert_eq!(row[1..3], [both.dphi, both.dtheta]);
+        // What `gamow fit` reads: T, the separation, and both disparities.
+        assert_eq!(row[3..], [row[0], state.settings.motion.d, both.dphi, both.dtheta]);
     }
 }
 
@@ -475,6 +477,7 @@ fn a_file_is_opened_by_its_path() {
     type_into(&mut window, "Path", folder.path().join("other.toml").to_str().expect("a plain path"));
     window.get_by_label(&format!("There is no file {}.", folder.path().join("other.toml").display()));
     type_into(&mut window, "Path", path.to_str().expect("a plain path"));
+    wait_for_file(&mut window);
     assert_eq!(window.state().state().settings.motion, first.state().state().settings.motion);
     assert!(window.query_by_label("Path").is_none());
     assert_eq!(FileKind::of(&path), None);

@@ -152,7 +152,10 @@ fn texts(state: &State) -> Vec<String> {
     let seen = step.observation.as_ref().map(|asked| asked.question.markdown.clone());
     match course.place().phase {
         Phase::Ask => texts.extend(question),
-        Phase::Shown if !is_running => texts.extend(question.into_iter().chain(seen)),
+        // The truth is told once it was asked what was seen.
+        Phase::Shown if !is_running => {
+            texts.extend(question.filter(|_| course.tells_truth()).into_iter().chain(seen))
+        }
         _ => {}
     }
     texts

@@ -205,7 +205,7 @@ fn put(ui: &Ui, response: &PlotResponse<()>, what: &str, block: &Block, drawn: &
     block.paint(&painter, place, ui.visuals().panel_fill.gamma_multiply(OPACITY));
     let words: Vec<&str> = block.rows.iter().map(|(row, _)| row.text.as_str()).collect();
     let name = format!("Legend of {what}: {}", words.join("; "));
-    let id = Id::unique(("legend", what));
+    let id = Id::unique(("legend", ui.layer_id(), what));
     let shown = ui.interact(place, id, Sense::empty());
     shown.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
 }

@@ -159,7 +159,7 @@ fn describe(ui: &Ui, response: &PlotResponse<()>, state: &State, sketched: Sketc
         let galley = ui.painter().layout(INVITATION.to_owned(), font, colour, frame.width());
         let place = Align2::CENTER_CENTER.align_size_within_rect(galley.size(), frame);
         ui.painter().galley(place.min, galley, colour);
-        let shown = ui.interact(place, Id::unique("invitation to draw"), Sense::empty());
+        let shown = ui.interact(place, Id::unique(("invitation to draw", ui.layer_id())), Sense::empty());
         shown.widget_info(|| WidgetInfo::labeled(Role::Label, true, INVITATION));
     }
 }
