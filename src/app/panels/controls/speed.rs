@@ -79,22 +79,21 @@ fn marks(ui: &mut Ui, slider: Rect, takes_clicks: bool) -> Option<SpeedSetting> 
         let setting = SpeedSetting::new(SpeedParameter::Beta, beta).expect("marks are speeds");
         let x = widgets::handle_x(slider, setting.slider_position());
         let rect = Rect::from_center_size(egui::pos2(x, strip.center().y), vec2(36.0, strip.height()));
-        if !takes_clicks {
-            let colour = ui.visuals().weak_text_color();
-            ui.painter().text(rect.center(), Align2::CENTER_CENTER, text, font.clone(), colour);
-        } else if mark(ui, rect, &font, text) {
+        if mark(ui, rect, &font, text, takes_clicks) {
             chosen = Some(setting);
         }
     }
     chosen
 }
 
-fn mark(ui: &mut Ui, rect: Rect, font: &FontId, text: &str) -> bool {
+fn mark(ui: &mut Ui, rect: Rect, font: &FontId, text: &str, takes_clicks: bool) -> bool {
     let id = ui.scope_id().with(("speed mark", text));
-    let response = ui.interact(rect, id, Sense::click()).on_hover_cursor(egui::CursorIcon::PointingHand);
-    let colour =
-        if response.hovered() { ui.visuals().strong_text_color() } else { ui.visuals().weak_text_color() };
+    let response = takes_clicks.then(|| ui.interact(rect, id, Sense::click()));
+    let response = response.map(|response| response.on_hover_cursor(egui::CursorIcon::PointingHand));
+    let is_hovered = response.as_ref().is_some_and(egui::Response::hovered);
+    let colour = if is_hovered { ui.visuals().strong_text_color() } else { ui.visuals().weak_text_color() };
     ui.painter().text(rect.center(), Align2::CENTER_CENTER, text, font.clone(), colour);
+    let Some(response) = response else { return false };
     let name = format!("Set β to {text}");
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, &name));
     response.clicked()

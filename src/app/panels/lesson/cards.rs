@@ -32,17 +32,9 @@ pub enum Sign {
     Nothing,
 }
 
-/// A card that can be chosen.
-pub fn choice(ui: &mut Ui, text: &Text, is_chosen: bool) -> Response {
-    signed_choice(ui, text, Sign::Ring(is_chosen), is_chosen)
-}
-
-/// The card of the choice with this number, from 0, that has its letter.
-pub fn lettered_choice(ui: &mut Ui, text: &Text, number: usize, is_chosen: bool) -> Response {
-    signed_choice(ui, text, Sign::Letter(number, is_chosen), is_chosen)
-}
-
-fn signed_choice(ui: &mut Ui, text: &Text, sign: Sign, is_chosen: bool) -> Response {
+/// The card of the choice with this number, from 0; it has a letter if it is `presented` to an audience.
+pub fn choice(ui: &mut Ui, text: &Text, number: usize, is_chosen: bool, presented: bool) -> Response {
+    let sign = if presented { Sign::Letter(number, is_chosen) } else { Sign::Ring(is_chosen) };
     let name = markdown::said(ui, &text.markdown);
     let builder = UiBuilder::new().id_salt(("choice", text.line, &name)).sense(Sense::click());
     let response = ui

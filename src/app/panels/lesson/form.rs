@@ -31,12 +31,7 @@ fn draft(asks: &mut Asks, answer: Option<Answer>) {
 pub fn choices(ui: &mut Ui, state: &State, course: &Course, options: &Options, asks: &mut Asks) {
     for (number, text) in options.texts.iter().enumerate() {
         let is_chosen = course.draft == Some(Answer::Choice(number));
-        let card = if state.session.stage.is_presented() {
-            cards::lettered_choice(ui, text, number, is_chosen)
-        } else {
-            cards::choice(ui, text, is_chosen)
-        };
-        if card.clicked() {
+        if cards::choice(ui, text, number, is_chosen, state.session.stage.is_presented()).clicked() {
             draft(asks, Some(Answer::Choice(number)));
         }
     }

@@ -12,15 +12,11 @@ use crate::lesson::{Choices, Course, Record};
 /// Shows the question, and what is to say to its answer.
 pub fn show(ui: &mut Ui, state: &State, course: &Course, asked: &Choices, asks: &mut Asks) {
     cards::question(ui, &asked.question);
+    let is_presented = state.session.stage.is_presented();
     let observed = course.record().and_then(|record: &Record| record.observed);
     for (number, text) in asked.options.texts.iter().enumerate() {
         let is_chosen = observed == Some(number);
-        let card = if state.session.stage.is_presented() {
-            cards::lettered_choice(ui, text, number, is_chosen)
-        } else {
-            cards::choice(ui, text, is_chosen)
-        };
-        if card.clicked() {
+        if cards::choice(ui, text, number, is_chosen, is_presented).clicked() {
             ask(asks, LessonCommand::Observe(number));
         }
     }
@@ -31,7 +27,6 @@ pub fn show(ui: &mut Ui, state: &State, course: &Course, asked: &Choices, asks: 
         Some(_) => {
             ui.label("Something else was shown. That is easily missed: look again.");
             // Before an audience the key that goes back does it.
-            let is_presented = state.session.stage.is_presented();
             if !is_presented
                 && ui.button("Look again").on_hover_text("Shows it again from the beginning").clicked()
             {

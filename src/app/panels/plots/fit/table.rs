@@ -22,25 +22,9 @@ const INTERVAL: usize = 3;
 /// Shows the newest outcome, its lengths in this unit, faintly if it is outdated.
 pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
     ui.spacing_mut().item_spacing.y = 4.0;
-    let Some(outcome) = fitting.shown() else {
-        ui.label(RichText::new("Fitting …").weak());
-        return;
-    };
-    if fitting.is_outdated() {
-        ui.multiply_opacity(0.5);
-    }
-    match &outcome.fitted {
-        Ok(fitted) => {
-            table(ui, fitted, length, Columns::All);
-            if let Some(verdict) = verdict(fitted) {
-                ui.label(RichText::new(verdict).strong());
-            }
-            notes(ui, outcome, fitted);
-        }
-        Err(problem) => {
-            ui.label(RichText::new("No fit").strong());
-            ui.label(sentence(problem));
-        }
+    let Some(outcome) = newest(ui, fitting, length, Columns::All) else { return };
+    if let Ok(fitted) = &outcome.fitted {
+        notes(ui, outcome, fitted);
     }
     if let Some(bias) = &outcome.bias {
         let made = outcome.key.simulated().map(|simulated| simulated.model);
@@ -52,16 +36,21 @@ pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
 
 /// Shows an audience the newest outcome: the numbers, and whether they are right.
 pub fn show_presented(ui: &mut Ui, fitting: &Fitting, length: Unit) {
+    newest(ui, fitting, length, Columns::Few);
+}
+
+/// Shows the numbers of the newest outcome and whether they are right, or why there is no fit; returns the outcome.
+fn newest<'a>(ui: &mut Ui, fitting: &'a Fitting, length: Unit, columns: Columns) -> Option<&'a FitOutcome> {
     let Some(outcome) = fitting.shown() else {
         ui.label(RichText::new("Fitting …").weak());
-        return;
+        return None;
     };
     if fitting.is_outdated() {
         ui.multiply_opacity(0.5);
     }
     match &outcome.fitted {
         Ok(fitted) => {
-            table(ui, fitted, length, Columns::Few);
+            table(ui, fitted, length, columns);
             if let Some(verdict) = verdict(fitted) {
                 ui.label(RichText::new(verdict).strong());
             }
@@ -71,6 +60,7 @@ pub fn show_presented(ui: &mut Ui, fitting: &Fitting, length: Unit) {
             ui.label(sentence(problem));
         }
     }
+    Some(outcome)
 }
 
 /// The columns of the table.
