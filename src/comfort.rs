@@ -1,6 +1,6 @@
 //! How comfortably two eyes fuse a pair of pictures: the disparities on the screen, as angles at the viewer.
 //!
-//! Of the places of all bodies (`places`) those count that lie in both pictures. The difference of where one is in the
+//! Of the places of all bodies ([`Shape::samples`](relativity_render::Shape::samples)) those count that lie in both pictures. The difference of where one is in the
 //! left and in the right picture is `u_left - u_right` across and `v_left - v_right` down; seen from a distance L a
 //! difference p is the angle `2 atan(p / 2L)`. The horizontal range is that of the greatest difference across less the
 //! least, so that shifting a picture does not change it; the vertical disparity is that of the largest difference down.
@@ -9,11 +9,10 @@
 //! About 1 degree across is comfortable (M. Lambooij et al., *Visual discomfort and visual fatigue of stereoscopic displays*,
 //! J. Imaging Sci. Technol. 53, 030201, 2009), 2 can be fused at most, and 20 arcmin down.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
-use glam::{DQuat, DVec3};
-use relativity_core::math::{atan, log10, powf, sin_cos};
-use relativity_render::{Body, MaterialPoint, Shape, View};
+use relativity_core::math::{atan, log10, powf};
+use relativity_render::{MaterialPoint, View};
 
 use crate::scene::Scene;
 
@@ -56,7 +55,7 @@ impl Comfort {
             let seen = views.map(|view| view.of_group(group.motion));
             for body in group.bodies().step_by(stride) {
                 let body = &scene.bodies[body];
-                for rest in places(body) {
+                for rest in body.shape.samples() {
                     let point = MaterialPoint { rest, spin: body.spin };
                     let pixel = |eye: usize| {
                         let [u, v] = views[eye].camera.pixel(seen[eye].apparent_position(point)?)?;
@@ -120,51 +119,13 @@ fn floor_to_two_digits(value: f64) -> f64 {
     format!("{digits}e{power}").parse().unwrap_or_default()
 }
 
-/// Places of a body at rest: along the middle lines of what is slender, tubes and rings; on balls where they end along the
-/// axes; the corners, middles of edges and middles of faces of boxes; around both ends of cylinders.
-fn places(body: &Body) -> Vec<DVec3> {
-    /// Steps along a tube, and around a ring and a cylinder.
-    const ALONG: u32 = 4;
-    const AROUND: u32 = 12;
-    match body.shape {
-        Shape::Sphere { center, radius } => {
-            let axes = [DVec3::X, DVec3::Y, DVec3::Z];
-            let ends = axes.into_iter().flat_map(|axis| [-axis, axis]);
-            ends.map(|end| DVec3::from(center) + radius * end).collect()
-        }
-        Shape::Tube { from, to, .. } => (0..=ALONG)
-            .map(|step| DVec3::from(from).lerp(to.into(), f64::from(step) / f64::from(ALONG)))
-            .collect(),
-        Shape::Ring { center, axis, radius, .. } => circle(center.into(), axis.into(), radius, AROUND),
-        Shape::Box { center, half, turn } => {
-            let (turn, half) = (DQuat::from_array(turn), DVec3::from(half));
-            let sides = [-1.0, 0.0, 1.0];
-            let all = sides.into_iter().flat_map(|x| sides.map(|y| [x, y]));
-            let all = all.flat_map(|[x, y]| sides.map(|z| DVec3::new(x, y, z)));
-            all.filter(|place| *place != DVec3::ZERO)
-                .map(|place| DVec3::from(center) + turn * (half * place))
-                .collect()
-        }
-        Shape::Cylinder { from, to, radius } => {
-            let axis = DVec3::from(to) - DVec3::from(from);
-            [from, to].into_iter().flat_map(|end| circle(end.into(), axis, radius, AROUND)).collect()
-        }
-    }
-}
-
-/// Returns `count` places on the circle about `axis`, evenly spread.
-#[must_use]
-pub fn circle(center: DVec3, axis: DVec3, radius: f64, count: u32) -> Vec<DVec3> {
-    let (across, up) = axis.normalize_or(DVec3::Z).any_orthonormal_pair();
-    let place = |step| {
-        let (sin, cos) = sin_cos(TAU * f64::from(step) / f64::from(count));
-        center + radius * (cos * across + sin * up)
-    };
-    (0..count).map(place).collect()
-}
-
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
+    use glam::{DQuat, DVec3};
+    use relativity_render::Shape;
+
     use super::*;
     use crate::flags::choices::{GazeChoice, ProjectionChoice};
     use crate::flags::{FieldOfView, SpeedParameter, SpeedSetting};

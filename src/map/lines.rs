@@ -151,11 +151,12 @@ impl Lines {
     }
 }
 
-/// The pictures of a body in `frame`, in the order in which they are drawn. On board of the bicycle nothing is seen
-/// elsewhere: the light left where it rests.
+/// The pictures of a body in `frame`, in the order in which they are drawn: a thin line on top, where two eyes place it,
+/// which lies on what one eye sees when the head is tilted. On board of the bicycle nothing is seen elsewhere: the light
+/// left where it rests.
 const fn pictures(frame: Frame) -> &'static [Picture] {
     match frame {
-        Frame::Ground => &[Picture::Stereo, Picture::Seen(1), Picture::Seen(0), Picture::Measured],
+        Frame::Ground => &[Picture::Seen(1), Picture::Seen(0), Picture::Measured, Picture::Stereo],
         Frame::Bicycle => &[Picture::Measured],
     }
 }

@@ -6,6 +6,7 @@
 
 mod chart;
 mod clip;
+mod close_up;
 mod diagram;
 mod event;
 mod fit;
@@ -23,6 +24,7 @@ mod ticks;
 mod worldline;
 
 pub use chart::{Chart, Viewpoint};
+pub use close_up::around_now;
 pub use diagram::{Cone, Diagram, chart, home};
 pub use event::{Event, StraightLine};
 pub use fit::{Extent, plan_and_side};

@@ -272,3 +272,52 @@ fn a_tilted_and_turned_head_has_its_eyes_and_its_light_where_they_are() {
     let stereo = settings.stereo(&track, 1.5).expect("they meet");
     assert_eq!(fused, DVec3::from(stereo.position));
 }
+
+/// The close-up of what moves with the scene at `time`.
+fn close_up(settings: &Settings, scene: &Scene, time: f64) -> Option<Extent> {
+    Extent::close_up(&Instant::new(settings, time), scene, Motion::Scene)
+}
+
+#[test]
+fn a_close_up_holds_what_is_seen_and_has_little_room_around_it() {
+    for scene in ["two-balls", "cyclist", "cube"].map(|name| Scene::preset(name).expect("a preset")) {
+        for (beta, time) in [(0.0, 0.0), (0.5, -3.0), (0.8, 6.78), (0.99, 4.0)] {
+            let settings = settings(beta, Frame::Ground);
+            let Extent(extent) = close_up(&settings, &scene, time).expect("it is somewhere");
+            // The outlines that the map draws, each bent as finely as it takes, not the samples that were framed.
+            let (lines, _) = lines(&settings, &scene, time);
+            let seen = lines.all.iter().filter(|line| matches!(line.picture, Picture::Seen(_)));
+            let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+            for vertex in seen.flat_map(|line| lines.vertices(line)) {
+                (low, high) = (low.min(vertex.place), high.max(vertex.place));
+            }
+            let size = (high - low).max_element();
+            for axis in 0..3 {
+                let [from, to] = extent[axis];
+                assert!(
+                    from < low[axis] && high[axis] < to,
+                    "{} {beta}: {extent:?} {low} {high}",
+                    scene.name
+                );
+                assert!(to - from < 4.6 * size, "{} {beta}: {extent:?} around {size}", scene.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_close_up_is_finite_or_none_at_the_extremes() {
+    let scene = cyclist();
+    for gamma in [1.0, 1e3, 1e30] {
+        let mut settings = settings(0.5, Frame::Ground);
+        settings.motion.speed = SpeedSetting::new(SpeedParameter::Gamma, gamma).expect("a speed");
+        for time in [-1e9, 0.0, 1e9] {
+            for frame in [Frame::Ground, Frame::Bicycle] {
+                settings.map.frame = frame;
+                let extent = close_up(&settings, &scene, time);
+                let sizes = extent.map(|Extent(axes)| axes.map(|[low, high]| high - low));
+                assert!(sizes.is_none_or(|sizes| sizes.iter().all(|size| size.is_finite() && *size > 0.0)));
+            }
+        }
+    }
+}

@@ -27,8 +27,8 @@ pub use observer::Subject;
 pub use photograph::CameraArgs;
 pub use presets::Preset;
 pub use sections::{
-    BOUND_PX, Coordinates, DataFrom, Daylight, FIT_SAMPLES, Face, FitSetup, Frame, Light, Look, MAX_LENGTH,
-    MAX_SEED, Map, Motion, NOISE_PERCENT, PICTURE_MM, Picture, Playback, PlotTab, Plots, Presence, Quality,
-    RATE, Screen, Theme, USUAL_FOV, VIEWING_CM, Window,
+    BOUND_PX, Coordinates, DataFrom, Daylight, FIT_SAMPLES, Face, FitSetup, Frame, Framing, Light, Look,
+    MAX_LENGTH, MAX_SEED, Map, Motion, NOISE_PERCENT, PICTURE_MM, Picture, Playback, PlotTab, Plots,
+    Presence, Quality, RATE, Screen, Theme, USUAL_FOV, VIEWING_CM, Window,
 };
 pub use start::StartArgs;

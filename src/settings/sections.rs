@@ -494,6 +494,17 @@ pub enum Frame {
     Bicycle,
 }
 
+/// The part of the world that the map holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Framing {
+    /// The whole passage, past both eyes.
+    #[default]
+    Passage,
+    /// The followed body, close up: in space where it is seen, in spacetime where its points are now. It follows the body.
+    CloseUp,
+}
+
 /// What the map shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
@@ -505,6 +516,9 @@ pub struct Map {
     /// The frame in which the map is drawn.
     #[arg(long, value_enum)]
     pub frame: Frame,
+    /// The part of the world that the map holds.
+    #[arg(long, value_enum)]
+    pub framing: Framing,
 }
 
 /// Whether a part of the window is shown.

@@ -203,7 +203,8 @@ fn playback_map_and_plots() -> impl Strategy<Value = (Playback, Map, Plots)> {
     let plots = (choice::<PlotTab>(), choice::<Coordinates>(), any::<[bool; 2]>()).prop_map(
         |(plot, coordinates, [published, heat_map])| Plots { plot, coordinates, published, heat_map },
     );
-    let map = (choice::<Face>(), choice::<Frame>()).prop_map(|(face, frame)| Map { face, frame });
+    let map = (choice::<Face>(), choice::<Frame>(), choice::<Framing>())
+        .prop_map(|(face, frame, framing)| Map { face, frame, framing });
     (playback, map, plots)
 }
 

@@ -7,13 +7,13 @@ use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
-use gamow::settings::{Face, Frame, Map, Presence, Window};
+use gamow::settings::{Frame, Framing, Map, Motion, Presence, Settings, Window};
 use relativity_core::Speed;
 
 use super::Test;
 use super::layouts::assert_no_broken_numbers;
 use super::picking::click;
-use super::support::{SEPARATION, TRACKED, cyclist, drag, labels, seen, window_of_size};
+use super::support::{SEPARATION, TRACKED, cyclist, drag, label_starting_with, labels, seen, window_of_size};
 
 pub const TESTS: &[Test] = &[
     ("marks_on_the_map_are_where_the_numbers_say_to_half_a_pixel", marks_are_where_the_numbers_say),
@@ -22,6 +22,7 @@ pub const TESTS: &[Test] = &[
     ("clicking_the_map_selects_the_point_there", clicking_the_map_selects),
     ("what_is_under_the_pointer_on_the_map_is_told_with_its_times", what_is_under_the_pointer_is_told),
     ("the_map_is_dragged_zoomed_at_the_pointer_and_fitted_again", the_map_is_dragged_and_zoomed),
+    ("a_close_up_tells_the_length_of_a_rod_to_one_eye_and_to_two", a_close_up_tells_lengths),
     ("a_hidden_map_is_not_there_at_all", a_hidden_map_is_not_there),
     ("the_keys_of_the_map_do_what_the_help_says", the_keys_of_the_map),
     ("the_map_is_whole_at_every_size", the_map_is_whole_at_every_size),
@@ -111,7 +112,7 @@ fn assert_marks(window: &Harness<'_, App>, chart: &str, up: usize, found: &Found
 
 fn the_bicycle_rests_in_its_own_frame() {
     let mut window = map_window(cyclist(0.9));
-    window.state_mut().ask(Command::Map(Map { face: Face::Space, frame: Frame::Bicycle }));
+    window.state_mut().ask(Command::Map(Map { frame: Frame::Bicycle, ..Map::default() }));
     let gamma = Speed::from_beta(0.9).expect("a speed").gamma();
     let name = format!("Map, from above: {}", point("measured now"));
     let mut at = |time| {
@@ -230,6 +231,29 @@ fn scroll(window: &mut Harness<'_, App>, points: f32) {
     window.run_ok();
 }
 
+fn a_close_up_tells_lengths() {
+    // Seen abreast and far away, a rod of length 2 is contracted to two eyes one above the other; to two eyes along the
+    // motion it is sqrt(1 - beta^4) of its length, and turned (physics.md). One eye sees its ends at one ground time.
+    const BETA: f64 = 0.8;
+    const AWAY: f64 = 4000.0;
+    let contracted = 2.0 * (1.0 - BETA * BETA).sqrt();
+    for (roll, two_eyes) in [(0.0, 2.0 * (1.0 - BETA.powi(4)).sqrt()), (90.0, contracted)] {
+        let mut settings = Settings { scene: "two-balls".to_owned(), ..cyclist(BETA).settings };
+        settings.point = Some([-1.0, 2.9, 2.0]);
+        settings.motion = Motion { roll, depth_shift: AWAY - 2.9, height_shift: -2.0, ..settings.motion };
+        settings.window = Window { map: Presence::On, views: false, ..settings.window };
+        settings.map.framing = Framing::CloseUp;
+        let mut window = map_window(State::open(settings).expect("a preset"));
+        // Its middle is beside the eyes at t = 0.75, and its light takes as long as it is away.
+        go_to(&mut window, 0.75 + AWAY);
+        for (picture, expected) in [("two eyes", two_eyes), ("left eye", contracted)] {
+            let shown = label_starting_with(&window, &format!("Map, from above: length, {picture}: "));
+            let length: f64 = shown.rsplit(' ').next().and_then(|text| text.parse().ok()).expect("a number");
+            assert!((length - expected).abs() < 0.0051, "{shown} is not {expected}, roll {roll}");
+        }
+    }
+}
+
 fn a_hidden_map_is_not_there() {
     for window in [
         Window { map: Presence::Off, ..Window::default() },
@@ -300,7 +324,7 @@ fn nothing_breaks_the_map() {
             state.settings.window.views = false;
             let mut window = map_window(state);
             for frame in [Frame::Ground, Frame::Bicycle] {
-                window.state_mut().ask(Command::Map(Map { face: Face::Space, frame }));
+                window.state_mut().ask(Command::Map(Map { frame, ..Map::default() }));
                 for time in [0.0, 3.6, -1e12, 1e12] {
                     go_to(&mut window, time);
                     assert_no_broken_numbers(&window);

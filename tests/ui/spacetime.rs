@@ -6,8 +6,9 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
+use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
-use gamow::settings::{Face, Frame, Map, Presence, Theme, Window};
+use gamow::settings::{Face, Frame, Framing, Map, Presence, Theme, Window};
 use relativity_core::Speed;
 
 use super::Test;
@@ -22,6 +23,7 @@ pub const TESTS: &[Test] = &[
     ("a_click_on_the_worldline_goes_to_when_that_event_is_seen", a_click_on_the_worldline),
     ("an_event_tells_its_three_times_by_their_names", an_event_tells_its_three_times),
     ("the_way_of_the_light_on_the_plan_tells_when_it_left", the_way_of_the_light),
+    ("a_close_up_has_the_clocks_of_all_followed_points_at_one_ground_time", close_up_of_clocks),
     ("spacetime_that_is_not_shown_is_not_there", spacetime_that_is_not_shown),
     ("no_speed_time_or_size_breaks_spacetime", nothing_breaks_spacetime),
 ];
@@ -31,7 +33,7 @@ const NAME: &str = "Map, x against t";
 /// A window that shows the cyclist's spacetime in this frame, and nothing else that is large.
 fn spacetime(beta: f64, frame: Frame, size: [f32; 2]) -> Harness<'static, App> {
     let mut state = cyclist(beta);
-    state.settings.map = Map { face: Face::Spacetime, frame };
+    state.settings.map = Map { face: Face::Spacetime, frame, ..Map::default() };
     state.settings.window =
         Window { views: false, plots: false, controls: false, map: Presence::On, ..Window::default() };
     window_of_size(state, size, 1.0)
@@ -204,6 +206,29 @@ fn the_way_of_the_light() {
     assert!((happened.parse::<f64>().expect("a number") - seen(0.9, 5.0, eye).retarded_time).abs() < 6e-4);
 }
 
+fn close_up_of_clocks() {
+    let beta = 0.8;
+    let rear = [-2.105, 3.881, -1.975];
+    let mut settings = cyclist(beta).settings;
+    settings.points = Some("-2.105,3.881,-1.975@20".parse().expect("a point"));
+    settings.map = Map { face: Face::Spacetime, frame: Frame::Bicycle, framing: Framing::CloseUp };
+    settings.window = Window { views: false, plots: false, map: Presence::On, ..Window::default() };
+    let mut window = window_of_size(State::open(settings).expect("a preset"), [1280.0, 800.0], 1.0);
+    go_to(&mut window, 0.0);
+    // What the ground has at t = 0 happens at t' = -beta x' on the bicycle.
+    let marks: Vec<Pos2> = labels(&window)
+        .iter()
+        .filter(|name| name.starts_with(NAME) && name.ends_with("measured now"))
+        .map(|name| window.get_by_label(name).rect().center())
+        .collect();
+    let [first, second] = marks[..] else { panic!("{:?}", labels(&window)) };
+    let [right, left] = if first.x > second.x { [first, second] } else { [second, first] };
+    let (across, up) = (f64::from(right.x - left.x), f64::from(right.y - left.y));
+    let apart = TRACKED[0] - rear[0];
+    assert!((up / across - beta).abs() < 0.01, "{marks:?}");
+    assert!(across > 100.0, "{apart} units are {across} points");
+}
+
 fn spacetime_that_is_not_shown() {
     let mut window = spacetime(0.9, Frame::Ground, [1280.0, 800.0]);
     let is_there = |window: &Harness<'_, App>| labels(window).iter().any(|label| label.starts_with(NAME));
@@ -230,7 +255,11 @@ fn nothing_breaks_spacetime() {
                 motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
                 window.state_mut().ask(Command::Motion(motion));
                 for (time, frame) in [(-1e6, Frame::Ground), (0.0, Frame::Bicycle), (3.6, Frame::Bicycle)] {
-                    window.state_mut().ask(Command::Map(Map { face: Face::Spacetime, frame }));
+                    window.state_mut().ask(Command::Map(Map {
+                        face: Face::Spacetime,
+                        frame,
+                        ..Map::default()
+                    }));
                     go_to(&mut window, time);
                     assert_no_broken_numbers(&window);
                     let room = window.get_by_label(NAME).rect();

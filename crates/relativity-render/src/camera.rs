@@ -542,6 +542,27 @@ mod tests {
     }
 
     #[test]
+    fn a_pointer_far_outside_the_smallest_picture_gives_a_gaze() {
+        // A view of one pixel, dragged by a pointer that is a window away: |u| is thousands.
+        let camera = Camera { horizontal_fov: 0.7, size: [1, 1], ..camera() };
+        let right = DVec3::X;
+        let projections = [
+            Projection::Gaze,
+            Projection::Parallel { right, shift: 0.0 },
+            Projection::Mercator { right, shift: 0.0 },
+        ];
+        for projection in projections {
+            let camera = Camera { projection, ..camera };
+            for from in [[4000.0, 3.0], [-4000.0, -400.0], [0.5, 4000.0]] {
+                let sight = camera.line_of_sight(from);
+                assert!((sight.length() - 1.0).abs() < 1e-12, "{projection:?} {from:?}: {sight}");
+                let gaze = camera.gaze_with(sight, [-200.0, 10.0]);
+                assert!(gaze.azimuth.is_finite() && gaze.elevation.is_finite(), "{projection:?}: {gaze:?}");
+            }
+        }
+    }
+
+    #[test]
     fn looking_ahead_has_x_on_the_right_and_z_up() {
         let camera = camera();
         let [u, v] = camera.pixel(DVec3::new(1.0, 1.0, 0.0)).expect("in front");

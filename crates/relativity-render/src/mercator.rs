@@ -70,10 +70,11 @@ impl Mercator {
         (u.abs() <= MOST_DRAWN).then(|| DVec2::new(u, v))
     }
 
-    /// The line of sight (unit vector) at these coordinates.
+    /// The line of sight (unit vector) at these coordinates; farther aside than can be drawn, that along the baseline.
     #[must_use]
     pub fn line_of_sight(&self, DVec2 { x: u, y: v }: DVec2) -> DVec3 {
-        self.line(exp(u), self.across(v))
+        // Beyond it e^u overflows, and the quotient of two infinities is no number.
+        self.line(exp(u.clamp(-MOST_DRAWN, MOST_DRAWN)), self.across(v))
     }
 
     /// Returns the unit vector across the baseline at this `v`.

@@ -3,12 +3,11 @@
 
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape as Drawing, Stroke, pos2, vec2};
 use glam::DVec3;
-use relativity_render::{Body, GroupView, MaterialPoint, Motion, Shape};
+use relativity_render::{Body, GroupView, MaterialPoint, Motion, Shape, circle};
 
 use super::sliding_view::{SlidingView, points_per_px};
 use crate::app::panes::EyePane;
 use crate::app::state::State;
-use crate::comfort::circle;
 use crate::figures;
 use crate::map::strokes;
 

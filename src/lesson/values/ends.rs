@@ -1,7 +1,6 @@
 //! Values of a body with two ends, such as a rod: where two eyes place these.
 
 use relativity_core::math;
-use relativity_render::Shape;
 
 use super::here::{Here, Value};
 
@@ -60,9 +59,6 @@ impl Here<'_> {
 
     /// The middles of both ends, at rest.
     fn ends(&self) -> Option<[[f64; 3]; 2]> {
-        match self.scene.bodies.get(self.body?)?.shape {
-            Shape::Tube { from, to, .. } | Shape::Cylinder { from, to, .. } => Some([from, to]),
-            Shape::Sphere { .. } | Shape::Ring { .. } | Shape::Box { .. } => None,
-        }
+        self.scene.bodies.get(self.body?)?.shape.ends()
     }
 }

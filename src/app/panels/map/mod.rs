@@ -15,7 +15,7 @@ use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::widgets::choice;
 use crate::caption::capitalised;
-use crate::settings::{Face, Frame};
+use crate::settings::{Face, Frame, Framing};
 
 /// Height of the strip.
 const STRIP_HEIGHT: f32 = 26.0;
@@ -55,6 +55,16 @@ const FACES: [(Face, &str, &str); 2] = [
     (Face::Spacetime, "Spacetime", "When everything happens: x against t, light at 45 degrees."),
 ];
 
+const FRAMINGS: [(Framing, &str, &str); 2] = [
+    (Framing::Passage, "Passage", "Holds the whole passage, past both eyes."),
+    (
+        Framing::CloseUp,
+        "Close-up",
+        "Follows the selected body: in space where it is seen and where two eyes place it, with the length of a rod; in \
+         spacetime where the followed points are now.",
+    ),
+];
+
 fn strip(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut map = state.settings.map;
     let riders = capitalised(&state.session.scene.rider) + "'s frame";
@@ -66,6 +76,8 @@ fn strip(ui: &mut Ui, state: &State, asks: &mut Asks) {
         choice(ui, &mut map.face, &FACES);
         ui.separator();
         choice(ui, &mut map.frame, &frames);
+        ui.separator();
+        choice(ui, &mut map.framing, &FRAMINGS);
     });
     if map != state.settings.map {
         asks.push(Command::Map(map));

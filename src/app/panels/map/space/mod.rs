@@ -2,6 +2,7 @@
 
 mod backdrop;
 mod legend;
+mod lengths;
 mod light;
 mod marks;
 mod pictures;
@@ -17,12 +18,13 @@ use super::labels::Labels;
 use crate::app::panels::Asks;
 use crate::app::state::State;
 use crate::map::{Chart, Extent, Instant, Lines, Projection, plan_and_side};
+use crate::settings::Framing;
 
 /// Shows it in `rect`.
 pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
     let rect = legend::show(ui, state, rect);
-    let charts = charts(state, rect);
     let instant = Instant::new(&state.settings, state.session.time);
+    let charts = charts(state, &instant, rect);
     let lines = Lines::new(&instant, &state.session.scene, &charts);
     for (projection, chart) in Projection::BOTH.into_iter().zip(charts) {
         let sheet = Sheet { projection, chart };
@@ -36,6 +38,7 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
         }
         pictures::paint(ui, &painter, &lines, &sheet);
         marks::show(ui, &painter, state, &instant, &sheet, &mut labels);
+        lengths::show(ui, &painter, state, &instant, &sheet, &mut labels);
         if let Some(light) = &light {
             light.name(ui, &painter, state, &mut labels);
         }
@@ -43,8 +46,13 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
     }
 }
 
-fn charts(state: &State, rect: Rect) -> [Chart; 2] {
-    let extent = Extent::of_space(&state.settings, &state.session.scene);
+fn charts(state: &State, instant: &Instant, rect: Rect) -> [Chart; 2] {
+    let scene = &state.session.scene;
+    let close_up = match state.settings.map.framing {
+        Framing::CloseUp => Extent::close_up(instant, scene, state.session.points.selected().track.motion),
+        Framing::Passage => None,
+    };
+    let extent = close_up.unwrap_or_else(|| Extent::of_space(&state.settings, scene));
     let area = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(f64::from);
     plan_and_side(area, &extent, &state.session.map_view)
 }

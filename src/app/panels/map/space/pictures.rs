@@ -21,6 +21,9 @@ const STREET: f32 = 0.45;
 /// How strongly what is seen is drawn: what one eye sees does not hide what the other sees.
 const SEEN: f32 = 0.8;
 
+/// Width at most of where two eyes place a body, points: a line that does not hide what it lies on.
+const OUTLINE: f32 = 2.0;
+
 /// Parts of a line are drawn as one while their widths differ by no more than this, points.
 const SAME_WIDTH: f32 = 0.5;
 
@@ -31,8 +34,11 @@ pub(super) fn paint(ui: &Ui, painter: &Painter, lines: &Lines, sheet: &Sheet) {
         let colour = line_colour(ui, line);
         let places: Vec<_> =
             lines.vertices(line).iter().map(|vertex| sheet.projection.flat(vertex.place)).collect();
-        for part in parts(line, &places, sheet) {
-            let fills = line.only.is_some() && 2.0 * line.reach * sheet.chart.scale < LARGEST_FILLED;
+        let is_outline = line.picture == Picture::Stereo;
+        for (part, width) in parts(line, &places, sheet) {
+            let fills =
+                !is_outline && line.only.is_some() && 2.0 * line.reach * sheet.chart.scale < LARGEST_FILLED;
+            let part = (part, if is_outline { width.min(OUTLINE) } else { width });
             add(part, fills, colour, sheet, &mut shapes);
         }
     }
@@ -86,7 +92,7 @@ fn add(
 fn line_colour(ui: &Ui, line: &Line) -> Color32 {
     let (colour, strength) = match line.picture {
         _ if line.rests => (ui.visuals().weak_text_color(), STREET),
-        Picture::Measured => (colour(line.picture, ui.visuals()), 1.0),
+        Picture::Measured | Picture::Stereo => (colour(line.picture, ui.visuals()), 1.0),
         picture => (colour(picture, ui.visuals()), SEEN),
     };
     colour.gamma_multiply(strength)

@@ -7,7 +7,7 @@ use crate::app::eye::Eye;
 use crate::app::panels::map::labels::Labels;
 use crate::app::theme;
 use crate::caption::times::HAPPENED;
-use crate::map::{Event, Ray, StraightLine};
+use crate::map::{Diagram, Event, Ray, StraightLine};
 use crate::settings::Frame;
 
 /// Dashes of what is at one time of the frame that is not drawn, and of the light's shadow, points.
@@ -21,7 +21,10 @@ pub fn paint(sheet: &Sheet<'_>, labels: &mut Labels) {
     nows(sheet, labels);
     cones(sheet, labels);
     eyes(sheet, labels);
-    worldline(sheet, labels);
+    for (point, diagram) in &sheet.others {
+        worldline(sheet, labels, diagram, theme::point_colour(point.number, sheet.ui.visuals()));
+    }
+    worldline(sheet, labels, &sheet.diagram, point_colour(sheet));
     rays(sheet, labels);
 }
 
@@ -120,13 +123,12 @@ fn eyes(sheet: &Sheet<'_>, labels: &mut Labels) {
     }
 }
 
-/// The point's worldline: boldest as far as light from it has arrived, and faint where it is yet to be.
-fn worldline(sheet: &Sheet<'_>, labels: &mut Labels) {
-    let times = sheet.worldline_times();
-    let received = sheet.diagram.rays.map(|ray| ray.happened);
+/// Draws the worldline of a point: boldest as far as light from it has arrived, and faint where it is yet to be.
+fn worldline(sheet: &Sheet<'_>, labels: &mut Labels, diagram: &Diagram, colour: Color32) {
+    let times = sheet.worldline_times(diagram);
+    let received = diagram.rays.map(|ray| ray.happened);
     let received = received[0].min(received[1]);
-    let now = sheet.diagram.time;
-    let colour = point_colour(sheet);
+    let now = diagram.time;
     let parts = [
         (f64::NEG_INFINITY, received, Stroke::new(3.0, colour)),
         (received, now, Stroke::new(2.0, colour)),
@@ -134,7 +136,7 @@ fn worldline(sheet: &Sheet<'_>, labels: &mut Labels) {
     ];
     for (from, to, stroke) in parts {
         let places: Vec<Pos2> =
-            part(&times, from, to).map(|time| sheet.place(sheet.diagram.point.at(time))).collect();
+            part(&times, from, to).map(|time| sheet.place(diagram.point.at(time))).collect();
         labels.avoid(&places);
         sheet.painter.line(places, stroke);
     }
@@ -181,10 +183,12 @@ pub fn name(sheet: &Sheet<'_>, labels: &mut Labels) {
     let mut write = |place: Pos2, text: &str, colour: Color32| {
         labels.write(&sheet.painter, (place, 1.0), text, font.clone(), colour);
     };
-    if let Some(ends) = shown(sheet, sheet.diagram.worldline()) {
-        let point = sheet.state.session.points.selected();
-        let name = point.noun(&sheet.state.session.scene);
-        write(upper(ends), name.trim_start_matches("the "), point_colour(sheet));
+    let selected = (sheet.state.session.points.selected(), sheet.diagram);
+    for (point, diagram) in [selected].iter().chain(&sheet.others) {
+        if let Some(ends) = shown(sheet, diagram.worldline()) {
+            let colour = theme::point_colour(point.number, sheet.ui.visuals());
+            write(upper(ends), &sheet.state.name_of(point), colour);
+        }
     }
     name_eyes(sheet, &mut write);
     let number = number_of_nows(sheet);

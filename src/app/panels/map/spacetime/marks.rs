@@ -9,7 +9,7 @@ use crate::app::panels::map::labels::Labels;
 use crate::app::panels::map::times::labelled;
 use crate::app::theme;
 use crate::caption::times::RECEIVED;
-use crate::map::Ray;
+use crate::map::{Diagram, Ray};
 
 /// Radius of a mark, points.
 const RADIUS: f32 = 4.0;
@@ -46,8 +46,26 @@ pub fn of(sheet: &Sheet<'_>) -> Vec<Mark> {
         marks.push(Mark { is_hollow: true, ..mark });
     }
     let measured = theme::measured_colour(sheet.ui.visuals());
-    marks.push(of_point(sheet, diagram.time, "measured now", "measured now", measured));
+    let label = if sheet.others.is_empty() { "measured now".to_owned() } else { clock(sheet, diagram) };
+    marks.push(of_point(sheet, diagram.time, "measured now", &label, measured));
+    marks.extend(sheet.others.iter().map(|(point, diagram)| {
+        let name = format!("{}, measured now", sheet.state.name_of(point));
+        Mark {
+            place: sheet.place(diagram.measured()),
+            label: clock(sheet, diagram),
+            words: words::of_other(sheet, diagram, &name),
+            name,
+            colour: measured,
+            is_hollow: false,
+        }
+    }));
     marks
+}
+
+/// The proper time of a point that is measured now.
+fn clock(sheet: &Sheet<'_>, diagram: &Diagram) -> String {
+    let time = labelled(sheet.state, diagram.point.own_time(diagram.time));
+    format!("clock {time}{}", sheet.state.measures().time.suffix())
 }
 
 /// Where `eye` receives light, and where that left.

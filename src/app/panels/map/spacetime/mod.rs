@@ -11,6 +11,7 @@ use std::sync::Arc;
 use eframe::egui::{
     Align2, CursorIcon, Galley, Pos2, Rect, Response, Sense, TextStyle, Ui, Vec2, accesskit::Role, vec2,
 };
+use relativity_render::Velocity;
 
 use self::sheet::{HANDLE, NEAR, Sheet};
 use super::axes::{self, Axis};
@@ -18,9 +19,10 @@ use super::canvas;
 use super::labels::Labels;
 use crate::app::command::Command;
 use crate::app::panels::Asks;
+use crate::app::points::Point;
 use crate::app::state::State;
-use crate::map::{Diagram, Event, chart, home};
-use crate::settings::Frame;
+use crate::map::{Diagram, Event, around_now, chart, home};
+use crate::settings::{Frame, Framing};
 
 /// Its name for assistive technology.
 const NAME: &str = "Map, x against t";
@@ -35,12 +37,14 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
     ui.painter().rect_filled(rect, 0.0, background);
     // Outside the domain of the core there is nothing to draw.
     let Ok(diagram) = Diagram::new(settings, &track, time, frame) else { return };
+    let others = others(state, time, frame);
     let Ok(home) = home(settings, &track, time, frame) else { return };
+    let home = close_up(state, &diagram, &others).unwrap_or(home);
     let area = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(f64::from);
     let chart = chart(area, home, &state.session.map_view);
     let response = canvas::look_around(ui, state, NAME, &chart, [0, 1], asks);
     let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
-    let sheet = Sheet { ui, painter, chart, state, diagram };
+    let sheet = Sheet { ui, painter, chart, state, diagram, others };
     let mut labels = Labels::new(rect, background);
     let title = Title::of(&sheet);
     labels.keep_free(title.rect);
@@ -52,6 +56,24 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
     title.paint(&sheet);
     point_at(&sheet, &response, &marks, asks);
     handle(&sheet, asks);
+}
+
+/// The followed points beside the selected one, with their diagrams at `time` in `frame`.
+fn others(state: &State, time: f64, frame: Velocity) -> Vec<(&Point, Diagram)> {
+    let points = &state.session.points;
+    let others = points.all().iter().enumerate().filter(|(index, _)| *index != points.selected_index());
+    let diagram = |point: &Point| Diagram::new(&state.settings, &point.track, time, frame).ok();
+    others.filter_map(|(_, point)| Some((point, diagram(point)?))).collect()
+}
+
+/// The events that a close-up frames: what is now of all followed points.
+fn close_up(state: &State, selected: &Diagram, others: &[(&Point, Diagram)]) -> Option<[Event; 2]> {
+    if state.settings.map.framing == Framing::Passage {
+        return None;
+    }
+    let all: Vec<Diagram> =
+        [*selected].into_iter().chain(others.iter().map(|(_, diagram)| *diagram)).collect();
+    around_now(&all)
 }
 
 /// What is along x and along t.

@@ -3,6 +3,7 @@
 use eframe::egui::{Painter, Pos2, Rect, Ui};
 
 use crate::app::panels::map::canvas;
+use crate::app::points::Point;
 use crate::app::state::State;
 use crate::map::{Chart, Diagram, Event, StraightLine, along};
 
@@ -21,8 +22,10 @@ pub struct Sheet<'a> {
     pub chart: Chart,
     /// What is shown.
     pub state: &'a State,
-    /// The events.
+    /// The events of the selected point.
     pub diagram: Diagram,
+    /// The other followed points, and theirs.
+    pub others: Vec<(&'a Point, Diagram)>,
 }
 
 impl Sheet<'_> {
@@ -42,10 +45,10 @@ impl Sheet<'_> {
         canvas::rect(&self.chart)
     }
 
-    /// The ground's times at which the point's worldline is drawn.
-    pub fn worldline_times(&self) -> Vec<f64> {
+    /// The ground's times at which the worldline of a point is drawn.
+    pub fn worldline_times(&self, diagram: &Diagram) -> Vec<f64> {
         let [low, high] = self.corners();
-        self.diagram.times_within(low, high)
+        diagram.times_within(low, high)
     }
 
     /// The ground's time at which the point's worldline comes nearest to `place`, and how far that is off in points.
@@ -57,7 +60,7 @@ impl Sheet<'_> {
                 [x, t]
             })
         };
-        let times = self.worldline_times();
+        let times = self.worldline_times(&self.diagram);
         let pieces = times.windows(2).map(|ends| {
             let (part, off) = along(on_screen(ends[0]), on_screen(ends[1]), to);
             (ends[0] + part * (ends[1] - ends[0]), off as f32)

@@ -4,7 +4,7 @@ use super::sheet::Sheet;
 use crate::app::eye::Eye;
 use crate::app::panels::map::times::times;
 use crate::caption::capitalised;
-use crate::map::{Event, Ray};
+use crate::map::{Diagram, Event, Ray};
 use crate::settings::Frame;
 
 /// Decimals of a length or a time in the scene's unit.
@@ -23,6 +23,13 @@ pub fn of_point(sheet: &Sheet<'_>, happened: f64, what: &str) -> String {
         place(sheet, event),
         time(sheet, received)
     )
+}
+
+/// Another followed point that is measured now, after its `name`.
+pub fn of_other(sheet: &Sheet<'_>, diagram: &Diagram, name: &str) -> String {
+    let now = diagram.time;
+    let shown = [diagram.point.received(now), now, diagram.point.own_time(now)];
+    format!("{}\n{}\n{}", capitalised(name), place(sheet, diagram.measured()), times(sheet.state, shown))
 }
 
 /// Of the light that `eye` receives, where it left.

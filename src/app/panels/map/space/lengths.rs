@@ -1,0 +1,58 @@
+//! The length of the selected rod in each picture of the close-up, written beside it.
+
+use eframe::egui::{Painter, Ui};
+
+use super::sheet::{Sheet, colour};
+use crate::app::panels::map::canvas;
+use crate::app::panels::map::labels::Labels;
+use crate::app::state::State;
+use crate::app::theme;
+use crate::map::{Instant, Picture, Projection};
+use crate::settings::Framing;
+
+const FONT_SIZE: f32 = 13.0;
+/// From the middle of a rod to its label, points.
+const BESIDE: f32 = 12.0;
+const DECIMALS: u8 = 2;
+
+/// What each length is called.
+const NAMES: [(Picture, &str); 3] =
+    [(Picture::Stereo, "two eyes"), (Picture::Seen(0), "left eye"), (Picture::Measured, "measured now")];
+
+/// Writes the lengths in the plan of a close-up, if the selected body has two ends.
+pub(super) fn show(
+    ui: &Ui,
+    painter: &Painter,
+    state: &State,
+    instant: &Instant,
+    sheet: &Sheet,
+    labels: &mut Labels,
+) {
+    if state.settings.map.framing != Framing::CloseUp || sheet.projection != Projection::Plan {
+        return;
+    }
+    let point = state.session.points.selected();
+    let scene = &state.session.scene;
+    let Some(body) = point.body.or_else(|| scene.body_at(point.track.rest)) else { return };
+    let Some(ends) = scene.bodies[body].shape.ends() else { return };
+    let ends = ends.map(|end| scene.track_at(end, body));
+    let [Some(from), Some(to)] = ends else { return };
+    let pictures = NAMES.into_iter().filter_map(|(picture, name)| {
+        let places = [from, to].map(|end| instant.place(&end, picture));
+        let [Some(from), Some(to)] = places else { return None };
+        Some((picture, name, [from, to]))
+    });
+    let pictures: Vec<_> = pictures.collect();
+    let on_screen = |place| canvas::place(&sheet.chart, sheet.projection.flat(place));
+    for (_, _, ends) in &pictures {
+        labels.avoid(&ends.map(on_screen));
+    }
+    let length = state.measures().length;
+    for (picture, name, [from, to]) in pictures {
+        let middle = on_screen(from.midpoint(to));
+        let text = format!("{name}: {}", length.text(from.distance(to), DECIMALS));
+        let font = theme::scaled_font(ui.style(), FONT_SIZE);
+        labels.write(painter, (middle, BESIDE), &text, font, colour(picture, ui.visuals()));
+        canvas::name_place(ui, sheet.room(), middle, &format!("{}: length, {text}", sheet.name()));
+    }
+}
