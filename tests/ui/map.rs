@@ -295,7 +295,8 @@ fn the_map_is_whole_at_every_size() {
                 if others { Window { map: Presence::On, ..state.settings.window } } else { alone };
             let window = window_of_size(state, size, 1.0);
             let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());
-            for name in ["Map, from above", "Map, from the side", "Space", "Spacetime", "Bicycle's frame"] {
+            for name in ["Map, from above", "Map, from the side", "Space", "Spacetime", "Bicycle", "Close-up"]
+            {
                 let rect = window.get_by_label(name).rect();
                 assert!(area.contains_rect(rect), "{name} at {rect:?} in {size:?}");
             }

@@ -55,29 +55,24 @@ const FACES: [(Face, &str, &str); 2] = [
     (Face::Spacetime, "Spacetime", "When everything happens: x against t, light at 45 degrees."),
 ];
 
-const FRAMINGS: [(Framing, &str, &str); 2] = [
-    (Framing::Passage, "Passage", "Holds the whole passage, past both eyes."),
-    (
-        Framing::CloseUp,
-        "Close-up",
-        "Follows the selected body: in space where it is seen and where two eyes place it, with the length of a rod; in \
-         spacetime where the followed points are now.",
-    ),
-];
+const CLOSE_UP: &str = "Follows the selected body: in space where it is seen and where two eyes place it, with the length of a \
+                        rod; in spacetime where the followed points are now, with their clocks.";
 
 fn strip(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut map = state.settings.map;
-    let riders = capitalised(&state.session.scene.rider) + "'s frame";
+    let rider = capitalised(&state.session.scene.rider);
     let frames = [
-        (Frame::Ground, "Ground's frame", "As the street measures it, where eyes and houses rest.   Key: G"),
-        (Frame::Bicycle, &riders, "As who rides along measures it: eyes and street ride past.   Key: G"),
+        (Frame::Ground, "Ground", "In the frame of the street, where eyes and houses rest.   Key: G"),
+        (Frame::Bicycle, &rider, "In the frame of who rides along: eyes and street ride past.   Key: G"),
     ];
     ui.horizontal_centered(|ui| {
         choice(ui, &mut map.face, &FACES);
         ui.separator();
         choice(ui, &mut map.frame, &frames);
         ui.separator();
-        choice(ui, &mut map.framing, &FRAMINGS);
+        let mut is_close_up = map.framing == Framing::CloseUp;
+        ui.toggle_value(&mut is_close_up, "Close-up").on_hover_text(CLOSE_UP);
+        map.framing = if is_close_up { Framing::CloseUp } else { Framing::Passage };
     });
     if map != state.settings.map {
         asks.push(Command::Map(map));
