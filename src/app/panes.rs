@@ -1,6 +1,6 @@
 //! How the views' area is divided: what stands in which pane, and where in it the eyes' pictures are.
 
-use eframe::egui::{Pos2, Rect, Ui, pos2, vec2};
+use eframe::egui::{Pos2, Rect, Ui, Vec2, pos2, vec2};
 use relativity_render::Composition;
 use relativity_render::compose::Top;
 
@@ -201,10 +201,10 @@ impl EyePane {
         if self.is_shared { "Both eyes' view".to_owned() } else { format!("{} view", self.eye.name()) }
     }
 
-    /// The pixel of the picture at a place on screen.
+    /// The pixel of the picture at a place on screen. A pane without room counts as one of a point.
     #[must_use]
     pub fn pixel(&self, place: Pos2) -> [f64; 2] {
-        let inside = (place - self.rect.min) / self.rect.size();
+        let inside = (place - self.rect.min) / self.rect.size().max(Vec2::splat(1.0));
         [f64::from(inside.x) * f64::from(self.size[0]), f64::from(inside.y) * f64::from(self.size[1])]
     }
 
@@ -250,6 +250,17 @@ mod tests {
                     arrangement(layout, corrected).panes(AREA).iter().map(|pane| pane.rect.area()).sum();
                 let is_narrow = layout == Layout::FreeViewing;
                 assert!(is_narrow || covered > 0.85 * AREA.area(), "{layout:?}: {covered}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_place_is_a_pixel_in_a_pane_without_room_too() {
+        for size in [vec2(0.0, 0.0), vec2(300.0, 0.0), vec2(0.0, 0.2)] {
+            let pane = EyePane::new(Eye::Left, Rect::from_min_size(AREA.min, size), 1.0, 4096);
+            for place in [AREA.min, AREA.center(), pos2(-500.0, 3000.0)] {
+                let pixel = pane.pixel(place);
+                assert!(pixel.iter().all(|coordinate| coordinate.abs() < 1e7), "{size:?}: {pixel:?}");
             }
         }
     }
