@@ -2,7 +2,7 @@
 //! it passes, not on T, and on the speed in steps at most: nothing jumps while time runs.
 
 use relativity_core::math;
-use relativity_render::{Motion, Shape, Velocity};
+use relativity_render::{Motion, Velocity};
 
 use super::{Chart, Viewpoint};
 use crate::scene::Scene;
@@ -60,28 +60,13 @@ fn subject_box(scene: &Scene) -> [[f64; 2]; 3] {
     let subject = scene.groups.iter().filter(|group| moves(group.motion));
     let bodies = subject.flat_map(|group| &scene.bodies[group.bodies()]);
     let empty = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
-    let around = bodies.fold(empty, |around, body| joined(around, ball_around(&body.shape)));
+    let around = bodies.fold(empty, |around, body| joined(around, body.shape.ball_around()));
     if around[0][0] <= around[0][1] { around } else { [[-1.0, 1.0]; 3] }
 }
 
 fn joined(around: [[f64; 2]; 3], (center, radius): ([f64; 3], f64)) -> [[f64; 2]; 3] {
     [0, 1, 2]
         .map(|axis| [around[axis][0].min(center[axis] - radius), around[axis][1].max(center[axis] + radius)])
-}
-
-/// A ball that holds `shape`.
-pub(super) fn ball_around(shape: &Shape) -> ([f64; 3], f64) {
-    let middle = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|axis| 0.5 * (a[axis] + b[axis]));
-    let length = |v: [f64; 3]| math::hypot(math::hypot(v[0], v[1]), v[2]);
-    let half = |a: [f64; 3], b: [f64; 3]| 0.5 * length([0, 1, 2].map(|axis| b[axis] - a[axis]));
-    match *shape {
-        Shape::Sphere { center, radius } => (center, radius),
-        Shape::Tube { from, to, radius } | Shape::Cylinder { from, to, radius } => {
-            (middle(from, to), half(from, to) + radius)
-        }
-        Shape::Ring { center, radius, tube_radius, .. } => (center, radius + tube_radius),
-        Shape::Box { center, half, .. } => (center, length(half)),
-    }
 }
 
 /// The plan (x, y) above and the view from the side (x, z) below, in a rectangle (left, top, width, height, points) that

@@ -3,11 +3,11 @@
 use std::ops::Range;
 
 use glam::{DMat3, DVec2, DVec3};
+use relativity_render::shape::strokes::{Path, Stroke};
 use relativity_render::{Body, MaterialPoint, Spin};
 
-use super::fit::ball_around;
 use super::instant::{Instant, Picture, Places};
-use super::outline::{Path, Stroke, outline};
+use super::outline::outline;
 use super::{Chart, Projection};
 use crate::scene::{Scene, SceneGroup};
 use crate::settings::Frame;
@@ -115,7 +115,7 @@ impl Lines {
     /// Adds the outlines of a group's bodies: not of those too small to be seen, nor of more than can be told apart.
     fn add_group(&mut self, sampler: &Sampler, scene: &Scene, group: &SceneGroup) {
         for body in group.bodies().step_by(group.count.div_ceil(MOST_BODIES).max(1)) {
-            let reach = ball_around(&scene.bodies[body].shape).1;
+            let reach = scene.bodies[body].shape.ball_around().1;
             if 2.0 * reach * sampler.charts[0].scale >= SMALLEST {
                 self.add(
                     &Sampler { spin: scene.bodies[body].spin, ..*sampler },
@@ -134,9 +134,8 @@ impl Lines {
     }
 
     fn add(&mut self, sampler: &Sampler, number: usize, body: &Body, reach: f64) {
-        let mut strokes = Vec::with_capacity(12);
-        outline(&body.shape, |place, projection| sampler.line_of_sight(place, projection), &mut strokes);
-        for Stroke { path, radius, only } in strokes {
+        let strokes = outline(&body.shape, |place, projection| sampler.line_of_sight(place, projection));
+        for (Stroke { path, radius }, only) in strokes {
             let first = self.vertices.len();
             sampler.sample(&path, &mut self.vertices);
             let vertices = first..self.vertices.len();

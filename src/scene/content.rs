@@ -5,8 +5,6 @@ use std::ops::Range;
 
 use relativity_render::{Body, Group, MaterialPoint, Motion, PreparedScene, Spin, Velocity};
 
-use super::forward_most::forward_most_on;
-use super::near_body::outside;
 use super::table::coincide;
 use crate::platform::{sizes, tell};
 
@@ -108,7 +106,7 @@ impl Scene {
     /// whose surface is nearest.
     #[must_use]
     pub fn body_at(&self, place: [f64; 3]) -> Option<usize> {
-        let off = |body: &usize| outside(&self.bodies[*body].shape, place.into());
+        let off = |body: &usize| self.bodies[*body].shape.distance(place.into());
         let own = self.groups[0].bodies().map(|body| (body, off(&body)));
         let here = own.filter(|(_, off)| *off <= ON_BODY);
         here.min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs())).map(|(body, _)| body)
@@ -152,7 +150,7 @@ impl Scene {
     /// The forward-most point of the body of this number, if there is such a body.
     #[must_use]
     pub fn track_on(&self, body: usize) -> Option<Track> {
-        self.track_at(forward_most_on(&self.bodies.get(body)?.shape).into(), body)
+        self.track_at(self.bodies.get(body)?.shape.forward_most().into(), body)
     }
 
     /// The point that rests at this place of the body of this number, if there is one; or that turns with it, and is there

@@ -5,7 +5,6 @@ use toml::de::DeTable;
 
 use super::content::{Scene, SceneGroup};
 use super::error::{Located, Problem};
-use super::forward_most::forward_most_point;
 use super::object::{Object, object};
 use super::presets;
 use super::table::Table;
@@ -36,7 +35,7 @@ fn changed_scene(text: &str, changes: Changes) -> Result<Scene, Located> {
     let names = objects.iter().enumerate().map(|(number, object)| object.name_as(number)).collect();
     let bodies: Vec<Body> = objects.into_iter().map(|object| object.body).collect();
     let own = groups.first().map_or(&[][..], |group| &bodies[group.bodies()]);
-    let Some(forward_most) = forward_most_point(own) else {
+    let Some(forward_most) = forward_most(own) else {
         return Err(Located { span: top.span, problem: Problem::Empty });
     };
     let tracked = tracked.unwrap_or(forward_most);
@@ -60,6 +59,12 @@ pub(super) fn preset(name: &str) -> Option<Scene> {
 fn changed_preset(name: &str, changes: Changes) -> Option<Scene> {
     let text = presets::text(name)?;
     Some(changed_scene(text, changes).unwrap_or_else(|_| unreachable!("tests read every preset")))
+}
+
+/// The point with the largest x on any of the bodies; `None` without bodies.
+fn forward_most(bodies: &[Body]) -> Option<[f64; 3]> {
+    let points = bodies.iter().map(|body| body.shape.forward_most());
+    points.max_by(|a, b| a.x.total_cmp(&b.x)).map(|point| point.to_array())
 }
 
 /// All objects, and the groups they belong to: the scene's own, which moves at its speed, comes first. A group without

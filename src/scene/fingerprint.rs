@@ -1,7 +1,7 @@
 //! Whether two scenes are the same: a hash of what is in them, however the program calls its parts.
 
 use relativity_core::Turning;
-use relativity_render::{Body, Motion, Pattern, Shape, Spin};
+use relativity_render::{Body, Motion, Pattern, Spin};
 
 use super::content::{Scene, SceneGroup};
 use crate::files::provenance::Provenance;
@@ -74,37 +74,8 @@ impl Hash {
     }
 
     fn body(&mut self, body: &Body) {
-        match body.shape {
-            Shape::Sphere { center, radius } => {
-                self.name("sphere");
-                self.numbers(&center);
-                self.numbers(&[radius]);
-            }
-            Shape::Tube { from, to, radius } => {
-                self.name("tube");
-                self.numbers(&from);
-                self.numbers(&to);
-                self.numbers(&[radius]);
-            }
-            Shape::Ring { center, axis, radius, tube_radius } => {
-                self.name("ring");
-                self.numbers(&center);
-                self.numbers(&axis);
-                self.numbers(&[radius, tube_radius]);
-            }
-            Shape::Box { center, half, turn } => {
-                self.name("box");
-                self.numbers(&center);
-                self.numbers(&half);
-                self.numbers(&turn);
-            }
-            Shape::Cylinder { from, to, radius } => {
-                self.name("cylinder");
-                self.numbers(&from);
-                self.numbers(&to);
-                self.numbers(&[radius]);
-            }
-        }
+        self.name(body.shape.name());
+        self.numbers(&body.shape.numbers());
         self.numbers(&[body.emission.wavelength_nm().unwrap_or(f64::INFINITY)]);
         if body.brightness < 1.0 {
             self.name("brightness");

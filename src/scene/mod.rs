@@ -7,8 +7,6 @@ mod content;
 mod error;
 mod file;
 mod fingerprint;
-mod forward_most;
-mod near_body;
 mod object;
 mod presets;
 mod table;

@@ -2,9 +2,9 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::body::Shape;
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
+use crate::shape::Shape;
 use crate::turn::turn_of;
 
 /// A box in the rest frame.

@@ -5,8 +5,8 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec3;
 use relativity_core::math::{cos, sin};
 
-use crate::body::Shape;
 use crate::group_view::GroupView;
+use crate::shape::Shape;
 
 /// A tube with rounded ends in the rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]

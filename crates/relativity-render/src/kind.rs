@@ -1,7 +1,7 @@
 //! The kinds of shape that shaders tell apart: each has its own ray test, and its own corners of triangles.
 
-use crate::body::Shape;
 use crate::shaders::source;
+use crate::shape::Shape;
 
 /// One line for each kind: its name, and its files in `shaders/` for the ray test, for the corners and for patterns.
 macro_rules! kinds {

@@ -6,11 +6,12 @@ use std::ops::Range;
 use glam::{DQuat, DVec3};
 
 use crate::block::{Block, block};
-use crate::body::{Body, Emission, Shape};
+use crate::body::{Body, Emission};
 use crate::capsule::{Capsule, add_capsules};
 use crate::intersect::Solid;
 use crate::kind::Kind;
 use crate::pattern::{Form, Marking};
+use crate::shape::Shape;
 use crate::surface::Surface;
 use crate::turn::turn_of;
 use crate::wheel::spin::Spin;

@@ -14,7 +14,6 @@ use glam::DVec3;
 use relativity_core::math::{asinh, atan, hypot, sin_cos, tan};
 
 use crate::block::Block;
-use crate::body::Shape;
 use crate::camera::{Axes, Gaze, MAX_ELEVATION, Projection as PictureProjection};
 use crate::capsule::{Capsule, add_capsules};
 use crate::footprint::Projection;
@@ -23,6 +22,7 @@ use crate::one_cone;
 use crate::outline::{Ball, Framing, Outline, Range};
 use crate::prepared_body::PreparedBody;
 use crate::scene::{PreparedGroup, PreparedScene};
+use crate::shape::Shape;
 use crate::view::{Geometry, View};
 
 /// Bulge of a piece, as it is seen, that is not worth halving it: radians, or units of u.

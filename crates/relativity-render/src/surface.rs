@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 use relativity_core::math;
 
-use crate::body::Shape;
+use crate::shape::Shape;
 
 /// A body's surface in the rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]

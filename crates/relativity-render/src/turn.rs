@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3};
 
-use crate::body::Shape;
+use crate::shape::Shape;
 
 /// The turn from the own axes of `shape` to the axes of the rest frame.
 ///

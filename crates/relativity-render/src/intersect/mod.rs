@@ -8,9 +8,9 @@ pub(crate) mod flat;
 use glam::{DMat3, DVec3};
 use relativity_core::math;
 
-use crate::body::Shape;
 use crate::polynomial::first_descent;
 use crate::ray::Ray;
+use crate::shape::Shape;
 use crate::turn::turn_of;
 
 /// Where a ray enters a body. Rest frame.

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use glam::DVec3;
 use relativity_core::math::{atan2, hypot};
 
-use crate::body::Shape;
+use crate::shape::Shape;
 
 /// A body's shape about its middle, in its own axes.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,10 +3,10 @@
 use glam::{DQuat, DVec3};
 use relativity_core::Turning;
 
-use crate::body::Shape;
 use crate::effects::{Constant, Effects};
 use crate::group_view::GroupView;
 use crate::prepared_body::{Placement, PreparedBody};
+use crate::shape::Shape;
 use crate::velocity::Velocity;
 use crate::view::{Appearance, Geometry};
 use crate::wheel::spin::{MaterialPoint, Spin};

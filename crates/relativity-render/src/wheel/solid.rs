@@ -19,10 +19,10 @@
 use glam::DVec3;
 use relativity_core::math;
 
-use crate::body::Shape;
 use crate::group_view::GroupView;
 use crate::intersect::{Entry, Form, LocalRay, Solid, flat};
 use crate::ray::Ray;
+use crate::shape::Shape;
 use crate::wheel::spin::{Spin, about_y};
 
 /// Most steps to an entry. Grazing rays take about fifty.

@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use super::{Case, Found, Random, cases};
-use crate::body::Shape;
 use crate::intersect::Entry;
+use crate::shape::Shape;
 
 /// What f32 loses, in parts of the body's size.
 const PART: f64 = 2e-6;

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use glam::{DQuat, DVec3};
 use relativity_core::math::sin_cos;
 
-use crate::body::Shape;
+use super::Shape;
 
 /// Steps along a tube, and around a ring and an end of a cylinder.
 const ALONG: u32 = 4;
