@@ -93,7 +93,7 @@ fn line_colour(ui: &Ui, line: &Line) -> Color32 {
     let (colour, strength) = match line.picture {
         _ if line.rests => (ui.visuals().weak_text_color(), STREET),
         Picture::Measured | Picture::Stereo => (colour(line.picture, ui.visuals()), 1.0),
-        picture => (colour(picture, ui.visuals()), SEEN),
+        Picture::Seen(_) => (colour(line.picture, ui.visuals()), SEEN),
     };
     colour.gamma_multiply(strength)
 }
