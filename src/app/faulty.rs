@@ -1,5 +1,7 @@
 //! What the window says of a graphics device that fails, once.
 
+use std::sync::Arc;
+
 use eframe::egui::Context;
 use eframe::egui_wgpu::RenderState;
 use relativity_render::{Faults, GpuError};
@@ -11,14 +13,19 @@ use crate::caption::capitalised;
 pub struct Faulty {
     faults: Faults,
     is_told: bool,
+    /// The window that a fault wakes. The device holds it weakly: egui's renderer is part of a window's context and owns
+    /// the device, which could never be freed if it owned the context in turn.
+    _woken: Option<Arc<Context>>,
 }
 
 impl Faulty {
     /// Of the window's device, if it has one, from now on; each fault is followed by a frame.
     pub fn of(ctx: &Context, render_state: Option<&RenderState>) -> Self {
-        let ctx = ctx.clone();
-        let watch = |state: &RenderState| Faults::of(&state.device, move || ctx.request_repaint());
-        Self { faults: render_state.map(watch).unwrap_or_default(), is_told: false }
+        let Some(state) = render_state else { return Self::default() };
+        let woken = Arc::new(ctx.clone());
+        let ctx = Arc::downgrade(&woken);
+        let wake = move || ctx.upgrade().iter().for_each(|ctx| ctx.request_repaint());
+        Self { faults: Faults::of(&state.device, wake), is_told: false, _woken: Some(woken) }
     }
 
     /// Why the device is lost, if it is: then the window cannot be drawn.

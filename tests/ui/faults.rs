@@ -4,12 +4,13 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use eframe::egui::{Vec2, ViewportCommand};
-use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuSetup};
+use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuSetup, WgpuSetupExisting};
 use eframe::wgpu;
 use egui_kittest::Harness;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 use gamow::app::App;
 use gamow::app::command::Command;
+use gamow::app::painting;
 use gamow::flags::choices::RendererChoice;
 
 use super::Test;
@@ -20,6 +21,7 @@ pub const TESTS: &[Test] = &[
     ("an_error_that_nobody_waits_for_is_told_once", an_error_that_nobody_waits_for_is_told_once),
     ("a_lost_device_closes_the_window_and_leaves_its_state", a_lost_device_closes_the_window),
     ("no_size_of_the_window_is_an_error", no_size_of_the_window_is_an_error),
+    ("the_device_of_a_closed_window_is_freed", the_device_of_a_closed_window_is_freed),
 ];
 
 /// A window, and its device, whose limits are those of the adapter after `lower`.
@@ -120,4 +122,25 @@ fn no_size_of_the_window_is_an_error() {
         assert!(numbers.iter().all(|side| (1..=2048).contains(side)), "{size:?}: {numbers:?}");
         assert_eq!(notice(&harness), None, "{size:?}");
     }
+}
+
+fn the_device_of_a_closed_window_is_freed() {
+    let setup = default_wgpu_setup();
+    let instance = pollster::block_on(setup.new_instance());
+    let devices = || instance.generate_report().expect("a native instance").hub_report().devices.num_allocated;
+    let adapter = pollster::block_on(instance.request_adapter(&Default::default())).expect("an adapter");
+    let (device, queue) = pollster::block_on(adapter.request_device(&Default::default())).expect("a device");
+    let existing = WgpuSetupExisting { instance: instance.clone(), adapter, device, queue };
+    let render_state = create_render_state(WgpuSetup::Existing(existing), RendererOptions::PREDICTABLE);
+    let mut harness = builder([640.0, 480.0])
+        .renderer(WgpuTestRenderer::from_render_state(render_state))
+        .build_eframe(|cc| {
+            // Owned by the window's context, and owner of the device.
+            painting::install(&cc.egui_ctx, cc.wgpu_render_state.as_ref().expect("a device"));
+            App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), cyclist(0.9))
+        });
+    harness.run_steps(3);
+    assert_eq!(devices(), 1);
+    drop(harness);
+    assert_eq!(devices(), 0);
 }
