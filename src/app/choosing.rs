@@ -10,6 +10,7 @@ use super::chooser::{Product, Purpose};
 use super::command::Command;
 use super::orders::Saving;
 use super::state::State;
+use super::waker::Woken;
 use crate::flags::choices::Size;
 use crate::platform::clock::Instant;
 use crate::platform::{files, threads};
@@ -192,7 +193,10 @@ fn typed_path(text: &str) -> Result<PathBuf, String> {
 }
 
 /// A dialog of the system. A thread waits for it, as that may take as long as the user likes.
-struct Dialog(Receiver<Answer>);
+struct Dialog {
+    answer: Receiver<Answer>,
+    _woken: Woken,
+}
 
 /// What a dialog was answered with.
 enum Answer {
@@ -218,7 +222,8 @@ impl Dialog {
             dialog = dialog.set_file_name(name).add_filter(product.name(), product.endings());
         }
         let (answered, answer) = channel();
-        let ctx = ctx.clone();
+        let woken = Woken::new(ctx.clone());
+        let waker = woken.waker();
         threads::spawn(move || {
             let start = Instant::now();
             let path = match purpose {
@@ -229,14 +234,14 @@ impl Dialog {
             let none = if is_there { Answer::None } else { Answer::NoDialog };
             // Nobody may wait for it any more.
             let _ = answered.send(path.map_or(none, Answer::Path));
-            ctx.request_repaint();
+            waker.wake();
         });
-        Self(answer)
+        Self { answer, _woken: woken }
     }
 
     /// What it was answered with, once it was.
     fn answer(&self) -> Option<Answer> {
-        match self.0.try_recv() {
+        match self.answer.try_recv() {
             Ok(answer) => Some(answer),
             Err(TryRecvError::Empty) => None,
             Err(TryRecvError::Disconnected) => Some(Answer::NoDialog),

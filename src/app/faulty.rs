@@ -1,11 +1,10 @@
 //! What the window says of a graphics device that fails, once.
 
-use std::sync::Arc;
-
 use eframe::egui::Context;
 use eframe::egui_wgpu::RenderState;
 use relativity_render::{Faults, GpuError};
 
+use super::waker::Woken;
 use crate::caption::capitalised;
 
 /// What the device has reported, and how much of that was told.
@@ -13,19 +12,17 @@ use crate::caption::capitalised;
 pub struct Faulty {
     faults: Faults,
     is_told: bool,
-    /// The window that a fault wakes. The device holds it weakly: egui's renderer is part of a window's context and owns
-    /// the device, which could never be freed if it owned the context in turn.
-    _woken: Option<Arc<Context>>,
+    /// The window that a fault wakes: the device, which it owns, must not own it in turn.
+    _woken: Option<Woken>,
 }
 
 impl Faulty {
     /// Of the window's device, if it has one, from now on; each fault is followed by a frame.
     pub fn of(ctx: &Context, render_state: Option<&RenderState>) -> Self {
         let Some(state) = render_state else { return Self::default() };
-        let woken = Arc::new(ctx.clone());
-        let ctx = Arc::downgrade(&woken);
-        let wake = move || ctx.upgrade().iter().for_each(|ctx| ctx.request_repaint());
-        Self { faults: Faults::of(&state.device, wake), is_told: false, _woken: Some(woken) }
+        let woken = Woken::new(ctx.clone());
+        let waker = woken.waker();
+        Self { faults: Faults::of(&state.device, move || waker.wake()), is_told: false, _woken: Some(woken) }
     }
 
     /// Why the device is lost, if it is: then the window cannot be drawn.

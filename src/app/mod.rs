@@ -74,6 +74,7 @@ pub mod thumbnails;
 pub mod under;
 pub mod usual;
 mod views;
+mod waker;
 mod watch;
 mod wavelength_colour;
 mod widgets;

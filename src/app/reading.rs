@@ -8,6 +8,7 @@ use std::time::Duration;
 use eframe::egui::Context;
 use relativity_render::PreparedScene;
 
+use super::waker::Woken;
 use crate::estimate::samples::DataFile;
 use crate::flags::choices::FileKind;
 use crate::lesson::Lesson;
@@ -157,7 +158,7 @@ fn is_scene(path: &Path) -> bool {
 
 /// The files that are being read.
 pub struct Reader {
-    ctx: Context,
+    woken: Woken,
     read: Receiver<(u64, ReadFile)>,
     sender: Sender<(u64, ReadFile)>,
     begun: u64,
@@ -176,7 +177,7 @@ impl Reader {
     #[must_use]
     pub fn new(ctx: Context) -> Self {
         let (sender, read) = channel();
-        Self { ctx, read, sender, begun: 0, underway: Vec::new() }
+        Self { woken: Woken::new(ctx), read, sender, begun: 0, underway: Vec::new() }
     }
 
     /// Begins `errand`. A file that is opened takes the place of one that is still being read to be opened, and a change of
@@ -191,11 +192,11 @@ impl Reader {
         self.underway.retain(|other| !replaces(other));
         let number = self.begun;
         self.underway.push(Underway { number, path: path.clone(), purpose, since: Instant::now() });
-        let (sender, ctx) = (self.sender.clone(), self.ctx.clone());
+        let (sender, waker) = (self.sender.clone(), self.woken.waker());
         // Nothing waits for this thread: a disc that does not answer keeps nobody from leaving.
         threads::spawn(move || {
             if sender.send((number, errand.read())).is_ok() {
-                ctx.request_repaint();
+                waker.wake();
             }
         });
     }
@@ -231,7 +232,7 @@ impl Reader {
         if rest.is_zero() {
             return Some(&opened.path);
         }
-        self.ctx.request_repaint_after(rest);
+        self.woken.wake_after(rest);
         None
     }
 }

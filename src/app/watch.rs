@@ -1,23 +1,25 @@
 //! Notices when files change on disk.
 
 use std::path::PathBuf;
-use std::sync::mpsc::{Receiver, Sender, channel};
-use std::sync::{Arc, Weak};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
 use eframe::egui::Context;
 
+use super::waker::{Waker, Woken};
 use crate::platform::{files, threads};
 
 /// How often they are looked at.
 const INTERVAL: Duration = Duration::from_secs(1);
 
-/// A thread that looks at files about once a second; it ends with this. Only a change is announced by a repaint.
+/// A thread that looks at files about once a second. It ends at once with this, unless a disc keeps it: nothing waits for it.
+/// Only a change is announced by a repaint.
 #[derive(Debug)]
 pub struct Watch {
     paths: Vec<PathBuf>,
     changed: Receiver<PathBuf>,
-    _alive: Arc<()>,
+    _stop: Sender<()>,
+    _woken: Woken,
 }
 
 impl Watch {
@@ -25,10 +27,11 @@ impl Watch {
     #[must_use]
     pub fn new(ctx: Context, paths: Vec<PathBuf>) -> Self {
         let (sender, changed) = channel();
-        let alive = Arc::new(());
-        let (watched, is_wanted) = (stamped(&paths), Arc::downgrade(&alive));
-        threads::spawn(move || look(&ctx, watched, &sender, &is_wanted));
-        Self { paths, changed, _alive: alive }
+        let (stop, stopped) = channel();
+        let woken = Woken::new(ctx);
+        let (watched, waker) = (stamped(&paths), woken.waker());
+        threads::spawn(move || look(&waker, watched, &sender, &stopped));
+        Self { paths, changed, _stop: stop, _woken: woken }
     }
 
     /// What it looks at.
@@ -54,12 +57,8 @@ fn stamped(paths: &[PathBuf]) -> Vec<Stamped> {
     paths.iter().map(|path| (path.clone(), files::stamp(path))).collect()
 }
 
-fn look(ctx: &Context, mut watched: Vec<Stamped>, changed: &Sender<PathBuf>, is_wanted: &Weak<()>) {
-    loop {
-        threads::sleep(INTERVAL);
-        if is_wanted.strong_count() == 0 {
-            return;
-        }
+fn look(waker: &Waker, mut watched: Vec<Stamped>, changed: &Sender<PathBuf>, stopped: &Receiver<()>) {
+    while stopped.recv_timeout(INTERVAL) == Err(RecvTimeoutError::Timeout) {
         for (path, known) in &mut watched {
             // While an editor replaces it, it may be gone for a moment.
             let Some(now) = files::stamp(path) else { continue };
@@ -68,7 +67,7 @@ fn look(ctx: &Context, mut watched: Vec<Stamped>, changed: &Sender<PathBuf>, is_
                 if changed.send(path.clone()).is_err() {
                     return;
                 }
-                ctx.request_repaint();
+                waker.wake();
             }
         }
     }

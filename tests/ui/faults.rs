@@ -127,7 +127,8 @@ fn no_size_of_the_window_is_an_error() {
 fn the_device_of_a_closed_window_is_freed() {
     let setup = default_wgpu_setup();
     let instance = pollster::block_on(setup.new_instance());
-    let devices = || instance.generate_report().expect("a native instance").hub_report().devices.num_allocated;
+    let devices =
+        || instance.generate_report().expect("a native instance").hub_report().devices.num_allocated;
     let adapter = pollster::block_on(instance.request_adapter(&Default::default())).expect("an adapter");
     let (device, queue) = pollster::block_on(adapter.request_device(&Default::default())).expect("a device");
     let existing = WgpuSetupExisting { instance: instance.clone(), adapter, device, queue };
