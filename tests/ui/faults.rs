@@ -129,8 +129,10 @@ fn the_device_of_a_closed_window_is_freed() {
     let instance = pollster::block_on(setup.new_instance());
     let devices =
         || instance.generate_report().expect("a native instance").hub_report().devices.num_allocated;
-    let adapter = pollster::block_on(instance.request_adapter(&Default::default())).expect("an adapter");
-    let (device, queue) = pollster::block_on(adapter.request_device(&Default::default())).expect("a device");
+    let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))
+        .expect("an adapter");
+    let (device, queue) =
+        pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor::default())).expect("a device");
     let existing = WgpuSetupExisting { instance: instance.clone(), adapter, device, queue };
     let render_state = create_render_state(WgpuSetup::Existing(existing), RendererOptions::PREDICTABLE);
     let mut harness = builder([640.0, 480.0])
