@@ -100,7 +100,7 @@ fn the_published_model_leaves_out_parallax_and_its_fit_is_wrong() {
     assert!((number(&lesson, 0) - parallax).abs() < 1e-6 && (parallax - 0.033).abs() < 5e-4);
     assert!(dphi(PUBLISHED, 13.0025_f64.sqrt()).abs() < 1e-15);
     assert_eq!(observed(&lesson, 0), "no difference at all");
-    says(&lesson, 0, "Dashed is the paper's curve: {} here", 0.0, 4);
+    says(&lesson, 0, "what is due to the delays: {} here", 0.0, 4);
 
     let range = range("parallax");
     let [value, sigma, off] = fitted(Model::Exact, PUBLISHED, 240, range);
