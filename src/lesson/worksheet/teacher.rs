@@ -43,6 +43,15 @@ fn plan(lesson: &Lesson) -> String {
 fn step(page: &mut Page, step: &Step, settings: &Settings) -> anyhow::Result<()> {
     said(page, "What to say.", &step.text.markdown)?;
     answers::step(page, step, settings)?;
+    if step.teaching.is_empty() {
+        wrong_answers(page, step)?;
+    }
+    said(page, "What pupils say.", &step.teaching.markdown)?;
+    said(page, "Why.", &step.explanation.markdown)
+}
+
+/// Writes what pupils may answer, taken from the questions: for a step without advice of its author's.
+fn wrong_answers(page: &mut Page, step: &Step) -> anyhow::Result<()> {
     if let Some(Kind::Choice(options)) = step.prediction.as_ref().map(|asked| &asked.kind) {
         page.text(&format!("**What pupils also answer.**{}", wrong(options)?))?;
     }
@@ -50,8 +59,7 @@ fn step(page: &mut Page, step: &Step, settings: &Settings) -> anyhow::Result<()>
         let text = "Some see what they expected. Show it again (*Look again*) to those who answer:";
         page.text(&format!("**What can go wrong.** {text}{}", wrong(&observation.options)?))?;
     }
-    page.text(&step.teaching.markdown)?;
-    said(page, "Why.", &step.explanation.markdown)
+    Ok(())
 }
 
 fn said(page: &mut Page, name: &str, text: &str) -> anyhow::Result<()> {
