@@ -74,6 +74,11 @@ pub static ACTIONS: &[Action] = &[
     action("contracted only", &[key(Key::Num2)], Command::Geometry(Geometry::Contracted)),
     action("at rest", &[key(Key::Num3)], Command::Geometry(Geometry::Rest)),
     action("one light cone for both eyes", &[key(Key::Num4)], Command::Geometry(Geometry::OneCone)),
+    action(
+        "one eye’s picture beside another of it: as seen, contracted, at rest, D²",
+        &[key(Key::B)],
+        Command::NextComparison,
+    ),
     action("frame: the whole scene in the views", &[key(Key::F)], Command::Frame),
     action("follow the next body", &[key(Key::N)], Command::FollowNext(1)),
     action("follow the body before", &[with_shift(Key::N)], Command::FollowNext(-1)),

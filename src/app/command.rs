@@ -48,6 +48,8 @@ pub enum Command {
     ToggleSimple,
     /// Swap the eyes of the present layout.
     SwapEyes,
+    /// Show beside one eye's picture another of it: the next choice of that, which can be shown.
+    NextComparison,
     /// New colours.
     Light(Light),
     /// Another renderer, or another bound of it.
@@ -220,6 +222,7 @@ impl State {
                 let picture = &mut self.settings.picture;
                 picture.swapped = picture.swapped.toggled(picture.layout);
             }
+            Command::NextComparison => self.settings.compare_next(),
             Command::Light(light) => self.set_light(light),
             Command::Quality(quality) => self.settings.quality = quality,
             Command::Playback(playback) => self.settings.playback = playback,
@@ -251,9 +254,9 @@ impl State {
             Command::Magnify(factor) => {
                 let size = self.session.picture_size;
                 let pixel = size.map(|side| 0.5 * f64::from(side));
-                self.zoom(Zoom { eye: Eye::Left, pixel, size, factor });
+                self.zoom(Zoom { eye: Eye::Left, is_second: false, pixel, size, factor });
             }
-            Command::Pick(pick) => self.pick(pick),
+            Command::Pick(pick) => self.of_picture(pick.is_second, |state| state.pick(pick)),
             Command::Select(Select { track, body, add }) => self.session.points.choose(track, body, add),
             Command::FollowNext(steps) => self.follow_next(steps),
             Command::SelectPoint(index) => self.session.points.select(index),
@@ -385,7 +388,7 @@ impl State {
     }
 
     fn turn(&mut self, turn: Turn) {
-        let camera = self.view(turn.eye, turn.size).camera;
+        let camera = self.of_picture(turn.is_second, |state| state.view(turn.eye, turn.size).camera);
         self.stay_at(camera.gaze_with(camera.line_of_sight(turn.from), turn.to));
     }
 
@@ -394,11 +397,11 @@ impl State {
         let [width, height] = size.map(f64::from);
         let from = [0.5 * width, 0.5 * height];
         let to = [from[0] - across * width, from[1] + up * width];
-        self.turn(Turn { eye: Eye::Left, from, to, size });
+        self.turn(Turn { eye: Eye::Left, is_second: false, from, to, size });
     }
 
     fn zoom(&mut self, zoom: Zoom) {
-        let camera = self.view(zoom.eye, zoom.size).camera;
+        let camera = self.of_picture(zoom.is_second, |state| state.view(zoom.eye, zoom.size).camera);
         let direction = camera.line_of_sight(zoom.pixel);
         let fov = camera.horizontal_fov.to_degrees() * zoom.factor;
         let range = self.settings.look.fov_range();

@@ -16,6 +16,7 @@ pub mod chooser;
 mod choosing;
 pub mod clock;
 pub mod command;
+mod compared;
 pub mod corrected;
 pub mod curves;
 pub mod dial;

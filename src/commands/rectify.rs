@@ -15,7 +15,7 @@ use crate::files::whole::write_whole;
 use crate::flags::choices::{FileKind, GazeChoice, Layout};
 use crate::flags::{IntensityExponent, OnOff, SpeedArgs, SpeedParameter, field_of_view, switch};
 use crate::platform::files;
-use crate::settings::{CameraArgs, Settings};
+use crate::settings::{CameraArgs, NO_PAIR, Settings};
 use crate::studio::Sheet;
 
 /// Corrects a picture taken from one eye to the frame of the bodies in it.
@@ -110,6 +110,7 @@ impl RectifyArgs {
 
     /// What is corrected of `file`: the picture of an eye (0 left, 1 right) in it, and whose it is.
     fn of_an_eye(&self, mut file: PngFile, settings: &Settings) -> anyhow::Result<(Picture, usize)> {
+        anyhow::ensure!(!settings.is_comparing(), NO_PAIR);
         let picture = &settings.picture;
         if let [eye] = *picture.eyes() {
             anyhow::ensure!(self.eye.is_none(), "--eye: there is no choice, it shows one eye");

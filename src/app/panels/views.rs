@@ -39,19 +39,19 @@ pub struct Painted {
     pub heat_map: Option<TextureId>,
 }
 
-/// Reads the mouse in `pane`.
-pub fn interact(ui: &mut Ui, pane: EyePane, asks: &mut Asks) {
+/// Reads the mouse in `pane`, which assistive technology calls by this `name`.
+pub fn interact(ui: &mut Ui, pane: EyePane, name: &str, asks: &mut Asks) {
     let id = ui.scope_id().with(("view", pane.eye.index()));
     let response = ui.interact(pane.rect, id, Sense::click_and_drag()).on_hover_cursor(CursorIcon::Crosshair);
-    let name = pane.name();
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, &name));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, name));
     if response.double_clicked() {
         asks.push(Command::FollowAgain);
     } else if response.triple_clicked() {
         // It is a double click that went on.
     } else if let (true, Some(place)) = (response.clicked(), response.interact_pointer_pos()) {
         let add = ui.input(|input| input.modifiers.shift);
-        asks.push(Command::Pick(Pick { eye: pane.eye, pixel: pane.pixel(place), size: pane.size, add }));
+        let EyePane { eye, is_second, size, .. } = pane;
+        asks.push(Command::Pick(Pick { eye, is_second, pixel: pane.pixel(place), size, add }));
     }
     if response.has_focus() {
         keys(ui, &response, asks);
@@ -65,6 +65,7 @@ pub fn interact(ui: &mut Ui, pane: EyePane, asks: &mut Asks) {
             let place = response.hover_pos().unwrap_or(pane.rect.center());
             asks.push(Command::Zoom(Zoom {
                 eye: pane.eye,
+                is_second: pane.is_second,
                 pixel: pane.pixel(place),
                 size: pane.size,
                 factor,
@@ -102,15 +103,16 @@ fn turn(response: &Response, pane: EyePane, asks: &mut Asks) {
     let Some(place) = response.interact_pointer_pos().filter(|_| response.dragged()) else { return };
     if moved != egui::Vec2::ZERO {
         let [from, to] = [place - moved, place].map(|place| pane.pixel(place));
-        asks.push(Command::Turn(Turn { eye: pane.eye, from, to, size: pane.size }));
+        let EyePane { eye, is_second, size, .. } = pane;
+        asks.push(Command::Turn(Turn { eye, is_second, from, to, size }));
     }
 }
 
-/// Draws `pane`: what is `painted` there, the markers on it, title and frame.
-pub fn paint(ui: &Ui, state: &State, pane: EyePane, painted: Painted) {
+/// Draws `pane`: what is `painted` there, the markers on it, its `title` and frame.
+pub fn paint(ui: &Ui, state: &State, pane: EyePane, title: &str, painted: Painted) {
     let Painted { picture, heat_map } = painted;
     let colour = theme::eye_colour(pane.eye, ui.visuals());
-    pane_title(ui, pane.rect, pane.eye.name(), colour);
+    pane_title(ui, pane.rect, title, colour);
     ui.painter().rect_filled(pane.rect, 0.0, ui.visuals().extreme_bg_color);
     for texture in picture.map(|picture| picture.texture).into_iter().chain(heat_map) {
         image(ui, pane.rect, texture);
@@ -206,7 +208,9 @@ fn hover(ui: &Ui, state: &State, pane: EyePane) {
 
 /// Says where a click into `pane` hit nothing.
 fn missed(ui: &Ui, state: &State, pane: EyePane) {
-    if let Some(missed) = state.session.missed.filter(|missed| missed.eye == pane.eye) {
+    if let Some(missed) =
+        state.session.missed.filter(|missed| (missed.eye, missed.is_second) == (pane.eye, pane.is_second))
+    {
         under::show_nothing(ui, pane.rect, pane.place(missed.pixel));
     }
 }

@@ -1,5 +1,6 @@
 //! The controls of motion, path and view, and the panel that holds them all.
 
+mod compare;
 mod light;
 mod projection;
 mod quality;
@@ -136,6 +137,7 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     layout_row(ui, state.settings.picture, asks);
     geometry_row(ui, &mut look.geometry);
     light_cones_row(ui, &mut look.geometry, state.settings.baseline().is_along_motion());
+    compare::show(ui, state, &mut look);
     gaze_row(ui, state, &mut look);
     field_of_view_rows(ui, state, &mut look, asks);
     more_rows(ui, state.settings.window, state.measures().time, asks);
@@ -242,6 +244,13 @@ fn more_rows(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
         let resting = "Outlines what moves where it would be seen at rest, in conformal views. Motion slides it by the \
             rapidity, along the arrow.   Key: O";
         ui.checkbox(&mut window.resting, "outline").on_hover_text(resting);
+    });
+    row(ui, "", "", |ui| {
+        let tip = "Shows in each view a clock that rests beside you, to compare the others with, and counts the turns of every \
+            clock.";
+        let clock = egui::Checkbox::new(&mut window.resting_clock, "clock beside you");
+        let reason = "It is one of the clocks: these are off.";
+        ui.add_enabled(window.dials, clock).on_hover_text(tip).on_disabled_hover_text(reason);
     });
     row(ui, "Below them", "What stands below the views.", |ui| {
         (ui.spacing_mut().item_spacing.x, ui.spacing_mut().icon_spacing) = (4.0, 2.0);
