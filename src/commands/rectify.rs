@@ -96,6 +96,7 @@ impl RectifyArgs {
         let file = PngFile::read(&self.image)?;
         let recorded = self.recorded(file.command());
         let name = files::shown(&self.image);
+        anyhow::ensure!(!recorded.as_ref().is_some_and(Settings::is_comparing), "{name}: {NO_PAIR}");
         let settings = self.settings(recorded.clone(), file.picture().size)?;
         let (seen, eye) = self.of_an_eye(file, &settings).with_context(|| name.clone())?;
         let rectification = &self.rectifications(seen.size, &settings)?[eye];
@@ -110,7 +111,6 @@ impl RectifyArgs {
 
     /// What is corrected of `file`: the picture of an eye (0 left, 1 right) in it, and whose it is.
     fn of_an_eye(&self, mut file: PngFile, settings: &Settings) -> anyhow::Result<(Picture, usize)> {
-        anyhow::ensure!(!settings.is_comparing(), NO_PAIR);
         let picture = &settings.picture;
         if let [eye] = *picture.eyes() {
             anyhow::ensure!(self.eye.is_none(), "--eye: there is no choice, it shows one eye");

@@ -5,6 +5,7 @@
 //! with `GAMOW_REQUIRE_GPU=1` that is a failure.
 
 mod automatic;
+mod comparison;
 mod controls;
 mod faults;
 mod files;
@@ -52,6 +53,7 @@ fn main() -> ExitCode {
     let missing = !required && relativity_render::Gpu::headless().is_err();
     let all = [
         automatic::TESTS,
+        comparison::TESTS,
         controls::TESTS,
         faults::TESTS,
         files::TESTS,

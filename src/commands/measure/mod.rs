@@ -26,7 +26,7 @@ use crate::flags::choices::{FileKind, Layout};
 use crate::flags::{COORDINATES, coordinates, within};
 use crate::passage::time_within;
 use crate::platform::{self, files, tell};
-use crate::settings::{CameraArgs, MAX_LENGTH, NO_PAIR, Settings};
+use crate::settings::{CameraArgs, MAX_LENGTH, NO_PAIR, Picture, Settings};
 use crate::studio::Sheet;
 
 /// Follows a point through a stereo sequence and measures its angles, as CSV.
@@ -229,9 +229,10 @@ fn measured(
         Target::Marker(colour) => {
             let file = PngFile::read(path)?;
             let recorded = Settings::recorded_in(file.command(), path)?;
+            anyhow::ensure!(!recorded.as_ref().is_some_and(Settings::is_comparing), "{name}: {NO_PAIR}");
             let settings = taken.settings(recorded, file.picture().size, false, time);
             let settings = settings.with_context(|| name.to_owned())?;
-            let sheet = sheet(&settings, file.picture().size).with_context(|| name.to_owned())?;
+            let sheet = sheet(&settings.picture, file.picture().size).with_context(|| name.to_owned())?;
             let mut place = |eye| {
                 let mask = locate::colour_in(&sheet.picture_of(eye, &file.frames)?, colour);
                 let parts = mask.parts();
@@ -280,10 +281,8 @@ fn row(settings: &Settings, cameras: &[Camera; 2], [left, right]: [Place; 2]) ->
     ]
 }
 
-/// How a file of this `size` is divided that shows both eyes as `settings` say.
-fn sheet(settings: &Settings, size: [u32; 2]) -> anyhow::Result<Sheet> {
-    anyhow::ensure!(!settings.is_comparing(), NO_PAIR);
-    let picture = &settings.picture;
+/// How a file of this `size` is divided that shows both eyes as `picture` says.
+fn sheet(picture: &Picture, size: [u32; 2]) -> anyhow::Result<Sheet> {
     let layout = picture.layout;
     let has_both = layout.loses_nothing() && picture.eyes().len() == 2;
     anyhow::ensure!(has_both, "its layout, {}, does not have the whole pictures of both eyes", layout.name());
