@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use relativity_render::{Camera, Gaze, Geometry};
 
+use super::angle_ruler::{AngleRuler, RulerCommand};
 use super::chooser::Purpose;
 use super::clock;
 use super::eye::Eye;
@@ -16,6 +17,7 @@ use super::reading::{ReadFile, ReadyScene};
 use super::running::LessonCommand;
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
+use super::stopwatch::StopwatchCommand;
 use super::usual::Section;
 use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
@@ -100,6 +102,10 @@ pub enum Command {
     Pick(Pick),
     /// Select a point of the scene.
     Select(Select),
+    /// Lay a ruler into a view, or take it away.
+    Ruler(RulerCommand),
+    /// Press the stopwatch, or take it away.
+    Stopwatch(StopwatchCommand),
     /// Follow the body so many further in the list of them, or back.
     FollowNext(isize),
     /// Select a followed point.
@@ -258,6 +264,8 @@ impl State {
             }
             Command::Pick(pick) => self.of_picture(pick.is_second, |state| state.pick(pick)),
             Command::Select(Select { track, body, add }) => self.session.points.choose(track, body, add),
+            Command::Ruler(command) => self.apply_to_ruler(command),
+            Command::Stopwatch(command) => self.apply_to_stopwatch(command),
             Command::FollowNext(steps) => self.follow_next(steps),
             Command::SelectPoint(index) => self.session.points.select(index),
             Command::RemovePoint(index) => self.session.points.remove(index),
@@ -319,7 +327,7 @@ impl State {
     }
 
     fn close(&mut self) {
-        let Session { overlay, notice, chooser, stage, .. } = &mut self.session;
+        let Session { overlay, notice, chooser, stage, angle_ruler, .. } = &mut self.session;
         if *overlay == Some(Overlay::Palette) {
             *overlay = None;
         } else if chooser.is_some() {
@@ -328,6 +336,8 @@ impl State {
             *notice = None;
         } else if overlay.is_some() {
             *overlay = None;
+        } else if *angle_ruler != AngleRuler::Off {
+            *angle_ruler = AngleRuler::Off;
         } else {
             stage.leave();
         }

@@ -10,6 +10,7 @@ use super::eyes::{self, EyePictures};
 use super::panels::views::Painted;
 use super::panes::{self, Content, EyePane, Pane};
 use super::slide::panorama;
+use super::stopwatch::Stopwatch;
 use super::{App, flicker, panels, theme};
 use crate::flags::choices::Form;
 use crate::settings::{PlotTab, Settings};
@@ -43,8 +44,8 @@ impl App {
     pub(super) fn interact(&mut self, ui: &mut Ui, pane: Pane) {
         for pane in self.eye_panes(ui, &pane).into_iter().filter(EyePane::takes_the_mouse) {
             let name = self.state.name_of_view(pane);
-            self.panel(ui, pane_id(pane), pane.rect, |ui, _, asks| {
-                panels::views::interact(ui, pane, &name, asks);
+            self.panel(ui, pane_id(pane), pane.rect, |ui, state, asks| {
+                panels::views::interact(ui, state, pane, &name, asks);
             });
         }
     }
@@ -53,6 +54,14 @@ impl App {
     pub(super) fn paint_all(&mut self, ui: &mut Ui, panes: &[Pane]) {
         for &pane in panes {
             self.paint(ui, pane);
+        }
+        let first = panes
+            .first()
+            .and_then(|pane| self.eye_panes(ui, pane).into_iter().find(EyePane::takes_the_mouse));
+        if let Some(pane) = first.filter(|_| self.state.session.stopwatch != Stopwatch::Hidden) {
+            self.panel(ui, "stopwatch", pane.rect, |ui, state, asks| {
+                panels::stopwatch::show(ui, state, pane, asks)
+            });
         }
         if self.state.settings.is_panorama() && !self.state.settings.is_comparing() {
             let strips: Vec<_> = panes.iter().flat_map(|pane| self.eye_panes(ui, pane)).collect();

@@ -17,6 +17,7 @@ mod layouts;
 mod lessons;
 mod manners;
 mod map;
+mod measuring;
 mod own_data;
 mod painting;
 mod pairs;
@@ -65,6 +66,7 @@ fn main() -> ExitCode {
         lessons::TESTS,
         manners::TESTS,
         map::TESTS,
+        measuring::TESTS,
         own_data::TESTS,
         painting::TESTS,
         pairs::TESTS,
