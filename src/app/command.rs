@@ -224,10 +224,7 @@ impl State {
             Command::NextLayout(steps) => {
                 self.settings.picture.layout = self.settings.picture.layout.further(steps);
             }
-            Command::SwapEyes => {
-                let picture = &mut self.settings.picture;
-                picture.swapped = picture.swapped.toggled(picture.layout);
-            }
+            Command::SwapEyes => self.swap_eyes(),
             Command::NextComparison => self.settings.compare_next(),
             Command::Light(light) => self.set_light(light),
             Command::Quality(quality) => self.settings.quality = quality,
@@ -303,6 +300,11 @@ impl State {
             Command::CloseNotice => self.session.notice = None,
             Command::Close => self.close(),
         }
+    }
+
+    fn swap_eyes(&mut self) {
+        let picture = &mut self.settings.picture;
+        picture.swapped = picture.swapped.toggled(picture.layout);
     }
 
     fn toggle_frame(&mut self) {

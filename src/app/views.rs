@@ -60,7 +60,7 @@ impl App {
             .and_then(|pane| self.eye_panes(ui, pane).into_iter().find(EyePane::takes_the_mouse));
         if let Some(pane) = first.filter(|_| self.state.session.stopwatch != Stopwatch::Hidden) {
             self.panel(ui, "stopwatch", pane.rect, |ui, state, asks| {
-                panels::stopwatch::show(ui, state, pane, asks)
+                panels::stopwatch::show(ui, state, pane, asks);
             });
         }
         if self.state.settings.is_panorama() && !self.state.settings.is_comparing() {

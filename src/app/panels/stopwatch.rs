@@ -16,7 +16,9 @@ use crate::figures;
 
 /// Room around its words, and its width, points.
 const MARGIN: f32 = 6.0;
-const WIDTH: f32 = 226.0;
+const WIDTH: f32 = 200.0;
+/// Room above it for a line of the view's own.
+const ABOVE: f32 = 26.0;
 /// Narrower views than this have none.
 const NARROWEST_VIEW: f32 = WIDTH + 4.0 * MARGIN;
 const TIP: &str = "Measures T between two presses, and what the selected point's clock went on by meanwhile, as the eye sees it. A press is \
@@ -29,7 +31,7 @@ pub fn show(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
     if state.session.stopwatch == Stopwatch::Hidden || pane.rect.width() < scale * NARROWEST_VIEW {
         return;
     }
-    let corner = pos2(pane.rect.max.x - width - MARGIN, pane.rect.min.y + MARGIN);
+    let corner = pos2(pane.rect.max.x - width - MARGIN, pane.rect.min.y + scale * ABOVE + MARGIN);
     let room = Rect::from_min_max(corner, pane.rect.max - vec2(MARGIN, MARGIN));
     // It takes the mouse from the view below it.
     let id = ui.scope_id().with("stopwatch");
@@ -69,34 +71,31 @@ fn contents(ui: &mut Ui, state: &State, asks: &mut Asks) {
             }
         }
     });
-    for (text, name) in lines(state) {
+    for text in lines(state) {
         let style = TextStyle::Body.resolve(ui.style());
-        let line = ui.add(Label::new(RichText::new(&text).font(style)).selectable(false));
-        line.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("Stopwatch: {name}{text}")));
+        let shown = RichText::new(&text).font(style).color(Color32::WHITE);
+        let line = ui.add(Label::new(shown).selectable(false));
+        line.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("Stopwatch: {text}")));
     }
 }
 
-/// What it shows, a line each, and what is said before that to who does not see it.
-fn lines(state: &State) -> Vec<(String, &'static str)> {
+/// What it shows, a line each.
+fn lines(state: &State) -> Vec<String> {
     let unit = state.measures().time;
     let told = |[value, error]: [f64; 2]| {
-        format!("{} ± {}{}", unit.number(value, 3), unit.number(error, 3), unit.suffix())
+        let error = if error == 0.0 { "0".to_owned() } else { unit.number(error, 3) };
+        format!("{} ± {error}{}", unit.number(value, 3), unit.suffix())
     };
     let elapsed = state.elapsed();
     let time = elapsed.map_or_else(|| figures::NONE.to_owned(), |elapsed| told(elapsed.time));
-    let clock = elapsed.and_then(|elapsed| Some((elapsed.clock?, elapsed.mean_rate())));
-    let clock = clock.map(|(clock, rate)| {
+    let clock = elapsed.and_then(|elapsed| elapsed.clock).map(|clock| {
         let name = state.name_of(state.session.points.selected());
-        let rate = rate.map_or_else(String::new, |rate| format!(", mean D = {}", figures::fixed(rate, 3)));
-        [
-            (format!("{name}: {}", told(clock)), "clock of "),
-            (format!("as the {} sees it{rate}", eye(state)), ""),
-        ]
+        format!("clock of {name}: {}", told(clock))
     });
-    [(format!("T: {time}"), "")].into_iter().chain(clock.into_iter().flatten()).collect()
-}
-
-/// The eye that it is seen by, in a sentence.
-fn eye(state: &State) -> String {
-    state.timed_eye().name().to_lowercase()
+    let rate = elapsed.and_then(|elapsed| elapsed.mean_rate());
+    let rate = rate.map(|rate| {
+        let eye = state.timed_eye().name().to_lowercase();
+        format!("{eye}’s mean D = {}", figures::fixed(rate, 3))
+    });
+    [format!("T: {time}")].into_iter().chain(clock).chain(rate).collect()
 }
