@@ -2,6 +2,7 @@
 
 mod compare;
 mod light;
+mod measuring;
 mod projection;
 mod quality;
 mod screen;
@@ -12,18 +13,16 @@ use eframe::egui::{self, ComboBox, RichText, ScrollArea, Ui};
 use relativity_render::Geometry;
 
 use super::Asks;
-use crate::app::angle_ruler::{AngleRuler, RulerCommand};
 use crate::app::command::Command;
 use crate::app::dial;
 use crate::app::layouts::{self, LAYOUTS};
 use crate::app::state::State;
-use crate::app::stopwatch::{Stopwatch, StopwatchCommand};
 use crate::app::theme;
 use crate::app::usual::Section;
 use crate::app::widgets::{Edit, NumberRow, choice, row, section};
 use crate::flags::FieldOfView;
 use crate::flags::choices::GazeChoice;
-use crate::settings::{Look, MAX_LENGTH, Motion, Picture, USUAL_FOV};
+use crate::settings::{Look, MAX_LENGTH, Motion, Picture, USUAL_FOV, Window};
 use crate::units::Unit;
 
 /// Room for the list of layouts before it scrolls, points.
@@ -142,8 +141,9 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     compare::show(ui, state, &mut look);
     gaze_row(ui, state, &mut look);
     field_of_view_rows(ui, state, &mut look, asks);
-    more_rows(ui, state, asks);
+    more_rows(ui, state.settings.window, state.measures().time, asks);
     quality::show(ui, state, asks);
+    measuring::show(ui, state, asks);
     if look != state.settings.look {
         asks.push(Command::Look(look));
     }
@@ -236,8 +236,7 @@ const LIGHT_CONES: [(Geometry, &str, &str); 3] = [
 ];
 
 /// What is shown besides the eyes' pictures.
-fn more_rows(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let (before, unit) = (state.settings.window, state.measures().time);
+fn more_rows(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
     let mut window = before;
     row(ui, "With them", "What stands beside the views, and what is drawn into them.", |ui| {
         let corrected = "Shows the left eye's picture with the distortion undone, beside the two: by the fitted β \
@@ -248,14 +247,6 @@ fn more_rows(ui: &mut Ui, state: &State, asks: &mut Asks) {
             rapidity, along the arrow.   Key: O";
         ui.checkbox(&mut window.resting, "outline").on_hover_text(resting);
     });
-    row(ui, "", "", |ui| {
-        let tip = "Shows in each view a clock that rests beside you, to compare the others with, and counts the turns of every \
-            clock.";
-        let clock = egui::Checkbox::new(&mut window.resting_clock, "clock beside you");
-        let reason = "It is one of the clocks: these are off.";
-        ui.add_enabled(window.dials, clock).on_hover_text(tip).on_disabled_hover_text(reason);
-    });
-    measuring_row(ui, state, asks);
     row(ui, "Below them", "What stands below the views.", |ui| {
         (ui.spacing_mut().item_spacing.x, ui.spacing_mut().icon_spacing) = (4.0, 2.0);
         let spectrum = "Which wavelengths arrive of the selected point, among all that there are.";
@@ -268,24 +259,6 @@ fn more_rows(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if window != before {
         asks.push(Command::Window(window));
     }
-}
-
-/// What is measured with in the views.
-fn measuring_row(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    row(ui, "Measure", "What is measured with in the views.", |ui| {
-        let tip = "The next drag in a view lays a ruler: it shows the angle between the lines of sight to its ends, and stays until it \
-            is taken away.   Key: R";
-        let is_on = state.session.angle_ruler != AngleRuler::Off;
-        if ui.selectable_label(is_on, "Angle ruler").on_hover_text(tip).clicked() {
-            asks.push(Command::Ruler(RulerCommand::Toggle));
-        }
-        let tip = "Measures T between two presses, and what the selected point's clock goes on by meanwhile, as it is seen.\n\
-            Keys: T starts and stops, Shift+T shows it or takes it away";
-        let is_on = state.session.stopwatch != Stopwatch::Hidden;
-        if ui.selectable_label(is_on, "Stopwatch").on_hover_text(tip).clicked() {
-            asks.push(Command::Stopwatch(StopwatchCommand::Toggle));
-        }
-    });
 }
 
 fn gaze_row(ui: &mut Ui, state: &State, look: &mut Look) {
