@@ -4,6 +4,7 @@ use eframe::egui::text_selection::LabelSelectionState;
 use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
 use relativity_render::Geometry;
 
+use super::angle_ruler::RulerCommand;
 use super::chooser::{Product, Purpose};
 use super::command::Command;
 use super::digits;
@@ -13,6 +14,7 @@ use super::overlay::Overlay;
 use super::plotting::PlotCommand;
 use super::running::LessonCommand;
 use super::state::State;
+use super::stopwatch::StopwatchCommand;
 
 /// Something that can be asked for by name or by key.
 #[derive(Debug)]
@@ -74,6 +76,11 @@ pub static ACTIONS: &[Action] = &[
     action("contracted only", &[key(Key::Num2)], Command::Geometry(Geometry::Contracted)),
     action("at rest", &[key(Key::Num3)], Command::Geometry(Geometry::Rest)),
     action("one light cone for both eyes", &[key(Key::Num4)], Command::Geometry(Geometry::OneCone)),
+    action(
+        "one eye’s picture beside another of it: as seen, contracted, at rest, D²",
+        &[key(Key::B)],
+        Command::NextComparison,
+    ),
     action("frame: the whole scene in the views", &[key(Key::F)], Command::Frame),
     action("follow the next body", &[key(Key::N)], Command::FollowNext(1)),
     action("follow the body before", &[with_shift(Key::N)], Command::FollowNext(-1)),
@@ -83,6 +90,21 @@ pub static ACTIONS: &[Action] = &[
     action("look to the right", &[], Command::LookAside([LOOK_STEP, 0.0])),
     action("look up", &[], Command::LookAside([0.0, LOOK_STEP])),
     action("look down", &[], Command::LookAside([0.0, -LOOK_STEP])),
+    action(
+        "a ruler for angles: the next drag in a view lays it; take it away",
+        &[key(Key::R)],
+        Command::Ruler(RulerCommand::Toggle),
+    ),
+    action(
+        "a stopwatch in the first view: start, stop, start again",
+        &[key(Key::T)],
+        Command::Stopwatch(StopwatchCommand::Press),
+    ),
+    action(
+        "show the stopwatch, or take it away",
+        &[with_shift(Key::T)],
+        Command::Stopwatch(StopwatchCommand::Toggle),
+    ),
     action("next layout of the two pictures", &[key(Key::L)], Command::NextLayout(1)),
     action("the layout before", &[with_shift(Key::L)], Command::NextLayout(-1)),
     action("conformal or camera pictures", &[key(Key::V)], Command::ToggleProjection),

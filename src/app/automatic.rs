@@ -6,7 +6,7 @@ use relativity_render::{Geometry, Method};
 use super::App;
 use super::examination::Examination;
 use super::eyes::{Chosen, EyePictures};
-use super::panes::Pane;
+use super::panes::{EyePane, Pane};
 use crate::accuracy::Sight;
 use crate::flags::choices::RendererChoice;
 
@@ -15,14 +15,17 @@ impl App {
     pub(super) fn choose_methods(&mut self, ui: &Ui, panes: &[Pane]) {
         let panes: Vec<_> = panes.iter().flat_map(|pane| self.eye_panes(ui, pane)).collect();
         let is_automatic = self.state.settings.quality.renderer == RendererChoice::Auto;
+        let state = &mut self.state;
+        let mut view =
+            |pane: &EyePane| state.of_picture(pane.is_second, |state| state.view(pane.eye, pane.size));
+        let views: Vec<_> = panes.iter().filter(|_| is_automatic).map(&mut view).collect();
         let Some(eyes) = &mut self.eyes else { return };
         eyes.begin_frame(is_automatic);
         self.chosen.clear();
         let (goal, scene) = (self.state.settings.quality.goal, &self.state.session.prepared);
         let pixels = |size: [u32; 2]| f64::from(size[0]) * f64::from(size[1]);
         let pixels = panes.iter().map(|pane| pixels(pane.size)).sum();
-        for pane in panes.iter().filter(|_| is_automatic) {
-            let view = &self.state.view(pane.eye, pane.size);
+        for view in &views {
             if self.chosen.iter().all(|(geometry, _)| *geometry != view.geometry) {
                 let chosen = eyes.choose(goal, Sight { scene, view, pixels });
                 self.chosen.extend(chosen.map(|chosen| (view.geometry, chosen)));

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use relativity_render::{Camera, Gaze, Geometry};
 
+use super::angle_ruler::{AngleRuler, RulerCommand};
 use super::chooser::Purpose;
 use super::clock;
 use super::eye::Eye;
@@ -16,6 +17,7 @@ use super::reading::{ReadFile, ReadyScene};
 use super::running::LessonCommand;
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
+use super::stopwatch::StopwatchCommand;
 use super::usual::Section;
 use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
@@ -48,6 +50,8 @@ pub enum Command {
     ToggleSimple,
     /// Swap the eyes of the present layout.
     SwapEyes,
+    /// Show beside one eye's picture another of it: the next choice of that, which can be shown.
+    NextComparison,
     /// New colours.
     Light(Light),
     /// Another renderer, or another bound of it.
@@ -98,6 +102,10 @@ pub enum Command {
     Pick(Pick),
     /// Select a point of the scene.
     Select(Select),
+    /// Lay a ruler into a view, or take it away.
+    Ruler(RulerCommand),
+    /// Press the stopwatch, or take it away.
+    Stopwatch(StopwatchCommand),
     /// Follow the body so many further in the list of them, or back.
     FollowNext(isize),
     /// Select a followed point.
@@ -216,10 +224,8 @@ impl State {
             Command::NextLayout(steps) => {
                 self.settings.picture.layout = self.settings.picture.layout.further(steps);
             }
-            Command::SwapEyes => {
-                let picture = &mut self.settings.picture;
-                picture.swapped = picture.swapped.toggled(picture.layout);
-            }
+            Command::SwapEyes => self.swap_eyes(),
+            Command::NextComparison => self.settings.compare_next(),
             Command::Light(light) => self.set_light(light),
             Command::Quality(quality) => self.settings.quality = quality,
             Command::Playback(playback) => self.settings.playback = playback,
@@ -251,10 +257,12 @@ impl State {
             Command::Magnify(factor) => {
                 let size = self.session.picture_size;
                 let pixel = size.map(|side| 0.5 * f64::from(side));
-                self.zoom(Zoom { eye: Eye::Left, pixel, size, factor });
+                self.zoom(Zoom { eye: Eye::Left, is_second: false, pixel, size, factor });
             }
-            Command::Pick(pick) => self.pick(pick),
+            Command::Pick(pick) => self.of_picture(pick.is_second, |state| state.pick(pick)),
             Command::Select(Select { track, body, add }) => self.session.points.choose(track, body, add),
+            Command::Ruler(command) => self.apply_to_ruler(command),
+            Command::Stopwatch(command) => self.apply_to_stopwatch(command),
             Command::FollowNext(steps) => self.follow_next(steps),
             Command::SelectPoint(index) => self.session.points.select(index),
             Command::RemovePoint(index) => self.session.points.remove(index),
@@ -294,6 +302,11 @@ impl State {
         }
     }
 
+    fn swap_eyes(&mut self) {
+        let picture = &mut self.settings.picture;
+        picture.swapped = picture.swapped.toggled(picture.layout);
+    }
+
     fn toggle_frame(&mut self) {
         let frame = match self.settings.map.frame {
             Frame::Ground => Frame::Bicycle,
@@ -316,7 +329,7 @@ impl State {
     }
 
     fn close(&mut self) {
-        let Session { overlay, notice, chooser, stage, .. } = &mut self.session;
+        let Session { overlay, notice, chooser, stage, angle_ruler, .. } = &mut self.session;
         if *overlay == Some(Overlay::Palette) {
             *overlay = None;
         } else if chooser.is_some() {
@@ -325,6 +338,8 @@ impl State {
             *notice = None;
         } else if overlay.is_some() {
             *overlay = None;
+        } else if *angle_ruler != AngleRuler::Off {
+            *angle_ruler = AngleRuler::Off;
         } else {
             stage.leave();
         }
@@ -385,7 +400,7 @@ impl State {
     }
 
     fn turn(&mut self, turn: Turn) {
-        let camera = self.view(turn.eye, turn.size).camera;
+        let camera = self.of_picture(turn.is_second, |state| state.view(turn.eye, turn.size).camera);
         self.stay_at(camera.gaze_with(camera.line_of_sight(turn.from), turn.to));
     }
 
@@ -394,11 +409,11 @@ impl State {
         let [width, height] = size.map(f64::from);
         let from = [0.5 * width, 0.5 * height];
         let to = [from[0] - across * width, from[1] + up * width];
-        self.turn(Turn { eye: Eye::Left, from, to, size });
+        self.turn(Turn { eye: Eye::Left, is_second: false, from, to, size });
     }
 
     fn zoom(&mut self, zoom: Zoom) {
-        let camera = self.view(zoom.eye, zoom.size).camera;
+        let camera = self.of_picture(zoom.is_second, |state| state.view(zoom.eye, zoom.size).camera);
         let direction = camera.line_of_sight(zoom.pixel);
         let fov = camera.horizontal_fov.to_degrees() * zoom.factor;
         let range = self.settings.look.fov_range();

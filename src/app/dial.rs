@@ -73,11 +73,17 @@ impl State {
         let is_on = self.settings.window.dials && self.shows_what_is_received(eye);
         let seen = self.sighting(point, eye).filter(|seen| is_on && seen.own_time.is_finite())?;
         let period = period(self.measures().time);
-        let turning = self.on_wheel(&point.track, seen.own_time).map_or(0.0, |wheel| wheel.turning);
-        let slowed = ((1.0 - turning) * (1.0 + turning)).sqrt();
+        let slowed = self.slowed(point, seen.own_time);
         let first = self.first_own_time(point, eye)?;
         let count = slowed * (seen.own_time - first) / period;
         Some(Dial { count: self.counts().then_some(count), ..Dial::showing(slowed * seen.own_time, period) })
+    }
+
+    /// How many times as fast as the own clock of what it is on a clock at `point` goes, at that own time: slower where it turns.
+    #[must_use]
+    pub fn slowed(&self, point: &Point, own_time: f64) -> f64 {
+        let turning = self.on_wheel(&point.track, own_time).map_or(0.0, |wheel| wheel.turning);
+        ((1.0 - turning) * (1.0 + turning)).sqrt()
     }
 
     /// The clock that rests beside the eyes, which shows T; none where none is drawn, or no light is shown that `eye`

@@ -6,6 +6,7 @@
 
 mod actions;
 mod aids;
+pub mod angle_ruler;
 pub mod args;
 mod automatic;
 mod awake;
@@ -16,6 +17,7 @@ pub mod chooser;
 mod choosing;
 pub mod clock;
 pub mod command;
+mod compared;
 pub mod corrected;
 pub mod curves;
 pub mod dial;
@@ -34,6 +36,7 @@ mod heat_map;
 pub mod highlight;
 pub mod history;
 mod icon;
+mod laid_ruler;
 pub mod launch;
 mod layout;
 mod layouts;
@@ -69,8 +72,10 @@ pub mod stage;
 pub mod state;
 pub mod steps;
 mod stillness;
+pub mod stopwatch;
 mod theme;
 pub mod thumbnails;
+mod timing;
 pub mod under;
 pub mod usual;
 mod views;
@@ -266,11 +271,14 @@ impl App {
 
     /// Lets T run by a `step` of the wall clock, seconds.
     fn advance(&mut self, step: f64) {
+        let before = self.state.session.time;
         self.state.run_lesson(step);
+        self.state.session.step = (self.state.session.time - before).abs();
         if self.state.session.playing {
             let playback = self.state.settings.playback;
             let range = self.state.time_range();
             let tick = clock::advanced(self.state.session.time, step, playback.rate, playback.looping, range);
+            self.state.session.step = step * playback.rate;
             self.state.session.time = tick.time;
             self.state.session.playing = tick.playing;
         }

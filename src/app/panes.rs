@@ -15,6 +15,8 @@ use crate::settings::{Picture, Settings};
 pub enum Content {
     /// What an eye sees.
     Eye(Eye),
+    /// The second picture of the left eye, in place of the right eye's.
+    Second,
     /// What both eyes see, in one picture.
     Both,
     /// The left eye's picture, corrected.
@@ -34,6 +36,8 @@ pub struct Pane {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arrangement {
     picture: Picture,
+    /// Whether both pictures are of the left eye.
+    is_comparing: bool,
     /// Whether the corrected picture stands beside those of the eyes.
     corrected: bool,
     /// For free viewing, how far apart the middles of pictures are at most, points.
@@ -49,7 +53,8 @@ impl Arrangement {
     pub fn of(settings: &Settings, cm_per_point: f64, scale: f32) -> Self {
         let Settings { picture, window, screen, .. } = settings;
         let apart = (0.1 * screen.picture_distance / cm_per_point) as f32;
-        Self { picture: *picture, corrected: window.corrected, apart, title: scale * TITLE_HEIGHT }
+        let (is_comparing, title) = (settings.is_comparing(), scale * TITLE_HEIGHT);
+        Self { picture: *picture, is_comparing, corrected: window.corrected, apart, title }
     }
 
     /// The same without the corrected picture.
@@ -69,22 +74,20 @@ impl Arrangement {
             let x = area.min.x + number * (width + GAP);
             self.below_title(Rect::from_min_max(pos2(x, area.min.y), pos2(x + width, area.max.y)))
         };
-        let [first, second] = self.eyes();
+        let [first, second] = self.contents();
         let mut panes = match form {
-            Form::One(_) => vec![Pane { content: Content::Eye(first), rect: column(0.0, width) }],
+            Form::One(_) => vec![Pane { content: first, rect: column(0.0, width) }],
             Form::Beside => {
-                let (rects, contents) =
-                    (self.beside(column(0.0, width), column(1.0, width)), [first, second]);
-                let pane = |(eye, rect)| Pane { content: Content::Eye(eye), rect };
-                contents.into_iter().zip(rects).map(pane).collect()
+                let [left, right] = self.beside(column(0.0, width), column(1.0, width));
+                vec![Pane { content: first, rect: left }, Pane { content: second, rect: right }]
             }
             Form::Above => {
                 let whole = column(0.0, width).with_min_y(area.min.y);
                 let middle = whole.center().y;
                 let (upper, lower) = (whole.with_max_y(middle), self.below_title(whole.with_min_y(middle)));
                 vec![
-                    Pane { content: Content::Eye(first), rect: self.below_title(upper) },
-                    Pane { content: Content::Eye(second), rect: lower },
+                    Pane { content: first, rect: self.below_title(upper) },
+                    Pane { content: second, rect: lower },
                 ]
             }
             Form::Composed(_) | Form::InTurn => {
@@ -110,10 +113,13 @@ impl Arrangement {
         rect.with_min_y((rect.min.y + self.title).min(rect.max.y))
     }
 
-    /// The eyes in the order of the layout; one that is alone twice.
-    fn eyes(&self) -> [Eye; 2] {
+    /// The eyes' pictures, or both of one eye, in the order of the layout; one that is alone twice.
+    fn contents(&self) -> [Content; 2] {
         let eyes = self.picture.eyes();
-        [eyes[0], eyes[eyes.len() - 1]].map(|eye| Eye::BOTH[eye])
+        [eyes[0], eyes[eyes.len() - 1]].map(|eye| match Eye::BOTH[eye] {
+            Eye::Right if self.is_comparing => Content::Second,
+            eye => Content::Eye(eye),
+        })
     }
 
     /// Where pictures are that have these two columns: for free viewing nearer to the middle, and no wider than that
@@ -145,6 +151,8 @@ pub fn on_screen(ui: &Ui, composition: Composition, rect: Rect) -> Composition {
 pub struct EyePane {
     /// Whose.
     pub eye: Eye,
+    /// Whether it is the second of two pictures of one eye.
+    pub is_second: bool,
     /// In points; its edges lie on pixel edges, so that the picture is shown pixel for pixel, unless it is squeezed.
     pub rect: Rect,
     /// Width and height in pixels, at least 1.
@@ -161,7 +169,13 @@ impl EyePane {
         let (min, max) = (snapped(rect.min), snapped(rect.max));
         let size = [max.x - min.x, max.y - min.y].map(|side| (side as u32).clamp(1, largest));
         let rect = Rect::from_min_max((min / pixels_per_point).to_pos2(), (max / pixels_per_point).to_pos2());
-        Self { eye, rect, size, is_shared: false }
+        Self { eye, is_second: false, rect, size, is_shared: false }
+    }
+
+    /// That of the second picture of one eye in `rect`.
+    #[must_use]
+    pub fn second(rect: Rect, pixels_per_point: f32, largest: u32) -> Self {
+        Self { is_second: true, ..Self::new(Eye::Left, rect, pixels_per_point, largest) }
     }
 
     /// Those of both eyes in a `rect` that they share as `picture` says, in the order of the layout.
@@ -185,7 +199,7 @@ impl EyePane {
             let corner = whole.rect.min + (shown - part) * number;
             number += 1.0;
             let rect = if is_shared { whole.rect } else { Rect::from_min_size(corner, part) };
-            Self { eye: Eye::BOTH[picture.eyes()[place]], rect, size, is_shared }
+            Self { eye: Eye::BOTH[picture.eyes()[place]], is_second: false, rect, size, is_shared }
         })
     }
 
@@ -195,10 +209,10 @@ impl EyePane {
         !self.is_shared || self.eye == Eye::Left
     }
 
-    /// What it is called by assistive technology.
+    /// Its place among the two pictures.
     #[must_use]
-    pub fn name(&self) -> String {
-        if self.is_shared { "Both eyes' view".to_owned() } else { format!("{} view", self.eye.name()) }
+    pub const fn index(&self) -> usize {
+        if self.is_second { Eye::Right.index() } else { self.eye.index() }
     }
 
     /// The pixel of the picture at a place on screen. A pane without room counts as one of a point.
@@ -227,7 +241,7 @@ mod tests {
 
     fn arrangement(layout: Layout, corrected: bool) -> Arrangement {
         let picture = Picture { layout, ..Picture::default() };
-        Arrangement { picture, corrected, apart: 227.0, title: TITLE_HEIGHT }
+        Arrangement { picture, is_comparing: false, corrected, apart: 227.0, title: TITLE_HEIGHT }
     }
 
     #[test]

@@ -8,6 +8,8 @@ use crate::scene::Track;
 pub struct Turn {
     /// In whose picture.
     pub eye: Eye,
+    /// Whether that is the second of two pictures of one eye.
+    pub is_second: bool,
     /// From where, in pixels from the top left corner.
     pub from: [f64; 2],
     /// To where.
@@ -21,6 +23,8 @@ pub struct Turn {
 pub struct Zoom {
     /// Whose picture.
     pub eye: Eye,
+    /// Whether it is the second of two pictures of one eye.
+    pub is_second: bool,
     /// Where, in pixels from the top left corner.
     pub pixel: [f64; 2],
     /// Width and height of the picture, pixels.
@@ -34,6 +38,8 @@ pub struct Zoom {
 pub struct Pick {
     /// Whose picture.
     pub eye: Eye,
+    /// Whether it is the second of two pictures of one eye.
+    pub is_second: bool,
     /// Where, in pixels from the top left corner.
     pub pixel: [f64; 2],
     /// Width and height of the picture, pixels.

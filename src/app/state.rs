@@ -6,6 +6,7 @@ use std::sync::Arc;
 use relativity_core::Speed;
 use relativity_render::{Appearance, Emission, Geometry, Method, PreparedScene, View};
 
+use super::angle_ruler::AngleRuler;
 use super::chooser::Purpose;
 use super::clock;
 use super::history::History;
@@ -19,6 +20,7 @@ use super::reading::ReadyScene;
 use super::recent::Recent;
 use super::running::Running;
 use super::stage::Stage;
+use super::stopwatch::Stopwatch;
 use crate::accuracy::Choice;
 use crate::estimate::samples::DataFile;
 use crate::flags::choices::ProjectionChoice;
@@ -52,6 +54,12 @@ pub struct Session {
     pub points: Points,
     /// What stands over the window.
     pub overlay: Option<Overlay>,
+    /// The ruler for angles in the views.
+    pub angle_ruler: AngleRuler,
+    /// The stopwatch in the first view.
+    pub stopwatch: Stopwatch,
+    /// The step that T took in the last frame; 0 where it stands.
+    pub step: f64,
     /// The click into a view that hit nothing, until something else is done.
     pub missed: Option<Pick>,
     /// Whether the views say what a click does: until the first.
@@ -130,6 +138,9 @@ impl State {
             playing: false,
             points,
             overlay: None,
+            angle_ruler: AngleRuler::default(),
+            stopwatch: Stopwatch::default(),
+            step: 0.0,
             missed: None,
             hint: false,
             preset,

@@ -1,6 +1,6 @@
 //! The panes of the views: which pictures stand in them, what reads the mouse in them, and what draws them.
 
-use eframe::egui::{Rect, TextureId, Ui, vec2};
+use eframe::egui::{Rect, TextureId, Ui, UiBuilder, vec2};
 
 use relativity_render::Method;
 
@@ -10,9 +10,15 @@ use super::eyes::{self, EyePictures};
 use super::panels::views::Painted;
 use super::panes::{self, Content, EyePane, Pane};
 use super::slide::panorama;
+use super::stopwatch::Stopwatch;
 use super::{App, flicker, panels, theme};
 use crate::flags::choices::Form;
 use crate::settings::{PlotTab, Settings};
+
+/// The name of what reads the mouse in `pane`, and draws into it.
+const fn pane_id(pane: EyePane) -> &'static str {
+    if pane.is_second { "Second picture" } else { pane.eye.name() }
+}
 
 impl App {
     /// Where in `pane` eyes' pictures are, in the order of the layout.
@@ -21,6 +27,7 @@ impl App {
         let scale = ui.pixels_per_point();
         match pane.content {
             Content::Eye(eye) => vec![EyePane::new(eye, pane.rect, scale, largest)],
+            Content::Second => vec![EyePane::second(pane.rect, scale, largest)],
             Content::Both => EyePane::both(&self.state.settings.picture, pane.rect, scale, largest).into(),
             Content::Corrected => Vec::new(),
         }
@@ -36,8 +43,9 @@ impl App {
     /// Reads the mouse in `pane`.
     pub(super) fn interact(&mut self, ui: &mut Ui, pane: Pane) {
         for pane in self.eye_panes(ui, &pane).into_iter().filter(EyePane::takes_the_mouse) {
-            self.panel(ui, pane.eye.name(), pane.rect, |ui, _, asks| {
-                panels::views::interact(ui, pane, asks);
+            let name = self.state.name_of_view(pane);
+            self.panel(ui, pane_id(pane), pane.rect, |ui, state, asks| {
+                panels::views::interact(ui, state, pane, &name, asks);
             });
         }
     }
@@ -47,7 +55,15 @@ impl App {
         for &pane in panes {
             self.paint(ui, pane);
         }
-        if self.state.settings.is_panorama() {
+        let first = panes
+            .first()
+            .and_then(|pane| self.eye_panes(ui, pane).into_iter().find(EyePane::takes_the_mouse));
+        if let Some(pane) = first.filter(|_| self.state.session.stopwatch != Stopwatch::Hidden) {
+            self.panel(ui, "stopwatch", pane.rect, |ui, state, asks| {
+                panels::stopwatch::show(ui, state, pane, asks);
+            });
+        }
+        if self.state.settings.is_panorama() && !self.state.settings.is_comparing() {
             let strips: Vec<_> = panes.iter().flat_map(|pane| self.eye_panes(ui, pane)).collect();
             if let &[upper, lower] = strips.as_slice() {
                 panorama::join(ui, &self.state, [upper, lower]);
@@ -62,11 +78,17 @@ impl App {
     }
 
     /// Draws what stands in `pane`.
-    fn paint(&mut self, ui: &Ui, pane: Pane) {
+    fn paint(&mut self, ui: &mut Ui, pane: Pane) {
         match (pane.content, self.eye_panes(ui, &pane).as_slice()) {
             (Content::Both, &[first, second]) => self.paint_both(ui, [first, second]),
             (Content::Corrected, _) => self.show_corrected(ui, pane.rect),
-            (_, panes) => panes.iter().for_each(|&pane| self.paint_eye(ui, pane)),
+            (_, panes) => panes.iter().for_each(|&pane| {
+                let title = self.state.title_of(pane);
+                // What is drawn in both pictures of one eye has a name of its own in each.
+                let within = UiBuilder::new().id_salt(pane_id(pane)).max_rect(pane.rect);
+                let second = pane.is_second.then(|| ui.new_child(within));
+                self.in_picture(pane, |app| app.paint_eye(second.as_ref().unwrap_or(ui), pane, &title));
+            }),
         }
     }
 
@@ -87,17 +109,18 @@ impl App {
 
     /// How far the picture of `request` in `pane` is off, where that is to be seen.
     fn heat_map(&mut self, ui: &Ui, pane: EyePane, request: &eyes::Request) -> Option<TextureId> {
-        let examination = self.examination.as_mut().filter(|_| self.state.settings.plots.heat_map)?;
+        let is_examined = self.state.settings.plots.heat_map && !pane.is_second;
+        let examination = self.examination.as_mut().filter(|_| is_examined)?;
         let method = self.state.method(&request.view).of_view(&request.view);
         examination.heat_map(ui.ctx(), pane.eye, method).map(Into::into)
     }
 
-    /// Draws `pane`: the up-to-date picture, how far it is off, and the markers.
-    fn paint_eye(&mut self, ui: &Ui, pane: EyePane) {
+    /// Draws `pane` below its `title`: the up-to-date picture, how far it is off, and the markers.
+    fn paint_eye(&mut self, ui: &Ui, pane: EyePane, title: &str) {
         let request = self.request(ui, pane);
-        let picture = self.eyes.as_mut().and_then(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
+        let picture = self.eyes.as_mut().and_then(|eyes| eyes.picture(ui.ctx(), pane.index(), &request));
         let heat_map = self.heat_map(ui, pane, &request);
-        panels::views::paint(ui, &self.state, pane, Painted { picture, heat_map });
+        panels::views::paint(ui, &self.state, pane, title, Painted { picture, heat_map });
     }
 
     /// Draws the picture that both eyes share, and the markers of both, or of the one whose turn it is.
@@ -154,7 +177,7 @@ impl App {
         }
         let state = &self.state;
         let panes = panes.iter().flat_map(|pane| self.eye_panes(ui, pane));
-        let exact = panes.filter(|pane| !state.sees_as_published(pane.eye));
+        let exact = panes.filter(|pane| !pane.is_second && !state.sees_as_published(pane.eye));
         let sight = Sight {
             views: exact.map(|pane| (pane.eye, state.view(pane.eye, pane.size))).collect(),
             appearance: state.appearance(!ui.visuals().dark_mode),

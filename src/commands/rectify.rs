@@ -15,7 +15,7 @@ use crate::files::whole::write_whole;
 use crate::flags::choices::{FileKind, GazeChoice, Layout};
 use crate::flags::{IntensityExponent, OnOff, SpeedArgs, SpeedParameter, field_of_view, switch};
 use crate::platform::files;
-use crate::settings::{CameraArgs, Settings};
+use crate::settings::{CameraArgs, NO_PAIR, Settings};
 use crate::studio::Sheet;
 
 /// Corrects a picture taken from one eye to the frame of the bodies in it.
@@ -96,6 +96,7 @@ impl RectifyArgs {
         let file = PngFile::read(&self.image)?;
         let recorded = self.recorded(file.command());
         let name = files::shown(&self.image);
+        anyhow::ensure!(!recorded.as_ref().is_some_and(Settings::is_comparing), "{name}: {NO_PAIR}");
         let settings = self.settings(recorded.clone(), file.picture().size)?;
         let (seen, eye) = self.of_an_eye(file, &settings).with_context(|| name.clone())?;
         let rectification = &self.rectifications(seen.size, &settings)?[eye];

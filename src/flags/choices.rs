@@ -9,6 +9,7 @@ use clap::ValueEnum;
 use relativity_render::Gaze;
 use serde::{Serialize, Serializer};
 
+pub use super::compare::Compare;
 pub use super::layout::{Form, Layout, Swapped};
 use super::within;
 

@@ -1,6 +1,7 @@
 //! Types of flags that several commands and the window share.
 
 pub mod choices;
+mod compare;
 mod followed;
 mod goal;
 mod head;

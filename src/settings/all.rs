@@ -112,7 +112,7 @@ impl Settings {
     }
 
     /// These settings with another scene, a preset or a file. What belongs to a scene is as usual: where it passes, where the
-    /// eyes look, T, and what is done over a range of T. Speed, eyes and light stay.
+    /// eyes look, T, and what is done over a range of T. Speed, eyes, geometry and light stay.
     #[must_use]
     pub fn with_scene(self, scene: String) -> Self {
         let usual = Self::default();
@@ -121,7 +121,8 @@ impl Settings {
             height_shift: usual.motion.height_shift,
             ..self.motion
         };
-        let look = Look { geometry: self.look.geometry, projection: self.look.projection, ..usual.look };
+        let Look { geometry, compare, projection, .. } = self.look;
+        let look = Look { geometry, compare, projection, ..usual.look };
         let playback = Playback { range: usual.playback.range, ..self.playback };
         let fit = FitSetup { fit_range: usual.fit.fit_range, ..self.fit };
         Self { scene, time: None, point: None, points: None, motion, look, playback, fit, ..self }

@@ -5,6 +5,7 @@
 //! judge of its values, wherever they come from. A section is a heading of the help and a table of the file.
 
 mod all;
+mod comparison;
 mod entries;
 mod error;
 mod file;
@@ -20,6 +21,7 @@ mod start;
 mod tests;
 
 pub use all::Settings;
+pub use comparison::{ComparisonError, NO_PAIR};
 pub use error::SettingsError;
 pub use file::looks_like_settings;
 pub use link::is_link;

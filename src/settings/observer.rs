@@ -264,8 +264,23 @@ impl Settings {
     /// How both eyes look at `subject` at `observation_time` in pictures of this `size`, as a gaze that stays there and
     /// a field of view, in degrees, and a distance of zero parallax: the numbers from which a view is made, so that
     /// recorded ones give the same view to the last digit.
+    ///
+    /// Two pictures that are compared have the wider of their fields of view, and this is the gaze of the first.
     #[must_use]
     pub fn fixed_look(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> Look {
+        let look = self.own_look(subject, observation_time, size);
+        match self.second() {
+            Some(second) if self.look.set_fov().is_none() => {
+                let other = second.own_look(subject, observation_time, size);
+                let fov = if other.fov.0 > look.fov.0 { other.fov } else { look.fov };
+                Look { fov, ..look }
+            }
+            _ => look,
+        }
+    }
+
+    /// The same of a picture that is not compared with another.
+    fn own_look(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> Look {
         let framing = match self.look.gaze {
             GazeChoice::Whole | GazeChoice::Passage => self.framing(subject.scene, observation_time),
             _ => None,
@@ -497,9 +512,12 @@ impl Settings {
         automatic_ev(lights, self.geometry(), &self.unexposed(scene, false))
     }
 
-    /// These settings with the exposure that `scene` gets by them.
+    /// These settings with the exposure that `scene` gets by them; where two pictures are compared, each has its own.
     #[must_use]
     pub fn exposed_for(self, scene: &Scene) -> Self {
+        if self.is_comparing() {
+            return self;
+        }
         let exposure = Exposure(self.light.exposure.0.or_else(|| Some(self.automatic_ev(scene))));
         Self { light: Light { exposure, ..self.light }, ..self }
     }
@@ -510,7 +528,10 @@ impl Settings {
     pub fn resolved(&self, subject: Subject) -> Self {
         let time = self.time.unwrap_or_else(|| self.time_of_approach(&subject.tracked));
         let mut resolved = Self { time: Some(time), ..self.clone() };
-        resolved.look = self.fixed_look(subject, time, self.picture.size.0);
+        // One gaze could not be that of both pictures that are compared: each follows what it shows.
+        if !self.is_comparing() {
+            resolved.look = self.fixed_look(subject, time, self.picture.size.0);
+        }
         if self.light.light == Daylight::Theme {
             resolved.light.light =
                 if self.window.theme == Theme::Light { Daylight::On } else { Daylight::Off };

@@ -9,7 +9,7 @@ use relativity_render::{Appearance, Colour, Geometry, Method, Shading};
 use serde::Serialize;
 
 use crate::flags::choices::{
-    GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, Swapped, ZeroParallax,
+    Compare, GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, Swapped, ZeroParallax,
 };
 use crate::flags::{
     Exposure, FieldOfView, Goal, HEAD_DEGREES, IntensityExponent, OnOff, ScreenWidth, Share, SpeedParameter,
@@ -68,6 +68,11 @@ pub struct Look {
     /// Which geometry is shown.
     #[arg(long, value_enum)]
     pub geometry: Geometry,
+    /// The second of two pictures of the left eye, in place of the right eye's (with --layout side-by-side or over-under):
+    /// the first is as all else says. A gaze that follows does so in each; both have one field of view.
+    #[arg(long, value_enum)]
+    #[serde(skip_serializing_if = "Compare::is_off")]
+    pub compare: Compare,
     /// Where both eyes look: at the middle of all that moves with the scene, at the tracked point, straight ahead, abreast at
     /// the whole passage, or azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
     #[arg(long, value_name = "whole|point|ahead|passage|AZ,EL", allow_hyphen_values = true)]

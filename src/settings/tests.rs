@@ -14,8 +14,8 @@ use crate::files::exr::{self, Measurements};
 use crate::files::png;
 use crate::files::provenance::Provenance;
 use crate::flags::choices::{
-    AZIMUTH, ELEVATION, GazeChoice, Layout, PARALLAX_DISTANCE, ProjectionChoice, RendererChoice, Size,
-    Swapped, ZeroParallax,
+    AZIMUTH, Compare, ELEVATION, GazeChoice, Layout, PARALLAX_DISTANCE, ProjectionChoice, RendererChoice,
+    Size, Swapped, ZeroParallax,
 };
 use crate::flags::words::Shell;
 use crate::flags::{
@@ -65,9 +65,11 @@ fn look() -> impl Strategy<Value = Look> {
     let fov = proptest::option::of(number(FIELD_OF_VIEW)).prop_map(FieldOfView);
     let distance = number(PARALLAX_DISTANCE).prop_map(ZeroParallax::Distance);
     let zero_parallax = prop_oneof![Just(ZeroParallax::Point), Just(ZeroParallax::Infinity), distance];
-    (choice::<Geometry>(), gaze, fov, choice::<ProjectionChoice>(), zero_parallax).prop_map(
-        |(geometry, gaze, fov, projection, zero_parallax)| Look {
+    let shown = (choice::<Geometry>(), choice::<Compare>());
+    (shown, gaze, fov, choice::<ProjectionChoice>(), zero_parallax).prop_map(
+        |((geometry, compare), gaze, fov, projection, zero_parallax)| Look {
             geometry,
+            compare,
             gaze,
             fov,
             projection,
@@ -299,7 +301,9 @@ fn a_thousand_states_survive_every_file_and_flags() {
 #[test]
 fn every_setting_is_a_flag_under_the_heading_of_its_section() {
     let points = Some(Followed(vec![FollowedPoint { place: [0.0; 3], body: 0 }]));
-    let settings = Settings { time: Some(1.0), point: Some([0.0; 3]), points, ..Settings::default() };
+    // A comparison is told where there is one.
+    let look = Look { compare: Compare::Rest, ..Look::default() };
+    let settings = Settings { time: Some(1.0), point: Some([0.0; 3]), points, look, ..Settings::default() };
     let entries = settings.entries();
     let known: Vec<_> =
         entries::names().filter(|(_, name)| !["gamma", "rapidity", "budget"].contains(name)).collect();

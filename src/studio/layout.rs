@@ -2,7 +2,7 @@
 
 use relativity_render::Picture as Pixels;
 
-use super::sheet::{Ink, Sheet};
+use super::sheet::{Labels, Sheet};
 use crate::files::png::Still;
 use crate::flags::choices::{Form, Layout};
 use crate::settings::Picture;
@@ -10,14 +10,14 @@ use crate::settings::Picture;
 /// The file that shows `eyes`, the pictures of those that `picture` shows in its order, labelled in `labels` where that tells
 /// them apart. For free viewing the middles of pictures are `picture_mm` apart.
 #[must_use]
-pub fn still(picture: &Picture, eyes: Vec<Pixels>, labels: Option<Ink>, picture_mm: f64) -> Still {
+pub fn still(picture: &Picture, eyes: Vec<Pixels>, labels: Option<Labels>, picture_mm: f64) -> Still {
     let (frames, pixels_per_metre) = match (picture.layout.form(), eyes.as_slice()) {
         (Form::Composed(composition), [first, second]) => (vec![composition.picture([first, second])], None),
         (Form::Beside | Form::Above | Form::InTurn, [first, _]) => {
             let sheet = Sheet::new(picture, first.size, labels.is_some());
             let is_measured = picture.layout == Layout::FreeViewing;
             let pixels_per_metre = is_measured.then(|| sheet.pixels_per_metre(picture_mm));
-            (sheet.composed(&eyes, labels.unwrap_or(Ink::beside(false))), pixels_per_metre)
+            (sheet.composed(&eyes, &labels.unwrap_or_default()), pixels_per_metre)
         }
         _ => (eyes, None),
     };

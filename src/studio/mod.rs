@@ -6,14 +6,15 @@ mod letters;
 mod painter;
 mod sheet;
 mod timings;
+mod writing;
 
 use std::path::Path;
 
 use relativity_render::{HitImage, PreparedScene, View};
 
 use self::painter::Painter;
-use self::sheet::Ink;
 pub use self::sheet::Sheet;
+use self::sheet::{Ink, Labels};
 use self::timings::Timings;
 use crate::files::exr::{Light, Measurements};
 use crate::files::png::Still;
@@ -27,6 +28,8 @@ use crate::settings::{Settings, Subject};
 
 /// Names of the stages that draw the left and the right eye.
 const EYES: [&str; 2] = ["left eye", "right eye"];
+/// The same where both pictures are of the left eye.
+const PICTURES: [&str; 2] = ["first picture", "second picture"];
 
 /// A scene, and a renderer that draws it as the settings say.
 pub struct Studio {
@@ -43,9 +46,11 @@ impl Studio {
     ///
     /// # Errors
     ///
-    /// A scene or a renderer that cannot be had, or the published geometry of a head that is tilted or turned.
+    /// A scene or a renderer that cannot be had, the published geometry of a head that is tilted or turned, or a comparison that
+    /// there is not.
     pub fn new(settings: Settings) -> anyhow::Result<Self> {
         settings.check_geometry()?;
+        settings.check_comparison()?;
         let scene = settings.opened_scene()?;
         let tracked = settings.track(&scene);
         Self::of_scene(settings, scene, tracked)
@@ -149,16 +154,21 @@ impl Studio {
     pub fn still(&mut self, frame: &Frame) -> anyhow::Result<Still> {
         let Frame { settings, time, .. } = frame;
         let picture = &settings.picture;
-        let views = settings.views(self.subject(), *time, picture.size.0);
-        let appearance = settings.appearance(&self.scene, false);
+        let pictures = settings.pictures(self.subject(), &self.scene, *time);
+        let stages = if settings.is_comparing() { PICTURES } else { EYES };
         let Self { painter, prepared, timings, .. } = self;
-        let eye =
-            |&eye: &usize| timings.timed(EYES[eye], || painter.picture(prepared, &views[eye], &appearance));
+        let eye = |&eye: &usize| {
+            let (view, appearance) = &pictures[eye];
+            timings.timed(stages[eye], || painter.picture(prepared, view, appearance))
+        };
         let eyes = picture.eyes().iter().map(eye).collect::<Result<_, _>>()?;
         // What it took may speak for another in the next frame.
-        self.choose(&views[1]);
+        let [_, (last, appearance)] = pictures;
+        self.choose(&last);
         let Self { timings, .. } = self;
-        let labels = picture.labels.then(|| Ink::beside(appearance.light));
+        let labels = picture
+            .labels
+            .then(|| Labels { ink: Ink::beside(appearance.light), compared: settings.compared_names() });
         let picture_mm = settings.screen.picture_distance;
         Ok(timings.timed("layout", || layout::still(picture, eyes, labels, picture_mm)))
     }
@@ -166,6 +176,10 @@ impl Studio {
     /// What every pixel of the left and the right eye shows.
     fn hits(&mut self, frame: &Frame) -> anyhow::Result<[HitImage; 2]> {
         let Frame { settings, time, .. } = frame;
+        anyhow::ensure!(
+            !settings.is_comparing(),
+            "--compare makes two pictures of one eye, and an .exr file holds those of two eyes: leave one of both out"
+        );
         let [left, right] = settings.views(self.subject(), *time, settings.picture.size.0);
         let Self { painter, prepared, timings, .. } = self;
         Ok([

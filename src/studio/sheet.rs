@@ -3,7 +3,7 @@
 
 use relativity_render::Picture;
 
-use super::letters;
+use super::{letters, writing};
 use crate::eye_colours;
 use crate::flags::choices::Form;
 use crate::settings::Picture as Settings;
@@ -34,6 +34,21 @@ impl Ink {
     #[must_use]
     pub const fn beside(is_light: bool) -> Self {
         if is_light { Self::LIGHT } else { Self::DARK }
+    }
+}
+
+/// What is written above pictures.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Labels {
+    /// With what.
+    pub ink: Ink,
+    /// What each of two pictures of one eye shows, in place of the eyes' letters.
+    pub compared: Option<[String; 2]>,
+}
+
+impl Default for Labels {
+    fn default() -> Self {
+        Self { ink: Ink::DARK, compared: None }
     }
 }
 
@@ -112,8 +127,8 @@ impl Sheet {
 
     /// The frames of the file that holds `pictures`, those of the eyes in the order of the layout.
     #[must_use]
-    pub fn composed(&self, pictures: &[Picture], ink: Ink) -> Vec<Picture> {
-        let [r, g, b] = ink.paper;
+    pub fn composed(&self, pictures: &[Picture], labels: &Labels) -> Vec<Picture> {
+        let [r, g, b] = labels.ink.paper;
         let pixels = self.size.map(|side| side as usize).iter().product();
         let blank = Picture { size: self.size, rgba: vec![[r, g, b, u8::MAX]; pixels] };
         let last = self.parts.last().map_or(0, |part| part.frame);
@@ -124,18 +139,24 @@ impl Sheet {
                 let first = (row * self.size[0] + x) as usize;
                 sheet.rgba[first..first + pixels.len()].copy_from_slice(pixels);
             }
-            self.label(sheet, eye, [x, y], ink);
+            self.label(sheet, eye, [x, y], labels);
         }
         frames
     }
 
-    /// Writes the letter of `eye` above its picture, which begins at that corner.
-    fn label(&self, sheet: &mut Picture, eye: usize, [x, y]: [u32; 2], ink: Ink) {
+    /// Writes the letter of `eye`, or what it is compared by, above its picture, which begins at that corner.
+    fn label(&self, sheet: &mut Picture, eye: usize, [x, y]: [u32; 2], labels: &Labels) {
         let half = 0.5 * f64::from(self.strip);
         let middle = [f64::from(x) + 0.5 * f64::from(self.eye_size[0]), f64::from(y) - half];
         let height = LETTER * f64::from(self.strip);
-        if self.strip > 0 {
-            letters::draw(sheet, &letters::OF_EYES[eye], middle, height, ink.letters[eye]);
+        match (&labels.compared, labels.ink) {
+            _ if self.strip == 0 => {}
+            (None, ink) => letters::draw(sheet, &letters::OF_EYES[eye], middle, height, ink.letters[eye]),
+            // Both are the left eye's.
+            (Some(names), ink) => {
+                let room = f64::from(self.eye_size[0]);
+                writing::draw(sheet, &names[eye], middle, [room, height], ink.letters[0]);
+            }
         }
     }
 
@@ -189,7 +210,8 @@ mod tests {
                     let settings = shown(layout, is_swapped);
                     let sheet = Sheet::new(&settings, size, labels);
                     let eyes: Vec<_> = settings.eyes().iter().map(|&eye| pictures[eye].clone()).collect();
-                    let file = sheet.composed(&eyes, Ink::beside(labels));
+                    let written = Labels { ink: Ink::beside(labels), compared: None };
+                    let file = sheet.composed(&eyes, &written);
                     for frame in &file {
                         let pixels = (sheet.size[0] * sheet.size[1]) as usize;
                         assert_eq!((frame.size, frame.rgba.len()), (sheet.size, pixels));

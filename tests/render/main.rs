@@ -8,6 +8,7 @@ use std::process::{Command, Output};
 
 use tempfile::TempDir;
 
+mod comparison;
 mod errors;
 mod measure;
 mod measurements;

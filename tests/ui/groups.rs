@@ -118,7 +118,7 @@ fn markers_lie_on_their_points() {
                 let camera = state.view(eye, size).camera;
                 for &pixel in pixels.iter().step_by(pixels.len() / 40) {
                     let mut state = state.clone();
-                    state.apply(Command::Pick(Pick { eye, pixel, size, add: false }));
+                    state.apply(Command::Pick(Pick { eye, is_second: false, pixel, size, add: false }));
                     let point = state.session.points.selected();
                     let direction = state.direction(point, eye).expect("in the domain");
                     let [u, v] = camera.pixel(direction).expect("in front");

@@ -5,6 +5,7 @@
 //! with `GAMOW_REQUIRE_GPU=1` that is a failure.
 
 mod automatic;
+mod comparison;
 mod controls;
 mod faults;
 mod files;
@@ -16,6 +17,7 @@ mod layouts;
 mod lessons;
 mod manners;
 mod map;
+mod measuring;
 mod own_data;
 mod painting;
 mod pairs;
@@ -52,6 +54,7 @@ fn main() -> ExitCode {
     let missing = !required && relativity_render::Gpu::headless().is_err();
     let all = [
         automatic::TESTS,
+        comparison::TESTS,
         controls::TESTS,
         faults::TESTS,
         files::TESTS,
@@ -63,6 +66,7 @@ fn main() -> ExitCode {
         lessons::TESTS,
         manners::TESTS,
         map::TESTS,
+        measuring::TESTS,
         own_data::TESTS,
         painting::TESTS,
         pairs::TESTS,

@@ -468,7 +468,7 @@ fn a_click_near_something_means_it() {
         let beside = [first[0] - off, first[1]];
         assert!(is_free(beside));
         let mut picked = state.clone();
-        picked.apply(Command::Pick(Pick { eye, pixel: beside, size, add: false }));
+        picked.apply(Command::Pick(Pick { eye, is_second: false, pixel: beside, size, add: false }));
         assert_eq!(picked.session.points != state.session.points, is_meant, "{off}");
         assert_eq!(picked.session.missed.is_none(), is_meant, "{off}");
     }

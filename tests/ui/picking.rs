@@ -221,7 +221,13 @@ fn marker_and_surface_agree() {
                         continue; // An edge runs through this pixel.
                     }
                     let mut picked = state.clone();
-                    picked.apply(Command::Pick(Pick { eye, pixel: centre, size, add: false }));
+                    picked.apply(Command::Pick(Pick {
+                        eye,
+                        is_second: false,
+                        pixel: centre,
+                        size,
+                        add: false,
+                    }));
                     let mut drawn = *picked.session.points.selected();
                     for rest in [drawn.track.rest, hit.rest_position.to_array()] {
                         drawn.track.rest = rest;

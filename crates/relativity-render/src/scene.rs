@@ -1,5 +1,6 @@
 //! A scene ready to be drawn: bodies placed and boxed once, whatever speed, time, eye, gaze and colour are.
 
+use std::collections::VecDeque;
 use std::ops::Range;
 use std::slice;
 use std::sync::{Arc, Mutex};
@@ -75,8 +76,8 @@ struct Prepared {
     capsules: Vec<Capsule>,
     /// A ball around each body.
     balls: Vec<Capsule>,
-    /// The last outline that was asked for, and of which views: within a frame everything asks for the same.
-    last_outline: Mutex<Option<(Vec<View>, Arc<Outline>)>>,
+    /// The last outlines that were asked for, and of which views: within a frame everything asks for the same few.
+    last_outlines: Mutex<VecDeque<(Vec<View>, Arc<Outline>)>>,
 }
 
 /// A group, and the box around it.
@@ -155,7 +156,7 @@ impl PreparedScene {
             numbers,
             capsules,
             balls,
-            last_outline: Mutex::default(),
+            last_outlines: Mutex::default(),
         }))
     }
 
@@ -261,9 +262,9 @@ impl PreparedScene {
         self.0.groups.iter().filter(move |group| Some(moves(group)) == most)
     }
 
-    /// The last outline that was asked for, and of which views.
-    pub(crate) fn last_outline(&self) -> &Mutex<Option<(Vec<View>, Arc<Outline>)>> {
-        &self.0.last_outline
+    /// The last outlines that were asked for, and of which views.
+    pub(crate) fn last_outlines(&self) -> &Mutex<VecDeque<(Vec<View>, Arc<Outline>)>> {
+        &self.0.last_outlines
     }
 
     /// How `view` sees each group.

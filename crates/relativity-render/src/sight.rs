@@ -31,22 +31,24 @@ const SLIGHT_BULGE: f64 = 1e-4;
 const HALVINGS: u32 = 12;
 /// Every which body is looked at before all.
 const SAMPLED: usize = 23;
+/// How many outlines are kept at most.
+const MOST_OUTLINES: usize = 4;
 /// How often the gaze is turned to the middle of what it frames.
 const TURNS: u32 = 2;
 
 impl PreparedScene {
-    /// The outline of its [`Self::subject`] in these `views` together. The last one is kept.
+    /// The outline of its [`Self::subject`] in these `views` together. The last ones are kept: two pictures that are compared ask for
+    /// different ones in turn.
     #[must_use]
     pub fn outline(&self, views: &[View]) -> Arc<Outline> {
-        let mut last = self.last_outline().lock().unwrap_or_else(PoisonError::into_inner);
-        match &*last {
-            Some((of, outline)) if of == views => Arc::clone(outline),
-            _ => {
-                let outline = Arc::new(outline(self, views));
-                *last = Some((views.to_vec(), Arc::clone(&outline)));
-                outline
-            }
+        let mut last = self.last_outlines().lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, outline)) = last.iter().find(|(of, _)| of == views) {
+            return Arc::clone(outline);
         }
+        let outline = Arc::new(outline(self, views));
+        last.truncate(MOST_OUTLINES - 1);
+        last.push_front((views.to_vec(), Arc::clone(&outline)));
+        outline
     }
 }
 

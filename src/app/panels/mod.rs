@@ -19,6 +19,7 @@ pub mod saving;
 pub mod sentence;
 pub mod spectrum;
 pub mod start;
+pub mod stopwatch;
 pub mod timeline;
 pub mod views;
 

@@ -12,6 +12,7 @@ use relativity_render::{Camera, Colour, Geometry, Method, PreparedScene, Project
 
 use super::Asks;
 use crate::app::actions::LOOK_STEP;
+use crate::app::angle_ruler::{Lay, RulerCommand};
 use crate::app::command::Command;
 use crate::app::dial::{self, Drawn};
 use crate::app::eye::Eye;
@@ -21,7 +22,7 @@ use crate::app::pointer::{Pick, Turn, Zoom};
 use crate::app::points::Point;
 use crate::app::state::State;
 use crate::app::widgets::pane_title;
-use crate::app::{awake, beyond, highlight, layouts, predicted, slide, theme, under};
+use crate::app::{awake, beyond, highlight, laid_ruler, layouts, predicted, slide, theme, under};
 use crate::caption;
 use crate::figures;
 use crate::flags::choices::Form;
@@ -39,24 +40,28 @@ pub struct Painted {
     pub heat_map: Option<TextureId>,
 }
 
-/// Reads the mouse in `pane`.
-pub fn interact(ui: &mut Ui, pane: EyePane, asks: &mut Asks) {
+/// Reads the mouse in `pane`, which assistive technology calls by this `name`.
+pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, name: &str, asks: &mut Asks) {
     let id = ui.scope_id().with(("view", pane.eye.index()));
     let response = ui.interact(pane.rect, id, Sense::click_and_drag()).on_hover_cursor(CursorIcon::Crosshair);
-    let name = pane.name();
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, &name));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, name));
     if response.double_clicked() {
         asks.push(Command::FollowAgain);
     } else if response.triple_clicked() {
         // It is a double click that went on.
     } else if let (true, Some(place)) = (response.clicked(), response.interact_pointer_pos()) {
         let add = ui.input(|input| input.modifiers.shift);
-        asks.push(Command::Pick(Pick { eye: pane.eye, pixel: pane.pixel(place), size: pane.size, add }));
+        let EyePane { eye, is_second, size, .. } = pane;
+        asks.push(Command::Pick(Pick { eye, is_second, pixel: pane.pixel(place), size, add }));
     }
     if response.has_focus() {
         keys(ui, &response, asks);
     }
-    turn(&response, pane, asks);
+    if state.session.angle_ruler.takes_drags() {
+        measure(ui, &response, pane, asks);
+    } else {
+        turn(&response, pane, asks);
+    }
     if response.hovered() {
         let scroll = f64::from(ui.input(|input| input.smooth_scroll_delta().y));
         let pinch = f64::from(ui.input(egui::InputState::zoom_delta));
@@ -65,6 +70,7 @@ pub fn interact(ui: &mut Ui, pane: EyePane, asks: &mut Asks) {
             let place = response.hover_pos().unwrap_or(pane.rect.center());
             asks.push(Command::Zoom(Zoom {
                 eye: pane.eye,
+                is_second: pane.is_second,
                 pixel: pane.pixel(place),
                 size: pane.size,
                 factor,
@@ -102,15 +108,30 @@ fn turn(response: &Response, pane: EyePane, asks: &mut Asks) {
     let Some(place) = response.interact_pointer_pos().filter(|_| response.dragged()) else { return };
     if moved != egui::Vec2::ZERO {
         let [from, to] = [place - moved, place].map(|place| pane.pixel(place));
-        asks.push(Command::Turn(Turn { eye: pane.eye, from, to, size: pane.size }));
+        let EyePane { eye, is_second, size, .. } = pane;
+        asks.push(Command::Turn(Turn { eye, is_second, from, to, size }));
     }
 }
 
-/// Draws `pane`: what is `painted` there, the markers on it, title and frame.
-pub fn paint(ui: &Ui, state: &State, pane: EyePane, painted: Painted) {
+/// A drag lays a ruler.
+fn measure(ui: &Ui, response: &Response, pane: EyePane, asks: &mut Asks) {
+    let from = ui.input(|input| input.pointer.press_origin());
+    let to = response.interact_pointer_pos();
+    if let Some((from, to)) = from.zip(to).filter(|_| response.dragged()) {
+        let EyePane { eye, is_second, size, .. } = pane;
+        let ends = [from, to].map(|place| pane.pixel(place));
+        asks.push(Command::Ruler(RulerCommand::Lay(Lay { eye, is_second, ends, size })));
+    }
+    if response.drag_stopped() {
+        asks.push(Command::Ruler(RulerCommand::Settle));
+    }
+}
+
+/// Draws `pane`: what is `painted` there, the markers on it, its `title` and frame.
+pub fn paint(ui: &Ui, state: &State, pane: EyePane, title: &str, painted: Painted) {
     let Painted { picture, heat_map } = painted;
     let colour = theme::eye_colour(pane.eye, ui.visuals());
-    pane_title(ui, pane.rect, pane.eye.name(), colour);
+    pane_title(ui, pane.rect, title, colour);
     ui.painter().rect_filled(pane.rect, 0.0, ui.visuals().extreme_bg_color);
     for texture in picture.map(|picture| picture.texture).into_iter().chain(heat_map) {
         image(ui, pane.rect, texture);
@@ -120,6 +141,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, painted: Painted) {
         markers(ui, &inside, state, pane, coat);
     }
     predicted::paint(ui, &inside, state, pane);
+    laid_ruler::paint(ui, &inside, state, pane);
     words(ui, state, pane, note(state, pane.eye, picture, heat_map.is_some()));
     ui.painter().rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
     hover(ui, state, pane);
@@ -154,7 +176,9 @@ pub fn paint_both(
         }
     }
     for &pane in panes {
-        predicted::paint(ui, &ui.painter().with_clip_rect(pane.rect), state, pane);
+        let inside = ui.painter().with_clip_rect(pane.rect);
+        predicted::paint(ui, &inside, state, pane);
+        laid_ruler::paint(ui, &inside, state, pane);
     }
     for (&pane, heat_map) in panes.iter().zip(heat_maps) {
         if pane.takes_the_mouse() || panes.len() == 1 {
@@ -184,7 +208,8 @@ fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
     let note = write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
     let unseen = write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
-    let hint = predicted::hint(state).or_else(|| newcomers_hint(ui, state));
+    let hint =
+        predicted::hint(state).or_else(|| laid_ruler::hint(state)).or_else(|| newcomers_hint(ui, state));
     if let Some(hint) = hint.filter(|_| pane.takes_the_mouse()) {
         let corner = free_corner(ui, &inside, pane, &hint, [note, unseen]);
         let place = write(ui, &inside, pane, corner, hint.clone());
@@ -206,7 +231,9 @@ fn hover(ui: &Ui, state: &State, pane: EyePane) {
 
 /// Says where a click into `pane` hit nothing.
 fn missed(ui: &Ui, state: &State, pane: EyePane) {
-    if let Some(missed) = state.session.missed.filter(|missed| missed.eye == pane.eye) {
+    if let Some(missed) =
+        state.session.missed.filter(|missed| (missed.eye, missed.is_second) == (pane.eye, pane.is_second))
+    {
         under::show_nothing(ui, pane.rect, pane.place(missed.pixel));
     }
 }

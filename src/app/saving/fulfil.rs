@@ -9,7 +9,7 @@ use crate::app::chooser::Product;
 use crate::app::notice::Notice;
 use crate::app::orders::{Copied, Order, Saving};
 use crate::files::whole::write_whole;
-use crate::flags::choices::{RendererChoice, Size};
+use crate::flags::choices::{Compare, RendererChoice, Size};
 use crate::flags::words::Shell;
 use crate::platform::files;
 use crate::settings::{Daylight, Settings};
@@ -138,6 +138,9 @@ impl App {
         let mut settings = self.state.shown();
         settings.picture.size = Size(size);
         settings.look.geometry = settings.geometry();
+        if !settings.is_comparing() {
+            settings.look.compare = Compare::Off;
+        }
         if settings.light.light == Daylight::Theme {
             settings.light.light = if ui.visuals().dark_mode { Daylight::Off } else { Daylight::On };
         }

@@ -38,6 +38,8 @@ pub fn is_offered(state: &State, area: Rect) -> bool {
     let is_wide = area.width() >= WIDE * area.height();
     let can_be = settings.projection() == ProjectionChoice::Mercator
         && matches!(settings.picture.layout.form(), Form::Beside | Form::Above);
+    // Two pictures of one eye have a title that needs the room.
+    let can_be = can_be && !settings.is_comparing();
     let is_presented = state.session.stage.is_presented();
     can_be && (settings.is_panorama() || is_presented || is_wide && !settings.window.simple)
 }

@@ -26,7 +26,7 @@ use crate::flags::choices::{FileKind, Layout};
 use crate::flags::{COORDINATES, coordinates, within};
 use crate::passage::time_within;
 use crate::platform::{self, files, tell};
-use crate::settings::{CameraArgs, MAX_LENGTH, Picture, Settings};
+use crate::settings::{CameraArgs, MAX_LENGTH, NO_PAIR, Picture, Settings};
 use crate::studio::Sheet;
 
 /// Follows a point through a stereo sequence and measures its angles, as CSV.
@@ -229,6 +229,7 @@ fn measured(
         Target::Marker(colour) => {
             let file = PngFile::read(path)?;
             let recorded = Settings::recorded_in(file.command(), path)?;
+            anyhow::ensure!(!recorded.as_ref().is_some_and(Settings::is_comparing), "{name}: {NO_PAIR}");
             let settings = taken.settings(recorded, file.picture().size, false, time);
             let settings = settings.with_context(|| name.to_owned())?;
             let sheet = sheet(&settings.picture, file.picture().size).with_context(|| name.to_owned())?;

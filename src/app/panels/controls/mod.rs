@@ -1,6 +1,8 @@
 //! The controls of motion, path and view, and the panel that holds them all.
 
+mod compare;
 mod light;
+mod measuring;
 mod projection;
 mod quality;
 mod screen;
@@ -136,10 +138,12 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     layout_row(ui, state.settings.picture, asks);
     geometry_row(ui, &mut look.geometry);
     light_cones_row(ui, &mut look.geometry, state.settings.baseline().is_along_motion());
+    compare::show(ui, state, &mut look);
     gaze_row(ui, state, &mut look);
     field_of_view_rows(ui, state, &mut look, asks);
     more_rows(ui, state.settings.window, state.measures().time, asks);
     quality::show(ui, state, asks);
+    measuring::show(ui, state, asks);
     if look != state.settings.look {
         asks.push(Command::Look(look));
     }

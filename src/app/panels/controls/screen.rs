@@ -1,6 +1,6 @@
 //! The screen: how comfortably two eyes fuse what is on it, and how large and how far away it is.
 
-use eframe::egui::Ui;
+use eframe::egui::{Button, Ui};
 
 use crate::app::command::Command;
 use crate::app::panels::Asks;
@@ -22,9 +22,18 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 const TIP: &str = "The disparities of all bodies in both views, as angles where you sit: from the least to the greatest across, \
     and the largest up or down.\nUp to 1° across is comfortable; more than 2°, or 20′ up or down, few can fuse.";
 
+/// What is said where two pictures of one eye are compared.
+const NO_PAIR: &str =
+    "Both views are of the left eye, beside each other to be compared: they are no pair to fuse.";
+
 /// Computed only while it is in sight.
 fn meter(ui: &mut Ui, state: &State) {
     row(ui, "Fusing", TIP, |ui| {
+        if state.settings.is_comparing() {
+            named_text(ui, "two pictures of one eye", "Fusing: two pictures of one eye")
+                .on_hover_text(NO_PAIR);
+            return;
+        }
         let is_hidden = !state.settings.window.views || !ui.is_rect_visible(ui.available_rect_before_wrap());
         let comfort = if is_hidden { None } else { state.comfort(state.settings.motion.d) };
         let Some(comfort) = comfort else {
@@ -55,7 +64,9 @@ fn narrow(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let motion = state.settings.motion;
     let narrowed = state.session.narrowed.filter(|[_, d]| *d == motion.d);
     row(ui, "", "", |ui| {
-        if ui.button("Comfortable").on_hover_text(tip).clicked() {
+        let is_pair = !state.settings.is_comparing();
+        let button = ui.add_enabled(is_pair, Button::new("Comfortable"));
+        if button.on_hover_text(tip).on_disabled_hover_text(NO_PAIR).clicked() {
             asks.push(Command::Narrow);
         }
         if let Some([wide, _]) = narrowed

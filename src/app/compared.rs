@@ -1,0 +1,64 @@
+//! Two pictures of one eye in the window: what is asked of the second is asked of the state as if that were alone.
+
+use super::App;
+use super::panes::EyePane;
+use super::state::State;
+use crate::settings::Settings;
+
+impl State {
+    /// Has the settings of the second of two pictures of one eye, if it `is_second` and there is one; then those that it had.
+    fn enter(&mut self, is_second: bool) -> Option<Settings> {
+        let (session, size) = (&self.session, self.session.picture_size);
+        let second = || self.settings.second_of(self.subject(), &session.scene, session.time, size);
+        let second = is_second.then(second).flatten()?;
+        Some(std::mem::replace(&mut self.settings, second))
+    }
+
+    /// Has these settings again, if there are any.
+    fn leave(&mut self, kept: Option<Settings>) {
+        if let Some(kept) = kept {
+            self.settings = kept;
+        }
+    }
+
+    /// Returns what is `asked` with the settings of a picture: those of the second of one eye where it `is_second`.
+    pub(super) fn of_picture<R>(&mut self, is_second: bool, asked: impl FnOnce(&mut Self) -> R) -> R {
+        let kept = self.enter(is_second);
+        let found = asked(self);
+        self.leave(kept);
+        found
+    }
+
+    /// The title of `pane`.
+    #[must_use]
+    pub(super) fn title_of(&self, pane: EyePane) -> String {
+        self.with_what_it_shows(pane.eye.name(), pane)
+    }
+
+    /// The name of `pane` for assistive technology.
+    #[must_use]
+    pub(super) fn name_of_view(&self, pane: EyePane) -> String {
+        if pane.is_shared {
+            return "Both eyes' view".to_owned();
+        }
+        self.with_what_it_shows(&format!("{} view", pane.eye.name()), pane)
+    }
+
+    /// This `name`, with what tells `pane` from the other picture of the eye.
+    fn with_what_it_shows(&self, name: &str, pane: EyePane) -> String {
+        match self.settings.compared_names() {
+            Some(names) => format!("{name}: {}", names[pane.index()]),
+            None => name.to_owned(),
+        }
+    }
+}
+
+impl App {
+    /// Returns what is `done` with the settings of the picture in `pane`.
+    pub(super) fn in_picture<R>(&mut self, pane: EyePane, done: impl FnOnce(&mut Self) -> R) -> R {
+        let kept = self.state.enter(pane.is_second);
+        let given = done(self);
+        self.state.leave(kept);
+        given
+    }
+}

@@ -1,0 +1,40 @@
+//! The controls of what is measured with in the views themselves: a ruler, a stopwatch, and a clock to compare others with.
+
+use eframe::egui::{Checkbox, Ui};
+
+use crate::app::angle_ruler::{AngleRuler, RulerCommand};
+use crate::app::command::Command;
+use crate::app::panels::Asks;
+use crate::app::state::State;
+use crate::app::stopwatch::{Stopwatch, StopwatchCommand};
+use crate::app::widgets::row;
+
+const RULER: &str = "The next drag in a view lays a ruler: it shows the angle between the lines of sight to its ends, and stays until it \
+    is taken away.   Key: R";
+const STOPWATCH: &str = "Measures T between two presses, and what the selected point's clock goes on by meanwhile, as it is seen.\n\
+    Keys: T starts and stops, Shift+T shows it or takes it away";
+const CLOCK: &str = "Shows in each view a clock that rests beside you, to compare the others with, and counts the turns of every clock.";
+
+/// Shows them.
+pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    row(ui, "Measure", "What is measured with in the views.", |ui| {
+        let is_on = state.session.angle_ruler != AngleRuler::Off;
+        if ui.selectable_label(is_on, "Angle ruler").on_hover_text(RULER).clicked() {
+            asks.push(Command::Ruler(RulerCommand::Toggle));
+        }
+        let is_on = state.session.stopwatch != Stopwatch::Hidden;
+        if ui.selectable_label(is_on, "Stopwatch").on_hover_text(STOPWATCH).clicked() {
+            asks.push(Command::Stopwatch(StopwatchCommand::Toggle));
+        }
+    });
+    row(ui, "", "", |ui| {
+        let mut window = state.settings.window;
+        let clock = Checkbox::new(&mut window.resting_clock, "clock beside you");
+        let reason = "It is one of the clocks: these are off.";
+        let response =
+            ui.add_enabled(window.dials, clock).on_hover_text(CLOCK).on_disabled_hover_text(reason);
+        if response.changed() {
+            asks.push(Command::Window(window));
+        }
+    });
+}

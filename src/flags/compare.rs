@@ -1,0 +1,47 @@
+//! The second picture of one eye: what it shows otherwise than the first.
+
+use clap::ValueEnum;
+use serde::{Serialize, Serializer};
+
+/// What the second picture shows where one eye's picture stands twice.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum Compare {
+    /// No second picture of one eye: the pictures are those of two eyes.
+    #[default]
+    Off,
+    /// The same as seen.
+    Seen,
+    /// The same contracted only, where everything is measured to be at T.
+    Contracted,
+    /// The same at rest.
+    Rest,
+    /// The same with D^2, the paper's, as the received intensity.
+    Paper,
+}
+
+impl Compare {
+    /// Whether there is no second picture.
+    #[must_use]
+    pub const fn is_off(&self) -> bool {
+        matches!(self, Self::Off)
+    }
+
+    /// Its name in files and flags.
+    #[must_use]
+    pub fn name(self) -> String {
+        self.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
+    }
+
+    /// The choice so many `steps` further in the list of all, or back; after the last comes the first.
+    #[must_use]
+    pub fn further(self, steps: isize) -> Self {
+        let all = Self::value_variants();
+        all[(self as isize + steps).rem_euclid(all.len().cast_signed()).cast_unsigned()]
+    }
+}
+
+impl Serialize for Compare {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.name())
+    }
+}

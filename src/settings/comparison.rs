@@ -1,0 +1,172 @@
+//! Two pictures of one eye beside each other: what the second shows otherwise, and when there can be one.
+
+use relativity_core::doppler::{
+    BOLOMETRIC_INTENSITY_EXPONENT, PAPER_INTENSITY_EXPONENT, SPECIFIC_INTENSITY_EXPONENT,
+};
+use relativity_render::{Appearance, Colour, Geometry, View};
+use thiserror::Error;
+
+use super::all::Settings;
+use super::observer::Subject;
+use super::sections::{Light, Look};
+use crate::figures;
+use crate::flags::choices::{Compare, Layout, ProjectionChoice};
+use crate::flags::{Exposure, IntensityExponent};
+use crate::scene::Scene;
+
+/// Reason why nothing is worked out from two pictures of one eye.
+pub const NO_PAIR: &str = "it shows one eye twice (--compare), where this needs a picture made without";
+
+/// Why there is no second picture of one eye.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum ComparisonError {
+    /// The layout does not keep two pictures apart, or has one.
+    #[error("--compare needs two pictures apart: --layout side-by-side or over-under, not {}", .0.name())]
+    Layout(Layout),
+    /// The two pictures of a headset are those of two eyes.
+    #[error("--compare: a headset (--projection vr180) shows two eyes, and not one eye twice")]
+    Headset,
+    /// Nothing depends on the exponent with this light.
+    #[error(
+        "--compare paper needs light of one wavelength, --colour one-wavelength: no other has an exponent"
+    )]
+    Light,
+    /// D is 1 everywhere.
+    #[error("--compare paper needs the Doppler effect, --geometry seen: without it D is 1 everywhere")]
+    NoDoppler,
+}
+
+impl Settings {
+    /// Whether the two pictures are of one eye.
+    #[must_use]
+    pub fn is_comparing(&self) -> bool {
+        !self.look.compare.is_off() && self.check_comparison().is_ok()
+    }
+
+    /// Whether the second picture of one eye that is set can be shown.
+    ///
+    /// # Errors
+    /// A layout, a projection, a light or a geometry with which there is none.
+    pub fn check_comparison(&self) -> Result<(), ComparisonError> {
+        if self.look.compare.is_off() {
+            return Ok(());
+        }
+        self.check_two_pictures()?;
+        if self.look.compare == Compare::Paper { self.check_exponent() } else { Ok(()) }
+    }
+
+    /// Whether one eye can have two pictures.
+    ///
+    /// # Errors
+    /// A layout or a projection with which it cannot.
+    pub fn check_two_pictures(&self) -> Result<(), ComparisonError> {
+        let layout = self.picture.layout;
+        if !matches!(layout, Layout::SideBySide | Layout::OverUnder) {
+            return Err(ComparisonError::Layout(layout));
+        }
+        if self.look.projection == ProjectionChoice::Vr180 { Err(ComparisonError::Headset) } else { Ok(()) }
+    }
+
+    /// Whether another exponent of the intensity makes another picture.
+    ///
+    /// # Errors
+    /// A light or a geometry with which it does not.
+    pub fn check_exponent(&self) -> Result<(), ComparisonError> {
+        if self.light.colour != Colour::OneWavelength {
+            return Err(ComparisonError::Light);
+        }
+        if self.geometry().has_doppler_effect() { Ok(()) } else { Err(ComparisonError::NoDoppler) }
+    }
+
+    /// Has the next choice of what a picture is compared with; in a layout that shows no two pictures apart, side by side.
+    pub(crate) fn compare_next(&mut self) {
+        if self.check_two_pictures().is_err() {
+            self.picture.layout = Layout::SideBySide;
+        }
+        self.look.compare = self.look.compare.further(1);
+        if self.check_comparison().is_err() {
+            self.look.compare = self.look.compare.further(1);
+        }
+    }
+
+    /// The settings of the second picture of one eye, as if it were alone but for what both have in common: `None` where
+    /// there is no such picture.
+    pub(super) fn second(&self) -> Option<Self> {
+        if !self.is_comparing() {
+            return None;
+        }
+        let geometry = match self.look.compare {
+            Compare::Seen => Geometry::Seen,
+            Compare::Contracted => Geometry::Contracted,
+            Compare::Rest => Geometry::Rest,
+            Compare::Off | Compare::Paper => self.look.geometry,
+        };
+        let light = match self.look.compare {
+            Compare::Paper => {
+                Light { intensity_exponent: IntensityExponent(Some(PAPER_INTENSITY_EXPONENT)), ..self.light }
+            }
+            _ => self.light,
+        };
+        let look = Look { geometry, compare: Compare::Off, ..self.look };
+        Some(Self { look, light, ..self.clone() })
+    }
+
+    /// The same with the field of view that both pictures of this `subject` have at `time`, `size` in pixels; and with the
+    /// exposure of the first in `scene`, where both differ by their brightness.
+    #[must_use]
+    pub fn second_of(&self, subject: Subject, scene: &Scene, time: f64, size: [u32; 2]) -> Option<Self> {
+        let mut second = self.second()?;
+        second.look.fov = self.fixed_look(subject, time, size).fov;
+        if self.look.compare == Compare::Paper {
+            let of_first = || self.automatic_ev(scene);
+            second.light.exposure = Exposure(Some(self.light.exposure.0.unwrap_or_else(of_first)));
+        }
+        Some(second)
+    }
+
+    /// What each of the two pictures shows at `time`, and what becomes of its light: those of the left and the right eye, or
+    /// two of the left one.
+    #[must_use]
+    pub fn pictures(&self, subject: Subject, scene: &Scene, time: f64) -> [(View, Appearance); 2] {
+        let size = self.picture.size.0;
+        let [left, right] = self.views(subject, time, size);
+        let appearance = self.appearance(scene, false);
+        let second = self.second_of(subject, scene, time, size).map(|second| {
+            let [left, _] = second.views(subject, time, size);
+            (left, second.appearance(scene, false))
+        });
+        [(left, appearance), second.unwrap_or((right, appearance))]
+    }
+
+    /// What each of two pictures of one eye shows, in words: what tells them apart.
+    #[must_use]
+    pub fn compared_names(&self) -> Option<[String; 2]> {
+        let second = self.second()?;
+        let name = |settings: &Self| match self.look.compare {
+            Compare::Paper => name_of_exponent(settings.light.intensity_exponent.0),
+            _ => name_of(settings.geometry()).to_owned(),
+        };
+        Some([name(self), name(&second)])
+    }
+}
+
+/// What a left eye's picture of this geometry shows.
+const fn name_of(geometry: Geometry) -> &'static str {
+    match geometry {
+        Geometry::Seen | Geometry::Published => "as seen",
+        Geometry::Contracted => "contracted only",
+        Geometry::Rest => "at rest",
+        Geometry::OneCone => "one light cone",
+    }
+}
+
+/// What the intensity is with this exponent.
+fn name_of_exponent(exponent: Option<f64>) -> String {
+    match exponent {
+        None => "no D".to_owned(),
+        Some(PAPER_INTENSITY_EXPONENT) => "D² paper".to_owned(),
+        Some(SPECIFIC_INTENSITY_EXPONENT) => "D³ photons".to_owned(),
+        Some(BOLOMETRIC_INTENSITY_EXPONENT) => "D⁴ surface".to_owned(),
+        Some(exponent) => format!("D to {}", figures::trimmed(exponent, 3)),
+    }
+}
