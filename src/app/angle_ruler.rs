@@ -26,13 +26,13 @@ pub enum AngleRuler {
 /// A ruler in a view.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Laid {
-    /// In whose picture it is.
+    /// Eye of the picture that it is in.
     pub eye: Eye,
     /// Whether that is the second of two pictures of one eye.
     pub is_second: bool,
     /// Unit vectors from the eye.
     pub ends: [DVec3; 2],
-    /// By how much the angle may be off: half a pixel at each end, as the picture was when it was laid; radians.
+    /// Largest error of the angle: half a pixel at each end, as the picture was when it was laid; radians.
     pub error: f64,
     /// Whether it is still being laid.
     pub is_held: bool,
@@ -41,11 +41,11 @@ pub struct Laid {
 /// A drag that lays a ruler.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lay {
-    /// In whose picture.
+    /// Eye of the picture.
     pub eye: Eye,
     /// Whether it is the second of two pictures of one eye.
     pub is_second: bool,
-    /// From where to where, in pixels from the top left corner.
+    /// First and last place of the drag, in pixels from the top left corner.
     pub ends: [[f64; 2]; 2],
     /// Width and height of the picture, pixels.
     pub size: [u32; 2],
@@ -90,7 +90,7 @@ impl Laid {
         format!("{angle}{unit} ± {error}{unit}")
     }
 
-    /// The direction after so many of the [`PARTS`] of the way between both ends.
+    /// The direction after that `part` of the [`PARTS`] of the way between both ends.
     #[must_use]
     pub fn along(&self, part: u16) -> DVec3 {
         let [from, to] = self.ends;

@@ -79,7 +79,7 @@ impl State {
         Some(Dial { count: self.counts().then_some(count), ..Dial::showing(slowed * seen.own_time, period) })
     }
 
-    /// How many times as fast as the own clock of what it is on a clock at `point` goes, at that own time: slower where it turns.
+    /// Returns the rate of a clock at `point`, relative to the own clock of its body, at that own time: below 1 where it turns.
     #[must_use]
     pub fn slowed(&self, point: &Point, own_time: f64) -> f64 {
         let turning = self.on_wheel(&point.track, own_time).map_or(0.0, |wheel| wheel.turning);

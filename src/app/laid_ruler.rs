@@ -28,7 +28,7 @@ impl State {
     }
 }
 
-/// What the views say while a drag would lay it.
+/// Returns the hint in the views while a drag would lay it.
 pub(super) fn hint(state: &State) -> Option<String> {
     let is_armed = state.session.angle_ruler == AngleRuler::Armed;
     is_armed.then(|| "Drag from one place to another to measure the angle between them.".to_owned())

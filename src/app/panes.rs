@@ -172,7 +172,7 @@ impl EyePane {
         Self { eye, is_second: false, rect, size, is_shared: false }
     }
 
-    /// That of the second picture of one eye in `rect`.
+    /// The place of the second picture of one eye in `rect`.
     #[must_use]
     pub fn second(rect: Rect, pixels_per_point: f32, largest: u32) -> Self {
         Self { is_second: true, ..Self::new(Eye::Left, rect, pixels_per_point, largest) }
@@ -209,7 +209,7 @@ impl EyePane {
         !self.is_shared || self.eye == Eye::Left
     }
 
-    /// Its place among the two pictures.
+    /// The place among the two pictures, 0 or 1.
     #[must_use]
     pub const fn index(&self) -> usize {
         if self.is_second { Eye::Right.index() } else { self.eye.index() }

@@ -4,10 +4,12 @@
 //! T stands still within a frame, and a press is noted in the next: each may be late by up to the step that T took in its frame, and
 //! so the time between them is off by no more than the larger of both steps.
 
+use super::eye::Eye;
 use crate::scene::Track;
+use crate::settings::Motion;
 
 /// A stopwatch.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub enum Stopwatch {
     /// There is none.
     #[default]
@@ -15,9 +17,9 @@ pub enum Stopwatch {
     /// It shows nothing yet.
     Ready,
     /// It runs since then.
-    Running(Mark),
+    Running(Box<Mark>),
     /// It was stopped.
-    Stopped([Mark; 2]),
+    Stopped(Box<[Mark; 2]>),
 }
 
 /// A press.
@@ -27,16 +29,27 @@ pub struct Mark {
     pub time: f64,
     /// The step that T took in the frame before.
     pub step: f64,
-    /// The selected point, and its clock as it was seen.
-    pub clock: Option<(Track, Clock)>,
+    /// The selected point's clock as it was seen, and whose that was.
+    pub clock: Option<(Timed, Clock)>,
+}
+
+/// A clock that is timed: another one where any of this differs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Timed {
+    /// The point that it is at.
+    pub track: Track,
+    /// The eye that sees it.
+    pub eye: Eye,
+    /// The motion of the scene, and the eyes' places.
+    pub motion: Motion,
 }
 
 /// A point's clock as an eye sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clock {
-    /// What it shows.
+    /// Time that it shows.
     pub time: f64,
-    /// How many times as fast as T it is seen to run.
+    /// Rate at which it is seen to run, relative to T: the Doppler factor.
     pub rate: f64,
 }
 
@@ -51,19 +64,20 @@ pub enum StopwatchCommand {
     Toggle,
 }
 
-/// What it shows: each number with its error.
+/// Times between two presses, each with its largest error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Elapsed {
-    /// Of T.
+    /// The time T of the observer.
     pub time: [f64; 2],
-    /// Of the selected point's clock as it is seen, where that is one and the same from first to last.
+    /// The time by the selected point's clock as it is seen; `None` where that is another one meanwhile, or is not seen. Its error is
+    /// to first order in the step.
     pub clock: Option<[f64; 2]>,
 }
 
 impl Elapsed {
-    /// What passes between two presses.
+    /// Returns the times between two presses.
     #[must_use]
-    pub fn new([from, to]: [Mark; 2]) -> Self {
+    pub fn new([from, to]: &[Mark; 2]) -> Self {
         let time = [to.time - from.time, from.step.max(to.step)];
         let clock = from.clock.zip(to.clock).filter(|((first, _), (last, _))| first == last);
         let clock = clock.map(|((_, from_clock), (_, to_clock))| {
@@ -73,7 +87,7 @@ impl Elapsed {
         Self { time, clock }
     }
 
-    /// How fast the clock was seen to run in the mean: its time over that of T. `None` before any T has passed.
+    /// Mean rate at which the clock was seen to run: its time over that of T. `None` before any T has passed.
     #[must_use]
     pub fn mean_rate(&self) -> Option<f64> {
         let [clock, _] = self.clock?;

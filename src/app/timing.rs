@@ -3,33 +3,36 @@
 use super::eye::Eye;
 use super::points::Point;
 use super::state::State;
-use super::stopwatch::{Clock, Elapsed, Mark, Stopwatch, StopwatchCommand};
+use super::stopwatch::{Clock, Elapsed, Mark, Stopwatch, StopwatchCommand, Timed};
 
 impl State {
     /// Does what was asked about the stopwatch.
     pub(super) fn apply_to_stopwatch(&mut self, command: StopwatchCommand) {
         let now = self.mark();
-        self.session.stopwatch = match (command, self.session.stopwatch) {
-            (StopwatchCommand::Press, Stopwatch::Running(from)) => Stopwatch::Stopped([from, now]),
-            (StopwatchCommand::Press, _) => Stopwatch::Running(now),
+        self.session.stopwatch = match (command, &self.session.stopwatch) {
+            (StopwatchCommand::Press, Stopwatch::Running(from)) => {
+                Stopwatch::Stopped(Box::new([**from, now]))
+            }
+            (StopwatchCommand::Press, _) => Stopwatch::Running(Box::new(now)),
             (StopwatchCommand::Reset, _) | (StopwatchCommand::Toggle, Stopwatch::Hidden) => Stopwatch::Ready,
             (StopwatchCommand::Toggle, _) => Stopwatch::Hidden,
         };
     }
 
-    /// What passed by the stopwatch, or has passed so far.
+    /// Returns the times that the stopwatch shows, up to now while it runs.
     #[must_use]
     pub fn elapsed(&self) -> Option<Elapsed> {
-        match self.session.stopwatch {
+        match &self.session.stopwatch {
             Stopwatch::Hidden | Stopwatch::Ready => None,
-            Stopwatch::Running(from) => Some(Elapsed::new([from, self.mark()])),
+            Stopwatch::Running(from) => Some(Elapsed::new(&[**from, self.mark()])),
             Stopwatch::Stopped(marks) => Some(Elapsed::new(marks)),
         }
     }
 
     fn mark(&self) -> Mark {
         let point = self.session.points.selected();
-        let clock = self.seen_clock(point, self.timed_eye()).map(|clock| (point.track, clock));
+        let timed = Timed { track: point.track, eye: self.timed_eye(), motion: self.settings.motion };
+        let clock = self.seen_clock(point, timed.eye).map(|clock| (timed, clock));
         Mark { time: self.session.time, step: self.session.step, clock }
     }
 

@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 use serde::{Serialize, Serializer};
 
-/// What the second picture shows where one eye's picture stands twice.
+/// The second picture where one eye's picture stands twice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum Compare {
     /// No second picture of one eye: the pictures are those of two eyes.
@@ -26,13 +26,13 @@ impl Compare {
         matches!(self, Self::Off)
     }
 
-    /// Its name in files and flags.
+    /// The name in files and flags.
     #[must_use]
     pub fn name(self) -> String {
         self.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
     }
 
-    /// The choice so many `steps` further in the list of all, or back; after the last comes the first.
+    /// The choice that many `steps` further in the list of all, or back; after the last comes the first.
     #[must_use]
     pub fn further(self, steps: isize) -> Self {
         let all = Self::value_variants();

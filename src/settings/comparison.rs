@@ -17,7 +17,7 @@ use crate::scene::Scene;
 /// Reason why nothing is worked out from two pictures of one eye.
 pub const NO_PAIR: &str = "it shows one eye twice (--compare), where this needs a picture made without";
 
-/// Why there is no second picture of one eye.
+/// Reasons why there is no second picture of one eye.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum ComparisonError {
     /// The layout does not keep two pictures apart, or has one.
@@ -124,7 +124,7 @@ impl Settings {
         Some(second)
     }
 
-    /// What each of the two pictures shows at `time`, and what becomes of its light: those of the left and the right eye, or
+    /// The views of both pictures at `time`, and what becomes of their light: those of the left and the right eye, or
     /// two of the left one.
     #[must_use]
     pub fn pictures(&self, subject: Subject, scene: &Scene, time: f64) -> [(View, Appearance); 2] {
@@ -138,7 +138,7 @@ impl Settings {
         [(left, appearance), second.unwrap_or((right, appearance))]
     }
 
-    /// What each of two pictures of one eye shows, in words: what tells them apart.
+    /// The names that tell two pictures of one eye apart.
     #[must_use]
     pub fn compared_names(&self) -> Option<[String; 2]> {
         let second = self.second()?;
@@ -150,7 +150,7 @@ impl Settings {
     }
 }
 
-/// What a left eye's picture of this geometry shows.
+/// The name of a left eye's picture of this geometry.
 const fn name_of(geometry: Geometry) -> &'static str {
     match geometry {
         Geometry::Seen | Geometry::Published => "as seen",
@@ -160,7 +160,7 @@ const fn name_of(geometry: Geometry) -> &'static str {
     }
 }
 
-/// What the intensity is with this exponent.
+/// The name of an intensity with this exponent.
 fn name_of_exponent(exponent: Option<f64>) -> String {
     match exponent {
         None => "no D".to_owned(),

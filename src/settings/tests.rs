@@ -301,7 +301,7 @@ fn a_thousand_states_survive_every_file_and_flags() {
 #[test]
 fn every_setting_is_a_flag_under_the_heading_of_its_section() {
     let points = Some(Followed(vec![FollowedPoint { place: [0.0; 3], body: 0 }]));
-    // A comparison is told where there is one.
+    // A comparison is written where there is one.
     let look = Look { compare: Compare::Rest, ..Look::default() };
     let settings = Settings { time: Some(1.0), point: Some([0.0; 3]), points, look, ..Settings::default() };
     let entries = settings.entries();

@@ -37,12 +37,12 @@ impl Ink {
     }
 }
 
-/// What is written above pictures.
+/// Writing above pictures.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Labels {
-    /// With what.
+    /// Colours of it.
     pub ink: Ink,
-    /// What each of two pictures of one eye shows, in place of the eyes' letters.
+    /// Names of two pictures of one eye, in place of the eyes' letters.
     pub compared: Option<[String; 2]>,
 }
 

@@ -7,7 +7,7 @@ use super::letters::{distance_to_line, draw_by};
 
 /// Rows of a letter's height.
 const ROWS: f64 = 6.0;
-/// What stays free between letters, and the width of a blank, in the width of a column.
+/// Free space between letters, and the width of a blank, in widths of a column.
 const BETWEEN: f64 = 1.7;
 const BLANK: f64 = 2.0;
 /// Width of a column in parts of that of a row.
@@ -67,9 +67,9 @@ const fn lowered(letter: char) -> Option<char> {
 struct Placed {
     /// Where it begins from the left.
     x: f64,
-    /// Its height.
+    /// The height.
     scale: f64,
-    /// Its width.
+    /// The width.
     width: f64,
     /// The ends of its strokes from its top left corner, in parts of its height.
     lines: Vec<[DVec2; 2]>,

@@ -77,7 +77,8 @@ fn share_in_pane(window: &mut Harness<'_, App>, differs: fn([u8; 3], [u8; 3]) ->
 fn the_reference_draws_the_views() {
     let mut state = cyclist(0.6);
     (state.settings.window.dials, state.settings.window.ruler) = (false, false);
-    let mut window = window(state);
+    // High enough that the choice is in sight.
+    let mut window = window_of_size(state, [1280.0, 1000.0], 1.0);
     let any =
         |shown: [u8; 3], reference: [u8; 3]| shown.into_iter().zip(reference).any(|(a, b)| a.abs_diff(b) > 2);
     settle(&mut window);

@@ -31,7 +31,7 @@ const SLIGHT_BULGE: f64 = 1e-4;
 const HALVINGS: u32 = 12;
 /// Every which body is looked at before all.
 const SAMPLED: usize = 23;
-/// How many outlines are kept at most.
+/// Most outlines that are kept.
 const MOST_OUTLINES: usize = 4;
 /// How often the gaze is turned to the middle of what it frames.
 const TURNS: u32 = 2;

@@ -79,7 +79,7 @@ fn contents(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
 }
 
-/// What it shows, a line each.
+/// Returns the lines of its readout.
 fn lines(state: &State) -> Vec<String> {
     let unit = state.measures().time;
     let told = |[value, error]: [f64; 2]| {

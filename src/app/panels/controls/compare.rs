@@ -28,7 +28,7 @@ const CHOICES: [(Compare, &str, &str); 5] = [
     ),
 ];
 
-/// Why a choice cannot be had, in the words of the controls.
+/// Returns the reason why a choice cannot be had, in the words of the controls.
 const fn told(problem: &ComparisonError) -> &'static str {
     match problem {
         ComparisonError::Layout(_) => "Needs the layout side by side or over-under.",

@@ -22,7 +22,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 const TIP: &str = "The disparities of all bodies in both views, as angles where you sit: from the least to the greatest across, \
     and the largest up or down.\nUp to 1° across is comfortable; more than 2°, or 20′ up or down, few can fuse.";
 
-/// What is said where two pictures of one eye are compared.
+/// Note in place of the gauge where two pictures of one eye are compared.
 const NO_PAIR: &str =
     "Both views are of the left eye, beside each other to be compared: they are no pair to fuse.";
 
