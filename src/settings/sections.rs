@@ -148,7 +148,8 @@ pub struct Light {
     /// Whether what rests around the scene is drawn: its groups that do not move, such as houses.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub surroundings: OnOff,
-    /// Whether the scene's ground is drawn: its road, or a grid of one line per unit of length.
+    /// Whether the scene's ground is drawn: its road, or a grid of one line per unit of length. A soft shadow lies on the road where
+    /// wheels touch it: exact there, since both are one event, and a drawn sign around it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub ground: OnOff,
     /// Whether the sky is a gradient, else it is plain.

@@ -20,6 +20,8 @@ override GRID_FADE_START: f32;
 override GRID_FADE_RATE: f32;
 override HAZE: f32;
 override SKY_RISE: f32;
+override CONTACT_DARKEST: f32;
+override CONTACT_FARTHEST: f32;
 
 // Linear light, premultiplied by coverage.
 @group(1) @binding(0) var bodies: texture_2d<f32>;
@@ -110,8 +112,34 @@ fn marks_cover(foot: vec2f, pixel: vec2f) -> f32 {
     return kerbs + lane * repeated_cover(foot.x, DASH_LENGTH, DASH_PERIOD, pixel.x);
 }
 
+// Share of a road's light that the shadows of what touches it leave at `foot` from the camera: see `contact.rs`.
+fn left_by_contacts(foot: vec2f, pixel: vec2f) -> f32 {
+    var left = 1.0;
+    let from_middle = vec3f(foot, frame.ground.z) + frame.contact_eye.xyz;
+    let distance = sqrt(dot(from_middle, from_middle));
+    // Of the pixel, too: a software GPU compiles anew for each number of rounds that only the frame decides.
+    let count = select(0u, u32(frame.contact_eye.w), distance <= CONTACT_FARTHEST);
+    for (var i = 0u; i < count; i++) {
+        let place = frame.contacts[i][0];
+        let size = frame.contacts[i][1];
+        let off = foot - place.xy;
+        let wide = size.y + pixel.y * pixel.y;
+        if off.y * off.y < wide {
+            let mean = (2.0 * from_middle.xy - off) / (distance + place.z);
+            let stretch = vec2f(size.z + place.w * mean.x, place.w * mean.y);
+            let along = dot(stretch, off);
+            let blur = stretch * pixel;
+            let long = size.x + dot(blur, blur);
+            let inside = max(1.0 - along * along / long - off.y * off.y / wide, 0.0);
+            left *= 1.0 - CONTACT_DARKEST * sqrt(size.x / long * (size.y / wide)) * inside * inside;
+        }
+    }
+    return left;
+}
+
 fn ground_colour(sky: vec3f, sight: vec4f, distance: f32) -> vec3f {
-    let foot = frame.ground.xy + sight.xy * distance;
+    let from_camera = sight.xy * distance;
+    let foot = frame.ground.xy + from_camera;
     let right = shift(sight, step_right_but_along(), distance);
     let down = shift(sight, step_down(sight.xyz), distance);
     let pixel = sqrt(right * right + down * down);
@@ -121,7 +149,7 @@ fn ground_colour(sky: vec3f, sight: vec4f, distance: f32) -> vec3f {
     var painted: vec3f;
     if ROAD {
         let surface = mix(gridded, frame.backdrop[5].rgb, band_cover(foot.y, frame.road.x, frame.road.y, pixel.y));
-        painted = mix(surface, frame.backdrop[4].rgb, marks_cover(foot, pixel));
+        painted = mix(surface, frame.backdrop[4].rgb, marks_cover(foot, pixel)) * left_by_contacts(from_camera, pixel);
     } else {
         let axes = line_cover(foot, AXIS_HALF_WIDTH, pixel);
         painted = mix(gridded, frame.backdrop[4].rgb, max(axes.x, axes.y));

@@ -8,6 +8,7 @@ use relativity_core::math;
 
 use crate::camera::{Camera, LinesOfSight};
 use crate::colour::mix;
+use crate::contact::{Contacts, DARKEST, FARTHEST};
 use crate::cover::{band_cover, line_cover, repeated_cover};
 use crate::effects::{Constant, number};
 use crate::street::{self, Front, Paints};
@@ -176,6 +177,8 @@ pub(crate) fn constants(part: Part, is_conformal: bool) -> Vec<Constant> {
         ("LEAST_TOWARDS_FRONTS", LEAST_TOWARDS_FRONTS),
         ("HAZE", part.haze()),
         ("SKY_RISE", SKY_RISE),
+        ("CONTACT_DARKEST", DARKEST),
+        ("CONTACT_FARTHEST", FARTHEST),
     ];
     of_backdrop.into_iter().chain(street::CONSTANTS).collect()
 }
@@ -190,11 +193,13 @@ pub struct Backdrop {
     road: Option<[f64; 2]>,
     /// y of the house fronts from the aperture, above 0.
     fronts: Option<f64>,
+    /// Where bodies touch the road.
+    contacts: Contacts,
     lines_of_sight: LinesOfSight,
 }
 
 impl Backdrop {
-    /// What `camera` has behind the bodies.
+    /// What `camera` has behind the bodies, without the shadows of what touches a road.
     #[must_use]
     pub fn new(camera: &Camera, appearance: &Appearance) -> Self {
         let aperture = camera.aperture;
@@ -204,8 +209,14 @@ impl Backdrop {
             ground: appearance.ground_z.map(|z| z - aperture.z).filter(|z| *z < 0.0),
             road: appearance.road,
             fronts: appearance.fronts.map(|y| y - aperture.y).filter(|y| *y > 0.0),
+            contacts: Contacts::default(),
             lines_of_sight: LinesOfSight::new(camera),
         }
+    }
+
+    /// The same with the shadows of what touches the road.
+    pub(crate) fn with_contacts(self, contacts: Contacts) -> Self {
+        Self { contacts, ..self }
     }
 
     /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, a road; and of house fronts.
@@ -285,7 +296,9 @@ impl Backdrop {
         let painted = match self.road {
             Some(kerbs) => {
                 let surface = mix(gridded, asphalt, band_cover(foot.y, kerbs, pixel.y));
-                mix(surface, paint, marks_cover(foot, kerbs, pixel))
+                let marked = mix(surface, paint, marks_cover(foot, kerbs, pixel));
+                let left = self.contacts.leave(n * distance, pixel);
+                marked.map(|part| part * left)
             }
             None => mix(gridded, paint, axis_cover(foot.x, pixel.x).max(axis_cover(foot.y, pixel.y))),
         };

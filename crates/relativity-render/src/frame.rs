@@ -6,6 +6,7 @@ use relativity_core::math::{cosh, exp, sin_cos, sinh};
 
 use crate::backdrop::{Backdrop, Floor};
 use crate::camera::{Axes, Camera, Gauge};
+use crate::contact::{self, Contacts};
 use crate::group_view::{GroupView, reference_of_depths};
 use crate::hatch::Hatch;
 use crate::mercator::Mercator;
@@ -55,6 +56,11 @@ pub struct Frame {
     /// y of the near and the far kerb of a road, equal where there is none; y of house fronts from the camera, 0 where
     /// there are none; 0.
     pub road: [f32; 4],
+    /// From the middle between the eyes to the camera, where these have one light cone, else 0; how many places there are where
+    /// bodies touch a road.
+    pub contact_eye: [f32; 4],
+    /// These places: see [`Contacts::packed`].
+    pub contacts: [[[f32; 4]; 2]; contact::MOST],
     /// Height of houses, and shade of their walls.
     pub houses: [[f32; 4]; 4],
     /// What is let into these: from where, how long, and between which heights.
@@ -143,8 +149,10 @@ impl Frame {
         let frame = |(view, group): (_, &PreparedGroup)| Self::new(view, appearance, &group.extent);
         let mut frames: Vec<_> = views.iter().zip(scene.groups()).map(frame).collect();
         let reference = frames[reference_of_depths(views)];
+        let contacts = Contacts::new(scene, views, appearance);
         for frame in &mut frames {
             frame.refer_to(&reference);
+            (frame.contact_eye, frame.contacts) = (contacts.packed_eye(), contacts.packed());
         }
         frames
     }
@@ -193,6 +201,8 @@ impl Frame {
             middle_fine: vector(from_camera - DVec3::new(x.into(), y.into(), z.into())),
             ground: [aperture.x, aperture.y, ground, view.published_separation()].map(|v| v as f32),
             road: [near_kerb, far_kerb, fronts, 0.0].map(|v| v as f32),
+            contact_eye: [0.0; 4],
+            contacts: [[[0.0; 4]; 2]; contact::MOST],
             houses: HOUSES.map(|[height, shade]| [height as f32, shade as f32, 0.0, 0.0]),
             openings: OPENINGS.map(|opening| opening.map(|v| v as f32)),
             backdrop: backdrop.colours().map(|colour| vector(colour.into())),

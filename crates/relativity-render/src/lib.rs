@@ -63,6 +63,7 @@ pub mod colour;
 pub mod compose;
 mod composer;
 mod cone;
+mod contact;
 mod cover;
 mod daylight;
 mod drawing;

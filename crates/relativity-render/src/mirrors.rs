@@ -57,7 +57,7 @@ macro_rules! mirror {
 /// The uniform blocks.
 pub const BLOCKS: [Mirror; 2] = [
     mirror!(
-        Frame: base, right, down, radial, pole, speed, motion, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, houses, openings, backdrop, hatch,
+        Frame: base, right, down, radial, pole, speed, motion, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, contact_eye, contacts, houses, openings, backdrop, hatch,
         clip_right, clip_up, forward
     ),
     mirror!(Composing: first, second, top),

@@ -9,6 +9,7 @@ use glam::{DQuat, DVec3};
 use crate::backdrop::Backdrop;
 use crate::camera::LinesOfSight;
 use crate::cap::Cap;
+use crate::contact::Contacts;
 use crate::daylight::Facing;
 use crate::first_entry::{Chosen, Found};
 use crate::group_view::{GroupView, RestRay};
@@ -228,9 +229,10 @@ impl PreparedScene {
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Vec<[u8; 4]> {
         let lines_of_sight = LinesOfSight::new(&view.camera);
-        let backdrop = Backdrop::new(&view.camera, appearance);
         let hatch = Hatch::new(view.camera.size, appearance.light);
         let group_views = self.group_views(view);
+        let contacts = Contacts::new(self, &group_views, appearance);
+        let backdrop = Backdrop::new(&view.camera, appearance).with_contacts(contacts);
         self.pixels(view, &group_views, &lines_of_sight, samples, goes_on, |met| {
             let rays = met.places.iter().zip(met.sights).zip(met.hits);
             let sum = rays.fold([0.0; 3], |sum: [f64; 3], ((&place, &line_of_sight), &hit)| {

@@ -9,7 +9,7 @@ use std::process::ExitCode;
 use gpu_support::scenes::{conformal_views, parallel_views, still_life, time_seen_at, view_following};
 use relativity_core::Speed;
 use relativity_render::{
-    Appearance, Body, Colour, Emission, Geometry, HitImage, Method, Pattern, Picture, PreparedScene,
+    Appearance, Body, Colour, Emission, Gaze, Geometry, HitImage, Method, Pattern, Picture, PreparedScene,
     Renderers, Shading, Shape, View,
 };
 use support::documented;
@@ -19,6 +19,7 @@ fn main() -> ExitCode {
         ("pictures_are_the_references", pictures_are_the_references),
         ("patterns_are_the_references", patterns_are_the_references),
         ("the_hatch_is_the_references", the_hatch_is_the_references),
+        ("contact_shadows_are_the_references", contact_shadows_are_the_references),
         ("edges_are_the_references_on_average", edges_are_the_references_on_average),
         ("every_speed_gives_a_picture", every_speed_gives_a_picture),
     ])
@@ -99,6 +100,46 @@ fn the_hatch_is_the_references(renderers: &mut Renderers) {
     );
 }
 
+/// A wheel, a ball and a box that touch a road: how the road looks beside them.
+fn contact_shadows_are_the_references(renderers: &mut Renderers) {
+    let levels = documented(RENDERERS, "away from outlines colours are within ");
+    let shapes = [
+        Shape::Ring { center: [-1.0, 3.2, -0.2], axis: [0.0, 1.0, 0.0], radius: 0.28, tube_radius: 0.02 },
+        Shape::Sphere { center: [-0.4, 3.6, -0.3], radius: 0.2 },
+        Shape::Box { center: [0.2, 2.9, -0.4], half: [0.2, 0.1, 0.1], turn: [0.0, 0.0, 0.0, 1.0] },
+    ];
+    let scene = PreparedScene::moving(&shapes.map(|shape| Body::new(shape, 600.0)));
+    let road = Appearance {
+        ground_z: Some(-0.5),
+        road: Some([1.0, 9.0]),
+        light: true,
+        sky: false,
+        ..Appearance::default()
+    };
+    let geometries = [Geometry::Seen, Geometry::OneCone, Geometry::Contracted, Geometry::Rest];
+    let (speed, on_road) = (fast_speed(), [-0.4, 3.2, -0.5]);
+    let flat = view_following(on_road, speed, time_seen_at(on_road, &speed, 0.3), 45.0);
+    let conformal = conformal_views([speed], on_road).take(1);
+    let flat = geometries.map(|geometry| {
+        let mut view = View { geometry, ..flat };
+        view.camera.gaze = Gaze::along(view.apparent_position(on_road).expect("in the domain").to_array());
+        view
+    });
+    for view in flat.into_iter().chain(conformal) {
+        let hits = scene.hit_image(&view);
+        let truth = scene.picture(&view, &road, 1).rgba;
+        let bare = PreparedScene::new([]).picture(&view, &road, 1).rgba;
+        let dark = levels_off(&bare, &truth, |i| is_free(&hits, i));
+        assert!(dark > 10, "{:?}: shadows are {dark} levels dark", view.geometry);
+        for method in [Method::Rays, Method::Packets, Method::Mesh { bound_px: 0.5 }] {
+            let method = method.of_view(&view);
+            let drawn = renderers.picture(method, &scene, &view, &road, 1).expect("device works").rgba;
+            let off = levels_off(&drawn, &truth, |i| is_free(&hits, i));
+            assert!(f64::from(off) <= levels, "{method}, {:?}: {off} levels off", view.geometry);
+        }
+    }
+}
+
 const PATTERNS: [Pattern; 7] = [
     Pattern::Faces,
     Pattern::Graticule { step_degrees: 30.0 },
@@ -164,6 +205,13 @@ fn levels_off(drawn: &[[u8; 4]], truth: &[[u8; 4]], counts: impl Fn(usize) -> bo
     let pixels = drawn.iter().zip(truth).enumerate().filter(|(i, _)| counts(*i));
     let difference = |(a, b): (&u8, &u8)| (i32::from(*a) - i32::from(*b)).abs();
     pixels.flat_map(|(_, (drawn, truth))| drawn.iter().zip(truth).map(difference)).max().unwrap_or(0)
+}
+
+/// Whether neither a pixel nor any around it shows a body.
+fn is_free(hits: &HitImage, i: usize) -> bool {
+    let [width, height] = hits.size.map(|v| v as usize);
+    let around = |at: usize, end: usize| at.saturating_sub(1)..(at + 2).min(end);
+    around(i / width, height).all(|v| around(i % width, width).all(|u| hits.hits[v * width + u].is_none()))
 }
 
 /// Whether a pixel and all around it show one body, the same side of it.

@@ -1,5 +1,6 @@
 //! Sky and resting ground, as `shaders/backdrop.wgsl` has them.
 
+use super::contact::left_by_contacts;
 use super::ray::{Sight, line_of_sight, steps_but_along};
 use super::street::{Covered, front};
 use crate::backdrop::{
@@ -117,7 +118,8 @@ fn ground_colour<S: Simd>(simd: S, frame: &Frame, part: Part, sky: V3<S>, sight:
     let [camera_x, camera_y, ground, _] = frame.ground;
     let per_fall = 1.0 / sight.n.z;
     let distance = per_fall * ground;
-    let foot = V2::new(sight.n.x * distance + camera_x, sight.n.y * distance + camera_y);
+    let from_camera = V2::new(sight.n.x * distance, sight.n.y * distance);
+    let foot = V2::new(from_camera.x + camera_x, from_camera.y + camera_y);
     let slope = V2::new(sight.n.x * per_fall, sight.n.y * per_fall);
     let pixel = pixel_on(frame, sight.n, [0, 1], 2, slope, sight.scale * distance);
     let grid = grid_cover(foot.x, pixel.x).max(grid_cover(foot.y, pixel.y));
@@ -134,7 +136,8 @@ fn ground_colour<S: Simd>(simd: S, frame: &Frame, part: Part, sky: V3<S>, sight:
         let upwards = Covered::new(pixel.y);
         let road = upwards.band_cover(foot.y, all(simd, near), all(simd, far));
         let surface = V3::mix(gridded, paint(simd, frame, 5), road);
-        V3::mix(surface, paint(simd, frame, 4), marks_cover(frame, foot, Covered::new(pixel.x), upwards))
+        let marks = marks_cover(frame, foot, Covered::new(pixel.x), upwards);
+        V3::mix(surface, paint(simd, frame, 4), marks) * left_by_contacts(simd, frame, from_camera, pixel)
     };
     hazy(part, sky, painted, distance)
 }

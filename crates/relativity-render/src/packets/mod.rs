@@ -8,6 +8,7 @@ mod backdrop;
 mod block;
 mod body;
 mod colour;
+mod contact;
 mod course;
 mod cylinder;
 mod daylight;

@@ -38,7 +38,9 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     exposure_rows(ui, state.settings.automatic_ev(&state.session.scene), &mut light.exposure, usual.exposure);
     row(ui, "Background", "What rests with the eyes.", |ui| {
         ui.checkbox(&mut light.sky, "Sky").on_hover_text("A sky behind the scene.");
-        ui.checkbox(&mut light.ground, "Ground").on_hover_text("A road or a grid on the ground, at rest.");
+        let tip = "A road or a grid on the ground, at rest. A road is shadowed where wheels touch it: exact there, a drawn \
+                   sign around it.";
+        ui.checkbox(&mut light.ground, "Ground").on_hover_text(tip);
         let tip = "What stands around the scene, at rest: houses and lamp posts.";
         ui.checkbox(&mut light.surroundings, "Street").on_hover_text(tip);
     });
