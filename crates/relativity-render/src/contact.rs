@@ -13,9 +13,9 @@ use std::array;
 
 use glam::{DQuat, DVec2, DVec3};
 
-use crate::body::Shape;
 use crate::group_view::GroupView;
 use crate::scene::PreparedScene;
+use crate::shape::Shape;
 use crate::view::{Appearance, Geometry};
 
 /// Of the road's light a shadow takes this share where bodies touch the road.
