@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use relativity_core::{Disparity, Model, PairError};
-use relativity_render::Geometry;
+use relativity_render::{Geometry, Shading};
 
 use super::curves::Setup;
 use super::figures;
@@ -137,6 +137,8 @@ impl Figure {
             settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, 0.0).expect("rest is a speed");
         }
         settings.light.light = Daylight::On;
+        settings.light.shading = Shading::Emission;
+        (settings.light.ground, settings.light.sky) = (false, false);
         settings.quality.renderer = RendererChoice::Reference;
         settings.picture.size = Size([WIDTH, HEIGHT]);
         settings
