@@ -215,8 +215,8 @@ impl Backdrop {
     }
 
     /// The same with the shadows of what touches the road.
-    pub(crate) fn with_contacts(self, contacts: Contacts) -> Self {
-        Self { contacts, ..self }
+    pub(crate) fn with_contacts(self, contacts: &Contacts) -> Self {
+        Self { contacts: *contacts, ..self }
     }
 
     /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, a road; and of house fronts.

@@ -12,6 +12,7 @@
 use std::array;
 
 use glam::{DQuat, DVec2, DVec3};
+use relativity_core::math::hypot;
 
 use crate::body::Shape;
 use crate::group_view::GroupView;
@@ -158,7 +159,7 @@ fn foot(shape: &Shape, ground: f64) -> Option<Foot> {
             let down = (axis * axis.z - DVec3::Z).try_normalize()?;
             let ahead = axis.cross(down).truncate();
             let outer = radius + tube_radius;
-            let sizes = |part: f64, other: f64| outer * (WHEEL[0] * part).hypot(WHEEL[1] * other);
+            let sizes = |part: f64, other: f64| outer * hypot(WHEEL[0] * part, WHEEL[1] * other);
             let half = DVec2::new(sizes(ahead.x, ahead.y), sizes(ahead.y, ahead.x));
             (DVec3::from(center) + down * radius - DVec3::Z * tube_radius, outer, half)
         }

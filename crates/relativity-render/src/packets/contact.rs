@@ -34,7 +34,7 @@ pub fn left_by_contacts<S: Simd>(simd: S, frame: &Frame, foot: V2<S>, pixel: V2<
         let inside = (1.0 - along * along / longer - off.y * off.y / wider).max(0.0);
         let thin = (long / longer * (wide / wider)).sqrt();
         let taken = thin * inside * inside * DARKEST as f32;
-        left = left * (1.0 - select(is_beside, taken, all(simd, 0.0)));
+        left *= 1.0 - select(is_beside, taken, all(simd, 0.0));
     }
     left
 }
