@@ -28,7 +28,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
             asks.push(Command::Stopwatch(StopwatchCommand::Toggle));
         }
         let mut window = state.settings.window;
-        let clock = Checkbox::new(&mut window.resting_clock, "your clock");
+        let clock = Checkbox::new(&mut window.resting_clock, "clock");
         let reason = "It is one of the clocks: these are off.";
         let response =
             ui.add_enabled(window.dials, clock).on_hover_text(CLOCK).on_disabled_hover_text(reason);
