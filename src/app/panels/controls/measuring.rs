@@ -18,22 +18,21 @@ const CLOCK: &str = "Shows in each view a clock that rests beside you, to compar
 /// Shows them.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     row(ui, "Measure", "What is measured with in the views.", |ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
         let is_on = state.session.angle_ruler != AngleRuler::Off;
-        if ui.selectable_label(is_on, "Angle ruler").on_hover_text(RULER).clicked() {
+        if ui.selectable_label(is_on, "Angle").on_hover_text(RULER).clicked() {
             asks.push(Command::Ruler(RulerCommand::Toggle));
         }
         let is_on = state.session.stopwatch != Stopwatch::Hidden;
         if ui.selectable_label(is_on, "Stopwatch").on_hover_text(STOPWATCH).clicked() {
             asks.push(Command::Stopwatch(StopwatchCommand::Toggle));
         }
-    });
-    row(ui, "", "", |ui| {
         let mut window = state.settings.window;
-        let clock = Checkbox::new(&mut window.resting_clock, "clock beside you");
+        let clock = Checkbox::new(&mut window.resting_clock, "clock");
         let reason = "It is one of the clocks: these are off.";
         let response =
             ui.add_enabled(window.dials, clock).on_hover_text(CLOCK).on_disabled_hover_text(reason);
-        if response.changed() {
+        if response.accessible_name("clock beside you").changed() {
             asks.push(Command::Window(window));
         }
     });
