@@ -314,7 +314,10 @@ fn ordinary_text_chunks_are_read() {
 #[test]
 fn a_colour_that_is_not_one_point_is_remarked_on() {
     let folder = folder();
-    let second = BALL.replace("name = \"A ball\"", "").replace("[0.0, 3.0, 2.0]", "[0.9, 3.0, 2.0]");
+    let second = BALL
+        .replace("name = \"A ball\"", "")
+        .replace("Green", "Other")
+        .replace("[0.0, 3.0, 2.0]", "[0.9, 3.0, 2.0]");
     std::fs::write(folder.path().join("two.toml"), format!("{BALL}{second}")).expect("the folder is there");
     std::fs::write(folder.path().join("ball.toml"), BALL).expect("the folder is there");
     let remark = |flags: &str| {
