@@ -55,9 +55,9 @@ pub fn period(unit: Unit) -> f64 {
 #[must_use]
 pub fn tip(unit: Unit, is_turning: bool) -> String {
     let what = if is_turning {
-        "a clock that turns with it, and so goes √(1 − v²) times as fast as the own clock τ of what the wheel is on"
+        "a clock that turns with it, and so goes √(1 − v²) times as fast as the proper time τ of what the wheel is on"
     } else {
-        "its own clock τ"
+        "its proper time τ"
     };
     format!(
         "The clock at this point as the eye sees it: {what}. A turn of the hand is {}. It is seen to run at D: fast as it \
@@ -182,7 +182,9 @@ fn paint(ui: &Ui, dial: Dial, Face { centre, radius, view, colour }: Face, name:
     let count = dial.count.map(|count| figures::fixed(count, 2));
     let counted = count.as_ref().map_or_else(String::new, |count| format!(", {count} turns"));
     let turn = dial.turn + 0.0; // no minus before 0
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name}: {turn:.4}{counted}")));
+    response.widget_info(|| {
+        WidgetInfo::labeled(Role::Label, true, format!("{name}: {turn:.4} of a turn{counted}"))
+    });
     if let Some(count) = count {
         let galley =
             painter.layout_no_wrap(count, TextStyle::Body.resolve(ui.style()), visuals.strong_text_color());

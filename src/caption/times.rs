@@ -30,7 +30,7 @@ pub const HAPPENED: TimeName = TimeName {
 
 /// What the body's clock showed then.
 pub const OWN_CLOCK: TimeName = TimeName {
-    name: "own clock τ",
+    name: "proper time τ",
     short: "what the body's clock showed then",
     tip: "What the clock at that point of the body showed when the light left it. All clocks of the body agree in its own \
         frame, and show 0 as its origin passes the eyes. An eye sees it run D times as fast as its own.\nτ = γ(t − βx)\n\

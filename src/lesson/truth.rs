@@ -42,7 +42,7 @@ impl Sight<'_> {
     /// From each eye to where it sees the point that is followed on the body of this name.
     #[must_use]
     pub fn directions(&self, body: &str) -> Option<[Option<DVec3>; 2]> {
-        let track = self.scene.track_on(self.scene.body_named(body)?)?;
+        let track = self.scene.track_on(self.scene.body_called(body).ok()?)?;
         Some(self.settings.directions(&track, self.time))
     }
 
@@ -51,7 +51,7 @@ impl Sight<'_> {
     pub fn is_on(&self, direction: Gaze, body: &str) -> bool {
         let [left, _] = self.settings.views_ahead(self.time);
         let hit = self.prepared.first_hit(&left, direction.axes().forward);
-        hit.is_some_and(|hit| self.scene.name_of(hit.body) == body)
+        hit.is_some_and(|hit| self.scene.body_called(body) == Ok(hit.body))
     }
 }
 

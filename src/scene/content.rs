@@ -10,8 +10,9 @@ use crate::platform::{sizes, tell};
 
 /// How far off the surface of a body a point is still taken to be on it: coordinates may be rounded to three decimals.
 const ON_BODY: f64 = 1e-3;
-/// How many similar names an error message suggests.
+/// How many similar names an error message suggests, and how many that could be meant.
 const NEAREST: usize = 3;
+const CHOICES: usize = 4;
 
 /// A scene: groups of bodies, each at rest in a frame of its own, and the ground they pass over. Lengths in the scene's
 /// unit, rest-frame coordinates `[x, y, z]` with x along the motion.
@@ -21,7 +22,7 @@ pub struct Scene {
     pub name: String,
     /// The bodies of all groups, numbered from 0; at least one.
     pub bodies: Vec<Body>,
-    /// What each body is called, such as `front tyre`: what follows "the" in a sentence.
+    /// What each body is called, such as `front tyre`: what follows "the" in a sentence. A file's names mean one body each.
     pub names: Vec<String>,
     /// Which of them move alike: one after the other, without gaps.
     pub groups: Vec<SceneGroup>,
@@ -112,10 +113,45 @@ impl Scene {
         here.min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs())).map(|(body, _)| body)
     }
 
-    /// The number of the first body of this name, if there is one.
-    #[must_use]
-    pub fn body_named(&self, name: &str) -> Option<usize> {
-        self.names.iter().position(|known| known == name)
+    /// Returns the number of the body that `name` means: the one called so, else the one called so but for capitals, else
+    /// the one that has it as its number.
+    ///
+    /// # Errors
+    /// A name of none, with the most similar ones; a name that several could be meant by, with theirs.
+    pub fn body_called(&self, name: &str) -> Result<usize, String> {
+        let lower = name.to_lowercase();
+        let found = |is_it: &dyn Fn(&str) -> bool| -> Vec<usize> {
+            (0..self.bodies.len()).filter(|&body| is_it(self.name_of(body))).collect()
+        };
+        let exact = found(&|known| known == name);
+        let called = if exact.is_empty() { found(&|known| known.to_lowercase() == lower) } else { exact };
+        if let [body] = called[..] {
+            return Ok(body);
+        }
+        if let Some(body) = name.parse().ok().filter(|&body| body < self.bodies.len() && called.is_empty()) {
+            return Ok(body);
+        }
+        let owned = format!("{lower} (");
+        let meant = found(&|known| {
+            let known = known.to_lowercase();
+            known == lower || known.starts_with(&owned)
+        });
+        match meant[..] {
+            [] => Err(self.no_body_named(name)),
+            _ => Err(self.several_named(name, &meant)),
+        }
+    }
+
+    /// The error message for a `name` by which each of these bodies could be meant.
+    fn several_named(&self, name: &str, meant: &[usize]) -> String {
+        let each = meant.iter().take(CHOICES).map(|&body| format!("`{}`", tell::excerpt(self.name_of(body))));
+        let more = if meant.len() > CHOICES { ", ..." } else { "" };
+        format!(
+            "`{}` could be any of {} bodies: write {}{more}",
+            tell::excerpt(name),
+            meant.len(),
+            each.collect::<Vec<_>>().join(" or ")
+        )
     }
 
     /// The names of its bodies, each once, in alphabetical order.
@@ -125,8 +161,7 @@ impl Scene {
     }
 
     /// The error message for a `name` that no body has: it suggests the most similar names, and says how to list them all.
-    #[must_use]
-    pub fn no_body_named(&self, name: &str) -> String {
+    fn no_body_named(&self, name: &str) -> String {
         let known = self.body_names();
         let sought: String = name.to_lowercase().chars().take(sizes::NAME_LETTERS).collect();
         let mut nearest: Vec<_> = known

@@ -81,6 +81,9 @@ pub enum Problem {
         /// The first characters of the name.
         value: String,
     },
+    /// Two bodies of one name that nothing tells apart.
+    #[error("`{name}` is the name of another body too: give each, or its group, a `name` of its own", name = tell::excerpt(.0))]
+    SameName(String),
     /// A scene of more groups than one may have.
     #[error("a scene has at most {most} groups, and this one has {0}", most = sizes::GROUPS)]
     ManyGroups(usize),

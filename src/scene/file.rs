@@ -1,10 +1,13 @@
 //! The scene format: what each table of a scene file means.
 
+use std::rc::Rc;
+
 use relativity_render::{Body, Motion, Velocity};
 use toml::de::DeTable;
 
 use super::content::{Scene, SceneGroup};
 use super::error::{Located, Problem};
+use super::names;
 use super::object::{Object, object};
 use super::presets;
 use super::table::Table;
@@ -31,8 +34,9 @@ fn changed_scene(text: &str, changes: Changes) -> Result<Scene, Located> {
     let (metres, ground_z) = (top.size("metres")?, top.coordinate("ground_z")?);
     let street = street(&top)?;
     let tracked = top.point("tracked")?;
-    let (objects, groups) = groups(&top, &name, changes)?;
-    let names = objects.iter().enumerate().map(|(number, object)| object.name_as(number)).collect();
+    let (objects, mut groups) = groups(&top, &name, changes)?;
+    let names = names::names(&objects, &groups, &rider)?;
+    groups.retain(|group| group.count > 0);
     let bodies: Vec<Body> = objects.into_iter().map(|object| object.body).collect();
     let own = groups.first().map_or(&[][..], |group| &bodies[group.bodies()]);
     let Some(forward_most) = forward_most(own) else {
@@ -67,8 +71,7 @@ fn forward_most(bodies: &[Body]) -> Option<[f64; 3]> {
     points.max_by(|a, b| a.x.total_cmp(&b.x)).map(|point| point.to_array())
 }
 
-/// All objects, and the groups they belong to: the scene's own, which moves at its speed, comes first. A group without
-/// objects is left out.
+/// All objects, and the groups they belong to: the scene's own, which moves at its speed, comes first.
 fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec<SceneGroup>), Located> {
     let mut all = objects(top, changes)?;
     let mut groups =
@@ -87,7 +90,6 @@ fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec
         groups.push(SceneGroup { name, motion, first: all.len(), count: own.len() });
         all.extend(own);
     }
-    groups.retain(|group| group.count > 0);
     Ok((all, groups))
 }
 
@@ -101,8 +103,9 @@ fn motion(group: &Table) -> Result<Motion, Located> {
 /// All objects of a group: the included ones first, then its wheels.
 fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
     let mut objects = Vec::new();
-    for include in group.tables("include", "an include")? {
-        objects.extend(included(&include, changes)?);
+    let includes = group.tables("include", "an include")?;
+    for (number, include) in includes.iter().enumerate() {
+        objects.extend(included(include, &told_apart(&includes, number), changes)?);
     }
     for table in group.tables("wheel", "a wheel")? {
         objects.extend(wheel(&table, changes)?);
@@ -117,8 +120,20 @@ fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
     Ok(objects)
 }
 
-/// The objects of a preset, moved; they move as the group does that includes them.
-fn included(include: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
+/// The preset that the include of this `number` asks for, numbered if another of `includes` asks for the same.
+fn told_apart(includes: &[Table], number: usize) -> Rc<str> {
+    let scene = |include: &Table| include.string("scene").ok().flatten().unwrap_or_default().to_owned();
+    let own = scene(&includes[number]);
+    let like_it = |includes: &[Table]| includes.iter().filter(|include| scene(include) == own).count();
+    match like_it(includes) {
+        1 => own.into(),
+        _ => format!("{own} {}", like_it(&includes[..=number])).into(),
+    }
+}
+
+/// The objects of a preset, moved; they move as the group does that includes them, which tells them from others of the
+/// same name by `told_apart`.
+fn included(include: &Table, told_apart: &Rc<str>, changes: Changes) -> Result<Vec<Object>, Located> {
     include.check_keys(&["scene", "offset", "wheels"])?;
     let name = include.needed_string("scene")?;
     let own =
@@ -131,7 +146,13 @@ fn included(include: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
     }
     let offset = include.point("offset")?.unwrap_or_default();
     let objects = preset.bodies.into_iter().zip(preset.names);
-    Ok(objects.map(|(body, name)| Object { body: body.moved(offset), name: Some(name) }).collect())
+    let moved = |(body, name): (Body, String)| Object {
+        body: body.moved(offset),
+        name: Some(name),
+        include: Some(told_apart.clone()),
+        span: include.span.clone(),
+    };
+    Ok(objects.map(moved).collect())
 }
 
 /// An object, and as many more like it as its table says, a step from each to the next; they are told apart by numbers.
@@ -142,6 +163,7 @@ fn repeated(table: Table) -> Result<Vec<Object>, Located> {
     let nth = |n: usize| Object {
         body: first.body.moved(step.unwrap_or_default().map(|along| n as f64 * along)),
         name: first.name.as_ref().map(|name| format!("{name} {}", n + 1)),
+        ..first.clone()
     };
     Ok((0..count).map(nth).collect())
 }

@@ -7,6 +7,7 @@ mod content;
 mod error;
 mod file;
 mod fingerprint;
+mod names;
 mod object;
 mod presets;
 mod table;

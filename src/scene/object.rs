@@ -1,5 +1,8 @@
 //! An object of a scene file: its shape, its light and its pattern.
 
+use std::ops::Range;
+use std::rc::Rc;
+
 use glam::DQuat;
 use relativity_render::{Body, Emission, Pattern, Shape};
 
@@ -20,6 +23,10 @@ const OF_EVERY_OBJECT: [&str; 8] =
 pub(super) struct Object {
     pub body: Body,
     pub name: Option<String>,
+    /// The preset that it was included with, numbered if its group includes that several times.
+    pub include: Option<Rc<str>>,
+    /// Its table in the file.
+    pub span: Range<usize>,
 }
 
 impl Object {
@@ -64,7 +71,7 @@ pub(super) fn object(mut object: Table) -> Result<Object, Located> {
     let name = object.string("name")?.map(str::to_owned);
     let (emission, brightness) = (emission(&object)?, brightness(&object)?);
     let body = Body { shape, emission, brightness, pattern: pattern(&object, &shape)?, spin: None };
-    Ok(Object { body, name })
+    Ok(Object { body, name, include: None, span: object.span })
 }
 
 /// Refuses keys other than those of every object and the `known` ones of its shape.

@@ -1,5 +1,6 @@
 //! Scene files, right and wrong.
 
+mod names;
 mod wheels;
 
 use relativity_render::{Body, Emission, Motion, Pattern, Shape, Velocity};
@@ -587,19 +588,4 @@ fn errors_quote_little_of_a_file() {
     }
     let unknown = Scene::open(&long).expect_err("there is none").to_string();
     assert!(unknown.len() < 400, "{unknown:.300}");
-}
-
-#[test]
-fn a_body_that_there_is_not_is_told_by_those_most_like_it() {
-    let street = Scene::preset("street").expect("a preset");
-    let told = street.no_body_named("fornt tire");
-    assert!(told.contains("most like it front tyre, ") && told.len() < 300, "{told}");
-    assert_eq!(told.matches(", ").count(), 3, "{told}");
-    assert!(told.ends_with("`gamow --list --scene` with the scene lists all"), "{told}");
-    assert!(street.no_body_named(&"x".repeat(1_000_000)).len() < 400);
-    let balls = Scene::parse(EXAMPLE, "balls.toml").expect("it is right");
-    assert_eq!(
-        balls.no_body_named("x"),
-        "Two balls has no body called `x`: there are ring 2, tube 1, sphere 0"
-    );
 }

@@ -112,6 +112,8 @@ pub(super) fn wheel(table: &Table, changes: Changes) -> Result<Vec<Object>, Loca
     let object = |name: String, shape, pattern| Object {
         body: Body { shape, pattern, spin, ..light },
         name: Some(name),
+        include: None,
+        span: table.span.clone(),
     };
     let mut objects = vec![
         object(part_name(name, "tyre"), wheel.ring(wheel.radius - wheel.tyre, wheel.tyre), tread),

@@ -161,7 +161,7 @@ fn wrong_goals_are_refused() {
         assert_eq!(goal(&window), Goal::Error(expected), "{text}");
         assert_sane(window.state().state());
     }
-    window.get_by_label("Budget").click();
+    window.get_by_label("Max time").click();
     window.run();
     assert_eq!(goal(&window), Goal::Budget(Goal::USUAL_BUDGET_MS));
     for (text, expected) in

@@ -128,7 +128,7 @@ fn the_readout_is_what_the_core_computes() {
                 ("Received wavelength", 700.0 / expected.doppler_factor, 0.06),
                 ("received T", time, 6e-5),
                 ("happened t", expected.retarded_time, 6e-5),
-                ("own clock τ", own_time(beta, &expected), 6e-5),
+                ("proper time τ", own_time(beta, &expected), 6e-5),
                 ("Apparent X", expected.position[0], 6e-5),
                 ("Azimuth φ", expected.phi(), 6e-6),
                 ("Elevation θ", expected.theta(), 6e-6),
@@ -186,7 +186,7 @@ fn one_light_cone_is_one_click_away() {
     };
     let two = picture(&mut window);
     let exact = shown(&window, "Disparity Δφ");
-    window.get_by_label("One").click();
+    window.get_by_label("One cone").click();
     window.run();
     assert_eq!(window.state().state().settings.look.geometry, Geometry::OneCone);
     assert!(picture(&mut window) != two);
@@ -205,7 +205,7 @@ fn one_light_cone_is_one_click_away() {
     let parallax = y.atan2(x + 0.5) - y.atan2(x - 0.5);
     let dphi = shown(&window, "Disparity Δφ");
     assert!((dphi - parallax).abs() < 6e-6 && (dphi - exact).abs() > 0.01, "{dphi} for {parallax}, {exact}");
-    window.get_by_label("Two").click();
+    window.get_by_label("Exact").click();
     window.run();
     assert_eq!(window.state().state().settings.look.geometry, Geometry::Seen);
 }
@@ -237,7 +237,7 @@ fn each_effect_changes_the_picture() {
 fn settings_survive() {
     let mut window = window(cyclist(0.9));
     type_into(&mut window, "Gamma, typed", "1e12");
-    for choice in ["D³ photons", "False", "Published", "Angles", "Contracted", "Stays", "Theme"] {
+    for choice in ["D³ photons", "False", "Published", "Angles", "Contracted", "Fixed", "Theme"] {
         window.get_by_role_and_label(Role::Button, choice).click();
         window.run();
     }
@@ -282,8 +282,18 @@ fn the_first_window_has_few_controls() {
     // A point is clicked, and its disparity is plotted and told.
     window.get_by_label_contains("Plot of Δφ");
     assert!(window.query_by_label_contains("Plot of Δθ").is_none());
+    keeper().load().memory.restore_in(&window.ctx, false);
     window.get_by_label("More controls").click();
     window.run();
+    // Sections are folded but for the first, and open one by one: the last first, so that each is in sight.
+    let more = controls(&window);
+    assert!(more.len() <= 75 && !more.iter().any(|name| name == "Contracted"), "{}: {more:?}", more.len());
+    for (title, of_it) in [("Light", "Daylight"), ("Two eyes", "Head tilted"), ("Look", "Contracted")] {
+        assert!(!controls(&window).iter().any(|name| name == of_it), "{of_it}");
+        window.get_by_role_and_label(Role::DisclosureTriangle, title).click();
+        window.run();
+        assert!(controls(&window).iter().any(|name| name == of_it), "{of_it}");
+    }
     assert!(controls(&window).len() > 100);
     window.get_by_label_contains("Plot of Δθ");
     // What one opens stays open.

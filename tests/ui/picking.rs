@@ -386,7 +386,7 @@ fn the_gazes_are_chosen_by_name() {
         assert_eq!((state.settings.look.gaze, state.look().fov.0), (gaze, Some(fov)), "{name}");
     }
     let shown = window.state().state().look();
-    window.get_by_label("Stays").click();
+    window.get_by_label("Fixed").click();
     window.run();
     let expected = Look { zero_parallax: ZeroParallax::Point, ..shown };
     assert_eq!(window.state().state().settings.look, expected);

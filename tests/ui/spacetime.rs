@@ -187,7 +187,7 @@ fn an_event_tells_its_three_times() {
     assert!((shown("received T = ") - 2.0).abs() < 1e-9);
     assert!((shown("happened t = ") - seen.retarded_time).abs() < 6e-4);
     // The tracked point is at the origin of its frame: its clock shows t/gamma.
-    assert!((shown("own clock τ = ") - seen.retarded_time / gamma(0.9)).abs() < 6e-4);
+    assert!((shown("proper time τ = ") - seen.retarded_time / gamma(0.9)).abs() < 6e-4);
 }
 
 fn the_way_of_the_light() {

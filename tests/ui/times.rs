@@ -59,7 +59,7 @@ fn an_event_has_its_numbers_in_three_units() {
                 ("received T", 1.1 * time),
                 ("happened t", seen.retarded_time * time),
                 // The clock rests where it passes x = 0 at t = 0.
-                ("own clock τ", seen.retarded_time * 0.19_f64.sqrt() * time),
+                ("proper time τ", seen.retarded_time * 0.19_f64.sqrt() * time),
                 ("Apparent X", seen.position[0] * length),
                 ("Apparent Y", 3.0 * length),
                 ("Doppler factor D", seen.doppler_factor),
@@ -234,7 +234,9 @@ fn clocks_show_own_time() {
         window.state_mut().ask(Command::Time(time));
         window.run();
         for (eye, name) in ["Left eye", "Right eye"].into_iter().enumerate() {
-            let turn = shown(&window, &format!("Clock of front tyre, {name}"));
+            let clock = format!("Clock of front tyre, {name}");
+            assert!(label_starting_with(&window, &clock).ends_with(" of a turn"));
+            let turn = shown(&window, &clock);
             // A turn takes 2 on it, and it passes x = 0 at t = 0.
             let expected = (seen(0.9, time, eye).retarded_time * 0.19_f64.sqrt() / 2.0).rem_euclid(1.0);
             assert!((turn - expected).abs() < 6e-5, "T = {time}, {name}: {turn} for {expected}");

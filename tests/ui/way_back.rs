@@ -258,7 +258,7 @@ fn shifts_belong_to_their_scene() {
         Motion { depth_shift: -3.0, height_shift: -2.0, d: 0.2, roll: 10.0, ..cyclist(0.5).settings.motion };
     window.state_mut().ask(Command::Motion(motion));
     window.state_mut().ask(Command::Layout(Layout::Anaglyph));
-    window.get_by_label("Stays").click();
+    window.get_by_label("Fixed").click();
     window.run();
     // Quit, start again: as it was left.
     let left = window.state().state().shown();

@@ -149,7 +149,7 @@ fn what_is_told() {
         for (name, seen) in [("Left eye", both.primary), ("Right eye", both.secondary)] {
             let number = |what: &str| shown(&window, &format!("{name}, {what}"));
             assert!((number("Doppler factor D") - seen.doppler_factor).abs() < 6e-5);
-            assert!((number("own clock τ") - seen.own_time).abs() < 6e-5);
+            assert!((number("proper time τ") - seen.own_time).abs() < 6e-5);
             assert!((number("Apparent Z") - seen.position[2]).abs() < 6e-5);
             let angle = point.angle - beta / RADIUS * seen.own_time;
             let told = label_starting_with(&window, &format!("{name}, Angle on the wheel"));

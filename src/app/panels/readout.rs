@@ -122,7 +122,7 @@ fn stereo(ui: &mut Ui, state: &State) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
         let is_published = matches!(state.settings.shown_model(), Model::Published(_));
-        let gain = if is_published { "exact gain" } else { "gain" };
+        let gain = if is_published { "exact stereo gain" } else { "stereo gain" };
         ui.label(RichText::new(gain).color(colour)).on_hover_text(GAIN_TIP);
         let gain = figures::fixed_or_none(found.map(|found| found.gain), 3);
         named_text(ui, gain.as_str(), format!("Stereo gain: {gain}")).on_hover_text(GAIN_TIP);

@@ -10,11 +10,15 @@ use toml::{Table, Value};
 use super::folded;
 use crate::app::recent::Recent;
 use crate::app::state::State;
+use crate::app::usual::Section;
 
 /// Smallest and largest zoom factor: those of the keys that change it.
 const ZOOM: [f32; 2] = [0.2, 5.0];
 /// Furthest that a window can lie on any screen, and largest, points: X11 has 16 bits for it.
 const FURTHEST: f32 = 32_767.0;
+
+/// The sections that are folded until their user opens them: all but *Motion*, for who has just asked for more controls.
+const FOLDED_AT_FIRST: [&str; 3] = [Section::Look.title(), Section::TwoEyes.title(), Section::Light.title()];
 
 /// The contents of the file `window.toml`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -38,7 +42,7 @@ impl Default for Memory {
             clicked: false,
             lesson: None,
             zoom: 1.0,
-            folded: BTreeSet::new(),
+            folded: FOLDED_AT_FIRST.map(str::to_owned).into(),
             recent: Vec::new(),
             place: None,
         }
@@ -66,7 +70,7 @@ impl Memory {
             lesson: taken(&mut table, "lesson", |_| true, &mut problems),
             zoom: taken(&mut table, "zoom", |zoom| (ZOOM[0]..=ZOOM[1]).contains(zoom), &mut problems)
                 .unwrap_or(usual.zoom),
-            folded: taken(&mut table, "folded", |_| true, &mut problems).unwrap_or_default(),
+            folded: taken(&mut table, "folded", |_| true, &mut problems).unwrap_or(usual.folded),
             recent: taken(&mut table, "recent", |_| true, &mut problems).unwrap_or_default(),
             place: taken(&mut table, "place", Place::can_be, &mut problems),
         };

@@ -81,27 +81,11 @@ pub fn in_layer(
             Ok(Surface { width, ids, rest }.place(point.into()))
         }
         Target::Body(name) => {
-            let bodies = bodies(name, &settings.opened_scene()?)?;
-            let is_one = |id: &f32| bodies.iter().any(|body| *id == *body as f32);
-            Ok(Mask { shows: ids.iter().map(is_one).collect(), width }.middle())
+            let body = settings.opened_scene()?.body_called(name).map_err(anyhow::Error::msg)? as f32;
+            Ok(Mask { shows: ids.iter().map(|id| *id == body).collect(), width }.middle())
         }
         Target::Marker(_) => Ok(None),
     }
-}
-
-/// The number that `name` is, or those of the bodies that the `scene` calls so.
-///
-/// # Errors
-///
-/// A name of nothing in it.
-pub fn bodies(name: &str, scene: &Scene) -> anyhow::Result<Vec<usize>> {
-    if let Ok(number) = name.parse() {
-        return Ok(vec![number]);
-    }
-    let is_called_so = |body: &usize| scene.name_of(*body).eq_ignore_ascii_case(name);
-    let bodies: Vec<_> = (0..scene.bodies.len()).filter(is_called_so).collect();
-    anyhow::ensure!(!bodies.is_empty(), scene.no_body_named(name));
-    Ok(bodies)
 }
 
 /// The places that pixels show as they are at t' = 0: of what turns with a wheel of `scene` not those at `rest`, where it was

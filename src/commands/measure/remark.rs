@@ -6,7 +6,7 @@ use relativity_core::math;
 use relativity_core::{Source, Turning, WheelPoint};
 use relativity_render::Camera;
 
-use super::locate::{self, Target};
+use super::locate::Target;
 use super::place::Place;
 use crate::files::exr::EYES;
 use crate::settings::Settings;
@@ -68,12 +68,10 @@ pub fn of_target(settings: &Settings, target: Target<'_>) -> anyhow::Result<Opti
         Target::Marker(_) => None,
         Target::Body(name) => {
             let scene = settings.opened_scene()?;
-            let turns = |body: usize| {
-                let body = scene.bodies.get(body)?;
-                body.displacing_spin()
-            };
-            let is_turning = locate::bodies(name, &scene)?.into_iter().any(|body| turns(body).is_some());
-            is_turning.then(|| "follow a --point of it, which can be fitted".to_owned())
+            let body = scene.body_called(name).map_err(anyhow::Error::msg)?;
+            scene.bodies[body]
+                .displacing_spin()
+                .map(|_| "follow a --point of it, which can be fitted".to_owned())
         }
         Target::Point(point) => {
             let scene = settings.opened_scene()?;

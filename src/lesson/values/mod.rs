@@ -108,8 +108,7 @@ fn value_with(text: &str, settings: &Settings, scene: &Scene, fit: &Fit) -> Resu
 
 /// The point that is followed on the body called `name`, and the number of that.
 fn followed(scene: &Scene, name: &str) -> Result<(Track, Option<usize>), String> {
-    let body = scene.body_named(name);
-    let body = body.ok_or_else(|| scene.no_body_named(name))?;
+    let body = scene.body_called(name)?;
     let track = scene.track_on(body).ok_or_else(|| format!("`{name}` has no point to follow"))?;
     Ok((track, Some(body)))
 }
@@ -134,10 +133,11 @@ impl Lesson {
                         let truth = value(&number.value, &after.0, &after.1);
                         number.truth = Some(truth.map_err(|problem| self.wrong(number.line, problem))?);
                     }
-                    Kind::Point(point) if after.1.body_named(&point.body).is_none() => {
-                        return Err(self.wrong(point.line, after.1.no_body_named(&point.body)));
+                    Kind::Point(point) => {
+                        let body = after.1.body_called(&point.body);
+                        body.map_err(|problem| self.wrong(point.line, problem))?;
                     }
-                    Kind::Point(_) | Kind::Curve(_) => {}
+                    Kind::Curve(_) => {}
                 }
             }
             if let Some(reveal) = &mut step.reveal {

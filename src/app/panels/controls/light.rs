@@ -29,7 +29,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         choice(ui, &mut light.doppler_shift, &SHIFTS);
     });
     intensity_row(ui, &mut light);
-    row(ui, "Unseen", "Light received as ultraviolet or infrared. Eyes see nothing of it.", |ui| {
+    row(ui, "UV and IR", "Light received as ultraviolet or infrared, which eyes do not see.", |ui| {
         choice(ui, &mut light.invisible, &UNSEEN);
     });
     row(ui, "Shading", "How form is shown.", |ui| {
@@ -96,7 +96,11 @@ fn exposure_rows(ui: &mut Ui, automatic_ev: f64, exposure: &mut Exposure, usual:
 }
 
 const COLOURS: [(Colour, &str, &str); 5] = [
-    (Colour::OneWavelength, "One λ", "Each body sends light of one wavelength, as in the paper."),
+    (
+        Colour::OneWavelength,
+        "Single line",
+        "Each body sends light of one wavelength (a spectral line), as in the paper.",
+    ),
     (Colour::Glowing, "Glow", "Each body is a black body of one temperature H, seen at D·H (Planck's law)."),
     (
         Colour::White,

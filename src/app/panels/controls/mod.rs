@@ -209,7 +209,7 @@ fn light_cones_row(ui: &mut Ui, geometry: &mut Geometry, is_along_motion: bool) 
     let tip = "Which events the two eyes receive, with the geometry as seen.";
     let is_seen = is_as_seen(*geometry);
     let mut chosen = if is_seen { *geometry } else { Geometry::Seen };
-    row(ui, "Light cones", tip, |ui| {
+    row(ui, "Eyes receive", tip, |ui| {
         if ui.add_enabled_ui(is_seen, |ui| choice(ui, &mut chosen, &LIGHT_CONES)).inner {
             *geometry = chosen;
         }
@@ -220,10 +220,10 @@ fn light_cones_row(ui: &mut Ui, geometry: &mut Geometry, is_along_motion: bool) 
 }
 
 const LIGHT_CONES: [(Geometry, &str, &str); 3] = [
-    (Geometry::Seen, "Two", "Each eye sees through its own light cone: exact."),
+    (Geometry::Seen, "Exact", "Each eye receives the events on its own past light cone."),
     (
         Geometry::OneCone,
-        "One",
+        "One cone",
         "One light cone for both eyes: as if both eyes received the same events, those that the middle between \
         them receives.\nWhat then is missing comes from there being two.   Key: 4",
     ),
@@ -238,7 +238,7 @@ const LIGHT_CONES: [(Geometry, &str, &str); 3] = [
 /// What is shown besides the eyes' pictures.
 fn more_rows(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
     let mut window = before;
-    row(ui, "With them", "What stands beside the views, and what is drawn into them.", |ui| {
+    row(ui, "Also show", "Chooses what stands beside the views, and what is drawn into them.", |ui| {
         let corrected = "Shows the left eye's picture with the distortion undone, beside the two: by the fitted β \
             while the Fit tab is shown, else by the one set here.";
         ui.checkbox(&mut window.corrected, "corrected").on_hover_text(corrected);
@@ -247,7 +247,7 @@ fn more_rows(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
             rapidity, along the arrow.   Key: O";
         ui.checkbox(&mut window.resting, "outline").on_hover_text(resting);
     });
-    row(ui, "Below them", "What stands below the views.", |ui| {
+    row(ui, "Below views", "Chooses what stands below the views.", |ui| {
         (ui.spacing_mut().item_spacing.x, ui.spacing_mut().icon_spacing) = (4.0, 2.0);
         let spectrum = "Which wavelengths arrive of the selected point, among all that there are.";
         ui.checkbox(&mut window.spectrum, "spectrum").on_hover_text(spectrum);
@@ -279,7 +279,7 @@ enum GazeMode {
     Ahead,
     /// The gaze of a panorama, which has a button of its own.
     Passage,
-    Stays,
+    Fixed,
 }
 
 const GAZES: [(GazeMode, &str, &str); 4] = [
@@ -290,7 +290,7 @@ const GAZES: [(GazeMode, &str, &str); 4] = [
         "At the selected point: the mean of its two apparent directions, as in the paper.",
     ),
     (GazeMode::Ahead, "Ahead", "Straight ahead along y, as somebody stands who waits for it to pass."),
-    (GazeMode::Stays, "Stays", "In the present direction, however the scene moves."),
+    (GazeMode::Fixed, "Fixed", "In the present direction, however the scene moves."),
 ];
 
 impl GazeMode {
@@ -300,7 +300,7 @@ impl GazeMode {
             GazeChoice::Point => Self::Point,
             GazeChoice::Ahead => Self::Ahead,
             GazeChoice::Passage => Self::Passage,
-            GazeChoice::Fixed(_) => Self::Stays,
+            GazeChoice::Fixed(_) => Self::Fixed,
         }
     }
 
@@ -313,7 +313,7 @@ impl GazeMode {
             Self::Ahead => Look { gaze: GazeChoice::Ahead, ..look },
             Self::Passage => Look { gaze: GazeChoice::Passage, ..look },
             // The present field of view stays too.
-            Self::Stays => Look { zero_parallax: look.zero_parallax, ..state.look() },
+            Self::Fixed => Look { zero_parallax: look.zero_parallax, ..state.look() },
         }
     }
 }

@@ -81,7 +81,7 @@ fn zero_parallax_rows(ui: &mut Ui, state: &State, look: &mut Look) {
         ZeroParallax::Distance(_) => ScreenDepth::Distance,
     };
     let (mut chosen, is_used) = (before, look.projection.is_fused());
-    row(ui, "At the screen", tip, |ui| {
+    row(ui, "Zero parallax", tip, |ui| {
         _ = ui.add_enabled_ui(is_used, |ui| choice(ui, &mut chosen, &SCREEN_DEPTHS));
     });
     if chosen != before {

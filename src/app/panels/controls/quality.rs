@@ -35,7 +35,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 /// What automatic quality keeps, and what it has chosen.
 fn goal_rows(ui: &mut Ui, state: &State, quality: &mut Quality, usual: Quality) {
     let mut is_budget = matches!(quality.goal, Goal::Budget(_));
-    row(ui, "Keeps", "What the automatic choice keeps.", |ui| {
+    row(ui, "Limit", "The bound that the automatic choice stays within.", |ui| {
         if choice(ui, &mut is_budget, &GOALS) {
             quality.goal = if is_budget { Goal::Budget(Goal::USUAL_BUDGET_MS) } else { Goal::default() };
         }
@@ -76,8 +76,8 @@ const RENDERERS: [(RendererChoice, &str, &str); 5] = [
 ];
 
 const GOALS: [(bool, &str, &str); 2] = [
-    (false, "Error", "No point is drawn further from where it is seen."),
-    (true, "Budget", "The pictures of a frame take no longer."),
+    (false, "Max error", "No point is drawn further from where it is seen."),
+    (true, "Max time", "The pictures of a frame take no longer."),
 ];
 
 fn bound() -> NumberRow<'static> {

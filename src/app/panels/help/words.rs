@@ -36,7 +36,10 @@ pub const WORDS: [(&str, &str); 15] = [
     ("as seen", "each point where it was when its light left"),
     ("contracted", "where everything is at one time on the ground, shorter by 1/γ: what Gamow drew"),
     ("at rest", "what a camera that rides along photographs"),
-    ("gain", "how many times as far apart the eyes would have to be to see a resting point as differently"),
+    (
+        "stereo gain",
+        "how many times as far apart the eyes would have to be to see a resting point as differently",
+    ),
     ("stereo at", "where two eyes take the point to be: where their lines of sight meet"),
     ("published", "the paper's approximate model of the right eye, beside the exact one"),
 ];
@@ -46,7 +49,7 @@ pub const PAPER: [&str; 2] = [
     "E. A. Cryer-Jenkins and P. D. Stevenson, Gamow's cyclist: a new look at relativistic measurements for a binocular \
     observer, Proc. R. Soc. A 476 (2020).",
     "Gamow implements, corrects and goes beyond it: its right eye is the left one at another time, and leaves out \
-    parallax. Light cones, Published shows that model; `gamow paper` redoes its figures beside ours.",
+    parallax. Eyes receive, Published shows that model; `gamow paper` redoes its figures beside ours.",
 ];
 
 /// The paper's address.
