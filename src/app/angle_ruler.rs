@@ -14,12 +14,12 @@ pub const PARTS: u16 = 48;
 /// A ruler, as far as it is laid.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum AngleRuler {
-    /// There is none.
+    /// No ruler is shown.
     #[default]
     Off,
     /// The next drag in a view lays it.
     Armed,
-    /// It is in a view.
+    /// The ruler lies in a view.
     Laid(Laid),
 }
 
@@ -56,7 +56,7 @@ pub struct Lay {
 pub enum RulerCommand {
     /// Has the next drag lay one, or if there is one takes it away.
     Toggle,
-    /// Lays it.
+    /// Lays the ruler.
     Lay(Lay),
     /// Ends the drag that lays it: it stays, and drags look around again.
     Settle,

@@ -1,4 +1,4 @@
-//! Two pictures of one eye in the window: what is asked of the second is asked of the state as if that were alone.
+//! Two pictures of one eye in the window: questions about the second go to the state with the settings of that picture.
 
 use super::App;
 use super::panes::EyePane;
@@ -21,7 +21,7 @@ impl State {
         }
     }
 
-    /// Returns what is `asked` with the settings of a picture: those of the second of one eye where it `is_second`.
+    /// Answers `asked` with the settings of a picture: those of the second picture of one eye if it `is_second`.
     pub(super) fn of_picture<R>(&mut self, is_second: bool, asked: impl FnOnce(&mut Self) -> R) -> R {
         let kept = self.enter(is_second);
         let found = asked(self);
@@ -44,7 +44,7 @@ impl State {
         self.with_what_it_shows(&format!("{} view", pane.eye.name()), pane)
     }
 
-    /// This `name`, with what tells `pane` from the other picture of the eye.
+    /// This `name` with the difference between `pane` and the other picture of the eye.
     fn with_what_it_shows(&self, name: &str, pane: EyePane) -> String {
         match self.settings.compared_names() {
             Some(names) => format!("{name}: {}", names[pane.index()]),

@@ -11,7 +11,7 @@ use super::panes::EyePane;
 use super::state::State;
 
 impl State {
-    /// Does what was asked about the ruler.
+    /// Applies a command about the ruler.
     pub(super) fn apply_to_ruler(&mut self, command: RulerCommand) {
         self.session.angle_ruler = match (command, self.session.angle_ruler) {
             (RulerCommand::Toggle, AngleRuler::Off) => AngleRuler::Armed,

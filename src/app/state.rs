@@ -58,7 +58,7 @@ pub struct Session {
     pub angle_ruler: AngleRuler,
     /// The stopwatch in the first view.
     pub stopwatch: Stopwatch,
-    /// The step that T took in the last frame; 0 where it stands.
+    /// The step of T in the last frame; 0 while it stands still.
     pub step: f64,
     /// The click into a view that hit nothing, until something else is done.
     pub missed: Option<Pick>,

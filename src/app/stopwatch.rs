@@ -8,24 +8,24 @@ use super::eye::Eye;
 use crate::scene::Track;
 use crate::settings::Motion;
 
-/// A stopwatch.
+/// The state of the stopwatch.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Stopwatch {
-    /// There is none.
+    /// No stopwatch is shown.
     #[default]
     Hidden,
-    /// It shows nothing yet.
+    /// It is shown, and has not been started.
     Ready,
-    /// It runs since then.
+    /// It has been running since this press.
     Running(Box<Mark>),
-    /// It was stopped.
+    /// It ran between two presses.
     Stopped(Box<[Mark; 2]>),
 }
 
-/// A press.
+/// The moment of a press.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mark {
-    /// T then.
+    /// T at the press.
     pub time: f64,
     /// The step that T took in the frame before.
     pub step: f64,

@@ -6,7 +6,7 @@ use super::state::State;
 use super::stopwatch::{Clock, Elapsed, Mark, Stopwatch, StopwatchCommand, Timed};
 
 impl State {
-    /// Does what was asked about the stopwatch.
+    /// Applies a command about the stopwatch.
     pub(super) fn apply_to_stopwatch(&mut self, command: StopwatchCommand) {
         let now = self.mark();
         self.session.stopwatch = match (command, &self.session.stopwatch) {

@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 use serde::{Serialize, Serializer};
 
-/// The second picture where one eye's picture stands twice.
+/// The second of two pictures of one eye.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum Compare {
     /// No second picture of one eye: the pictures are those of two eyes.

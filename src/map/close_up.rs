@@ -13,7 +13,7 @@ use crate::settings::Frame;
 
 /// Space left free around the body on each side, as a share of the box.
 const MARGIN: f64 = 0.12;
-/// Most bodies of a group that are looked at; larger groups are strided.
+/// At most this many bodies of a group are sampled; larger groups are strided.
 const MOST_BODIES: usize = 150;
 /// The stereo position is followed this many sizes of what is seen away: lines of sight that are nearly parallel cross
 /// arbitrarily far off.

@@ -10,7 +10,7 @@ use crate::platform::{sizes, tell};
 
 /// How far off the surface of a body a point is still taken to be on it: coordinates may be rounded to three decimals.
 const ON_BODY: f64 = 1e-3;
-/// How many similar names an error message suggests, and how many that could be meant.
+/// The numbers of similar names that an error message suggests, and of ambiguous ones that it lists.
 const NEAREST: usize = 3;
 const CHOICES: usize = 4;
 
@@ -22,7 +22,7 @@ pub struct Scene {
     pub name: String,
     /// The bodies of all groups, numbered from 0; at least one.
     pub bodies: Vec<Body>,
-    /// What each body is called, such as `front tyre`: what follows "the" in a sentence. A file's names mean one body each.
+    /// The name of each body, such as `front tyre`: it follows "the" in a sentence. A file's names mean one body each.
     pub names: Vec<String>,
     /// Which of them move alike: one after the other, without gaps.
     pub groups: Vec<SceneGroup>,

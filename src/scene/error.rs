@@ -81,7 +81,7 @@ pub enum Problem {
         /// The first characters of the name.
         value: String,
     },
-    /// Two bodies of one name that nothing tells apart.
+    /// Two bodies of one name in one group.
     #[error("`{name}` is the name of another body too: give each, or its group, a `name` of its own", name = tell::excerpt(.0))]
     SameName(String),
     /// A scene of more groups than one may have.

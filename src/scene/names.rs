@@ -48,7 +48,7 @@ fn told_apart(name: &str, owner: &str) -> String {
     format!("{name} ({owner})")
 }
 
-/// How often each of `names` is there.
+/// Counts each of `names`.
 fn times_of(names: &[String]) -> HashMap<String, usize> {
     let mut times = HashMap::new();
     for name in names {

@@ -138,7 +138,7 @@ impl Settings {
         [(left, appearance), second.unwrap_or((right, appearance))]
     }
 
-    /// The names that tell two pictures of one eye apart.
+    /// The names of the two pictures of one eye.
     #[must_use]
     pub fn compared_names(&self) -> Option<[String; 2]> {
         let second = self.second()?;

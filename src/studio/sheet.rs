@@ -37,10 +37,10 @@ impl Ink {
     }
 }
 
-/// Writing above pictures.
+/// The writing above pictures.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Labels {
-    /// Colours of it.
+    /// The colours of that writing.
     pub ink: Ink,
     /// Names of two pictures of one eye, in place of the eyes' letters.
     pub compared: Option<[String; 2]>,

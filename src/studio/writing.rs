@@ -65,11 +65,11 @@ const fn lowered(letter: char) -> Option<char> {
 
 /// A letter of a line of height 1.
 struct Placed {
-    /// Where it begins from the left.
+    /// The distance of its beginning from the left.
     x: f64,
-    /// The height.
+    /// The height of the writing.
     scale: f64,
-    /// The width.
+    /// The width of the writing.
     width: f64,
     /// The ends of its strokes from its top left corner, in parts of its height.
     lines: Vec<[DVec2; 2]>,

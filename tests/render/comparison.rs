@@ -5,7 +5,7 @@ use std::process::Command;
 
 use super::{HEIGHT, Png, WIDTH, complaint, complaint_of, folder, picture, render};
 
-/// One gaze and one field of view for both, so that each can be drawn by itself.
+/// The same gaze and field of view for both, so that each can be drawn by itself.
 const LOOK: &str = "--time 1.5 --fov 70 --labels off";
 
 #[test]

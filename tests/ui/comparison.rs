@@ -75,7 +75,7 @@ fn second_picture_is_that_alone() {
     }
 }
 
-/// Where the selected point is marked in the left eye's picture at `place`, from its corner.
+/// The mark of the selected point in the left eye's picture at `place`, from its corner.
 fn marker(window: &Harness<'_, App>, place: Rect) -> Vec2 {
     let state = window.state().state();
     let size = [place.width().round() as u32, place.height().round() as u32];

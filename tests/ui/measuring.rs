@@ -1,4 +1,4 @@
-//! What is measured in the views themselves: angles with a ruler, times with a stopwatch.
+//! Measuring in the views themselves: angles with a ruler, times with a stopwatch.
 
 use eframe::egui::{Key, Modifiers, Rect, vec2};
 use egui_kittest::Harness;

@@ -31,7 +31,7 @@ const SLIGHT_BULGE: f64 = 1e-4;
 const HALVINGS: u32 = 12;
 /// Every which body is looked at before all.
 const SAMPLED: usize = 23;
-/// Most outlines that are kept.
+/// The number of outlines that are kept at most.
 const MOST_OUTLINES: usize = 4;
 /// How often the gaze is turned to the middle of what it frames.
 const TURNS: u32 = 2;

@@ -8,10 +8,10 @@ use relativity_render::{
 
 const SIZE: [u32; 2] = [240, 180];
 const GROUND: f64 = -2.0;
-/// Where the wheel touches the road, at rest.
+/// The place at rest where the wheel touches the road.
 const CONTACT: [f64; 3] = [-0.4, 4.0, GROUND];
 const RADIUS: f64 = 0.5;
-/// So thin that it hides next to nothing of the road.
+/// A wheel so thin that it hides next to nothing of the road.
 const TUBE: f64 = 0.002;
 const D: f64 = 0.4;
 const FIELD: f64 = 0.25;
@@ -37,7 +37,7 @@ fn scene(velocity: Velocity, height: f64) -> PreparedScene {
     PreparedScene::new([Group { motion, bodies: &[Body::new(ring, 600.0)] }])
 }
 
-/// Where the eye at this x sees the contact, from there, by the formulas of each geometry.
+/// The place from the eye at this x where it sees the contact, by the formulas of each geometry.
 fn seen_contact(speed: &Speed, geometry: Geometry, time: f64, eye: f64) -> DVec3 {
     let [x, y, z] = CONTACT;
     let (gamma, beta) = (speed.gamma(), speed.beta());

@@ -17,7 +17,7 @@ const ZOOM: [f32; 2] = [0.2, 5.0];
 /// Furthest that a window can lie on any screen, and largest, points: X11 has 16 bits for it.
 const FURTHEST: f32 = 32_767.0;
 
-/// The sections that are folded until their user opens them: all but *Motion*, for who has just asked for more controls.
+/// The sections that are folded until a user opens them: all but *Motion*.
 const FOLDED_AT_FIRST: [&str; 3] = [Section::Look.title(), Section::TwoEyes.title(), Section::Light.title()];
 
 /// The contents of the file `window.toml`.

@@ -3,7 +3,7 @@
 use super::Shape;
 
 impl Shape {
-    /// The name that it has in scene files.
+    /// The name in scene files.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
@@ -15,7 +15,7 @@ impl Shape {
         }
     }
 
-    /// Its numbers in the order of the scene format; of a box half its size, and its turn as a quaternion.
+    /// The numbers in the order of the scene format; of a box half its size, and its turn as a quaternion.
     #[must_use]
     pub fn numbers(&self) -> Vec<f64> {
         match *self {

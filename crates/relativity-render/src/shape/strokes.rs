@@ -10,14 +10,14 @@ use super::Shape;
 /// A line or a circle at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Path {
-    /// A straight line.
+    /// A straight line between two places.
     Line {
-        /// One end.
+        /// The end at s = 0.
         from: DVec3,
-        /// The other.
+        /// The end at s = 1.
         to: DVec3,
     },
-    /// A circle.
+    /// A circle, from s = 0 to 1.
     Circle {
         /// Centre.
         center: DVec3,
@@ -59,7 +59,7 @@ impl Path {
 /// A line that a shape is drawn with.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stroke {
-    /// Its middle.
+    /// The line or circle in its middle.
     pub path: Path,
     /// Half its thickness; 0 of an edge.
     pub radius: f64,
@@ -130,7 +130,7 @@ fn cylinder(from: DVec3, to: DVec3, radius: f64, strokes: &mut Vec<Stroke>) {
 mod tests {
     use super::*;
 
-    /// How far `point` is from the surface of `shape`, worked out from what each shape is.
+    /// The distance of `point` from the surface of `shape`, by the definition of each shape.
     fn off_surface(shape: &Shape, point: DVec3) -> f64 {
         match *shape {
             Shape::Sphere { center, radius } => (point.distance(center.into()) - radius).abs(),

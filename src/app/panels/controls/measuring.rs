@@ -15,7 +15,7 @@ const STOPWATCH: &str = "Measures T between two presses, and what the selected p
     Keys: T starts and stops, Shift+T shows it or takes it away";
 const CLOCK: &str = "Shows in each view a clock that rests beside you, to compare the others with, and counts the turns of every clock.";
 
-/// Shows them.
+/// Shows the row of measuring tools.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     row(ui, "Measure", "What is measured with in the views.", |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;

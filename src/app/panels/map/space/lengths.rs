@@ -15,7 +15,7 @@ const FONT_SIZE: f32 = 13.0;
 const BESIDE: f32 = 12.0;
 const DECIMALS: u8 = 2;
 
-/// What each length is called.
+/// The name of the length in each picture.
 const NAMES: [(Picture, &str); 3] =
     [(Picture::Stereo, "two eyes"), (Picture::Seen(0), "left eye"), (Picture::Measured, "measured now")];
 
