@@ -9,14 +9,15 @@ use tempfile::TempDir;
 
 use super::dice::Dice;
 
-/// What is typed where something else is expected.
+/// The texts typed where something else is expected. Infinity and NaN are spelt as the program never prints them, so that
+/// the checks tell what was typed from a broken number.
 pub const ODD_TEXTS: &[&str] = &[
     "",
     "-",
     "1e309",
     "-1e309",
-    "NaN",
-    "inf",
+    "nan",
+    "INF",
     "0,5",
     "0.5",
     "1",
