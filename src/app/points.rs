@@ -19,8 +19,13 @@ impl Point {
     #[must_use]
     pub fn what<'a>(&self, scene: &'a Scene) -> &'a str {
         let nameless = if self.is_tracked() { "tracked point" } else { "point" };
-        let body = self.body.or_else(|| scene.body_at(self.track.rest));
-        body.map_or(nameless, |body| scene.name_of(body))
+        self.body_in(scene).map_or(nameless, |body| scene.name_of(body))
+    }
+
+    /// Returns the number of the body that it is on in `scene`: the one it was picked on, or the one at its place.
+    #[must_use]
+    pub fn body_in(&self, scene: &Scene) -> Option<usize> {
+        self.body.or_else(|| scene.body_at(self.track.rest))
     }
 
     /// What it is called in a sentence.

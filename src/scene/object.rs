@@ -32,13 +32,7 @@ pub(super) struct Object {
 impl Object {
     /// What it is called as the body of this number.
     pub fn name_as(&self, number: usize) -> String {
-        let shape = match self.body.shape {
-            Shape::Sphere { .. } => "sphere",
-            Shape::Tube { .. } => "tube",
-            Shape::Ring { .. } => "ring",
-            Shape::Box { .. } => "box",
-            Shape::Cylinder { .. } => "cylinder",
-        };
+        let shape = self.body.shape.name();
         self.name.clone().unwrap_or_else(|| format!("{shape} {number}"))
     }
 }

@@ -33,7 +33,7 @@ pub(super) fn show(
     }
     let point = state.session.points.selected();
     let scene = &state.session.scene;
-    let Some(body) = point.body.or_else(|| scene.body_at(point.track.rest)) else { return };
+    let Some(body) = point.body_in(scene) else { return };
     let Some(ends) = scene.bodies[body].shape.ends() else { return };
     let ends = ends.map(|end| scene.track_at(end, body));
     let [Some(from), Some(to)] = ends else { return };
