@@ -273,11 +273,10 @@ impl State {
             Command::ShowNext(steps) => self.show_next(steps),
             Command::Open(_) | Command::OpenData(_) | Command::Reload(_) => self.read_and_show(&command),
             Command::ShowFile(file) => self.show_file(*file),
-            Command::StopReading => self.session.orders.push(Order::StopReading),
             Command::Lesson(command) => self.apply_to_lesson(command),
             Command::Choose(purpose) => self.session.chooser = Some(purpose),
-            // Not done here, but by going through the steps.
-            Command::Undo | Command::Redo => {}
+            // Not done here, but by who goes through the steps or reads.
+            Command::Undo | Command::Redo | Command::StopReading => {}
             Command::Reset => self.show(self.as_usual()),
             Command::ResetSection(section) => self.reset(section),
             Command::Simulate => self.session.data = None,

@@ -258,6 +258,9 @@ impl App {
 
     /// Applies `command` as if the user had given it; a file that it needs is read first, in the background.
     pub fn ask(&mut self, command: Command) {
+        if command == Command::StopReading {
+            return self.reader.stop();
+        }
         if let Some(errand) = self.state.errand(&command) {
             self.state.session.chooser = None;
             self.reader.begin(errand);
@@ -351,9 +354,11 @@ impl App {
         panels::chooser::show(&ctx, &self.state, &mut self.chooser, &mut asks);
         panels::saving::show(&ctx, &self.saver, &mut asks);
         panels::reading::show(&ctx, &self.reader, &mut asks);
-        asks.extend(self.reader.finished().into_iter().map(|file| Command::ShowFile(Box::new(file))));
-        asks.extend(self.changed_files(&ctx).into_iter().map(Command::Reload));
         self.apply(&ctx, asks);
+        // A file that the user has just given up is not among these.
+        let read = self.reader.finished().into_iter().map(|file| Command::ShowFile(Box::new(file)));
+        let changed = self.changed_files(&ctx).into_iter().map(Command::Reload);
+        self.apply(&ctx, read.chain(changed).collect());
         self.set_stage(&ctx);
 
         let area = ui.max_rect();

@@ -13,8 +13,6 @@ pub enum Order {
     Copy(Copied),
     /// Give up what is being made.
     Stop,
-    /// Give up the files that are being read.
-    StopReading,
 }
 
 /// A file to be written.

@@ -22,7 +22,6 @@ impl App {
             match order {
                 Order::Save(saving) => self.save_as(ui, saving),
                 Order::Copy(copied) => self.copy(ui, copied),
-                Order::StopReading => self.reader.stop(),
                 Order::Stop => {
                     if self.saver.stop() {
                         self.tell(ui.ctx(), Notice::done("Stopped: no file was written."));
