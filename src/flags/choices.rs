@@ -238,10 +238,11 @@ impl GazeChoice {
         }
     }
 
-    /// Fixed at `gaze`.
+    /// Fixed at `gaze`, or as close to straight up or down as [`ELEVATION`] goes.
     #[must_use]
     pub const fn fixed_at(gaze: Gaze) -> Self {
-        Self::Fixed([gaze.azimuth.to_degrees(), gaze.elevation.to_degrees()])
+        let elevation = gaze.elevation.to_degrees().clamp(*ELEVATION.start(), *ELEVATION.end());
+        Self::Fixed([gaze.azimuth.to_degrees(), elevation])
     }
 }
 

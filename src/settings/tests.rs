@@ -1,5 +1,6 @@
 //! Settings survive every file they are in, to the last digit; and what is wrong with one is said in a line.
 
+use std::f64::consts::FRAC_PI_2;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
@@ -7,7 +8,9 @@ use clap::ValueEnum as _;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use relativity_core::{Curves, Model};
-use relativity_render::{Appearance, Colour, Geometry, HitImage, Picture as Pixels, PreparedScene, Shading};
+use relativity_render::{
+    Appearance, Colour, Gaze, Geometry, HitImage, Picture as Pixels, PreparedScene, Shading,
+};
 
 use super::*;
 use crate::files::exr::{self, Measurements};
@@ -442,6 +445,16 @@ fn a_zero_parallax_is_a_distance_ahead() {
 fn a_gaze_that_tracked_the_point_still_does() {
     let set = Settings::default().with_toml("[look]\ngaze = \"track\"", "old.toml").expect("it is right");
     assert_eq!(set.look.gaze, GazeChoice::Point);
+}
+
+#[test]
+fn a_gaze_straight_up_is_one_that_a_file_takes() {
+    for elevation in [FRAC_PI_2, -FRAC_PI_2, 1.5] {
+        let gaze = GazeChoice::fixed_at(Gaze { azimuth: 1.0, elevation });
+        let GazeChoice::Fixed([azimuth, degrees]) = gaze else { panic!("{gaze:?}") };
+        assert_eq!(format!("{azimuth},{degrees}").parse(), Ok(gaze));
+        assert!((degrees.to_radians() - elevation).abs() < 2e-5, "{degrees}");
+    }
 }
 
 #[test]
