@@ -122,6 +122,34 @@ fn no_other_geometry_crops_it_either() {
     }
 }
 
+/// Where an eye at (`eye`, 0, 0) sees a place of a group that moves at `beta` along x, by the light cone's quadratic equation.
+fn seen([x, y, z]: [f64; 3], beta: f64, eye: f64, time: f64) -> DVec3 {
+    let rest = 1.0 - beta * beta;
+    let present = x * rest.sqrt() - eye + beta * time;
+    let distance = ((beta * present).powi(2) + rest * (present * present + y * y + z * z)).sqrt();
+    DVec3::new(present - beta * (distance - beta * present) / rest, y, z)
+}
+
+#[test]
+fn what_comes_the_other_way_is_in_the_whole_too() {
+    let mut settings = Settings { scene: "tests/groups.toml".to_owned(), ..Settings::default() };
+    settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, 0.5).expect("a speed");
+    let state = State::open(settings).expect("a scene");
+    let balls = [([0.0, 3.0, 1.0], 0.5, 0.5), ([1.5, 5.0, 1.5], 0.8, -0.6)];
+    for time in [-2.0, 0.0, 3.0, 8.0] {
+        for (view, eye) in views(&state, time, SIZES[1]).iter().zip([-0.5, 0.5]) {
+            let eye = eye * state.settings.motion.d;
+            for (center, radius, beta) in balls {
+                let ends = [DVec3::X, -DVec3::X, DVec3::Z, -DVec3::Z, -DVec3::Y].map(|towards| {
+                    seen((DVec3::from(center) + radius * towards).to_array(), beta, eye, time)
+                });
+                let least = margin(&view.camera, &ends);
+                assert!(least > LEAST_MARGIN, "T {time}, beta {beta}: {least}");
+            }
+        }
+    }
+}
+
 /// Eyes a whole unit apart. What narrower pictures would show as well is framed with what is around it.
 #[test]
 fn one_light_cone_is_framed_closely_where_eyes_are_far_apart() {

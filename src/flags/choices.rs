@@ -101,14 +101,14 @@ impl Serialize for Size {
 /// Where both eyes look, in parallel.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum GazeChoice {
-    /// At the apparent middle of what moves with the scene, all of it.
+    /// At the apparent middle of all that moves.
     #[default]
     Whole,
     /// At the tracked point, as in the paper: along the bisector of its two apparent directions.
     Point,
     /// Straight ahead, along +y.
     Ahead,
-    /// Abreast, as high as what moves with the scene: in conformal pictures the whole passage, from far left to far right.
+    /// Abreast, as high as all that moves: in conformal pictures the whole passage, from far left to far right.
     Passage,
     /// Fixed: azimuth and elevation, degrees.
     Fixed([f64; 2]),

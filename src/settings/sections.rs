@@ -73,7 +73,7 @@ pub struct Look {
     #[arg(long, value_enum)]
     #[serde(skip_serializing_if = "Compare::is_off")]
     pub compare: Compare,
-    /// Where both eyes look: at the middle of all that moves with the scene, at the tracked point, straight ahead, abreast at
+    /// Where both eyes look: at the middle of all that moves, at the tracked point, straight ahead, abreast at
     /// the whole passage, or azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
     #[arg(long, value_name = "whole|point|ahead|passage|AZ,EL", allow_hyphen_values = true)]
     pub gaze: GazeChoice,

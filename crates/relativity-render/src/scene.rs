@@ -251,15 +251,14 @@ impl PreparedScene {
         self.0.groups[self.group_of(body)].motion
     }
 
-    /// What the scene is about: the groups that move at the scene's speed; of a scene without such, those that move
-    /// at all; else all of them.
+    /// The subject of the scene: all groups that move, whether at the scene's speed or their own; all groups if none does.
     pub fn subject(&self) -> impl Iterator<Item = &PreparedGroup> {
         let moves = |group: &PreparedGroup| match group.motion {
-            Motion::Scene => 2,
-            Motion::Own(velocity) => u8::from(!velocity.is_rest()),
+            Motion::Scene => true,
+            Motion::Own(velocity) => !velocity.is_rest(),
         };
-        let most = self.0.groups.iter().map(moves).max();
-        self.0.groups.iter().filter(move |group| Some(moves(group)) == most)
+        let any_moves = self.0.groups.iter().any(moves);
+        self.0.groups.iter().filter(move |group| !any_moves || moves(group))
     }
 
     /// The last outlines that were asked for, and of which views.

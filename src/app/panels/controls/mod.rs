@@ -283,7 +283,7 @@ enum GazeMode {
 }
 
 const GAZES: [(GazeMode, &str, &str); 4] = [
-    (GazeMode::Whole, "Whole", "At the whole scene: the middle of all that moves with the scene.   Key: F"),
+    (GazeMode::Whole, "Whole", "At the whole scene: the middle of all that moves.   Key: F"),
     (
         GazeMode::Point,
         "Point",
