@@ -70,11 +70,12 @@ impl App {
             }
         }
         let Some(area) = panes.iter().map(|pane| pane.rect).reduce(Rect::union) else { return };
+        let height = theme::text_scale(ui.style()) * theme::TITLE_HEIGHT;
+        let strip = Rect::from_min_max(area.min - vec2(0.0, height), area.right_top());
         if panorama::is_offered(&self.state, area) {
-            let height = theme::text_scale(ui.style()) * theme::TITLE_HEIGHT;
-            let strip = Rect::from_min_max(area.min - vec2(0.0, height), area.right_top());
             self.panel(ui, "panorama", strip, |ui, state, asks| panorama::offer(ui, state, strip, asks));
         }
+        self.panel(ui, "fusing", strip, |ui, state, asks| panels::fusing::offer(ui, state, strip, asks));
     }
 
     /// Draws what stands in `pane`.

@@ -103,6 +103,22 @@ impl Layout {
         !matches!(self.form(), Form::One(_))
     }
 
+    /// Whether it is made for two eyes that fuse its pictures, with glasses, crossed or on a screen of their own.
+    #[must_use]
+    pub const fn is_fused(self) -> bool {
+        match self {
+            Self::SideBySide | Self::Left | Self::Right | Self::OverUnder | Self::Flicker => false,
+            Self::FreeViewing
+            | Self::CrossEyed
+            | Self::Anaglyph
+            | Self::Dubois
+            | Self::Overlay
+            | Self::HalfSideBySide
+            | Self::HalfOverUnder
+            | Self::Rows => true,
+        }
+    }
+
     /// Whether both pictures can be had from it again, or that of the only eye.
     #[must_use]
     pub const fn loses_nothing(self) -> bool {

@@ -1,6 +1,7 @@
 //! Films: frames at evenly spread observation times, as one animated file or as a folder of pictures.
 
-use std::io::Write;
+use std::cell::Cell;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
@@ -31,6 +32,33 @@ pub enum FilmKind {
     Png,
     /// A folder with a picture for each frame.
     Folder,
+}
+
+/// How far a film has come.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Written {
+    /// Frames that are written.
+    pub frames: u32,
+    /// Their size, bytes.
+    pub bytes: u64,
+}
+
+/// A writer that counts the bytes that went through it.
+struct Counted<'a, W> {
+    out: W,
+    bytes: &'a Cell<u64>,
+}
+
+impl<W: Write> Write for Counted<'_, W> {
+    fn write(&mut self, part: &[u8]) -> io::Result<usize> {
+        let written = self.out.write(part)?;
+        self.bytes.set(self.bytes.get() + written as u64);
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
 }
 
 /// A film that was given up before its end.
@@ -128,7 +156,7 @@ impl<W: Write> Animated<W> {
 
 impl Studio {
     /// Makes the film of the frames at these `times` at `path`, an animated file whole or not at all. Before each frame
-    /// `goes_on` is asked with its number.
+    /// `goes_on` is asked with what is written. Returns the size of all, bytes.
     ///
     /// # Errors
     ///
@@ -138,11 +166,12 @@ impl Studio {
         times: &[f64],
         kind: FilmKind,
         path: &Path,
-        mut goes_on: impl FnMut(u32) -> bool,
-    ) -> anyhow::Result<()> {
-        let mut next = |studio: &Self, number: u32, time: f64| {
+        mut goes_on: impl FnMut(Written) -> bool,
+    ) -> anyhow::Result<u64> {
+        let bytes = Cell::new(0);
+        let mut next = |studio: &Self, frames: u32, time: f64| {
             let frame = studio.frame(Some(time))?;
-            anyhow::ensure!(goes_on(number), Stopped);
+            anyhow::ensure!(goes_on(Written { frames, bytes: bytes.get() }), Stopped);
             Ok(frame)
         };
         if kind == FilmKind::Folder {
@@ -152,22 +181,25 @@ impl Studio {
                 let file = frame_path(path, number, FileKind::Png);
                 files::check_replaceable(&file).with_context(|| files::shown(&file))?;
                 self.make_file(&frame, FileKind::Png, &file)?;
+                bytes.set(bytes.get() + files::size(&file).with_context(|| files::shown(&file))?);
             }
-            return Ok(());
+            return Ok(bytes.get());
         }
         let (&first, rest) = times.split_first().context("there is nothing to show")?;
         write_whole(path, |file| {
             let frame = next(self, 0, first)?;
             let picture = self.shown_in_film(&frame, 0)?;
-            let mut film =
-                Animated::new(kind, picture.size, times.len(), &self.provenance(&frame, path), file)?;
+            let out = Counted { out: file, bytes: &bytes };
+            let record = self.provenance(&frame, path);
+            let mut film = Animated::new(kind, picture.size, times.len(), &record, out)?;
             film.write(&picture)?;
             for (number, &time) in (1..).zip(rest) {
                 let frame = next(self, number, time)?;
                 film.write(&self.shown_in_film(&frame, number)?)?;
             }
             film.finish()
-        })
+        })?;
+        Ok(bytes.get())
     }
 
     /// What the frame of this number shows: where the eyes take turns, the picture of one of them.

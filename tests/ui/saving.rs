@@ -277,6 +277,14 @@ fn small(window: &mut Harness<'_, App>) {
     window.run_ok();
 }
 
+/// The size of a file, or of all files in a folder.
+fn bytes_at(path: &Path) -> u64 {
+    if path.is_dir() {
+        return names_in(path).iter().map(|name| bytes_at(&path.join(name))).sum();
+    }
+    path.metadata().expect("it is there").len()
+}
+
 fn films_have_the_frames_of_the_loop() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = window(short_loop());
@@ -287,7 +295,11 @@ fn films_have_the_frames_of_the_loop() {
         small(&mut window);
         type_into(&mut window, "Path", folder.path().join(name).to_str().expect("a plain path"));
         let text = message(&mut window);
-        assert!(text.starts_with(&format!("Saved {name}: 10 frames, 0.4 s.")), "{text}");
+        let rest = text.strip_prefix(&format!("Saved {name}: 10 frames, 0.4 s, "));
+        let (size, _) = rest.and_then(|rest| rest.split_once(" kB.")).unwrap_or_else(|| panic!("{text}"));
+        let size = 1000.0 * size.parse::<f64>().expect("a number");
+        let on_disc = bytes_at(&folder.path().join(name)) as f64;
+        assert!((size / on_disc - 1.0).abs() < 0.06, "{text}: {on_disc}");
         assert!(text.contains(&format!("ffmpeg {input}")), "{text}");
     }
     assert_eq!(names_in(folder.path()), ["ride", "ride.gif", "ride.png"]);

@@ -6,6 +6,7 @@ pub mod borders;
 pub mod chooser;
 pub mod controls;
 pub mod corrected;
+pub mod fusing;
 pub mod help;
 pub mod lesson;
 pub mod map;

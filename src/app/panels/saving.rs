@@ -5,6 +5,7 @@ use eframe::egui::{Align2, Context, ProgressBar, Window};
 use super::Asks;
 use crate::app::command::Command;
 use crate::app::saving::{Progress, Saver};
+use crate::figures;
 
 const WIDTH: f32 = 300.0;
 /// Above the lower edge of the window, points.
@@ -12,17 +13,22 @@ const ABOVE: f32 = 60.0;
 
 /// Shows it while something takes long.
 pub fn show(ctx: &Context, saver: &Saver, asks: &mut Asks) {
-    let Some(Progress { name, drawn: [drawn, all] }) = saver.progress(ctx) else { return };
+    let Some(progress) = saver.progress(ctx) else { return };
+    let Progress { name, written, frames } = progress;
     Window::new("Saving")
         .anchor(Align2::CENTER_BOTTOM, [0.0, -ABOVE])
         .title_bar(false)
         .resizable(false)
         .show(ctx, |ui| {
             ui.set_width(WIDTH);
-            ui.label(format!("Saving {name}"));
+            let size = progress.expected_bytes().map(|bytes| figures::bytes(bytes, 2));
+            let size =
+                size.map_or_else(String::new, |size| format!(", about {size} in all by the frames so far"));
+            ui.label(format!("Saving {name}{size}"));
             ui.horizontal(|ui| {
-                let bar = ProgressBar::new(drawn as f32 / all.max(1) as f32).desired_width(WIDTH - 70.0);
-                ui.add(bar.text(format!("{drawn} of {all}")));
+                let bar = ProgressBar::new(written.frames as f32 / frames.max(1) as f32)
+                    .desired_width(WIDTH - 70.0);
+                ui.add(bar.text(format!("{} of {frames}", written.frames)));
                 if ui.button("Stop").clicked() {
                     asks.push(Command::StopSaving);
                 }

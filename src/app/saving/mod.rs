@@ -4,8 +4,7 @@ mod copied;
 mod fulfil;
 mod work;
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use eframe::egui::Context;
@@ -14,7 +13,7 @@ use self::work::{Job, Made};
 use super::state::State;
 use super::worker::{Wanted, Worker};
 use crate::platform::clock::Instant;
-use crate::studio::film::frame_count;
+use crate::studio::film::{Written, frame_count};
 
 impl State {
     /// How many frames the film has in which T runs through its range once, as fast as it is played.
@@ -33,11 +32,14 @@ const GRACE: Duration = Duration::from_millis(300);
 /// How often it is told how far it has come: each time costs a frame of the window.
 const TOLD: Duration = Duration::from_millis(250);
 
+/// Frames from which the size of a film is estimated.
+const FEW: u32 = 5;
+
 /// What is being made.
 #[derive(Default)]
 pub struct Saver {
     worker: Option<Worker<Job, Made>>,
-    drawn: Arc<AtomicU32>,
+    written: Arc<Mutex<Written>>,
     underway: Option<Underway>,
 }
 
@@ -52,19 +54,31 @@ struct Underway {
 pub struct Progress<'a> {
     /// What is being made.
     pub name: &'a str,
-    /// Pictures that are drawn, and all of them.
-    pub drawn: [u32; 2],
+    /// What is written of it.
+    pub written: Written,
+    /// Frames of all.
+    pub frames: u32,
+}
+
+impl Progress<'_> {
+    /// The size of all, bytes, estimated from the frames so far; `None` before there are a few.
+    #[must_use]
+    pub fn expected_bytes(&self) -> Option<u64> {
+        let Written { frames, bytes } = self.written;
+        (frames >= FEW && frames < self.frames)
+            .then(|| bytes.saturating_mul(self.frames.into()) / u64::from(frames))
+    }
 }
 
 impl Saver {
     /// Has `job` done, which makes so many pictures of what is called `name`.
     fn begin(&mut self, ctx: &Context, job: Job, name: String, frames: u32) {
-        self.drawn.store(0, Ordering::Relaxed);
-        let drawn = Arc::clone(&self.drawn);
+        *lock(&self.written) = Written::default();
+        let all_written = Arc::clone(&self.written);
         let repaint = ctx.clone();
         let work = move |job: Job, wanted: &Wanted| {
-            let goes_on = |number| {
-                drawn.store(number, Ordering::Relaxed);
+            let goes_on = |written| {
+                *lock(&all_written) = written;
                 repaint.request_repaint_after(TOLD);
                 wanted.holds()
             };
@@ -102,7 +116,11 @@ impl Saver {
             ctx.request_repaint_after(rest);
             return None;
         }
-        let drawn = [self.drawn.load(Ordering::Relaxed), underway.frames];
-        Some(Progress { name: &underway.name, drawn })
+        let (name, frames) = (&underway.name, underway.frames);
+        Some(Progress { name, written: *lock(&self.written), frames })
     }
+}
+
+fn lock(written: &Mutex<Written>) -> std::sync::MutexGuard<'_, Written> {
+    written.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -8,6 +8,7 @@ use relativity_core::DEFAULT_REPLICATES;
 
 use crate::estimate::FitReport;
 use crate::estimate::samples::{FitKey, Fittable};
+use crate::figures;
 use crate::files::whole::{write_json, write_whole};
 use crate::flags::choices::FileKind;
 use crate::flags::words::Shell;
@@ -16,7 +17,7 @@ use crate::lesson::{Course, Lesson, report};
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 use crate::studio::Studio;
-use crate::studio::film::{FRAMES_PER_SECOND, FilmKind, Stopped};
+use crate::studio::film::{FRAMES_PER_SECOND, FilmKind, Stopped, Written};
 
 /// A scene as it is to be drawn.
 #[derive(Debug, Clone)]
@@ -69,8 +70,8 @@ impl Drawn {
 }
 
 impl Job {
-    /// Does it; before each picture `goes_on` is asked with its number. `None` if it was stopped.
-    pub fn made(self, goes_on: impl FnMut(u32) -> bool) -> Option<Made> {
+    /// Does it; before each frame of a film `goes_on` is asked with what is written. `None` if it was stopped.
+    pub fn made(self, goes_on: impl FnMut(Written) -> bool) -> Option<Made> {
         let path = self.path().to_owned();
         match self.try_made(goes_on) {
             Err(error) if error.is::<Stopped>() => None,
@@ -91,7 +92,7 @@ impl Job {
         }
     }
 
-    fn try_made(self, goes_on: impl FnMut(u32) -> bool) -> anyhow::Result<Made> {
+    fn try_made(self, goes_on: impl FnMut(Written) -> bool) -> anyhow::Result<Made> {
         match self {
             Self::Picture(drawn, path) => {
                 let mut studio = drawn.studio()?;
@@ -109,9 +110,11 @@ impl Job {
                 Ok(Made::Picture(ColorImage::from_rgba_unmultiplied(size, pixels)))
             }
             Self::Film(drawn, times, kind, path) => {
-                drawn.studio()?.make_film(&times, kind, &path, goes_on)?;
+                let bytes = drawn.studio()?.make_film(&times, kind, &path, goes_on)?;
                 let seconds = times.len() as f64 / f64::from(FRAMES_PER_SECOND);
-                let text = format!("Saved {}: {} frames, {seconds:.1} s.", name_of(&path), times.len());
+                let size = figures::bytes(bytes, 2);
+                let text =
+                    format!("Saved {}: {} frames, {seconds:.1} s, {size}.", name_of(&path), times.len());
                 let command = kind.mp4_command(&path, Shell::here());
                 Ok(Made::Film(path, text, command))
             }

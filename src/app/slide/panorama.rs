@@ -1,14 +1,13 @@
 //! The panorama's own marks: the line that joins the selected point in both strips, and the button that offers the panorama.
 
-use eframe::egui::{
-    Button, Color32, Pos2, Rect, RichText, Stroke, TextStyle, TextWrapMode, Ui, UiBuilder, vec2,
-};
+use eframe::egui::{Align, Pos2, Rect, Stroke, Ui};
 
 use crate::app::command::Command;
 use crate::app::panels::Asks;
 use crate::app::panes::EyePane;
 use crate::app::state::State;
 use crate::app::theme;
+use crate::app::widgets::strip_button;
 use crate::flags::choices::{Form, ProjectionChoice};
 
 /// A views' area at least this many times as wide as high offers the panorama.
@@ -56,17 +55,8 @@ pub fn offer(ui: &mut Ui, state: &State, strip: Rect, asks: &mut Asks) {
              disparity.   Key: U",
         )
     };
-    let font = TextStyle::Small.resolve(ui.style());
-    let width = ui.painter().layout_no_wrap(name.to_owned(), font, Color32::WHITE).size().x + 12.0;
-    let left = strip.left_top() + vec2(theme::text_scale(ui.style()) * AFTER_NAME, 0.0);
-    let place = Rect::from_min_size(left, vec2(width, strip.height() - 3.0));
-    ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
-        ui.spacing_mut().button_padding = vec2(4.0, 0.0);
-        ui.spacing_mut().interact_size.y = 0.0;
-        let button =
-            Button::new(RichText::new(name).small()).min_size(place.size()).wrap_mode(TextWrapMode::Extend);
-        if ui.add(button).on_hover_text(tip).clicked() {
-            asks.push(Command::TogglePanorama);
-        }
-    });
+    let after_name = strip.with_min_x(strip.min.x + theme::text_scale(ui.style()) * AFTER_NAME);
+    if strip_button(ui, after_name, Align::Min, name).on_hover_text(tip).clicked() {
+        asks.push(Command::TogglePanorama);
+    }
 }

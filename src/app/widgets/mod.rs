@@ -10,8 +10,9 @@ pub mod markdown;
 use std::ops::RangeInclusive;
 
 use eframe::egui::{
-    self, Align, Align2, Color32, DragValue, Id, Layout, PointerButton, Rect, Response, RichText, Sense,
-    Slider, SliderClamping, TextEdit, TextStyle, Ui, Vec2, emath::Numeric, pos2, vec2,
+    self, Align, Align2, Button, Color32, DragValue, Id, Layout, PointerButton, Rect, Response, RichText,
+    Sense, Slider, SliderClamping, TextEdit, TextStyle, TextWrapMode, Ui, UiBuilder, Vec2, emath::Numeric,
+    pos2, vec2,
 };
 use relativity_core::math;
 
@@ -296,4 +297,19 @@ pub fn pane_title(ui: &Ui, rect: Rect, text: &str, colour: Color32) {
     let painter = ui.painter().with_clip_rect(above.expand2(vec2(theme::GAP / 2.0, 0.0)));
     painter.circle_filled(place + scale * vec2(5.0, 0.0), scale * 4.5, colour);
     painter.text(place + scale * vec2(16.0, 0.0), Align2::LEFT_CENTER, text, font, ui.visuals().text_color());
+}
+
+/// Adds a small button into the title strip `strip`, at its left end or at its right one.
+pub fn strip_button(ui: &mut Ui, strip: Rect, end: Align, text: &str) -> Response {
+    let font = TextStyle::Small.resolve(ui.style());
+    let width = ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x + 12.0;
+    let size = vec2(width, strip.height() - 3.0);
+    let place = Align2([end, Align::Min]).align_size_within_rect(size, strip);
+    ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
+        ui.spacing_mut().button_padding = vec2(4.0, 0.0);
+        ui.spacing_mut().interact_size.y = 0.0;
+        let text = RichText::new(text).small();
+        ui.add(Button::new(text).min_size(size).wrap_mode(TextWrapMode::Extend))
+    })
+    .inner
 }

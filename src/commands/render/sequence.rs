@@ -59,12 +59,11 @@ pub fn run_film(studio: &mut Studio, times: &TimeArgs, kind: FilmKind, path: &Pa
     let range = times.range(studio)?;
     let progress = progress::bar(frames.into(), "frames");
     let times: Vec<f64> = (0..frames).map(|frame| time_of(frame, frames, range)).collect();
-    studio.make_film(&times, kind, path, |frame| {
-        progress.set_position(frame.into());
+    let bytes = studio.make_film(&times, kind, path, |written| {
+        progress.set_position(written.frames.into());
         true
     })?;
     progress.finish_and_clear();
-    let bytes = files::size(path).with_context(|| files::shown(path))?;
     tell::remark(format_args!("{frames} frames in {}: {}", files::shown(path), figures::bytes(bytes, 3)));
     Ok(())
 }

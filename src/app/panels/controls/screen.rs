@@ -3,11 +3,10 @@
 use eframe::egui::{Button, Ui};
 
 use crate::app::command::Command;
-use crate::app::panels::Asks;
+use crate::app::panels::{Asks, fusing};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::{dot, named_text, number, row};
-use crate::comfort::{Comfort, Verdict};
 use crate::figures;
 use crate::flags::{SCREEN_CM, ScreenWidth};
 use crate::settings::{Motion, VIEWING_CM};
@@ -40,22 +39,10 @@ fn meter(ui: &mut Ui, state: &State) {
             named_text(ui, figures::NONE, "Fusing: nothing to fuse").on_hover_text(TIP);
             return;
         };
-        let verdict = comfort.verdict();
-        dot(ui, theme::verdict_colour(verdict, ui.visuals()));
-        let text = told(comfort);
+        dot(ui, theme::verdict_colour(comfort.verdict(), ui.visuals()));
+        let text = fusing::verdict(comfort);
         named_text(ui, &text, format!("Fusing: {text}")).on_hover_text(TIP);
     });
-}
-
-fn told(comfort: Comfort) -> String {
-    let word = match comfort.verdict() {
-        Verdict::Comfortable => "comfortable",
-        Verdict::Tiring => "tiring",
-        Verdict::TooMuch => "too much",
-    };
-    let across = figures::fixed(comfort.range.to_degrees(), 2);
-    let down = figures::fixed(60.0 * comfort.vertical.to_degrees(), 0);
-    format!("{word}: {across}° across, {down}′ up")
 }
 
 fn narrow(ui: &mut Ui, state: &State, asks: &mut Asks) {
