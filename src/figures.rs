@@ -17,13 +17,22 @@ pub fn fixed(value: f64, decimals: u8) -> String {
     if !value.is_finite() {
         return NONE.to_owned();
     }
-    let smallest_shown = 0.5 * 10f64.powi(-i32::from(decimals));
-    let text = if value.abs() >= 1e6 || (value != 0.0 && value.abs() < smallest_shown) {
+    let text = if value.abs() >= 1e6 || (value != 0.0 && rounds_to_zero(value, decimals)) {
         format!("{value:.2e}")
     } else {
         format!("{value:.width$}", width = usize::from(decimals))
     };
     text.replace('-', "−")
+}
+
+/// As [`fixed`], but 0 where the `decimals` would show nothing else.
+#[must_use]
+pub fn rounded(value: f64, decimals: u8) -> String {
+    fixed(if rounds_to_zero(value, decimals) { 0.0 } else { value }, decimals)
+}
+
+fn rounds_to_zero(value: f64, decimals: u8) -> bool {
+    value.abs() < 0.5 * 10f64.powi(-i32::from(decimals))
 }
 
 /// As [`fixed`], without zeros at the end of the decimals.
@@ -171,6 +180,9 @@ mod tests {
         assert_eq!(fixed(-1.5, 3), "−1.500");
         assert_eq!(fixed(0.0, 2), "0.00");
         assert_eq!(fixed(-2.5e9, 2), "−2.50e9");
+        assert_eq!(fixed(-7.45e-7, 5), "−7.45e−7");
+        assert_eq!(rounded(-7.45e-7, 5), "0.00000");
+        assert_eq!(rounded(-0.012_345_6, 5), "−0.01235");
         assert_eq!([0.9, 20.0, -2.5e9].map(|value| trimmed(value, 4)), ["0.9", "20", "−2.50e9"]);
     }
 

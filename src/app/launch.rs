@@ -23,6 +23,8 @@ use crate::settings::Settings;
 
 /// Name of the window for the system, and of the folder of its settings.
 const APP_ID: &str = "gamow";
+/// The window's name.
+pub const TITLE: &str = "Gamow";
 
 const WHAT_TO_DO: &str = "On Debian and Ubuntu install `libx11-6 libxcursor1 libxi6 libxkbcommon-x11-0 mesa-vulkan-drivers` \
     and start it inside a graphical session; without one, `gamow --screenshot window.png`, `gamow render --out cyclist.png` and \
@@ -98,7 +100,7 @@ fn open(args: &WindowArgs, begin: Option<State>, estate: &Estate, keeper: &Keepe
     // Another window in place of a broken one begins in the state of that.
     let loaded = if begin.is_none() { keeper.load() } else { Loaded::default() };
     let viewport = ViewportBuilder::default()
-        .with_title("Gamow")
+        .with_title(TITLE)
         .with_app_id(APP_ID)
         .with_icon(icon::icon())
         .with_inner_size(args.window_size_or_default().map(|side| side as f32))

@@ -72,7 +72,7 @@ const CONTROLS_HEIGHT: f32 = 472.0;
 /// Height of its title and what two eyes make of the point alone.
 const FOLDED_READOUT_HEIGHT: f32 = 86.0;
 /// Width of the controls, of which all is in sight, and the least that a share of theirs leaves to the rest.
-const SIDE_WIDTH: f32 = 332.0;
+const SIDE_WIDTH: f32 = 334.0;
 const CENTRE_WIDTH: f32 = 280.0;
 /// Narrower windows than this have no room for the controls beside the views.
 const NARROWEST_WITH_CONTROLS: f32 = 560.0;

@@ -342,6 +342,7 @@ impl App {
     /// Shows everything: first what changes the state, then what follows it.
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
+        widgets::name_window(&ctx, launch::TITLE);
         ctx.set_theme(theme::preference(self.state.settings.window.theme));
         let mut asks = actions::asked(&ctx, &self.state);
         if self.shows_start() {

@@ -7,7 +7,11 @@ use super::eyes::EyePictures;
 use super::layout::{self, Presentation};
 use super::other_screen::Screen;
 use super::panels::presented::{self, Words};
+use super::widgets::name_window;
 use super::{App, actions, halo, theme};
+
+/// The name of the projector's window.
+const TITLE: &str = "Gamow: views";
 
 /// What it is called among windows.
 fn id() -> ViewportId {
@@ -18,7 +22,7 @@ fn id() -> ViewportId {
 /// to the projector and to enlarge with F11.
 fn window(screen: Screen) -> ViewportBuilder {
     let window = ViewportBuilder::default()
-        .with_title("Gamow: views")
+        .with_title(TITLE)
         .with_inner_size([1024.0, 520.0])
         .with_min_inner_size([240.0, 160.0]);
     match screen {
@@ -87,6 +91,7 @@ impl App {
         if self.projected.is_none() {
             self.projected = self.eyes.as_ref().map(EyePictures::another);
         }
+        name_window(ui.ctx(), TITLE);
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
         let arranged = self.arranged(ui).without_corrected();

@@ -75,9 +75,10 @@ pub struct Elapsed {
 }
 
 impl Elapsed {
-    /// Returns the times between two presses.
+    /// Returns the times between two presses, from the earlier T to the later one: in between, T may have gone back.
     #[must_use]
-    pub fn new([from, to]: &[Mark; 2]) -> Self {
+    pub fn new([first, second]: &[Mark; 2]) -> Self {
+        let [from, to] = if second.time < first.time { [second, first] } else { [first, second] };
         let time = [to.time - from.time, from.step.max(to.step)];
         let clock = from.clock.zip(to.clock).filter(|((first, _), (last, _))| first == last);
         let clock = clock.map(|((_, from_clock), (_, to_clock))| {

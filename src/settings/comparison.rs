@@ -34,6 +34,9 @@ pub enum ComparisonError {
     /// D is 1 everywhere.
     #[error("--compare paper needs the Doppler effect, --geometry seen: without it D is 1 everywhere")]
     NoDoppler,
+    /// The first picture has it already.
+    #[error("--compare: the first picture is so already: both would be alike")]
+    Alike,
 }
 
 impl Settings {
@@ -52,7 +55,20 @@ impl Settings {
             return Ok(());
         }
         self.check_two_pictures()?;
-        if self.look.compare == Compare::Paper { self.check_exponent() } else { Ok(()) }
+        self.check_compared_with(self.look.compare)
+    }
+
+    /// Whether `compare` makes the second of two pictures another one than the first.
+    ///
+    /// # Errors
+    /// A geometry or a light with which it does not.
+    pub fn check_compared_with(&self, compare: Compare) -> Result<(), ComparisonError> {
+        if compare == Compare::Paper {
+            self.check_exponent()?;
+        }
+        let second = self.compared_with(compare);
+        let is_same = (second.look.geometry, second.light) == (self.look.geometry, self.light);
+        if is_same && !compare.is_off() { Err(ComparisonError::Alike) } else { Ok(()) }
     }
 
     /// Whether one eye can have two pictures.
@@ -71,7 +87,7 @@ impl Settings {
     ///
     /// # Errors
     /// A light or a geometry with which it does not.
-    pub fn check_exponent(&self) -> Result<(), ComparisonError> {
+    fn check_exponent(&self) -> Result<(), ComparisonError> {
         if self.light.colour != Colour::OneWavelength {
             return Err(ComparisonError::Light);
         }
@@ -84,7 +100,7 @@ impl Settings {
             self.picture.layout = Layout::SideBySide;
         }
         self.look.compare = self.look.compare.further(1);
-        if self.check_comparison().is_err() {
+        while self.check_comparison().is_err() {
             self.look.compare = self.look.compare.further(1);
         }
     }
@@ -92,23 +108,25 @@ impl Settings {
     /// The settings of the second picture of one eye, as if it were alone but for what both have in common: `None` where
     /// there is no such picture.
     pub(super) fn second(&self) -> Option<Self> {
-        if !self.is_comparing() {
-            return None;
-        }
-        let geometry = match self.look.compare {
+        self.is_comparing().then(|| self.compared_with(self.look.compare))
+    }
+
+    /// The settings of the second picture that `compare` makes.
+    fn compared_with(&self, compare: Compare) -> Self {
+        let geometry = match compare {
             Compare::Seen => Geometry::Seen,
             Compare::Contracted => Geometry::Contracted,
             Compare::Rest => Geometry::Rest,
             Compare::Off | Compare::Paper => self.look.geometry,
         };
-        let light = match self.look.compare {
+        let light = match compare {
             Compare::Paper => {
                 Light { intensity_exponent: IntensityExponent(Some(PAPER_INTENSITY_EXPONENT)), ..self.light }
             }
             _ => self.light,
         };
         let look = Look { geometry, compare: Compare::Off, ..self.look };
-        Some(Self { look, light, ..self.clone() })
+        Self { look, light, ..self.clone() }
     }
 
     /// The same with the field of view that both pictures of this `subject` have at `time`, `size` in pixels; and with the

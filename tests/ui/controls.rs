@@ -18,6 +18,7 @@ use super::support::{
 };
 
 pub const TESTS: &[Test] = &[
+    ("assistive_technology_reads_values_and_what_the_views_show", assistive_technology_reads),
     ("the_first_window_has_few_controls_and_a_button_for_all", the_first_window_has_few_controls),
     ("dragging_beta_changes_the_readout_in_the_same_frame", dragging_beta_changes_the_readout),
     ("marks_below_the_slider_set_the_speed_they_name", marks_set_the_speed),
@@ -300,4 +301,16 @@ fn the_first_window_has_few_controls() {
     keeper().keep(window.state().state()).expect("it is written");
     assert!(!keeper().load().settings.window.simple);
     assert!(controls(&opened()).len() > 100);
+}
+
+fn assistive_technology_reads() {
+    let window = super::support::window(super::support::cyclist(0.9));
+    assert_eq!(window.root().accesskit_node().label().as_deref(), Some("Gamow"));
+    let speed = window.get_by_role_and_label(Role::Slider, "Speed β").accesskit_node();
+    assert_eq!((speed.value().as_deref(), speed.numeric_value()), (Some("0.900"), None));
+    let sentence = window.state().state().moment().sentence();
+    for eye in ["Left eye view", "Right eye view"] {
+        let view = window.get_by_label(eye).accesskit_node();
+        assert_eq!(view.description().as_deref(), Some(sentence.as_str()));
+    }
 }

@@ -191,6 +191,10 @@ fn stopwatch_shows_t() {
     window.get_by_label("Start").click();
     window.run();
     assert_eq!(timed(&window, "T"), [0.0, 0.0]);
+    // Where T begins its range again meanwhile, the time from the earlier to the later is told.
+    window.state_mut().ask(Command::Time(2.5));
+    window.run();
+    assert_eq!(timed(&window, "T"), [6.5, 0.0]);
     window.get_by_label("Clear").click();
     window.run();
     assert!(labels(&window).iter().any(|label| label == "Stopwatch: T: –"));

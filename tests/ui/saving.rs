@@ -345,7 +345,7 @@ fn a_stopped_film_leaves_no_file() {
         std::thread::sleep(Duration::from_millis(20));
         window.step();
     }
-    window.get_by_label("Saving ride.gif");
+    window.get_by_label_contains("Saving ride.gif");
     window.get_by_label("Stop").click();
     assert_eq!(message(&mut window), "Stopped: no file was written.");
     // The thread has ended with the window.

@@ -209,7 +209,8 @@ fn a_double_click_restores() {
         let row_name =
             pos2(window.get_by_role_and_label(Role::Label, name).rect().min.x + 12.0, rail.center().y);
         for place in [rail.center() + vec2(9.0, 0.0), row_name] {
-            drag(&mut window, rail.center(), rail.center() + vec2(25.0, 0.0));
+            // To a place that none of these values has.
+            drag(&mut window, rail.center(), rail.center() + vec2(40.0, 0.0));
             assert_ne!(*settings(&window), cyclist(0.9).settings, "{name}");
             double_click(&mut window, place);
             assert_eq!(*settings(&window), cyclist(0.9).settings, "{name} at {place:?}");

@@ -73,15 +73,27 @@ fn lessons(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
 }
 
-/// What the preset shows and why, in two lines; all of it on hover.
+/// Shows as many whole sentences of the preset's caption as fit in two lines, and all of it on hover.
 fn caption(ui: &mut Ui, state: &State) {
     let has_room = ui.available_width() >= NARROWEST_CAPTION;
     let Some(preset) = state.session.preset.filter(|_| has_room) else { return };
     let format = TextFormat::simple(TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
-    let mut job = LayoutJob::single_section(preset.caption.clone(), format);
-    job.wrap = TextWrapping { max_width: ui.available_width(), max_rows: 2, ..TextWrapping::default() };
-    let galley = ui.painter().layout_job(job);
+    let wrap = TextWrapping { max_width: ui.available_width(), max_rows: 2, ..TextWrapping::default() };
+    let laid = |text: &str| {
+        let mut job = LayoutJob::single_section(text.to_owned(), format.clone());
+        job.wrap = wrap.clone();
+        ui.painter().layout_job(job)
+    };
+    let sentences = sentences(&preset.caption);
+    let fits = sentences.iter().rev().map(|text| laid(text)).find(|galley| !galley.elided);
+    let galley = fits.unwrap_or_else(|| laid(sentences[0]));
     ui.label(galley).on_hover_text(&preset.caption);
+}
+
+/// Returns the first sentence of `text`, the first two, and so on up to all of it.
+fn sentences(text: &str) -> Vec<&str> {
+    let ends = text.match_indices(". ").map(|(at, _)| &text[..=at]);
+    ends.chain([text]).collect()
 }
 
 fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {

@@ -45,6 +45,8 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, name: &str, asks: &mu
     let id = ui.scope_id().with(("view", pane.eye.index()));
     let response = ui.interact(pane.rect, id, Sense::click_and_drag()).on_hover_cursor(CursorIcon::Crosshair);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, name));
+    let describe = |node: &mut egui::accesskit::Node| node.set_description(state.moment().sentence());
+    ui.ctx().accesskit_node_builder(response.id, describe);
     if response.double_clicked() {
         asks.push(Command::FollowAgain);
     } else if response.triple_clicked() {

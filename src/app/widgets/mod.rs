@@ -64,7 +64,10 @@ fn named_row(ui: &mut Ui, name: &str, tip: &str, widget: impl FnOnce(&mut Ui)) -
             ui.set_min_width(NAME_WIDTH);
             ui.add(egui::Label::new(name).selectable(false)).on_hover_text(tip)
         });
-        widget(ui);
+        // Whatever does not fit goes on below.
+        let beside = vec2(ui.available_width(), ui.spacing().interact_size.y);
+        let wrapped = Layout::left_to_right(Align::Center).with_main_wrap(true);
+        ui.allocate_ui_with_layout(beside, wrapped, widget);
         name.inner
     });
     row.inner
@@ -279,6 +282,11 @@ pub fn handle_x(rect: egui::Rect, fraction: f64) -> f32 {
 pub fn dot(ui: &mut Ui, colour: egui::Color32) {
     let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
     ui.painter().circle_filled(rect.center(), 4.5, colour);
+}
+
+/// Names the window for assistive technology.
+pub fn name_window(ctx: &egui::Context, name: &str) {
+    ctx.accesskit_node_builder(egui::accesskit_root_id(), |node| node.set_label(name));
 }
 
 /// Text with a `name` of its own for assistive technology.

@@ -34,6 +34,7 @@ const fn told(problem: &ComparisonError) -> &'static str {
         ComparisonError::Layout(_) => "Needs the layout side by side or over-under.",
         ComparisonError::Headset => "A headset shows two eyes.",
         ComparisonError::Light => "D² needs the light “One λ”: no other has an exponent.",
+        ComparisonError::Alike => "The first picture is so already.",
         ComparisonError::NoDoppler => "D² needs the geometry as seen: else D is 1 everywhere.",
     }
 }
@@ -63,7 +64,7 @@ pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
 /// Shows the choices; one that changes nothing cannot be had.
 fn choices(ui: &mut Ui, state: &State, look: &mut Look) {
     for (choice, name, tip) in CHOICES {
-        let refused = if choice == Compare::Paper { state.settings.check_exponent().err() } else { None };
+        let refused = state.settings.check_compared_with(choice).err();
         let button = ui.add_enabled(refused.is_none(), Button::selectable(choice == look.compare, name));
         let reason = refused.as_ref().map_or("", told);
         if button.on_hover_text(tip).on_disabled_hover_text(reason).clicked() {

@@ -59,7 +59,11 @@ fn slider(
     ui.spacing_mut().slider_width = ui.available_width();
     let slider = Slider::new(&mut position, 0.0..=1.0).show_value(false).smart_aim(false);
     let response = widgets::explained(ui.add(slider), TIP).accessible_name("Speed β");
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(figures::beta(&current.speed())));
+    ui.ctx().accesskit_node_builder(response.id, |node| {
+        // The slider's own number is a place along it.
+        node.clear_numeric_value();
+        node.set_value(figures::beta(&current.speed()));
+    });
     let marked = marks(ui, response.rect, takes_clicks);
     if widgets::is_double_clicked(ui, &response) {
         return Some(usual);

@@ -24,6 +24,9 @@ const LEAST_ANGLE: f64 = 0.01;
 /// What is left above and below the curves, as a part of their height.
 const MARGIN: f64 = 0.08;
 
+/// How much of what is behind the words at an axis they hide.
+const BACKDROP: f32 = 0.75;
+
 /// A plot that neither scrolls nor zooms.
 pub(super) fn still_plot<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::Vec2) -> Plot<'a> {
     Plot::new(id)
@@ -289,6 +292,8 @@ pub(super) fn annotate(
     let is_free = |spot: &Rect| !written.iter().any(|taken: &Rect| taken.intersects(*spot));
     let free = spots.into_iter().filter(is_free);
     let place = free.min_by(|a, b| cost(*a).total_cmp(&cost(*b))).unwrap_or(spots[0]);
+    // What it covers in spite of that shows through, faintly.
+    painter.rect_filled(place.expand(1.0), 0.0, ui.visuals().extreme_bg_color.gamma_multiply(BACKDROP));
     painter.galley(place.min, galley, weak);
     written.push(place);
     self::frame(ui, response);

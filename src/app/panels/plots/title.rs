@@ -1,7 +1,7 @@
 //! What stands above a plot: what it is of, in which unit, and what its curves are at T.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{RichText, Sense, Stroke, TextStyle, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{Align, Label, Layout, RichText, Sense, Stroke, TextStyle, Ui, WidgetInfo, pos2, vec2};
 use relativity_core::Model;
 
 use super::axes::{Y_AXIS_WIDTH, axis_label, label};
@@ -17,9 +17,10 @@ use crate::plot::with_factor;
 
 /// Shows it.
 pub(super) fn show(ui: &mut Ui, state: &State, chart: &Chart<'_>) {
+    let room = vec2((ui.available_width() - Y_AXIS_WIDTH).max(1.0), TextStyle::Body.resolve(ui.style()).size);
     ui.horizontal(|ui| {
         ui.add_space(Y_AXIS_WIDTH);
-        ui.horizontal_wrapped(|ui| {
+        ui.allocate_ui_with_layout(room, Layout::left_to_right(Align::Min).with_main_wrap(true), |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             let exponent = chart.ruler().axis(chart.value_range()).exponent;
             let heading = with_factor(&axis_label(chart.quantity, chart.unit), exponent);
@@ -97,8 +98,9 @@ fn values_now(ui: &mut Ui, state: &State, chart: &Chart<'_>, exponent: i32) {
             Quantity::LogGain => 4,
             _ => 5,
         };
-        let value =
-            figures::fixed_or_none(plotted.map(|value| chart.shown(value)), chart.unit.decimals(decimals));
+        let written = if chart.quantity.is_logarithm() { figures::fixed } else { figures::rounded };
+        let shown = |value| written(chart.shown(value), chart.unit.decimals(decimals));
+        let value = plotted.map_or_else(|| figures::NONE.to_owned(), shown);
         // The heading has the unit, unless that has a factor.
         let suffix =
             if exponent == 0 && chart.quantity != Quantity::DeltaPhi { "" } else { &chart.unit.suffix() };
@@ -115,7 +117,7 @@ fn values_now(ui: &mut Ui, state: &State, chart: &Chart<'_>, exponent: i32) {
                 entry(ui, trace, &text, &format!("Exact {symbol} at T: {value}{suffix}"), tip);
             }
             Curve::DeltaPhi | Curve::DeltaTheta | Curve::DeltaU | Curve::DeltaV | Curve::RestingU => {
-                ui.label(format!("{value}{}", chart.unit.suffix()));
+                ui.add(Label::new(format!("{value}{}", chart.unit.suffix())).extend());
             }
             Curve::LogGain => {
                 let text = RichText::new(&value).color(trace.colour(ui.visuals()));

@@ -16,7 +16,7 @@ const FONT_SIZE: f32 = 12.0;
 /// Side of a square of colour, and the space after it and after each entry.
 const SQUARE: f32 = 9.0;
 const AFTER: f32 = 4.0;
-const BETWEEN: f32 = 10.0;
+const BETWEEN: f32 = 8.0;
 
 /// Each picture in words, and in fewer.
 const WORDS: [(Picture, [&str; 2]); 4] = [

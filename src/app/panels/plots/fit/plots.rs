@@ -8,6 +8,7 @@ use crate::app::curves::Quantity;
 use crate::app::fitting::{FitOutcome, FittedCurve, Fitting};
 use crate::app::panels::Asks;
 use crate::app::panels::plots::axes::{Ruler, annotate, bounds, label, plot_over_time, time_at_pointer};
+use crate::app::panels::plots::legend::Drawn;
 use crate::app::state::State;
 use crate::app::theme;
 
@@ -16,6 +17,8 @@ const RESIDUALS_SHARE: f32 = 0.44;
 /// Room for the numbers of both plots: residuals have one digit more.
 const Y_AXIS_WIDTH: f32 = 54.0;
 const TITLE_HEIGHT: f32 = 20.0;
+/// Half the width of a number along T, in heights of the writing.
+const HALF_A_NUMBER: f32 = 0.4;
 /// Heading of the lower plot of a curve.
 const RESIDUALS: &str = "residuals / rad";
 /// A plot less wide has no room for a caption.
@@ -66,9 +69,9 @@ pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, ask
     let [uses_azimuth, _] = state.settings.fit.curves.used();
     let quantity = if uses_azimuth { Quantity::DeltaPhi } else { Quantity::DeltaTheta };
     let drawing = Drawing::new(ui.visuals(), state, fitting, quantity);
-    // The numbers along T are larger than the plot reckons with.
-    let below = 0.5 * TextStyle::Body.resolve(ui.style()).size;
-    let size = (ui.available_size() - vec2(0.0, below)).max(vec2(20.0, 20.0));
+    // The numbers along T are larger than the plot reckons with, and the last of them may reach beyond its end.
+    let number = TextStyle::Body.resolve(ui.style()).size;
+    let size = (ui.available_size() - number * vec2(HALF_A_NUMBER, 0.5)).max(vec2(20.0, 20.0));
     let (name, unit) = (label(quantity), format!("{} / rad", label(quantity)));
     match half {
         Half::Readings => {
@@ -78,7 +81,7 @@ pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, ask
                 with_times: true,
                 heading: Some(&unit),
             };
-            readings.show(ui, state, drawing.curve_bounds(), asks, |plot| drawing.curve(plot));
+            readings.show(ui, state, &drawing, Half::Readings, asks);
         }
         Half::Residuals if drawing.fitted.is_some() => {
             let residuals = Part {
@@ -87,7 +90,7 @@ pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, ask
                 with_times: true,
                 heading: Some(RESIDUALS),
             };
-            residuals.show(ui, state, drawing.residual_bounds(), asks, |plot| drawing.residuals(plot));
+            residuals.show(ui, state, &drawing, Half::Residuals, asks);
         }
         Half::Residuals => {}
     }
@@ -118,7 +121,7 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
         with_times: !has_residuals,
         heading: None,
     };
-    curve.show(ui, state, drawing.curve_bounds(), asks, |plot| drawing.curve(plot));
+    curve.show(ui, state, &drawing, Half::Readings, asks);
     if has_residuals {
         let residuals = Part {
             name: format!("Residuals of {name} against T"),
@@ -126,7 +129,7 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
             with_times: true,
             heading: Some(RESIDUALS),
         };
-        residuals.show(ui, state, drawing.residual_bounds(), asks, |plot| drawing.residuals(plot));
+        residuals.show(ui, state, &drawing, Half::Residuals, asks);
     }
 }
 
@@ -141,32 +144,28 @@ struct Part<'h> {
 }
 
 impl Part<'_> {
-    fn show<'a>(
-        &self,
-        ui: &mut Ui,
-        state: &State,
-        bounds: PlotBounds,
-        asks: &mut Asks,
-        contents: impl FnOnce(&mut PlotUi<'a>) + 'a,
-    ) {
+    fn show(&self, ui: &mut Ui, state: &State, drawing: &Drawing<'_>, half: Half, asks: &mut Asks) {
         let now = VLine::new("T", state.session.time).color(theme::now_colour(ui.visuals())).width(1.0);
         let unit = state.measures().time;
-        let plot: Plot<'a> = plot_over_time(ui, self.name.as_str(), unit, self.size)
+        let plot: Plot<'_> = plot_over_time(ui, self.name.as_str(), unit, self.size)
             .show_axes([self.with_times, true])
             .y_axis_min_width(Y_AXIS_WIDTH);
         let ruler = Ruler::of_angles(self.size.y);
-        let bounds = ruler.widened_bounds(Ruler::of_time(unit, self.size.x), &bounds);
+        let bounds = ruler.widened_bounds(Ruler::of_time(unit, self.size.x), &drawing.bounds(half));
         let response = ruler.beside(plot).show(ui, move |plot| {
             plot.set_plot_bounds(bounds);
             plot.vline(now.allow_hover(false));
-            contents(plot);
+            drawing.draw(half, plot);
         });
-        let _ = annotate(ui, &response, unit, None, |_| 0.0);
+        let points: Vec<_> = drawing.points(half).iter().map(|point| [point.x, point.y]).collect();
+        let mut covered = Drawn::of_points(&response, &points, state.session.time);
         if let Some(heading) = self.heading {
             let (small, weak) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
             let place = response.transform.frame().left_top() + vec2(5.0, 2.0);
-            ui.painter().text(place, Align2::LEFT_TOP, ruler.label(heading, &bounds), small, weak);
+            let text = ruler.label(heading, &bounds);
+            covered.written.push(ui.painter().text(place, Align2::LEFT_TOP, text, small, weak));
         }
+        let _ = annotate(ui, &response, unit, None, |spot| covered.covered_by(spot));
         let info = || egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &self.name);
         response.response.widget_info(info);
         if let Some(time) = time_at_pointer(&response) {
@@ -199,6 +198,28 @@ impl<'a> Drawing<'a> {
             data_colour: visuals.weak_text_color().gamma_multiply(faintness),
             fit_colour: colour.gamma_multiply(faintness),
             band_colour: colour.gamma_multiply(0.35 * faintness),
+        }
+    }
+
+    fn bounds(&self, half: Half) -> PlotBounds {
+        match half {
+            Half::Readings => self.curve_bounds(),
+            Half::Residuals => self.residual_bounds(),
+        }
+    }
+
+    /// Returns the dots of a half.
+    fn points(&self, half: Half) -> &[PlotPoint] {
+        match half {
+            Half::Readings => self.data,
+            Half::Residuals => self.fitted.map_or(&[], |fitted| &fitted.residuals),
+        }
+    }
+
+    fn draw<'p>(&'p self, half: Half, plot: &mut PlotUi<'p>) {
+        match half {
+            Half::Readings => self.curve(plot),
+            Half::Residuals => self.residuals(plot),
         }
     }
 

@@ -23,14 +23,14 @@ const INTERVAL: usize = 3;
 pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
     ui.spacing_mut().item_spacing.y = 4.0;
     let Some(outcome) = newest(ui, fitting, length, Columns::All) else { return };
-    if let Ok(fitted) = &outcome.fitted {
-        notes(ui, outcome, fitted);
-    }
     if let Some(bias) = &outcome.bias {
         let made = outcome.key.simulated().map(|simulated| simulated.model);
         let neglect = Neglect::of(outcome.key.setup.model, made);
         let tip = format!("The same fit to samples without noise, minus the truth.\n{}", neglect.reason);
         ui.label(bias_note(&neglect, bias, length)).on_hover_text(tip);
+    }
+    if let Ok(fitted) = &outcome.fitted {
+        notes(ui, outcome, fitted);
     }
 }
 
