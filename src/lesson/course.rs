@@ -313,8 +313,9 @@ impl Course {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::flags::choices::Layout;
     use crate::lesson::Library;
-    use crate::settings::Preset;
+    use crate::settings::{Preset, Settings};
 
     const ASKED: &str = "---\ntitle: Asked\n---\n\nAbout it.\n\n## One\n\nA step without a question.\n\n## Two\n\nLook.\n\n\
         ### Predict\n\nWhich?\n\n- [ ] this\n- [x] that\n\n### Reveal\n\n```play\ntime = 5\n```\n\n### Explain\n\nSo.\n\n\
@@ -455,8 +456,25 @@ mod tests {
             assert!(lesson.is_a_preset());
             let course = Course::new(&lesson).expect("it can be worked out");
             assert_eq!(course.can_go(), [false, false]);
-            let usual = crate::settings::Settings::default();
+            let usual = Settings::default();
             assert_eq!(lesson.settings(0, false, &usual).expect("settings"), preset.settings);
+        }
+    }
+
+    #[test]
+    fn what_a_lesson_compares_is_seen_in_two_pictures_whatever_the_layout() {
+        let library = Library::own();
+        let mut base = Settings::default();
+        base.picture.layout = Layout::Dubois;
+        for name in ["what-gamow-drew", "headlight"] {
+            let lesson = library.open(name).expect("a lesson");
+            let all = (0..lesson.steps.len()).flat_map(|step| {
+                [false, true].map(|shown| lesson.settings(step, shown, &base).expect("settings"))
+            });
+            let (compared, others): (Vec<_>, Vec<_>) =
+                all.partition(|settings| !settings.look.compare.is_off());
+            assert!(!compared.is_empty() && compared.iter().all(Settings::is_comparing), "{name}");
+            assert!(others.iter().all(|settings| settings.picture.layout == Layout::Dubois), "{name}");
         }
     }
 

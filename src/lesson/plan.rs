@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use super::error::LessonError;
 use crate::flags::SpeedSetting;
+use crate::flags::choices::Layout;
 use crate::settings::{Preset, Settings};
 
 /// A text in Markdown, with formulas in TeX, and where it begins in its file.
@@ -275,6 +276,10 @@ impl Lesson {
                 Some(Animated::Speed(speed)) => settings.motion.speed = speed,
                 None => {}
             }
+        }
+        // What is to be compared is seen in two pictures apart.
+        if !settings.look.compare.is_off() && settings.check_two_pictures().is_err() {
+            settings.picture.layout = Layout::SideBySide;
         }
         Ok(settings)
     }

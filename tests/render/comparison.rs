@@ -15,6 +15,12 @@ fn both_pictures_are_those_that_their_geometry_has_by_itself() {
         for second in ["seen", "contracted", "rest"] {
             let other = picture(&format!("{LOOK} --layout left --geometry {second}"));
             assert_eq!(alone.rgb == other.rgb, first == second, "{first} {second}");
+            if first == second {
+                let flags = format!("--geometry {first} --compare {second}");
+                let complaint = complaint(folder().path(), &flags);
+                assert!(complaint.contains("both would be alike"), "{complaint}");
+                continue;
+            }
             let both = picture(&format!("{LOOK} --geometry {first} --compare {second}"));
             assert_eq!(both.size, [2 * WIDTH, HEIGHT]);
             for v in 0..HEIGHT {
