@@ -44,11 +44,11 @@ fn row(renderers: &mut Renderers, settings: &Settings, light: bool) -> anyhow::R
         settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).map_err(anyhow::Error::msg)?;
         let mut state = State::open(settings)?;
         for time in times(&state) {
-            state.session.time = time;
-            state.session.picture_size = SIZE;
+            state.document.time = time;
+            state.frame.picture_size = SIZE;
             let (view, appearance) = (state.view(Eye::Left, SIZE), state.appearance(light));
             let method = state.method(&view);
-            row.push(renderers.picture(method, &state.session.prepared, &view, &appearance, 2)?);
+            row.push(renderers.picture(method, &state.document.prepared, &view, &appearance, 2)?);
         }
     }
     Ok(row)
@@ -57,7 +57,7 @@ fn row(renderers: &mut Renderers, settings: &Settings, light: bool) -> anyhow::R
 /// When the selected point comes, is abreast, and goes.
 fn times(state: &State) -> [f64; 3] {
     let [from, to] = state.time_range();
-    let abreast = state.equidistance_time(state.session.points.selected()).unwrap_or_default();
+    let abreast = state.equidistance_time(state.document.points.selected()).unwrap_or_default();
     [from + 0.15 * (to - from), abreast, to - 0.15 * (to - from)]
 }
 

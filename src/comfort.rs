@@ -14,6 +14,7 @@ use std::f64::consts::PI;
 use relativity_core::math::{atan, log10, powf};
 use relativity_render::{MaterialPoint, View};
 
+use crate::figures;
 use crate::scene::Scene;
 
 /// Widest range across that is comfortable, and that can be fused at all, radians.
@@ -75,6 +76,14 @@ impl Comfort {
             .then_some(comfort)
     }
 
+    /// Returns the verdict and the angles behind it.
+    #[must_use]
+    pub fn words(self) -> String {
+        let across = figures::fixed(self.range.to_degrees(), 2);
+        let down = figures::fixed(60.0 * self.vertical.to_degrees(), 0);
+        format!("{}: {across}° across, {down}′ up", self.verdict().word())
+    }
+
     /// What they mean.
     #[must_use]
     pub fn verdict(self) -> Verdict {
@@ -85,6 +94,18 @@ impl Comfort {
             Verdict::Tiring
         } else {
             Verdict::Comfortable
+        }
+    }
+}
+
+impl Verdict {
+    /// Returns the verdict in a word or two.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Comfortable => "comfortable",
+            Self::Tiring => "tiring",
+            Self::TooMuch => "too much",
         }
     }
 }

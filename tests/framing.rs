@@ -82,23 +82,23 @@ fn margin(camera: &Camera, directions: &[DVec3]) -> f64 {
 
 /// What both eyes are shown at `time`.
 fn views(state: &State, time: f64, size: [u32; 2]) -> [View; 2] {
-    let subject = Subject { scene: &state.session.prepared, tracked: state.session.scene.track(None) };
-    state.settings.views(subject, time, size)
+    let subject = Subject { scene: &state.document.prepared, tracked: state.document.scene.track(None) };
+    state.document.settings.views(subject, time, size)
 }
 
 /// That no picture of `state` in this `geometry`, over the loop and all sizes, crops what moves.
 fn assert_whole(state: &State, geometry: Geometry) {
     let mut state = state.clone();
-    state.settings.look.geometry = geometry;
-    let points = surface(&state.session.scene);
-    assert!(points.len() > LEAST_POINTS, "{}: {} points", state.settings.scene, points.len());
+    state.document.settings.look.geometry = geometry;
+    let points = surface(&state.document.scene);
+    assert!(points.len() > LEAST_POINTS, "{}: {} points", state.document.settings.scene, points.len());
     for time in times(&state) {
         let seen = views(&state, time, SIZES[0]).map(|view| directions(&view, &points));
         for size in SIZES {
             let cameras = views(&state, time, size).map(|view| view.camera);
             let least = margin(&cameras[0], &seen[0]).min(margin(&cameras[1], &seen[1]));
             let beta = state.speed().beta();
-            let scene = &state.settings.scene;
+            let scene = &state.document.settings.scene;
             assert!(least > LEAST_MARGIN, "{scene}, {geometry:?}, beta {beta}, T {time}, {size:?}: {least}");
         }
     }
@@ -138,7 +138,7 @@ fn what_comes_the_other_way_is_in_the_whole_too() {
     let balls = [([0.0, 3.0, 1.0], 0.5, 0.5), ([1.5, 5.0, 1.5], 0.8, -0.6)];
     for time in [-2.0, 0.0, 3.0, 8.0] {
         for (view, eye) in views(&state, time, SIZES[1]).iter().zip([-0.5, 0.5]) {
-            let eye = eye * state.settings.motion.d;
+            let eye = eye * state.document.settings.motion.d;
             for (center, radius, beta) in balls {
                 let ends = [DVec3::X, -DVec3::X, DVec3::Z, -DVec3::Z, -DVec3::Y].map(|towards| {
                     seen((DVec3::from(center) + radius * towards).to_array(), beta, eye, time)
@@ -156,13 +156,13 @@ fn one_light_cone_is_framed_closely_where_eyes_are_far_apart() {
     let mut framed = 0;
     for beta in [0.3, 0.9, 0.99] {
         let mut state = states(beta).next().expect("there are scenes");
-        state.settings.motion.d = 1.0;
+        state.document.settings.motion.d = 1.0;
         assert_whole(&state, Geometry::OneCone);
         // On a plane along the line between the eyes what lies apart in depth is far apart.
-        state.settings.look.projection = ProjectionChoice::Gaze;
+        state.document.settings.look.projection = ProjectionChoice::Gaze;
         assert_whole(&state, Geometry::OneCone);
-        state.settings.look.geometry = Geometry::OneCone;
-        let points = surface(&state.session.scene);
+        state.document.settings.look.geometry = Geometry::OneCone;
+        let points = surface(&state.document.scene);
         for time in times(&state) {
             let views = views(&state, time, SIZES[0]);
             let margins = views.iter().map(|view| margin(&view.camera, &directions(view, &points)));
@@ -200,7 +200,7 @@ fn gaze_and_field_run_smoothly_while_time_does() {
             let [coarse, fine] = [1000, 4000].map(|count| greatest_changes(&state, count));
             if !is_about_a_quarter(coarse, fine) {
                 let finest = greatest_changes(&state, 16000);
-                let scene = &state.settings.scene;
+                let scene = &state.document.settings.scene;
                 assert!(
                     is_about_a_quarter(fine, finest),
                     "{scene} at {beta}: {fine:?} to {finest:?} degrees"
@@ -219,7 +219,7 @@ fn is_about_a_quarter(long: [f64; 2], short: [f64; 2]) -> bool {
 fn while_the_start_is_played_no_frame_turns_by_more_than_four_degrees() {
     let state = State::open(Settings::default()).expect("the start");
     let [from, to] = state.time_range();
-    let frames = 60.0 * (to - from) / state.settings.playback.rate;
+    let frames = 60.0 * (to - from) / state.document.settings.playback.rate;
     let [turn, zoom] = greatest_changes(&state, frames as u32);
     assert!(turn < 4.0 && zoom < 4.0, "{turn}, {zoom} degrees a frame");
 }

@@ -97,16 +97,16 @@ fn in_parallel_pictures_the_selected_point_is_at_one_place_and_nothing_has_verti
 fn assert_fusible(state: &State) -> usize {
     let views = Eye::BOTH.map(|eye| state.view(eye, SIZE));
     let place = |rest: [f64; 3]| {
-        let point = state.session.points.selected();
+        let point = state.document.points.selected();
         let track = Track { rest, ..point.track };
-        let [left, right] = state.settings.directions(&track, state.session.time);
+        let [left, right] = state.document.settings.directions(&track, state.document.time);
         Some([views[0].camera.pixel(left?)?, views[1].camera.pixel(right?)?])
     };
-    let is_published = state.settings.look.geometry == Geometry::Published;
-    let rest = state.session.points.selected().track.rest;
+    let is_published = state.document.settings.look.geometry == Geometry::Published;
+    let rest = state.document.points.selected().track.rest;
     let Some([left, right]) = place(rest) else { return 0 };
-    let context = (state.settings.look, state.session.time);
-    if state.settings.motion.d > 0.0 && !is_published {
+    let context = (state.document.settings.look, state.document.time);
+    if state.document.settings.motion.d > 0.0 && !is_published {
         assert!((left[0] - right[0]).abs() < 1e-6, "{left:?}, {right:?}: {context:?}");
     }
     // Further aside pictures turn with the gaze.
@@ -139,7 +139,7 @@ fn what_is_not_given_is_as_it_was_left_but_beside_a_file_as_usual() {
     left.motion.d = 0.5;
     left.light.sky = false;
     let state = started(&["--gamma", "3", "--light=on", "--corrected"], left.clone());
-    let settings = &state.settings;
+    let settings = &state.document.settings;
     assert_eq!((settings.motion.d, settings.light.sky, settings.window.corrected), (0.5, false, true));
     assert_eq!(settings.motion.speed.given(), (SpeedParameter::Gamma, 3.0));
 
@@ -148,9 +148,9 @@ fn what_is_not_given_is_as_it_was_left_but_beside_a_file_as_usual() {
     std::fs::write(&file, "time = 2.5\n[motion]\nbeta = 0.5\n[window]\nplots = false\n")
         .expect("it is writable");
     let state = started(&["--state", file.to_str().expect("a plain path"), "--d", "2"], left);
-    let Settings { motion, light, window, .. } = &state.settings;
+    let Settings { motion, light, window, .. } = &state.document.settings;
     assert_eq!((motion.speed.given(), motion.d), ((SpeedParameter::Beta, 0.5), 2.0));
-    assert_eq!((light.sky, window.plots, state.session.time), (true, false, 2.5));
+    assert_eq!((light.sky, window.plots, state.document.time), (true, false, 2.5));
 }
 
 #[test]
@@ -159,11 +159,11 @@ fn a_scene_given_by_a_flag_starts_at_a_time_of_its_own() {
     let state = started(&["--scene", "cyclist"], left.clone());
     let cyclist = Scene::preset("cyclist").expect("a preset");
     assert_eq!(
-        (state.session.time < 70.0, state.session.points.selected().track.rest),
+        (state.document.time < 70.0, state.document.points.selected().track.rest),
         (true, cyclist.tracked)
     );
     let state = started(&[], left);
-    assert_eq!((state.session.time, state.session.points.selected().track.rest), (77.0, [1.0, 2.0, 3.0]));
+    assert_eq!((state.document.time, state.document.points.selected().track.rest), (77.0, [1.0, 2.0, 3.0]));
 }
 
 /// A slide's command line.
@@ -178,49 +178,49 @@ fn flags_that_name_a_scene_start_from_what_is_usual() {
     {
         let shown = |left: Settings| {
             let state = started(flags, left);
-            (state.shown(), state.session.preset)
+            (state.shown(), state.document.preset)
         };
         assert_eq!(shown(left.clone()), shown(Settings::default()), "{flags:?}");
     }
     // As it was left, but for what belongs to the other scene.
-    let kept = started(&["--scene", "street", "--keep-settings"], left.clone()).settings;
+    let kept = started(&["--scene", "street", "--keep-settings"], left.clone()).document.settings;
     assert_eq!((kept.motion.depth_shift, kept.motion.height_shift, kept.motion.d), (0.0, 0.0, 0.5));
     assert_eq!((kept.light.sky, kept.picture.layout, kept.window.plots), (false, Layout::Anaglyph, false));
     let same = started(&["--scene", "cyclist", "--keep-settings", "--d", "2"], left.clone());
-    assert_eq!((same.settings.motion.depth_shift, same.settings.motion.d), (-3.0, 2.0));
-    assert_eq!(same.session.time, 77.0);
-    let state = started(&["--state", "overhead", "--keep-settings"], left.clone()).settings;
+    assert_eq!((same.document.settings.motion.depth_shift, same.document.settings.motion.d), (-3.0, 2.0));
+    assert_eq!(same.document.time, 77.0);
+    let state = started(&["--state", "overhead", "--keep-settings"], left.clone()).document.settings;
     let overhead = Preset::named("overhead").expect("a preset").settings.clone().in_place_of(&left);
     assert_eq!(state, Settings { time: None, ..overhead });
     // Whatever else is given, all is as it was left.
-    assert_eq!(started(&["--beta", "0.5"], left.clone()).settings.motion.d, 0.5);
+    assert_eq!(started(&["--beta", "0.5"], left.clone()).document.settings.motion.d, 0.5);
 }
 
 /// Also one on what rests, and beside the scene's own.
 #[test]
 fn all_followed_points_are_part_of_what_is_shown() {
     let mut state = State::open(Settings::default()).expect("a preset");
-    let names = state.session.scene.names.clone();
+    let names = state.document.scene.names.clone();
     let body = |name: &str| names.iter().position(|own| own == name).expect("there is one");
     let (tyre, last) = (body("rear tyre"), names.len() - 1);
     for (number, body) in [tyre, last, body("front tyre")].into_iter().enumerate() {
         let rest = [0.1 * number as f64, 4.0, -1.5];
-        let track = state.session.scene.track_at(rest, body).expect("there is one");
+        let track = state.document.scene.track_at(rest, body).expect("there is one");
         state.apply(Command::Select(Select { track, body, add: true }));
     }
     for selected in 0..4 {
         state.apply(Command::SelectPoint(selected));
         let shown = state.shown();
         let again = State::open(shown.clone()).expect("a preset");
-        assert_eq!(again.session.points, state.session.points);
+        assert_eq!(again.document.points, state.document.points);
         // `gamow render` looks at the same one.
-        assert_eq!(shown.track(&state.session.scene), state.session.points.selected().track);
+        assert_eq!(shown.track(&state.document.scene), state.document.points.selected().track);
         let read = Settings::default().with_toml(&shown.to_toml(), "x.toml").expect("it is right");
         assert_eq!(read, shown);
     }
     // Of a body that is not there nothing is followed.
     let settings = Settings { points: "0,3,2@100000".parse().ok(), ..Settings::default() };
-    assert_eq!(State::open(settings).expect("a preset").session.points.all().len(), 1);
+    assert_eq!(State::open(settings).expect("a preset").document.points.all().len(), 1);
 }
 
 fn render(folder: &Path, flags: &str) {
@@ -252,11 +252,11 @@ fn pictures_and_files_open_in_the_window_and_in_render_alike() {
     let mut shown = Vec::new();
     for name in ["a.png", "b.png", "c.exr"] {
         let mut state = State::open(Settings::default()).expect("a preset");
-        state.settings.window.plots = false;
+        state.document.settings.window.plots = false;
         state.apply(Command::Open(path(name)));
-        assert_eq!(state.session.notice, None);
-        assert!(!state.settings.window.plots, "the window's parts stay as they are");
-        assert_eq!(state.session.scene.name, "Ball");
+        assert_eq!(state.scratch.notice, None);
+        assert!(!state.document.settings.window.plots, "the window's parts stay as they are");
+        assert_eq!(state.document.scene.name, "Ball");
         shown.push(Eye::BOTH.map(|eye| state.view(eye, [48, 36])));
         let file = path("saved.toml");
         std::fs::write(&file, state.shown().to_toml()).expect("the folder is writable");
@@ -279,7 +279,7 @@ fn a_file_that_cannot_be_opened_leaves_all_as_it_was_and_says_why() {
         let mut state = State::open(Settings::default()).expect("a preset");
         let before = state.clone();
         state.apply(Command::Open(file.clone()));
-        let notice = state.session.notice.take().expect("it says why");
+        let notice = state.scratch.notice.take().expect("it says why");
         assert!(notice.text.contains(told), "{notice:?}");
         assert_eq!(state, before);
     }
@@ -289,7 +289,7 @@ fn a_file_that_cannot_be_opened_leaves_all_as_it_was_and_says_why() {
 fn a_preset_is_a_state_by_its_name() {
     for preset in Preset::all() {
         let state = started(&["--state", preset.name], Settings { time: Some(77.0), ..Settings::default() });
-        assert_eq!(state.session.preset, Some(preset), "{}", preset.name);
+        assert_eq!(state.document.preset, Some(preset), "{}", preset.name);
         assert!(!preset.title.is_empty() && !preset.caption.is_empty());
     }
     assert_eq!(Preset::all()[0].settings, Settings::default());
@@ -306,10 +306,13 @@ fn a_link_opens_what_is_shown() {
         assert!(link.len() < 400 && link.is_ascii() && !link.contains(' '), "{link}");
         let mut opened = State::open(Settings::default()).expect("a preset");
         opened.apply(Command::Open(link.clone().into()));
-        assert_eq!(opened.session.notice, None, "{link}");
+        assert_eq!(opened.scratch.notice, None, "{link}");
         // The window and the screen are those of whoever opens it.
-        let expected =
-            Settings { window: opened.settings.window, screen: opened.settings.screen, ..state.shown() };
+        let expected = Settings {
+            window: opened.document.settings.window,
+            screen: opened.document.settings.screen,
+            ..state.shown()
+        };
         assert_eq!(opened.shown(), expected, "{link}");
         assert!(opened.session.recent.all().is_empty() && opened.shown_files().is_empty(), "{link}");
         let by_flag = started(&["--state", &link], Settings::default());
@@ -320,14 +323,17 @@ fn a_link_opens_what_is_shown() {
 #[test]
 fn a_preset_is_applied_afresh_but_for_the_parts_of_the_window() {
     let mut state = started(&["--beta", "0.3", "--plots=off", "--theme=light"], Settings::default());
-    assert_eq!(state.session.preset, None);
+    assert_eq!(state.document.preset, None);
     let preset = Preset::named("overhead").expect("a preset");
     state.apply(Command::State(preset));
-    let window = state.settings.window;
+    let window = state.document.settings.window;
     assert!(!window.plots && window.theme == Theme::Light);
-    assert_eq!(state.shown(), Settings { window, time: Some(state.session.time), ..preset.settings.clone() });
+    assert_eq!(
+        state.shown(),
+        Settings { window, time: Some(state.document.time), ..preset.settings.clone() }
+    );
     state.apply(Command::Preset("two-balls"));
-    assert_eq!(state.session.preset, None);
+    assert_eq!(state.document.preset, None);
 }
 
 #[test]
@@ -335,13 +341,13 @@ fn surroundings_are_left_out_and_put_back_and_all_else_stays() {
     let mut state = started(&["--time", "2.5"], Settings::default());
     let before = state.clone();
     let set = |state: &mut State, surroundings| {
-        state.apply(Command::Light(Light { surroundings, ..state.settings.light }));
+        state.apply(Command::Light(Light { surroundings, ..state.document.settings.light }));
     };
     set(&mut state, false);
-    assert!(state.session.prepared.groups().iter().all(|group| group.motion == Motion::Scene));
-    assert_eq!((state.session.time, &state.session.points), (2.5, &before.session.points));
+    assert!(state.document.prepared.groups().iter().all(|group| group.motion == Motion::Scene));
+    assert_eq!((state.document.time, &state.document.points), (2.5, &before.document.points));
     set(&mut state, true);
-    assert_eq!(state.session.scene, before.session.scene);
+    assert_eq!(state.document.scene, before.document.scene);
 }
 
 #[test]
@@ -382,7 +388,7 @@ fn the_window_opens_no_pipe_and_does_not_wait_for_one() {
             let mut state = State::open(Settings::default()).expect("a preset");
             let before = state.clone();
             state.apply(Command::Open(path.clone()));
-            let notice = state.session.notice.take();
+            let notice = state.scratch.notice.take();
             sender.send((path, notice, state == before)).expect("it is waited for");
         }
     });

@@ -70,8 +70,8 @@ impl WindowArgs {
         let is_kept = self.keep_settings || !self.names_what_is_shown();
         let mut state =
             State::open(self.start.settings(if is_kept { left } else { Settings::default() })?)?;
-        state.session.playing = self.play;
-        state.session.opened = self.start.file().map(Path::to_owned);
+        state.scratch.playing = self.play;
+        state.document.opened = self.start.file().map(Path::to_owned);
         if self.present {
             state.session.stage = Stage::presented();
         }
@@ -81,7 +81,7 @@ impl WindowArgs {
         if let Some(name) = &self.lesson {
             let lesson = state.library().open(name)?;
             state.begin_lesson(&lesson)?;
-            state.session.playing = self.play;
+            state.scratch.playing = self.play;
         }
         for file in state.shown_files().iter().rev() {
             state.session.recent.add(file);

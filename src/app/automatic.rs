@@ -14,7 +14,7 @@ impl App {
     /// Chooses what draws the pictures in `panes` in this frame: one method for all views of a geometry.
     pub(super) fn choose_methods(&mut self, ui: &Ui, panes: &[Pane]) {
         let panes: Vec<_> = panes.iter().flat_map(|pane| self.eye_panes(ui, pane)).collect();
-        let is_automatic = self.state.settings.quality.renderer == RendererChoice::Auto;
+        let is_automatic = self.state.document.settings.quality.renderer == RendererChoice::Auto;
         let state = &mut self.state;
         let mut view =
             |pane: &EyePane| state.of_picture(pane.is_second, |state| state.view(pane.eye, pane.size));
@@ -22,7 +22,7 @@ impl App {
         let Some(eyes) = &mut self.eyes else { return };
         eyes.begin_frame(is_automatic);
         self.chosen.clear();
-        let (goal, scene) = (self.state.settings.quality.goal, &self.state.session.prepared);
+        let (goal, scene) = (self.state.document.settings.quality.goal, &self.state.document.prepared);
         let pixels = |size: [u32; 2]| f64::from(size[0]) * f64::from(size[1]);
         let pixels = panes.iter().map(|pane| pixels(pane.size)).sum();
         for view in &views {
@@ -36,13 +36,13 @@ impl App {
             ui.ctx().request_repaint();
         }
         let choice = |(geometry, chosen): &(Geometry, Chosen)| (*geometry, chosen.choice);
-        self.state.session.choices = self.chosen.iter().map(choice).collect();
+        self.state.frame.choices = self.chosen.iter().map(choice).collect();
     }
 
     /// What draws views of this `geometry` in this frame, and whether the reference does so within it.
     pub(super) fn drawn_by(&self, geometry: Geometry) -> (Method, bool) {
         let chosen = self.chosen.iter().find_map(|(of, chosen)| (*of == geometry).then_some(chosen));
-        let set = self.state.settings.quality.method();
+        let set = self.state.document.settings.quality.method();
         match (set, chosen) {
             (Some(method), _) => (method, false),
             (None, Some(chosen)) => (chosen.method, chosen.at_once()),
@@ -53,7 +53,7 @@ impl App {
     /// Whether pictures may get smoother: where the mesh is set, its errors are to be seen, and what is measured is not to be
     /// disturbed.
     pub(super) fn may_refine(&self) -> bool {
-        let quality = self.state.settings.quality;
+        let quality = self.state.document.settings.quality;
         let is_measuring = self.examination.as_ref().is_some_and(Examination::is_pending);
         self.refines && quality.refine && quality.renderer != RendererChoice::Mesh && !is_measuring
     }

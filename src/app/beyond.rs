@@ -55,7 +55,7 @@ impl State {
     pub fn beyond(&self, eye: Eye, size: [u32; 2]) -> Vec<Beyond> {
         let camera = self.view(eye, size).camera;
         let scene = self.subject_beyond(&camera);
-        let point = self.session.points.selected();
+        let point = self.document.points.selected();
         let is_told = scene.is_some() && point.track.motion == Motion::Scene;
         let point = self.direction(point, eye).filter(|&direction| !is_told && !camera.shows(direction)).map(
             |direction| {
@@ -69,9 +69,9 @@ impl State {
     fn subject_beyond(&self, camera: &Camera) -> Option<Beyond> {
         let outline = self.outline();
         let framing = outline.framing().filter(|_| outline.is_out_of(camera))?;
-        let first = self.session.prepared.subject().next()?.bodies.start;
-        let group = self.session.prepared.group_of(first);
-        let name = self.session.scene.groups.get(group)?.name.clone();
+        let first = self.document.prepared.subject().next()?.bodies.start;
+        let group = self.document.prepared.group_of(first);
+        let name = self.document.scene.groups.get(group)?.name.clone();
         Some(Beyond::new(name, camera, framing.gaze.axes().forward, None))
     }
 }
@@ -146,13 +146,13 @@ mod tests {
         for turned in [40.0, -70.0, 150.0] {
             let mut state = looking([90.0, 0.0], 1.1);
             // Across the gaze, so that an angle about the vertical is one from the middle.
-            state.settings.look.projection = ProjectionChoice::Gaze;
+            state.document.settings.look.projection = ProjectionChoice::Gaze;
             let whole = {
-                state.settings.look.gaze = GazeChoice::Whole;
+                state.document.settings.look.gaze = GazeChoice::Whole;
                 state.gaze()
             };
             let azimuth = whole.azimuth.to_degrees() + turned;
-            state.settings.look.gaze = GazeChoice::Fixed([azimuth, whole.elevation.to_degrees()]);
+            state.document.settings.look.gaze = GazeChoice::Fixed([azimuth, whole.elevation.to_degrees()]);
             let [beyond] = state.beyond(Eye::Left, SIZE).try_into().expect("one arrow");
             // On the circle of that elevation, haversine of the angle.
             let half = (0.5 * turned.to_radians()).sin().abs() * whole.elevation.cos();
@@ -167,8 +167,8 @@ mod tests {
     #[test]
     fn a_selected_point_that_is_cut_off_has_an_arrow_of_its_own() {
         let mut state = looking([90.0, 0.0], 1.1);
-        state.settings.look.gaze = GazeChoice::Whole;
-        state.settings.look.fov = FieldOfView(Some(8.0));
+        state.document.settings.look.gaze = GazeChoice::Whole;
+        state.document.settings.look.fov = FieldOfView(Some(8.0));
         let [beyond] = state.beyond(Eye::Left, SIZE).try_into().expect("one arrow");
         assert_eq!(beyond.point, Some(1));
         assert!(beyond.text().starts_with("front tyre "), "{}", beyond.text());

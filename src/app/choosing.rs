@@ -45,7 +45,7 @@ impl Chooser {
 
     /// Begins or ends as `state` has it, and reads what the dialog answers.
     pub fn update(&mut self, state: &State, asks: &mut Vec<Command>) {
-        if self.purpose != state.session.chooser {
+        if self.purpose != state.scratch.chooser {
             self.begin(state);
         }
         match self.dialog.as_ref().and_then(Dialog::answer) {
@@ -69,10 +69,10 @@ impl Chooser {
 
     fn begin(&mut self, state: &State) {
         let folder = self.folder.take().or_else(|| files::canonical(Path::new(".")).ok()).unwrap_or_default();
-        self.purpose = state.session.chooser;
+        self.purpose = state.scratch.chooser;
         self.path = match self.purpose {
             Some(Purpose::Save(product)) => {
-                let scene = Path::new(&state.settings.scene).file_stem().unwrap_or_default();
+                let scene = Path::new(&state.document.settings.scene).file_stem().unwrap_or_default();
                 let lesson =
                     state.course().filter(|_| product == Product::Report || product.sheet().is_some());
                 let subject = lesson.map_or_else(
@@ -85,8 +85,8 @@ impl Chooser {
         };
         self.folder = Some(folder);
         self.size = Size(match self.purpose {
-            Some(Purpose::Save(Product::Film)) => within(FILM_WIDTH, state.session.picture_size),
-            _ => state.session.picture_size,
+            Some(Purpose::Save(Product::Film)) => within(FILM_WIDTH, state.frame.picture_size),
+            _ => state.frame.picture_size,
         })
         .to_string();
         self.wants_focus = true;

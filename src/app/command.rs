@@ -13,10 +13,10 @@ use super::orders::{Copied, Order, Saving};
 use super::overlay::Overlay;
 use super::plotting::PlotCommand;
 use super::pointer::{Pick, Select, Turn, Zoom};
-use super::reading::{ReadFile, ReadyScene};
+use super::reading::ReadFile;
 use super::running::LessonCommand;
 use super::stage::{Part, next_to_show};
-use super::state::{Session, State};
+use super::state::{Scratch, Session, State};
 use super::stopwatch::StopwatchCommand;
 use super::usual::Section;
 use crate::comfort::comfortable_separation;
@@ -201,94 +201,95 @@ impl Command {
 impl State {
     /// Does what was asked.
     pub(super) fn perform(&mut self, command: Command) {
-        self.session.missed = None;
+        self.scratch.missed = None;
         if command.sets_what_runs() {
             self.stop_run();
         }
         if command.shows_another() && self.session.overlay == Some(Overlay::Start) {
             self.session.overlay = None;
         }
+        let settings = &mut self.document.settings;
         match command {
-            Command::Motion(motion) => self.settings.motion = motion,
-            Command::Look(look) => self.settings.look = look,
-            Command::Layout(layout) => self.settings.picture.layout = layout,
+            Command::Motion(motion) => settings.motion = motion,
+            Command::Look(look) => settings.look = look,
+            Command::Layout(layout) => settings.picture.layout = layout,
             Command::ToggleProjection => {
-                self.settings.look.projection = self.settings.look.projection.toggled();
+                settings.look.projection = settings.look.projection.toggled();
             }
             Command::TogglePanorama => {
                 let usual = self.usual();
-                self.settings.toggle_panorama(&usual);
+                self.document.settings.toggle_panorama(&usual);
             }
-            Command::ToggleSimple => self.settings.window.simple = !self.settings.window.simple,
-            Command::ToggleResting => self.settings.window.resting = !self.settings.window.resting,
+            Command::ToggleSimple => settings.window.simple = !settings.window.simple,
+            Command::ToggleResting => settings.window.resting = !settings.window.resting,
             Command::NextLayout(steps) => {
-                self.settings.picture.layout = self.settings.picture.layout.further(steps);
+                settings.picture.layout = settings.picture.layout.further(steps);
             }
             Command::SwapEyes => self.swap_eyes(),
-            Command::NextComparison => self.settings.compare_next(),
+            Command::NextComparison => settings.compare_next(),
             Command::Light(light) => self.set_light(light),
-            Command::Quality(quality) => self.settings.quality = quality,
-            Command::Playback(playback) => self.settings.playback = playback,
-            Command::Plots(plots) => self.settings.plots = plots,
+            Command::Quality(quality) => settings.quality = quality,
+            Command::Playback(playback) => settings.playback = playback,
+            Command::Plots(plots) => settings.plots = plots,
             Command::Plotting(command) => self.apply_to_plots(command),
             Command::Map(map) => self.set_map(map),
-            Command::MapView(viewpoint) => self.session.map_view = viewpoint,
-            Command::Fit(fit) => self.settings.fit = fit,
+            Command::MapView(viewpoint) => self.scratch.map_view = viewpoint,
+            Command::Fit(fit) => settings.fit = fit,
             Command::Window(window) => self.set_window(window),
-            Command::Screen(screen) => self.settings.screen = screen,
+            Command::Screen(screen) => settings.screen = screen,
             Command::Narrow => self.narrow(),
-            Command::Time(time) => self.session.time = clock::bounded(time),
+            Command::Time(time) => self.document.time = clock::bounded(time),
             Command::Step(steps) => self.step_in_time(steps),
             Command::TimeInRange(fraction) => {
-                self.session.time = clock::bounded(time_within(self.time_range(), fraction));
+                self.document.time = clock::bounded(time_within(self.time_range(), fraction));
             }
             Command::TogglePlaying => self.toggle_playing(),
             Command::NudgeSpeed(steps) => {
-                self.settings.motion.speed = self.settings.motion.speed.nudged(steps);
+                settings.motion.speed = settings.motion.speed.nudged(steps);
             }
-            Command::Geometry(geometry) => self.settings.look.geometry = geometry,
+            Command::Geometry(geometry) => settings.look.geometry = geometry,
             Command::Turn(turn) => self.turn(turn),
             Command::Zoom(zoom) => self.zoom(zoom),
             Command::Frame | Command::FollowAgain => {
-                self.settings.look.gaze = GazeChoice::Whole;
-                self.settings.look.fov = FieldOfView(None);
+                settings.look.gaze = GazeChoice::Whole;
+                settings.look.fov = FieldOfView(None);
             }
             Command::LookAside(aside) => self.look_aside(aside),
             Command::Magnify(factor) => {
-                let size = self.session.picture_size;
+                let size = self.frame.picture_size;
                 let pixel = size.map(|side| 0.5 * f64::from(side));
                 self.zoom(Zoom { eye: Eye::Left, is_second: false, pixel, size, factor });
             }
             Command::Pick(pick) => self.of_picture(pick.is_second, |state| state.pick(pick)),
-            Command::Select(Select { track, body, add }) => self.session.points.choose(track, body, add),
+            Command::Select(Select { track, body, add }) => self.document.points.choose(track, body, add),
             Command::Ruler(command) => self.apply_to_ruler(command),
             Command::Stopwatch(command) => self.apply_to_stopwatch(command),
             Command::FollowNext(steps) => self.follow_next(steps),
-            Command::SelectPoint(index) => self.session.points.select(index),
-            Command::RemovePoint(index) => self.session.points.remove(index),
-            Command::Preset(name) => self.show(self.settings.clone().with_scene(name.to_owned())),
+            Command::SelectPoint(index) => self.document.points.select(index),
+            Command::RemovePoint(index) => self.document.points.remove(index),
+            Command::Preset(name) => self.show(self.document.settings.clone().with_scene(name.to_owned())),
             Command::State(preset) => {
-                self.show(preset.settings.clone().in_place_of(&self.settings));
+                self.show(preset.settings.clone().in_place_of(&self.document.settings));
             }
             Command::ShowNext(steps) => self.show_next(steps),
             Command::Open(_) | Command::OpenData(_) | Command::Reload(_) => self.read_and_show(&command),
             Command::ShowFile(file) => self.show_file(*file),
             Command::Lesson(command) => self.apply_to_lesson(command),
-            Command::Choose(purpose) => self.session.chooser = Some(purpose),
+            Command::Choose(purpose) => self.scratch.chooser = Some(purpose),
             // Not done here, but by who goes through the steps or reads.
             Command::Undo | Command::Redo | Command::StopReading => {}
             Command::Reset => self.show(self.as_usual()),
             Command::ResetSection(section) => self.reset(section),
             Command::Simulate => self.session.data = None,
             Command::Save(saving) => {
-                self.session.chooser = None;
+                self.scratch.chooser = None;
                 self.session.orders.push(Order::Save(saving));
             }
             Command::Copy(copied) => self.session.orders.push(Order::Copy(copied)),
             Command::StopSaving => self.session.orders.push(Order::Stop),
             Command::ToggleMap => {
-                let is_shown = self.session.shows_map;
-                self.settings.window.map = if is_shown { Presence::Off } else { Presence::On };
+                let is_shown = self.frame.shows_map;
+                settings.window.map = if is_shown { Presence::Off } else { Presence::On };
             }
             Command::ToggleFrame => self.toggle_frame(),
             Command::Toggle(overlay) => self.toggle(overlay),
@@ -296,29 +297,29 @@ impl State {
             Command::TogglePresenting => self.session.stage.toggle_presenting(),
             Command::ToggleProjector => self.session.stage.projector = !self.session.stage.projector,
             Command::ToggleMaximised(part) => self.session.stage.toggle_maximised(part),
-            Command::CloseNotice => self.session.notice = None,
+            Command::CloseNotice => self.scratch.notice = None,
             Command::Close => self.close(),
         }
     }
 
     fn swap_eyes(&mut self) {
-        let picture = &mut self.settings.picture;
+        let picture = &mut self.document.settings.picture;
         picture.swapped = picture.swapped.toggled(picture.layout);
     }
 
     fn toggle_frame(&mut self) {
-        let frame = match self.settings.map.frame {
+        let frame = match self.document.settings.map.frame {
             Frame::Ground => Frame::Bicycle,
             Frame::Bicycle => Frame::Ground,
         };
-        self.set_map(Map { frame, ..self.settings.map });
+        self.set_map(Map { frame, ..self.document.settings.map });
     }
 
     fn show_next(&mut self, steps: i32) {
         if self.session.lesson.is_some() {
             let command = if steps > 0 { LessonCommand::Forward } else { LessonCommand::Back };
             self.apply_to_lesson(command);
-        } else if let Some(preset) = next_to_show(self.session.preset, steps) {
+        } else if let Some(preset) = next_to_show(self.document.preset, steps) {
             self.perform(Command::State(preset));
         }
     }
@@ -328,7 +329,8 @@ impl State {
     }
 
     fn close(&mut self) {
-        let Session { overlay, notice, chooser, stage, angle_ruler, .. } = &mut self.session;
+        let Scratch { notice, chooser, angle_ruler, .. } = &mut self.scratch;
+        let Session { overlay, stage, .. } = &mut self.session;
         if *overlay == Some(Overlay::Palette) {
             *overlay = None;
         } else if chooser.is_some() {
@@ -345,56 +347,56 @@ impl State {
     }
 
     fn narrow(&mut self) {
-        let wide = self.settings.motion.d;
+        let wide = self.document.settings.motion.d;
         match comfortable_separation(wide, |d| self.comfort(d)) {
             Some(d) if d < wide => {
-                self.settings.motion.d = d;
-                self.session.narrowed = Some([wide, d]);
+                self.document.settings.motion.d = d;
+                self.scratch.narrowed = Some([wide, d]);
             }
             Some(_) => {}
             None => {
-                self.session.notice =
+                self.scratch.notice =
                     Some(Notice::error("No separation of the eyes makes these views comfortable."));
             }
         }
     }
 
     fn set_light(&mut self, light: Light) {
-        if let Err(error) = self.set(Settings { light, ..self.settings.clone() }) {
-            self.session.notice = Some(Notice::error(error));
+        if let Err(error) = self.set(Settings { light, ..self.document.settings.clone() }) {
+            self.scratch.notice = Some(Notice::error(error));
         }
     }
 
     fn set_window(&mut self, window: Window) {
-        if window.theme != self.settings.window.theme {
+        if window.theme != self.document.settings.window.theme {
             // Whatever a picture was made with: who changes the theme wants to see it.
-            self.settings.light.light = Daylight::Theme;
+            self.document.settings.light.light = Daylight::Theme;
         }
-        self.settings.window = window;
+        self.document.settings.window = window;
     }
 
     /// Another map is looked at as a whole first.
     fn set_map(&mut self, map: Map) {
-        if map != self.settings.map {
-            self.session.map_view = Viewpoint::default();
+        if map != self.document.settings.map {
+            self.scratch.map_view = Viewpoint::default();
         }
-        self.settings.map = map;
+        self.document.settings.map = map;
     }
 
     fn step_in_time(&mut self, steps: i32) {
         let size = clock::step_size(self.time_range());
         // Onto the multiples of the step, so that stepping gives round times.
-        let next = (self.session.time / size).round() + f64::from(steps);
-        self.session.time = clock::bounded(next * size);
-        self.session.playing = false;
+        let next = (self.document.time / size).round() + f64::from(steps);
+        self.document.time = clock::bounded(next * size);
+        self.scratch.playing = false;
     }
 
     fn toggle_playing(&mut self) {
         let [from, to] = self.time_range();
-        self.session.playing = !self.session.playing;
+        self.scratch.playing = !self.scratch.playing;
         // Play at the end means play again.
-        if self.session.playing && self.session.time >= to {
-            self.session.time = from;
+        if self.scratch.playing && self.document.time >= to {
+            self.document.time = from;
         }
     }
 
@@ -404,7 +406,7 @@ impl State {
     }
 
     fn look_aside(&mut self, [across, up]: [f64; 2]) {
-        let size = self.session.picture_size;
+        let size = self.frame.picture_size;
         let [width, height] = size.map(f64::from);
         let from = [0.5 * width, 0.5 * height];
         let to = [from[0] - across * width, from[1] + up * width];
@@ -415,18 +417,18 @@ impl State {
         let camera = self.of_picture(zoom.is_second, |state| state.view(zoom.eye, zoom.size).camera);
         let direction = camera.line_of_sight(zoom.pixel);
         let fov = camera.horizontal_fov.to_degrees() * zoom.factor;
-        let range = self.settings.look.fov_range();
+        let range = self.document.settings.look.fov_range();
         let fov = fov.clamp(*range.start(), *range.end());
-        self.settings.look.fov = FieldOfView(Some(fov));
+        self.document.settings.look.fov = FieldOfView(Some(fov));
         let zoomed = Camera { horizontal_fov: fov.to_radians(), ..camera };
         self.stay_at(zoomed.gaze_with(direction, zoom.pixel));
     }
 
     /// Both eyes look there from now on, with the present field of view.
     fn stay_at(&mut self, gaze: Gaze) {
-        self.settings.look.fov = self.look().fov;
+        self.document.settings.look.fov = self.look().fov;
         let azimuth = gaze.azimuth.rem_euclid(std::f64::consts::TAU);
-        self.settings.look.gaze = GazeChoice::fixed_at(Gaze { azimuth, ..gaze });
+        self.document.settings.look.gaze = GazeChoice::fixed_at(Gaze { azimuth, ..gaze });
     }
 
     fn pick(&mut self, pick: Pick) {
@@ -435,29 +437,29 @@ impl State {
         }
         if self.sees_as_published(pick.eye) {
             // The published right eye is defined point by point: no ray leads back.
-            self.session.notice =
+            self.scratch.notice =
                 Some(Notice::error("With the right eye as published, click in the left eye's view."));
             return;
         }
         let meant = self.meant(pick.eye, pick.pixel, pick.size);
         match meant.and_then(|pixel| self.point_at(pick.eye, pixel, pick.size)) {
             Some((track, body)) => {
-                self.session.points.choose(track, body, pick.add);
+                self.document.points.choose(track, body, pick.add);
                 self.session.hint = false;
             }
-            None => self.session.missed = Some(pick),
+            None => self.scratch.missed = Some(pick),
         }
     }
 
     fn follow_next(&mut self, steps: isize) {
-        let scene = &self.session.scene;
-        let body = self.session.points.selected().body.or_else(|| scene.tracked_body());
+        let scene = &self.document.scene;
+        let body = self.document.points.selected().body.or_else(|| scene.tracked_body());
         let next = body.unwrap_or(0).wrapping_add_signed(steps);
         // Before the first comes the last.
         let count = scene.bodies.len();
         let next = if next >= count { if steps > 0 { 0 } else { count - 1 } } else { next };
         if let Some(track) = scene.track_on(next) {
-            self.session.points.choose(track, next, false);
+            self.document.points.choose(track, next, false);
         }
     }
 
@@ -467,40 +469,8 @@ impl State {
             Ok(scene) => self.show_in(settings, scene.into()),
             Err(error) => {
                 let notice = Notice::error(error).about(Path::new(&settings.scene));
-                self.session.notice = Some(notice);
+                self.scratch.notice = Some(notice);
             }
         }
-    }
-
-    /// Shows what `settings` say, in their `scene`. T runs on unless they give one.
-    pub(super) fn show_in(&mut self, settings: Settings, scene: ReadyScene) {
-        let playing = self.session.playing && settings.time.is_none();
-        let state = Self::in_scene(settings, scene);
-        let Session { picture_size, cm_per_pixel, stage, shows_map, hint, overlay, .. } = self.session;
-        let history = std::mem::take(&mut self.session.history);
-        let (data, orders) = (self.session.data.take(), std::mem::take(&mut self.session.orders));
-        let recent = std::mem::take(&mut self.session.recent);
-        let (lesson, library) = (self.session.lesson.take(), self.session.library.take());
-        let next_lesson = self.session.next_lesson.take();
-        let answers = std::mem::take(&mut self.session.answers);
-        let session = Session {
-            playing,
-            overlay,
-            hint,
-            picture_size,
-            cm_per_pixel,
-            stage,
-            shows_map,
-            history,
-            data,
-            orders,
-            recent,
-            lesson,
-            next_lesson,
-            answers,
-            library,
-            ..state.session
-        };
-        *self = Self { session, ..state };
     }
 }

@@ -8,16 +8,16 @@ use crate::settings::Settings;
 impl State {
     /// Has the settings of the second of two pictures of one eye, if it `is_second` and there is one; then those that it had.
     fn enter(&mut self, is_second: bool) -> Option<Settings> {
-        let (session, size) = (&self.session, self.session.picture_size);
-        let second = || self.settings.second_of(self.subject(), &session.scene, session.time, size);
+        let (document, size) = (&self.document, self.frame.picture_size);
+        let second = || document.settings.second_of(self.subject(), &document.scene, document.time, size);
         let second = is_second.then(second).flatten()?;
-        Some(std::mem::replace(&mut self.settings, second))
+        Some(std::mem::replace(&mut self.document.settings, second))
     }
 
     /// Has these settings again, if there are any.
     fn leave(&mut self, kept: Option<Settings>) {
         if let Some(kept) = kept {
-            self.settings = kept;
+            self.document.settings = kept;
         }
     }
 
@@ -46,7 +46,7 @@ impl State {
 
     /// This `name` with the difference between `pane` and the other picture of the eye.
     fn with_what_it_shows(&self, name: &str, pane: EyePane) -> String {
-        match self.settings.compared_names() {
+        match self.document.settings.compared_names() {
             Some(names) => format!("{name}: {}", names[pane.index()]),
             None => name.to_owned(),
         }

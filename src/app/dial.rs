@@ -70,7 +70,7 @@ impl State {
     /// The clock at `point` as `eye` sees it; none where no light is shown that it receives.
     #[must_use]
     pub fn dial(&self, point: &Point, eye: Eye) -> Option<Dial> {
-        let is_on = self.settings.window.dials && self.shows_what_is_received(eye);
+        let is_on = self.document.settings.window.dials && self.shows_what_is_received(eye);
         let seen = self.sighting(point, eye).filter(|seen| is_on && seen.own_time.is_finite())?;
         let period = period(self.measures().time);
         let slowed = self.slowed(point, seen.own_time);
@@ -90,15 +90,15 @@ impl State {
     /// receives.
     #[must_use]
     pub fn resting_dial(&self, eye: Eye) -> Option<Dial> {
-        let is_on = self.settings.window.dials && self.counts() && self.shows_what_is_received(eye);
-        let (period, time) = (period(self.measures().time), self.session.time);
+        let is_on = self.document.settings.window.dials && self.counts() && self.shows_what_is_received(eye);
+        let (period, time) = (period(self.measures().time), self.document.time);
         let count = (time - self.first_time().unwrap_or(0.0)) / period;
         is_on.then(|| Dial { count: Some(count), ..Dial::showing(time, period) })
     }
 
     /// Whether turns are counted, and a resting clock is there to compare them with.
     const fn counts(&self) -> bool {
-        self.settings.window.resting_clock
+        self.document.settings.window.resting_clock
     }
 
     /// The time T at which the step of the lesson begins; `None` without one.
@@ -109,7 +109,7 @@ impl State {
     /// The own time of `point` from which turns are counted.
     fn first_own_time(&self, point: &Point, eye: Eye) -> Option<f64> {
         let Some(time) = self.first_time().filter(|_| self.counts()) else { return Some(0.0) };
-        let both = self.settings.shown_disparity(&point.track, time).ok()?;
+        let both = self.document.settings.shown_disparity(&point.track, time).ok()?;
         let seen = [both.primary, both.secondary][eye.index()];
         seen.own_time.is_finite().then_some(seen.own_time)
     }
@@ -117,7 +117,8 @@ impl State {
     /// Whether the picture of `eye` is made of the light that it receives at T.
     #[must_use]
     pub fn shows_what_is_received(&self, eye: Eye) -> bool {
-        let is_worked_out = matches!(self.settings.look.geometry, Geometry::Contracted | Geometry::Rest);
+        let is_worked_out =
+            matches!(self.document.settings.look.geometry, Geometry::Contracted | Geometry::Rest);
         !is_worked_out && !self.sees_as_published(eye)
     }
 }
@@ -228,7 +229,7 @@ mod tests {
     }
 
     fn dial(state: &State, eye: Eye) -> Dial {
-        state.dial(state.session.points.selected(), eye).expect("it is seen")
+        state.dial(state.document.points.selected(), eye).expect("it is seen")
     }
 
     /// What a clock at (0, 3, 2) of what moves at 0.9 shows as light leaves it that arrives at (a, 0, 0) at T: in its own
@@ -267,7 +268,7 @@ mod tests {
                 };
                 let turned = (turn(time + STEP) - turn(time - STEP) + 1.0).rem_euclid(2.0) - 1.0;
                 let state = cyclist(time, Units::Natural);
-                let seen = state.sighting(state.session.points.selected(), eye).expect("it is seen");
+                let seen = state.sighting(state.document.points.selected(), eye).expect("it is seen");
                 let rate = turned / (2.0 * STEP);
                 assert!((rate / seen.doppler_factor - 1.0).abs() < 1e-6, "T = {time}: {rate}");
             }
@@ -282,20 +283,20 @@ mod tests {
         settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, 0.8).expect("a speed");
         let mut state = State::open(settings).expect("a preset");
         let is_tyre = |name: &String| name == "front tyre";
-        let tyre = state.session.scene.names.iter().position(is_tyre).expect("a bicycle has one");
-        let track = state.session.scene.track_on(tyre).expect("a body");
+        let tyre = state.document.scene.names.iter().position(is_tyre).expect("a bicycle has one");
+        let track = state.document.scene.track_on(tyre).expect("a body");
         assert!(track.spin.is_some());
-        state.session.points.choose(track, tyre, false);
+        state.document.points.choose(track, tyre, false);
         for time in [-8.0, -1.3, 0.0, 3.7, 9.5] {
             for eye in Eye::BOTH {
                 let mut hand = |time| {
-                    state.session.time = time;
+                    state.document.time = time;
                     let dial = dial(&state, eye);
                     dial.turn * dial.period
                 };
                 let turned = (hand(time + STEP) - hand(time - STEP) + 1.0).rem_euclid(2.0) - 1.0;
-                state.session.time = time;
-                let seen = state.sighting(state.session.points.selected(), eye).expect("it is seen");
+                state.document.time = time;
+                let seen = state.sighting(state.document.points.selected(), eye).expect("it is seen");
                 let rate = turned / (2.0 * STEP);
                 assert!((rate / seen.doppler_factor - 1.0).abs() < 1e-5, "T = {time}: {rate}");
             }
@@ -309,7 +310,7 @@ mod tests {
         for time in [-20.0, 0.0, 3.7, 55.5] {
             let mut state = cyclist(time, Units::Natural);
             assert_eq!((dial(&state, Eye::Left).count, state.resting_dial(Eye::Left)), (None, None));
-            state.settings.window.resting_clock = true;
+            state.document.settings.window.resting_clock = true;
             for (eye, a) in Eye::BOTH.into_iter().zip([-0.05, 0.05]) {
                 let Dial { turn, count, .. } = dial(&state, eye);
                 let count = count.expect("it is counted");
@@ -318,7 +319,7 @@ mod tests {
                 let resting = state.resting_dial(eye).expect("it is drawn");
                 assert_eq!(resting.count, Some(time / 2.0));
             }
-            state.settings.window.dials = false;
+            state.document.settings.window.dials = false;
             assert_eq!(state.resting_dial(Eye::Left), None);
         }
     }
@@ -332,11 +333,11 @@ mod tests {
             (Geometry::Rest, [false, false]),
         ] {
             let mut state = cyclist(1.0, Units::Natural);
-            state.settings.look.geometry = geometry;
-            let dials = Eye::BOTH.map(|eye| state.dial(state.session.points.selected(), eye).is_some());
+            state.document.settings.look.geometry = geometry;
+            let dials = Eye::BOTH.map(|eye| state.dial(state.document.points.selected(), eye).is_some());
             assert_eq!(dials, shown, "{geometry:?}");
-            state.settings.window.dials = false;
-            assert_eq!(state.dial(state.session.points.selected(), Eye::Left), None);
+            state.document.settings.window.dials = false;
+            assert_eq!(state.dial(state.document.points.selected(), Eye::Left), None);
         }
     }
 

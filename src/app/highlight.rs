@@ -27,8 +27,8 @@ impl State {
         if self.sees_as_published(eye) {
             return Vec::new();
         }
-        let motion = self.session.prepared.motion_of(body);
-        let alone = PreparedScene::new([Group { motion, bodies: &self.session.scene.bodies[body..=body] }]);
+        let motion = self.document.prepared.motion_of(body);
+        let alone = PreparedScene::new([Group { motion, bodies: &self.document.scene.bodies[body..=body] }]);
         let view = self.view(eye, size);
         GRIDS
             .into_iter()
@@ -145,11 +145,11 @@ mod tests {
             let on = (0..240).flat_map(|v| (0..320).map(move |u| [f64::from(u) + 0.5, f64::from(v) + 0.5]));
             let (pixel, body) = on
                 .filter_map(|pixel| Some((pixel, state.point_at(eye, pixel, size)?.1)))
-                .find(|(_, body)| state.session.scene.name_of(*body) == "front tyre")
+                .find(|(_, body)| state.document.scene.name_of(*body) == "front tyre")
                 .expect("in sight");
             let alone = PreparedScene::new([Group {
-                motion: state.session.prepared.motion_of(body),
-                bodies: &state.session.scene.bodies[body..=body],
+                motion: state.document.prepared.motion_of(body),
+                bodies: &state.document.scene.bodies[body..=body],
             }]);
             let outline = state.outline_of(body, eye, pixel, size);
             assert_eq!(outline.len(), 2, "a tyre has an outer and an inner edge");
@@ -175,7 +175,7 @@ mod tests {
     #[test]
     fn where_nothing_can_be_traced_there_is_no_outline() {
         let mut state = State::open(Settings::default()).expect("a preset");
-        state.settings.look.geometry = relativity_render::Geometry::Published;
+        state.document.settings.look.geometry = relativity_render::Geometry::Published;
         let middle = [160.0, 120.0];
         assert!(state.outline_of(0, Eye::Right, middle, [320, 240]).is_empty());
         assert!(!state.outline_of(0, Eye::Left, middle, [320, 240]).is_empty());

@@ -13,7 +13,7 @@ use super::state::State;
 impl State {
     /// Applies a command about the ruler.
     pub(super) fn apply_to_ruler(&mut self, command: RulerCommand) {
-        self.session.angle_ruler = match (command, self.session.angle_ruler) {
+        self.scratch.angle_ruler = match (command, self.scratch.angle_ruler) {
             (RulerCommand::Toggle, AngleRuler::Off) => AngleRuler::Armed,
             (RulerCommand::Toggle, _) => AngleRuler::Off,
             (RulerCommand::Settle, AngleRuler::Laid(laid)) => {
@@ -30,7 +30,7 @@ impl State {
 
 /// Returns the hint in the views while a drag would lay it.
 pub(super) fn hint(state: &State) -> Option<String> {
-    let is_armed = state.session.angle_ruler == AngleRuler::Armed;
+    let is_armed = state.scratch.angle_ruler == AngleRuler::Armed;
     is_armed.then(|| "Drag from one place to another to measure the angle between them.".to_owned())
 }
 
@@ -43,7 +43,7 @@ const TIP: &str = "The angle between the lines of sight to both ends. The error 
 
 /// Draws it into `pane`, if it is there.
 pub(super) fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) {
-    let AngleRuler::Laid(laid) = state.session.angle_ruler else { return };
+    let AngleRuler::Laid(laid) = state.scratch.angle_ruler else { return };
     if (laid.eye, laid.is_second) != (pane.eye, pane.is_second) {
         return;
     }
@@ -115,7 +115,7 @@ mod tests {
 
     fn lay(state: &mut State, ends: [[f64; 2]; 2]) -> Laid {
         state.apply_to_ruler(RulerCommand::Lay(Lay { eye: Eye::Left, is_second: false, ends, size: SIZE }));
-        let AngleRuler::Laid(laid) = state.session.angle_ruler else { panic!("it is laid") };
+        let AngleRuler::Laid(laid) = state.scratch.angle_ruler else { panic!("it is laid") };
         laid
     }
 
@@ -133,7 +133,7 @@ mod tests {
         // Along the row 1 / 400 in the middle, and cos^2 of that at the other end.
         let error = 0.5 / 400.0 * (1.0 + expected.cos().powi(2));
         assert!((laid.error / error - 1.0).abs() < 1e-4, "{} for {error}", laid.error);
-        state.settings.look.projection = ProjectionChoice::Mercator;
+        state.document.settings.look.projection = ProjectionChoice::Mercator;
         let other = state.view(Eye::Left, SIZE).camera;
         for (end, pixel) in laid.ends.into_iter().zip(ends) {
             let before = camera.pixel(end).expect("in front");
@@ -141,23 +141,23 @@ mod tests {
             let now = other.pixel(end).expect("in front");
             assert!((now[0] - pixel[0]).abs() > 1.0 && other.line_of_sight(now).distance(end) < 1e-12);
         }
-        assert_eq!(state.session.angle_ruler, AngleRuler::Laid(laid));
+        assert_eq!(state.scratch.angle_ruler, AngleRuler::Laid(laid));
     }
 
     #[test]
     fn a_toggle_arms_it_and_takes_it_away() {
         let mut state = state(ProjectionChoice::Mercator);
         state.apply_to_ruler(RulerCommand::Toggle);
-        assert!(state.session.angle_ruler.takes_drags());
+        assert!(state.scratch.angle_ruler.takes_drags());
         // A press without a movement lays none.
         let still = Lay { eye: Eye::Left, is_second: false, ends: [[5.0, 5.0]; 2], size: SIZE };
         state.apply_to_ruler(RulerCommand::Lay(still));
-        assert_eq!(state.session.angle_ruler, AngleRuler::Armed);
+        assert_eq!(state.scratch.angle_ruler, AngleRuler::Armed);
         lay(&mut state, [[5.0, 5.0], [6.0, 5.0]]);
-        assert!(state.session.angle_ruler.takes_drags(), "it is being laid");
+        assert!(state.scratch.angle_ruler.takes_drags(), "it is being laid");
         state.apply_to_ruler(RulerCommand::Settle);
-        assert!(!state.session.angle_ruler.takes_drags());
+        assert!(!state.scratch.angle_ruler.takes_drags());
         state.apply_to_ruler(RulerCommand::Toggle);
-        assert_eq!(state.session.angle_ruler, AngleRuler::Off);
+        assert_eq!(state.scratch.angle_ruler, AngleRuler::Off);
     }
 }

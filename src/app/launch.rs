@@ -12,7 +12,7 @@ use super::overlay::Overlay;
 use super::persistence::{Keeper, Loaded, Memory};
 use super::reopening::{self, Bequeathed, Break, Ended, Estate};
 use super::state::State;
-use super::{App, graphics, icon, painting, screenshot};
+use super::{App, TITLE, graphics, icon, painting, screenshot};
 use crate::files::whole::ensure_ending;
 use crate::flags::words::Shell;
 use crate::lesson::Answers;
@@ -23,8 +23,6 @@ use crate::settings::Settings;
 
 /// Name of the window for the system, and of the folder of its settings.
 const APP_ID: &str = "gamow";
-/// The window's name.
-pub const TITLE: &str = "Gamow";
 
 const WHAT_TO_DO: &str = "On Debian and Ubuntu install `libx11-6 libxcursor1 libxi6 libxkbcommon-x11-0 mesa-vulkan-drivers` \
     and start it inside a graphical session; without one, `gamow --screenshot window.png`, `gamow render --out cyclist.png` and \
@@ -39,7 +37,7 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
         ensure_ending("--screenshot", path, "png")?;
         let state = args.state(Settings::default())?;
         let provenance =
-            state.session.scene.provenance(state.shown().as_told_in(path).window_command(Shell::RECORDED));
+            state.document.scene.provenance(state.shown().as_told_in(path).window_command(Shell::RECORDED));
         return screenshot::save(state, args.window_size_or_default(), &provenance.texts(), path);
     }
     // Flags are judged before a window appears; the saved settings are only known once it has.
@@ -158,7 +156,7 @@ fn first_state(args: &WindowArgs, left: Loaded) -> anyhow::Result<State> {
     let mut state = state_from(args, settings)?;
     state.session.recent.extend(memory.recent());
     recall(&mut state, &memory, &answers, args.welcomes());
-    state.session.notice = notice.or(state.session.notice);
+    state.scratch.notice = notice.or(state.scratch.notice);
     Ok(state)
 }
 
@@ -180,7 +178,7 @@ fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
     let usual = left.clone().with_scene(Settings::default().scene);
     args.state(left).or_else(|error| {
         let mut state = args.state(usual)?;
-        state.session.notice = Some(Notice::error(error).about(Path::new(&scene)));
+        state.scratch.notice = Some(Notice::error(error).about(Path::new(&scene)));
         Ok(state)
     })
 }
@@ -218,7 +216,7 @@ mod tests {
         window.keep(&state).expect("it is written");
         // The lesson shows no controls; the next window does.
         let again = started(&keeper(), true);
-        assert!(!state.settings.window.controls && again.settings.window.controls);
+        assert!(!state.document.settings.window.controls && again.document.settings.window.controls);
         assert_eq!((again.session.overlay, again.session.next_lesson.as_deref()), (None, Some("turned")));
         let other = tempfile::tempdir().expect("a folder");
         let window = Keeper::in_folder(other.path());

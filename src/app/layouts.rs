@@ -76,7 +76,7 @@ pub fn title(picture: &Picture) -> String {
 pub fn marker_colours(state: &State, eye: Eye, own: Color32, visuals: &Visuals) -> [Color32; 2] {
     const RED_CYAN: [Color32; 2] =
         [Color32::from_rgba_premultiplied(255, 0, 0, 0), Color32::from_rgba_premultiplied(0, 255, 255, 0)];
-    let picture = &state.settings.picture;
+    let picture = &state.document.settings.picture;
     let is_first = picture.eyes().first() == Some(&eye.index());
     match picture.layout {
         Layout::Anaglyph | Layout::Dubois => [RED_CYAN[usize::from(!is_first)]; 2],
@@ -88,7 +88,7 @@ pub fn marker_colours(state: &State, eye: Eye, own: Color32, visuals: &Visuals) 
 /// What sets a marker off: light is added to what is dark.
 #[must_use]
 pub fn halo_colour(state: &State, visuals: &Visuals) -> Color32 {
-    let is_added = matches!(state.settings.picture.layout, Layout::Anaglyph | Layout::Dubois);
+    let is_added = matches!(state.document.settings.picture.layout, Layout::Anaglyph | Layout::Dubois);
     if is_added { Color32::from_black_alpha(210) } else { theme::halo_colour(visuals) }
 }
 

@@ -40,7 +40,8 @@ impl State {
         if let Some(way) = self.session.answers.of(lesson) {
             course.take_up(way);
         }
-        let before = self.session.lesson.as_ref().map_or(self.settings.window, |running| running.before);
+        let before =
+            self.session.lesson.as_ref().map_or(self.document.settings.window, |running| running.before);
         self.session.lesson = Some(Running {
             course,
             is_folded: false,
@@ -63,7 +64,7 @@ impl State {
     pub(super) fn open_lesson(&mut self, lesson: &Lesson, path: &Path) {
         match self.begin_lesson(lesson) {
             Ok(()) => self.session.recent.add(path),
-            Err(error) => self.session.notice = Some(Notice::error(error).about(path)),
+            Err(error) => self.scratch.notice = Some(Notice::error(error).about(path)),
         }
     }
 
@@ -75,7 +76,7 @@ impl State {
                 (running.course, running.told) = (course, None);
                 self.set_up();
             }
-            Err(error) => self.session.notice = Some(Notice::error(error).about(path)),
+            Err(error) => self.scratch.notice = Some(Notice::error(error).about(path)),
         }
     }
 
@@ -84,7 +85,7 @@ impl State {
         if let LessonCommand::Open(name) = command {
             let opened = self.library().open(&name).and_then(|lesson| self.begin_lesson(&lesson));
             if let Err(error) = opened {
-                self.session.notice = Some(Notice::error(error));
+                self.scratch.notice = Some(Notice::error(error));
             }
             return;
         }
@@ -168,11 +169,11 @@ impl State {
             }
         }
         self.show(settings);
-        self.session.playing = false;
+        self.scratch.playing = false;
         let run = animation.map(|animation| {
             let from = match animation.to {
-                Animated::Time(_) => Animated::Time(self.session.time),
-                Animated::Speed(_) => Animated::Speed(self.settings.motion.speed),
+                Animated::Time(_) => Animated::Time(self.document.time),
+                Animated::Speed(_) => Animated::Speed(self.document.settings.motion.speed),
             };
             Run { from, animation, passed: 0.0 }
         });
@@ -184,7 +185,7 @@ impl State {
     /// What the states of the lesson differ from: usual settings, in this window with the parts that it had before.
     #[must_use]
     pub fn lesson_base(&self) -> Settings {
-        let now = self.settings.window;
+        let now = self.document.settings.window;
         let before = self.session.lesson.as_ref().map_or(now, |running| running.before);
         let window = Window {
             views: before.views,
@@ -202,7 +203,7 @@ impl State {
             resting: before.resting,
             ..now
         };
-        Settings { window, ..Settings::default().in_place_of(&self.settings) }
+        Settings { window, ..Settings::default().in_place_of(&self.document.settings) }
     }
 
     /// The settings that the lesson has at its present place.
@@ -228,7 +229,7 @@ impl State {
             settings,
         });
         if let Err(error) = &told {
-            self.session.notice = Some(Notice::error(error));
+            self.scratch.notice = Some(Notice::error(error));
         }
         if let Some(running) = &mut self.session.lesson {
             // The scenes are opened for it, which takes too long for every frame.
@@ -244,7 +245,7 @@ impl State {
     }
 
     fn close_lesson(&mut self) {
-        self.settings.window = self.lesson_base().window;
+        self.document.settings.window = self.lesson_base().window;
         self.session.lesson = None;
     }
 
@@ -276,8 +277,8 @@ impl State {
 
     fn reach(&mut self, now: Animated) {
         match now {
-            Animated::Time(time) => self.session.time = clock::bounded(time),
-            Animated::Speed(speed) => self.settings.motion.speed = speed,
+            Animated::Time(time) => self.document.time = clock::bounded(time),
+            Animated::Speed(speed) => self.document.settings.motion.speed = speed,
         }
     }
 

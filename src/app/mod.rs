@@ -146,6 +146,8 @@ pub struct App {
     keeper: Option<Keeper>,
 }
 
+/// The name of the window.
+const TITLE: &str = "Gamow";
 /// Enlargement of the start page's text for an audience.
 const PRESENTED_START_SCALE: f32 = 1.6;
 /// What stays free around the bar, the controls and the readout, points.
@@ -262,7 +264,7 @@ impl App {
             return self.reader.stop();
         }
         if let Some(errand) = self.state.errand(&command) {
-            self.state.session.chooser = None;
+            self.state.scratch.chooser = None;
             self.reader.begin(errand);
             return;
         }
@@ -274,16 +276,17 @@ impl App {
 
     /// Lets T run by a `step` of the wall clock, seconds.
     fn advance(&mut self, step: f64) {
-        let before = self.state.session.time;
+        let before = self.state.document.time;
         self.state.run_lesson(step);
-        self.state.session.step = (self.state.session.time - before).abs();
-        if self.state.session.playing {
-            let playback = self.state.settings.playback;
+        self.state.frame.step = (self.state.document.time - before).abs();
+        if self.state.scratch.playing {
+            let playback = self.state.document.settings.playback;
             let range = self.state.time_range();
-            let tick = clock::advanced(self.state.session.time, step, playback.rate, playback.looping, range);
-            self.state.session.step = step * playback.rate;
-            self.state.session.time = tick.time;
-            self.state.session.playing = tick.playing;
+            let tick =
+                clock::advanced(self.state.document.time, step, playback.rate, playback.looping, range);
+            self.state.frame.step = step * playback.rate;
+            self.state.document.time = tick.time;
+            self.state.scratch.playing = tick.playing;
         }
     }
 
@@ -332,7 +335,7 @@ impl App {
 
     /// Has the fit of the selected point made while it is in view.
     fn update_fit(&mut self, ctx: &egui::Context, plots_are_shown: bool) {
-        if plots_are_shown && self.state.settings.plots.plot == PlotTab::Fit {
+        if plots_are_shown && self.state.document.settings.plots.plot == PlotTab::Fit {
             self.fitting.update(ctx, self.state.fit_key());
         } else {
             self.fitting.rest();
@@ -342,8 +345,8 @@ impl App {
     /// Shows everything: first what changes the state, then what follows it.
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        widgets::name_window(&ctx, launch::TITLE);
-        ctx.set_theme(theme::preference(self.state.settings.window.theme));
+        widgets::name_window(&ctx, TITLE);
+        ctx.set_theme(theme::preference(self.state.document.settings.window.theme));
         let mut asks = actions::asked(&ctx, &self.state);
         if self.shows_start() {
             asks.retain(panels::start::lets_through);
@@ -376,7 +379,7 @@ impl App {
         self.update_projector(&ctx);
         self.tell_faults(&ctx);
         self.fulfil_orders(ui);
-        if self.state.session.playing || self.state.session.lesson.as_ref().is_some_and(Running::is_running) {
+        if self.state.scratch.playing || self.state.session.lesson.as_ref().is_some_and(Running::is_running) {
             ctx.request_repaint();
         }
     }
@@ -396,14 +399,14 @@ impl App {
         let eyes = [&mut self.eyes, &mut self.projected].into_iter().flatten();
         let refusal = eyes.filter_map(EyePictures::newly_refused).last().cloned();
         if let Some(text) = self.faults.newly_told(refusal) {
-            self.state.session.notice = Some(Notice::error(text));
+            self.state.scratch.notice = Some(Notice::error(text));
             ctx.request_repaint();
         }
     }
 
     /// Has the system and the writing follow what is made of the window, and notes what of its screen counts.
     fn set_stage(&mut self, ctx: &egui::Context) {
-        let State { settings, session } = &mut self.state;
+        let State { document, session, frame, .. } = &mut self.state;
         session.stage.full_screen = self.full_screen.update(ctx, session.stage.full_screen);
         let scale = match session.stage.is_presented() {
             // Its cards have pictures, and are to be in sight.
@@ -418,7 +421,7 @@ impl App {
             ctx.request_repaint();
         }
         let width = ctx.input(|input| input.viewport().monitor_size).map(|size| f64::from(size.x));
-        session.cm_per_pixel = settings.screen.cm_per_point(width) / f64::from(ctx.pixels_per_point());
+        frame.cm_per_pixel = document.settings.screen.cm_per_point(width) / f64::from(ctx.pixels_per_point());
     }
 
     /// Whether the start page takes the place of the parts.
@@ -458,7 +461,7 @@ impl App {
     /// Shows all the parts that there is room for.
     fn show_parts(&mut self, ui: &mut Ui, area: Rect) {
         let ctx = ui.ctx().clone();
-        let (window, plots) = (self.state.shown_window(), self.state.settings.plots);
+        let (window, plots) = (self.state.shown_window(), self.state.document.settings.plots);
         let lesson = self.lesson_part();
         let layout = Layout::of(area, lesson, window, &self.arranged(ui), plots.plot);
         let layout = layout.with_only(area, self.state.session.stage.maximised);
@@ -467,7 +470,7 @@ impl App {
         let layout = if is_asked { layout.without_readout() } else { layout };
         self.measure_pictures(ui, &layout.panes);
         self.choose_methods(ui, &layout.panes);
-        self.state.session.shows_map = layout.map.is_some();
+        self.state.frame.shows_map = layout.map.is_some();
         let inset = |rect: Rect| rect.shrink2(INSET);
         self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
         if let Some(rect) = layout.lesson {
@@ -518,11 +521,12 @@ impl App {
 
     /// Returns the panel to show beside the words for an audience.
     fn beside_words(&self) -> Beside {
-        let plot = if self.state.settings.plots.plot == PlotTab::Fit && self.state.sketched().is_none() {
-            Beside::Fit
-        } else {
-            Beside::Plot
-        };
+        let plot =
+            if self.state.document.settings.plots.plot == PlotTab::Fit && self.state.sketched().is_none() {
+                Beside::Fit
+            } else {
+                Beside::Plot
+            };
         match (self.lesson_part(), self.state.shown_window()) {
             (LessonPart::Nothing, _) => plot,
             (_, Window { map: Presence::On, .. }) if !self.state.shows_sketch() => Beside::Map,
@@ -544,7 +548,7 @@ impl App {
         for &pane in &presentation.panes {
             self.interact(ui, pane);
         }
-        self.state.session.shows_map = beside == Beside::Map && presentation.plot.is_some();
+        self.state.frame.shows_map = beside == Beside::Map && presentation.plot.is_some();
         if let Some(rect) = presentation.plot {
             self.beside(ui, beside, rect);
         }
@@ -560,9 +564,9 @@ impl App {
 
     /// Tells which words an audience has.
     fn words(&self) -> String {
-        let session = &self.state.session;
+        let State { document, session, .. } = &self.state;
         let lesson = session.lesson.as_ref().map(panels::lesson::what_is_shown);
-        lesson.or_else(|| session.preset.map(|preset| preset.name.to_owned())).unwrap_or_default()
+        lesson.or_else(|| document.preset.map(|preset| preset.name.to_owned())).unwrap_or_default()
     }
 
     /// Shows an audience the `words` of the lesson, else those of the preset.
@@ -599,9 +603,9 @@ impl App {
 
     /// What the views' area shows.
     fn arranged(&self, ui: &Ui) -> Arrangement {
-        let State { settings, session } = &self.state;
-        let cm_per_point = session.cm_per_pixel * f64::from(ui.pixels_per_point());
-        Arrangement::of(settings, cm_per_point, self.text_scale)
+        let State { document, frame, .. } = &self.state;
+        let cm_per_point = frame.cm_per_pixel * f64::from(ui.pixels_per_point());
+        Arrangement::of(&document.settings, cm_per_point, self.text_scale)
     }
 
     /// Has a part alone in the window whose title is clicked twice, or all others again. What stands in a title is above

@@ -56,19 +56,19 @@ impl State {
     /// The velocity of `point`.
     #[must_use]
     pub const fn velocity(&self, point: &Point) -> Velocity {
-        self.settings.velocity(point.track.motion)
+        self.document.settings.velocity(point.track.motion)
     }
 
     /// The velocity of the selected point.
     #[must_use]
     pub fn selected_velocity(&self) -> Velocity {
-        self.velocity(self.session.points.selected())
+        self.velocity(self.document.points.selected())
     }
 
     /// The worldline of the selected point from between the eyes, reflected to move along +x.
     #[must_use]
     pub fn selected_source(&self) -> Source {
-        self.settings.source(&self.session.points.selected().track)
+        self.document.settings.source(&self.document.points.selected().track)
     }
 
     /// What `eye` sees of `point` now; `None` outside the domain of the core.
@@ -84,16 +84,22 @@ impl State {
     /// What is shown of the selected point now.
     #[must_use]
     pub fn moment(&self) -> Moment {
-        let point = self.session.points.selected();
-        let name = point.noun(&self.session.scene);
-        let moment = Moment::new(&self.settings, &point.track, name, self.emission(point), self.session.time);
+        let point = self.document.points.selected();
+        let name = point.noun(&self.document.scene);
+        let moment = Moment::new(
+            &self.document.settings,
+            &point.track,
+            name,
+            self.emission(point),
+            self.document.time,
+        );
         moment.told_in(self.measures())
     }
 
     /// The disparity of `point` now, in the binocular model of what the views show.
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
-        self.settings.shown_disparity(&point.track, self.session.time).ok()
+        self.document.settings.shown_disparity(&point.track, self.document.time).ok()
     }
 
     /// Where two eyes take `point` to be now, and how much deeper they see it than one that rests.
@@ -102,31 +108,31 @@ impl State {
     ///
     /// Lines of sight that do not meet; a time outside the domain of the core.
     pub fn stereo(&self, point: &Point) -> Result<Stereo, StereoError> {
-        self.settings.stereo(&point.track, self.session.time)
+        self.document.settings.stereo(&point.track, self.document.time)
     }
 
     /// T0 of `point`: when both eyes see it at the same distance. `None` at rest, and of eyes across the motion.
     #[must_use]
     pub fn equidistance_time(&self, point: &Point) -> Option<f64> {
-        self.settings.equidistance_time(&point.track)
+        self.document.settings.equidistance_time(&point.track)
     }
 
     /// When `point` is measured beside the eyes: at x = 0, where it is seen only later. `None` at rest.
     #[must_use]
     pub fn abreast_time(&self, point: &Point) -> Option<f64> {
-        self.settings.abreast_time(&point.track)
+        self.document.settings.abreast_time(&point.track)
     }
 
     /// Whether `eye` sees what the published model has the right eye see, measured from the left aperture.
     #[must_use]
     pub fn sees_as_published(&self, eye: Eye) -> bool {
-        eye == Eye::Right && self.settings.geometry() == Geometry::Published
+        eye == Eye::Right && self.document.settings.geometry() == Geometry::Published
     }
 
     /// From the aperture of `eye` to where the shown geometry has `point` now.
     #[must_use]
     pub fn direction(&self, point: &Point, eye: Eye) -> Option<DVec3> {
-        self.settings.directions(&point.track, self.session.time)[eye.index()]
+        self.document.settings.directions(&point.track, self.document.time)[eye.index()]
     }
 
     /// The point of the scene at a `pixel` of the picture of `eye`, which has this `size`, and the body it is on; none
@@ -137,8 +143,8 @@ impl State {
             return None;
         }
         let view = self.view(eye, size);
-        let hit = self.session.prepared.first_hit(&view, view.camera.line_of_sight(pixel))?;
-        let track = self.session.scene.track_at(hit.material_position.to_array(), hit.body)?;
+        let hit = self.document.prepared.first_hit(&view, view.camera.line_of_sight(pixel))?;
+        let track = self.document.scene.track_at(hit.material_position.to_array(), hit.body)?;
         Some((track, hit.body))
     }
 
@@ -151,7 +157,7 @@ impl State {
         }
         let view = self.view(eye, size);
         let hits = |pixel: &[f64; 2]| {
-            self.session.prepared.first_hit(&view, view.camera.line_of_sight(*pixel)).is_some()
+            self.document.prepared.first_hit(&view, view.camera.line_of_sight(*pixel)).is_some()
         };
         let around = REACHES.into_iter().flat_map(|reach| {
             DIRECTIONS.map(|[across, down]| [pixel[0] + reach * across, pixel[1] + reach * down])
@@ -165,28 +171,32 @@ impl State {
     /// What the curves of `point` depend on.
     #[must_use]
     pub fn curve_key(&self, point: &Point) -> CurvesKey {
-        let stereo = self.settings.plots.plot == PlotTab::Stereo;
+        let stereo = self.document.settings.plots.plot == PlotTab::Stereo;
         // The paper's lines of sight meet nowhere.
-        let model = if stereo { self.settings.model() } else { self.settings.shown_model() };
+        let model =
+            if stereo { self.document.settings.model() } else { self.document.settings.shown_model() };
         CurvesKey {
             velocity: self.velocity(point),
-            point: self.settings.from_between_eyes(&point.track),
-            baseline: self.settings.baseline(),
+            point: self.document.settings.from_between_eyes(&point.track),
+            baseline: self.document.settings.baseline(),
             range: self.time_range(),
             model,
-            published: self.settings.plots.published && !matches!(model, Model::Published(_)),
+            published: self.document.settings.plots.published && !matches!(model, Model::Published(_)),
             stereo,
-            conformal: self.settings.plots.is_conformal(),
+            conformal: self.document.settings.plots.is_conformal(),
         }
     }
 
     /// What the fit depends on: of the own data if there are any, else of the selected point.
     #[must_use]
     pub fn fit_key(&self) -> FitKey {
-        let setup = self.settings.fit;
+        let setup = self.document.settings.fit;
         let samples = match &self.session.data {
-            Some(file) => Samples::Measured(file.clone(), self.settings.baseline()),
-            None => Samples::Simulated(Simulated::of(&self.settings, &self.session.points.selected().track)),
+            Some(file) => Samples::Measured(file.clone(), self.document.settings.baseline()),
+            None => Samples::Simulated(Simulated::of(
+                &self.document.settings,
+                &self.document.points.selected().track,
+            )),
         };
         FitKey { samples, setup }
     }
@@ -194,13 +204,13 @@ impl State {
     /// The model by which samples are simulated.
     #[must_use]
     pub fn simulated_model(&self) -> Model {
-        self.settings.fit.data_from.model().unwrap_or_else(|| self.settings.model())
+        self.document.settings.fit.data_from.model().unwrap_or_else(|| self.document.settings.model())
     }
 
     /// How both eyes look now: a gaze that stays there, in parallel, and a field of view that is a number.
     #[must_use]
     pub fn look(&self) -> Look {
-        self.look_of(&self.settings)
+        self.look_of(&self.document.settings)
     }
 
     /// Where both eyes look now, in parallel.
@@ -212,13 +222,13 @@ impl State {
     /// The picture of `eye`, `size` in pixels.
     #[must_use]
     pub fn view(&self, eye: Eye, size: [u32; 2]) -> View {
-        self.views_of(&self.settings, size)[eye.index()]
+        self.views_of(&self.document.settings, size)[eye.index()]
     }
 
     /// The picture that is corrected: what the left eye sees, whichever geometry is shown.
     #[must_use]
     pub fn view_to_correct(&self, size: [u32; 2]) -> View {
-        let mut settings = self.settings.clone();
+        let mut settings = self.document.settings.clone();
         settings.look.geometry = Geometry::Seen;
         self.views_of(&settings, size)[Eye::Left.index()]
     }
@@ -226,32 +236,32 @@ impl State {
     /// How comfortably two eyes so far apart fuse the views on the screen; `None` where they show no body.
     #[must_use]
     pub fn comfort(&self, separation: f64) -> Option<Comfort> {
-        let mut settings = self.settings.clone();
+        let mut settings = self.document.settings.clone();
         settings.motion.d = separation;
-        let views = self.views_of(&settings, self.session.picture_size);
-        let distance_px = settings.screen.viewing_distance / self.session.cm_per_pixel;
-        Comfort::of(&self.session.scene, &views, distance_px)
+        let views = self.views_of(&settings, self.frame.picture_size);
+        let distance_px = settings.screen.viewing_distance / self.frame.cm_per_pixel;
+        Comfort::of(&self.document.scene, &views, distance_px)
     }
 
     /// The outline of what moves with the scene in both eyes together.
     #[must_use]
     pub fn outline(&self) -> Arc<Outline> {
-        self.settings.outline(&self.session.prepared, self.session.time)
+        self.document.settings.outline(&self.document.prepared, self.document.time)
     }
 
     fn look_of(&self, settings: &Settings) -> Look {
-        settings.fixed_look(self.subject(), self.session.time, self.session.picture_size)
+        settings.fixed_look(self.subject(), self.document.time, self.frame.picture_size)
     }
 
     /// One look for both eyes, however their panes are rounded to pixels.
     fn views_of(&self, settings: &Settings, size: [u32; 2]) -> [View; 2] {
         let settings = Settings { look: self.look_of(settings), ..settings.clone() };
-        settings.views(self.subject(), self.session.time, size)
+        settings.views(self.subject(), self.document.time, size)
     }
 
     /// What gazes turn to.
     #[must_use]
     pub fn subject(&self) -> Subject<'_> {
-        Subject { scene: &self.session.prepared, tracked: self.session.points.selected().track }
+        Subject { scene: &self.document.prepared, tracked: self.document.points.selected().track }
     }
 }

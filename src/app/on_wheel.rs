@@ -42,7 +42,7 @@ impl State {
     /// turn.
     #[must_use]
     pub fn on_wheel(&self, track: &Track, own_time: f64) -> Option<OnWheel> {
-        let (spin, velocity) = (track.spin?, self.settings.velocity(track.motion));
+        let (spin, velocity) = (track.spin?, self.document.settings.velocity(track.motion));
         let omega = spin.omega(velocity.beta());
         let place = spin.turned(track.rest.into(), omega * own_time);
         let q = place - DVec3::from(spin.hub);

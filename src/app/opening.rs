@@ -18,7 +18,7 @@ impl State {
     pub fn shown_files(&self) -> Vec<PathBuf> {
         let scene = self.scene_file().map(Path::to_owned);
         let lesson = self.course().and_then(|course| course.lesson().path.clone());
-        self.session.opened.clone().into_iter().chain(scene).chain(lesson).collect()
+        self.document.opened.clone().into_iter().chain(scene).chain(lesson).collect()
     }
 
     /// The file that has to be read before `command` can be done.
@@ -28,11 +28,13 @@ impl State {
             Command::Open(path) => (path, Use::Show),
             Command::OpenData(path) => (path, Use::Fit),
             Command::Reload(path) if self.scene_file() == Some(path) => (path, Use::RenewScene),
-            Command::Reload(path) if self.session.opened.as_ref() == Some(path) => (path, Use::RenewSettings),
+            Command::Reload(path) if self.document.opened.as_ref() == Some(path) => {
+                (path, Use::RenewSettings)
+            }
             Command::Reload(path) => (path, Use::RenewLesson),
             _ => return None,
         };
-        Some(Errand { path: path.clone(), purpose, settings: self.settings.clone() })
+        Some(Errand { path: path.clone(), purpose, settings: self.document.settings.clone() })
     }
 
     /// Whether `command` is about the scene's file, which has changed.
@@ -56,9 +58,9 @@ impl State {
         if !self.still_shows(&path, purpose) {
             return;
         }
-        self.session.chooser = None;
+        self.scratch.chooser = None;
         if purpose != Use::Fit {
-            self.session.notice = None;
+            self.scratch.notice = None;
         }
         match contents {
             Ok(Contents::Settings { settings, scene, .. }) if purpose == Use::RenewSettings => {
@@ -70,11 +72,11 @@ impl State {
                     return;
                 }
                 self.session.recent.add(&path);
-                self.session.opened = (!is_scene && FileKind::of(&path).is_none()).then_some(path);
+                self.document.opened = (!is_scene && FileKind::of(&path).is_none()).then_some(path);
             }
             Ok(Contents::Scene(scene, surroundings)) => {
-                let is_current = surroundings == self.settings.light.surroundings;
-                if is_current && scene.scene != self.session.scene {
+                let is_current = surroundings == self.document.settings.light.surroundings;
+                if is_current && scene.scene != self.document.scene {
                     self.show_scene(*scene);
                 }
             }
@@ -82,11 +84,11 @@ impl State {
             Ok(Contents::Lesson(lesson)) => self.open_lesson(&lesson, &path),
             Ok(Contents::Data(file)) => {
                 self.session.data = Some(Arc::new(file));
-                self.settings.plots.plot = PlotTab::Fit;
-                self.settings.window.plots = true;
+                self.document.settings.plots.plot = PlotTab::Fit;
+                self.document.settings.window.plots = true;
             }
             Err(error) => {
-                self.session.notice = Some(Notice::error(error).about(&path));
+                self.scratch.notice = Some(Notice::error(error).about(&path));
                 if purpose == Use::Show && !files::is_file(&path) {
                     self.session.recent.remove(&path);
                 }
@@ -99,7 +101,7 @@ impl State {
         match purpose {
             Use::Show | Use::Fit => true,
             Use::RenewScene => self.scene_file() == Some(path),
-            Use::RenewSettings => self.session.opened.as_deref() == Some(path),
+            Use::RenewSettings => self.document.opened.as_deref() == Some(path),
             Use::RenewLesson => {
                 self.course().is_some_and(|course| course.lesson().path.as_deref() == Some(path))
             }
@@ -109,14 +111,14 @@ impl State {
     /// Shows `settings` that the file at `path` says by now, at the present T and with the points that are still there,
     /// unless it says which.
     fn show_again(&mut self, settings: Settings, scene: ReadyScene, path: PathBuf) {
-        let (points, before) = (self.session.points.clone(), self.session.scene.clone());
+        let (points, before) = (self.document.points.clone(), self.document.scene.clone());
         let gives_a_point = settings.point.is_some() || settings.points.is_some();
-        let playing = self.session.playing;
-        self.show_in(Settings { time: settings.time.or(Some(self.session.time)), ..settings }, scene);
-        self.session.playing = playing;
-        self.session.opened = Some(path);
+        let playing = self.scratch.playing;
+        self.show_in(Settings { time: settings.time.or(Some(self.document.time)), ..settings }, scene);
+        self.scratch.playing = playing;
+        self.document.opened = Some(path);
         if !gives_a_point {
-            self.session.points = points.carried(&before, &self.session.scene);
+            self.document.points = points.carried(&before, &self.document.scene);
         }
     }
 }

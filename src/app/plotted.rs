@@ -11,9 +11,9 @@ use crate::settings::PlotTab;
 impl State {
     /// Does what was asked of the plots.
     pub fn apply_to_plots(&mut self, command: PlotCommand) {
-        let (point, now) = (*self.session.points.selected(), self.session.time);
+        let (point, now) = (*self.document.points.selected(), self.document.time);
         let pin = Pin { point, key: self.curve_key(&point) };
-        let plotting = &mut self.session.plotting;
+        let plotting = &mut self.scratch.plotting;
         match command {
             PlotCommand::Look(quantity, ranges) => plotting.look(quantity, ranges),
             PlotCommand::Whole => plotting.look_at_all(),
@@ -26,8 +26,8 @@ impl State {
     /// The quantities that are plotted: only the first for an audience, and among few controls.
     #[must_use]
     pub fn plotted_quantities(&self) -> &'static [Quantity] {
-        let all = quantities(&self.settings.plots);
-        let shows_all = !self.session.stage.is_presented() && !self.settings.window.simple;
+        let all = quantities(&self.document.settings.plots);
+        let shows_all = !self.session.stage.is_presented() && !self.document.settings.window.simple;
         match (shows_all, all) {
             (true, all) => all,
             (false, [first, ..]) => std::slice::from_ref(first),
@@ -39,7 +39,7 @@ impl State {
     /// looked at.
     #[must_use]
     pub fn plotted_times(&self, quantity: Quantity) -> [f64; 2] {
-        self.session.plotting.zoom(quantity).map_or_else(|| self.whole_times(), |zoom| zoom.times)
+        self.scratch.plotting.zoom(quantity).map_or_else(|| self.whole_times(), |zoom| zoom.times)
     }
 
     /// First and last T of a plot of which no part only is looked at.
@@ -59,8 +59,8 @@ impl State {
     /// The same of a pinned one, which keeps its model whatever the views show now.
     #[must_use]
     pub fn pinned_key(&self, pin: &Pin, quantity: Quantity) -> CurvesKey {
-        let stereo = self.settings.plots.plot == PlotTab::Stereo;
-        let conformal = self.settings.plots.is_conformal();
+        let stereo = self.document.settings.plots.plot == PlotTab::Stereo;
+        let conformal = self.document.settings.plots.is_conformal();
         CurvesKey { range: self.plotted_times(quantity), published: false, stereo, conformal, ..pin.key }
     }
 
@@ -69,8 +69,8 @@ impl State {
     pub fn plotted_keys(&self) -> Vec<CurvesKey> {
         let mut keys: Vec<CurvesKey> = Vec::new();
         for &quantity in self.plotted_quantities() {
-            let points = self.session.points.all().iter().map(|point| self.plotted_key(point, quantity));
-            let pins = self.session.plotting.pins().iter().map(|pin| self.pinned_key(pin, quantity));
+            let points = self.document.points.all().iter().map(|point| self.plotted_key(point, quantity));
+            let pins = self.scratch.plotting.pins().iter().map(|pin| self.pinned_key(pin, quantity));
             for key in points.chain(pins) {
                 if !keys.contains(&key) {
                     keys.push(key);

@@ -77,7 +77,7 @@ pub(super) fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) {
         (cross, ring, clicked, is_revealed.then(|| sight.direction(body)).flatten())
     {
         // The angle is that of the left eye.
-        if !pane.is_second && pane.eye == Eye::Left || state.settings.picture.eyes().len() == 1 {
+        if !pane.is_second && pane.eye == Eye::Left || state.document.settings.picture.eyes().len() == 1 {
             told(ui, painter, [cross, ring], pane, &figures::degrees(truth::angle_between(clicked, seen)));
         }
     }

@@ -106,8 +106,8 @@ impl App {
             None => layout::views(area, &arranged),
         };
         // What is off is examined in pictures of the other window's size.
-        let (size, examination) = (self.state.session.picture_size, self.examination.take());
-        let choices = self.state.session.choices.clone();
+        let (size, examination) = (self.state.frame.picture_size, self.examination.take());
+        let choices = self.state.frame.choices.clone();
         std::mem::swap(&mut self.eyes, &mut self.projected);
         self.measure_pictures(ui, &panes);
         self.choose_methods(ui, &panes);
@@ -117,8 +117,8 @@ impl App {
         self.paint_all(ui, &panes);
         self.forget_composed(&panes);
         std::mem::swap(&mut self.eyes, &mut self.projected);
-        (self.state.session.picture_size, self.examination) = (size, examination);
-        self.state.session.choices = choices;
+        (self.state.frame.picture_size, self.examination) = (size, examination);
+        self.state.frame.choices = choices;
         if let Some((words, lesson)) = lesson {
             self.show_projected_lesson(ui, words, &lesson);
         }

@@ -12,7 +12,7 @@ use eframe::egui::{Context, Ui};
 
 use super::App;
 use super::notice::Notice;
-use super::state::{Session, State};
+use super::state::{Scratch, State};
 use crate::caption::capitalised;
 use crate::platform::clock::Instant;
 
@@ -217,8 +217,8 @@ pub fn kept_open(
             capitalised(&reason.to_string())
         );
         log::warn!("{text}");
-        begin =
-            Some(State { session: Session { notice: Some(Notice::error(text)), ..state.session }, ..state });
+        let scratch = Scratch { notice: Some(Notice::error(text)), ..state.scratch };
+        begin = Some(State { scratch, ..state });
     }
 }
 
@@ -243,12 +243,12 @@ mod tests {
         let ended = kept_open(
             |begin, estate| {
                 let (result, loss, time) = ends.next().expect("no further window");
-                began.push(begin.as_ref().map(|state| state.session.time));
+                began.push(begin.as_ref().map(|state| state.document.time));
                 lasted.set(time);
                 // Those that cannot be had leave nothing.
                 if !matches!(&result, Err(Break::Window(_))) {
                     let mut left = begin.unwrap_or_else(|| state(1.0));
-                    left.session.time += 1.0;
+                    left.document.time += 1.0;
                     let left = Left { state: left, loss: loss.map(str::to_owned) };
                     estate.leave(left);
                 }
@@ -270,7 +270,7 @@ mod tests {
             // Soon again: that is the end.
             let (ended, began) = opened(&[first.clone(), first.clone()]);
             assert!(
-                matches!(ended, Err(Ended::Broken(Break::Device(_), state)) if state.session.time == 3.0)
+                matches!(ended, Err(Ended::Broken(Break::Device(_), state)) if state.document.time == 3.0)
             );
             assert_eq!(began.len(), 2);
             // Long after, it is not.
@@ -283,13 +283,13 @@ mod tests {
     fn a_window_that_cannot_go_on_leaves_its_state() {
         let now = Duration::from_secs(1);
         let (ended, _) = opened(&[(Err(Break::Display), Some("with it"), now)]);
-        assert!(matches!(ended, Err(Ended::Broken(Break::Display, state)) if state.session.time == 2.0));
+        assert!(matches!(ended, Err(Ended::Broken(Break::Display, state)) if state.document.time == 2.0));
         let none = Err(Break::Window("no adapter".to_owned()));
         let (ended, _) = opened(&[(none.clone(), None, now)]);
         assert!(matches!(ended, Err(Ended::Unopened(_))));
         // The second is not to be had: what the first showed is not lost.
         let (ended, _) = opened(&[(Ok(()), Some("gone"), now), (none, None, now)]);
-        assert!(matches!(ended, Err(Ended::Broken(Break::Window(_), state)) if state.session.time == 2.0));
+        assert!(matches!(ended, Err(Ended::Broken(Break::Window(_), state)) if state.document.time == 2.0));
     }
 
     #[test]

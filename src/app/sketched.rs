@@ -44,7 +44,7 @@ impl State {
     /// The parts of the window: there is a place to draw in while a curve is asked for, and to compare it.
     #[must_use]
     pub fn shown_window(&self) -> Window {
-        let window = self.settings.window;
+        let window = self.document.settings.window;
         if self.sketched().is_none() {
             return window;
         }
@@ -57,11 +57,11 @@ impl State {
     #[must_use]
     pub fn sight(&self) -> Sight<'_> {
         Sight {
-            settings: &self.settings,
-            scene: &self.session.scene,
-            prepared: &self.session.prepared,
-            track: self.session.points.selected().track,
-            time: self.session.time,
+            settings: &self.document.settings,
+            scene: &self.document.scene,
+            prepared: &self.document.prepared,
+            track: self.document.points.selected().track,
+            time: self.document.time,
         }
     }
 }

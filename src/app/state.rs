@@ -30,72 +30,78 @@ use crate::scene::{Scene, SceneError};
 use crate::settings::{Look, Preset, Settings};
 use crate::units::Measures;
 
-/// Everything the panels read. Only [`super::command`] changes it.
+/// Everything the panels read, each part by how long it lasts. Only [`super::command`] changes it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State {
-    /// Remembered. T and the tracked point are the session's.
-    pub settings: Settings,
-    /// Forgotten at the end.
+    /// What is shown: undone, saved and compared.
+    pub document: Document,
+    /// What lasts until something else is shown.
+    pub scratch: Scratch,
+    /// What lasts as long as the window.
     pub session: Session,
+    /// What the last frame has measured and chosen.
+    pub frame: Frame,
 }
 
-/// What lasts as long as the window.
+/// What is shown, and the files and presets that it came from.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Session {
+pub struct Document {
+    /// Remembered, but for T and the points, which are here.
+    pub settings: Settings,
     /// What rides past, at rest, as its file says.
     pub scene: Scene,
-    /// It, ready to be drawn and picked from.
+    /// The scene, ready to be drawn and picked from.
     pub prepared: PreparedScene,
     /// T.
     pub time: f64,
-    /// Whether T runs.
-    pub playing: bool,
     /// The followed points.
     pub points: Points,
-    /// What stands over the window.
-    pub overlay: Option<Overlay>,
+    /// The preset that is shown, until another scene or state is.
+    pub preset: Option<&'static Preset>,
+    /// The file with settings that is shown, if it is one.
+    pub opened: Option<PathBuf>,
+}
+
+/// What is tried on the document, and forgotten when another is shown.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Scratch {
+    /// Whether T runs.
+    pub playing: bool,
     /// The ruler for angles in the views.
     pub angle_ruler: AngleRuler,
     /// The stopwatch in the first view.
     pub stopwatch: Stopwatch,
-    /// The step of T in the last frame; 0 while it stands still.
-    pub step: f64,
     /// The click into a view that hit nothing, until something else is done.
     pub missed: Option<Pick>,
-    /// Whether the views say what a click does: until the first.
-    pub hint: bool,
-    /// The preset that is shown, until another scene or state is.
-    pub preset: Option<&'static Preset>,
-    /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
-    pub picture_size: [u32; 2],
-    /// What automatic quality has chosen for views of each geometry that is shown.
-    pub choices: Vec<(Geometry, Choice)>,
-    /// How large a pixel of the screen is, cm.
-    pub cm_per_pixel: f64,
-    /// The separation of the eyes before it was narrowed to be comfortable, and then.
+    /// The separation of the eyes before it was narrowed to be comfortable, and after.
     pub narrowed: Option<[f64; 2]>,
-    /// What is made of the window for a while.
-    pub stage: Stage,
-    /// Whether the map is shown.
-    pub shows_map: bool,
-    /// How the user looks at the map.
+    /// The user's look at the map.
     pub map_view: Viewpoint,
     /// What is looked at of the plots, and what is kept in them.
     pub plotting: Plotting,
-    /// What is said about the last thing that was done, or could not be.
+    /// The message about the last thing that was done, or could not be.
     pub notice: Option<Notice>,
-    /// What a file is being chosen for.
+    /// The purpose for which a file is being chosen.
     pub chooser: Option<Purpose>,
+}
+
+/// What lasts as long as the window.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Session {
+    /// What stands over the window.
+    pub overlay: Option<Overlay>,
+    /// Whether the views say what a click does: until the first.
+    pub hint: bool,
+    /// What is made of the window for a while.
+    pub stage: Stage,
     /// The way back.
     pub history: History,
     /// The measured disparities that are fitted in place of simulated ones.
     pub data: Option<Arc<DataFile>>,
-    /// What was asked for that more than the state is needed for.
+    /// Requests that need more than the state.
     pub orders: Vec<Order>,
     /// The files that were opened.
     pub recent: Recent,
-    /// The file with settings that is shown, if it is one.
-    pub opened: Option<PathBuf>,
     /// The lesson that is gone through.
     pub lesson: Option<Running>,
     /// The name of the lesson to go on with: the last that was begun, or the one after it once that is over.
@@ -106,12 +112,57 @@ pub struct Session {
     pub library: Option<Arc<Library>>,
 }
 
+/// What each frame of the window measures and chooses anew.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
+    pub picture_size: [u32; 2],
+    /// The size of a pixel of the screen, cm.
+    pub cm_per_pixel: f64,
+    /// What automatic quality has chosen for views of each geometry that is shown.
+    pub choices: Vec<(Geometry, Choice)>,
+    /// Whether the map is shown.
+    pub shows_map: bool,
+    /// The step that T took; 0 while it stands still.
+    pub step: f64,
+}
+
+impl Frame {
+    /// Returns the frame before the first: pictures are as large as `settings` have those of files.
+    fn before_the_first(settings: &Settings) -> Self {
+        Self {
+            picture_size: settings.picture.size.0,
+            cm_per_pixel: settings.screen.cm_per_point(None),
+            choices: Vec::new(),
+            shows_map: false,
+            step: 0.0,
+        }
+    }
+}
+
 /// A picture for a headset is shown as a conformal one instead, and that is said.
 fn without_headset(look: &mut Look) -> Option<Notice> {
     (look.projection == ProjectionChoice::Vr180).then(|| {
         look.projection = ProjectionChoice::Mercator;
         Notice::error("Half of the sky is for headsets: `gamow render --projection vr180` draws it. The window shows conformal pictures instead.")
     })
+}
+
+impl Document {
+    /// Returns `scene` as `settings` have it, and the message that is due, if there is one. Unless they say otherwise the
+    /// scene's own point is selected, and T is shortly before that passes.
+    fn new(mut settings: Settings, scene: ReadyScene) -> (Self, Option<Notice>) {
+        let ReadyScene { scene, prepared } = scene;
+        let notice = without_headset(&mut settings.look);
+        let preset = Preset::of(&settings);
+        let tracked = settings.track(&scene);
+        let points = Points::tracked(scene.track(None));
+        let points = points.with_followed(&scene, settings.points.take()).with_selected(tracked);
+        settings.point = None;
+        let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(&tracked));
+        let time = clock::bounded(time);
+        (Self { settings, scene, prepared, time, points, preset, opened: None }, notice)
+    }
 }
 
 impl State {
@@ -123,49 +174,19 @@ impl State {
     }
 
     /// The same of a scene that is ready to be drawn.
-    pub(super) fn in_scene(mut settings: Settings, scene: ReadyScene) -> Self {
-        let ReadyScene { scene, prepared } = scene;
-        let notice = without_headset(&mut settings.look);
-        let preset = Preset::of(&settings);
-        let tracked = settings.track(&scene);
-        let points = Points::tracked(scene.track(None));
-        let points = points.with_followed(&scene, settings.points.take()).with_selected(tracked);
-        settings.point = None;
-        let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(&tracked));
-        let session = Session {
-            prepared,
-            time: clock::bounded(time),
-            playing: false,
-            points,
-            overlay: None,
-            angle_ruler: AngleRuler::default(),
-            stopwatch: Stopwatch::default(),
-            step: 0.0,
-            missed: None,
-            hint: false,
-            preset,
-            picture_size: settings.picture.size.0,
-            choices: Vec::new(),
-            cm_per_pixel: settings.screen.cm_per_point(None),
-            narrowed: None,
-            stage: Stage::default(),
-            shows_map: false,
-            map_view: Viewpoint::default(),
-            plotting: Plotting::default(),
-            notice,
-            chooser: None,
-            history: History::default(),
-            data: None,
-            orders: Vec::new(),
-            recent: Recent::default(),
-            opened: None,
-            lesson: None,
-            next_lesson: None,
-            answers: Answers::default(),
-            library: None,
-            scene,
-        };
-        Self { settings, session }
+    pub(super) fn in_scene(settings: Settings, scene: ReadyScene) -> Self {
+        let (document, notice) = Document::new(settings, scene);
+        let frame = Frame::before_the_first(&document.settings);
+        let scratch = Scratch { notice, ..Scratch::default() };
+        Self { document, scratch, session: Session::default(), frame }
+    }
+
+    /// Shows what `settings` say, in their `scene`. T runs on unless they give one.
+    pub(super) fn show_in(&mut self, settings: Settings, scene: ReadyScene) {
+        let playing = self.scratch.playing && settings.time.is_none();
+        let (document, notice) = Document::new(settings, scene);
+        self.document = document;
+        self.scratch = Scratch { playing, notice, ..Scratch::default() };
     }
 
     /// The scene that `settings` name, as they have it.
@@ -182,46 +203,48 @@ impl State {
     /// # Errors
     /// A scene that cannot be had; then nothing changes.
     pub fn set(&mut self, settings: Settings) -> Result<(), SceneError> {
-        let is_same = settings.scene == self.settings.scene;
-        if !is_same || settings.light.surroundings != self.settings.light.surroundings {
+        let is_same = settings.scene == self.document.settings.scene;
+        if !is_same || settings.light.surroundings != self.document.settings.light.surroundings {
             self.show_scene(settings.opened_scene()?.into());
         }
-        self.settings = settings;
+        self.document.settings = settings;
         Ok(())
     }
 
     /// Shows `scene` in place of another version of it, with the points that are still there.
     pub(super) fn show_scene(&mut self, scene: ReadyScene) {
         let ReadyScene { scene, prepared } = scene;
-        self.session.prepared = prepared;
-        self.session.points = self.session.points.carried(&self.session.scene, &scene);
-        self.session.scene = scene;
+        self.document.prepared = prepared;
+        self.document.points = self.document.points.carried(&self.document.scene, &scene);
+        self.document.scene = scene;
     }
 
     /// The file of the scene, if it is in one.
     #[must_use]
     pub fn scene_file(&self) -> Option<&Path> {
-        Scene::preset(&self.settings.scene).is_none().then(|| Path::new(&self.settings.scene))
+        Scene::preset(&self.document.settings.scene)
+            .is_none()
+            .then(|| Path::new(&self.document.settings.scene))
     }
 
     /// All that is shown, as settings: what is remembered, and the session's T and points.
     #[must_use]
     pub fn shown(&self) -> Settings {
-        let points = &self.session.points;
+        let points = &self.document.points;
         Settings {
-            time: Some(self.session.time),
+            time: Some(self.document.time),
             point: (points.selected_index() != 0).then_some(points.selected().track.rest),
             points: points.followed(),
-            ..self.settings.clone()
+            ..self.document.settings.clone()
         }
     }
 
     /// What `point` is called in lists and plots: by what it is on, with its number where another is on that too.
     #[must_use]
     pub fn name_of(&self, point: &Point) -> String {
-        let what = point.what(&self.session.scene);
-        let is_on_it = |other: &&Point| other.what(&self.session.scene) == what;
-        match self.session.points.all().iter().filter(is_on_it).count() {
+        let what = point.what(&self.document.scene);
+        let is_on_it = |other: &&Point| other.what(&self.document.scene) == what;
+        match self.document.points.all().iter().filter(is_on_it).count() {
             0 | 1 => what.to_owned(),
             _ => format!("{what} ({})", point.number),
         }
@@ -230,26 +253,26 @@ impl State {
     /// The speed of the scene.
     #[must_use]
     pub fn speed(&self) -> Speed {
-        self.settings.speed()
+        self.document.settings.speed()
     }
 
     /// The units that lengths and times are shown and typed in.
     #[must_use]
     pub fn measures(&self) -> Measures {
-        self.settings.window.units.of(&self.session.scene)
+        self.document.settings.window.units.of(&self.document.scene)
     }
 
     /// First and last T of the scrubber and the plots.
     #[must_use]
     pub fn time_range(&self) -> [f64; 2] {
-        self.settings.time_range(&self.session.points.selected().track)
+        self.document.settings.time_range(&self.document.points.selected().track)
     }
 
     /// The light of `point`: of the body it was picked on, else of the one that it lies on, else of the first.
     #[must_use]
     pub fn emission(&self, point: &Point) -> Emission {
-        let body = point.body.or_else(|| self.session.scene.body_at(point.track.rest)).unwrap_or(0);
-        self.session.prepared.bodies().get(body).map_or(Emission::White, |body| body.emission)
+        let body = point.body.or_else(|| self.document.scene.body_at(point.track.rest)).unwrap_or(0);
+        self.document.prepared.bodies().get(body).map_or(Emission::White, |body| body.emission)
     }
 
     /// Wavelength of that light at rest, nm; white light has none.
@@ -262,18 +285,18 @@ impl State {
     #[must_use]
     pub fn method(&self, view: &View) -> Method {
         let chosen = || self.choice(view.geometry).map(|choice| choice.method);
-        self.settings.quality.method().or_else(chosen).unwrap_or(Method::Rays)
+        self.document.settings.quality.method().or_else(chosen).unwrap_or(Method::Rays)
     }
 
     /// What automatic quality has chosen for views of this `geometry`.
     #[must_use]
     pub fn choice(&self, geometry: Geometry) -> Option<&Choice> {
-        self.session.choices.iter().find_map(|(of, choice)| (*of == geometry).then_some(choice))
+        self.frame.choices.iter().find_map(|(of, choice)| (*of == geometry).then_some(choice))
     }
 
     /// What becomes of its light, in a light window or a dark one.
     #[must_use]
     pub fn appearance(&self, light_window: bool) -> Appearance {
-        self.settings.appearance(&self.session.scene, light_window)
+        self.document.settings.appearance(&self.document.scene, light_window)
     }
 }

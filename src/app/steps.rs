@@ -29,38 +29,38 @@ impl State {
         if command == Command::FollowAgain
             && let Some(before) = self.session.history.taken_pick()
         {
-            self.session.points = before.points;
+            self.document.points = before.points;
         }
-        let (kept, is_pick, time) = (self.kept(), matches!(command, Command::Pick(_)), self.session.time);
+        let (kept, is_pick, time) = (self.kept(), matches!(command, Command::Pick(_)), self.document.time);
         let run = self.session.history.run(nudge(&command));
         self.perform(command);
-        let kept = Kept { time: Some(time).filter(|time| *time != self.session.time), ..kept };
+        let kept = Kept { time: Some(time).filter(|time| *time != self.document.time), ..kept };
         let now = self.kept();
         self.session.history.note(run, is_pick, kept, &now);
     }
 
     fn kept(&self) -> Kept {
-        let preset = self.session.preset;
-        let (settings, points) = (self.settings.clone(), self.session.points.clone());
+        let preset = self.document.preset;
+        let (settings, points) = (self.document.settings.clone(), self.document.points.clone());
         Kept { settings, points, preset, place: self.course().map(Course::place), time: None }
     }
 
     fn travel(&mut self, direction: Direction) {
         let Some(kept) = self.session.history.next(direction) else { return };
         let scene = PathBuf::from(&kept.settings.scene);
-        let left = Kept { time: kept.time.map(|_| self.session.time), ..self.kept() };
+        let left = Kept { time: kept.time.map(|_| self.document.time), ..self.kept() };
         if let Err(error) = self.set(kept.settings) {
-            self.session.notice = Some(Notice::error(error).about(&scene));
+            self.scratch.notice = Some(Notice::error(error).about(&scene));
             return;
         }
-        self.session.points = kept.points.of(&self.session.scene);
-        self.session.preset = kept.preset;
+        self.document.points = kept.points.of(&self.document.scene);
+        self.document.preset = kept.preset;
         if let Some((running, place)) = self.session.lesson.as_mut().zip(kept.place) {
             running.course.go_to(place);
         }
         self.stop_run();
         if let Some(time) = kept.time {
-            (self.session.time, self.session.opened) = (time, None);
+            (self.document.time, self.document.opened) = (time, None);
         }
         self.session.history.leave(direction, left);
     }

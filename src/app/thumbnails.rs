@@ -123,9 +123,9 @@ fn work(Job { lesson, look }: Job, _: &Wanted) -> Option<Drawn> {
 fn picture(lesson: &Lesson, Look { size, in_light_window, eye }: Look) -> Option<Picture> {
     let settings = lesson.settings(0, true, &Settings::default()).ok()?;
     let mut state = State::open(settings).ok()?;
-    state.session.picture_size = size;
+    state.frame.picture_size = size;
     let (view, appearance) = (state.view(eye, size), state.appearance(in_light_window));
-    Some(state.session.prepared.picture(&view, &appearance, REFERENCE_SAMPLES))
+    Some(state.document.prepared.picture(&view, &appearance, REFERENCE_SAMPLES))
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ impl State {
     /// Applies a command about the stopwatch.
     pub(super) fn apply_to_stopwatch(&mut self, command: StopwatchCommand) {
         let now = self.mark();
-        self.session.stopwatch = match (command, &self.session.stopwatch) {
+        self.scratch.stopwatch = match (command, &self.scratch.stopwatch) {
             (StopwatchCommand::Press, Stopwatch::Running(from)) => {
                 Stopwatch::Stopped(Box::new([**from, now]))
             }
@@ -22,7 +22,7 @@ impl State {
     /// Returns the times that the stopwatch shows, up to now while it runs.
     #[must_use]
     pub fn elapsed(&self) -> Option<Elapsed> {
-        match &self.session.stopwatch {
+        match &self.scratch.stopwatch {
             Stopwatch::Hidden | Stopwatch::Ready => None,
             Stopwatch::Running(from) => Some(Elapsed::new(&[**from, self.mark()])),
             Stopwatch::Stopped(marks) => Some(Elapsed::new(marks)),
@@ -30,17 +30,18 @@ impl State {
     }
 
     fn mark(&self) -> Mark {
-        let point = self.session.points.selected();
-        let timed = Timed { track: point.track, eye: self.timed_eye(), motion: self.settings.motion };
+        let point = self.document.points.selected();
+        let timed =
+            Timed { track: point.track, eye: self.timed_eye(), motion: self.document.settings.motion };
         let clock = self.seen_clock(point, timed.eye).map(|clock| (timed, clock));
-        Mark { time: self.session.time, step: self.session.step, clock }
+        Mark { time: self.document.time, step: self.frame.step, clock }
     }
 
     /// The eye in whose view the stopwatch is.
     #[must_use]
     pub fn timed_eye(&self) -> Eye {
-        let eye = self.settings.picture.eyes().first().copied().unwrap_or_default();
-        if self.settings.is_comparing() { Eye::Left } else { Eye::BOTH[eye] }
+        let eye = self.document.settings.picture.eyes().first().copied().unwrap_or_default();
+        if self.document.settings.is_comparing() { Eye::Left } else { Eye::BOTH[eye] }
     }
 
     /// The clock at `point` as `eye` sees it; none where no light is shown that it receives.

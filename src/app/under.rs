@@ -48,21 +48,21 @@ impl State {
     pub fn under(&self, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Option<Under> {
         let pixel = self.meant(eye, pixel, size)?;
         let (track, body) = self.point_at(eye, pixel, size)?;
-        let name = self.session.scene.name_of(body).to_owned();
+        let name = self.document.scene.name_of(body).to_owned();
         let view = self.view(eye, size);
-        let (doppler_factor, mut lines) = match self.settings.geometry() {
+        let (doppler_factor, mut lines) = match self.document.settings.geometry() {
             Geometry::Rest => {
                 let there = view.of_group(track.motion).place_when_shown(track.point());
                 let is = if track.spin.is_some() { "riding along seen" } else { "at rest" };
-                let place = self.place(self.settings.rest_place(there.to_array()));
+                let place = self.place(self.document.settings.rest_place(there.to_array()));
                 (None, vec![format!("{is} at {place}")])
             }
             Geometry::Contracted => {
-                let place = self.place(self.settings.measured_place(&track, self.session.time));
+                let place = self.place(self.document.settings.measured_place(&track, self.document.time));
                 (None, vec![format!("measured now at {place}")])
             }
             Geometry::Seen | Geometry::Published | Geometry::OneCone => {
-                let both = self.settings.disparity(&track, self.session.time).ok()?;
+                let both = self.document.settings.disparity(&track, self.document.time).ok()?;
                 let seen = [both.primary, both.secondary][eye.index()];
                 (Some(seen.doppler_factor), self.received(&seen))
             }
@@ -74,14 +74,14 @@ impl State {
     /// Where a point is seen that an eye receives light of, and its times.
     fn received(&self, seen: &Sighting) -> Vec<String> {
         let at = format!("seen at {}", self.place(seen.position));
-        let times = [self.session.time, seen.retarded_time, seen.own_time];
+        let times = [self.document.time, seen.retarded_time, seen.own_time];
         [at].into_iter().chain(self.conformal(seen)).chain(told(times, self.measures().time, 2)).collect()
     }
 
     /// The coordinates in a conformal picture of what is seen; none in another picture, and along the line between the eyes.
     fn conformal(&self, seen: &Sighting) -> Option<String> {
-        let is_conformal = self.settings.projection() == ProjectionChoice::Mercator;
-        let axes = self.settings.baseline().axes();
+        let is_conformal = self.document.settings.projection() == ProjectionChoice::Mercator;
+        let axes = self.document.settings.baseline().axes();
         let Conformal { u, v } = axes.conformal(seen.position).filter(|_| is_conformal)?;
         Some(format!("u = {}, v = {} rad", figures::fixed(u, 3), figures::fixed(v, 3)))
     }
@@ -96,7 +96,7 @@ impl State {
     /// Whether T runs so slowly that numbers can be read: a step of the scrubber takes a second or more.
     #[must_use]
     pub fn is_legible(&self) -> bool {
-        !self.session.playing || self.settings.playback.rate <= clock::step_size(self.time_range())
+        !self.scratch.playing || self.document.settings.playback.rate <= clock::step_size(self.time_range())
     }
 }
 

@@ -62,14 +62,14 @@ impl State {
     #[must_use]
     pub fn usual(&self) -> Settings {
         let of_preset =
-            || self.session.preset.map_or_else(Settings::default, |preset| preset.settings.clone());
+            || self.document.preset.map_or_else(Settings::default, |preset| preset.settings.clone());
         self.lesson_settings().cloned().unwrap_or_else(of_preset)
     }
 
     /// Where [`Self::usual`] is from, in words.
     #[must_use]
     pub fn usual_is(&self) -> String {
-        match self.session.preset {
+        match self.document.preset {
             _ if self.session.lesson.is_some() => "as the lesson has it here".to_owned(),
             Some(preset) => format!("as the preset “{}” has it", preset.title),
             None => "as in a new window".to_owned(),
@@ -80,23 +80,23 @@ impl State {
     #[must_use]
     pub fn is_as_in_lesson(&self) -> bool {
         let Some(mut told) = self.lesson_settings().cloned() else { return true };
-        if told.scene != self.settings.scene {
+        if told.scene != self.document.settings.scene {
             return false;
         }
-        let scene = &self.session.scene;
+        let scene = &self.document.scene;
         let selected = told.track(scene);
         let points = Points::tracked(scene.track(None)).with_followed(scene, told.points.take());
         let time = told.time.take().unwrap_or_else(|| told.time_of_approach(&selected));
         told.point = None;
-        told == self.settings
-            && points.with_selected(selected) == self.session.points
-            && clock::bounded(time) == self.session.time
+        told == self.document.settings
+            && points.with_selected(selected) == self.document.points
+            && clock::bounded(time) == self.document.time
     }
 
     /// All as usual, but for the scene, the parts of the window, its units and colours, and the screen.
     #[must_use]
     pub(super) fn as_usual(&self) -> Settings {
-        let Settings { scene, screen, window, .. } = self.settings.clone();
+        let Settings { scene, screen, window, .. } = self.document.settings.clone();
         Settings { scene, screen, window, ..self.usual() }
     }
 
@@ -104,20 +104,20 @@ impl State {
     #[must_use]
     pub fn is_usual(&self) -> bool {
         let as_usual = Settings { time: None, point: None, points: None, ..self.as_usual() };
-        let has_own_point = self.session.points == Points::tracked(self.session.scene.track(None));
-        as_usual == self.settings && has_own_point
+        let has_own_point = self.document.points == Points::tracked(self.document.scene.track(None));
+        as_usual == self.document.settings && has_own_point
     }
 
     /// Whether what is set in `section` is as usual.
     #[must_use]
     pub fn is_usual_in(&self, section: Section) -> bool {
-        section.as_in(&self.usual(), &self.settings) == self.settings
+        section.as_in(&self.usual(), &self.document.settings) == self.document.settings
     }
 
     /// Has what is set in `section` as usual.
     pub(super) fn reset(&mut self, section: Section) {
-        if let Err(error) = self.set(section.as_in(&self.usual(), &self.settings)) {
-            self.session.notice = Some(Notice::error(error));
+        if let Err(error) = self.set(section.as_in(&self.usual(), &self.document.settings)) {
+            self.scratch.notice = Some(Notice::error(error));
         }
     }
 }

@@ -28,7 +28,9 @@ impl App {
         match pane.content {
             Content::Eye(eye) => vec![EyePane::new(eye, pane.rect, scale, largest)],
             Content::Second => vec![EyePane::second(pane.rect, scale, largest)],
-            Content::Both => EyePane::both(&self.state.settings.picture, pane.rect, scale, largest).into(),
+            Content::Both => {
+                EyePane::both(&self.state.document.settings.picture, pane.rect, scale, largest).into()
+            }
             Content::Corrected => Vec::new(),
         }
     }
@@ -36,7 +38,7 @@ impl App {
     /// Notes how large the eyes' pictures are: fields of view are fitted to that of the first.
     pub(super) fn measure_pictures(&mut self, ui: &Ui, panes: &[Pane]) {
         if let Some(pane) = panes.iter().find_map(|pane| self.eye_panes(ui, pane).first().copied()) {
-            self.state.session.picture_size = pane.size;
+            self.state.frame.picture_size = pane.size;
         }
     }
 
@@ -58,12 +60,12 @@ impl App {
         let first = panes
             .first()
             .and_then(|pane| self.eye_panes(ui, pane).into_iter().find(EyePane::takes_the_mouse));
-        if let Some(pane) = first.filter(|_| self.state.session.stopwatch != Stopwatch::Hidden) {
+        if let Some(pane) = first.filter(|_| self.state.scratch.stopwatch != Stopwatch::Hidden) {
             self.panel(ui, "stopwatch", pane.rect, |ui, state, asks| {
                 panels::stopwatch::show(ui, state, pane, asks);
             });
         }
-        if self.state.settings.is_panorama() && !self.state.settings.is_comparing() {
+        if self.state.document.settings.is_panorama() && !self.state.document.settings.is_comparing() {
             let strips: Vec<_> = panes.iter().flat_map(|pane| self.eye_panes(ui, pane)).collect();
             if let &[upper, lower] = strips.as_slice() {
                 panorama::join(ui, &self.state, [upper, lower]);
@@ -101,7 +103,7 @@ impl App {
         eyes::Request {
             view,
             appearance: state.appearance(!ui.visuals().dark_mode),
-            scene: state.session.prepared.clone(),
+            scene: state.document.prepared.clone(),
             method,
             at_once,
             refine: self.may_refine(),
@@ -110,7 +112,7 @@ impl App {
 
     /// How far the picture of `request` in `pane` is off, where that is to be seen.
     fn heat_map(&mut self, ui: &Ui, pane: EyePane, request: &eyes::Request) -> Option<TextureId> {
-        let is_examined = self.state.settings.plots.heat_map && !pane.is_second;
+        let is_examined = self.state.document.settings.plots.heat_map && !pane.is_second;
         let examination = self.examination.as_mut().filter(|_| is_examined)?;
         let method = self.state.method(&request.view).of_view(&request.view);
         examination.heat_map(ui.ctx(), pane.eye, method).map(Into::into)
@@ -126,7 +128,7 @@ impl App {
 
     /// Draws the picture that both eyes share, and the markers of both, or of the one whose turn it is.
     fn paint_both(&mut self, ui: &Ui, panes: [EyePane; 2]) {
-        let Form::Composed(composition) = self.state.settings.picture.layout.form() else {
+        let Form::Composed(composition) = self.state.document.settings.picture.layout.form() else {
             let pane = panes[flicker::turn(ui.ctx())];
             let request = self.request(ui, pane);
             let picture =
@@ -147,7 +149,7 @@ impl App {
 
     /// Shows the left eye's picture in `rect`, corrected by the fitted speed while there is a fit in view.
     fn show_corrected(&mut self, ui: &Ui, rect: Rect) {
-        let Settings { plots, window, .. } = self.state.settings;
+        let Settings { plots, window, .. } = self.state.document.settings;
         let fit = self.fitting.shown().filter(|_| window.plots && plots.plot == PlotTab::Fit);
         let correction = self.state.correction(fit);
         let size = (rect.size() * ui.pixels_per_point()).round();
@@ -155,7 +157,7 @@ impl App {
             view: self.state.view_to_correct([size.x, size.y].map(|side| side.max(1.0) as u32)),
             speed: correction.speed,
             appearance: self.state.appearance(!ui.visuals().dark_mode),
-            scene: self.state.session.prepared.clone(),
+            scene: self.state.document.prepared.clone(),
         };
         let corrected = self.corrected.get_or_insert_with(|| Corrected::of_left_eye(ui.ctx()));
         corrected.request(&job);
@@ -172,7 +174,7 @@ impl App {
 
     /// Examines the pictures in `panes` while their figures are in view.
     pub(super) fn update_examination(&mut self, ui: &Ui, panes: &[Pane], plots_are_shown: bool) {
-        if !plots_are_shown || self.state.settings.plots.plot != PlotTab::Accuracy {
+        if !plots_are_shown || self.state.document.settings.plots.plot != PlotTab::Accuracy {
             self.examination.iter_mut().for_each(Examination::rest);
             return;
         }
@@ -182,7 +184,7 @@ impl App {
         let sight = Sight {
             views: exact.map(|pane| (pane.eye, state.view(pane.eye, pane.size))).collect(),
             appearance: state.appearance(!ui.visuals().dark_mode),
-            scene: state.session.prepared.clone(),
+            scene: state.document.prepared.clone(),
         };
         let chosen = sight.views.first().map_or(Method::Rays, |(_, view)| state.method(view));
         let gpu = self.eyes.as_ref().map(|eyes| eyes.gpu().clone());

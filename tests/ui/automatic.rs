@@ -26,7 +26,7 @@ pub const TESTS: &[Test] = &[
 /// A small window whose pictures may get smoother.
 fn refined_window() -> Harness<'static, App> {
     let mut state = cyclist(0.6);
-    (state.settings.window.dials, state.settings.window.ruler) = (false, false);
+    (state.document.settings.window.dials, state.document.settings.window.ruler) = (false, false);
     let mut harness = builder([800.0, 600.0])
         .wgpu()
         .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state));
@@ -56,7 +56,7 @@ fn differences(window: &mut Harness<'_, App>, samples: u32) -> [f64; 2] {
     let size = [pane.width() as u32, pane.height() as u32];
     let state = window.state().state();
     let view = state.view(Eye::Left, size);
-    let reference = state.session.prepared.picture(&view, &state.appearance(false), samples);
+    let reference = state.document.prepared.picture(&view, &state.appearance(false), samples);
     let shown = window.render().expect("a picture");
     let (mut sum, mut differing) = (0, 0);
     let compared = size[0] * (size[1] - NOTE);
@@ -98,7 +98,7 @@ fn changes_are_plain() {
     assert!(!window.state().is_refined());
     let [changed, _] = differences(&mut window, 8);
     assert!(changed < 3.0, "it is a picture of the new time: {changed}");
-    let mut quality = window.state().state().settings.quality;
+    let mut quality = window.state().state().document.settings.quality;
     quality.refine = false;
     window.state_mut().ask(Command::Quality(quality));
     window.step();
@@ -123,7 +123,7 @@ fn what_was_chosen_is_said() {
         (Goal::Budget(0.01), "; nothing keeps 0.01 ms"),
         (Goal::Error(0.05), ", within 0.002 px"),
     ] {
-        let mut quality = window.state().state().settings.quality;
+        let mut quality = window.state().state().document.settings.quality;
         quality.goal = goal;
         window.state_mut().ask(Command::Quality(quality));
         window.run_steps(3);
@@ -132,7 +132,7 @@ fn what_was_chosen_is_said() {
     }
     window.get_by_label("Rays").click();
     window.run();
-    assert_eq!(window.state().state().settings.quality.renderer, RendererChoice::Rays);
+    assert_eq!(window.state().state().document.settings.quality.renderer, RendererChoice::Rays);
     assert!(!labels(&window).iter().any(|label| label.starts_with("Chosen: ")));
     window.get_by_label("Automatic").click();
     window.run();
@@ -140,13 +140,13 @@ fn what_was_chosen_is_said() {
     // One undoes the other.
     window.state_mut().ask(Command::Undo);
     window.run();
-    assert_eq!(window.state().state().settings.quality.renderer, RendererChoice::Rays);
+    assert_eq!(window.state().state().document.settings.quality.renderer, RendererChoice::Rays);
 }
 
 /// What is no number changes nothing; what is out of range becomes the nearest that is inside.
 fn wrong_goals_are_refused() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 1300.0], 1.0);
-    let goal = |window: &Harness<'_, App>| window.state().state().settings.quality.goal;
+    let goal = |window: &Harness<'_, App>| window.state().state().document.settings.quality.goal;
     for (text, expected) in [
         ("0.25", 0.25),
         ("nan", 0.25),

@@ -33,7 +33,7 @@ const SECOND: &str = "Left eye view: contracted only";
 /// The cyclist in pictures of one field of view.
 fn compared(compare: Compare) -> State {
     let mut state = cyclist(0.9);
-    let look = Look { compare, fov: FieldOfView(Some(80.0)), ..state.settings.look };
+    let look = Look { compare, fov: FieldOfView(Some(80.0)), ..state.document.settings.look };
     state.apply(Command::Look(look));
     state.apply(Command::Time(-1.0));
     state
@@ -58,7 +58,7 @@ fn second_picture_is_that_alone() {
         let [first, second] = ["Left eye view: as seen", name].map(|name| both.get_by_label(name).rect());
         assert!(first.max.x < second.min.x && (first.width() - second.width()).abs() < 1.5);
         let mut alone = compared(Compare::Off);
-        alone.settings.look.geometry = geometry;
+        alone.document.settings.look.geometry = geometry;
         let mut alone = window(alone);
         let place = alone.get_by_label("Left eye view").rect();
         assert!((place.size() - second.size()).abs().max_elem() < 0.5, "{place:?} {second:?}");
@@ -79,7 +79,7 @@ fn second_picture_is_that_alone() {
 fn marker(window: &Harness<'_, App>, place: Rect) -> Vec2 {
     let state = window.state().state();
     let size = [place.width().round() as u32, place.height().round() as u32];
-    let direction = state.direction(state.session.points.selected(), Eye::Left).expect("it is somewhere");
+    let direction = state.direction(state.document.points.selected(), Eye::Left).expect("it is somewhere");
     let [u, v] = state.view(Eye::Left, size).camera.pixel(direction).expect("in front");
     vec2(u as f32, v as f32)
 }
@@ -87,12 +87,12 @@ fn marker(window: &Harness<'_, App>, place: Rect) -> Vec2 {
 /// Where a place on the tyre is measured to be at T by the left eye's camera: a third independent of what the views use, x0/gamma + beta T.
 fn measured(window: &Harness<'_, App>, rest: [f64; 3]) -> Pos2 {
     let state = window.state().state();
-    let [beta, time] = [0.9, state.session.time];
+    let [beta, time] = [0.9, state.document.time];
     let place = DVec3::new(rest[0] * (1.0_f64 - beta * beta).sqrt() + beta * time, rest[1], rest[2]);
     let rect = window.get_by_label(SECOND).rect();
     let mut alone = state.clone();
-    alone.settings.look.compare = Compare::Off;
-    alone.settings.look.geometry = Geometry::Contracted;
+    alone.document.settings.look.compare = Compare::Off;
+    alone.document.settings.look.geometry = Geometry::Contracted;
     let size = [rect.width().round() as u32, rect.height().round() as u32];
     let camera = alone.view(Eye::Left, size).camera;
     let [u, v] = camera.pixel(place - DVec3::new(-SEPARATION / 2.0, 0.0, 0.0)).expect("in front");
@@ -111,7 +111,7 @@ fn clicking_the_second_picture() {
         "{told}"
     );
     click(&mut window, place, Modifiers::NONE);
-    let point = *window.state().state().session.points.selected();
+    let point = *window.state().state().document.points.selected();
     assert_eq!(point.body, Some(FRONT_TYRE));
     let off = DVec3::from(point.track.rest).distance(DVec3::from(ON_THE_TYRE));
     assert!(off < 2e-3, "{off} from where it was clicked");
@@ -121,7 +121,7 @@ fn clicking_the_second_picture() {
     click(&mut window, first.min + corner, Modifiers::NONE);
     let said = window.get_by_label("Nothing here to follow.").rect();
     assert!(first.contains_rect(said) && !second.intersects(said));
-    assert_eq!(window.state().state().settings.look.compare, Compare::Contracted);
+    assert_eq!(window.state().state().document.settings.look.compare, Compare::Contracted);
 }
 
 fn dragging_the_second_picture() {
@@ -131,7 +131,7 @@ fn dragging_the_second_picture() {
     super::support::drag(&mut window, from, to);
     let off = measured(&window, ON_THE_TYRE) - to;
     assert!(off.length() < 1.0, "{off:?}");
-    let look = window.state().state().settings.look;
+    let look = window.state().state().document.settings.look;
     assert_eq!((look.compare, look.geometry), (Compare::Contracted, Geometry::Seen));
 }
 
@@ -143,7 +143,7 @@ fn named_and_no_pair() {
     assert!(all.iter().any(|label| label == "Fusing: two pictures of one eye"), "{all:?}");
     // The numbers stay those of two eyes.
     let disparity = shown(&window, "Disparity Δφ");
-    let look = window.state().state().settings.look;
+    let look = window.state().state().document.settings.look;
     window.state_mut().ask(Command::Look(Look { compare: Compare::Off, ..look }));
     window.run();
     assert!((shown(&window, "Disparity Δφ") - disparity).abs() < 1e-12);
@@ -193,14 +193,14 @@ fn chosen_saved_and_opened() {
     std::fs::write(&path, told).expect("it is writable");
     window.state_mut().ask(Command::Reset);
     window.run();
-    assert_eq!(window.state().state().settings.look.compare, Compare::Off);
+    assert_eq!(window.state().state().document.settings.look.compare, Compare::Off);
     open(&mut window, &path);
-    assert_eq!(window.state().state().settings.look.compare, Compare::Contracted);
+    assert_eq!(window.state().state().document.settings.look.compare, Compare::Contracted);
     window.run();
     window.get_by_label(SECOND);
     window.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     window.run();
-    assert_eq!(window.state().state().settings.look.compare, Compare::Off);
+    assert_eq!(window.state().state().document.settings.look.compare, Compare::Off);
 }
 
 fn clock_beside_you() {
@@ -212,5 +212,5 @@ fn clock_beside_you() {
     window.get_by_label("clocks").click();
     window.run();
     assert!(!labels(&window).iter().any(|label| label.starts_with("Clock beside you, ")));
-    assert!(window.state().state().settings.window.resting_clock);
+    assert!(window.state().state().document.settings.window.resting_clock);
 }

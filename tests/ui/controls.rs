@@ -49,7 +49,7 @@ fn a_slider_is_set_by_an_aid() {
 fn dragging_beta_changes_the_readout() {
     let mut window = window(cyclist(0.5));
     let rail = slider(&window, "Speed β");
-    let start = window.state().state().settings.motion.speed.slider_position();
+    let start = window.state().state().document.settings.motion.speed.slider_position();
     let x = |position: f64| rail.min.x + 8.0 + (rail.width() - 16.0) * position as f32;
     window.hover_at(pos2(x(start), rail.center().y));
     window.step();
@@ -61,7 +61,7 @@ fn dragging_beta_changes_the_readout() {
     let beta = state.speed().beta();
     assert!(beta > 0.98 && beta < 0.999, "beta = {beta}");
     let doppler = shown(&window, "Left eye, Doppler factor D");
-    let expected = seen(beta, state.session.time, 0).doppler_factor;
+    let expected = seen(beta, state.document.time, 0).doppler_factor;
     assert!((doppler - expected).abs() < 6e-5, "{doppler} for {expected}");
 }
 
@@ -94,12 +94,15 @@ fn a_decimal_comma_is_typed() {
     type_into(&mut window, "Eyes apart d, typed", "0,5");
     type_into(&mut window, "Distance y, typed", "4,5");
     let state = window.state().state();
-    assert_eq!((state.speed().beta(), state.session.time, state.settings.motion.d), (0.75, 2.25, 0.5));
-    assert_eq!(state.settings.motion.depth_shift, 1.5);
+    assert_eq!(
+        (state.speed().beta(), state.document.time, state.document.settings.motion.d),
+        (0.75, 2.25, 0.5)
+    );
+    assert_eq!(state.document.settings.motion.depth_shift, 1.5);
     window.state_mut().ask(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
     window.run();
     type_into(&mut window, "Noise", "2,5");
-    assert_eq!(window.state().state().settings.fit.noise_percent, 2.5);
+    assert_eq!(window.state().state().document.settings.fit.noise_percent, 2.5);
 }
 
 fn a_bad_speed_is_explained() {
@@ -120,7 +123,7 @@ fn a_bad_speed_is_explained() {
 fn the_readout_is_what_the_core_computes() {
     for beta in [0.0, 0.3, 0.9, 0.999] {
         let state = cyclist(beta);
-        let time = state.session.time;
+        let time = state.document.time;
         let window = window(state);
         for (eye, name) in ["Left eye", "Right eye"].into_iter().enumerate() {
             let expected = seen(beta, time, eye);
@@ -156,15 +159,15 @@ fn separation_and_path_follow() {
     let mut window = window(cyclist(0.9));
     let separation = slider(&window, "Eyes apart d");
     drag(&mut window, separation.left_center() + [10.0, 0.0].into(), separation.center());
-    let separation = window.state().state().settings.motion.d;
+    let separation = window.state().state().document.settings.motion.d;
     assert!((separation - 1.0).abs() < 0.1, "d = {separation}");
 
     let distance = slider(&window, "Distance y");
     drag(&mut window, distance.left_center() + [20.0, 0.0].into(), distance.center());
     let state = window.state().state();
-    let depth = state.settings.motion.depth_shift + 3.0;
+    let depth = state.document.settings.motion.depth_shift + 3.0;
     assert!((depth - 10.0).abs() < 0.7, "y = {depth}");
-    let time = state.equidistance_time(state.session.points.selected()).expect("it moves");
+    let time = state.equidistance_time(state.document.points.selected()).expect("it moves");
     let expected = (separation / 2.0).hypot(depth).hypot(2.0);
     assert!((time - expected).abs() < 1e-12 * expected, "T0 = {time} for {expected}");
     let apparent = shown(&window, "Left eye, Apparent Y");
@@ -178,7 +181,7 @@ fn separation_and_path_follow() {
 
 fn one_light_cone_is_one_click_away() {
     let mut state = cyclist(0.9);
-    state.settings.motion.d = 1.0;
+    state.document.settings.motion.d = 1.0;
     let mut window = window_of_size(state, [1280.0, 1100.0], 1.0);
     let picture = |window: &mut Harness<'_, App>| {
         window.remove_cursor();
@@ -189,12 +192,12 @@ fn one_light_cone_is_one_click_away() {
     let exact = shown(&window, "Disparity Δφ");
     window.get_by_label("One cone").click();
     window.run();
-    assert_eq!(window.state().state().settings.look.geometry, Geometry::OneCone);
+    assert_eq!(window.state().state().document.settings.look.geometry, Geometry::OneCone);
     assert!(picture(&mut window) != two);
     label_starting_with(&window, "As if both eyes received the same events");
     // The light that the middle receives, in one place, from two sides.
     let state = window.state().state();
-    let middle = sighting(&state.speed(), state.selected_source(), Aperture::default(), state.session.time)
+    let middle = sighting(&state.speed(), state.selected_source(), Aperture::default(), state.document.time)
         .expect("in the domain");
     for (eye, half) in [("Left eye", 0.5), ("Right eye", -0.5)] {
         let x = shown(&window, &format!("{eye}, Apparent X"));
@@ -208,7 +211,7 @@ fn one_light_cone_is_one_click_away() {
     assert!((dphi - parallax).abs() < 6e-6 && (dphi - exact).abs() > 0.01, "{dphi} for {parallax}, {exact}");
     window.get_by_label("Exact").click();
     window.run();
-    assert_eq!(window.state().state().settings.look.geometry, Geometry::Seen);
+    assert_eq!(window.state().state().document.settings.look.geometry, Geometry::Seen);
 }
 
 fn each_effect_changes_the_picture() {
@@ -225,14 +228,14 @@ fn each_effect_changes_the_picture() {
         last = picture;
     }
     let state = window.state().state();
-    let light = state.settings.light;
+    let light = state.document.settings.light;
     assert_eq!(light.colour, Colour::False);
     assert_eq!((light.doppler_shift, light.intensity_exponent.0, light.sky), (false, None, false));
-    assert_eq!((light.shading, state.settings.look.geometry), (Shading::Emission, Geometry::Rest));
+    assert_eq!((light.shading, state.document.settings.look.geometry), (Shading::Emission, Geometry::Rest));
     label_starting_with(&window, "Plot of Δφ of front tyre");
     window.key_press(Key::Num1);
     window.run();
-    assert_eq!(window.state().state().settings.look.geometry, Geometry::Seen);
+    assert_eq!(window.state().state().document.settings.look.geometry, Geometry::Seen);
 }
 
 fn settings_survive() {
@@ -246,7 +249,7 @@ fn settings_survive() {
     Keeper::in_folder(folder.path()).keep(window.state().state()).expect("it is written");
     let loaded = Keeper::in_folder(folder.path()).load().settings;
     assert_eq!(loaded, window.state().state().shown());
-    assert_ne!(loaded, cyclist(0.9).settings);
+    assert_ne!(loaded, cyclist(0.9).document.settings);
 }
 
 /// Returns the labels of all that can be clicked, dragged or typed into, besides plots and views.

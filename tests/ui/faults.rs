@@ -37,7 +37,7 @@ fn on_device(lower: fn(&mut wgpu::Limits)) -> (Harness<'static, App>, RenderStat
     let render_state = create_render_state(setup, RendererOptions::PREDICTABLE);
     let mut state = cyclist(0.9);
     // A software device would have the CPU draw in its place.
-    state.settings.quality.renderer = RendererChoice::Rays;
+    state.document.settings.quality.renderer = RendererChoice::Rays;
     let harness = builder([1280.0, 800.0])
         .renderer(WgpuTestRenderer::from_render_state(render_state.clone()))
         .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state));
@@ -45,7 +45,7 @@ fn on_device(lower: fn(&mut wgpu::Limits)) -> (Harness<'static, App>, RenderStat
 }
 
 fn notice(harness: &Harness<'_, App>) -> Option<String> {
-    harness.state().state().session.notice.as_ref().map(|notice| notice.text.clone())
+    harness.state().state().scratch.notice.as_ref().map(|notice| notice.text.clone())
 }
 
 fn a_device_that_refuses_leaves_the_views_to_the_cpu() {
@@ -107,8 +107,8 @@ fn a_lost_device_closes_the_window() {
     assert!(harness.state().loss().is_some());
     let mut asked = harness.output().viewport_output.values().flat_map(|output| &output.commands);
     assert!(asked.any(|command| *command == ViewportCommand::Close));
-    assert_eq!(harness.state().state().settings, before.settings);
-    assert_eq!(harness.state().state().session.points, before.session.points);
+    assert_eq!(harness.state().state().document.settings, before.document.settings);
+    assert_eq!(harness.state().state().document.points, before.document.points);
 }
 
 fn no_size_of_the_window_is_an_error() {
@@ -118,7 +118,7 @@ fn no_size_of_the_window_is_an_error() {
     for size in [[0.0, 0.0], [1.0, 1.0], [1.0, 800.0], [20_000.0, 3.0], [5000.0, 4000.0], [1280.0, 800.0]] {
         harness.set_size(Vec2::from(size));
         harness.run_steps(2);
-        let numbers = harness.state().state().session.picture_size;
+        let numbers = harness.state().state().frame.picture_size;
         assert!(numbers.iter().all(|side| (1..=2048).contains(side)), "{size:?}: {numbers:?}");
         assert_eq!(notice(&harness), None, "{size:?}");
     }

@@ -48,7 +48,7 @@ fn open_the_list(window: &mut Harness<'_, App>) {
 }
 
 fn scene_name<'a>(window: &'a Harness<'_, App>) -> &'a str {
-    &window.state().state().session.scene.name
+    &window.state().state().document.scene.name
 }
 
 fn opened_scenes_stay_in_the_list() {
@@ -70,7 +70,7 @@ fn opened_scenes_stay_in_the_list() {
     open_the_list(&mut window);
     window.get_by_label("balls.toml").click();
     wait_for_file(&mut window);
-    let notice = window.state().state().session.notice.clone().expect("it says why not");
+    let notice = window.state().state().scratch.notice.clone().expect("it says why not");
     assert!(notice.is_error && notice.text.contains("cannot read this scene file"), "{}", notice.text);
     open_the_list(&mut window);
     assert!(window.query_by_label("balls.toml").is_none());
@@ -82,11 +82,11 @@ fn a_file_is_asked_for() {
     open_the_list(&mut window);
     window.get_by_label("Open…").click();
     window.run();
-    assert_eq!(window.state().state().session.chooser, Some(Purpose::Open));
+    assert_eq!(window.state().state().scratch.chooser, Some(Purpose::Open));
     ask(&mut window, Command::Close);
     window.key_press_modifiers(Modifiers::COMMAND, Key::O);
     window.run();
-    assert_eq!(window.state().state().session.chooser, Some(Purpose::Open));
+    assert_eq!(window.state().state().scratch.chooser, Some(Purpose::Open));
 }
 
 /// Lets the thread look at the files, and the window hear of it.
@@ -98,7 +98,7 @@ fn wait_until(window: &mut Harness<'_, App>, what: &str, holds: impl Fn(&State) 
             return;
         }
     }
-    panic!("{what}; notice: {:?}", window.state().state().session.notice);
+    panic!("{what}; notice: {:?}", window.state().state().scratch.notice);
 }
 
 /// A window that shows the scene in the file at `balls` at T = 1.25 and follows the ball in the middle.
@@ -116,7 +116,7 @@ fn a_scene_is_read_again() {
     let balls = file(folder.path(), "balls.toml", BALLS);
     let mut window = window_on_a_ball(&balls);
     let before = window.state().state().clone();
-    assert_eq!(before.session.points.selected().body, Some(0), "the big ball is in the middle");
+    assert_eq!(before.document.points.selected().body, Some(0), "the big ball is in the middle");
     // Watching costs no frames.
     window.remove_cursor();
     window.run();
@@ -126,19 +126,19 @@ fn a_scene_is_read_again() {
     let without_the_small_one = BALLS.split_inclusive('\n').take(6).collect::<String>();
     let two = without_the_small_one.replace("Balls", "One ball").replace("0.9", "0.7");
     file(folder.path(), "balls.toml", &two);
-    wait_until(&mut window, "it is read again", |state| state.session.scene.name == "One ball");
+    wait_until(&mut window, "it is read again", |state| state.document.scene.name == "One ball");
     let state = window.state().state();
-    assert_eq!((state.session.time, &state.settings), (1.25, &before.settings));
-    assert_eq!(state.session.points.selected(), before.session.points.selected());
-    assert_eq!(state.session.points.all()[0].track.rest, state.session.scene.tracked);
+    assert_eq!((state.document.time, &state.document.settings), (1.25, &before.document.settings));
+    assert_eq!(state.document.points.selected(), before.document.points.selected());
+    assert_eq!(state.document.points.all()[0].track.rest, state.document.scene.tracked);
 
     file(folder.path(), "balls.toml", "name = = 3");
-    wait_until(&mut window, "the error is told", |state| state.session.notice.is_some());
+    wait_until(&mut window, "the error is told", |state| state.scratch.notice.is_some());
     window.run();
     assert!(labels(&window).iter().any(|label| label.contains("balls.toml:1")), "{:?}", labels(&window));
     assert_eq!(scene_name(&window), "One ball");
     file(folder.path(), "balls.toml", BALLS);
-    wait_until(&mut window, "it is mended", |state| state.session.notice.is_none());
+    wait_until(&mut window, "it is mended", |state| state.scratch.notice.is_none());
     assert_eq!(scene_name(&window), "Balls");
 }
 
@@ -150,11 +150,11 @@ fn a_state_is_read_again() {
     ask(&mut window, Command::Time(1.25));
     let middle = pane(&window, 0).center();
     click(&mut window, middle, Modifiers::NONE);
-    let points = window.state().state().session.points.clone();
+    let points = window.state().state().document.points.clone();
     file(folder.path(), "state.toml", "scene = \"cyclist\"\n[motion]\nbeta = 0.75\n");
     wait_until(&mut window, "it is read again", |state| state.speed().beta() == 0.75);
     let state = window.state().state();
-    assert_eq!((state.session.time, &state.session.points), (1.25, &points));
+    assert_eq!((state.document.time, &state.document.points), (1.25, &points));
 }
 
 fn the_last_of_two_files_is_shown() {
@@ -192,9 +192,12 @@ fn what_is_shown_is_remembered() {
     let loaded = Keeper::in_folder(kept.path()).load();
     let again = State::open(loaded.settings).expect("it is there");
     let left = window.state().state();
-    assert_eq!((&again.settings, &again.session.scene), (&left.settings, &left.session.scene));
-    assert_eq!(again.session.time, 1.25);
-    assert_eq!(again.session.points.selected().track, left.session.points.selected().track);
+    assert_eq!(
+        (&again.document.settings, &again.document.scene),
+        (&left.document.settings, &left.document.scene)
+    );
+    assert_eq!(again.document.time, 1.25);
+    assert_eq!(again.document.points.selected().track, left.document.points.selected().track);
     assert_eq!(loaded.memory.recent().all(), [balls]);
     // The start is the same preset at any T.
     let mut window =
@@ -202,8 +205,8 @@ fn what_is_shown_is_remembered() {
     ask(&mut window, Command::Time(1.25));
     Keeper::in_folder(kept.path()).keep(window.state().state()).expect("it is written");
     let again = State::open(Keeper::in_folder(kept.path()).load().settings).expect("it is there");
-    assert_eq!(again.session.preset, window.state().state().session.preset);
-    assert!(again.session.preset.is_some());
+    assert_eq!(again.document.preset, window.state().state().document.preset);
+    assert!(again.document.preset.is_some());
 }
 
 fn a_long_value_is_refused() {
@@ -212,7 +215,7 @@ fn a_long_value_is_refused() {
     let path = file(folder.path(), "long.toml", &text);
     let mut window = window(cyclist(0.9));
     open(&mut window, &path);
-    let notice = window.state().state().session.notice.clone().expect("it is told");
+    let notice = window.state().state().scratch.notice.clone().expect("it is told");
     assert!(notice.is_error && notice.text.starts_with("long.toml:2: d = 7x7x"), "{:.80}", notice.text);
     assert!(notice.text.ends_with(": not a number") && notice.text.len() < 5000, "{}", notice.text.len());
 }

@@ -90,7 +90,7 @@ fn text(window: &Harness<'_, App>, words: &str) -> String {
 fn the_fit_recovers() {
     // Beside the map there is room for one of the plots.
     let mut state = cyclist(0.9);
-    state.settings.window.map = Presence::Off;
+    state.document.settings.window.map = Presence::Off;
     let mut window = window(state);
     window.get_by_label("Fit").click();
     window.run_steps(2);
@@ -112,7 +112,7 @@ fn each_curve_alone_recovers() {
     for curves in [Curves::Azimuth, Curves::Polar] {
         let setup = FitSetup { curves, noise_percent: 0.5, fit_x0: true, ..FitSetup::default() };
         let mut state = fitted(0.6, setup);
-        let mut motion = state.settings.motion;
+        let mut motion = state.document.settings.motion;
         motion.height_shift = -3.5; // z = -1.5, of which Δφ tells only the magnitude
         state.apply(Command::Motion(motion));
         let window = window_with_fit(state);
@@ -156,7 +156,7 @@ fn one_light_cone_is_biased() {
     text(&two_cones, "Taking one light cone for both eyes biases it, even without noise: β by ");
     // The data are those of the views.
     let mut state = fitted(0.9, setup);
-    state.settings.look.geometry = Geometry::OneCone;
+    state.document.settings.look.geometry = Geometry::OneCone;
     let one_cone = window_with_fit(state);
     let [beta, _] = estimate(&one_cone, "β");
     assert!((beta - 0.9).abs() < 1e-9, "β = {beta}");
@@ -179,7 +179,7 @@ fn published_beta_of_exact_curves(state: &State, setup: FitSetup) -> f64 {
 
 fn what_cannot_be_fitted() {
     let mut together = fitted(0.9, FitSetup::default());
-    let mut motion = together.settings.motion;
+    let mut motion = together.document.settings.motion;
     motion.d = 0.0;
     together.apply(Command::Motion(motion));
     let mut behind = fitted(0.9, FitSetup::default());
@@ -190,7 +190,7 @@ fn what_cannot_be_fitted() {
     let azimuth =
         FitSetup { curves: Curves::Azimuth, fit_x0: true, noise_percent: 2.0, ..FitSetup::default() };
     let mut slow = fitted(0.005, azimuth);
-    motion.speed = slow.settings.motion.speed;
+    motion.speed = slow.document.settings.motion.speed;
     motion.depth_shift = 5.0;
     motion.height_shift = -1.5;
     slow.apply(Command::Motion(motion));
@@ -313,9 +313,9 @@ fn red_share(window: &mut Harness<'_, App>, by: &str) -> f64 {
 fn the_corrected_picture_is_red_if_the_fit_is_right() {
     let mut state = fitted(0.9, FitSetup::default());
     // In a parallel picture it is smaller.
-    state.settings.look.projection = ProjectionChoice::Gaze;
-    state.settings.window.corrected = true;
-    state.settings.window.theme = Theme::Light;
+    state.document.settings.look.projection = ProjectionChoice::Gaze;
+    state.document.settings.window.corrected = true;
+    state.document.settings.window.theme = Theme::Light;
     let mut window = window_with_fit(state);
     let right = red_share(&mut window, "fitted");
     assert!(right > 0.9, "{right}");
@@ -351,10 +351,10 @@ fn the_corrected_picture_costs_nothing_when_off() {
 fn extremes_are_fitted_and_corrected_without_harm() {
     for gamma in [1.0, 1e3, 1e30] {
         let mut state = fitted(0.5, FitSetup { fit_samples: 60, ..FitSetup::default() });
-        let mut motion = state.settings.motion;
+        let mut motion = state.document.settings.motion;
         motion.speed = SpeedSetting::new(SpeedParameter::Gamma, gamma).expect("a speed");
         state.apply(Command::Motion(motion));
-        state.settings.window.corrected = true;
+        state.document.settings.window.corrected = true;
         let mut window = window_of_size(state, [1024.0, 600.0], 1.0);
         for time in [-1e12, 0.0, 1e12] {
             window.state_mut().ask(Command::Time(time));
@@ -366,7 +366,7 @@ fn extremes_are_fitted_and_corrected_without_harm() {
     }
     for size in [[64.0, 64.0], [200.0, 100.0], [480.0, 320.0], [3000.0, 90.0], [90.0, 1500.0]] {
         let mut state = fitted(0.9, FitSetup { fit_samples: 20, ..FitSetup::default() });
-        state.settings.window.corrected = true;
+        state.document.settings.window.corrected = true;
         let mut window = window_of_size(state, size, 1.0);
         window.run_steps(3);
         window.render().expect("a picture");

@@ -40,7 +40,7 @@ fn groups() -> State {
 
 /// The centres of the pixels in which the reference shows `body` to `eye`.
 fn pixels(state: &State, eye: Eye, size: [u32; 2], body: usize) -> Vec<[f64; 2]> {
-    let image = state.session.prepared.hit_image(&state.view(eye, size));
+    let image = state.document.prepared.hit_image(&state.view(eye, size));
     let shows = |pixel: &usize| image.hits[*pixel].is_some_and(|hit| hit.body == body);
     let width = size[0] as usize;
     let centre = |pixel: usize| [(pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5];
@@ -59,7 +59,7 @@ fn place(window: &Harness<'_, App>, body: usize) -> Pos2 {
 fn marker(window: &Harness<'_, App>) -> Pos2 {
     let (state, pane) = (window.state().state(), pane(window, 0));
     let camera = state.view(Eye::Left, [pane.width() as u32, pane.height() as u32]).camera;
-    let direction = state.direction(state.session.points.selected(), Eye::Left).expect("in the domain");
+    let direction = state.direction(state.document.points.selected(), Eye::Left).expect("in the domain");
     let [u, v] = camera.pixel(direction).expect("in front");
     pane.min + vec2(u as f32, v as f32)
 }
@@ -68,7 +68,7 @@ fn a_point_that_rests() {
     let mut window = window(groups());
     let clicked = place(&window, RESTING);
     click(&mut window, clicked, Modifiers::NONE);
-    assert_eq!(window.state().state().session.points.selected().body, Some(RESTING));
+    assert_eq!(window.state().state().document.points.selected().body, Some(RESTING));
     let numbers = |window: &Harness<'_, App>| {
         let names =
             ["Left eye, Doppler factor D", "Left eye, Received wavelength", "Disparity Δφ", "Disparity Δθ"];
@@ -119,7 +119,7 @@ fn markers_lie_on_their_points() {
                 for &pixel in pixels.iter().step_by(pixels.len() / 40) {
                     let mut state = state.clone();
                     state.apply(Command::Pick(Pick { eye, is_second: false, pixel, size, add: false }));
-                    let point = state.session.points.selected();
+                    let point = state.document.points.selected();
                     let direction = state.direction(point, eye).expect("in the domain");
                     let [u, v] = camera.pixel(direction).expect("in front");
                     let off = (u - pixel[0]).hypot(v - pixel[1]);

@@ -235,12 +235,13 @@ fn each(share: u64, mut judge: impl FnMut(State)) {
 fn insane_settings_open() {
     each(1, |state| {
         assert_sane(&state);
-        let State { settings, session } = &state;
-        let tracked = session.points.selected().track;
-        let subject = Subject { scene: &session.prepared, tracked };
-        let views = settings.views(subject, session.time, session.picture_size);
+        let State { document, frame, .. } = &state;
+        let settings = &document.settings;
+        let tracked = document.points.selected().track;
+        let subject = Subject { scene: &document.prepared, tracked };
+        let views = settings.views(subject, document.time, frame.picture_size);
         let shown =
-            format!("{views:?} {:?} {:?}", state.appearance(true), settings.automatic_ev(&session.scene));
+            format!("{views:?} {:?} {:?}", state.appearance(true), settings.automatic_ev(&document.scene));
         let is_none = |word: &str| ["NaN", "inf"].contains(&word);
         let words = shown.split(|c: char| !c.is_alphanumeric());
         assert!(!words.into_iter().any(is_none), "{shown} of\n{}", settings.to_toml());
@@ -249,7 +250,7 @@ fn insane_settings_open() {
 
 fn insane_settings_are_drawn() {
     each(50, |state| {
-        let text = state.settings.to_toml();
+        let text = state.document.settings.to_toml();
         let begun = std::time::Instant::now();
         let harness = window(state);
         assert_sane(harness.state().state());

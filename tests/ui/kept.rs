@@ -45,7 +45,7 @@ fn switches_keep_nothing_on_the_device() {
         let render_state = RenderState::create(&configuration, &instance, None, RendererOptions::PREDICTABLE);
         let render_state = pollster::block_on(render_state).expect("there is a device");
         let mut state = cyclist(0.9);
-        state.settings.quality.renderer = renderer;
+        state.document.settings.quality.renderer = renderer;
         let mut harness = builder([1000.0, 700.0])
             .renderer(WgpuTestRenderer::from_render_state(render_state))
             .build_eframe(|cc| {

@@ -48,7 +48,7 @@ fn every_part_is_in_the_window() {
     {
         for theme in [Theme::Light, Theme::Dark] {
             let mut state = cyclist(0.9);
-            state.settings.window.theme = theme;
+            state.document.settings.window.theme = theme;
             let mut window = window_of_size(state, size, scale);
             window.run();
             let area = Rect::from_min_size(pos2(0.0, 0.0), size.into()).expand(0.5);
@@ -73,8 +73,8 @@ fn the_dark_window_looks_as_it_did() {
 /// The views are left out: their pixels depend on the rasteriser. `UPDATE_SNAPSHOTS=1` accepts a new look.
 fn assert_looks_as_it_did(theme: Theme, name: &str) {
     let mut state = cyclist(0.9);
-    state.settings.window.theme = theme;
-    state.settings.window.views = false;
+    state.document.settings.window.theme = theme;
+    state.document.settings.window.views = false;
     let mut window = window_of_size(state, [1024.0, 600.0], 1.0);
     window.run();
     let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(300_usize);
@@ -128,7 +128,7 @@ fn extremes_show_numbers_or_dashes() {
 /// d = 0, and the selected point passes through both apertures.
 fn extreme(parameter: SpeedParameter, value: f64) -> State {
     let mut state = cyclist(0.5);
-    let mut motion = state.settings.motion;
+    let mut motion = state.document.settings.motion;
     motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
     motion.d = 0.0;
     motion.depth_shift = -3.0;
@@ -152,7 +152,7 @@ fn every_scene_shows() {
         window.run();
         window.get_by_role_and_label(Role::Button, &name).click();
         window.run();
-        assert_eq!(window.state().state().session.scene.name, name);
+        assert_eq!(window.state().state().document.scene.name, name);
     }
 }
 

@@ -167,7 +167,7 @@ fn is_running(window: &Harness<'_, App>) -> bool {
 }
 
 fn time(window: &Harness<'_, App>) -> f64 {
-    window.state().state().session.time
+    window.state().state().document.time
 }
 
 fn a_lesson_is_gone_through() {
@@ -225,7 +225,7 @@ fn skipped_and_back() {
     assert_eq!(course(&window).place(), place(0, Phase::Shown));
     press(&mut window, "Back");
     assert_eq!(course(&window).place(), Place::START);
-    assert!((window.state().state().session.time + 20.0).abs() < 1e-12);
+    assert!((window.state().state().document.time + 20.0).abs() < 1e-12);
     // What was skipped is asked again, and can be skipped again.
     window.get_by_role_and_label(Role::RadioButton, "long");
     window.get_by_role_and_label(Role::Button, "Skip");
@@ -256,7 +256,7 @@ fn an_observation_against_what_was_shown() {
     window.get_by_label("You said, rightly,");
     press(&mut window, "Look again");
     assert!(is_running(&window));
-    assert!(window.state().state().session.time < -15.0);
+    assert!(window.state().state().document.time < -15.0);
     assert_eq!(course(&window).records()[0].observed, Some(1));
 }
 
@@ -289,21 +289,21 @@ fn digits_answer() {
             // Cards that are held up have letters.
             assert!(["A", "B"].iter().all(|letter| labels(&window).iter().any(|label| label == letter)));
         }
-        let geometry = window.state().state().settings.geometry();
+        let geometry = window.state().state().document.settings.geometry();
         for (digit, draft) in [(Key::Num2, 1), (Key::Num1, 0), (Key::Num3, 0), (Key::Num4, 0)] {
             key(&mut window, digit);
             assert_eq!(course(&window).draft, Some(Answer::Choice(draft)), "{digit:?}");
-            assert_eq!(window.state().state().settings.geometry(), geometry, "{digit:?}");
+            assert_eq!(window.state().state().document.settings.geometry(), geometry, "{digit:?}");
         }
         ask(&mut window, LessonCommand::Predict);
         ask(&mut window, LessonCommand::Forward);
         key(&mut window, Key::Num2);
         assert_eq!(course(&window).records()[0].observed, Some(1));
-        assert_eq!(window.state().state().settings.geometry(), geometry);
+        assert_eq!(window.state().state().document.settings.geometry(), geometry);
         // Where nothing is asked they do what they always do.
         ask(&mut window, LessonCommand::Forward);
         key(&mut window, Key::Num2);
-        assert_ne!(window.state().state().settings.geometry(), geometry);
+        assert_ne!(window.state().state().document.settings.geometry(), geometry);
     }
 }
 
@@ -314,7 +314,7 @@ fn hands_are_typed() {
             window.state_mut().ask(Command::TogglePresenting);
         }
         ask(&mut window, LessonCommand::ToggleClass);
-        let geometry = window.state().state().settings.geometry();
+        let geometry = window.state().state().document.settings.geometry();
         let digit = |window: &mut Harness<'_, App>, digit: Key, text: &str| {
             window.key_press(digit);
             window.event(Event::Text(text.to_owned()));
@@ -329,7 +329,7 @@ fn hands_are_typed() {
         window.run_steps(2);
         digit(&mut window, Key::Num4, "4");
         assert_eq!(course(&window).draft, Some(Answer::Votes(vec![12, 4])));
-        assert_eq!(window.state().state().settings.geometry(), geometry);
+        assert_eq!(window.state().state().document.settings.geometry(), geometry);
     }
 }
 
@@ -350,14 +350,14 @@ fn a_narrow_window_folds_the_lesson() {
 
 fn what_was_explored_is_set_up_again() {
     let mut window = window(&lesson(), [1024.0, 600.0]);
-    let told = window.state().state().settings.clone();
+    let told = window.state().state().document.settings.clone();
     assert!(window.query_by_label("Set up again").is_none());
     for change in [Command::NudgeSpeed(3), Command::Time(3.0), Command::ToggleMap] {
         window.state_mut().ask(change);
         window.run_steps(2);
         press(&mut window, "Set up again");
-        assert_eq!(window.state().state().settings, told);
-        assert!((window.state().state().session.time + 20.0).abs() < 1e-12);
+        assert_eq!(window.state().state().document.settings, told);
+        assert!((window.state().state().document.time + 20.0).abs() < 1e-12);
         assert!(window.query_by_label("Set up again").is_none());
     }
     press(&mut window, "Skip");
@@ -370,19 +370,19 @@ fn what_was_explored_is_set_up_again() {
     window.state_mut().ask(Command::Undo);
     window.run_steps(2);
     assert_eq!(course(&window).place(), place(1, Phase::Ask));
-    assert_eq!(window.state().state().settings, told);
+    assert_eq!(window.state().state().document.settings, told);
 }
 
 fn closing_a_lesson() {
     let mut state = State::open(Settings::default()).expect("usual settings");
     let before = Window { readout: false, theme: Theme::Dark, ..Window::default() };
-    state.settings.window = before;
+    state.document.settings.window = before;
     state.begin_lesson(&lesson()).expect("it can be worked out");
     let mut window = shown(state, [1280.0, 800.0]);
-    assert_ne!(window.state().state().settings.window, before);
+    assert_ne!(window.state().state().document.settings.window, before);
     press(&mut window, "Close the lesson");
     assert!(window.state().state().course().is_none());
-    assert_eq!(window.state().state().settings.window, before);
+    assert_eq!(window.state().state().document.settings.window, before);
 }
 
 fn a_closed_lesson_keeps_its_answers() {
@@ -511,7 +511,7 @@ fn walk(window: &mut Harness<'_, App>, lesson: &Lesson, mut look: impl FnMut(&Ha
     for _ in 0..6 * lesson.steps.len() + 3 {
         let at = course(window).place();
         let name = format!("{} {}: {at:?}", lesson.name, lesson.title);
-        assert!(window.state().state().session.notice.is_none(), "{name}");
+        assert!(window.state().state().scratch.notice.is_none(), "{name}");
         assert_is_as_told(window, &name);
         settle_words(window);
         look(window, &name);
@@ -553,15 +553,15 @@ fn assert_is_as_told(window: &Harness<'_, App>, name: &str) {
     if at.step == course(window).lesson().steps.len() {
         return;
     }
-    let usual = Settings::default().in_place_of(&state.settings);
+    let usual = Settings::default().in_place_of(&state.document.settings);
     let told = course(window).lesson().settings(at.step, at.phase != Phase::Ask, &usual).expect("settings");
     let of = |settings: &Settings| {
         let Settings { scene, motion, look, light, plots, map, fit, .. } = settings.clone();
         (scene, motion, look, light, plots, map, fit)
     };
-    assert_eq!(of(&told), of(&state.settings), "{name}");
+    assert_eq!(of(&told), of(&state.document.settings), "{name}");
     if let Some(time) = told.time {
-        assert!((time - state.session.time).abs() <= 1e-9 * (1.0 + time.abs()), "{name}");
+        assert!((time - state.document.time).abs() <= 1e-9 * (1.0 + time.abs()), "{name}");
     }
 }
 

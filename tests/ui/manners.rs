@@ -47,7 +47,7 @@ const SIZES: [[f32; 2]; 4] = [[800.0, 600.0], [900.0, 600.0], [1024.0, 600.0], [
 /// A window that says it could not open a file whose path is so long.
 fn with_message(size: [f32; 2], text: &str) -> Harness<'static, App> {
     let mut state = cyclist(0.9);
-    state.session.notice = Some(gamow::app::notice::Notice::error(text));
+    state.scratch.notice = Some(gamow::app::notice::Notice::error(text));
     window_of_size(state, size, 1.0)
 }
 
@@ -105,14 +105,14 @@ fn a_message_is_copied_and_closed() {
     assert_eq!(copied.as_deref(), Some(text.as_str()));
     window.key_press(Key::Escape);
     window.run_ok();
-    assert_eq!(window.state().state().session.notice, None);
+    assert_eq!(window.state().state().scratch.notice, None);
 }
 
 fn a_message_names_its_file() {
     let mut window = window(cyclist(0.9));
     open(&mut window, Path::new("/nowhere/at/all/balls.toml"));
     window.run_ok();
-    let notice = window.state().state().session.notice.clone().expect("it cannot be read");
+    let notice = window.state().state().scratch.notice.clone().expect("it cannot be read");
     assert!(notice.text.starts_with("balls.toml: "), "{}", notice.text);
     window.get_by_label(&notice.text);
     assert_eq!(notice.path.as_deref(), Some("/nowhere/at/all/balls.toml"));
@@ -149,7 +149,7 @@ fn no_control_covers_another() {
             if units == "metres" {
                 state.apply(Command::Preset("street"));
                 let units = gamow::units::Units::Metric;
-                let shown = gamow::settings::Window { units, ..state.settings.window };
+                let shown = gamow::settings::Window { units, ..state.document.settings.window };
                 state.apply(Command::Window(shown));
             }
             let window = window_of_size(state, size, 1.0);
@@ -222,7 +222,7 @@ fn points_are_numbered() {
     let readout =
         |window: &Harness<'_, App>| labels(window).iter().filter(|label| *label == "front tyre").count();
     assert!(readout(&window) > 0);
-    let track = window.state().state().session.scene.track_on(FRONT_TYRE).expect("a body");
+    let track = window.state().state().document.scene.track_on(FRONT_TYRE).expect("a body");
     let select = gamow::app::pointer::Select { track, body: FRONT_TYRE, add: true };
     window.state_mut().ask(Command::Select(select));
     window.run_ok();
@@ -240,10 +240,10 @@ fn the_palette_finds() {
     window.run_ok();
     assert!(window.query_by_label("play or pause").is_none());
     window.get_by_label("show or hide the map");
-    let shown = window.state().state().session.shows_map;
+    let shown = window.state().state().frame.shows_map;
     window.key_press(Key::Enter);
     window.run_ok();
-    assert_eq!(window.state().state().session.shows_map, !shown);
+    assert_eq!(window.state().state().frame.shows_map, !shown);
     assert!(window.query_by_label("Command").is_none());
     window.key_press_modifiers(Modifiers::COMMAND, Key::P);
     window.run_ok();
@@ -256,7 +256,7 @@ fn the_palette_finds() {
     expected.apply(Command::Step(-10));
     window.key_press(Key::Enter);
     window.run_ok();
-    assert_eq!(window.state().state().session.time, expected.session.time);
+    assert_eq!(window.state().state().document.time, expected.document.time);
     window.key_press_modifiers(Modifiers::COMMAND, Key::P);
     window.run_ok();
     window.key_press(Key::Escape);
@@ -280,7 +280,7 @@ fn keys_look_around() {
     window.get_by_label("Left eye view").focus();
     window.run_ok();
     let (before, fov) = (window.state().state().gaze(), window.state().state().look().set_fov());
-    let time = window.state().state().session.time;
+    let time = window.state().state().document.time;
     window.key_press(Key::ArrowRight);
     window.run_ok();
     let aside = window.state().state().gaze();
@@ -288,15 +288,15 @@ fn keys_look_around() {
     window.key_press(Key::ArrowUp);
     window.run_ok();
     assert!(window.state().state().gaze().elevation > aside.elevation);
-    assert!(matches!(window.state().state().settings.look.gaze, GazeChoice::Fixed(_)));
-    assert_eq!(window.state().state().session.time, time, "arrows do not step while a view takes them");
+    assert!(matches!(window.state().state().document.settings.look.gaze, GazeChoice::Fixed(_)));
+    assert_eq!(window.state().state().document.time, time, "arrows do not step while a view takes them");
     window.key_press(Key::Plus);
     window.run_ok();
     assert!(window.state().state().look().set_fov() < fov);
-    let body = window.state().state().session.points.selected().body;
+    let body = window.state().state().document.points.selected().body;
     window.key_press(Key::Enter);
     window.run_ok();
-    assert_ne!(window.state().state().session.points.selected().body, body);
+    assert_ne!(window.state().state().document.points.selected().body, body);
 }
 
 fn keys_go_from_body_to_body() {
@@ -319,12 +319,12 @@ fn keys_work_beside_a_button() {
     window.key_press(Key::N);
     window.run_ok();
     label_starting_with(&window, "Plot of Δφ of front rim against T");
-    let time = window.state().state().session.time;
+    let time = window.state().state().document.time;
     window.key_press(Key::Space);
     window.run_ok();
     let help = Some(gamow::app::overlay::Overlay::Help);
     assert_eq!(window.state().state().session.overlay, help, "space presses the button");
-    assert!(!window.state().state().session.playing && window.state().state().session.time == time);
+    assert!(!window.state().state().scratch.playing && window.state().state().document.time == time);
 }
 
 fn the_help_fits() {
@@ -349,7 +349,7 @@ fn the_help_fits() {
     window.key_press(Key::Escape);
     window.run_ok();
     assert!(window.query_by_label("Words").is_none());
-    assert_eq!(window.state().state().settings.plots.plot, PlotTab::Disparity);
+    assert_eq!(window.state().state().document.settings.plots.plot, PlotTab::Disparity);
 }
 
 fn no_tooltip_covers_what_was_dragged() {
@@ -405,7 +405,7 @@ fn no_writing_is_small() {
             }
             window.run_ok();
             for &plot in PlotTab::value_variants() {
-                let plots = gamow::settings::Plots { plot, ..window.state().state().settings.plots };
+                let plots = gamow::settings::Plots { plot, ..window.state().state().document.settings.plots };
                 window.state_mut().ask(Command::Plots(plots));
                 window.run_ok();
                 let mut sizes = Vec::new();
@@ -469,8 +469,8 @@ fn a_click_near_something_means_it() {
         assert!(is_free(beside));
         let mut picked = state.clone();
         picked.apply(Command::Pick(Pick { eye, is_second: false, pixel: beside, size, add: false }));
-        assert_eq!(picked.session.points != state.session.points, is_meant, "{off}");
-        assert_eq!(picked.session.missed.is_none(), is_meant, "{off}");
+        assert_eq!(picked.document.points != state.document.points, is_meant, "{off}");
+        assert_eq!(picked.scratch.missed.is_none(), is_meant, "{off}");
     }
 }
 

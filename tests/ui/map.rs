@@ -79,7 +79,8 @@ fn marks_are_where_the_numbers_say() {
     for size in SIZES {
         for beta in [0.3, 0.9, 0.99] {
             let mut state = cyclist(beta);
-            state.settings.window = Window { map: Presence::On, views: false, ..state.settings.window };
+            state.document.settings.window =
+                Window { map: Presence::On, views: false, ..state.document.settings.window };
             let mut window = window_of_size(state, size, 1.0);
             for (chart, up) in [("Map, from above", 1), ("Map, from the side", 2)] {
                 let found = Found::new(&mut window, chart, beta, [-3.0, 5.0]);
@@ -95,7 +96,7 @@ fn marks_are_where_the_numbers_say() {
 /// What the eyes see is where the core has it; their lines of sight cross where both take it to be.
 #[track_caller]
 fn assert_marks(window: &Harness<'_, App>, chart: &str, up: usize, found: &Found, beta: f64) {
-    let time = window.state().state().session.time;
+    let time = window.state().state().document.time;
     let [left, right] = [0, 1].map(|eye| seen(beta, time, eye).position);
     let near = |name: &str, [x, along]: [f64; 2]| {
         let (shown, expected) = (mark(window, &format!("{chart}: {name}")), found.place(x, along));
@@ -147,14 +148,14 @@ fn abreast_is_said() {
 
 fn clicking_the_map_selects() {
     let mut state = cyclist(0.9);
-    state.settings.window.plots = false;
+    state.document.settings.window.plots = false;
     let mut window = map_window(state);
     let found = Found::new(&mut window, "Map, from the side", 0.9, [0.0, 2.0]);
     // The top of the front tyre, the first body of the file, where it is measured at T = 2: contracted.
     let gamma = Speed::from_beta(0.9).expect("a speed").gamma();
     let place = found.place(-0.525 / gamma + 0.9 * 2.0, 2.0 + 0.493);
     click(&mut window, place, Modifiers::SHIFT);
-    let points = window.state().state().session.points.clone();
+    let points = window.state().state().document.points.clone();
     let selected = points.selected();
     assert_eq!((points.all().len(), selected.body), (2, Some(0)));
     let [x, y, z] = selected.track.rest;
@@ -163,7 +164,7 @@ fn clicking_the_map_selects() {
     assert!((y - (3.0 - 0.032)).abs() < 1e-9, "{y}");
     let corner = window_corner(&window);
     click(&mut window, corner, Modifiers::NONE);
-    assert_eq!(window.state().state().session.points, points);
+    assert_eq!(window.state().state().document.points, points);
 }
 
 fn window_corner(window: &Harness<'_, App>) -> Pos2 {
@@ -211,7 +212,7 @@ fn the_map_is_dragged_and_zoomed() {
     window.step();
     scroll(&mut window, 100.0);
     assert!(eye(&window).distance(at) < 0.5, "what is under the pointer stays there");
-    assert!(window.state().state().session.map_view.zoom > 1.1);
+    assert!(window.state().state().scratch.map_view.zoom > 1.1);
 
     for _ in 0..2 {
         window.get_by_label("Map, from above").click();
@@ -238,7 +239,7 @@ fn a_close_up_tells_lengths() {
     const AWAY: f64 = 4000.0;
     let contracted = 2.0 * (1.0 - BETA * BETA).sqrt();
     for (roll, two_eyes) in [(0.0, 2.0 * (1.0 - BETA.powi(4)).sqrt()), (90.0, contracted)] {
-        let mut settings = Settings { scene: "two-balls".to_owned(), ..cyclist(BETA).settings };
+        let mut settings = Settings { scene: "two-balls".to_owned(), ..cyclist(BETA).document.settings };
         settings.point = Some([-1.0, 2.9, 2.0]);
         settings.motion = Motion { roll, depth_shift: AWAY - 2.9, height_shift: -2.0, ..settings.motion };
         settings.window = Window { map: Presence::On, views: false, ..settings.window };
@@ -261,10 +262,10 @@ fn a_hidden_map_is_not_there() {
         Window { map: Presence::Off, plots: false, ..Window::default() },
     ] {
         let mut state = cyclist(0.9);
-        state.settings.window = window;
+        state.document.settings.window = window;
         let window = map_window(state);
         assert!(!labels(&window).iter().any(|label| label.starts_with("Map, ")));
-        assert!(!window.state().state().session.shows_map);
+        assert!(!window.state().state().frame.shows_map);
     }
 }
 
@@ -279,9 +280,9 @@ fn the_keys_of_the_map() {
     press(&mut window, Key::M);
     assert!(is_shown(&window));
     press(&mut window, Key::G);
-    assert_eq!(window.state().state().settings.map.frame, Frame::Bicycle);
+    assert_eq!(window.state().state().document.settings.map.frame, Frame::Bicycle);
     press(&mut window, Key::G);
-    assert_eq!(window.state().state().settings.map.frame, Frame::Ground);
+    assert_eq!(window.state().state().document.settings.map.frame, Frame::Ground);
     press(&mut window, Key::M);
     assert!(!is_shown(&window));
 }
@@ -290,9 +291,10 @@ fn the_map_is_whole_at_every_size() {
     for size in SIZES {
         for others in [true, false] {
             let mut state = cyclist(0.9);
-            let alone = Window { views: false, plots: false, map: Presence::On, ..state.settings.window };
-            state.settings.window =
-                if others { Window { map: Presence::On, ..state.settings.window } } else { alone };
+            let alone =
+                Window { views: false, plots: false, map: Presence::On, ..state.document.settings.window };
+            state.document.settings.window =
+                if others { Window { map: Presence::On, ..state.document.settings.window } } else { alone };
             let window = window_of_size(state, size, 1.0);
             let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());
             for name in ["Map, from above", "Map, from the side", "Space", "Spacetime", "Bicycle", "Close-up"]
@@ -320,9 +322,9 @@ fn nothing_breaks_the_map() {
     for (parameter, value) in speeds {
         for d in [0.0, 1000.0] {
             let mut state = cyclist(0.5);
-            state.settings.motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
-            state.settings.motion.d = d;
-            state.settings.window.views = false;
+            state.document.settings.motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
+            state.document.settings.motion.d = d;
+            state.document.settings.window.views = false;
             let mut window = map_window(state);
             for frame in [Frame::Ground, Frame::Bicycle] {
                 window.state_mut().ask(Command::Map(Map { frame, ..Map::default() }));

@@ -33,7 +33,7 @@ pub const TESTS: &[Test] = &[
 fn globe() -> State {
     let settings = Settings { scene: "globe".to_owned(), time: Some(1.0), ..Settings::default() };
     let mut state = State::open(settings).expect("a preset");
-    let mut motion = state.settings.motion;
+    let mut motion = state.document.settings.motion;
     motion.speed = gamow::flags::SpeedSetting::new(gamow::flags::SpeedParameter::Beta, 0.8).expect("a speed");
     state.apply(Command::Motion(motion));
     state
@@ -52,12 +52,12 @@ fn told(window: &Harness<'_, App>, name: &str) -> [f64; 2] {
 /// The directions in which the left eye sees both ends of the ball in the plane of the motion and its middle: tangents in the
 /// ball's own frame, where it rests.
 fn tangents(state: &State) -> [DVec3; 2] {
-    let ball = state.session.scene.bodies.iter().find_map(|body| match body.shape {
+    let ball = state.document.scene.bodies.iter().find_map(|body| match body.shape {
         Shape::Sphere { center, radius } => Some((DVec3::from(center), radius)),
         _ => None,
     });
     let ((center, radius), speed) = (ball.expect("a globe"), state.speed());
-    let eye = speed.gamma() * (-SEPARATION / 2.0 - speed.beta() * state.session.time);
+    let eye = speed.gamma() * (-SEPARATION / 2.0 - speed.beta() * state.document.time);
     let away = center - DVec3::new(eye, 0.0, 0.0);
     let half = (radius / away.length()).asin();
     let axis = DVec3::X.cross(away).normalize();
@@ -79,7 +79,7 @@ fn across_the_globe() {
     assert!((camera.pixel(ends[1]).expect("in front")[1] - row).abs() < 1e-6);
     let is_on_it = |column: &u32| {
         let hit = state.point_at(Eye::Left, [f64::from(*column) + 0.5, row], size);
-        hit.is_some_and(|(_, body)| matches!(state.session.scene.bodies[body].shape, Shape::Sphere { .. }))
+        hit.is_some_and(|(_, body)| matches!(state.document.scene.bodies[body].shape, Shape::Sphere { .. }))
     };
     let columns: Vec<u32> = (0..size[0]).filter(is_on_it).collect();
     let [first, last] = [columns[0], columns[columns.len() - 1]];
@@ -94,8 +94,8 @@ fn across_the_globe() {
     // The error is that of a pixel here, no more: a column has this angle in the mean.
     let column = expected / columns.len() as f64;
     assert!((0.5..1.6).contains(&(error / column)), "{error} for {column}");
-    let look = window.state().state().settings.look;
-    assert_eq!(look.gaze, state.settings.look.gaze, "a drag that measures does not turn the view");
+    let look = window.state().state().document.settings.look;
+    assert_eq!(look.gaze, state.document.settings.look.gaze, "a drag that measures does not turn the view");
 }
 
 fn stays_until_taken_away() {
@@ -115,12 +115,12 @@ fn stays_until_taken_away() {
     let before = told(&window, "Ruler, Left eye: ");
     assert_eq!(rulers(&window), 1);
     // T, another projection and a gaze that is turned by a drag leave it its angle.
-    let gaze = window.state().state().settings.look.gaze;
+    let gaze = window.state().state().document.settings.look.gaze;
     window.state_mut().ask(Command::Time(1.0));
     drag(&mut window, rect.center(), rect.center() + vec2(25.0, 10.0));
-    assert_ne!(window.state().state().settings.look.gaze, gaze, "drags look around again");
+    assert_ne!(window.state().state().document.settings.look.gaze, gaze, "drags look around again");
     assert_eq!(told(&window, "Ruler, Left eye: "), before);
-    let look = Look { projection: ProjectionChoice::Gaze, ..window.state().state().settings.look };
+    let look = Look { projection: ProjectionChoice::Gaze, ..window.state().state().document.settings.look };
     window.state_mut().ask(Command::Look(look));
     window.run();
     assert_eq!(told(&window, "Ruler, Left eye: "), before);
@@ -138,7 +138,7 @@ fn stays_until_taken_away() {
 
 fn in_the_second_picture() {
     let mut state = cyclist(0.9);
-    let look = Look { compare: Compare::Rest, fov: FieldOfView(Some(80.0)), ..state.settings.look };
+    let look = Look { compare: Compare::Rest, fov: FieldOfView(Some(80.0)), ..state.document.settings.look };
     state.apply(Command::Look(look));
     let mut window = window(state);
     let rect: Rect = window.get_by_label("Left eye view: at rest").rect();
@@ -150,7 +150,8 @@ fn in_the_second_picture() {
     assert!(rect.contains_rect(place.shrink(1.0)), "{place:?} in {rect:?}");
     // As in a window that shows this geometry alone.
     let mut alone = window.state().state().clone();
-    alone.settings.look = Look { compare: Compare::Off, geometry: Geometry::Rest, ..alone.settings.look };
+    alone.document.settings.look =
+        Look { compare: Compare::Off, geometry: Geometry::Rest, ..alone.document.settings.look };
     let camera = alone.view(Eye::Left, [rect.width() as u32, rect.height() as u32]).camera;
     let [a, b] = [from, to].map(|place| {
         camera.line_of_sight([f64::from(place.x - rect.min.x), f64::from(place.y - rect.min.y)])
@@ -216,12 +217,12 @@ fn stopwatch_of_running_t() {
     window.step();
     window.state_mut().ask(Command::TogglePlaying);
     window.run();
-    let Stopwatch::Stopped(marks) = &window.state().state().session.stopwatch else {
+    let Stopwatch::Stopped(marks) = &window.state().state().scratch.stopwatch else {
         panic!("it was stopped")
     };
     // A frame for each press and each release.
     let [from, to] = [marks[0].time, marks[1].time];
-    assert!(to - from > 40.0 * f64::from(FRAME) && to < window.state().state().session.time);
+    assert!(to - from > 40.0 * f64::from(FRAME) && to < window.state().state().document.time);
     let [time, error] = timed(&window, "T");
     assert!((time - (to - from)).abs() < 6e-4, "{time} for {}", to - from);
     // The step of a frame at a unit a second.
@@ -237,14 +238,14 @@ fn stopwatch_and_view() {
     let mut window = window(cyclist(0.9));
     window.key_press_modifiers(Modifiers::SHIFT, Key::T);
     window.run();
-    let gaze = window.state().state().settings.look.gaze;
+    let gaze = window.state().state().document.settings.look.gaze;
     let at = window.get_by_label("Stopwatch: T: –").rect().center();
     assert!(pane(&window, 0).contains(at));
     drag(&mut window, at, at + vec2(-40.0, 30.0));
-    assert_eq!(window.state().state().settings.look.gaze, gaze);
+    assert_eq!(window.state().state().document.settings.look.gaze, gaze);
     window.get_by_label("Close stopwatch").click();
     window.run();
     assert!(!labels(&window).iter().any(|label| label.starts_with("Stopwatch: ")));
     drag(&mut window, at, at + vec2(-40.0, 30.0));
-    assert_ne!(window.state().state().settings.look.gaze, gaze);
+    assert_ne!(window.state().state().document.settings.look.gaze, gaze);
 }

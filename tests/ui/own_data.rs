@@ -62,7 +62,7 @@ fn measured(folder: &Path, columns: &[&str]) -> PathBuf {
 /// A window with room for all of the Fit tab.
 fn fit_window(setup: FitSetup) -> Harness<'static, App> {
     let mut state = cyclist(0.9);
-    state.settings.window.map = Presence::Off;
+    state.document.settings.window.map = Presence::Off;
     state.apply(Command::Fit(setup));
     state.apply(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
     window(state)
@@ -170,9 +170,9 @@ fn a_dropped_csv_file_is_data() {
     open(&mut window, &path);
     window.run_ok();
     wait(&mut window);
-    let State { settings, session } = window.state().state();
-    assert_eq!(settings.plots.plot, PlotTab::Fit);
-    assert_eq!(session.scene, before.session.scene);
+    let State { document, .. } = window.state().state();
+    assert_eq!(document.settings.plots.plot, PlotTab::Fit);
+    assert_eq!(document.scene, before.document.scene);
     label_starting_with(&window, "Fitted β");
     // They stay while scenes come and go.
     window.state_mut().ask(Command::Preset("cube"));
@@ -185,9 +185,9 @@ fn the_plotted_curves_are_saved_and_fitted() {
     let csv = folder.path().join("curves.csv");
     // In metres and nanoseconds, with the head tilted: what is fitted is in the scene's own units.
     let mut state = cyclist(0.9);
-    state.settings.window.units = Units::Metric;
-    state.settings.motion.roll = 20.0;
-    state.settings.plots = Plots { plot: PlotTab::Disparity, ..Plots::default() };
+    state.document.settings.window.units = Units::Metric;
+    state.document.settings.motion.roll = 20.0;
+    state.document.settings.plots = Plots { plot: PlotTab::Disparity, ..Plots::default() };
     let mut window = window(state);
     save(&mut window, "Save plots as CSV…", &csv);
     let told = gamow(&["fit", "--json", "--bootstrap=0", csv.to_str().expect("a plain path")]);
@@ -244,7 +244,7 @@ fn what_own_data_do_not_tell_is_told() {
         assert!(labels(&window).iter().any(|label| label == words), "{words}");
     }
     // As far apart as the eyes really were, they tell the distance.
-    let motion = Motion { d: 0.2, ..window.state().state().settings.motion };
+    let motion = Motion { d: 0.2, ..window.state().state().document.settings.motion };
     window.state_mut().ask(Command::Motion(motion));
     wait(&mut window);
     let (value, uncertainty) = (shown(&window, "Fitted y"), shown(&window, "Uncertainty of y"));
@@ -271,7 +271,7 @@ fn the_papers_own_fit_is_repeated() {
     }
     assert!(!labels(&window).iter().any(|label| label.contains("biases it")));
     // And the exact model has parallax that these data leave out.
-    let setup = window.state().state().settings.fit;
+    let setup = window.state().state().document.settings.fit;
     window.state_mut().ask(Command::Fit(FitSetup { model: Model::Exact, ..setup }));
     wait(&mut window);
     window.get_by_label("No fit");

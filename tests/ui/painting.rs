@@ -27,7 +27,7 @@ impl Pair {
         let window = |is_painted: bool| {
             let mut state = cyclist(beta);
             // What draws the views does not depend on how long that takes.
-            state.settings.quality =
+            state.document.settings.quality =
                 Quality { renderer: RendererChoice::Rays, refine: false, ..Quality::default() };
             Harness::builder()
                 .with_size(vec2(960.0, 560.0))
@@ -89,7 +89,7 @@ fn what_changed_is_painted() {
     pair.asks(&Command::Toggle(Overlay::Help));
     pair.asks(&Command::Toggle(Overlay::Help));
     pair.asks(&Command::ToggleMap);
-    let mut window = pair.windows[0].state().state().settings.window;
+    let mut window = pair.windows[0].state().state().document.settings.window;
     window.theme = Theme::Light;
     pair.asks(&Command::Window(window));
     for layout in [Layout::Anaglyph, Layout::SideBySide] {

@@ -31,7 +31,7 @@ pub const TESTS: &[Test] = &[
 /// The window with this layout. What flickers asks for frames without an end, so that frames are counted.
 fn shown(layout: Layout) -> Harness<'static, App> {
     let mut state = cyclist(0.9);
-    state.settings.picture.layout = layout;
+    state.document.settings.picture.layout = layout;
     window(state)
 }
 
@@ -58,7 +58,7 @@ fn place_of_tyre(window: &Harness<'_, App>, layout: Layout, eye: usize) -> Optio
     let state = window.state().state();
     let speed = state.speed();
     let point = SourcePoint::from_rest(ON_THE_TYRE, &speed);
-    let seen = sighting(&speed, point, Aperture::pair(SEPARATION)[eye], state.session.time);
+    let seen = sighting(&speed, point, Aperture::pair(SEPARATION)[eye], state.document.time);
     let camera = state.view(Eye::BOTH[eye], size).camera;
     let [u, v] = camera.pixel(DVec3::from(seen.expect("in the domain").position)).expect("in front");
     let part = vec2((u / f64::from(size[0])) as f32, (v / f64::from(size[1])) as f32);
@@ -84,7 +84,7 @@ fn clicking_in_every_layout() {
             let told = label_starting_with(&window, "Under the pointer: ");
             assert!(told.starts_with("Under the pointer: front tyre"), "{layout:?}: {told}");
             click_without_rest(&mut window, place);
-            let point = *window.state().state().session.points.selected();
+            let point = *window.state().state().document.points.selected();
             assert_eq!(point.body, Some(FRONT_TYRE), "{layout:?}, eye {eye}");
             // A pixel of a squeezed picture is two wide: it is clicked to within half of that.
             let off = DVec3::from(point.track.rest).distance(DVec3::from(ON_THE_TYRE));
@@ -100,7 +100,7 @@ fn clicking_in_every_layout() {
 fn assert_is_marked(window: &Harness<'_, App>, eye: usize, place: Pos2) {
     let name = format!("Clock of front tyre (2), {}", ["Left eye", "Right eye"][eye]);
     let clock = labels(window).into_iter().find(|label| label.starts_with(&name));
-    let is_in_turn = window.state().state().settings.picture.layout == Layout::Flicker;
+    let is_in_turn = window.state().state().document.settings.picture.layout == Layout::Flicker;
     let Some(clock) = clock else { return assert!(is_in_turn, "{name} is not shown") };
     let rect = window.get_by_label(&clock).rect();
     // 15 points from the middle of the marker to its rim.
@@ -110,7 +110,7 @@ fn assert_is_marked(window: &Harness<'_, App>, eye: usize, place: Pos2) {
 
 /// A click, and frames until it is done.
 fn click_without_rest(window: &mut Harness<'_, App>, place: Pos2) {
-    if window.state().state().settings.picture.layout != Layout::Flicker {
+    if window.state().state().document.settings.picture.layout != Layout::Flicker {
         return click(window, place, Modifiers::NONE);
     }
     window.hover_at(place);
@@ -123,7 +123,7 @@ fn click_without_rest(window: &mut Harness<'_, App>, place: Pos2) {
 
 fn chosen_by_name_and_key() {
     let mut window = window(cyclist(0.9));
-    let layout = |window: &Harness<'_, App>| window.state().state().settings.picture.layout;
+    let layout = |window: &Harness<'_, App>| window.state().state().document.settings.picture.layout;
     window.key_press(Key::L);
     window.run();
     assert_eq!(layout(&window), Layout::FreeViewing);
@@ -163,7 +163,7 @@ fn swapped_eyes_are_remembered() {
     window.state_mut().ask(Command::Layout(Layout::SideBySide));
     window.run();
     assert!(!left_of(&window));
-    let swapped = window.state().state().settings.picture.swapped;
+    let swapped = window.state().state().document.settings.picture.swapped;
     assert_eq!(swapped.layouts().collect::<Vec<_>>(), [Layout::SideBySide, Layout::CrossEyed]);
 }
 
@@ -218,8 +218,8 @@ fn pixels(window: &mut Harness<'_, App>) -> Vec<[u8; 3]> {
 fn composed_views_show_both_eyes() {
     // In an anaglyph of the two the left eye is in red and the right one in cyan: swapping exchanges these.
     let mut state = cyclist(0.9);
-    state.settings.picture.layout = Layout::Anaglyph;
-    state.settings.window.dials = false;
+    state.document.settings.picture.layout = Layout::Anaglyph;
+    state.document.settings.window.dials = false;
     let mut window = window(state);
     let as_usual = pixels(&mut window);
     window.key_press(Key::X);
@@ -248,7 +248,7 @@ fn dragging_in_a_squeezed_picture() {
 fn tiny_windows() {
     for size in [[64.0, 64.0], [90.0, 900.0]] {
         let mut state = cyclist(0.9);
-        state.settings.window.corrected = true;
+        state.document.settings.window.corrected = true;
         let mut window = window_of_size(state, size, 1.5);
         for &layout in Layout::value_variants() {
             window.state_mut().ask(Command::Layout(layout));

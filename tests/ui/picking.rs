@@ -47,7 +47,7 @@ fn place(window: &Harness<'_, App>, rest: [f64; 3], eye: usize) -> Pos2 {
     let speed = state.speed();
     let point = SourcePoint::from_rest(rest, &speed);
     let aperture = Aperture::pair(SEPARATION)[eye];
-    let seen = sighting(&speed, point, aperture, state.session.time).expect("in the domain");
+    let seen = sighting(&speed, point, aperture, state.document.time).expect("in the domain");
     let pane = pane(window, eye);
     let camera = state.view(Eye::BOTH[eye], [pane.width() as u32, pane.height() as u32]).camera;
     let [u, v] = camera.pixel(DVec3::from(seen.position)).expect("in front");
@@ -119,7 +119,7 @@ fn clicking_the_wheel(beta: f64) {
         let place = place(&window, ON_THE_TYRE, eye);
         assert!(pane(&window, eye).contains(place));
         click(&mut window, place, Modifiers::NONE);
-        let point = *window.state().state().session.points.selected();
+        let point = *window.state().state().document.points.selected();
         assert_eq!(point.body, Some(FRONT_TYRE));
         let off = DVec3::from(point.track.rest).distance(DVec3::from(ON_THE_TYRE));
         assert!(off < 1e-3, "{off} from where it was clicked");
@@ -128,7 +128,7 @@ fn clicking_the_wheel(beta: f64) {
         // The scene's own point is one of the list all the same, and another click moves the one that was picked.
         window.get_by_label("front tyre (1)");
         click(&mut window, place + vec2(3.0, 0.0), Modifiers::NONE);
-        let points = &window.state().state().session.points;
+        let points = &window.state().state().document.points;
         assert_eq!((points.all().len(), points.selected().number), (2, 2));
         assert_ne!(points.selected().track, point.track);
     }
@@ -136,7 +136,7 @@ fn clicking_the_wheel(beta: f64) {
 
 fn double_clicking_follows_again() {
     let mut window = window(cyclist(0.9));
-    let before = window.state().state().session.points.clone();
+    let before = window.state().state().document.points.clone();
     let middle = pane(&window, 0).center();
     drag(&mut window, middle, middle + vec2(60.0, 30.0));
     let tyre = place(&window, ON_THE_TYRE, 0);
@@ -153,37 +153,37 @@ fn double_clicking_follows_again() {
     }
     window.run_ok();
     let state = window.state().state();
-    assert_eq!((&state.session.points, state.settings.look), (&before, Look::default()));
+    assert_eq!((&state.document.points, state.document.settings.look), (&before, Look::default()));
     // A click of its own picks, however soon another point is double-clicked.
     window.run_steps(16);
     let tyre = place(&window, ON_THE_TYRE, 0);
     click(&mut window, tyre, Modifiers::NONE);
-    assert_eq!(window.state().state().session.points.selected().body, Some(FRONT_TYRE));
+    assert_eq!(window.state().state().document.points.selected().body, Some(FRONT_TYRE));
 }
 
 fn shift_clicking_compares_points() {
     let mut window = window(cyclist(0.9));
     let tyre = place(&window, ON_THE_TYRE, 0);
     click(&mut window, tyre, Modifiers::SHIFT);
-    let points = window.state().state().session.points.clone();
+    let points = window.state().state().document.points.clone();
     assert_eq!(points.all().len(), 2);
     assert_eq!((points.selected().number, points.selected().body), (2, Some(FRONT_TYRE)));
     window.get_by_label("front tyre (1)").click();
     window.run();
-    assert_eq!(window.state().state().session.points.selected().number, 1);
+    assert_eq!(window.state().state().document.points.selected().number, 1);
     assert!(window.query_by_label("Remove front tyre (1)").is_none());
     window.get_by_label("Remove front tyre (2)").click();
     window.run();
-    assert_eq!(window.state().state().session.points.all().len(), 1);
+    assert_eq!(window.state().state().document.points.all().len(), 1);
     label_starting_with(&window, "Plot of Δφ of front tyre");
 }
 
 fn a_click_beside_everything() {
     let mut window = window(cyclist(0.9));
-    let before = window.state().state().session.points.clone();
+    let before = window.state().state().document.points.clone();
     let corner = pane(&window, 0).right_top() + vec2(-5.0, 5.0);
     click(&mut window, corner, Modifiers::NONE);
-    assert_eq!(window.state().state().session.points, before);
+    assert_eq!(window.state().state().document.points, before);
 }
 
 /// Every pixel the GPU draws of the scene: the marker of the point it shows lies on that pixel's centre,
@@ -195,7 +195,7 @@ fn marker_and_surface_agree() {
     for gamma in [1.0, 1.005, 2.3, 10.0, 1000.0] {
         for geometry in [Geometry::Seen, Geometry::OneCone, Geometry::Contracted, Geometry::Rest] {
             let mut state = cyclist(0.0);
-            let mut motion = state.settings.motion;
+            let mut motion = state.document.settings.motion;
             motion.speed = SpeedSetting::new(SpeedParameter::Gamma, gamma).expect("a speed");
             if geometry == Geometry::Rest {
                 // At rest the eyes are gamma d apart; like this the scene stays between them.
@@ -211,7 +211,7 @@ fn marker_and_surface_agree() {
             for eye in Eye::BOTH {
                 let view = state.view(eye, size);
                 let image =
-                    renderers.hits(Method::Rays, &state.session.prepared, &view).expect("the device works");
+                    renderers.hits(Method::Rays, &state.document.prepared, &view).expect("the device works");
                 let hits: Vec<_> = image.hits.iter().enumerate().filter(|(_, hit)| hit.is_some()).collect();
                 for (index, hit) in hits.iter().step_by((hits.len() / 40).max(1)) {
                     let Some(hit) = hit else { continue };
@@ -228,7 +228,7 @@ fn marker_and_surface_agree() {
                         size,
                         add: false,
                     }));
-                    let mut drawn = *picked.session.points.selected();
+                    let mut drawn = *picked.document.points.selected();
                     for rest in [drawn.track.rest, hit.rest_position.to_array()] {
                         drawn.track.rest = rest;
                         let direction = state.direction(&drawn, eye).expect("in the domain");
@@ -262,12 +262,12 @@ fn the_published_right_eye() {
     assert!(differing(pane(&window, 1)) > 500);
 
     let state = window.state().state();
-    let point = state.session.points.selected();
+    let point = state.document.points.selected();
     let model = relativity_core::published_disparity(
         &state.speed(),
         state.selected_source().place(),
         SEPARATION,
-        state.session.time,
+        state.document.time,
         relativity_core::PublishedVariant::AppendixA,
     );
     let published = model.expect("in the domain");
@@ -288,7 +288,7 @@ fn the_published_right_eye() {
 
     let right = pane(&window, 1).center();
     click(&mut window, right, Modifiers::NONE);
-    assert_eq!(window.state().state().session.points.selected().body, None);
+    assert_eq!(window.state().state().document.points.selected().body, None);
     window.get_by_label("With the right eye as published, click in the left eye's view.");
 }
 
@@ -298,7 +298,7 @@ fn dragging_looks_around() {
     let middle = pane(&window, 0).center();
     let looked_at = place_of_gaze(&window, before, pane(&window, 0));
     drag(&mut window, middle, middle + vec2(60.0, 30.0));
-    let GazeChoice::Fixed(degrees) = window.state().state().settings.look.gaze else {
+    let GazeChoice::Fixed(degrees) = window.state().state().document.settings.look.gaze else {
         panic!("a drag fixes the gaze");
     };
     let [azimuth, elevation] = degrees.map(f64::to_radians);
@@ -309,16 +309,16 @@ fn dragging_looks_around() {
     assert!((place - (looked_at + vec2(60.0, 30.0))).length() < 6.0, "{place:?} from {looked_at:?}");
     window.key_press(Key::F);
     window.run();
-    assert_eq!(window.state().state().settings.look, Look::default());
+    assert_eq!(window.state().state().document.settings.look, Look::default());
     drag(&mut window, middle, middle + vec2(60.0, 30.0));
     window.get_by_label("Left eye view").click();
     window.get_by_label("Left eye view").click();
     window.run_ok();
-    assert_eq!(window.state().state().settings.look, Look::default());
+    assert_eq!(window.state().state().document.settings.look, Look::default());
     drag(&mut window, middle, middle + vec2(60.0, 30.0));
     window.get_by_label("Frame").click();
     window.run();
-    assert_eq!(window.state().state().settings.look, Look::default());
+    assert_eq!(window.state().state().document.settings.look, Look::default());
 }
 
 /// Where the direction of `gaze` now is in `pane`.
@@ -357,18 +357,18 @@ fn scrolling_zooms_at_the_pointer() {
     assert!(after < 0.95 * before, "{before} to {after}");
     let moved = seen_aside(&window).angle_between(aside);
     assert!(moved < 0.003 * after.to_radians(), "what was under the pointer moved by {moved}");
-    assert!(matches!(window.state().state().settings.look.gaze, GazeChoice::Fixed(_)));
+    assert!(matches!(window.state().state().document.settings.look.gaze, GazeChoice::Fixed(_)));
 }
 
 fn a_pick_leaves_the_whole_scene_where_it_is() {
     let mut state = cyclist(0.9);
     // Else what is picked is shifted onto the screen.
-    state.settings.look.zero_parallax = ZeroParallax::Infinity;
+    state.document.settings.look.zero_parallax = ZeroParallax::Infinity;
     let mut window = window(state);
     let before = window.state().state().look();
     let tyre = place(&window, ON_THE_TYRE, 0);
     click(&mut window, tyre, Modifiers::NONE);
-    assert_eq!(window.state().state().session.points.selected().body, Some(FRONT_TYRE));
+    assert_eq!(window.state().state().document.points.selected().body, Some(FRONT_TYRE));
     assert_eq!(window.state().state().look(), before);
 }
 
@@ -383,18 +383,18 @@ fn the_gazes_are_chosen_by_name() {
         window.get_by_label(name).click();
         window.run();
         let state = window.state().state();
-        assert_eq!((state.settings.look.gaze, state.look().fov.0), (gaze, Some(fov)), "{name}");
+        assert_eq!((state.document.settings.look.gaze, state.look().fov.0), (gaze, Some(fov)), "{name}");
     }
     let shown = window.state().state().look();
     window.get_by_label("Fixed").click();
     window.run();
     let expected = Look { zero_parallax: ZeroParallax::Point, ..shown };
-    assert_eq!(window.state().state().settings.look, expected);
+    assert_eq!(window.state().state().document.settings.look, expected);
 }
 
 fn the_followed_point_stays_in_the_middle() {
     let mut state = cyclist(0.9);
-    state.settings.look.gaze = GazeChoice::Point;
+    state.document.settings.look.gaze = GazeChoice::Point;
     let mut window = window(state);
     for _ in 0..6 {
         window.key_press_modifiers(Modifiers::SHIFT, eframe::egui::Key::ArrowRight);

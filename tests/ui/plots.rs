@@ -42,7 +42,7 @@ pub const TESTS: &[Test] = &[
 const DPHI: &str = "Plot of Δφ of front tyre against T";
 
 fn at_speed(state: &mut State, beta: f64) {
-    let mut motion = state.settings.motion;
+    let mut motion = state.document.settings.motion;
     motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
     state.apply(Command::Motion(motion));
 }
@@ -56,7 +56,7 @@ fn disparity(model: Model, beta: f64, time: f64) -> Disparity {
 
 fn showing(plot: PlotTab, beta: f64) -> Harness<'static, App> {
     let mut state = cyclist(beta);
-    state.settings.plots.plot = plot;
+    state.document.settings.plots.plot = plot;
     window(state)
 }
 
@@ -136,8 +136,8 @@ fn polyline(text: &str) -> Vec<Pos2> {
 
 fn files_have_the_shown_units() {
     let mut state = cyclist(0.9);
-    state.settings.window.units = Units::Metric;
-    state.settings.plots.plot = PlotTab::Stereo;
+    state.document.settings.window.units = Units::Metric;
+    state.document.settings.plots.plot = PlotTab::Stereo;
     let mut window = window(state);
     let (head, rows) = table(&window.state_mut().plots_csv());
     assert_eq!(head[0], "T / ns");
@@ -160,8 +160,8 @@ fn files_are_whole_at_the_extremes() {
         (1e-9, 1000.0, Geometry::Seen),
     ] {
         let mut state = cyclist(beta);
-        state.settings.motion.d = d;
-        state.settings.look.geometry = geometry;
+        state.document.settings.motion.d = d;
+        state.document.settings.look.geometry = geometry;
         state.apply(Command::Plotting(PlotCommand::Pin));
         state.apply(Command::Plotting(PlotCommand::Cursor(None)));
         let mut window = window(state);
@@ -186,7 +186,7 @@ fn the_disparity_has_a_choice_of_coordinates() {
     window.run();
     window.get_by_label("u and v (conformal)").click();
     window.run();
-    assert_eq!(window.state().state().settings.plots.coordinates, Coordinates::Conformal);
+    assert_eq!(window.state().state().document.settings.plots.coordinates, Coordinates::Conformal);
     let (head, rows) = table(&window.state_mut().plots_csv());
     assert_eq!(head, ["T / units", "Δu: front tyre", "Δu: at rest, eyes γd apart", "Δv / rad: front tyre"]);
     let speed = Speed::from_beta(0.9).expect("a speed");
@@ -249,7 +249,7 @@ fn scroll(window: &mut Harness<'_, App>, at: Pos2, lines: f32) {
 }
 
 fn zoom(window: &Harness<'_, App>) -> Option<Ranges> {
-    window.state().state().session.plotting.zoom(Quantity::DeltaPhi)
+    window.state().state().scratch.plotting.zoom(Quantity::DeltaPhi)
 }
 
 fn plot(window: &Harness<'_, App>) -> Rect {
@@ -297,7 +297,7 @@ fn scrolling_zooms() {
 
 fn a_right_drag_moves() {
     let mut window = showing(PlotTab::Disparity, 0.9);
-    let time = window.state().state().session.time;
+    let time = window.state().state().document.time;
     let place = plot(&window).center();
     let before = window.state().state().plotted_times(Quantity::DeltaPhi);
     window.hover_at(place);
@@ -317,12 +317,12 @@ fn a_right_drag_moves() {
     window.run();
     let moved = zoom(&window).expect("a part").times;
     assert!(moved[0] > before[0] && ((moved[1] - moved[0]) / (before[1] - before[0]) - 1.0).abs() < 1e-9);
-    assert_eq!(window.state().state().session.time, time);
+    assert_eq!(window.state().state().document.time, time);
     window.get_by_label("Whole plots").click();
     window.run();
     assert_eq!(zoom(&window), None);
     drag(&mut window, place, place + vec2(30.0, 0.0));
-    assert!(zoom(&window).is_none() && window.state().state().session.time != time);
+    assert!(zoom(&window).is_none() && window.state().state().document.time != time);
 }
 
 fn tells_values_at_the_pointer() {
@@ -366,13 +366,13 @@ fn two_cursors_tell_the_difference() {
         }
         window.run();
     };
-    let time = window.state().state().session.time;
+    let time = window.state().state().document.time;
     click(&mut window, 0.4);
-    let &[a] = window.state().state().session.plotting.cursors() else { panic!("one cursor") };
+    let &[a] = window.state().state().scratch.plotting.cursors() else { panic!("one cursor") };
     assert!(legend(&window).is_some_and(|text| text.contains("A: T = ")));
     click(&mut window, 0.7);
-    let &[_, b] = window.state().state().session.plotting.cursors() else { panic!("two cursors") };
-    assert_eq!(window.state().state().session.time, time, "a cursor is not T");
+    let &[_, b] = window.state().state().scratch.plotting.cursors() else { panic!("two cursors") };
+    assert_eq!(window.state().state().document.time, time, "a cursor is not T");
     let text = legend(&window).expect("a legend");
     let value = |name: &str| -> f64 {
         let rest = text.split(name).nth(1).unwrap_or_else(|| panic!("{name} in {text}"));
@@ -386,15 +386,15 @@ fn two_cursors_tell_the_difference() {
     assert!((value("slope = ") - slope).abs() < 6e-3 * slope.abs(), "{text}");
     assert!(window.state_mut().plots_svg().contains(">B<"));
     click(&mut window, 0.5);
-    assert!(window.state().state().session.plotting.cursors().is_empty() && legend(&window).is_none());
+    assert!(window.state().state().scratch.plotting.cursors().is_empty() && legend(&window).is_none());
     window.key_press(Key::C);
     window.run();
-    assert_eq!(window.state().state().session.plotting.cursors(), [time]);
+    assert_eq!(window.state().state().scratch.plotting.cursors(), [time]);
     window.get_by_label("Cursor B").click();
     window.run();
     window.get_by_label("No cursors").click();
     window.run();
-    assert!(window.state().state().session.plotting.cursors().is_empty());
+    assert!(window.state().state().scratch.plotting.cursors().is_empty());
 }
 
 fn pinned_curves_stay() {
@@ -402,7 +402,7 @@ fn pinned_curves_stay() {
     for beta in [0.7, 0.5] {
         window.get_by_label("Pin").click();
         window.run();
-        let mut motion = window.state().state().settings.motion;
+        let mut motion = window.state().state().document.settings.motion;
         motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
         window.state_mut().ask(Command::Motion(motion));
         window.run();
@@ -428,7 +428,7 @@ fn pinned_curves_stay() {
     }
     window.get_by_label("Unpin all").click();
     window.run();
-    assert!(window.state().state().session.plotting.pins().is_empty());
+    assert!(window.state().state().scratch.plotting.pins().is_empty());
     assert!(window.query_by_label("Unpin all").is_none());
 }
 
@@ -438,7 +438,7 @@ fn as_many_pins_as_dashes() {
         at_speed(&mut state, beta);
         state.apply(Command::Plotting(PlotCommand::Pin));
     }
-    let pins = state.session.plotting.pins();
+    let pins = state.scratch.plotting.pins();
     let speeds: Vec<f64> = pins.iter().map(|pin| pin.key.velocity.speed.beta()).collect();
     assert_eq!((speeds.as_slice(), pins.len()), ([0.3, 0.4, 0.5, 0.6].as_slice(), MAX_PINS));
     // All are in the plot, and the present one.
@@ -452,7 +452,7 @@ fn the_published_value_is_told() {
     assert!(!labels(&window).iter().any(|label| label.starts_with("Published Δφ")));
     window.get_by_role_and_label(Role::CheckBox, "Published").click();
     window.run();
-    let time = window.state().state().session.time;
+    let time = window.state().state().document.time;
     for (name, model) in [("Exact", Model::Exact), ("Published", PUBLISHED)] {
         let expected = disparity(model, 0.9, time);
         for (symbol, value) in [("Δφ", expected.dphi), ("Δθ", expected.dtheta)] {
@@ -465,13 +465,13 @@ fn the_published_value_is_told() {
 fn several_points_have_a_legend() {
     for size in [[1280.0, 800.0], [800.0, 600.0], [1920.0, 1080.0]] {
         let mut state = cyclist(0.9);
-        let mut point = state.session.points.selected().track;
+        let mut point = state.document.points.selected().track;
         for (i, body) in [2, 5].into_iter().enumerate() {
             point.rest[0] += 0.5 + i as f64;
-            state.session.points.choose(point, body, true);
+            state.document.points.choose(point, body, true);
         }
         let names: Vec<String> =
-            state.session.points.all().iter().map(|point| state.name_of(point)).collect();
+            state.document.points.all().iter().map(|point| state.name_of(point)).collect();
         let window = window_of_size(state, size, 1.0);
         let legend = label_starting_with(&window, "Legend of Δφ: ");
         for name in &names {

@@ -318,7 +318,7 @@ fn a_click_predicts_a_place() {
     let mut window = at_the_place();
     let hints = labels(&window).iter().filter(|label| *label == HINT).count();
     assert_eq!(hints, 3, "in both views and in the panel");
-    let before = window.state().state().session.points.clone();
+    let before = window.state().state().document.points.clone();
     let there = pane(&window, 1).min + vec2(90.0, 60.0);
     let expected = {
         let (state, pane) = (window.state().state(), pane(&window, 1));
@@ -327,8 +327,8 @@ fn a_click_predicts_a_place() {
     };
     click(&mut window, there);
     let state = window.state().state();
-    assert_eq!(state.session.points, before, "nothing else is selected");
-    assert_eq!(state.session.missed, None);
+    assert_eq!(state.document.points, before, "nothing else is selected");
+    assert_eq!(state.scratch.missed, None);
     let Some(Answer::Direction(gaze)) = state.course().expect("a lesson").draft else { panic!("no answer") };
     assert!(gaze.axes().forward.angle_between(expected) < 1e-3);
     for eye in Eye::BOTH {
@@ -376,9 +376,9 @@ fn a_place_on_the_body_is_right() {
     let on_tyre = (-400..400).map(|tenth| turned(0.1 * f64::from(tenth))).find(|direction| {
         let mut shown = view.clone();
         shown.apply(Command::Time(3.0));
-        let hit = shown.session.prepared.first_hit(&shown.view(Eye::Left, [400, 300]), *direction);
+        let hit = shown.document.prepared.first_hit(&shown.view(Eye::Left, [400, 300]), *direction);
         let far = direction.angle_between(seen).to_degrees() > 3.0;
-        far && hit.is_some_and(|hit| shown.session.scene.name_of(hit.body) == "front tyre")
+        far && hit.is_some_and(|hit| shown.document.scene.name_of(hit.body) == "front tyre")
     });
     assert_eq!(right(on_tyre.expect("a wheel is wide")), Some(true));
 }

@@ -24,7 +24,7 @@ pub const TESTS: &[Test] = &[
 ];
 
 fn settings_window(harness: &Harness<'_, App>) -> Window {
-    harness.state().state().settings.window
+    harness.state().state().document.settings.window
 }
 
 fn an_audience_has_views_a_plot_and_words() {
@@ -40,7 +40,7 @@ fn an_audience_has_views_a_plot_and_words() {
     assert!(window.state().state().session.stage.full_screen);
     window.key_press(Key::Space);
     window.step();
-    assert!(window.state().state().session.playing);
+    assert!(window.state().state().scratch.playing);
     window.state_mut().ask(Command::TogglePlaying);
     window.key_press(Key::Escape);
     window.run();
@@ -56,13 +56,13 @@ fn a_clicker_steps_the_presets() {
     for preset in &Preset::all()[..3] {
         window.key_press(Key::PageDown);
         window.run();
-        assert_eq!(window.state().state().session.preset, Some(preset));
+        assert_eq!(window.state().state().document.preset, Some(preset));
         label_starting_with(&window, &format!("{}. ", preset.title));
         assert!(window.state().state().session.stage.is_presented());
     }
     window.key_press(Key::PageUp);
     window.run();
-    assert_eq!(window.state().state().session.preset, Some(&Preset::all()[1]));
+    assert_eq!(window.state().state().document.preset, Some(&Preset::all()[1]));
 }
 
 fn presenting_works_at_every_size() {
@@ -164,19 +164,19 @@ fn meter(window: &Harness<'_, App>) -> String {
 
 fn the_comfortable_button() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 1600.0], 1.0);
-    let wide = Motion { d: 1.5, ..window.state().state().settings.motion };
+    let wide = Motion { d: 1.5, ..window.state().state().document.settings.motion };
     window.state_mut().ask(Command::Motion(wide));
     window.run();
     assert!(meter(&window).starts_with("Fusing: too much: "), "{}", meter(&window));
     window.get_by_label("Comfortable").click();
     window.run();
     assert!(meter(&window).starts_with("Fusing: comfortable: "), "{}", meter(&window));
-    let d = window.state().state().settings.motion.d;
+    let d = window.state().state().document.settings.motion.d;
     assert!(d > 0.0 && d < 1.5);
     window.get_by_label(&format!("d narrowed from 1.5 to {d}: measured disparities shrink with it."));
     window.get_by_label("As before").click();
     window.run();
-    assert_eq!(window.state().state().settings.motion, wide);
+    assert_eq!(window.state().state().document.settings.motion, wide);
 }
 
 fn the_meter_knows_the_distance() {

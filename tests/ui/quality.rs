@@ -62,7 +62,7 @@ fn share_in_pane(window: &mut Harness<'_, App>, differs: fn([u8; 3], [u8; 3]) ->
     let size = [pane.width() as u32, pane.height() as u32];
     let state = window.state().state();
     let view = state.view(Eye::Left, size);
-    let reference = state.session.prepared.picture(&view, &state.appearance(false), 2);
+    let reference = state.document.prepared.picture(&view, &state.appearance(false), 2);
     let shown = window.render().expect("a picture");
     let compared = size[0] * (size[1] - NOTE);
     let differing = (0..compared).filter(|i| {
@@ -76,7 +76,7 @@ fn share_in_pane(window: &mut Harness<'_, App>, differs: fn([u8; 3], [u8; 3]) ->
 
 fn the_reference_draws_the_views() {
     let mut state = cyclist(0.6);
-    (state.settings.window.dials, state.settings.window.ruler) = (false, false);
+    (state.document.settings.window.dials, state.document.settings.window.ruler) = (false, false);
     // High enough that the choice is in sight.
     let mut window = window_of_size(state, [1280.0, 1000.0], 1.0);
     let any =
@@ -166,8 +166,8 @@ fn tells_how_far_off_spokes_are() {
     settle(&mut still);
     assert!(!labels(&still).iter().any(|label| label.starts_with("1 round")));
     drop(still);
-    "wheel".clone_into(&mut state.settings.scene);
-    let mut window = small_window(State::open(state.settings).expect("a preset"));
+    "wheel".clone_into(&mut state.document.settings.scene);
+    let mut window = small_window(State::open(state.document.settings).expect("a preset"));
     settle(&mut window);
     let after = ["1 round", "2 rounds", "3 rounds"].map(|rounds| {
         assert!(figure(&window, rounds, "ns") > 0.0 && figure(&window, rounds, "missed") < 1.0);
@@ -224,8 +224,11 @@ fn clicking_a_renderer_chooses_it() {
     settle(&mut window);
     window.get_by_label("mesh 2 px").click();
     window.run();
-    assert_eq!(window.state().state().settings.quality.method(), Some(Method::Mesh { bound_px: 2.0 }));
-    let mut quality = window.state().state().settings.quality;
+    assert_eq!(
+        window.state().state().document.settings.quality.method(),
+        Some(Method::Mesh { bound_px: 2.0 })
+    );
+    let mut quality = window.state().state().document.settings.quality;
     quality.bound_px = 0.25;
     window.state_mut().ask(Command::Quality(quality));
     settle(&mut window);
@@ -241,15 +244,15 @@ fn clicking_a_renderer_chooses_it() {
         window.drop_at(place);
         window.run_steps(2);
     }
-    assert_eq!(window.state().state().settings.quality.renderer, RendererChoice::Reference);
+    assert_eq!(window.state().state().document.settings.quality.renderer, RendererChoice::Reference);
 }
 
 fn the_heat_map_marks_errors() {
     let mut state = examined(0.9);
-    state.settings.quality.renderer = RendererChoice::Mesh;
-    state.settings.quality.bound_px = 4.0;
+    state.document.settings.quality.renderer = RendererChoice::Mesh;
+    state.document.settings.quality.bound_px = 4.0;
     // Without the ruler the lower tag is within the note, which is not compared.
-    state.settings.window.ruler = false;
+    state.document.settings.window.ruler = false;
     let mut window = window(state);
     settle(&mut window);
     let red = |[r, g, b]: [u8; 3], _: [u8; 3]| r == 0xFF && g == 0x38 && b == 0x60;

@@ -58,7 +58,7 @@ pub fn message(window: &mut Harness<'_, App>) -> String {
     loop {
         window.step();
         let app = window.state();
-        if let Some(notice) = app.state().session.notice.as_ref().filter(|_| app.is_settled()) {
+        if let Some(notice) = app.state().scratch.notice.as_ref().filter(|_| app.is_settled()) {
             return notice.text.clone();
         }
         assert!(start.elapsed() < Duration::from_mins(2), "no message");
@@ -98,7 +98,7 @@ fn copy(window: &mut Harness<'_, App>, entry: &str) -> String {
 /// A state that differs from the usual in several ways.
 fn special() -> State {
     let mut state = cyclist(0.8);
-    state.apply(Command::Motion(Motion { d: 0.3, height_shift: -0.5, ..state.settings.motion }));
+    state.apply(Command::Motion(Motion { d: 0.3, height_shift: -0.5, ..state.document.settings.motion }));
     state.apply(Command::Time(5.25));
     state
 }
@@ -106,9 +106,9 @@ fn special() -> State {
 /// A point of the tyre of a wheel that rolls is selected.
 fn on_a_wheel() -> State {
     let mut state = State::open(Settings::default()).expect("a preset");
-    let tyre = state.session.scene.names.iter().position(|name| name == "front tyre").expect("a tyre");
-    let track = state.session.scene.track_on(tyre).expect("a body");
-    state.session.points.choose(track, tyre, false);
+    let tyre = state.document.scene.names.iter().position(|name| name == "front tyre").expect("a tyre");
+    let track = state.document.scene.track_on(tyre).expect("a body");
+    state.document.points.choose(track, tyre, false);
     state
 }
 
@@ -136,12 +136,12 @@ fn a_saved_picture_opens_as_its_state() {
     assert_eq!(message(&mut window), "Saved ride.png.");
     assert_eq!(names_in(folder.path()), ["ride.png"]);
     let (shown, again) = (window.state().state(), opened(&path));
-    assert_eq!(again.settings.motion, shown.settings.motion);
-    assert_eq!(again.session.time, shown.session.time);
-    assert_eq!(again.session.scene.name, shown.session.scene.name);
-    assert_eq!(again.session.points.selected().track, shown.session.points.selected().track);
+    assert_eq!(again.document.settings.motion, shown.document.settings.motion);
+    assert_eq!(again.document.time, shown.document.time);
+    assert_eq!(again.document.scene.name, shown.document.scene.name);
+    assert_eq!(again.document.points.selected().track, shown.document.points.selected().track);
     // What follows something is recorded as where it was.
-    let size = shown.session.picture_size;
+    let size = shown.frame.picture_size;
     for eye in Eye::BOTH {
         assert_eq!(again.view(eye, size), shown.view(eye, size));
     }
@@ -153,7 +153,7 @@ fn a_saved_picture_has_the_pixels_of_the_views() {
     let mut state = special();
     state.apply(Command::Layout(Layout::Left));
     let mut window = window(state);
-    let size = window.state().state().session.picture_size;
+    let size = window.state().state().frame.picture_size;
     save(&mut window, "Save picture…", &path);
     assert_eq!(PngFile::read(&path).expect("a picture").picture().size, size);
     // Another size is typed.
@@ -227,7 +227,7 @@ fn what_cannot_be_written_is_said() {
         window.get_by_label(&remark);
         window.key_press(Key::Escape);
         window.run_ok();
-        assert_eq!(window.state().state().session.chooser, None);
+        assert_eq!(window.state().state().scratch.chooser, None);
     }
     assert!(names_in(folder.path()).is_empty());
 }
@@ -262,7 +262,7 @@ fn short_loop() -> State {
     state.apply(Command::Playback(Playback {
         rate: 10.0,
         range: TimeRange(Some([2.0, 6.0])),
-        ..state.settings.playback
+        ..state.document.settings.playback
     }));
     state
 }
@@ -323,19 +323,19 @@ fn films_have_the_frames_of_the_loop() {
     let frames = names_in(&sequence);
     assert_eq!((frames.len(), frames[9].as_str()), (10, "frame_00009.png"));
     for (number, frame) in frames.iter().enumerate() {
-        let time = opened(&sequence.join(frame)).session.time;
+        let time = opened(&sequence.join(frame)).document.time;
         assert!((time - (2.0 + 0.4 * number as f64)).abs() < 1e-12, "{frame}: T = {time}");
     }
     let first = PngFile::read(&sequence.join("frame_00000.png")).expect("a picture").frames;
     let film = PngFile::read(&folder.path().join("ride.png")).expect("a film");
     assert_eq!(film.picture(), &first[0]);
-    assert_eq!(opened(&folder.path().join("ride.png")).session.time, 2.0);
+    assert_eq!(opened(&folder.path().join("ride.png")).document.time, 2.0);
 }
 
 fn a_stopped_film_leaves_no_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut state = short_loop();
-    state.apply(Command::Playback(Playback { rate: 0.05, ..state.settings.playback }));
+    state.apply(Command::Playback(Playback { rate: 0.05, ..state.document.settings.playback }));
     let mut window = window(state);
     choose(&mut window, "Save film…");
     type_into(&mut window, "Path", folder.path().join("ride.gif").to_str().expect("a plain path"));
@@ -359,7 +359,7 @@ fn the_copied_commands_give_the_same_again() {
     let command = copy(&mut window, "Copy command");
     assert!(command.starts_with("gamow --scene=cyclist "), "{command}");
     let again = Settings::default().with_command(&command, "the clipboard").expect("a command of ours");
-    assert_eq!(again.motion, window.state().state().settings.motion);
+    assert_eq!(again.motion, window.state().state().document.settings.motion);
     assert_eq!(again.time, Some(5.25));
     // Keys do it, too.
     window.event(eframe::egui::Event::Copy);
@@ -384,15 +384,18 @@ fn table(csv: &str) -> (Vec<String>, Vec<Vec<f64>>) {
 
 fn the_copied_curve_command_gives_the_plotted_numbers() {
     let mut tilted = special();
-    tilted.apply(Command::Motion(Motion { roll: 30.0, ..tilted.settings.motion }));
+    tilted.apply(Command::Motion(Motion { roll: 30.0, ..tilted.document.settings.motion }));
     for state in [special(), tilted, on_a_wheel()] {
         let mut window = window(state);
         let command = copy(&mut window, "Copy curve command");
-        assert_eq!(command.contains("--wheel-radius"), window.state().state().settings.scene == "street");
+        assert_eq!(
+            command.contains("--wheel-radius"),
+            window.state().state().document.settings.scene == "street"
+        );
         let (names, rows) = table(&gamow(&words(&command)[1..], &[]));
         let column = |name: &str| names.iter().position(|found| found == name).expect("it is there");
         let state = window.state().state();
-        let point = state.session.points.selected();
+        let point = state.document.points.selected();
         let [from, to] = state.time_range();
         assert_eq!([rows[0][column("T")], rows[rows.len() - 1][column("T")]], [from, to]);
         for row in rows {
@@ -412,7 +415,7 @@ fn the_copied_values_are_those_of_the_moment() {
     let (names, rows) = table(&text.replace('\t', ","));
     let value = |name: &str| rows[0][names.iter().position(|found| found == name).expect("it is there")];
     let state = window.state().state();
-    let both = state.disparity(state.session.points.selected()).expect("in the domain");
+    let both = state.disparity(state.document.points.selected()).expect("in the domain");
     assert_eq!([value("T"), value("beta"), value("d")], [5.25, 0.8, 0.3]);
     assert_eq!([value("dphi"), value("dtheta")], [both.dphi, both.dtheta]);
     assert_eq!(value("own_left"), both.primary.own_time);
@@ -471,10 +474,10 @@ fn saved_plots_hold_the_numbers_of_the_core() {
     for row in rows {
         let mut then = state.clone();
         then.apply(Command::Time(row[0]));
-        let both = then.disparity(state.session.points.selected()).expect("in the domain");
+        let both = then.disparity(state.document.points.selected()).expect("in the domain");
         assert_eq!(row[1..3], [both.dphi, both.dtheta]);
         // What `gamow fit` reads: T, the separation, and both disparities.
-        assert_eq!(row[3..], [row[0], state.settings.motion.d, both.dphi, both.dtheta]);
+        assert_eq!(row[3..], [row[0], state.document.settings.motion.d, both.dphi, both.dtheta]);
     }
 }
 
@@ -490,14 +493,17 @@ fn a_file_is_opened_by_its_path() {
     window.get_by_label(&format!("There is no file {}.", folder.path().join("other.toml").display()));
     type_into(&mut window, "Path", path.to_str().expect("a plain path"));
     wait_for_file(&mut window);
-    assert_eq!(window.state().state().settings.motion, first.state().state().settings.motion);
+    assert_eq!(
+        window.state().state().document.settings.motion,
+        first.state().state().document.settings.motion
+    );
     assert!(window.query_by_label("Path").is_none());
     assert_eq!(FileKind::of(&path), None);
 }
 
 fn opening_and_saving_can_be_left() {
     let mut state = special();
-    state.apply(Command::Plots(Plots { plot: PlotTab::Disparity, ..state.settings.plots }));
+    state.apply(Command::Plots(Plots { plot: PlotTab::Disparity, ..state.document.settings.plots }));
     let mut window = window(state);
     for entry in ["Open…", "Own data…", "Save picture…", "Save film…", "Save state…"] {
         choose(&mut window, entry);

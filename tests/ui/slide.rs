@@ -26,7 +26,7 @@ fn the_ruler_is_there() {
     window.run();
     assert!(!is_there(&labels(&window)));
     window.key_press(Key::V);
-    let motion = window.state().state().settings.motion;
+    let motion = window.state().state().document.settings.motion;
     window.state_mut().ask(Command::Motion(Motion { roll: 10.0, ..motion }));
     window.run();
     assert!(!is_there(&labels(&window)));
@@ -34,15 +34,15 @@ fn the_ruler_is_there() {
 
 fn the_panorama() {
     let mut window = window(cyclist(0.9));
-    let before = window.state().state().settings.clone();
+    let before = window.state().state().document.settings.clone();
     window.get_by_label("Panorama").click();
     window.run();
-    assert!(window.state().state().settings.is_panorama());
+    assert!(window.state().state().document.settings.is_panorama());
     let [left, right] = [0, 1].map(|number| pane(&window, number));
     assert!(left.max.y <= right.min.y && left.width() > 4.0 * left.height(), "{left:?} above {right:?}");
     window.key_press(Key::U);
     window.run();
-    assert_eq!(window.state().state().settings, before);
+    assert_eq!(window.state().state().document.settings, before);
 }
 
 /// The picture reaches further aside by about the rapidity.
@@ -55,7 +55,7 @@ fn the_outline_is_framed() {
     let before = half_width(shown(&window));
     window.key_press(Key::O);
     window.run();
-    assert!(window.state().state().settings.window.resting);
+    assert!(window.state().state().document.settings.window.resting);
     let wider = half_width(shown(&window)) - before;
     // 1.47 on both sides together, with a margin; the picture had more room than what moves needs.
     assert!(wider > 0.5 && wider < 0.5 * 1.4722 / 0.8 + 0.01, "{wider}");

@@ -33,8 +33,8 @@ const NAME: &str = "Map, x against t";
 /// A window that shows the cyclist's spacetime in this frame, and nothing else that is large.
 fn spacetime(beta: f64, frame: Frame, size: [f32; 2]) -> Harness<'static, App> {
     let mut state = cyclist(beta);
-    state.settings.map = Map { face: Face::Spacetime, frame, ..Map::default() };
-    state.settings.window =
+    state.document.settings.map = Map { face: Face::Spacetime, frame, ..Map::default() };
+    state.document.settings.window =
         Window { views: false, plots: false, controls: false, map: Presence::On, ..Window::default() };
     window_of_size(state, size, 1.0)
 }
@@ -49,7 +49,7 @@ fn go_to(window: &mut Harness<'_, App>, time: f64) {
 }
 
 fn time(window: &Harness<'_, App>) -> f64 {
-    window.state().state().session.time
+    window.state().state().document.time
 }
 
 fn gamma(beta: f64) -> f64 {
@@ -130,7 +130,7 @@ fn light_runs_at_45_degrees() {
     use gamow::units::Units;
     for units in [Units::Natural, Units::Metric, Units::Town] {
         let mut window = spacetime(0.9, Frame::Ground, [1280.0, 800.0]);
-        let settings = Window { units, ..window.state().state().settings.window };
+        let settings = Window { units, ..window.state().state().document.settings.window };
         window.state_mut().ask(Command::Window(settings));
         window.run();
         let found = Found::new(&mut window, 0.9, Frame::Ground);
@@ -154,7 +154,7 @@ fn dragging_the_present() {
         assert!((time(&window) - 3.5).abs() < 7.0 / found.scale, "{frame:?}: {}", time(&window));
         let eye = mark(&window, "the present T");
         assert!(eye.distance(found.place([0.0, time(&window)])) < 0.5);
-        assert_eq!(window.state().state().session.map_view, gamow::map::Viewpoint::default());
+        assert_eq!(window.state().state().scratch.map_view, gamow::map::Viewpoint::default());
     }
 }
 
@@ -209,7 +209,7 @@ fn the_way_of_the_light() {
 fn close_up_of_clocks() {
     let beta = 0.8;
     let rear = [-2.105, 3.881, -1.975];
-    let mut settings = cyclist(beta).settings;
+    let mut settings = cyclist(beta).document.settings;
     settings.points = Some("-2.105,3.881,-1.975@20".parse().expect("a point"));
     settings.map = Map { face: Face::Spacetime, frame: Frame::Bicycle, framing: Framing::CloseUp };
     settings.window = Window { views: false, plots: false, map: Presence::On, ..Window::default() };
@@ -246,12 +246,12 @@ fn nothing_breaks_spacetime() {
     for size in [[300.0, 290.0], [1024.0, 600.0]] {
         for theme in [Theme::Dark, Theme::Light] {
             let mut window = spacetime(0.9, Frame::Ground, size);
-            let parts = Window { theme, ..window.state().state().settings.window };
+            let parts = Window { theme, ..window.state().state().document.settings.window };
             window.state_mut().ask(Command::Window(parts));
             for (parameter, value) in
                 [(SpeedParameter::Beta, 0.0), (SpeedParameter::Beta, 1e-9), (SpeedParameter::Gamma, 1e9)]
             {
-                let mut motion = window.state().state().settings.motion;
+                let mut motion = window.state().state().document.settings.motion;
                 motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
                 window.state_mut().ask(Command::Motion(motion));
                 for (time, frame) in [(-1e6, Frame::Ground), (0.0, Frame::Bicycle), (3.6, Frame::Bicycle)] {

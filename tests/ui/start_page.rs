@@ -177,7 +177,7 @@ fn a_click_on_a_card() {
     window.get_by_label("A globe").click();
     window.run_ok();
     assert!(!is_open(&window) && open_lesson(&window).is_none());
-    assert_eq!(window.state().state().session.preset.map(|preset| preset.name), Some("globe"));
+    assert_eq!(window.state().state().document.preset.map(|preset| preset.name), Some("globe"));
     window.key_press(Key::S);
     window.run_ok();
     window.get_by_label(&lessons[2]).click();
@@ -208,7 +208,7 @@ fn keys_reach_cards() {
     window.run_ok();
     assert!(!is_open(&window));
     let last = Preset::all().last().map(|preset| preset.name);
-    assert_eq!(window.state().state().session.preset.map(|preset| preset.name), last);
+    assert_eq!(window.state().state().document.preset.map(|preset| preset.name), last);
 }
 
 fn keys_change_nothing_behind() {
@@ -290,7 +290,7 @@ fn it_fits() {
         ([3840.0, 2160.0], false),
     ] {
         let mut state = newcomers();
-        state.settings.window.theme = Theme::Light;
+        state.document.settings.window.theme = Theme::Light;
         if present {
             state.apply(Command::TogglePresenting);
         }

@@ -44,7 +44,7 @@ fn gives_the_gain_and_four_distances() {
     let mut window = window(cyclist(0.9));
     window.get_by_label("Stereo").click();
     window.run();
-    assert_eq!(window.state().state().settings.plots.plot, PlotTab::Stereo);
+    assert_eq!(window.state().state().document.settings.plots.plot, PlotTab::Stereo);
     label_starting_with(&window, "Plot of stereo gain of front tyre against T");
     label_starting_with(&window, "Plot of distance of front tyre against T");
     for time in [-2.0, 1.1, 3.6, 7.0] {
@@ -60,8 +60,8 @@ fn gives_the_gain_and_four_distances() {
 
 fn gives_distances_in_the_chosen_unit() {
     let mut state = cyclist(0.9);
-    state.settings.window.units = Units::Metric;
-    state.settings.plots.plot = PlotTab::Stereo;
+    state.document.settings.window.units = Units::Metric;
+    state.document.settings.plots.plot = PlotTab::Stereo;
     let mut window = window(state);
     window.state_mut().ask(Command::Time(1.1));
     window.run();
@@ -74,8 +74,8 @@ fn gives_distances_in_the_chosen_unit() {
 
 fn has_gain_1_with_one_cone() {
     let mut state = cyclist(0.9);
-    state.settings.look.geometry = Geometry::OneCone;
-    state.settings.plots.plot = PlotTab::Stereo;
+    state.document.settings.look.geometry = Geometry::OneCone;
+    state.document.settings.plots.plot = PlotTab::Stereo;
     let mut window = window(state);
     window.state_mut().ask(Command::Time(1.1));
     window.run();
@@ -86,7 +86,7 @@ fn has_gain_1_with_one_cone() {
 
 fn fits_in_the_smallest_window() {
     let mut state = cyclist(0.9);
-    state.settings.plots.plot = PlotTab::Stereo;
+    state.document.settings.plots.plot = PlotTab::Stereo;
     let mut window = window_of_size(state, [1024.0, 600.0], 1.0);
     window.run();
     let right = window.get_by_label("Plot of distance of front tyre against T").rect().max.x;
@@ -100,14 +100,14 @@ fn fits_in_the_smallest_window() {
 /// The buttons hold the head; readout and plot say what the core says of such a pair.
 fn eyes_above_and_behind_each_other() {
     let mut state = cyclist(0.9);
-    state.settings.plots.plot = PlotTab::Stereo;
+    state.document.settings.plots.plot = PlotTab::Stereo;
     // Nearly level with the eyes.
-    state.settings.motion.height_shift = -1.8;
+    state.document.settings.motion.height_shift = -1.8;
     let mut window = window_of_size(state, [1280.0, 1300.0], 1.0);
     window.state_mut().ask(Command::Time(0.5));
     window.get_by_label("Above").click();
     window.run();
-    let motion = window.state().state().settings.motion;
+    let motion = window.state().state().document.settings.motion;
     assert_eq!([motion.roll, motion.turn], [90.0, 0.0]);
     let (speed, time) = (Speed::from_beta(0.9).expect("a speed"), 0.5);
     let point = SourcePoint { z: TRACKED[2] - 1.8, ..SourcePoint::from_rest(TRACKED, &speed) };
@@ -128,7 +128,7 @@ fn eyes_above_and_behind_each_other() {
 /// Whatever the tab, the geometry and the map, and with both eyes in one place.
 fn a_turned_head_and_no_separation() {
     let mut window = window(cyclist(0.9));
-    let usual = window.state().state().settings.clone();
+    let usual = window.state().state().document.settings.clone();
     for (roll, turn) in [(90.0, 0.0), (0.0, 90.0), (180.0, 0.0), (-30.0, 60.0)] {
         for (d, geometry) in [(0.1, Geometry::Seen), (0.0, Geometry::OneCone), (0.1, Geometry::Published)] {
             for plot in [PlotTab::Disparity, PlotTab::Stereo, PlotTab::Angles] {

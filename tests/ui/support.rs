@@ -18,9 +18,8 @@ pub fn assert_sane(state: &State) {
     let text = shown.to_toml();
     let read = Settings::default().with_toml(&text, "state.toml");
     assert_eq!(read.unwrap_or_else(|error| panic!("{error} in\n{text}")), shown, "{text}");
-    let session = &state.session;
     let [from, to] = state.time_range();
-    let numbers = [session.time, session.cm_per_pixel, from, to];
+    let numbers = [state.document.time, state.frame.cm_per_pixel, from, to];
     assert!(from <= to && numbers.iter().all(|number| number.is_finite()), "{numbers:?} in\n{text}");
 }
 

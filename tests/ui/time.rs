@@ -23,7 +23,7 @@ pub const TESTS: &[Test] = &[
 ];
 
 fn time(window: &Harness<'_, App>) -> f64 {
-    window.state().state().session.time
+    window.state().state().document.time
 }
 
 fn scrubbing_moves_the_time() {
@@ -68,9 +68,9 @@ fn keys_do_what_the_help_says() {
         window.run_steps(2);
     };
     press(&mut window, Key::Space);
-    assert!(window.state().state().session.playing);
+    assert!(window.state().state().scratch.playing);
     press(&mut window, Key::Space);
-    assert!(!window.state().state().session.playing);
+    assert!(!window.state().state().scratch.playing);
 
     let [from, to] = window.state().state().time_range();
     press(&mut window, Key::Home);
@@ -97,7 +97,7 @@ fn keys_do_what_the_help_says() {
         (Key::Num1, Geometry::Seen),
     ] {
         press(&mut window, key);
-        assert_eq!(window.state().state().settings.look.geometry, geometry);
+        assert_eq!(window.state().state().document.settings.look.geometry, geometry);
     }
 
     assert!(window.query_by_label("What is this?").is_none());
@@ -121,8 +121,8 @@ fn keys_are_left_to_a_field() {
     }
     window.run();
     let state = window.state().state();
-    assert!(!state.session.playing);
-    assert_eq!(state.settings.look.geometry, Geometry::Seen);
+    assert!(!state.scratch.playing);
+    assert_eq!(state.document.settings.look.geometry, Geometry::Seen);
     assert_eq!(state.speed().beta(), 0.9);
 }
 
@@ -148,8 +148,8 @@ fn a_paused_window_asks_for_no_frames() {
 fn playing_runs_by_the_clock() {
     const RATE: f64 = 8.0;
     let mut state = cyclist(0.9);
-    state.session.playing = true;
-    state.settings.playback.rate = RATE;
+    state.scratch.playing = true;
+    state.document.settings.playback.rate = RATE;
     let mut window = window(state);
     let before = time(&window);
     window.run_steps(4);
@@ -158,11 +158,11 @@ fn playing_runs_by_the_clock() {
     let [from, to] = window.state().state().time_range();
     let frames_per_loop = (to - from) / (RATE * f64::from(FRAME));
     window.run_steps(frames_per_loop as usize);
-    assert!((from..=to).contains(&time(&window)) && window.state().state().session.playing);
+    assert!((from..=to).contains(&time(&window)) && window.state().state().scratch.playing);
     window.get_by_label("Loop").click();
     window.run_steps((1.1 * frames_per_loop) as usize);
     assert_eq!(time(&window), to);
-    assert!(!window.state().state().session.playing);
+    assert!(!window.state().state().scratch.playing);
 }
 
 fn a_scene_at_rest_has_no_t0() {

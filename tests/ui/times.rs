@@ -43,7 +43,7 @@ const ALL: [Units; 3] = [Units::Natural, Units::Metric, Units::Town];
 
 fn in_units(units: Units) -> State {
     let mut state = cyclist(0.9);
-    state.settings.window.units = units;
+    state.document.settings.window.units = units;
     state
 }
 
@@ -89,13 +89,13 @@ fn what_is_typed_is_taken_in_its_unit() {
         let [length, time] = factors(units);
         let mut window = window(in_units(units));
         type_into(&mut window, "T, typed", "2.25");
-        let set = window.state().state().session.time;
+        let set = window.state().state().document.time;
         assert!((set * time - 2.25).abs() < 1e-12, "{units:?}: T = {set}");
         type_into(&mut window, "Distance y, typed", "1.3");
-        let set = window.state().state().settings.motion.depth_shift + 3.0;
+        let set = window.state().state().document.settings.motion.depth_shift + 3.0;
         assert!((set * length - 1.3).abs() < 1e-12, "{units:?}: y = {set}");
         type_into(&mut window, "Playback rate", "0.5");
-        let set = window.state().state().settings.playback.rate;
+        let set = window.state().state().document.settings.playback.rate;
         assert!((set * time - 0.5).abs() < 1e-12, "{units:?}: {set} / s");
     }
 }
@@ -129,19 +129,19 @@ fn units_are_chosen_in_the_bar() {
 fn two_marks_tell_presently_from_seen() {
     // The cyclist moved back by one unit is abreast 1/beta times its contracted length later.
     let mut state = cyclist(0.9);
-    let track = gamow::scene::Track { rest: [-1.0, 3.0, 2.0], ..state.session.points.selected().track };
-    state.session.points.choose(track, 0, false);
+    let track = gamow::scene::Track { rest: [-1.0, 3.0, 2.0], ..state.document.points.selected().track };
+    state.document.points.choose(track, 0, false);
     let mut window = window(state);
     window.get_by_label("Go to measured abreast").click();
     window.run();
     let presently = 0.19_f64.sqrt() / 0.9;
-    let time = window.state().state().session.time;
+    let time = window.state().state().document.time;
     assert!((time - presently).abs() < 1e-12, "{time}");
     // It is seen far behind, where it is measured beside the eyes.
     assert!(shown(&window, "Left eye, Apparent X") < -1.0);
     window.get_by_label("Go to seen abreast").click();
     window.run();
-    let time = window.state().state().session.time;
+    let time = window.state().state().document.time;
     assert!((time - presently - 13.0025_f64.sqrt()).abs() < 1e-12, "{time}");
     // What is seen happened when it was measured abreast.
     assert!((shown(&window, "Left eye, happened t") - presently).abs() < 6e-5);
@@ -153,7 +153,8 @@ fn marks_never_cover_each_other() {
     for size in [[800.0, 600.0], [1024.0, 600.0], [1920.0, 1080.0]] {
         for range in ranges {
             let mut state = in_units(Units::Metric);
-            state.settings.playback = Playback { range: TimeRange(Some(range)), ..Playback::default() };
+            state.document.settings.playback =
+                Playback { range: TimeRange(Some(range)), ..Playback::default() };
             let window = window_of_size(state, size, 1.0);
             let rect = |name: &str| window.get_by_label(name).rect();
             let (presently, seen) = (rect("Go to measured abreast"), rect("Go to seen abreast"));
@@ -188,10 +189,10 @@ fn what_is_under_the_pointer_is_told() {
     let size = [pane(&window, 0).width() as u32, pane(&window, 0).height() as u32];
     // Where the left eye sees the tracked point, a little inside of its tyre.
     let view = state.view(gamow::app::eye::Eye::Left, size);
-    let direction = state.direction(state.session.points.selected(), gamow::app::eye::Eye::Left);
+    let direction = state.direction(state.document.points.selected(), gamow::app::eye::Eye::Left);
     let [u, v] = view.camera.pixel(direction.expect("it is seen")).expect("in front");
     let part = [(u as f32 - 2.0) / size[0] as f32, v as f32 / size[1] as f32];
-    let time = state.session.time;
+    let time = state.document.time;
     let (text, tag) = told(&mut window, 0, part).expect("the tyre");
     assert!(text.starts_with("Under the pointer: front tyre   D = "), "{text}");
     let number = |name: &str| -> f64 {
@@ -212,7 +213,7 @@ fn what_is_under_the_pointer_is_told() {
 
 fn nothing_is_told_where_no_ray_leads() {
     let mut state = cyclist(0.9);
-    state.settings.look.geometry = Geometry::Published;
+    state.document.settings.look.geometry = Geometry::Published;
     let mut window = window(state);
     // The sky, then the middle of the rider in the left eye's view and in the published one.
     assert_eq!(told(&mut window, 0, [0.02, 0.5]), None);
@@ -242,7 +243,7 @@ fn clocks_show_own_time() {
             assert!((turn - expected).abs() < 6e-5, "T = {time}, {name}: {turn} for {expected}");
         }
     }
-    let settings = window.state().state().settings.window;
+    let settings = window.state().state().document.settings.window;
     window.state_mut().ask(Command::Window(Window { dials: false, ..settings }));
     window.run();
     assert!(window.query_by_label_contains("Clock of").is_none());

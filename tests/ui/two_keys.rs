@@ -62,7 +62,7 @@ fn presets_about_a_fit() {
     for size in [[1280.0, 800.0], [1920.0, 1080.0], [1024.0, 600.0]] {
         for preset in Preset::all().iter().filter(|preset| preset.settings.plots.plot == PlotTab::Fit) {
             let mut state = State::open(preset.settings.clone()).expect("a preset");
-            state.session.preset = Some(preset);
+            state.document.preset = Some(preset);
             let mut window = presented(state, size);
             settle(&mut window);
             let all = named(&window);
@@ -129,8 +129,8 @@ fn expected(state: &State) -> &'static [&'static str] {
         Some(_) => return &["Plot to draw "],
         None => {}
     }
-    match (window.map, window.plots, state.settings.plots.plot) {
-        (Presence::On, ..) if state.settings.map.face == Face::Space => &["Map, from above"],
+    match (window.map, window.plots, state.document.settings.plots.plot) {
+        (Presence::On, ..) if state.document.settings.map.face == Face::Space => &["Map, from above"],
         (Presence::On, ..) => &["Map, x against t"],
         (_, true, PlotTab::Fit) => &["Fit of "],
         (_, true, _) => &["Plot of "],
@@ -182,7 +182,7 @@ fn no_press_hides() {
             let state = window.state().state();
             let course = state.course().expect("the lesson goes on");
             let at = format!("{}, press {press}: {:?}", lesson.name, course.place());
-            assert!(state.session.stage.is_presented() && state.session.notice.is_none(), "{at}");
+            assert!(state.session.stage.is_presented() && state.scratch.notice.is_none(), "{at}");
             for text in texts(state) {
                 let begins = beginning(&text);
                 assert!(all.iter().any(|(label, _)| label.starts_with(begins)), "{at}: {begins:?} is lost");

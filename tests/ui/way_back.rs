@@ -29,7 +29,7 @@ pub const TESTS: &[Test] = &[
 ];
 
 fn settings<'a>(window: &'a Harness<'_, App>) -> &'a Settings {
-    &window.state().state().settings
+    &window.state().state().document.settings
 }
 
 fn press(window: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
@@ -51,7 +51,7 @@ fn a_drag_is_one_step() {
     let dragged = settings(&window).motion;
     assert!(dragged.depth_shift > 4.0);
     press(&mut window, Modifiers::COMMAND, Key::Z);
-    assert_eq!(*settings(&window), cyclist(0.9).settings);
+    assert_eq!(*settings(&window), cyclist(0.9).document.settings);
     assert!(!is_enabled(&window, "Undo"), "one step");
     for (modifiers, key) in [(WITH_SHIFT, Key::Z), (Modifiers::COMMAND, Key::Y)] {
         press(&mut window, modifiers, key);
@@ -83,7 +83,7 @@ fn a_run_of_nudges_is_one_step() {
     }
     assert!(settings(&window).speed().beta() > 0.9);
     press(&mut window, Modifiers::COMMAND, Key::Z);
-    assert_eq!(*settings(&window), cyclist(0.9).settings);
+    assert_eq!(*settings(&window), cyclist(0.9).document.settings);
     assert!(!is_enabled(&window, "Undo"));
 }
 
@@ -94,26 +94,26 @@ fn time_and_playing_are_no_steps() {
         window.run_steps(2);
     }
     assert!(!is_enabled(&window, "Undo"));
-    let time = window.state().state().session.time;
+    let time = window.state().state().document.time;
     type_into(&mut window, "Gamma, typed", "3");
     press(&mut window, Modifiers::COMMAND, Key::Z);
-    assert_eq!(window.state().state().session.time, time);
+    assert_eq!(window.state().state().document.time, time);
 }
 
 fn picks_can_be_undone() {
     let mut window = window(cyclist(0.9));
     let middle = super::support::pane(&window, 0).center();
     click(&mut window, middle, Modifiers::SHIFT);
-    let picked = window.state().state().session.points.clone();
+    let picked = window.state().state().document.points.clone();
     assert_eq!(picked.all().len(), 2, "the frame is in the middle");
     window.state_mut().ask(Command::RemovePoint(1));
     window.run();
     for expected in [2, 1] {
         press(&mut window, Modifiers::COMMAND, Key::Z);
-        assert_eq!(window.state().state().session.points.all().len(), expected);
+        assert_eq!(window.state().state().document.points.all().len(), expected);
     }
     press(&mut window, WITH_SHIFT, Key::Z);
-    assert_eq!(window.state().state().session.points, picked);
+    assert_eq!(window.state().state().document.points, picked);
 }
 
 fn undoing_another_scene() {
@@ -125,12 +125,12 @@ fn undoing_another_scene() {
     window.state_mut().ask(Command::Preset("globe"));
     window.run();
     let globe = window.state().state().clone();
-    assert_ne!(globe.session.scene, before.session.scene);
+    assert_ne!(globe.document.scene, before.document.scene);
     press(&mut window, Modifiers::COMMAND, Key::Z);
     let same = |a: &State, b: &State| {
-        assert_eq!(a.settings, b.settings);
-        assert_eq!((&a.session.scene, &a.session.points), (&b.session.scene, &b.session.points));
-        assert_eq!((a.session.time, a.session.preset), (b.session.time, b.session.preset));
+        assert_eq!(a.document.settings, b.document.settings);
+        assert_eq!((&a.document.scene, &a.document.points), (&b.document.scene, &b.document.points));
+        assert_eq!((a.document.time, a.document.preset), (b.document.time, b.document.preset));
     };
     same(window.state().state(), &before);
     press(&mut window, WITH_SHIFT, Key::Z);
@@ -159,14 +159,17 @@ fn reset_has_all_as_usual() {
     let before = window.state().state().clone();
     window.get_by_label("Reset").click();
     window.run();
-    let usual = Settings { window: before.settings.window, ..cyclist(0.9).settings };
+    let usual = Settings { window: before.document.settings.window, ..cyclist(0.9).document.settings };
     assert_eq!(*settings(&window), usual);
     assert_ne!(usual.window, Settings::default().window, "the theme is another");
-    assert_eq!(window.state().state().session.points, cyclist(0.9).session.points);
+    assert_eq!(window.state().state().document.points, cyclist(0.9).document.points);
     assert!(!is_enabled(&window, "Reset"));
     press(&mut window, Modifiers::COMMAND, Key::Z);
     let state = window.state().state();
-    assert_eq!((&state.settings, &state.session.points), (&before.settings, &before.session.points));
+    assert_eq!(
+        (&state.document.settings, &state.document.points),
+        (&before.document.settings, &before.document.points)
+    );
 }
 
 fn a_section_is_reset() {
@@ -178,10 +181,10 @@ fn a_section_is_reset() {
         assert!(window.query_by_label(&name).is_none(), "{section} is as usual");
         window.get_by_label(choice).click();
         window.run();
-        assert_ne!(*settings(&window), cyclist(0.9).settings);
+        assert_ne!(*settings(&window), cyclist(0.9).document.settings);
         window.get_by_label(&name).click();
         window.run();
-        assert_eq!(*settings(&window), cyclist(0.9).settings, "{section}");
+        assert_eq!(*settings(&window), cyclist(0.9).document.settings, "{section}");
         assert!(window.query_by_label(&name).is_none(), "{section} is as usual again");
     }
 }
@@ -211,9 +214,9 @@ fn a_double_click_restores() {
         for place in [rail.center() + vec2(9.0, 0.0), row_name] {
             // To a place that none of these values has.
             drag(&mut window, rail.center(), rail.center() + vec2(40.0, 0.0));
-            assert_ne!(*settings(&window), cyclist(0.9).settings, "{name}");
+            assert_ne!(*settings(&window), cyclist(0.9).document.settings, "{name}");
             double_click(&mut window, place);
-            assert_eq!(*settings(&window), cyclist(0.9).settings, "{name} at {place:?}");
+            assert_eq!(*settings(&window), cyclist(0.9).document.settings, "{name} at {place:?}");
         }
     }
     let rail = slider(&window, "Speed β");
@@ -248,15 +251,20 @@ fn usual_is_what_the_preset_says() {
     window.run();
     let state = window.state().state();
     let time = preset.settings.time.expect("it says when");
-    assert_eq!((state.session.preset, state.session.time), (Some(preset), time));
-    assert_eq!(state.settings.motion, preset.settings.motion);
+    assert_eq!((state.document.preset, state.document.time), (Some(preset), time));
+    assert_eq!(state.document.settings.motion, preset.settings.motion);
 }
 
 /// As the path runs through the eyes nothing is seen of it; that is of no concern to another scene.
 fn shifts_belong_to_their_scene() {
     let mut window = window(cyclist(0.9));
-    let motion =
-        Motion { depth_shift: -3.0, height_shift: -2.0, d: 0.2, roll: 10.0, ..cyclist(0.5).settings.motion };
+    let motion = Motion {
+        depth_shift: -3.0,
+        height_shift: -2.0,
+        d: 0.2,
+        roll: 10.0,
+        ..cyclist(0.5).document.settings.motion
+    };
     window.state_mut().ask(Command::Motion(motion));
     window.state_mut().ask(Command::Layout(Layout::Anaglyph));
     window.get_by_label("Fixed").click();
@@ -264,7 +272,7 @@ fn shifts_belong_to_their_scene() {
     // Quit, start again: as it was left.
     let left = window.state().state().shown();
     let again = State::open(left.clone()).expect("a preset");
-    assert_eq!(again.settings.motion, motion);
+    assert_eq!(again.document.settings.motion, motion);
     // Another scene passes where it says, and the eyes look at it.
     let mut window = super::support::window(again);
     window.state_mut().ask(Command::Preset("street"));

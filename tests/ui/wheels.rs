@@ -49,17 +49,18 @@ fn size(window: &Harness<'_, App>, eye: usize) -> [u32; 2] {
 /// A pixel in which the picture of an eye shows a body of the front wheel whose name has `word` in it.
 fn pixel_of(state: &State, eye: Eye, size: [u32; 2], word: &str) -> [f64; 2] {
     let view = state.view(eye, size);
-    let hub = Track { rest: HUB, spin: None, ..state.session.scene.track(None) };
-    let middle = state.settings.directions(&hub, state.session.time)[eye.index()].expect("in the domain");
+    let hub = Track { rest: HUB, spin: None, ..state.document.scene.track(None) };
+    let middle =
+        state.document.settings.directions(&hub, state.document.time)[eye.index()].expect("in the domain");
     let [u, v] = view.camera.pixel(middle).expect("in front").map(f64::round);
     let around = |at: f64| (-60..60).map(move |step| at + 0.5 + f64::from(step));
     let pixels = around(v).flat_map(|v| around(u).map(move |u| [u, v]));
     let is_inside =
         |[u, v]: &[f64; 2]| (0.0..f64::from(size[0])).contains(u) && (0.0..f64::from(size[1])).contains(v);
     let shows = |pixel: &[f64; 2]| {
-        let hit = state.session.prepared.first_hit(&view, view.camera.line_of_sight(*pixel));
+        let hit = state.document.prepared.first_hit(&view, view.camera.line_of_sight(*pixel));
         hit.is_some_and(|hit| {
-            let name = state.session.scene.name_of(hit.body);
+            let name = state.document.scene.name_of(hit.body);
             name.contains(word) && name.contains("front")
         })
     };
@@ -75,8 +76,8 @@ fn with_clicked(state: State, eye: Eye, word: &str) -> Harness<'static, App> {
     let place = pane(&window, eye.index()).min + vec2(u as f32, v as f32);
     click(&mut window, place, Modifiers::NONE);
     let state = window.state().state();
-    let point = state.session.points.selected();
-    assert!(point.what(&state.session.scene).contains(word), "{}", point.what(&state.session.scene));
+    let point = state.document.points.selected();
+    assert!(point.what(&state.document.scene).contains(word), "{}", point.what(&state.document.scene));
     assert!(point.track.spin.is_some(), "it turns");
     window
 }
@@ -87,7 +88,7 @@ fn in_sight(state: &State, point: &Point) -> usize {
     let seen = Eye::BOTH.into_iter().filter(|&eye| {
         let view = state.view(eye, size);
         let direction = state.direction(point, eye).expect("in the domain");
-        let first = state.session.prepared.first_hit(&view, direction.normalize());
+        let first = state.document.prepared.first_hit(&view, direction.normalize());
         let Some(hit) = first.filter(|hit| (hit.distance / direction.length() - 1.0).abs() < 1e-6) else {
             return false;
         };
@@ -95,7 +96,7 @@ fn in_sight(state: &State, point: &Point) -> usize {
         let (track, body) = state.point_at(eye, pixel, size).expect("it is hit");
         let off = DVec3::from(track.rest).distance(DVec3::from(point.track.rest));
         // A pixel of the picture is some hundredths; on a slope the place along the line of sight is known as well as that.
-        assert!(off < 1e-5, "{:?}: {off:e}", state.session.scene.name_of(hit.body));
+        assert!(off < 1e-5, "{:?}: {off:e}", state.document.scene.name_of(hit.body));
         assert_eq!((Some(body), track.spin), (point.body, point.track.spin));
         true
     });
@@ -107,7 +108,7 @@ fn a_clicked_point_is_followed() {
         for word in ["tyre", "spoke"] {
             let window = with_clicked(street(SpeedParameter::Beta, beta), eye, word);
             let mut state = window.state().state().clone();
-            let point = *state.session.points.selected();
+            let point = *state.document.points.selected();
             let start = state.sighting(&point, Eye::Left).expect("in the domain").own_time;
             let mut seen = 0;
             for geometry in [Geometry::Seen, Geometry::OneCone, Geometry::Contracted, Geometry::Rest] {
@@ -129,7 +130,7 @@ fn a_clicked_point_is_followed() {
 /// The selected point as the core has it: by its place at t' = 0 and the scene file's wheel.
 fn expected(state: &State) -> (Speed, WheelPoint) {
     let speed = state.speed();
-    let [x, y, z] = state.session.points.selected().track.rest;
+    let [x, y, z] = state.document.points.selected().track.rest;
     let (along, up) = (x - HUB[0], z - HUB[2]);
     let hub = SourcePoint::from_rest([HUB[0], y, HUB[2]], &speed);
     let (rho, angle) = (along.hypot(up) / RADIUS, up.atan2(along));
@@ -142,7 +143,7 @@ fn what_is_told() {
         let state = window.state().state();
         let (speed, point) = expected(state);
         let both = Model::Exact
-            .disparity(&speed, point, Aperture::pair(SEPARATION), state.session.time)
+            .disparity(&speed, point, Aperture::pair(SEPARATION), state.document.time)
             .expect("in the domain");
         assert!((shown(&window, "Disparity Δφ") - both.dphi).abs() < 6e-6);
         assert!((shown(&window, "Disparity Δθ") - both.dtheta).abs() < 6e-6);
@@ -178,9 +179,9 @@ fn curves_are_those_of_the_core() {
         let (speed, point) = expected(window.state().state());
         let pair = Aperture::pair(SEPARATION);
         let both = |time| Model::Exact.disparity(&speed, point, pair, time).expect("in the domain");
-        let name = window.state().state().name_of(window.state().state().session.points.selected());
+        let name = window.state().state().name_of(window.state().state().document.points.selected());
         for tab in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
-            let plots = Plots { plot: tab, ..window.state().state().settings.plots };
+            let plots = Plots { plot: tab, ..window.state().state().document.settings.plots };
             window.state_mut().ask(Command::Plots(plots));
             window.run();
             let csv = window.state_mut().plots_csv();
@@ -234,9 +235,9 @@ fn a_point_of_a_wheel_is_kept() {
         window.run_ok();
     };
     press(&mut window, Modifiers::COMMAND);
-    assert_eq!(window.state().state().session.points.selected().number, 1);
+    assert_eq!(window.state().state().document.points.selected().number, 1);
     press(&mut window, Modifiers { shift: true, ..Modifiers::COMMAND });
-    assert_eq!(window.state().state().session.points, picked.session.points);
+    assert_eq!(window.state().state().document.points, picked.document.points);
     // As a file, and as the flags of a command.
     let toml = window.state().state().shown().to_toml();
     let folder = tempfile::tempdir().expect("a folder");
@@ -244,17 +245,17 @@ fn a_point_of_a_wheel_is_kept() {
     std::fs::write(&path, toml).expect("it is writable");
     let read = Settings::default().with_file(&path).expect("a state");
     let again = State::open(read).expect("a preset");
-    assert_eq!(again.session.points.selected().track, picked.session.points.selected().track);
-    assert_eq!(again.session.points.selected().body, picked.session.points.selected().body);
+    assert_eq!(again.document.points.selected().track, picked.document.points.selected().track);
+    assert_eq!(again.document.points.selected().body, picked.document.points.selected().body);
     assert_eq!(
-        again.disparity(again.session.points.selected()),
-        picked.disparity(picked.session.points.selected())
+        again.disparity(again.document.points.selected()),
+        picked.disparity(picked.document.points.selected())
     );
     // A pin has its curves while the speed changes; the wheel then turns at another.
     window.key_press(Key::K);
     window.run_ok();
-    let pinned = window.state().state().session.plotting.pins()[0].key;
-    assert_eq!(pinned.point.spin, picked.session.points.selected().track.spin);
+    let pinned = window.state().state().scratch.plotting.pins()[0].key;
+    assert_eq!(pinned.point.spin, picked.document.points.selected().track.spin);
 }
 
 fn numbers_at_every_speed() {
@@ -265,13 +266,14 @@ fn numbers_at_every_speed() {
         (SpeedParameter::Gamma, 1e6),
     ] {
         let mut state = street(parameter, speed);
-        let tyre = state.session.scene.names.iter().position(|name| name == "front tyre").expect("a tyre");
-        let track = state.session.scene.track_on(tyre).expect("a body");
-        state.session.points.choose(track, tyre, false);
+        let tyre = state.document.scene.names.iter().position(|name| name == "front tyre").expect("a tyre");
+        let track = state.document.scene.track_on(tyre).expect("a body");
+        state.document.points.choose(track, tyre, false);
         let mut window = window(state);
         let [from, to] = window.state().state().time_range();
         for tab in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
-            let plots = Plots { plot: tab, published: true, ..window.state().state().settings.plots };
+            let plots =
+                Plots { plot: tab, published: true, ..window.state().state().document.settings.plots };
             window.state_mut().ask(Command::Plots(plots));
             for part in [0.0, 0.31, 1.0] {
                 window.state_mut().ask(Command::Time(from + part * (to - from)));
@@ -290,14 +292,14 @@ fn the_fit_finds_the_hub() {
     for (beta, noise_percent) in [(0.9, 0.0), (0.6, 1.0)] {
         let mut state = street(SpeedParameter::Beta, beta);
         let spoke = state
-            .session
+            .document
             .scene
             .names
             .iter()
             .position(|name| name == "front wheel's spoke 3")
             .expect("a spoke");
-        let track = state.session.scene.track_on(spoke).expect("a body");
-        state.session.points.choose(track, spoke, false);
+        let track = state.document.scene.track_on(spoke).expect("a body");
+        state.document.points.choose(track, spoke, false);
         state.apply(Command::Fit(FitSetup { noise_percent, ..FitSetup::default() }));
         state.apply(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
         let mut window = window(state);
@@ -349,11 +351,11 @@ fn the_pointer_tells_where_on_the_wheel() {
         let (track, _) = state.point_at(Eye::Left, pixel, size).expect("something is there");
         let view = state.view(Eye::Left, size);
         let wheel = state.on_wheel_in(&track, &view).expect("it turns");
-        let hub = state.settings.directions(
+        let hub = state.document.settings.directions(
             &Track { rest: [HUB[0], track.rest[1], HUB[2]], spin: None, ..track },
-            state.session.time,
+            state.document.time,
         )[0];
-        let there = state.settings.directions(&track, state.session.time)[0];
+        let there = state.document.settings.directions(&track, state.document.time)[0];
         let above = there.expect("in the domain").z - hub.expect("in the domain").z;
         assert!((above - wheel.share * RADIUS * wheel.angle.sin()).abs() < 1e-9, "{geometry:?}: {above}");
         assert!(wheel.angle >= 0.0 && wheel.angle < 4.0 * FRAC_PI_2);

@@ -87,7 +87,7 @@ fn words_follow_a_drag() {
     window.hover_at(to);
     window.step();
     // No further frame has been drawn since T changed.
-    let time = window.state().state().session.time;
+    let time = window.state().state().document.time;
     let wavelength = REST_NM / seen(0.9, time, 0).doppler_factor;
     let sentence = label_starting_with(&window, ARRIVING);
     assert!(sentence != before && sentence.contains(&format!(": {wavelength:.0} ")), "{sentence}");
@@ -103,8 +103,8 @@ fn words_at_the_ends() {
     for (parameter, value) in speeds {
         for d in [0.0, 0.1] {
             let mut state = cyclist(0.5);
-            state.settings.motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
-            state.settings.motion.d = d;
+            state.document.settings.motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
+            state.document.settings.motion.d = d;
             let mut window = window_of_size(state, [800.0, 600.0], 1.0);
             for &geometry in Geometry::value_variants() {
                 for time in [-1e12, 0.0, 3.0, 1e12] {
@@ -128,7 +128,7 @@ fn words_are_in_the_window() {
     for size in [[800.0, 600.0], [1024.0, 600.0], [1200.0, 760.0], [1920.0, 1080.0]] {
         for theme in [Theme::Light, Theme::Dark] {
             let mut state = cyclist(0.9);
-            state.settings.window.theme = theme;
+            state.document.settings.window.theme = theme;
             let mut window = window_of_size(state, size, 1.0);
             window.run();
             let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());

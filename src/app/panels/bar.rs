@@ -38,7 +38,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         file_menu::show(ui, state, asks);
         scene(ui, state, asks);
         lessons(ui, state, asks);
-        let is_simple = state.settings.window.simple;
+        let is_simple = state.document.settings.window.simple;
         if width >= NARROWEST_WITH_ALL && !is_simple {
             units(ui, state, asks);
         }
@@ -76,7 +76,7 @@ fn lessons(ui: &mut Ui, state: &State, asks: &mut Asks) {
 /// Shows as many whole sentences of the preset's caption as fit in two lines, and all of it on hover.
 fn caption(ui: &mut Ui, state: &State) {
     let has_room = ui.available_width() >= NARROWEST_CAPTION;
-    let Some(preset) = state.session.preset.filter(|_| has_room) else { return };
+    let Some(preset) = state.document.preset.filter(|_| has_room) else { return };
     let format = TextFormat::simple(TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
     let wrap = TextWrapping { max_width: ui.available_width(), max_rows: 2, ..TextWrapping::default() };
     let laid = |text: &str| {
@@ -98,12 +98,12 @@ fn sentences(text: &str) -> Vec<&str> {
 
 fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ComboBox::from_id_salt("scene")
-        .selected_text(&state.session.scene.name)
+        .selected_text(&state.document.scene.name)
         .width(140.0)
         .height(MENU_HEIGHT)
         .show_ui(ui, |ui| {
             for (preset, scene) in PRESETS.into_iter().filter_map(|name| Some((name, Scene::preset(name)?))) {
-                let shown = scene.name == state.session.scene.name;
+                let shown = scene.name == state.document.scene.name;
                 if ui.selectable_label(shown, scene.name).clicked() {
                     asks.push(Command::Preset(preset));
                 }
@@ -145,8 +145,8 @@ fn units(ui: &mut Ui, state: &State, asks: &mut Asks) {
 }
 
 fn units_to_choose(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let (window, shown) = (state.settings.window, state.measures().units);
-    let has_metres = state.session.scene.metres.is_some();
+    let (window, shown) = (state.document.settings.window, state.measures().units);
+    let has_metres = state.document.scene.metres.is_some();
     for (choice, name, tip) in UNITS {
         let is_there = has_metres || choice == Units::Natural;
         let response = ui.add_enabled(is_there, Button::selectable(shown == choice, name));
@@ -221,16 +221,16 @@ fn theme(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let dark = ui.visuals().dark_mode;
     let (icon, other) = if dark { (Icon::Light, Theme::Light) } else { (Icon::Dark, Theme::Dark) };
     if icons::button(ui, icon, "Theme", vec2(30.0, 22.0), false).on_hover_text("Light or dark").clicked() {
-        asks.push(Command::Window(Window { theme: other, ..state.settings.window }));
+        asks.push(Command::Window(Window { theme: other, ..state.document.settings.window }));
     }
 }
 
 /// Which parts of the window are shown.
 fn parts(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let mut window = state.settings.window;
+    let mut window = state.document.settings.window;
     ui.toggle_value(&mut window.controls, "Controls").on_hover_text("Show the controls and the readout");
     ui.toggle_value(&mut window.plots, "Plots").on_hover_text("Show the plots");
-    let mut shows_map = state.session.shows_map;
+    let mut shows_map = state.frame.shows_map;
     if ui
         .toggle_value(&mut shows_map, "Map")
         .on_hover_text("Show what happens, beside what is seen.   Key: M")
@@ -239,7 +239,7 @@ fn parts(ui: &mut Ui, state: &State, asks: &mut Asks) {
         asks.push(Command::ToggleMap);
     }
     ui.toggle_value(&mut window.views, "Views").on_hover_text("Show what the eyes see");
-    if window != state.settings.window {
+    if window != state.document.settings.window {
         asks.push(Command::Window(window));
     }
 }

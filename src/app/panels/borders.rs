@@ -25,7 +25,7 @@ pub fn show(ui: &Ui, state: &State, border: Border, asks: &mut Asks) {
     let cursor = if split.is_upright() { CursorIcon::ResizeHorizontal } else { CursorIcon::ResizeVertical };
     let is_held = response.hovered() || response.dragged();
     paint(ui, border, is_held);
-    let window = state.settings.window;
+    let window = state.document.settings.window;
     let dragged = response.interact_pointer_pos().filter(|_| response.dragged());
     let share = if response.double_clicked() {
         Some(Share(None))

@@ -19,7 +19,7 @@ const AROUND: f32 = 10.0;
 
 /// Shows what there is to tell at the top of `room`, inside `window`.
 pub fn show(ctx: &Context, state: &State, room: Rect, window: Rect, asks: &mut Asks) {
-    let Some(notice) = &state.session.notice else { return };
+    let Some(notice) = &state.scratch.notice else { return };
     let scale = theme::text_scale(&ctx.global_style());
     let width = (scale * WIDEST).min(room.width() - 2.0 * theme::GAP).max(1.0);
     let lowest = (scale * LOWEST).min(window.max.y - room.min.y);

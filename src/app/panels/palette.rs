@@ -150,7 +150,7 @@ fn found(state: &State, text: &str) -> Vec<Entry> {
         let open = LessonCommand::Open(lesson.name.clone());
         entry(format!("lesson: {}", lesson.title), Command::Lesson(open))
     });
-    let scene = &state.session.scene;
+    let scene = &state.document.scene;
     let bodies = (0..scene.bodies.len()).filter_map(|body| {
         let track = scene.track_on(body)?;
         let command = Command::Select(Select { track, body, add: false });

@@ -131,7 +131,7 @@ pub fn preset(ui: &mut Ui, state: &State, beside: Beside) {
         let sentence = state.moment().sentence().replace(" nm", "\u{a0}nm").replace(" = ", "\u{a0}=\u{a0}");
         write(ui, RichText::new(sentence).color(strong));
     }
-    if let Some(preset) = state.session.preset {
+    if let Some(preset) = state.document.preset {
         write(ui, RichText::new(format!("{}. {}", preset.title, preset.caption)));
     }
 }

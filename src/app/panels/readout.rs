@@ -18,10 +18,10 @@ use crate::units::{Measures, Unit};
 
 /// Shows the readout.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let point = state.session.points.selected();
+    let point = state.document.points.selected();
     ui.spacing_mut().item_spacing.y = 3.0;
     ui.horizontal(|ui| {
-        if !state.settings.window.simple {
+        if !state.document.settings.window.simple {
             fold(ui, state, asks);
         }
         let colour = theme::point_colour(point.number, ui.visuals());
@@ -35,7 +35,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     });
     differences(ui, state);
     stereo(ui, state);
-    if !state.settings.window.readout {
+    if !state.document.settings.window.readout {
         return;
     }
     ui.separator();
@@ -44,7 +44,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 
 /// What each eye receives.
 fn table(ui: &mut Ui, state: &State) {
-    let point = state.session.points.selected();
+    let point = state.document.points.selected();
     let received = Received {
         shown: Eye::BOTH.map(|eye| state.sighting(point, eye)),
         exact: exact_beside(state).map(|exact| exact.secondary),
@@ -64,7 +64,7 @@ fn table(ui: &mut Ui, state: &State) {
             for quantity in &QUANTITIES {
                 quantity.row(ui, state, &received);
             }
-            if state.settings.projection() == ProjectionChoice::Mercator {
+            if state.document.settings.projection() == ProjectionChoice::Mercator {
                 for quantity in &CONFORMAL {
                     quantity.row(ui, state, &received);
                 }
@@ -103,15 +103,15 @@ fn exactly(value: &str) -> String {
 
 /// What both eyes receive of the selected point exactly, where the views show the published model.
 fn exact_beside(state: &State) -> Option<Disparity> {
-    let track = state.session.points.selected().track;
-    let is_published = matches!(state.settings.shown_model(), Model::Published(_));
-    is_published.then(|| state.settings.disparity(&track, state.session.time).ok()).flatten()
+    let track = state.document.points.selected().track;
+    let is_published = matches!(state.document.settings.shown_model(), Model::Published(_));
+    is_published.then(|| state.document.settings.disparity(&track, state.document.time).ok()).flatten()
 }
 
 /// What two eyes make of both.
 fn stereo(ui: &mut Ui, state: &State) {
     const AXES: [&str; 3] = ["x", "y", "z"];
-    let found = state.stereo(state.session.points.selected());
+    let found = state.stereo(state.document.points.selected());
     let (unit, colour) = (state.measures().length, theme::stereo_colour(ui.visuals()));
     if let Err(StereoError::Apart) = found {
         let text = RichText::new(APART).color(colour);
@@ -121,7 +121,7 @@ fn stereo(ui: &mut Ui, state: &State) {
     let found = found.ok();
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
-        let is_published = matches!(state.settings.shown_model(), Model::Published(_));
+        let is_published = matches!(state.document.settings.shown_model(), Model::Published(_));
         let gain = if is_published { "exact stereo gain" } else { "stereo gain" };
         ui.label(RichText::new(gain).color(colour)).on_hover_text(GAIN_TIP);
         let gain = figures::fixed_or_none(found.map(|found| found.gain), 3);
@@ -133,8 +133,8 @@ fn stereo(ui: &mut Ui, state: &State) {
             let name = format!("Stereo {name}: {}", unit.text(value, 2));
             named_text(ui, unit.number(value, 2), name).on_hover_text(STEREO_TIP);
         }
-        let is_turning = state.session.points.selected().track.spin.is_some();
-        if is_turning || !state.settings.baseline().is_along_motion() {
+        let is_turning = state.document.points.selected().track.spin.is_some();
+        if is_turning || !state.document.settings.baseline().is_along_motion() {
             let text = unit.text(found.map_or(f64::NAN, |found| found.miss), 3);
             ui.label(RichText::new("lines of sight miss by").color(colour)).on_hover_text(MISS_TIP);
             named_text(ui, text.as_str(), format!("Lines of sight miss by: {text}")).on_hover_text(MISS_TIP);
@@ -159,9 +159,9 @@ const STEREO_TIP: &str = "Where the lines of sight of both eyes meet: where who 
 
 /// The title, which folds the table away.
 fn fold(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let mut window = state.settings.window;
+    let mut window = state.document.settings.window;
     let sign = if window.readout { "▾" } else { "▸" };
-    let (name, tip) = match state.settings.shown_model() {
+    let (name, tip) = match state.document.settings.shown_model() {
         Model::OneCone => (
             "One light cone",
             "What each eye would receive of the selected point now if both received the same events: those that the \
@@ -281,7 +281,7 @@ const CONFORMAL: [OfHead; 2] = [
 impl OfHead {
     fn row(&self, ui: &mut Ui, state: &State, received: &Received) {
         const DECIMALS: u8 = 5;
-        let axes = state.settings.baseline().axes();
+        let axes = state.document.settings.baseline().axes();
         let value_of =
             |seen: &Sighting| axes.conformal(seen.position).map_or(f64::NAN, |seen| (self.value)(&seen));
         ui.label(RichText::new(self.unit.label(self.symbol)).weak()).on_hover_text(self.tip);
@@ -321,7 +321,7 @@ const TURNING: [OfWheel; 2] = [
 
 impl OfWheel {
     fn row(&self, ui: &mut Ui, state: &State, received: &Received) {
-        let track = state.session.points.selected().track;
+        let track = state.document.points.selected().track;
         ui.label(RichText::new(self.symbol).weak()).on_hover_text(self.tip);
         let text = |seen: &Sighting| {
             state.on_wheel(&track, seen.own_time).map_or_else(String::new, |wheel| (self.text)(&wheel))
@@ -340,7 +340,7 @@ impl Quantity {
     fn row(&self, ui: &mut Ui, state: &State, received: &Received) {
         let unit = (self.unit)(&state.measures());
         ui.label(RichText::new(unit.label(self.symbol)).weak()).on_hover_text(self.tip);
-        let value_of = |seen: &Sighting| (self.value)(seen, state.session.time);
+        let value_of = |seen: &Sighting| (self.value)(seen, state.document.time);
         for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
             let value = seen.as_ref().map_or(f64::NAN, value_of);
             let name = format!("{}, {}: {}", eye.name(), self.name, unit.text(value, self.decimals));
@@ -390,7 +390,7 @@ fn swatch(ui: &mut Ui, wavelength_nm: Option<f64>) {
 
 /// The disparities, large: what the binocular observer measures.
 fn differences(ui: &mut Ui, state: &State) {
-    let (both, exact) = (state.disparity(state.session.points.selected()), exact_beside(state));
+    let (both, exact) = (state.disparity(state.document.points.selected()), exact_beside(state));
     let of = |part: fn(&Disparity) -> f64| [both, exact].map(|both| both.as_ref().map(part));
     let parts = [
         ("Δφ", of(|both| both.dphi), "Azimuth, left minus right.\nΔφ = φ left − φ right"),

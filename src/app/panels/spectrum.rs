@@ -34,7 +34,7 @@ pub fn show(ui: &mut Ui, state: &State) {
     let rect = ui.max_rect();
     let strip = Rect::from_min_max(rect.min + vec2(0.0, NUMBERS_HEIGHT), rect.max - vec2(0.0, BELOW));
     let painter = ui.painter().clone();
-    let marks = marks(&moment, state.settings.motion.d == 0.0, ui.visuals());
+    let marks = marks(&moment, state.document.settings.motion.d == 0.0, ui.visuals());
     paint_colours(&painter, strip, ui.visuals());
     paint_names(&painter, strip, &marks, ui.visuals());
     paint_marks(ui, strip, &marks);

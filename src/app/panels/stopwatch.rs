@@ -28,7 +28,7 @@ const TIP: &str = "Measures T between two presses, and what the selected point's
 pub fn show(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
     let scale = theme::text_scale(ui.style());
     let width = scale * WIDTH;
-    if state.session.stopwatch == Stopwatch::Hidden || pane.rect.width() < scale * NARROWEST_VIEW {
+    if state.scratch.stopwatch == Stopwatch::Hidden || pane.rect.width() < scale * NARROWEST_VIEW {
         return;
     }
     let corner = pos2(pane.rect.max.x - width - MARGIN, pane.rect.min.y + scale * ABOVE + MARGIN);
@@ -56,7 +56,7 @@ pub fn show(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
 fn contents(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.spacing_mut().item_spacing.y = 2.0;
     ui.horizontal(|ui| {
-        let is_running = matches!(state.session.stopwatch, Stopwatch::Running(_));
+        let is_running = matches!(state.scratch.stopwatch, Stopwatch::Running(_));
         let press = if is_running { "Stop" } else { "Start" };
         for (name, command) in [
             (press, StopwatchCommand::Press),
@@ -89,7 +89,7 @@ fn lines(state: &State) -> Vec<String> {
     let elapsed = state.elapsed();
     let time = elapsed.map_or_else(|| figures::NONE.to_owned(), |elapsed| told(elapsed.time));
     let clock = elapsed.and_then(|elapsed| elapsed.clock).map(|clock| {
-        let name = state.name_of(state.session.points.selected());
+        let name = state.name_of(state.document.points.selected());
         format!("clock of {name}: {}", told(clock))
     });
     let rate = elapsed.and_then(|elapsed| elapsed.mean_rate());

@@ -63,7 +63,7 @@ fn numbers_width(text: &str) -> f32 {
 /// Widths of the rate, and of looping and range.
 fn playback_widths(state: &State) -> [f32; 2] {
     let unit = state.measures().time;
-    let rate = numbers_width(&format!("{} / s", unit.text(state.settings.playback.rate, 2)));
+    let rate = numbers_width(&format!("{} / s", unit.text(state.document.settings.playback.rate, 2)));
     let ends = state.time_range().map(|end| numbers_width(&unit.text(end, 2)));
     [rate + AROUND_RATE, ends[0] + ends[1] + AROUND_RANGE]
 }
@@ -72,7 +72,7 @@ fn playback_widths(state: &State) -> [f32; 2] {
 fn time_width(state: &State) -> f32 {
     let unit = state.measures().time;
     let usual = if unit.name.is_empty() { 76.0 } else { 100.0 };
-    numbers_width(&unit.text(state.session.time, unit.decimals(3))).max(usual)
+    numbers_width(&unit.text(state.document.time, unit.decimals(3))).max(usual)
 }
 
 /// Shows the timeline.
@@ -83,7 +83,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         transport(ui, state, asks);
         ui.separator();
         time(ui, state, asks);
-        if !state.settings.window.simple {
+        if !state.document.settings.window.simple {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| playback(ui, state, shown, asks));
         }
     });
@@ -95,7 +95,7 @@ fn transport(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let buttons = [
         (Icon::Start, "To the start", "Key: Home", 28.0, Command::TimeInRange(0.0)),
         (Icon::Back, "Step back", "Key: ←", 28.0, Command::Step(-1)),
-        if state.session.playing {
+        if state.scratch.playing {
             (Icon::Pause, "Pause", "Key: space", 46.0, Command::TogglePlaying)
         } else {
             (Icon::Play, "Play", "Key: space", 46.0, Command::TogglePlaying)
@@ -103,7 +103,7 @@ fn transport(ui: &mut Ui, state: &State, asks: &mut Asks) {
         (Icon::Forward, "Step forwards", "Key: →", 28.0, Command::Step(1)),
         (Icon::End, "To the end", "Key: End", 28.0, Command::TimeInRange(1.0)),
     ];
-    let few = state.settings.window.simple;
+    let few = state.document.settings.window.simple;
     for (icon, name, key, width, command) in buttons {
         if few && command != Command::TogglePlaying {
             continue;
@@ -118,11 +118,11 @@ fn transport(ui: &mut Ui, state: &State, asks: &mut Asks) {
 
 fn time(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.label("T").on_hover_text(TIME_TIP);
-    let mut time = state.session.time;
+    let mut time = state.document.time;
     let [from, to] = state.time_range();
     let unit = state.measures().time;
     // While it runs, digits that nobody can read would only flicker.
-    let most = if state.session.playing { 3 } else { 6 };
+    let most = if state.scratch.playing { 3 } else { 6 };
     let number = widgets::measure(&mut time, unit, -MAX_TIME..=MAX_TIME)
         .speed(unit.shown((to - from) / 1000.0))
         .min_decimals(unit.decimals(3).into())
@@ -135,7 +135,7 @@ fn time(ui: &mut Ui, state: &State, asks: &mut Asks) {
 
 /// Rate, looping and range, from the right; what is not `shown` of them is in a menu.
 fn playback(ui: &mut Ui, state: &State, shown: Shown, asks: &mut Asks) {
-    let mut playback = state.settings.playback;
+    let mut playback = state.document.settings.playback;
     if shown == Shown::All {
         range(ui, state, &mut playback);
         ui.separator();
@@ -158,7 +158,7 @@ fn playback(ui: &mut Ui, state: &State, shown: Shown, asks: &mut Asks) {
     if shown != Shown::Nothing {
         rate(ui, state, &mut playback);
     }
-    if playback != state.settings.playback {
+    if playback != state.document.settings.playback {
         asks.push(Command::Playback(playback));
     }
 }
@@ -206,7 +206,7 @@ fn range(ui: &mut Ui, state: &State, playback: &mut Playback) {
 
 fn scrubber(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let [from, to] = state.time_range();
-    let mut time = state.session.time;
+    let mut time = state.document.time;
     ui.spacing_mut().slider_width = ui.available_width();
     // T may lie outside the range; only a drag brings it inside.
     let slider = Slider::new(&mut time, from..=to).show_value(false).clamping(SliderClamping::Never);
@@ -235,7 +235,7 @@ struct Mark {
 impl Mark {
     /// Those of the selected point; none at rest.
     fn all(state: &State, visuals: &Visuals) -> Vec<Self> {
-        let point = state.session.points.selected();
+        let point = state.document.points.selected();
         // Places in scene files are sums: what is left over of them is no time.
         let [from, to] = state.time_range();
         let rounded = |time: f64| if time.abs() < ROUNDING * (to - from) { 0.0 } else { time };
@@ -247,7 +247,7 @@ impl Mark {
             if point.track.spin.is_some() { TURNING_TIPS } else { [PRESENTLY_TIP, SEEN_TIP] };
         let marks = [
             mark("measured abreast", presently_tip, theme::measured_colour(visuals), presently),
-            if state.settings.baseline().is_along_motion() {
+            if state.document.settings.baseline().is_along_motion() {
                 mark("seen abreast", seen_tip, theme::equidistance_colour(visuals), seen)
             } else {
                 mark("seen equally far", EQUIDISTANT_TIP, theme::equidistance_colour(visuals), seen)

@@ -59,7 +59,7 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, name: &str, asks: &mu
     if response.has_focus() {
         keys(ui, &response, asks);
     }
-    if state.session.angle_ruler.takes_drags() {
+    if state.scratch.angle_ruler.takes_drags() {
         measure(ui, &response, pane, asks);
     } else {
         turn(&response, pane, asks);
@@ -161,7 +161,7 @@ pub fn paint_both(
 ) {
     let colour = ui.visuals().text_color();
     let rect = panes.iter().map(|pane| pane.rect).reduce(Rect::union).unwrap_or(Rect::NOTHING);
-    pane_title(ui, rect, &layouts::title(&state.settings.picture), colour);
+    pane_title(ui, rect, &layouts::title(&state.document.settings.picture), colour);
     ui.painter().rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
     if let Some(Shown { texture, .. }) = picture {
         image(ui, rect, texture);
@@ -234,7 +234,7 @@ fn hover(ui: &Ui, state: &State, pane: EyePane) {
 /// Says where a click into `pane` hit nothing.
 fn missed(ui: &Ui, state: &State, pane: EyePane) {
     if let Some(missed) =
-        state.session.missed.filter(|missed| (missed.eye, missed.is_second) == (pane.eye, pane.is_second))
+        state.scratch.missed.filter(|missed| (missed.eye, missed.is_second) == (pane.eye, pane.is_second))
     {
         under::show_nothing(ui, pane.rect, pane.place(missed.pixel));
     }
@@ -242,15 +242,16 @@ fn missed(ui: &Ui, state: &State, pane: EyePane) {
 
 /// What the picture is, where that is not what an eye would see, drawn exactly.
 fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) -> String {
-    let geometry = match state.settings.geometry() {
+    let geometry = match state.document.settings.geometry() {
         Geometry::Seen | Geometry::Published => None,
         Geometry::OneCone => Some("one light cone for both eyes".to_owned()),
         Geometry::Contracted => Some("contracted only".to_owned()),
         Geometry::Rest => Some("at rest".to_owned()),
     };
-    let projection = projection_note(&state.view(eye, state.session.picture_size).camera);
+    let projection = projection_note(&state.view(eye, state.frame.picture_size).camera);
     let model = state.sees_as_published(eye).then(|| "as published".to_owned());
-    let colour = colour_note(&state.settings.light, state.settings.geometry()).map(str::to_owned);
+    let colour =
+        colour_note(&state.document.settings.light, state.document.settings.geometry()).map(str::to_owned);
     let method = picture.and_then(|picture| drawn_by(state, eye, picture.method));
     let heat_map = with_heat_map.then(|| "difference to the reference".to_owned());
     [geometry, model, projection, colour, method, heat_map]
@@ -289,8 +290,8 @@ const NOTICEABLE_STRETCH: f64 = 1.15;
 
 /// What has drawn the picture, where that was set or is further off than can be seen.
 fn drawn_by(state: &State, eye: Eye, drawn: Method) -> Option<String> {
-    let geometry = state.view(eye, state.session.picture_size).geometry;
-    let Some(set) = state.settings.quality.method() else {
+    let geometry = state.view(eye, state.frame.picture_size).geometry;
+    let Some(set) = state.document.settings.quality.method() else {
         let choice = state.choice(geometry)?;
         return (choice.error_px > UNSEEN_PX || !choice.holds).then(|| format!("automatic: {choice}"));
     };
@@ -309,8 +310,8 @@ const UNSEEN_PX: f64 = 0.1;
 /// Returns the note on light that eyes do not see.
 fn unseen(ui: &Ui, state: &State, pane: EyePane) -> Option<String> {
     let appearance = state.appearance(!ui.visuals().dark_mode);
-    let shares = state.session.prepared.received_shares(&state.view(pane.eye, pane.size), &appearance);
-    caption::notice(&shares, state.settings.light.invisible)
+    let shares = state.document.prepared.received_shares(&state.view(pane.eye, pane.size), &appearance);
+    caption::notice(&shares, state.document.settings.light.invisible)
 }
 
 /// The hint for newcomers in the views, and its duration in seconds.
@@ -363,10 +364,10 @@ enum Coat {
 
 fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, coat: Coat) {
     let view = state.view(pane.eye, pane.size);
-    let (scene, visuals) = (&state.session.prepared, ui.visuals());
-    for (index, point) in state.session.points.all().iter().enumerate() {
+    let (scene, visuals) = (&state.document.prepared, ui.visuals());
+    for (index, point) in state.document.points.all().iter().enumerate() {
         let Some(marker) = Marker::of(state, point, &view, scene, pane.eye) else { continue };
-        let radius = if index == state.session.points.selected_index() { 6.0 } else { 4.5 };
+        let radius = if index == state.document.points.selected_index() { 6.0 } else { 4.5 };
         let place = pane.place(marker.pixel);
         if coat == Coat::Halo {
             Marker::paint_halo(painter, place, radius, layouts::halo_colour(state, visuals));
@@ -393,7 +394,7 @@ fn can_be_read(state: &State, pane: EyePane) -> bool {
 
 /// Whether the eyes are shown one after the other.
 fn is_in_turn(state: &State) -> bool {
-    state.settings.picture.layout.form() == Form::InTurn
+    state.document.settings.picture.layout.form() == Form::InTurn
 }
 
 /// The clock at `point`, which is marked at this `place`.
@@ -457,7 +458,7 @@ mod tests {
         let (goal, is_measured) = (Goal::Budget(16.0), true);
         let choice = Choice { method: mesh, error_px: 0.5, ms: 4.0, is_measured, goal, holds: true };
         let said = |state: &mut State, choice: Choice| {
-            state.session.choices = vec![(Geometry::Seen, choice)];
+            state.frame.choices = vec![(Geometry::Seen, choice)];
             drawn_by(state, Eye::Left, choice.method)
         };
         assert_eq!(said(&mut state, choice).as_deref(), Some("automatic: mesh, 4.0 ms of 16, within 0.5 px"));
@@ -467,9 +468,9 @@ mod tests {
         let expected = "automatic: packets, 40 ms, within 0.002 px; nothing keeps 16 ms";
         assert_eq!(said(&mut state, late).as_deref(), Some(expected));
         // What is set is said unless it is the rays.
-        state.settings.quality.renderer = RendererChoice::Packets;
+        state.document.settings.quality.renderer = RendererChoice::Packets;
         assert_eq!(drawn_by(&state, Eye::Left, Method::Packets).as_deref(), Some("packets"));
-        state.settings.quality.renderer = RendererChoice::Rays;
+        state.document.settings.quality.renderer = RendererChoice::Rays;
         assert_eq!(drawn_by(&state, Eye::Left, Method::Rays), None);
     }
 }

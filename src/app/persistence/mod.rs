@@ -247,7 +247,7 @@ impl Files {
         match self.answers.merge(&mut state.session.answers) {
             Ok(message) => {
                 self.failures[2] = None;
-                state.session.notice = message.map(Notice::error).or(state.session.notice.take());
+                state.scratch.notice = message.map(Notice::error).or(state.scratch.notice.take());
             }
             Err(failure) => self.failures[2] = Some(failure),
         }
@@ -270,7 +270,7 @@ impl Files {
     fn show_failure(&mut self, state: &mut State) {
         let failure = self.failure();
         if let Some(failure) = failure.as_ref().filter(|_| failure != self.shown) {
-            state.session.notice = Some(Notice::error(advice(failure)));
+            state.scratch.notice = Some(Notice::error(advice(failure)));
         }
         self.shown = failure;
     }

@@ -22,7 +22,7 @@ fn window(folder: &Path) -> App {
     let mut state = State::open(loaded.settings).expect("a preset");
     state.recall_answers(&loaded.answers);
     state.begin_lesson(&Library::own().open("turned").expect("it is there")).expect("it can be shown");
-    state.session.notice = loaded.notice;
+    state.scratch.notice = loaded.notice;
     App::new(&egui::Context::default(), None, state).kept_by(keeper)
 }
 
@@ -37,7 +37,7 @@ fn outcomes(folder: &Path) -> Vec<Option<Outcome>> {
 }
 
 fn notice(window: &App) -> &str {
-    window.state().session.notice.as_ref().map_or("", |notice| &notice.text)
+    window.state().scratch.notice.as_ref().map_or("", |notice| &notice.text)
 }
 
 #[test]

@@ -34,16 +34,16 @@ impl State {
         if velocity.is_backward {
             return Err(BACKWARD.to_owned());
         }
-        let Track { motion, .. } = self.session.points.selected().track;
+        let Track { motion, .. } = self.document.points.selected().track;
         let speed = match motion {
-            Motion::Scene => self.settings.motion.speed,
+            Motion::Scene => self.document.settings.motion.speed,
             Motion::Own(own) => told_speed(own.speed).map_err(|error| error.to_string())?,
         };
         let observation = Observation {
             speed: speed.speed(),
             source: self.selected_source(),
-            baseline: self.settings.baseline(),
-            time: self.session.time,
+            baseline: self.document.settings.baseline(),
+            time: self.document.time,
         };
         match observation.source {
             Source::Wheel(WheelPoint { turning: Turning::RimSpeed(_), .. }) => Err(SLIPS.to_owned()),
@@ -52,10 +52,11 @@ impl State {
     }
 
     fn told_model(&self) -> ModelArgs {
-        let intensity_exponent = self.settings.light.intensity_exponent.0.unwrap_or_default();
-        let model = self.settings.shown_model();
+        let intensity_exponent = self.document.settings.light.intensity_exponent.0.unwrap_or_default();
+        let model = self.document.settings.shown_model();
         // The paper's lines of sight meet nowhere.
-        let (stereo, conformal) = (!matches!(model, Model::Published(_)), self.settings.plots.is_conformal());
+        let (stereo, conformal) =
+            (!matches!(model, Model::Published(_)), self.document.settings.plots.is_conformal());
         ModelArgs { model, intensity_exponent, stereo, conformal }
     }
 
@@ -69,7 +70,7 @@ impl State {
         let ModelArgs { model, intensity_exponent, stereo, conformal } = self.told_model();
         let stereo = if stereo { " --stereo" } else { "" };
         let conformal = if conformal { " --conformal" } else { "" };
-        let Settings { motion, .. } = self.settings;
+        let Settings { motion, .. } = self.document.settings;
         let [from, to] = self.time_range();
         let point = observation.source.place();
         let (parameter, value) = speed.given();

@@ -47,7 +47,7 @@ impl App {
     }
 
     fn tell(&mut self, ctx: &Context, notice: Notice) {
-        self.state.session.notice = Some(notice);
+        self.state.scratch.notice = Some(notice);
         ctx.request_repaint();
     }
 
@@ -124,11 +124,11 @@ impl App {
 
     /// What the views show, to be drawn with pictures of this `size` for each eye.
     fn drawn(&self, ui: &Ui, size: [u32; 2]) -> Drawn {
-        let session = &self.state.session;
+        let document = &self.state.document;
         Drawn {
             settings: self.settings_of_picture(ui, size),
-            scene: session.scene.clone(),
-            tracked: session.points.selected().track,
+            scene: document.scene.clone(),
+            tracked: document.points.selected().track,
         }
     }
 
@@ -144,7 +144,7 @@ impl App {
             settings.light.light = if ui.visuals().dark_mode { Daylight::Off } else { Daylight::On };
         }
         // Not every renderer draws every geometry: the window then takes the one that does.
-        let [left, right] = settings.views(self.state.subject(), self.state.session.time, size);
+        let [left, right] = settings.views(self.state.subject(), self.state.document.time, size);
         let method = settings.quality.method();
         if method.is_some_and(|method| [left, right].iter().any(|view| method.of_view(view) != method)) {
             settings.quality.renderer = RendererChoice::Auto;
@@ -156,13 +156,13 @@ impl App {
         let ctx = ui.ctx();
         let text = match copied {
             Copied::Picture => {
-                let job = Job::Clipboard(self.drawn(ui, self.state.session.picture_size));
+                let job = Job::Clipboard(self.drawn(ui, self.state.frame.picture_size));
                 return self.begin(ctx, job, "the picture".to_owned(), 1);
             }
             Copied::Command => Ok(self.state.shown().window_command(Shell::here())),
             Copied::Link => self.state.shown().link(),
             Copied::RenderCommand => {
-                Ok(self.settings_of_picture(ui, self.state.session.picture_size).command(Shell::here()))
+                Ok(self.settings_of_picture(ui, self.state.frame.picture_size).command(Shell::here()))
             }
             Copied::CurveCommand => self.state.curve_command(),
             Copied::Values => self.state.values_as_table(),

@@ -19,7 +19,7 @@ impl State {
     /// How many frames the film has in which T runs through its range once, as fast as it is played.
     #[must_use]
     pub fn film_frames(&self) -> u32 {
-        frame_count(self.time_range(), self.settings.playback.rate)
+        frame_count(self.time_range(), self.document.settings.playback.rate)
     }
 }
 

@@ -23,10 +23,10 @@ use sliding_view::SlidingView;
 pub fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) -> f32 {
     let Some(slide) = SlidingView::new(state, state.view(pane.eye, pane.size)) else { return 0.0 };
     let scale = theme::text_scale(ui.style());
-    if state.settings.window.resting {
+    if state.document.settings.window.resting {
         resting::paint(painter, state, pane, &slide, scale);
     }
-    if !state.settings.window.ruler || pane.rect.height() < scale * ruler::LEAST_VIEW {
+    if !state.document.settings.window.ruler || pane.rect.height() < scale * ruler::LEAST_VIEW {
         return 0.0;
     }
     let columns = Columns::new(pane, &slide, scale);

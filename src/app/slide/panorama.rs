@@ -18,7 +18,7 @@ const AFTER_NAME: f32 = 100.0;
 
 /// Joins the selected point's places in the two `panes` of a panorama. The line leans by the disparity.
 pub fn join(ui: &Ui, state: &State, panes: [EyePane; 2]) {
-    let point = state.session.points.selected();
+    let point = state.document.points.selected();
     let place = |pane: EyePane| -> Option<Pos2> {
         let camera = state.view(pane.eye, pane.size).camera;
         let pixel = camera.pixel(state.direction(point, pane.eye)?)?;
@@ -33,7 +33,7 @@ pub fn join(ui: &Ui, state: &State, panes: [EyePane; 2]) {
 
 /// Whether a views' area of this shape has the button that changes to the panorama and back.
 pub fn is_offered(state: &State, area: Rect) -> bool {
-    let settings = &state.settings;
+    let settings = &state.document.settings;
     let is_wide = area.width() >= WIDE * area.height();
     let can_be = settings.projection() == ProjectionChoice::Mercator
         && matches!(settings.picture.layout.form(), Form::Beside | Form::Above);
@@ -45,7 +45,7 @@ pub fn is_offered(state: &State, area: Rect) -> bool {
 
 /// Shows the button in the title strip `strip`, after the name of the left eye.
 pub fn offer(ui: &mut Ui, state: &State, strip: Rect, asks: &mut Asks) {
-    let is_panorama = state.settings.is_panorama();
+    let is_panorama = state.document.settings.is_panorama();
     let (name, tip) = if is_panorama {
         ("Two views", "Leaves the panorama.   Key: U")
     } else {

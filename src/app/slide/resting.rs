@@ -22,11 +22,11 @@ const FONT_SIZE: f32 = 12.0;
 
 /// Draws both into `pane`, for each group that moves, where writing is `scale` times as large as by default.
 pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &SlidingView, scale: f32) {
-    let scene = &state.session.scene;
+    let scene = &state.document.scene;
     let stride = scene.bodies.len().div_ceil(MOST_BODIES).max(1);
     let mut named_above = false;
     for group in &scene.groups {
-        let velocity = state.settings.velocity(group.motion);
+        let velocity = state.document.settings.velocity(group.motion);
         if velocity.beta() == 0.0 {
             continue;
         }
@@ -52,7 +52,7 @@ pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &SlidingVie
 
 /// The selected point, if it moves so.
 fn anchor(state: &State, motion: Motion) -> Option<MaterialPoint> {
-    let point = state.session.points.selected();
+    let point = state.document.points.selected();
     (point.track.motion == motion).then(|| point.track.point())
 }
 

@@ -48,7 +48,7 @@ pub fn description(state: &State) -> String {
 /// The wavelength at rest of the selected point, if its light has one and that is shown.
 fn rest_wavelength(state: &State) -> Option<f64> {
     match state.moment().source {
-        Source::Line(nm) if state.settings.light.doppler_shift => Some(nm),
+        Source::Line(nm) if state.document.settings.light.doppler_shift => Some(nm),
         _ => None,
     }
 }

@@ -13,7 +13,7 @@ use super::nodes::all;
 pub fn of_a_frame(window: &Window, checked: &mut Option<Settings>) {
     state(window.state().state(), checked);
     let typed =
-        |state: &State| state.session.notice.as_ref().map(|notice| notice.text.clone()).unwrap_or_default();
+        |state: &State| state.scratch.notice.as_ref().map(|notice| notice.text.clone()).unwrap_or_default();
     let typed = typed(window.state().state());
     for found in all(window) {
         let rect = found.rect;
@@ -58,8 +58,9 @@ fn shape(drawn: &Shape) {
 }
 
 fn state(state: &State, checked: &mut Option<Settings>) {
-    assert!(state.session.time.is_finite(), "T = {}", state.session.time);
-    for view in state.settings.views(state.subject(), state.session.time, state.session.picture_size) {
+    assert!(state.document.time.is_finite(), "T = {}", state.document.time);
+    for view in state.document.settings.views(state.subject(), state.document.time, state.frame.picture_size)
+    {
         let camera = view.camera;
         let direction = camera.line_of_sight([0.0, 0.0]);
         let is_finite = camera.horizontal_fov.is_finite() && direction.is_finite();
@@ -110,7 +111,7 @@ pub fn undo_all(window: &mut Window) -> usize {
 pub fn of_the_way_back(window: &mut Window, start: &State) {
     let shown = |window: &Window| {
         let state = window.state().state();
-        (state.settings.clone(), state.session.points.clone())
+        (state.document.settings.clone(), state.document.points.clone())
     };
     let before = shown(window);
     // The last action may have undone something itself.
@@ -118,8 +119,8 @@ pub fn of_the_way_back(window: &mut Window, start: &State) {
     let steps = undo_all(window);
     let first = shown(window);
     if steps < 200 {
-        assert_eq!(first.0, start.settings, "after {steps} steps back");
-        assert_eq!(first.1, start.session.points, "after {steps} steps back");
+        assert_eq!(first.0, start.document.settings, "after {steps} steps back");
+        assert_eq!(first.1, start.document.points, "after {steps} steps back");
     }
     for _ in 0..steps {
         window.state_mut().ask(Command::Redo);

@@ -114,7 +114,7 @@ impl User<'_> {
     /// Whether what is asked for a file to write names one outside of the folder of the test, or a large one: nothing may
     /// confirm that.
     fn would_save_elsewhere(&self, found: &[Found]) -> bool {
-        let purpose = self.window.state().state().session.chooser;
+        let purpose = self.window.state().state().scratch.chooser;
         let value =
             |name: &str| found.iter().find(|found| found.role == Role::TextInput && found.name == name);
         let folder = self.files.folder().to_string_lossy();
@@ -128,7 +128,7 @@ impl User<'_> {
             press(self.window, Key::Escape, Modifiers::NONE);
             return "leaves the chooser".to_owned();
         }
-        let path = match self.window.state().state().session.chooser {
+        let path = match self.window.state().state().scratch.chooser {
             Some(Purpose::Save(_)) => self.files.to_write(&mut self.dice),
             _ => self.files.any(&mut self.dice),
         };
@@ -214,7 +214,7 @@ impl User<'_> {
     }
 
     fn type_somewhere(&mut self, found: &[Found]) -> String {
-        if self.window.state().state().session.chooser.is_some() && self.dice.happens(60) {
+        if self.window.state().state().scratch.chooser.is_some() && self.dice.happens(60) {
             return self.type_a_path(found);
         }
         let is_field = |found: &&Found| {
@@ -308,7 +308,7 @@ impl User<'_> {
     }
 
     fn press_a_key(&mut self) -> String {
-        let browsing = self.window.state().state().session.chooser.is_some();
+        let browsing = self.window.state().state().scratch.chooser.is_some();
         // The keyboard could give the focus to what opens a dialog of the system.
         let keys: Vec<Key> = Key::ALL
             .iter()
@@ -357,7 +357,7 @@ impl User<'_> {
     }
 
     fn ask_by_name(&mut self) -> String {
-        if self.window.state().state().session.chooser.is_some() {
+        if self.window.state().state().scratch.chooser.is_some() {
             press(self.window, Key::Escape, Modifiers::NONE);
             return "leaves the chooser".to_owned();
         }

@@ -113,7 +113,7 @@ fn entry(ui: &mut Ui, state: &State, (name, command, tip): &Entry, asks: &mut As
 
 /// Why something cannot be saved as things are.
 fn obstacle(state: &State, command: &Command) -> Option<&'static str> {
-    let settings = &state.settings;
+    let settings = &state.document.settings;
     let (is_plotted, tab) = (settings.window.plots, settings.plots.plot);
     let Command::Choose(Purpose::Save(product)) = command else { return None };
     match product {

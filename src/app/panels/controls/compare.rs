@@ -41,7 +41,7 @@ const fn told(problem: &ComparisonError) -> &'static str {
 
 /// Shows the row of the choice.
 pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
-    let settings = &state.settings;
+    let settings = &state.document.settings;
     let refused = settings.check_two_pictures().err();
     let problem = settings.check_comparison().err();
     let name = |of| CHOICES.iter().find(|(choice, ..)| *choice == of).map_or("", |(_, name, _)| name);
@@ -64,7 +64,7 @@ pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
 /// Shows the choices; one that changes nothing cannot be had.
 fn choices(ui: &mut Ui, state: &State, look: &mut Look) {
     for (choice, name, tip) in CHOICES {
-        let refused = state.settings.check_compared_with(choice).err();
+        let refused = state.document.settings.check_compared_with(choice).err();
         let button = ui.add_enabled(refused.is_none(), Button::selectable(choice == look.compare, name));
         let reason = refused.as_ref().map_or("", told);
         if button.on_hover_text(tip).on_disabled_hover_text(reason).clicked() {

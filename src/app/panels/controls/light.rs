@@ -16,7 +16,7 @@ use crate::settings::Light;
 
 /// Shows them.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let before = state.settings.light;
+    let before = state.document.settings.light;
     let (mut light, usual) = (before, state.usual().light);
     row(ui, "Light", "What light the bodies send, and how it becomes a colour.", |ui| {
         choice(ui, &mut light.colour, &COLOURS[..3]);
@@ -35,7 +35,12 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     row(ui, "Shading", "How form is shown.", |ui| {
         choice(ui, &mut light.shading, &SHADINGS);
     });
-    exposure_rows(ui, state.settings.automatic_ev(&state.session.scene), &mut light.exposure, usual.exposure);
+    exposure_rows(
+        ui,
+        state.document.settings.automatic_ev(&state.document.scene),
+        &mut light.exposure,
+        usual.exposure,
+    );
     row(ui, "Background", "What rests with the eyes.", |ui| {
         ui.checkbox(&mut light.sky, "Sky").on_hover_text("A sky behind the scene.");
         let tip = "A road or a grid on the ground, at rest. A road is shadowed where wheels touch it: exact there, a drawn \

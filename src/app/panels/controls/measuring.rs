@@ -19,15 +19,15 @@ const CLOCK: &str = "Shows in each view a clock that rests beside you, to compar
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     row(ui, "Measure", "What is measured with in the views.", |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        let is_on = state.session.angle_ruler != AngleRuler::Off;
+        let is_on = state.scratch.angle_ruler != AngleRuler::Off;
         if ui.selectable_label(is_on, "Angle").on_hover_text(RULER).clicked() {
             asks.push(Command::Ruler(RulerCommand::Toggle));
         }
-        let is_on = state.session.stopwatch != Stopwatch::Hidden;
+        let is_on = state.scratch.stopwatch != Stopwatch::Hidden;
         if ui.selectable_label(is_on, "Stopwatch").on_hover_text(STOPWATCH).clicked() {
             asks.push(Command::Stopwatch(StopwatchCommand::Toggle));
         }
-        let mut window = state.settings.window;
+        let mut window = state.document.settings.window;
         let clock = Checkbox::new(&mut window.resting_clock, "clock");
         let reason = "It is one of the clocks: these are off.";
         let response =

@@ -42,7 +42,7 @@ const SECTIONS: [(Section, Rows); 4] = [
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 3.0;
-        if state.settings.window.simple {
+        if state.document.settings.window.simple {
             return few(ui, state, asks);
         }
         for (part, rows) in SECTIONS {
@@ -66,19 +66,19 @@ fn few(ui: &mut Ui, state: &State, asks: &mut Asks) {
 }
 
 fn motion(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let mut motion = state.settings.motion;
+    let mut motion = state.document.settings.motion;
     let measures = state.measures();
     let usual = state.usual().motion;
-    let is_simple = state.settings.window.simple;
+    let is_simple = state.document.settings.window.simple;
     let fields = if is_simple { &speed::FIELDS[..1] } else { &speed::FIELDS };
     if let Some(speed) = speed::show(ui, motion.speed, usual.speed, &measures, fields) {
         motion.speed = speed;
     }
     separation_row(ui, measures.length, &mut motion, usual);
     if !is_simple {
-        path_rows(ui, measures.length, state.session.scene.tracked, &mut motion, usual);
+        path_rows(ui, measures.length, state.document.scene.tracked, &mut motion, usual);
     }
-    if motion != state.settings.motion {
+    if motion != state.document.settings.motion {
         asks.push(Command::Motion(motion));
     }
 }
@@ -134,17 +134,17 @@ fn shift(distance: f64) -> f64 {
 }
 
 fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let mut look = state.settings.look;
-    layout_row(ui, state.settings.picture, asks);
+    let mut look = state.document.settings.look;
+    layout_row(ui, state.document.settings.picture, asks);
     geometry_row(ui, &mut look.geometry);
-    light_cones_row(ui, &mut look.geometry, state.settings.baseline().is_along_motion());
+    light_cones_row(ui, &mut look.geometry, state.document.settings.baseline().is_along_motion());
     compare::show(ui, state, &mut look);
     gaze_row(ui, state, &mut look);
     field_of_view_rows(ui, state, &mut look, asks);
-    more_rows(ui, state.settings.window, state.measures().time, asks);
+    more_rows(ui, state.document.settings.window, state.measures().time, asks);
     quality::show(ui, state, asks);
     measuring::show(ui, state, asks);
-    if look != state.settings.look {
+    if look != state.document.settings.look {
         asks.push(Command::Look(look));
     }
 }
@@ -306,7 +306,7 @@ impl GazeMode {
 
     /// The look of who chooses it.
     fn chosen(self, state: &State) -> Look {
-        let look = state.settings.look;
+        let look = state.document.settings.look;
         match self {
             Self::Whole => Look { gaze: GazeChoice::Whole, ..look },
             Self::Point => Look { gaze: GazeChoice::Point, ..look },
@@ -328,7 +328,7 @@ fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, asks: &mut As
         suffix: "°",
     };
     // Hidden views compute nothing, not even what would fit them.
-    let shown = if state.settings.window.views { state.look().set_fov() } else { look.set_fov() };
+    let shown = if state.document.settings.window.views { state.look().set_fov() } else { look.set_fov() };
     let mut fov = shown.unwrap_or(USUAL_FOV);
     match row_of_number.edit(ui, &mut fov) {
         Edit::Kept => {}

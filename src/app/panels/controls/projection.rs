@@ -17,7 +17,9 @@ const DEPTH: RangeInclusive<f64> = 1e-3..=MAX_LENGTH;
 /// Shows them.
 pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
     projection_row(ui, &mut look.projection);
-    if state.settings.projection() != look.projection && look.projection == state.settings.look.projection {
+    if state.document.settings.projection() != look.projection
+        && look.projection == state.document.settings.look.projection
+    {
         ui.label("The eyes are one behind the other: the views show camera pictures.");
     }
     zero_parallax_rows(ui, state, look);

@@ -12,7 +12,7 @@ use crate::settings::{BOUND_PX, Quality};
 
 /// Shows them.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let (before, usual) = (state.settings.quality, state.usual().quality);
+    let (before, usual) = (state.document.settings.quality, state.usual().quality);
     let mut quality = before;
     let tip = "What draws the views.   The Accuracy tab shows what each costs, and how far it is off.";
     row(ui, "Quality", tip, |ui| _ = choice(ui, &mut quality.renderer, &RENDERERS[..2]));
@@ -47,7 +47,7 @@ fn goal_rows(ui: &mut Ui, state: &State, quality: &mut Quality, usual: Quality) 
     if edit == Edit::Restored {
         quality.goal = usual.goal;
     }
-    if let Some((_, choice)) = state.session.choices.first() {
+    if let Some((_, choice)) = state.frame.choices.first() {
         row(ui, "", "", |ui| {
             _ = named_text(ui, RichText::new(choice.to_string()).small(), format!("Chosen: {choice}"));
         });

@@ -3,7 +3,7 @@
 use eframe::egui::{Button, Ui};
 
 use crate::app::command::Command;
-use crate::app::panels::{Asks, fusing};
+use crate::app::panels::Asks;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::{dot, named_text, number, row};
@@ -28,19 +28,20 @@ const NO_PAIR: &str =
 /// Computed only while it is in sight.
 fn meter(ui: &mut Ui, state: &State) {
     row(ui, "Fusing", TIP, |ui| {
-        if state.settings.is_comparing() {
+        if state.document.settings.is_comparing() {
             named_text(ui, "two pictures of one eye", "Fusing: two pictures of one eye")
                 .on_hover_text(NO_PAIR);
             return;
         }
-        let is_hidden = !state.settings.window.views || !ui.is_rect_visible(ui.available_rect_before_wrap());
-        let comfort = if is_hidden { None } else { state.comfort(state.settings.motion.d) };
+        let is_hidden =
+            !state.document.settings.window.views || !ui.is_rect_visible(ui.available_rect_before_wrap());
+        let comfort = if is_hidden { None } else { state.comfort(state.document.settings.motion.d) };
         let Some(comfort) = comfort else {
             named_text(ui, figures::NONE, "Fusing: nothing to fuse").on_hover_text(TIP);
             return;
         };
         dot(ui, theme::verdict_colour(comfort.verdict(), ui.visuals()));
-        let text = fusing::verdict(comfort);
+        let text = comfort.words();
         named_text(ui, &text, format!("Fusing: {text}")).on_hover_text(TIP);
     });
 }
@@ -48,10 +49,10 @@ fn meter(ui: &mut Ui, state: &State) {
 fn narrow(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let tip = "Brings the eyes nearer to each other until the range across is at most 1°, at the present T. It changes what is \
         measured: all disparities shrink with d.";
-    let motion = state.settings.motion;
-    let narrowed = state.session.narrowed.filter(|[_, d]| *d == motion.d);
+    let motion = state.document.settings.motion;
+    let narrowed = state.scratch.narrowed.filter(|[_, d]| *d == motion.d);
     row(ui, "", "", |ui| {
-        let is_pair = !state.settings.is_comparing();
+        let is_pair = !state.document.settings.is_comparing();
         let button = ui.add_enabled(is_pair, Button::new("Comfortable"));
         if button.on_hover_text(tip).on_disabled_hover_text(NO_PAIR).clicked() {
             asks.push(Command::Narrow);
@@ -70,7 +71,7 @@ fn narrow(ui: &mut Ui, state: &State, asks: &mut Asks) {
 }
 
 fn place(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let mut screen = state.settings.screen;
+    let mut screen = state.document.settings.screen;
     row(
         ui,
         "Screen",
@@ -105,7 +106,7 @@ fn place(ui: &mut Ui, state: &State, asks: &mut Asks) {
             asks.push(Command::ToggleProjector);
         }
     });
-    if screen != state.settings.screen {
+    if screen != state.document.settings.screen {
         asks.push(Command::Screen(screen));
     }
 }

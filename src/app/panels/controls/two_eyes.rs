@@ -13,14 +13,14 @@ use crate::settings::Motion;
 
 /// Shows them.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let (mut motion, mut look) = (state.settings.motion, state.settings.look);
+    let (mut motion, mut look) = (state.document.settings.motion, state.document.settings.look);
     head_rows(ui, &mut motion, state.usual().motion);
     projection::show(ui, state, &mut look);
     screen::show(ui, state, asks);
-    if motion != state.settings.motion {
+    if motion != state.document.settings.motion {
         asks.push(Command::Motion(motion));
     }
-    if look != state.settings.look {
+    if look != state.document.settings.look {
         asks.push(Command::Look(look));
     }
 }

@@ -40,7 +40,7 @@ pub fn look_around(
     let response =
         ui.interact(rect(chart), id, Sense::click_and_drag()).on_hover_cursor(CursorIcon::Crosshair);
     response.widget_info(|| egui::WidgetInfo::labeled(Role::Image, true, name));
-    let before = state.session.map_view;
+    let before = state.scratch.map_view;
     let mut viewpoint = before;
     if response.double_clicked() {
         viewpoint = Viewpoint::default();

@@ -22,7 +22,7 @@ const STRIP_HEIGHT: f32 = 26.0;
 
 /// Shows it.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    if state.settings.window.simple {
+    if state.document.settings.window.simple {
         return show_presented(ui, state, asks);
     }
     let rect = ui.max_rect();
@@ -34,9 +34,9 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 
 /// Shows it before an audience or among few controls: the frame is named, and nothing is chosen.
 pub fn show_presented(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let whose = match state.settings.map.frame {
+    let whose = match state.document.settings.map.frame {
         Frame::Ground => "the ground".to_owned(),
-        Frame::Bicycle => format!("the {}", state.session.scene.rider),
+        Frame::Bicycle => format!("the {}", state.document.scene.rider),
     };
     let told = ui.label(RichText::new(format!("Map, in the frame of {whose}")).small().strong());
     let below = ui.max_rect().with_min_y(told.rect.max.y);
@@ -44,7 +44,7 @@ pub fn show_presented(ui: &mut Ui, state: &State, asks: &mut Asks) {
 }
 
 fn face(ui: &mut Ui, state: &State, below: Rect, asks: &mut Asks) {
-    match state.settings.map.face {
+    match state.document.settings.map.face {
         Face::Space => space::show(ui, state, below, asks),
         Face::Spacetime => spacetime::show(ui, state, below, asks),
     }
@@ -59,8 +59,8 @@ const CLOSE_UP: &str = "Follows the selected body: in space where it is seen and
                         rod; in spacetime where the followed points are now, with their clocks.";
 
 fn strip(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let mut map = state.settings.map;
-    let rider = capitalised(&state.session.scene.rider);
+    let mut map = state.document.settings.map;
+    let rider = capitalised(&state.document.scene.rider);
     let frames = [
         (Frame::Ground, "Ground", "In the frame of the street, where eyes and houses rest.   Key: G"),
         (Frame::Bicycle, &rider, "In the frame of who rides along: eyes and street ride past.   Key: G"),
@@ -74,7 +74,7 @@ fn strip(ui: &mut Ui, state: &State, asks: &mut Asks) {
         ui.toggle_value(&mut is_close_up, "Close-up").on_hover_text(CLOSE_UP);
         map.framing = if is_close_up { Framing::CloseUp } else { Framing::Passage };
     });
-    if map != state.settings.map {
+    if map != state.document.settings.map {
         asks.push(Command::Map(map));
     }
 }

@@ -20,7 +20,7 @@ use crate::settings::PlotTab;
 /// the colours of a light window, and T and T0. The Accuracy tab is a table: see [`csv`].
 #[must_use]
 pub fn svg(state: &State, plotted: Plotted<'_>) -> String {
-    let panels: Vec<Panel> = match state.settings.plots.plot {
+    let panels: Vec<Panel> = match state.document.settings.plots.plot {
         PlotTab::Fit => fit::panels(state, plotted.fitting),
         _ => charts(state, plotted).map(|chart| panel(state, &chart)).collect(),
     };
@@ -33,7 +33,7 @@ pub fn svg(state: &State, plotted: Plotted<'_>) -> String {
 /// samples.
 #[must_use]
 pub fn csv(state: &State, plotted: Plotted<'_>) -> String {
-    match state.settings.plots.plot {
+    match state.document.settings.plots.plot {
         PlotTab::Accuracy => plotted.examination.map_or_else(String::new, accuracy::csv),
         PlotTab::Fit => fit::csv(state, plotted.fitting),
         _ => table(state, &charts(state, plotted).collect::<Vec<_>>()),
@@ -44,7 +44,7 @@ pub fn csv(state: &State, plotted: Plotted<'_>) -> String {
 const HEIGHT: f32 = 300.0;
 
 fn charts<'a>(state: &'a State, plotted: Plotted<'a>) -> impl Iterator<Item = Chart<'a>> {
-    quantities(&state.settings.plots)
+    quantities(&state.document.settings.plots)
         .iter()
         .map(move |&quantity| chart(state, plotted.curves, quantity, HEIGHT))
 }
@@ -63,7 +63,7 @@ fn panel(state: &State, chart: &Chart<'_>) -> Panel {
         pieces: trace.pieces.iter().map(|piece| piece.iter().map(in_chart).collect()).collect(),
     });
     let labels = [time_label(chart.time_unit), axis_label(chart.quantity, chart.unit)];
-    let point = state.name_of(state.session.points.selected());
+    let point = state.name_of(state.document.points.selected());
     let title = if chart.quantity.is_disparity() { "" } else { &point };
     let shown = |time| chart.time_unit.shown(time);
     let now = (shown(chart.now), "T".to_owned());
@@ -87,8 +87,8 @@ fn css(colour: Color32) -> String {
 /// The columns that `gamow fit` and *Own data* read, of the selected point as the views show it: their names after T, and
 /// the numbers of a row, in the scene's own units and radians.
 fn readable(state: &State) -> (Vec<&'static str>, impl Fn(f64) -> Vec<f64>) {
-    let key = state.curve_key(state.session.points.selected());
-    let (names, eyes) = eye_columns(state.settings.baseline());
+    let key = state.curve_key(state.document.points.selected());
+    let (names, eyes) = eye_columns(state.document.settings.baseline());
     let names = names.iter().copied().chain(["dphi", "dtheta"]).collect();
     let numbers = move |time| {
         let angle = |curve| Source { key, model: key.model, curve }.value(time).unwrap_or(f64::NAN);

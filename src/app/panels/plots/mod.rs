@@ -47,10 +47,10 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
         }
         ui.horizontal(|ui| sketch::switch(ui, state, asks));
     }
-    if state.settings.window.simple && !quantities(&state.settings.plots).is_empty() {
+    if state.document.settings.window.simple && !quantities(&state.document.settings.plots).is_empty() {
         return over_time(ui, state, plotted.curves, asks);
     }
-    let examination = plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy);
+    let examination = plotted.examination.filter(|_| state.document.settings.plots.plot == PlotTab::Accuracy);
     ui.horizontal_wrapped(|ui| {
         tabs(ui, state, asks);
         ui.separator();
@@ -59,7 +59,7 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
             None => points::show(ui, state, asks),
         }
     });
-    match state.settings.plots.plot {
+    match state.document.settings.plots.plot {
         PlotTab::Fit => fit::show(ui, state, plotted.fitting, asks),
         PlotTab::Accuracy => accuracy::show(ui, state, plotted.examination, asks),
         _ => over_time(ui, state, plotted.curves, asks),
@@ -72,7 +72,7 @@ pub fn show_one(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Ask
     if let Some(sketched) = state.sketched() {
         return sketch::show(ui, state, sketched, asks);
     }
-    match state.settings.plots.plot {
+    match state.document.settings.plots.plot {
         PlotTab::Fit => fit::show_presented(ui, state, plotted.fitting, asks),
         _ => over_time(ui, state, plotted.curves, asks),
     }
@@ -106,7 +106,7 @@ fn over_time(ui: &mut Ui, state: &State, curves: &[Curves], asks: &mut Asks) {
 }
 
 fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let mut plots = state.settings.plots;
+    let mut plots = state.document.settings.plots;
     for &tab in PlotTab::value_variants() {
         let (name, tip) = match tab {
             PlotTab::Disparity => {
@@ -130,7 +130,7 @@ fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if plots.plot == PlotTab::Disparity {
         coordinates(ui, &mut plots.coordinates);
     }
-    if plots != state.settings.plots {
+    if plots != state.document.settings.plots {
         asks.push(Command::Plots(plots));
     }
 }
@@ -195,7 +195,7 @@ fn lines(plot: &mut PlotUi<'_>, chart: &Chart<'_>, visuals: &egui::Visuals) {
 
 /// Names the plot for assistive technology: what it shows, of what.
 fn describe(response: &PlotResponse<()>, state: &State, quantity: Quantity) {
-    let point = state.name_of(state.session.points.selected());
+    let point = state.name_of(state.document.points.selected());
     let name = format!("Plot of {} of {point} against T", label(quantity));
     response
         .response

@@ -66,23 +66,23 @@ impl Traits {
 
 /// What all pinned curves are, and last those of the selected point.
 fn compared(state: &State) -> Vec<Traits> {
-    let selected = state.session.points.selected();
-    let pins = state.session.plotting.pins().iter().map(|pin| Traits::of(state, &pin.point, &pin.key));
+    let selected = state.document.points.selected();
+    let pins = state.scratch.plotting.pins().iter().map(|pin| Traits::of(state, &pin.point, &pin.key));
     pins.chain([Traits::of(state, selected, &state.curve_key(selected))]).collect()
 }
 
 /// The names of the pinned curves, in order.
 pub(super) fn names(state: &State) -> Vec<String> {
     let all = compared(state);
-    let several = state.session.points.all().len() > 1;
-    let count = state.session.plotting.pins().len();
+    let several = state.document.points.all().len() > 1;
+    let count = state.scratch.plotting.pins().len();
     all.iter().take(count).map(|traits| traits.that_differ(&all, several)).collect()
 }
 
 /// What `point` is called in a plot: where curves are pinned the selected one also by what differs from those.
 pub(super) fn name_beside(state: &State, point: &Point) -> String {
     let is_compared =
-        !state.session.plotting.pins().is_empty() && point.number == state.session.points.selected().number;
+        !state.scratch.plotting.pins().is_empty() && point.number == state.document.points.selected().number;
     let all = if is_compared { compared(state) } else { Vec::new() };
     all.last().map_or_else(|| state.name_of(point), |own| own.that_differ(&all, true))
 }

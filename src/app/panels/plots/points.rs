@@ -13,7 +13,7 @@ use crate::app::widgets::icons::{self, Icon};
 /// The followed points: a click selects one, a cross removes it.
 pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.spacing_mut().item_spacing.x = 3.0;
-    let points = &state.session.points;
+    let points = &state.document.points;
     let all = points.all();
     for (index, point) in all.iter().enumerate() {
         let colour = theme::point_colour(point.number, ui.visuals());
@@ -26,7 +26,8 @@ pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         dot(ui, colour);
         let chosen = all.len() > 1 && index == points.selected_index();
         let unit = state.measures().length;
-        let [x, y, z] = state.settings.rest_place(point.track.rest).map(|value| unit.number(value, 3));
+        let [x, y, z] =
+            state.document.settings.rest_place(point.track.rest).map(|value| unit.number(value, 3));
         let place = format!("({x}, {y}, {z}){}", unit.suffix());
         let is = match state.on_wheel(&point.track, 0.0) {
             None => format!("At rest at {place}."),
@@ -45,7 +46,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         }
         ui.add_space(6.0);
     }
-    if !plotting::quantities(&state.settings.plots).is_empty() {
+    if !plotting::quantities(&state.document.settings.plots).is_empty() {
         buttons(ui, state, asks);
     }
 }
@@ -59,7 +60,7 @@ fn entry_width(ui: &Ui, name: &str) -> f32 {
 
 /// What keeps and marks something in the plots.
 fn buttons(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let plotting = &state.session.plotting;
+    let plotting = &state.scratch.plotting;
     let mut button = |ui: &mut Ui, name: &str, tip: &str, command: PlotCommand| {
         if ui.small_button(name).on_hover_text(tip).clicked() {
             asks.push(Command::Plotting(command));

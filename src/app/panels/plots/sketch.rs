@@ -47,7 +47,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mu
         ui.add_space(Y_AXIS_WIDTH);
         let ruler = Ruler::of_height(ui.available_height());
         let heading = with_factor(&axis_label(quantity, unit), ruler.axis(sketched.curve.range).exponent);
-        let of = state.name_of(state.session.points.selected());
+        let of = state.name_of(state.document.points.selected());
         ui.label(RichText::new(heading).strong());
         ui.label(RichText::new(format!("of the {of}{}", whose(quantity))).weak());
         if sketched.is_asked {
@@ -94,12 +94,12 @@ fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mut Asks) {
     let lesson::Curve { quantity, range: values } = sketched.curve;
     let (times, time_unit) = (state.whole_times(), state.measures().time);
     let size = ui.available_size().max(Vec2::splat(20.0));
-    let (settings, track) = (&state.settings, state.session.points.selected().track);
+    let (settings, track) = (&state.document.settings, state.document.points.selected().track);
     let truth = if sketched.is_revealed { quantity.over(settings, &track, times) } else { Vec::new() };
     let drawn = sketch::pieces(sketched.points, times);
     let [drawn_colour, true_colour] = colours(ui, state, quantity);
     let plot = plot_over_time(ui, "sketch", time_unit, size).sense(Sense::drag());
-    let now = state.session.time;
+    let now = state.document.time;
     let response = Ruler::of_height(size.y).beside(plot).show(ui, |plot| {
         plot.set_plot_bounds(PlotBounds::from_min_max([times[0], values[0]], [times[1], values[1]]));
         let now_line = VLine::new("T", now).width(1.0).allow_hover(false);
@@ -136,7 +136,7 @@ fn colours(ui: &Ui, state: &State, quantity: lesson::Quantity) -> [Color32; 2] {
     let visuals = ui.visuals();
     let truth = match quantity {
         lesson::Quantity::Dphi | lesson::Quantity::Dtheta => {
-            theme::point_colour(state.session.points.selected().number, visuals)
+            theme::point_colour(state.document.points.selected().number, visuals)
         }
         lesson::Quantity::Doppler | lesson::Quantity::Phi => theme::eye_colour(Eye::Left, visuals),
     };
@@ -146,7 +146,7 @@ fn colours(ui: &Ui, state: &State, quantity: lesson::Quantity) -> [Color32; 2] {
 /// Names the plot for assistive technology, and says in an empty one what to do.
 fn describe(ui: &Ui, response: &PlotResponse<()>, state: &State, sketched: Sketched<'_>) {
     let [sign, _] = sketched.curve.quantity.axis();
-    let point = state.name_of(state.session.points.selected());
+    let point = state.name_of(state.document.points.selected());
     let name = if sketched.is_revealed {
         format!("Plot of {sign} of {point} against T, and of what was drawn")
     } else {

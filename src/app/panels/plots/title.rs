@@ -26,7 +26,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, chart: &Chart<'_>) {
             let heading = with_factor(&axis_label(chart.quantity, chart.unit), exponent);
             ui.label(RichText::new(heading).strong()).on_hover_text(tip(chart.quantity));
             values_now(ui, state, chart, exponent);
-            let beside = match state.settings.shown_model() {
+            let beside = match state.document.settings.shown_model() {
                 _ if chart.quantity == Quantity::LogDistance => None,
                 Model::OneCone => Some((format!("{ONE_CONE}; dotted: two"), ONE_CONE_TIP)),
                 Model::Published(_) if chart.quantity != Quantity::LogGain => {
@@ -81,7 +81,7 @@ const fn tip(quantity: Quantity) -> &'static str {
 
 /// What the selected point's curves are at T, each in its colour.
 fn values_now(ui: &mut Ui, state: &State, chart: &Chart<'_>, exponent: i32) {
-    let number = state.session.points.selected().number;
+    let number = state.document.points.selected().number;
     let own = |trace: &&Trace<'_>| !trace.pale && trace.is_of(number) && trace.dot;
     let symbol = label(chart.quantity);
     let mut traces: Vec<&Trace<'_>> = chart.traces.iter().filter(own).collect();

@@ -14,19 +14,19 @@ use crate::app::state::State;
 /// `curves` are those that [`State::plotted_keys`] asks for; it is drawn about so high (points).
 pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity, height: f32) -> Chart<'a> {
     let measures = state.measures();
-    let along = state.settings.baseline().is_along_motion();
+    let along = state.document.settings.baseline().is_along_motion();
     let words = if along { "seen abreast" } else { "seen equally far" };
     Chart {
         quantity,
         unit: shown_in(quantity, measures.length),
         time_unit: measures.time,
         range: state.plotted_times(quantity),
-        zoomed: state.session.plotting.zoom(quantity).map(|zoom| zoom.values),
+        zoomed: state.scratch.plotting.zoom(quantity).map(|zoom| zoom.values),
         traces: traces(state, curves, quantity),
-        equidistant: state.equidistance_time(state.session.points.selected()).map(|time| (time, words)),
-        now: state.session.time,
-        cursors: state.session.plotting.cursors().to_vec(),
-        rounding: rounding(&state.curve_key(state.session.points.selected()), quantity),
+        equidistant: state.equidistance_time(state.document.points.selected()).map(|time| (time, words)),
+        now: state.document.time,
+        cursors: state.scratch.plotting.cursors().to_vec(),
+        rounding: rounding(&state.curve_key(state.document.points.selected()), quantity),
         height,
     }
 }
@@ -48,7 +48,7 @@ fn rounding(key: &CurvesKey, quantity: Quantity) -> f64 {
 fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
     let found = |key: CurvesKey| curves.iter().find(|curves| *curves.key() == key);
     let own = |point: &Point| found(state.plotted_key(point, quantity));
-    let selected = own(state.session.points.selected());
+    let selected = own(state.document.points.selected());
     let of_selected = |traces: fn(&'a Curves) -> Vec<Trace<'a>>| selected.map_or(Vec::new(), traces);
     let present = match quantity {
         Quantity::DeltaPhi => of_points(state, own, Curve::DeltaPhi),
@@ -67,7 +67,7 @@ fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Tr
         }),
         Quantity::LogDistance => of_selected(distances),
     };
-    let pinned = state.session.plotting.pins().iter().zip(pins::names(state)).zip(Dash::PINNED);
+    let pinned = state.scratch.plotting.pins().iter().zip(pins::names(state)).zip(Dash::PINNED);
     let pinned = pinned.filter_map(|((pin, name), dash)| {
         Some(of_pin(found(state.pinned_key(pin, quantity))?, &name, pin.point.number, dash, quantity))
     });
@@ -184,7 +184,7 @@ fn of_points<'a>(
     curves: impl Fn(&Point) -> Option<&'a Curves>,
     curve: Curve,
 ) -> Vec<Trace<'a>> {
-    let points = &state.session.points;
+    let points = &state.document.points;
     let mut all: Vec<_> = points.all().iter().enumerate().collect();
     all.sort_by_key(|(index, _)| *index != points.selected_index());
     let mut traces = Vec::new();

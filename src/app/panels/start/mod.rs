@@ -181,7 +181,7 @@ fn of_lesson<'a>(state: &State, number: usize, lesson: &'a Arc<Lesson>) -> Card<
 
 fn of_preset<'a>(state: &State, lesson: &'a Arc<Lesson>) -> Option<Card<'a>> {
     let preset = Preset::named(&lesson.name)?;
-    let is_shown = state.session.preset == Some(preset) && state.course().is_none();
+    let is_shown = state.document.preset == Some(preset) && state.course().is_none();
     Some(Card {
         lesson,
         number: None,

@@ -64,7 +64,7 @@ fn write(
 /// Which axes there are. Both charts share x, whose numbers are below the lower one.
 fn axes_of(state: &State, projection: Projection) -> [Axis<'static>; 2] {
     let unit = state.measures().length;
-    let across = if state.settings.map.frame == Frame::Ground { "x" } else { "x′" };
+    let across = if state.document.settings.map.frame == Frame::Ground { "x" } else { "x′" };
     let up = match projection {
         Projection::Plan => "y",
         Projection::Side => "z",
@@ -78,8 +78,8 @@ fn axes_of(state: &State, projection: Projection) -> [Axis<'static>; 2] {
 
 /// The kerbs and the house fronts from above, the ground from the side; what they are called, and where.
 fn street(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) -> Vec<(Pos2, &'static str)> {
-    let Motion { depth_shift, height_shift, .. } = state.settings.motion;
-    let scene = &state.session.scene;
+    let Motion { depth_shift, height_shift, .. } = state.document.settings.motion;
+    let scene = &state.document.scene;
     let lines: Vec<(f64, &str)> = match sheet.projection {
         Projection::Plan => {
             let names = ["kerb", "kerb", "house fronts"];
@@ -103,7 +103,7 @@ fn fields_of_view(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, 
         return;
     }
     for (eye, at) in Eye::BOTH.into_iter().zip(instant.eyes()) {
-        let camera = state.view(eye, state.session.picture_size).camera;
+        let camera = state.view(eye, state.frame.picture_size).camera;
         let Some(edges) = field_of_view(&camera, sheet.projection) else { continue };
         let eye_place = place(sheet, at);
         let reach =

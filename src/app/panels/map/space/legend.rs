@@ -30,7 +30,7 @@ const ON_BOARD: [(Picture, [&str; 2]); 1] =
 
 /// Shows it at the top of `rect`; what is left below it.
 pub(super) fn show(ui: &Ui, state: &State, rect: Rect) -> Rect {
-    let entries: &[_] = match state.settings.map.frame {
+    let entries: &[_] = match state.document.settings.map.frame {
         Frame::Ground => &WORDS,
         Frame::Bicycle => &ON_BOARD,
     };

@@ -28,11 +28,11 @@ pub(super) fn show(
     sheet: &Sheet,
     labels: &mut Labels,
 ) {
-    if state.settings.map.framing != Framing::CloseUp || sheet.projection != Projection::Plan {
+    if state.document.settings.map.framing != Framing::CloseUp || sheet.projection != Projection::Plan {
         return;
     }
-    let point = state.session.points.selected();
-    let scene = &state.session.scene;
+    let point = state.document.points.selected();
+    let scene = &state.document.scene;
     let Some(body) = point.body_in(scene) else { return };
     let Some(ends) = scene.bodies[body].shape.ends() else { return };
     let ends = ends.map(|end| scene.track_at(end, body));

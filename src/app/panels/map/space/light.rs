@@ -48,8 +48,8 @@ pub(super) struct Light<'a> {
 impl<'a> Light<'a> {
     /// That at the present T; `None` outside the domain of the core.
     pub(super) fn of(state: &State, sheet: &'a Sheet) -> Option<Self> {
-        let (settings, time) = (&state.settings, state.session.time);
-        let (track, frame) = (state.session.points.selected().track, settings.frame());
+        let (settings, time) = (&state.document.settings, state.document.time);
+        let (track, frame) = (state.document.points.selected().track, settings.frame());
         Some(Self {
             sheet,
             worldline: Worldline::new(settings, &track, frame),
@@ -85,7 +85,7 @@ impl<'a> Light<'a> {
         for way in &ways {
             labels.avoid(way);
         }
-        let (name, times) = match state.settings.map.frame {
+        let (name, times) = match state.document.settings.map.frame {
             Frame::Ground => (HAPPENED.name, self.rays.map(|ray| ray.happened)),
             Frame::Bicycle => (OWN_CLOCK.name, self.rays.map(|ray| ray.own_time)),
         };
@@ -122,7 +122,7 @@ impl<'a> Light<'a> {
         let told = |what: &str, received: f64, front: &Front| {
             format!("{what}\n{}", times(state, [received, front.happened, front.own_time]))
         };
-        let now = state.session.time;
+        let now = state.document.time;
         if let Some((eye, ray)) = eyes().find(|(_, ray)| self.off_ray(ray, pointer) < NEAR) {
             let what = format!("Light that the {} receives now", eye.name().to_lowercase());
             return Some(told(&what, now, &ray.front()));

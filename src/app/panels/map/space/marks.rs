@@ -31,8 +31,8 @@ pub(super) fn show(
     labels: &mut Labels,
 ) {
     eyes(ui, painter, instant, sheet, labels);
-    for (index, point) in state.session.points.all().iter().enumerate() {
-        let is_selected = index == state.session.points.selected_index();
+    for (index, point) in state.document.points.all().iter().enumerate() {
+        let is_selected = index == state.document.points.selected_index();
         let largest = ((LARGEST * sheet.chart.scale) as f32).max(SMALLEST_RADIUS);
         let radius = POINT_RADII[usize::from(!is_selected)].min(largest);
         let fill = theme::point_colour(point.number, ui.visuals());
@@ -55,7 +55,7 @@ pub(super) fn show(
 
 /// Says so when the selected point is beside the eyes: measured there now, or seen there.
 fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet, labels: &mut Labels) {
-    let point = state.session.points.selected();
+    let point = state.document.points.selected();
     if instant.frame() == Frame::Bicycle || state.velocity(point).speed.beta() == 0.0 {
         return;
     }

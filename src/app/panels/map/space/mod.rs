@@ -23,9 +23,9 @@ use crate::settings::Framing;
 /// Shows it in `rect`.
 pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
     let rect = legend::show(ui, state, rect);
-    let instant = Instant::new(&state.settings, state.session.time);
+    let instant = Instant::new(&state.document.settings, state.document.time);
     let charts = charts(state, &instant, rect);
-    let lines = Lines::new(&instant, &state.session.scene, &charts);
+    let lines = Lines::new(&instant, &state.document.scene, &charts);
     for (projection, chart) in Projection::BOTH.into_iter().zip(charts) {
         let sheet = Sheet { projection, chart };
         let response = canvas::look_around(ui, state, sheet.name(), &chart, projection.axes(), asks);
@@ -47,12 +47,12 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
 }
 
 fn charts(state: &State, instant: &Instant, rect: Rect) -> [Chart; 2] {
-    let scene = &state.session.scene;
-    let close_up = match state.settings.map.framing {
-        Framing::CloseUp => Extent::close_up(instant, scene, state.session.points.selected().track.motion),
+    let scene = &state.document.scene;
+    let close_up = match state.document.settings.map.framing {
+        Framing::CloseUp => Extent::close_up(instant, scene, state.document.points.selected().track.motion),
         Framing::Passage => None,
     };
-    let extent = close_up.unwrap_or_else(|| Extent::of_space(&state.settings, scene));
+    let extent = close_up.unwrap_or_else(|| Extent::of_space(&state.document.settings, scene));
     let area = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(f64::from);
-    plan_and_side(area, &extent, &state.session.map_view)
+    plan_and_side(area, &extent, &state.scratch.map_view)
 }

@@ -41,7 +41,7 @@ pub(super) fn read(
     let place = canvas::place(&sheet.chart, sheet.projection.flat(nearest.vertex.place));
     painter.circle_stroke(place, 6.0, Stroke::new(1.5, colour(nearest.line.picture, ui.visuals())));
     let body = nearest.line.body;
-    let Some(track) = state.session.scene.track_at(nearest.surface.to_array(), body) else { return };
+    let Some(track) = state.document.scene.track_at(nearest.surface.to_array(), body) else { return };
     if response.clicked() {
         let add = ui.input(|input| input.modifiers.shift);
         asks.push(Command::Select(Select { track, body, add }));
@@ -56,8 +56,8 @@ fn nearest<'a>(lines: &'a Lines, sheet: &Sheet, pointer: Pos2) -> Option<Nearest
 
 /// What is said of the eye at `pointer`: where it is, and when it receives light.
 fn eye_told(state: &State, sheet: &Sheet, pointer: Pos2) -> Option<String> {
-    let now = state.session.time;
-    let eyes = Instant::new(&state.settings, now).eyes();
+    let now = state.document.time;
+    let eyes = Instant::new(&state.document.settings, now).eyes();
     let far = |at: DVec3| canvas::place(&sheet.chart, sheet.projection.flat(at)).distance(pointer);
     let nearest = Eye::BOTH.into_iter().zip(eyes).min_by(|(_, a), (_, b)| far(*a).total_cmp(&far(*b)));
     let (eye, at) = nearest.filter(|&(_, at)| f64::from(far(at)) <= REACH)?;
@@ -68,7 +68,7 @@ fn eye_told(state: &State, sheet: &Sheet, pointer: Pos2) -> Option<String> {
 /// What it is, where, and when.
 fn text(state: &State, nearest: &Nearest, track: &Track) -> String {
     let line = nearest.line;
-    let name = state.session.scene.name_of(line.body);
+    let name = state.document.scene.name_of(line.body);
     let what = if line.rests { "at rest on the ground" } else { line.picture.words() };
     [format!("{name}, {what}"), told_place(state, nearest.vertex.place)]
         .into_iter()
@@ -90,17 +90,17 @@ fn told_time(state: &State, name: &str, value: f64) -> String {
 /// When it is there, as far as that is one event.
 fn times(state: &State, picture: Picture, track: &Track) -> Vec<String> {
     let time = |name: &str, value: f64| told_time(state, name, value);
-    let now = state.session.time;
-    let frame = state.settings.frame();
-    match (picture, state.settings.map.frame) {
+    let now = state.document.time;
+    let frame = state.document.settings.frame();
+    match (picture, state.document.settings.map.frame) {
         (Picture::Seen(eye), Frame::Ground) => {
-            let Ok(both) = state.settings.disparity(track, now) else { return Vec::new() };
+            let Ok(both) = state.document.settings.disparity(track, now) else { return Vec::new() };
             let seen = [both.primary, both.secondary][eye];
             let times = [now, seen.retarded_time, seen.own_time];
             TIMES.iter().zip(times).map(|(name, value)| time(name.name, value)).collect()
         }
         (Picture::Measured, Frame::Ground) => {
-            let own = Worldline::new(&state.settings, track, frame).own_time(now);
+            let own = Worldline::new(&state.document.settings, track, frame).own_time(now);
             vec![time("now t", now), time(OWN_CLOCK.name, own)]
         }
         // On board all clocks agree.

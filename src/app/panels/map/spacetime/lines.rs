@@ -50,7 +50,7 @@ fn dashed(sheet: &Sheet<'_>, labels: &mut Labels, ends: [Pos2; 2], stroke: Strok
 fn nows(sheet: &Sheet<'_>, labels: &mut Labels) {
     let [ground, scene] = sheet.diagram.nows();
     let colours = now_colours(sheet);
-    let is_ground = sheet.state.settings.map.frame == Frame::Ground;
+    let is_ground = sheet.state.document.settings.map.frame == Frame::Ground;
     let both = [(ground, colours[0], is_ground), (scene, colours[1], !is_ground)];
     for (line, colour, is_own) in both.into_iter().take(number_of_nows(sheet)) {
         let stroke = Stroke::new(1.2, colour);
@@ -78,7 +78,7 @@ pub fn now_colours(sheet: &Sheet<'_>) -> [Color32; 2] {
 }
 
 fn point_colour(sheet: &Sheet<'_>) -> Color32 {
-    theme::point_colour(sheet.state.session.points.selected().number, sheet.ui.visuals())
+    theme::point_colour(sheet.state.document.points.selected().number, sheet.ui.visuals())
 }
 
 /// The past light cones in the plane of the point, and light that runs along x.
@@ -183,7 +183,7 @@ pub fn name(sheet: &Sheet<'_>, labels: &mut Labels) {
     let mut write = |place: Pos2, text: &str, colour: Color32| {
         labels.write(&sheet.painter, (place, 1.0), text, font.clone(), colour);
     };
-    let selected = (sheet.state.session.points.selected(), sheet.diagram);
+    let selected = (sheet.state.document.points.selected(), sheet.diagram);
     for (point, diagram) in [selected].iter().chain(&sheet.others) {
         if let Some(ends) = shown(sheet, diagram.worldline()) {
             let colour = theme::point_colour(point.number, sheet.ui.visuals());
@@ -195,7 +195,7 @@ pub fn name(sheet: &Sheet<'_>, labels: &mut Labels) {
     let names = if number == 1 {
         ["now".to_owned(), String::new()]
     } else {
-        ["ground", &sheet.state.session.scene.rider].map(|whose| format!("now, {whose}"))
+        ["ground", &sheet.state.document.scene.rider].map(|whose| format!("now, {whose}"))
     };
     let nows = sheet.diagram.nows().into_iter().take(number);
     for ((line, name), colour) in nows.zip(names).zip(now_colours(sheet)) {

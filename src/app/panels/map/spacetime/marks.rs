@@ -41,7 +41,7 @@ pub fn of(sheet: &Sheet<'_>) -> Vec<Mark> {
         eyes.flat_map(|((eye, ray), label)| of_light(sheet, eye, &ray, label)).collect();
     if diagram.scene.beta() != 0.0 {
         let colour = lines::now_colours(sheet)[1];
-        let name = format!("now on the {}'s clocks", sheet.state.session.scene.rider);
+        let name = format!("now on the {}'s clocks", sheet.state.document.scene.rider);
         let mark = of_point(sheet, diagram.scene_now(), &name, "", colour);
         marks.push(Mark { is_hollow: true, ..mark });
     }

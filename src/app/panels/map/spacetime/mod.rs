@@ -31,8 +31,8 @@ const TITLE: Vec2 = vec2(44.0, 3.0);
 
 /// Shows it in `rect`.
 pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
-    let (settings, time) = (&state.settings, state.session.time);
-    let (track, frame) = (state.session.points.selected().track, settings.frame());
+    let (settings, time) = (&state.document.settings, state.document.time);
+    let (track, frame) = (state.document.points.selected().track, settings.frame());
     let background = ui.visuals().extreme_bg_color;
     ui.painter().rect_filled(rect, 0.0, background);
     // Outside the domain of the core there is nothing to draw.
@@ -41,7 +41,7 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
     let Ok(home) = home(settings, &track, time, frame) else { return };
     let home = close_up(state, &diagram, &others).unwrap_or(home);
     let area = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(f64::from);
-    let chart = chart(area, home, &state.session.map_view);
+    let chart = chart(area, home, &state.scratch.map_view);
     let response = canvas::look_around(ui, state, NAME, &chart, [0, 1], asks);
     let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
     let sheet = Sheet { ui, painter, chart, state, diagram, others };
@@ -60,15 +60,15 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
 
 /// The followed points beside the selected one, with their diagrams at `time` in `frame`.
 fn others(state: &State, time: f64, frame: Velocity) -> Vec<(&Point, Diagram)> {
-    let points = &state.session.points;
+    let points = &state.document.points;
     let others = points.all().iter().enumerate().filter(|(index, _)| *index != points.selected_index());
-    let diagram = |point: &Point| Diagram::new(&state.settings, &point.track, time, frame).ok();
+    let diagram = |point: &Point| Diagram::new(&state.document.settings, &point.track, time, frame).ok();
     others.filter_map(|(_, point)| Some((point, diagram(point)?))).collect()
 }
 
 /// The events that a close-up frames: what is now of all followed points.
 fn close_up(state: &State, selected: &Diagram, others: &[(&Point, Diagram)]) -> Option<[Event; 2]> {
-    if state.settings.map.framing == Framing::Passage {
+    if state.document.settings.map.framing == Framing::Passage {
         return None;
     }
     let all: Vec<Diagram> =
@@ -79,7 +79,7 @@ fn close_up(state: &State, selected: &Diagram, others: &[(&Point, Diagram)]) -> 
 /// What is along x and along t.
 fn axes_of(state: &State) -> [Axis<'static>; 2] {
     let measures = state.measures();
-    let [x, t] = match state.settings.map.frame {
+    let [x, t] = match state.document.settings.map.frame {
         Frame::Ground => ["x", "t"],
         Frame::Bicycle => ["x′", "t′"],
     };
@@ -94,9 +94,9 @@ struct Title {
 
 impl Title {
     fn of(sheet: &Sheet<'_>) -> Self {
-        let whose = match sheet.state.settings.map.frame {
+        let whose = match sheet.state.document.settings.map.frame {
             Frame::Ground => "ground",
-            Frame::Bicycle => &sheet.state.session.scene.rider,
+            Frame::Bicycle => &sheet.state.document.scene.rider,
         };
         let text = format!("on the {whose}'s clocks and rulers");
         let font = TextStyle::Small.resolve(sheet.ui.style());

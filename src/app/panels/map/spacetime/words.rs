@@ -16,7 +16,7 @@ pub fn of_point(sheet: &Sheet<'_>, happened: f64, what: &str) -> String {
     let event = diagram.point.at(happened);
     let received = diagram.point.received(happened);
     let times = times(sheet.state, [received, happened, diagram.point.own_time(happened)]);
-    let point = sheet.state.session.points.selected().noun(&sheet.state.session.scene);
+    let point = sheet.state.document.points.selected().noun(&sheet.state.document.scene);
     format!(
         "{}{what}\n{}\n{times}\nClick to see it: T = {}",
         capitalised(&point),
@@ -57,7 +57,7 @@ fn time(sheet: &Sheet<'_>, value: f64) -> String {
 fn place(sheet: &Sheet<'_>, event: Event) -> String {
     let x = sheet.state.measures().length.text(event.x, DECIMALS);
     let t = time(sheet, event.t);
-    match sheet.state.settings.map.frame {
+    match sheet.state.document.settings.map.frame {
         Frame::Ground => format!("x = {x}, t = {t}"),
         Frame::Bicycle => format!("x′ = {x}, t′ = {t}"),
     }

@@ -34,7 +34,7 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks:
     if let Some(sentence) = conclusion::sentence(examination) {
         ui.label(sentence);
     }
-    let before = state.settings.quality;
+    let before = state.document.settings.quality;
     let mut quality = before;
     automatic(ui, state, &mut quality);
     let chosen = examination.chosen();
@@ -57,7 +57,7 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks:
 /// Whether the choice is automatic, and what was chosen.
 fn automatic(ui: &mut Ui, state: &State, quality: &mut Quality) {
     let is_automatic = quality.renderer == RendererChoice::Auto;
-    let chosen = state.session.choices.first().filter(|_| is_automatic);
+    let chosen = state.frame.choices.first().filter(|_| is_automatic);
     let text = chosen.map_or_else(|| "automatic".to_owned(), |(_, choice)| format!("automatic: {choice}"));
     let tip = "Draw the views by the method that costs least within the error bound, or errs least within the budget. \
         Its line is in the plot.";
@@ -68,7 +68,7 @@ fn automatic(ui: &mut Ui, state: &State, quality: &mut Quality) {
 
 /// The heat map's switch and scale, and what the figures are.
 pub fn caption(ui: &mut Ui, state: &State, examination: &Examination, asks: &mut Asks) {
-    let mut plots = state.settings.plots;
+    let mut plots = state.document.settings.plots;
     let tip = "Shows in the views how far each pixel's point is drawn from where it is seen.";
     if ui.add(Checkbox::new(&mut plots.heat_map, "Heat map")).on_hover_text(tip).changed() {
         asks.push(Command::Plots(plots));

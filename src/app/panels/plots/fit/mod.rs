@@ -30,7 +30,7 @@ const WIDE: f32 = 676.0;
 
 /// Shows the tab: the model and the samples above the plots and the table.
 pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
-    let mut setup = state.settings.fit;
+    let mut setup = state.document.settings.fit;
     let is_wide = ui.available_width() >= WIDE;
     row(ui, |ui| {
         model(ui, state, &mut setup);
@@ -56,7 +56,7 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
     if let Some(plots) = plots {
         part(ui, "fit plots", plots, |ui| plots::show(ui, state, fitting, asks));
     }
-    if setup != state.settings.fit {
+    if setup != state.document.settings.fit {
         asks.push(Command::Fit(setup));
     }
 }

@@ -34,7 +34,7 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
     if fitting.shown().is_none_or(|outcome| outcome.data.iter().all(Vec::is_empty)) {
         return;
     }
-    let used = state.settings.fit.curves.used();
+    let used = state.document.settings.fit.curves.used();
     let free = ui.available_size().max(vec2(20.0, 20.0));
     let room = ((free.x + theme::GAP) / (NARROWEST + theme::GAP)).max(1.0) as usize;
     let all = [Quantity::DeltaPhi, Quantity::DeltaTheta].into_iter().zip(used);
@@ -66,7 +66,7 @@ pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, ask
     if fitting.shown().is_none_or(|outcome| outcome.data.iter().all(Vec::is_empty)) {
         return;
     }
-    let [uses_azimuth, _] = state.settings.fit.curves.used();
+    let [uses_azimuth, _] = state.document.settings.fit.curves.used();
     let quantity = if uses_azimuth { Quantity::DeltaPhi } else { Quantity::DeltaTheta };
     let drawing = Drawing::new(ui.visuals(), state, fitting, quantity);
     // The numbers along T are larger than the plot reckons with, and the last of them may reach beyond its end.
@@ -145,7 +145,7 @@ struct Part<'h> {
 
 impl Part<'_> {
     fn show(&self, ui: &mut Ui, state: &State, drawing: &Drawing<'_>, half: Half, asks: &mut Asks) {
-        let now = VLine::new("T", state.session.time).color(theme::now_colour(ui.visuals())).width(1.0);
+        let now = VLine::new("T", state.document.time).color(theme::now_colour(ui.visuals())).width(1.0);
         let unit = state.measures().time;
         let plot: Plot<'_> = plot_over_time(ui, self.name.as_str(), unit, self.size)
             .show_axes([self.with_times, true])
@@ -158,7 +158,7 @@ impl Part<'_> {
             drawing.draw(half, plot);
         });
         let points: Vec<_> = drawing.points(half).iter().map(|point| [point.x, point.y]).collect();
-        let mut covered = Drawn::of_points(&response, &points, state.session.time);
+        let mut covered = Drawn::of_points(&response, &points, state.document.time);
         if let Some(heading) = self.heading {
             let (small, weak) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
             let place = response.transform.frame().left_top() + vec2(5.0, 2.0);
@@ -190,7 +190,7 @@ impl<'a> Drawing<'a> {
         let outcome = fitting.shown();
         let fitted = outcome.and_then(|outcome| outcome.fitted.as_ref().ok()?.curves[curve].as_ref());
         let faintness = if fitting.is_outdated() { FAINT } else { 1.0 };
-        let colour = theme::point_colour(state.session.points.selected().number, visuals);
+        let colour = theme::point_colour(state.document.points.selected().number, visuals);
         Self {
             range: outcome.map_or([0.0, 1.0], |outcome| outcome.range),
             data: outcome.map_or(&[], |outcome: &FitOutcome| &outcome.data[curve]),
