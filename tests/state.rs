@@ -148,7 +148,7 @@ fn what_is_not_given_is_as_it_was_left_but_beside_a_file_as_usual() {
     std::fs::write(&file, "time = 2.5\n[motion]\nbeta = 0.5\n[window]\nplots = false\n")
         .expect("it is writable");
     let state = started(&["--state", file.to_str().expect("a plain path"), "--d", "2"], left);
-    let Settings { motion, light, window, .. } = &state.document.settings;
+    let Settings { motion, light, window, .. } = &*state.document.settings;
     assert_eq!((motion.speed.given(), motion.d), ((SpeedParameter::Beta, 0.5), 2.0));
     assert_eq!((light.sky, window.plots, state.document.time), (true, false, 2.5));
 }
@@ -191,7 +191,7 @@ fn flags_that_name_a_scene_start_from_what_is_usual() {
     assert_eq!(same.document.time, 77.0);
     let state = started(&["--state", "overhead", "--keep-settings"], left.clone()).document.settings;
     let overhead = Preset::named("overhead").expect("a preset").settings.clone().in_place_of(&left);
-    assert_eq!(state, Settings { time: None, ..overhead });
+    assert_eq!(*state, Settings { time: None, ..overhead });
     // Whatever else is given, all is as it was left.
     assert_eq!(started(&["--beta", "0.5"], left.clone()).document.settings.motion.d, 0.5);
 }

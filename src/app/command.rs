@@ -267,7 +267,9 @@ impl State {
             Command::FollowNext(steps) => self.follow_next(steps),
             Command::SelectPoint(index) => self.document.points.select(index),
             Command::RemovePoint(index) => self.document.points.remove(index),
-            Command::Preset(name) => self.show(self.document.settings.clone().with_scene(name.to_owned())),
+            Command::Preset(name) => {
+                self.show(Settings::clone(&self.document.settings).with_scene(name.to_owned()));
+            }
             Command::State(preset) => {
                 self.show(preset.settings.clone().in_place_of(&self.document.settings));
             }
@@ -362,7 +364,7 @@ impl State {
     }
 
     fn set_light(&mut self, light: Light) {
-        if let Err(error) = self.set(Settings { light, ..self.document.settings.clone() }) {
+        if let Err(error) = self.set(Settings { light, ..Settings::clone(&self.document.settings) }) {
             self.scratch.notice = Some(Notice::error(error));
         }
     }

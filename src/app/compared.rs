@@ -2,20 +2,19 @@
 
 use super::App;
 use super::panes::EyePane;
+use super::shared::Shared;
 use super::state::State;
 use crate::settings::Settings;
 
 impl State {
     /// Has the settings of the second of two pictures of one eye, if it `is_second` and there is one; then those that it had.
-    fn enter(&mut self, is_second: bool) -> Option<Settings> {
-        let (document, size) = (&self.document, self.frame.picture_size);
-        let second = || document.settings.second_of(self.subject(), &document.scene, document.time, size);
-        let second = is_second.then(second).flatten()?;
+    fn enter(&mut self, is_second: bool) -> Option<Shared<Settings>> {
+        let second = if is_second { self.second_settings() } else { None }?;
         Some(std::mem::replace(&mut self.document.settings, second))
     }
 
     /// Has these settings again, if there are any.
-    fn leave(&mut self, kept: Option<Settings>) {
+    fn leave(&mut self, kept: Option<Shared<Settings>>) {
         if let Some(kept) = kept {
             self.document.settings = kept;
         }

@@ -97,7 +97,7 @@ impl State {
     }
 
     /// Whether turns are counted, and a resting clock is there to compare them with.
-    const fn counts(&self) -> bool {
+    fn counts(&self) -> bool {
         self.document.settings.window.resting_clock
     }
 

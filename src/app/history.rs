@@ -6,6 +6,7 @@
 use eframe::egui::{Event, InputState, Key};
 
 use super::points::Points;
+use super::shared::Shared;
 use crate::lesson::Place;
 use crate::settings::{Preset, Settings};
 
@@ -16,7 +17,7 @@ const MAX_STEPS: usize = 200;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kept {
     /// What was set.
-    pub settings: Settings,
+    pub settings: Shared<Settings>,
     /// The followed points.
     pub points: Points,
     /// The preset that was shown.

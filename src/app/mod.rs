@@ -29,6 +29,7 @@ mod faulty;
 pub mod fitting;
 mod flicker;
 mod focus;
+mod frame;
 mod full_screen;
 mod graphics;
 mod halo;
@@ -65,6 +66,7 @@ mod reopening;
 pub mod running;
 mod saving;
 mod screenshot;
+mod shared;
 pub mod sketched;
 mod slide;
 mod speed_slider;
@@ -309,6 +311,7 @@ impl App {
         for command in asks {
             self.ask(command);
         }
+        self.state.renew_looks();
     }
 
     /// Those of the files that are shown which have changed on disk.

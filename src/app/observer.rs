@@ -1,21 +1,20 @@
 //! What the two eyes make of the state: sightings of the followed points, gaze, cameras, markers.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 use relativity_core::{Disparity, Model, Parameter, Sighting, Source, Speed, Stereo, StereoError};
-use relativity_render::{Gaze, Geometry, Outline, Velocity, View};
+use relativity_render::{Gaze, Geometry, Velocity, View};
 
 use super::curves::CurvesKey;
 use super::eye::Eye;
 use super::fitting::FitOutcome;
+use super::frame::Frame;
 use super::points::Point;
-use super::state::State;
+use super::state::{Document, State};
 use crate::caption::Moment;
 use crate::comfort::Comfort;
 use crate::estimate::samples::{FitKey, Samples, Simulated};
 use crate::scene::Track;
-use crate::settings::{Look, PlotTab, Settings, Subject};
+use crate::settings::{PlotTab, Settings, Subject};
 
 /// By which speed a picture is corrected.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,7 +54,7 @@ impl State {
 
     /// The velocity of `point`.
     #[must_use]
-    pub const fn velocity(&self, point: &Point) -> Velocity {
+    pub fn velocity(&self, point: &Point) -> Velocity {
         self.document.settings.velocity(point.track.motion)
     }
 
@@ -207,28 +206,23 @@ impl State {
         self.document.settings.fit.data_from.model().unwrap_or_else(|| self.document.settings.model())
     }
 
-    /// How both eyes look now: a gaze that stays there, in parallel, and a field of view that is a number.
-    #[must_use]
-    pub fn look(&self) -> Look {
-        self.look_of(&self.document.settings)
-    }
-
     /// Where both eyes look now, in parallel.
     #[must_use]
     pub fn gaze(&self) -> Gaze {
         self.view(Eye::Left, [1, 1]).camera.gaze
     }
 
-    /// The picture of `eye`, `size` in pixels.
+    /// The picture of `eye`, `size` in pixels: one look for both eyes, however their panes are rounded to pixels.
     #[must_use]
     pub fn view(&self, eye: Eye, size: [u32; 2]) -> View {
-        self.views_of(&self.document.settings, size)[eye.index()]
+        let Document { settings, time, .. } = &self.document;
+        settings.views_with(&self.look(), *time, size)[eye.index()]
     }
 
     /// The picture that is corrected: what the left eye sees, whichever geometry is shown.
     #[must_use]
     pub fn view_to_correct(&self, size: [u32; 2]) -> View {
-        let mut settings = self.document.settings.clone();
+        let mut settings = Settings::clone(&self.document.settings);
         settings.look.geometry = Geometry::Seen;
         self.views_of(&settings, size)[Eye::Left.index()]
     }
@@ -236,27 +230,23 @@ impl State {
     /// How comfortably two eyes so far apart fuse the views on the screen; `None` where they show no body.
     #[must_use]
     pub fn comfort(&self, separation: f64) -> Option<Comfort> {
-        let mut settings = self.document.settings.clone();
-        settings.motion.d = separation;
-        let views = self.views_of(&settings, self.frame.picture_size);
-        let distance_px = settings.screen.viewing_distance / self.frame.cm_per_pixel;
-        Comfort::of(&self.document.scene, &views, distance_px)
+        let (Document { settings, scene, .. }, Frame { picture_size, cm_per_pixel, .. }) =
+            (&self.document, &self.frame);
+        let views = if separation == settings.motion.d {
+            Eye::BOTH.map(|eye| self.view(eye, *picture_size))
+        } else {
+            let mut settings = Settings::clone(settings);
+            settings.motion.d = separation;
+            self.views_of(&settings, *picture_size)
+        };
+        Comfort::of(scene, &views, settings.screen.viewing_distance / cm_per_pixel)
     }
 
-    /// The outline of what moves with the scene in both eyes together.
-    #[must_use]
-    pub fn outline(&self) -> Arc<Outline> {
-        self.document.settings.outline(&self.document.prepared, self.document.time)
-    }
-
-    fn look_of(&self, settings: &Settings) -> Look {
-        settings.fixed_look(self.subject(), self.document.time, self.frame.picture_size)
-    }
-
-    /// One look for both eyes, however their panes are rounded to pixels.
+    /// The views that other `settings` would show now.
     fn views_of(&self, settings: &Settings, size: [u32; 2]) -> [View; 2] {
-        let settings = Settings { look: self.look_of(settings), ..settings.clone() };
-        settings.views(self.subject(), self.document.time, size)
+        let time = self.document.time;
+        let look = settings.fixed_look(self.subject(), time, self.frame.picture_size);
+        settings.views_with(&look, time, size)
     }
 
     /// What gazes turn to.

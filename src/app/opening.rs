@@ -34,7 +34,7 @@ impl State {
             Command::Reload(path) => (path, Use::RenewLesson),
             _ => return None,
         };
-        Some(Errand { path: path.clone(), purpose, settings: self.document.settings.clone() })
+        Some(Errand { path: path.clone(), purpose, settings: Settings::clone(&self.document.settings) })
     }
 
     /// Whether `command` is about the scene's file, which has changed.

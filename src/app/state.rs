@@ -9,6 +9,7 @@ use relativity_render::{Appearance, Emission, Geometry, Method, PreparedScene, V
 use super::angle_ruler::AngleRuler;
 use super::chooser::Purpose;
 use super::clock;
+use super::frame::Frame;
 use super::history::History;
 use super::notice::Notice;
 use super::orders::Order;
@@ -19,6 +20,7 @@ use super::points::{Point, Points};
 use super::reading::ReadyScene;
 use super::recent::Recent;
 use super::running::Running;
+use super::shared::Shared;
 use super::stage::Stage;
 use super::stopwatch::Stopwatch;
 use crate::accuracy::Choice;
@@ -47,7 +49,7 @@ pub struct State {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Document {
     /// Remembered, but for T and the points, which are here.
-    pub settings: Settings,
+    pub settings: Shared<Settings>,
     /// What rides past, at rest, as its file says.
     pub scene: Scene,
     /// The scene, ready to be drawn and picked from.
@@ -112,34 +114,6 @@ pub struct Session {
     pub library: Option<Arc<Library>>,
 }
 
-/// What each frame of the window measures and chooses anew.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Frame {
-    /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
-    pub picture_size: [u32; 2],
-    /// The size of a pixel of the screen, cm.
-    pub cm_per_pixel: f64,
-    /// What automatic quality has chosen for views of each geometry that is shown.
-    pub choices: Vec<(Geometry, Choice)>,
-    /// Whether the map is shown.
-    pub shows_map: bool,
-    /// The step that T took; 0 while it stands still.
-    pub step: f64,
-}
-
-impl Frame {
-    /// Returns the frame before the first: pictures are as large as `settings` have those of files.
-    fn before_the_first(settings: &Settings) -> Self {
-        Self {
-            picture_size: settings.picture.size.0,
-            cm_per_pixel: settings.screen.cm_per_point(None),
-            choices: Vec::new(),
-            shows_map: false,
-            step: 0.0,
-        }
-    }
-}
-
 /// A picture for a headset is shown as a conformal one instead, and that is said.
 fn without_headset(look: &mut Look) -> Option<Notice> {
     (look.projection == ProjectionChoice::Vr180).then(|| {
@@ -161,6 +135,7 @@ impl Document {
         settings.point = None;
         let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(&tracked));
         let time = clock::bounded(time);
+        let settings = Shared::from(settings);
         (Self { settings, scene, prepared, time, points, preset, opened: None }, notice)
     }
 }
@@ -202,7 +177,8 @@ impl State {
     ///
     /// # Errors
     /// A scene that cannot be had; then nothing changes.
-    pub fn set(&mut self, settings: Settings) -> Result<(), SceneError> {
+    pub fn set(&mut self, settings: impl Into<Shared<Settings>>) -> Result<(), SceneError> {
+        let settings = settings.into();
         let is_same = settings.scene == self.document.settings.scene;
         if !is_same || settings.light.surroundings != self.document.settings.light.surroundings {
             self.show_scene(settings.opened_scene()?.into());
@@ -235,7 +211,7 @@ impl State {
             time: Some(self.document.time),
             point: (points.selected_index() != 0).then_some(points.selected().track.rest),
             points: points.followed(),
-            ..self.document.settings.clone()
+            ..Settings::clone(&self.document.settings)
         }
     }
 

@@ -88,7 +88,7 @@ impl State {
         let points = Points::tracked(scene.track(None)).with_followed(scene, told.points.take());
         let time = told.time.take().unwrap_or_else(|| told.time_of_approach(&selected));
         told.point = None;
-        told == self.document.settings
+        told == *self.document.settings
             && points.with_selected(selected) == self.document.points
             && clock::bounded(time) == self.document.time
     }
@@ -96,8 +96,8 @@ impl State {
     /// All as usual, but for the scene, the parts of the window, its units and colours, and the screen.
     #[must_use]
     pub(super) fn as_usual(&self) -> Settings {
-        let Settings { scene, screen, window, .. } = self.document.settings.clone();
-        Settings { scene, screen, window, ..self.usual() }
+        let Settings { ref scene, screen, window, .. } = *self.document.settings;
+        Settings { scene: scene.clone(), screen, window, ..self.usual() }
     }
 
     /// Whether there is anything to have as usual.
@@ -105,13 +105,13 @@ impl State {
     pub fn is_usual(&self) -> bool {
         let as_usual = Settings { time: None, point: None, points: None, ..self.as_usual() };
         let has_own_point = self.document.points == Points::tracked(self.document.scene.track(None));
-        as_usual == self.document.settings && has_own_point
+        as_usual == *self.document.settings && has_own_point
     }
 
     /// Whether what is set in `section` is as usual.
     #[must_use]
     pub fn is_usual_in(&self, section: Section) -> bool {
-        section.as_in(&self.usual(), &self.document.settings) == self.document.settings
+        section.as_in(&self.usual(), &self.document.settings) == *self.document.settings
     }
 
     /// Has what is set in `section` as usual.

@@ -35,10 +35,11 @@ impl App {
         }
     }
 
-    /// Notes how large the eyes' pictures are: fields of view are fitted to that of the first.
+    /// Notes how large the eyes' pictures are, and how the eyes look: fields of view are fitted to that of the first.
     pub(super) fn measure_pictures(&mut self, ui: &Ui, panes: &[Pane]) {
         if let Some(pane) = panes.iter().find_map(|pane| self.eye_panes(ui, pane).first().copied()) {
             self.state.frame.picture_size = pane.size;
+            self.state.note_looks();
         }
     }
 
@@ -149,7 +150,7 @@ impl App {
 
     /// Shows the left eye's picture in `rect`, corrected by the fitted speed while there is a fit in view.
     fn show_corrected(&mut self, ui: &Ui, rect: Rect) {
-        let Settings { plots, window, .. } = self.state.document.settings;
+        let Settings { plots, window, .. } = *self.state.document.settings;
         let fit = self.fitting.shown().filter(|_| window.plots && plots.plot == PlotTab::Fit);
         let correction = self.state.correction(fit);
         let size = (rect.size() * ui.pixels_per_point()).round();

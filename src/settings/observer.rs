@@ -1,8 +1,6 @@
 //! What the two eyes are shown of a scene with these settings: the one place where the window and `gamow render` have
 //! it from.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 use relativity_core::math::{asinh, sinh};
 use relativity_core::{
@@ -353,9 +351,9 @@ impl Settings {
         ZeroParallax::of_columns(self.motion.d, columns)
     }
 
-    /// The outline of what moves with the `scene` in both eyes together.
+    /// The outline of all that moves in the `scene`, in both eyes together.
     #[must_use]
-    pub fn outline(&self, scene: &PreparedScene, observation_time: f64) -> Arc<Outline> {
+    pub fn outline(&self, scene: &PreparedScene, observation_time: f64) -> Outline {
         scene.outline(&self.views_ahead(observation_time))
     }
 
@@ -393,7 +391,8 @@ impl Settings {
     }
 
     /// The views of eyes with this `look`, which follows nothing.
-    fn views_with(&self, look: &Look, observation_time: f64, size: [u32; 2]) -> [View; 2] {
+    #[must_use]
+    pub fn views_with(&self, look: &Look, observation_time: f64, size: [u32; 2]) -> [View; 2] {
         let geometry = self.geometry();
         let [left, mut right] = self.cameras_with(look, size);
         // The published right eye's view is from where the left eye is.

@@ -249,7 +249,7 @@ fn settings_survive() {
     Keeper::in_folder(folder.path()).keep(window.state().state()).expect("it is written");
     let loaded = Keeper::in_folder(folder.path()).load().settings;
     assert_eq!(loaded, window.state().state().shown());
-    assert_ne!(loaded, cyclist(0.9).document.settings);
+    assert_ne!(loaded, *cyclist(0.9).document.settings);
 }
 
 /// Returns the labels of all that can be clicked, dragged or typed into, besides plots and views.

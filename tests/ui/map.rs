@@ -239,7 +239,8 @@ fn a_close_up_tells_lengths() {
     const AWAY: f64 = 4000.0;
     let contracted = 2.0 * (1.0 - BETA * BETA).sqrt();
     for (roll, two_eyes) in [(0.0, 2.0 * (1.0 - BETA.powi(4)).sqrt()), (90.0, contracted)] {
-        let mut settings = Settings { scene: "two-balls".to_owned(), ..cyclist(BETA).document.settings };
+        let mut settings =
+            Settings { scene: "two-balls".to_owned(), ..Settings::clone(&cyclist(BETA).document.settings) };
         settings.point = Some([-1.0, 2.9, 2.0]);
         settings.motion = Motion { roll, depth_shift: AWAY - 2.9, height_shift: -2.0, ..settings.motion };
         settings.window = Window { map: Presence::On, views: false, ..settings.window };

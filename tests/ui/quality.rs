@@ -11,7 +11,7 @@ use gamow::app::examination::Examination;
 use gamow::app::eye::Eye;
 use gamow::app::state::State;
 use gamow::flags::choices::RendererChoice;
-use gamow::settings::{PlotTab, Plots};
+use gamow::settings::{PlotTab, Plots, Settings};
 use relativity_render::Method;
 
 use super::Test;
@@ -167,7 +167,7 @@ fn tells_how_far_off_spokes_are() {
     assert!(!labels(&still).iter().any(|label| label.starts_with("1 round")));
     drop(still);
     "wheel".clone_into(&mut state.document.settings.scene);
-    let mut window = small_window(State::open(state.document.settings).expect("a preset"));
+    let mut window = small_window(State::open(Settings::clone(&state.document.settings)).expect("a preset"));
     settle(&mut window);
     let after = ["1 round", "2 rounds", "3 rounds"].map(|rounds| {
         assert!(figure(&window, rounds, "ns") > 0.0 && figure(&window, rounds, "missed") < 1.0);

@@ -8,7 +8,7 @@ use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
-use gamow::settings::{Face, Frame, Framing, Map, Presence, Theme, Window};
+use gamow::settings::{Face, Frame, Framing, Map, Presence, Settings, Theme, Window};
 use relativity_core::Speed;
 
 use super::Test;
@@ -213,7 +213,8 @@ fn close_up_of_clocks() {
     settings.points = Some("-2.105,3.881,-1.975@20".parse().expect("a point"));
     settings.map = Map { face: Face::Spacetime, frame: Frame::Bicycle, framing: Framing::CloseUp };
     settings.window = Window { views: false, plots: false, map: Presence::On, ..Window::default() };
-    let mut window = window_of_size(State::open(settings).expect("a preset"), [1280.0, 800.0], 1.0);
+    let mut window =
+        window_of_size(State::open(Settings::clone(&settings)).expect("a preset"), [1280.0, 800.0], 1.0);
     go_to(&mut window, 0.0);
     // What the ground has at t = 0 happens at t' = -beta x' on the bicycle.
     let marks: Vec<Pos2> = labels(&window)

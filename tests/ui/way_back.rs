@@ -51,7 +51,7 @@ fn a_drag_is_one_step() {
     let dragged = settings(&window).motion;
     assert!(dragged.depth_shift > 4.0);
     press(&mut window, Modifiers::COMMAND, Key::Z);
-    assert_eq!(*settings(&window), cyclist(0.9).document.settings);
+    assert_eq!(*settings(&window), *cyclist(0.9).document.settings);
     assert!(!is_enabled(&window, "Undo"), "one step");
     for (modifiers, key) in [(WITH_SHIFT, Key::Z), (Modifiers::COMMAND, Key::Y)] {
         press(&mut window, modifiers, key);
@@ -83,7 +83,7 @@ fn a_run_of_nudges_is_one_step() {
     }
     assert!(settings(&window).speed().beta() > 0.9);
     press(&mut window, Modifiers::COMMAND, Key::Z);
-    assert_eq!(*settings(&window), cyclist(0.9).document.settings);
+    assert_eq!(*settings(&window), *cyclist(0.9).document.settings);
     assert!(!is_enabled(&window, "Undo"));
 }
 
@@ -159,7 +159,10 @@ fn reset_has_all_as_usual() {
     let before = window.state().state().clone();
     window.get_by_label("Reset").click();
     window.run();
-    let usual = Settings { window: before.document.settings.window, ..cyclist(0.9).document.settings };
+    let usual = Settings {
+        window: before.document.settings.window,
+        ..Settings::clone(&cyclist(0.9).document.settings)
+    };
     assert_eq!(*settings(&window), usual);
     assert_ne!(usual.window, Settings::default().window, "the theme is another");
     assert_eq!(window.state().state().document.points, cyclist(0.9).document.points);
@@ -181,10 +184,10 @@ fn a_section_is_reset() {
         assert!(window.query_by_label(&name).is_none(), "{section} is as usual");
         window.get_by_label(choice).click();
         window.run();
-        assert_ne!(*settings(&window), cyclist(0.9).document.settings);
+        assert_ne!(*settings(&window), *cyclist(0.9).document.settings);
         window.get_by_label(&name).click();
         window.run();
-        assert_eq!(*settings(&window), cyclist(0.9).document.settings, "{section}");
+        assert_eq!(*settings(&window), *cyclist(0.9).document.settings, "{section}");
         assert!(window.query_by_label(&name).is_none(), "{section} is as usual again");
     }
 }
@@ -214,9 +217,9 @@ fn a_double_click_restores() {
         for place in [rail.center() + vec2(9.0, 0.0), row_name] {
             // To a place that none of these values has.
             drag(&mut window, rail.center(), rail.center() + vec2(40.0, 0.0));
-            assert_ne!(*settings(&window), cyclist(0.9).document.settings, "{name}");
+            assert_ne!(*settings(&window), *cyclist(0.9).document.settings, "{name}");
             double_click(&mut window, place);
-            assert_eq!(*settings(&window), cyclist(0.9).document.settings, "{name} at {place:?}");
+            assert_eq!(*settings(&window), *cyclist(0.9).document.settings, "{name} at {place:?}");
         }
     }
     let rail = slider(&window, "Speed β");

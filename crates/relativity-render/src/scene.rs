@@ -1,9 +1,8 @@
 //! A scene ready to be drawn: bodies placed and boxed once, whatever speed, time, eye, gaze and colour are.
 
-use std::collections::VecDeque;
 use std::ops::Range;
 use std::slice;
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 use crate::body::{Body, Emission};
 use crate::cap::Cap;
@@ -11,7 +10,6 @@ use crate::capsule::Capsule;
 use crate::group_view::GroupView;
 use crate::hierarchy::{Beam, Hierarchy, pieces};
 use crate::intersect::Solid;
-use crate::outline::Outline;
 use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned, number_emissions};
 use crate::velocity::Motion;
 use crate::view::View;
@@ -76,8 +74,6 @@ struct Prepared {
     capsules: Vec<Capsule>,
     /// A ball around each body.
     balls: Vec<Capsule>,
-    /// The last outlines that were asked for, and of which views: within a frame everything asks for the same few.
-    last_outlines: Mutex<VecDeque<(Vec<View>, Arc<Outline>)>>,
 }
 
 /// A group, and the box around it.
@@ -156,7 +152,6 @@ impl PreparedScene {
             numbers,
             capsules,
             balls,
-            last_outlines: Mutex::default(),
         }))
     }
 
@@ -259,11 +254,6 @@ impl PreparedScene {
         };
         let any_moves = self.0.groups.iter().any(moves);
         self.0.groups.iter().filter(move |group| !any_moves || moves(group))
-    }
-
-    /// The last outlines that were asked for, and of which views.
-    pub(crate) fn last_outlines(&self) -> &Mutex<VecDeque<(Vec<View>, Arc<Outline>)>> {
-        &self.0.last_outlines
     }
 
     /// How `view` sees each group.

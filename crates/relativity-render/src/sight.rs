@@ -8,7 +8,6 @@
 
 use std::cell::OnceCell;
 use std::f64::consts::FRAC_PI_2;
-use std::sync::{Arc, PoisonError};
 
 use glam::DVec3;
 use relativity_core::math::{asinh, atan, hypot, sin_cos, tan};
@@ -31,24 +30,14 @@ const SLIGHT_BULGE: f64 = 1e-4;
 const HALVINGS: u32 = 12;
 /// Every which body is looked at before all.
 const SAMPLED: usize = 23;
-/// The number of outlines that are kept at most.
-const MOST_OUTLINES: usize = 4;
 /// How often the gaze is turned to the middle of what it frames.
 const TURNS: u32 = 2;
 
 impl PreparedScene {
-    /// The outline of its [`Self::subject`] in these `views` together. The last ones are kept: two pictures that are compared ask for
-    /// different ones in turn.
+    /// Returns the outline of its [`Self::subject`] in these `views` together, whatever their gazes and fields.
     #[must_use]
-    pub fn outline(&self, views: &[View]) -> Arc<Outline> {
-        let mut last = self.last_outlines().lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, outline)) = last.iter().find(|(of, _)| of == views) {
-            return Arc::clone(outline);
-        }
-        let outline = Arc::new(outline(self, views));
-        last.truncate(MOST_OUTLINES - 1);
-        last.push_front((views.to_vec(), Arc::clone(&outline)));
-        outline
+    pub fn outline(&self, views: &[View]) -> Outline {
+        outline(self, views)
     }
 }
 

@@ -8,7 +8,6 @@ use crate::columns::{Given, ModelArgs, Observation, ROLL, TURN, WHEEL};
 use crate::flags::words::Shell;
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::scene::Track;
-use crate::settings::Settings;
 
 /// How many T the copied command of a curve has.
 const SAMPLES: u32 = 201;
@@ -70,7 +69,7 @@ impl State {
         let ModelArgs { model, intensity_exponent, stereo, conformal } = self.told_model();
         let stereo = if stereo { " --stereo" } else { "" };
         let conformal = if conformal { " --conformal" } else { "" };
-        let Settings { motion, .. } = self.document.settings;
+        let motion = self.document.settings.motion;
         let [from, to] = self.time_range();
         let point = observation.source.place();
         let (parameter, value) = speed.given();
