@@ -5,11 +5,12 @@ use relativity_core::{Disparity, Model, Parameter, Sighting, Source, Speed, Ster
 use relativity_render::{Gaze, Geometry, Velocity, View};
 
 use super::curves::CurvesKey;
+use super::document::Document;
 use super::eye::Eye;
 use super::fitting::FitOutcome;
 use super::frame::Frame;
 use super::points::Point;
-use super::state::{Document, State};
+use super::state::State;
 use crate::caption::Moment;
 use crate::comfort::Comfort;
 use crate::estimate::samples::{FitKey, Samples, Simulated};

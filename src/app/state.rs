@@ -1,14 +1,14 @@
 //! What the window shows: settings that are remembered, and the session they are applied to.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use relativity_core::Speed;
-use relativity_render::{Appearance, Emission, Geometry, Method, PreparedScene, View};
+use relativity_render::{Appearance, Emission, Geometry, Method, View};
 
 use super::angle_ruler::AngleRuler;
 use super::chooser::Purpose;
-use super::clock;
+use super::document::Document;
 use super::frame::Frame;
 use super::history::History;
 use super::notice::Notice;
@@ -16,7 +16,7 @@ use super::orders::Order;
 use super::overlay::Overlay;
 use super::plotting::Plotting;
 use super::pointer::Pick;
-use super::points::{Point, Points};
+use super::points::Point;
 use super::reading::ReadyScene;
 use super::recent::Recent;
 use super::running::Running;
@@ -25,11 +25,10 @@ use super::stage::Stage;
 use super::stopwatch::Stopwatch;
 use crate::accuracy::Choice;
 use crate::estimate::samples::DataFile;
-use crate::flags::choices::ProjectionChoice;
 use crate::lesson::{Answers, Library};
 use crate::map::Viewpoint;
 use crate::scene::{Scene, SceneError};
-use crate::settings::{Look, Preset, Settings};
+use crate::settings::Settings;
 use crate::units::Measures;
 
 /// Everything the panels read, each part by how long it lasts. Only [`super::command`] changes it.
@@ -43,25 +42,6 @@ pub struct State {
     pub session: Session,
     /// What the last frame has measured and chosen.
     pub frame: Frame,
-}
-
-/// What is shown, and the files and presets that it came from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Document {
-    /// Remembered, but for T and the points, which are here.
-    pub settings: Shared<Settings>,
-    /// What rides past, at rest, as its file says.
-    pub scene: Scene,
-    /// The scene, ready to be drawn and picked from.
-    pub prepared: PreparedScene,
-    /// T.
-    pub time: f64,
-    /// The followed points.
-    pub points: Points,
-    /// The preset that is shown, until another scene or state is.
-    pub preset: Option<&'static Preset>,
-    /// The file with settings that is shown, if it is one.
-    pub opened: Option<PathBuf>,
 }
 
 /// What is tried on the document, and forgotten when another is shown.
@@ -112,32 +92,6 @@ pub struct Session {
     pub answers: Answers,
     /// The lessons that there are, where they are not the program's own alone.
     pub library: Option<Arc<Library>>,
-}
-
-/// A picture for a headset is shown as a conformal one instead, and that is said.
-fn without_headset(look: &mut Look) -> Option<Notice> {
-    (look.projection == ProjectionChoice::Vr180).then(|| {
-        look.projection = ProjectionChoice::Mercator;
-        Notice::error("Half of the sky is for headsets: `gamow render --projection vr180` draws it. The window shows conformal pictures instead.")
-    })
-}
-
-impl Document {
-    /// Returns `scene` as `settings` have it, and the message that is due, if there is one. Unless they say otherwise the
-    /// scene's own point is selected, and T is shortly before that passes.
-    fn new(mut settings: Settings, scene: ReadyScene) -> (Self, Option<Notice>) {
-        let ReadyScene { scene, prepared } = scene;
-        let notice = without_headset(&mut settings.look);
-        let preset = Preset::of(&settings);
-        let tracked = settings.track(&scene);
-        let points = Points::tracked(scene.track(None));
-        let points = points.with_followed(&scene, settings.points.take()).with_selected(tracked);
-        settings.point = None;
-        let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(&tracked));
-        let time = clock::bounded(time);
-        let settings = Shared::from(settings);
-        (Self { settings, scene, prepared, time, points, preset, opened: None }, notice)
-    }
 }
 
 impl State {

@@ -21,7 +21,6 @@ pub enum RendererChoice {
     #[default]
     Auto,
     /// A ray test per pixel on the GPU, in f32.
-    #[value(alias = "exact")]
     Rays,
     /// A ray test per pixel on the CPU, in f32, eight pixels at a time.
     Packets,
@@ -252,8 +251,7 @@ impl FromStr for GazeChoice {
     fn from_str(text: &str) -> Result<Self, String> {
         match text {
             "whole" => return Ok(Self::Whole),
-            // What it was called before there were others.
-            "point" | "track" => return Ok(Self::Point),
+            "point" => return Ok(Self::Point),
             "ahead" => return Ok(Self::Ahead),
             "passage" => return Ok(Self::Passage),
             _ => (),

@@ -442,12 +442,6 @@ fn a_zero_parallax_is_a_distance_ahead() {
 }
 
 #[test]
-fn a_gaze_that_tracked_the_point_still_does() {
-    let set = Settings::default().with_toml("[look]\ngaze = \"track\"", "old.toml").expect("it is right");
-    assert_eq!(set.look.gaze, GazeChoice::Point);
-}
-
-#[test]
 fn a_gaze_straight_up_is_one_that_a_file_takes() {
     for elevation in [FRAC_PI_2, -FRAC_PI_2, 1.5] {
         let gaze = GazeChoice::fixed_at(Gaze { azimuth: 1.0, elevation });

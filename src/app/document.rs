@@ -1,0 +1,59 @@
+//! What the window shows: what is undone, saved and compared.
+
+use std::path::PathBuf;
+
+use relativity_render::PreparedScene;
+
+use super::clock;
+use super::notice::Notice;
+use super::points::Points;
+use super::reading::ReadyScene;
+use super::shared::Shared;
+use crate::flags::choices::ProjectionChoice;
+use crate::scene::Scene;
+use crate::settings::{Look, Preset, Settings};
+
+/// What is shown, and the files and presets that it came from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Document {
+    /// Remembered, but for T and the points, which are here.
+    pub settings: Shared<Settings>,
+    /// What rides past, at rest, as its file says.
+    pub scene: Scene,
+    /// The scene, ready to be drawn and picked from.
+    pub prepared: PreparedScene,
+    /// T.
+    pub time: f64,
+    /// The followed points.
+    pub points: Points,
+    /// The preset that is shown, until another scene or state is.
+    pub preset: Option<&'static Preset>,
+    /// The file with settings that is shown, if it is one.
+    pub opened: Option<PathBuf>,
+}
+
+/// A picture for a headset is shown as a conformal one instead, and that is said.
+fn without_headset(look: &mut Look) -> Option<Notice> {
+    (look.projection == ProjectionChoice::Vr180).then(|| {
+        look.projection = ProjectionChoice::Mercator;
+        Notice::error("Half of the sky is for headsets: `gamow render --projection vr180` draws it. The window shows conformal pictures instead.")
+    })
+}
+
+impl Document {
+    /// Returns `scene` as `settings` have it, and the message that is due, if there is one. Unless they say otherwise the
+    /// scene's own point is selected, and T is shortly before that passes.
+    pub(super) fn new(mut settings: Settings, scene: ReadyScene) -> (Self, Option<Notice>) {
+        let ReadyScene { scene, prepared } = scene;
+        let notice = without_headset(&mut settings.look);
+        let preset = Preset::of(&settings);
+        let tracked = settings.track(&scene);
+        let points = Points::tracked(scene.track(None));
+        let points = points.with_followed(&scene, settings.points.take()).with_selected(tracked);
+        settings.point = None;
+        let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(&tracked));
+        let time = clock::bounded(time);
+        let settings = Shared::from(settings);
+        (Self { settings, scene, prepared, time, points, preset, opened: None }, notice)
+    }
+}
