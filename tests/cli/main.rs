@@ -1,6 +1,8 @@
 //! The program `gamow`, run as its users run it: arguments and bytes in, bytes and exit status out.
 
+use std::env;
 use std::io::Write as _;
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::thread;
 
@@ -14,6 +16,7 @@ mod help;
 mod irregular;
 mod lessons;
 mod numbers;
+mod pages;
 mod paper;
 mod quiet;
 mod records;
@@ -53,6 +56,21 @@ fn gamow() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
     command.env_remove("RUST_LOG");
     command
+}
+
+/// Runs `line` as a shell in the folder `scratch` does, with `gamow` on the path.
+fn shell(line: &str, scratch: &Path) -> Outcome {
+    let program = Path::new(env!("CARGO_BIN_EXE_gamow"));
+    let folder = program.parent().expect("a program is in a folder");
+    let path = env::var_os("PATH").unwrap_or_default();
+    let folders = [folder.to_owned()].into_iter().chain(env::split_paths(&path));
+    run(
+        Command::new("sh")
+            .args(["-c", line])
+            .current_dir(scratch)
+            .env("PATH", env::join_paths(folders).expect("paths join")),
+        b"",
+    )
 }
 
 fn run(command: &mut Command, input: &[u8]) -> Outcome {

@@ -1,0 +1,123 @@
+//! The documentation: commands print what is shown, flags exist, links lead somewhere, and the README stays short.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use pulldown_cmark::{Event, Parser, Tag, TagEnd};
+
+use super::{shell, words};
+
+/// Every page that is written by hand, with its path from the root.
+fn pages() -> Vec<(PathBuf, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut paths: Vec<PathBuf> = fs::read_dir(root.join("docs"))
+        .expect("a folder")
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
+        .collect();
+    let others = ["README.md", "CONTRIBUTING.md", "assets/README.md", "assets/lessons/README.md"];
+    paths.extend(others.map(|name| root.join(name)));
+    paths.extend(["assets/scenes/README.md", "fuzz/README.md"].map(|name| root.join(name)));
+    paths.sort();
+    paths.into_iter().map(|path| (path.clone(), fs::read_to_string(path).expect("a page"))).collect()
+}
+
+#[test]
+#[cfg_attr(not(unix), ignore = "the examples are for a Unix shell")]
+fn every_example_prints_what_is_shown() {
+    let mut examples = 0;
+    for (path, page) in pages() {
+        for block in page.split("```console\n$ ").skip(1) {
+            let (block, _) = block.split_once("```").expect("the block ends");
+            let (line, shown) = block.split_once('\n').expect("the output follows");
+            let scratch = tempfile::tempdir().expect("there is a folder for temporary files");
+            let outcome = shell(line, scratch.path());
+            let printed = String::from_utf8_lossy(&outcome.stdout) + outcome.stderr.as_str();
+            assert_eq!(printed, shown, "{}: {line}", path.display());
+            examples += 1;
+        }
+    }
+    assert!(examples >= 3, "{examples}");
+}
+
+/// The words of `text` that are flags, such as `--size`.
+fn flags(text: &str) -> impl Iterator<Item = &str> {
+    let ends = |letter: char| !(letter.is_ascii_alphanumeric() || letter == '-');
+    text.split(|letter: char| letter.is_whitespace() || "`(['\"".contains(letter)).filter_map(move |word| {
+        let flag = word.strip_prefix("--")?;
+        let end = flag.find(ends).unwrap_or(flag.len());
+        Some(&flag[..end]).filter(|flag| flag.starts_with(|letter: char| letter.is_ascii_lowercase()))
+    })
+}
+
+#[test]
+fn every_flag_of_gamow_that_a_page_names_exists() {
+    let commands =
+        ["", "render", "curve", "eval", "fit", "measure", "rectify", "lesson", "accuracy", "paper"];
+    let help: Vec<String> =
+        commands.iter().map(|command| words(&format!("{command} --help")).text()).collect();
+    let known: BTreeSet<&str> = help.iter().flat_map(|text| flags(text)).collect();
+    assert!(known.len() > 100, "{}", known.len());
+    for (path, page) in pages() {
+        // Lines of other programs have flags of their own.
+        let of_gamow = page.lines().filter(|line| !line.contains("cargo "));
+        for flag in of_gamow.flat_map(flags) {
+            assert!(known.contains(flag), "{}: --{flag}", path.display());
+        }
+    }
+}
+
+/// The anchor that a heading has on a forge: its words in small letters, joined by hyphens.
+fn anchor(heading: &str) -> String {
+    let kept = heading.to_lowercase().replace(' ', "-");
+    kept.chars().filter(|letter| letter.is_alphanumeric() || "-_".contains(*letter)).collect()
+}
+
+fn anchors(page: &str) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    let mut heading: Option<String> = None;
+    for event in Parser::new(page) {
+        match event {
+            Event::Start(Tag::Heading { .. }) => heading = Some(String::new()),
+            Event::Text(text) | Event::Code(text) => heading.iter_mut().for_each(|all| all.push_str(&text)),
+            Event::End(TagEnd::Heading(_)) => found.extend(heading.take().map(|all| anchor(&all))),
+            _ => {}
+        }
+    }
+    found
+}
+
+#[test]
+fn every_link_leads_to_a_file_or_a_heading() {
+    let mut links = 0;
+    for (path, page) in pages() {
+        for event in Parser::new(&page) {
+            let Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) = event else {
+                continue;
+            };
+            if dest_url.contains("://") || dest_url.starts_with("mailto:") {
+                continue;
+            }
+            let (file, place) = dest_url.split_once('#').unwrap_or((&dest_url, ""));
+            let target = if file.is_empty() { path.clone() } else { path.with_file_name("").join(file) };
+            assert!(target.exists(), "{}: {dest_url}", path.display());
+            if !place.is_empty() {
+                let there = anchors(&fs::read_to_string(&target).expect("a page"));
+                assert!(there.contains(place), "{}: {dest_url} among {there:?}", path.display());
+            }
+            links += 1;
+        }
+    }
+    assert!(links > 40, "{links}");
+}
+
+#[test]
+fn the_readme_is_read_in_minutes() {
+    let readme = include_str!("../../README.md");
+    let count = readme.split_whitespace().count();
+    assert!(count <= 1300, "{count} words");
+    for command in ["cargo run --release", "cargo test --workspace"] {
+        assert!(readme.lines().any(|line| line == command), "{command}");
+    }
+}
