@@ -5,9 +5,9 @@
 pub struct Aperture {
     /// Place along the direction of motion.
     pub x: f64,
-    /// Depth.
+    /// Depth (y) of the aperture.
     pub y: f64,
-    /// Height.
+    /// Height (z) of the aperture.
     pub z: f64,
 }
 

@@ -12,7 +12,7 @@ use crate::math;
 use crate::source::{Source, SourcePoint};
 use crate::speed::{Coefficients, Speed};
 
-/// What one aperture sees of one point at one observation time.
+/// A sighting: one point as one aperture sees it at one observation time.
 ///
 /// When the point is inside the aperture (distance 0) the line of sight does not exist; by
 /// definition phi = theta = 0 and the Doppler factor is gamma, the mean of its limits
@@ -56,7 +56,7 @@ impl Sighting {
     }
 }
 
-/// What `aperture` sees of `source` at `observation_time`.
+/// Returns the sighting of `source` by `aperture` at `observation_time`.
 ///
 /// # Accuracy
 ///
@@ -154,7 +154,7 @@ impl LightCone<f64> {
         Self::at(&speed.coefficients(), s, point.y - aperture.y, point.z - aperture.z)
     }
 
-    /// What the aperture at `aperture_x` sees, `x0` being the point's at t = 0.
+    /// Returns the sighting from an aperture at `aperture_x`, `x0` being the point's x at t = 0.
     pub fn sighting(&self, speed: &Speed, x0: f64, aperture_x: f64, observation_time: f64) -> Sighting {
         Sighting {
             position: [self.solution.x, self.y, self.z],
@@ -196,9 +196,9 @@ impl<F: Float> LightCone<F> {
 pub(crate) struct Solution<F> {
     /// q = sqrt(S^2 + rho^2/gamma^2), the rest-frame distance over gamma.
     pub q: F,
-    /// Apparent X.
+    /// Apparent X, from the aperture.
     pub x: F,
-    /// Distance R.
+    /// Distance R from the aperture to the emission event.
     pub r: F,
     pub doppler_factor: F,
 }

@@ -1,4 +1,4 @@
-//! Where the two eyes of a head are that is tilted or turned.
+//! The baseline: the places of the two eyes of a head that may be tilted or turned.
 
 use crate::aperture::Aperture;
 use crate::math;
@@ -18,7 +18,7 @@ use crate::math;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Baseline {
-    /// How far the apertures are apart.
+    /// Distance between the apertures.
     pub separation: f64,
     /// By how much the head tilts, radians: the right aperture is the higher one between 0 and pi.
     pub roll: f64,
@@ -33,7 +33,7 @@ impl Baseline {
         Self { separation, roll: 0.0, turn: 0.0 }
     }
 
-    /// Its direction, a unit vector: (cos roll cos turn, cos roll sin turn, sin roll). What rounding leaves of 0 at a
+    /// Returns the direction of the baseline, a unit vector: (cos roll cos turn, cos roll sin turn, sin roll). What rounding leaves of 0 at a
     /// multiple of a quarter turn is 0.
     #[must_use]
     pub fn direction(&self) -> [f64; 3] {
@@ -54,7 +54,7 @@ impl Baseline {
         }
     }
 
-    /// Whether it is along x, as published models have it.
+    /// Returns whether the baseline lies along x, as published models have it.
     #[must_use]
     pub fn is_along_motion(&self) -> bool {
         let [_, y, z] = self.direction();

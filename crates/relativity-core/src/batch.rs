@@ -16,34 +16,34 @@ use crate::threads::prelude::*;
 /// Points per task: enough to hide the cost of a task, and few enough to stay in a core's cache.
 const CHUNK: usize = 4096;
 
-/// How many threads a batch uses.
+/// Number of threads that a batch uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Threads {
-    /// The caller's.
+    /// The caller's thread alone.
     One,
-    /// All of rayon's.
+    /// Every thread of rayon's pool.
     All,
 }
 
-/// Points in columns.
+/// Points, a column for each coordinate.
 #[derive(Debug, Clone, Copy)]
 pub struct PointColumns<'a, F> {
     /// Objective x at t = 0.
     pub x0: &'a [F],
-    /// Depth.
+    /// Depths (y).
     pub y: &'a [F],
-    /// Height.
+    /// Heights (z).
     pub z: &'a [F],
 }
 
-/// Where sightings go. The apparent Y and Z are the point's own, less the aperture's.
+/// Columns that sightings are written to. The apparent Y and Z are the point's own, less the aperture's.
 #[derive(Debug)]
 pub struct SightingColumns<'a, F> {
     /// Apparent X from the aperture.
     pub apparent_x: &'a mut [F],
-    /// Retarded time.
+    /// Retarded times.
     pub retarded_time: &'a mut [F],
-    /// Doppler factor.
+    /// Doppler factors.
     pub doppler_factor: &'a mut [F],
 }
 
@@ -62,16 +62,16 @@ impl<F> SightingColumns<'_, F> {
     }
 }
 
-/// Where disparities go.
+/// Columns that disparities are written to.
 #[derive(Debug)]
 pub struct DisparityColumns<'a, F> {
-    /// Delta-phi.
+    /// Delta-phi, radians.
     pub dphi: &'a mut [F],
-    /// Delta-theta.
+    /// Delta-theta, radians.
     pub dtheta: &'a mut [F],
 }
 
-/// What `aperture` sees of many points at one `observation_time`.
+/// Writes the sightings of many points by `aperture` at one `observation_time`.
 ///
 /// # Accuracy
 ///
@@ -136,7 +136,7 @@ pub fn sightings_of_points<F: Real>(
     if is_inside { Ok(()) } else { first_outside(&[("x0", x0), ("y", y), ("z", z)]) }
 }
 
-/// What `aperture` sees of one point at many observation `times`.
+/// Writes the sightings of one point by `aperture` at many observation `times`.
 ///
 /// # Accuracy
 ///

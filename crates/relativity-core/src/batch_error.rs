@@ -1,4 +1,4 @@
-//! What can be wrong with a batch, and where.
+//! Errors of a batch, with the column and the row.
 
 use thiserror::Error;
 
@@ -15,7 +15,7 @@ pub enum BatchError {
     /// A column of another length than the first.
     #[error("column {column} has {found} rows instead of {expected}")]
     Length {
-        /// The column's name.
+        /// Name of the column.
         column: &'static str,
         /// Rows of the first column.
         expected: usize,
@@ -27,11 +27,11 @@ pub enum BatchError {
     Row {
         /// Index of the first such row.
         index: usize,
-        /// The column's name.
+        /// Name of the column.
         column: &'static str,
-        /// The value.
+        /// Value that is outside the domain.
         value: f64,
-        /// [`Real::MAX_COORDINATE`].
+        /// Largest magnitude allowed, [`Real::MAX_COORDINATE`].
         limit: f64,
     },
     /// A value common to all rows outside the domain.

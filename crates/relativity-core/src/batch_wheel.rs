@@ -12,7 +12,7 @@ use crate::wheel::{Circle, Hub, Seen};
 /// Points per task: each takes a root.
 const CHUNK: usize = 512;
 
-/// What `aperture` sees of one point of a wheel at many observation `times`.
+/// Writes the sightings of one point of a wheel by `aperture` at many observation `times`.
 ///
 /// # Accuracy
 ///

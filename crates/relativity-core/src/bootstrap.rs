@@ -21,7 +21,7 @@ pub const DEFAULT_REPLICATES: usize = 1000;
 /// A replicate ends with the first step below this in units of its standard error. As each step is much
 /// smaller than the one before, what is left is far below the scatter of any statistic over replicates.
 const TOLERANCE: f64 = 1e-2;
-/// It also ends with a step below this in units of the parameters themselves: data without noise leave
+/// Step, in units of the parameters themselves, below which a refit also ends: data without noise leave
 /// nothing but rounding to step towards.
 const SMALLEST_STEP: f64 = 1e-12;
 /// Evaluations of the whole curve that a replicate gets: far more than the few steps that lead there from near.
@@ -34,7 +34,7 @@ const LAST_DAMPING: f64 = 1e12;
 /// anywhere if more were missing.
 const MAX_FAILED_SHARE: f64 = 0.05;
 
-/// The refits.
+/// A bootstrap: refits of resampled data.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Bootstrap {
     /// Beta, y, z and x0 of each replicate, in the order of their random streams; `None` without a fit.
@@ -42,14 +42,14 @@ pub struct Bootstrap {
 }
 
 impl Bootstrap {
-    /// Draws so many `more` replicates of `fit`, as [`bootstrap`] does: to draw all at once, or in parts with the same
-    /// `seed`, gives the same.
+    /// Draws `more` further replicates of `fit`, as [`bootstrap`] does. Drawing all at once or in parts with the same `seed` gives
+    /// the same replicates.
     pub fn extend(&mut self, fit: &Fit, more: usize, seed: u64) {
         // It is never told to stop.
         self.estimates.extend(estimates(fit, self.estimates.len(), more, seed, || false).unwrap_or_default());
     }
 
-    /// It, if enough of its replicates have a fit.
+    /// Returns the bootstrap, if enough of its replicates have a fit.
     ///
     /// # Errors
     ///
@@ -159,7 +159,7 @@ pub fn bootstrap(fit: &Fit, replicates: usize, seed: u64) -> Result<Bootstrap, F
     bootstrap_unless(fit, replicates, seed, || false).unwrap_or(none)
 }
 
-/// As [`bootstrap`], but `None` soon after `stopped` becomes true, which is asked before each replicate.
+/// Draws a [`bootstrap`] unless `stopped` becomes true, which is read before each replicate: then the result is `None`.
 ///
 /// # Errors
 ///
@@ -173,7 +173,7 @@ pub fn bootstrap_unless(
     Some(Bootstrap { estimates: estimates(fit, 0, replicates, seed, stopped)? }.checked())
 }
 
-/// The replicates from `first` on, so many, unless it is `stopped`.
+/// Returns `count` replicates from number `first` on, unless `stopped` becomes true.
 fn estimates(
     fit: &Fit,
     first: usize,
@@ -197,7 +197,7 @@ fn estimates(
         .collect()
 }
 
-/// How often each sample is drawn.
+/// Draws the number of times that each sample counts in a replicate.
 fn draw(counts: &mut [f64], seed: u64, stream: u64) {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(stream);
@@ -208,7 +208,7 @@ fn draw(counts: &mut [f64], seed: u64, stream: u64) {
     }
 }
 
-/// What all replicates share.
+/// The data that all replicates share.
 struct Shared<'a> {
     regular: Regular<'a>,
     /// The regular parameters of the original optimum.

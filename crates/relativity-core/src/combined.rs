@@ -10,9 +10,9 @@ use crate::fit::{Fit, NOISE_FREE_ERROR, Parameter};
 /// A weighted mean of the azimuthal and the polar estimate of one parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Combined {
-    /// The mean.
+    /// Weighted mean.
     pub value: f64,
-    /// Its standard error, with the correlation accounted for.
+    /// Standard error of the mean, with the correlation accounted for.
     pub standard_error: f64,
     /// Percentile interval that holds 95 % of the replicates' means.
     pub interval_95: [f64; 2],

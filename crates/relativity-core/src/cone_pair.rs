@@ -35,7 +35,7 @@ struct ApparentXs<F> {
     right: F,
     difference: F,
     sum: F,
-    /// Of opposite signs and alike in size, so that their sum cancels.
+    /// Whether both are of opposite signs and alike in size, so that their sum cancels.
     is_opposite: bool,
 }
 
@@ -228,11 +228,11 @@ impl<F: Elementary> ConePair<F> {
 /// From two apertures to where they see one point: `P_l` and `P_r`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LinesOfSight<F> {
-    /// `P_l` and `P_r`.
+    /// Both lines of sight, `P_l` and `P_r`.
     pub each: [[F; 3]; 2],
-    /// (`P_l` + `P_r`)/2.
+    /// Mean of both lines of sight, (`P_l` + `P_r`)/2.
     pub mean: [F; 3],
-    /// `P_l` - `P_r`.
+    /// Difference of both lines of sight, `P_l` - `P_r`.
     pub difference: [F; 3],
     /// `P_l` x `P_r`, across both.
     pub normal: [F; 3],
@@ -263,7 +263,7 @@ impl<F: Elementary> Across<F> {
     }
 }
 
-/// Of two ways to write one number as a sum of two terms, the one in which less cancels.
+/// Returns that of two sums for the same number in which less cancels.
 fn smaller_terms<F: Elementary>(a: (F, F), b: (F, F)) -> F {
     if a.0.abs() + a.1.abs() < b.0.abs() + b.1.abs() { a.0 + a.1 } else { b.0 + b.1 }
 }

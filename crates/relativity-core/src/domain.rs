@@ -16,7 +16,7 @@ pub const MAX_COORDINATE: f64 = 1e60;
 pub struct DomainError {
     /// The input's name, as in the documentation.
     pub name: &'static str,
-    /// Its value.
+    /// Value that is outside the domain.
     pub value: f64,
     /// The least that it may be.
     pub least: f64,

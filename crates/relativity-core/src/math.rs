@@ -64,11 +64,11 @@ functions! {
     atan2 = atan2f, atan2(y, x);
     /// sqrt(x^2 + y^2), where no square overflows or underflows.
     hypot = hypotf, hypot(x, y);
-    /// e^x.
+    /// Returns e^x.
     exp = expf, exp(x);
     /// e^x - 1, without cancellation near 0.
     exp_m1 = expm1f, expm1(x);
-    /// 2^x.
+    /// Returns 2^x.
     exp2 = exp2f, exp2(x);
     /// The natural logarithm of x; NaN below 0.
     ln = logf, log(x);

@@ -17,7 +17,7 @@ use crate::wheel::baseline;
 
 /// A binocular model.
 ///
-/// As a flag's value and in a file it is its [name](Self::name).
+/// Its [name](Self::name) stands for it as a flag's value and in files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(
     feature = "serde",
@@ -34,7 +34,7 @@ pub enum Model {
     Published(PublishedVariant),
 }
 
-/// Why a model does not tell what a pair of apertures sees.
+/// Reasons why a model does not say what a pair of apertures sees.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum PairError {
     /// A coordinate or time outside the domain.
@@ -46,7 +46,7 @@ pub enum PairError {
 }
 
 impl Model {
-    /// Every model.
+    /// Every model, the exact one first.
     pub const ALL: [Self; 4] = [
         Self::Exact,
         Self::OneCone,
@@ -54,7 +54,7 @@ impl Model {
         Self::Published(PublishedVariant::TextSign),
     ];
 
-    /// As the command line and the files call it.
+    /// Returns the name of the model on the command line and in files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -117,7 +117,7 @@ impl Model {
         })
     }
 
-    /// Where `source` is taken to be in this model by the `pair` of apertures, from the middle between them.
+    /// Returns the stereo position of `source` in this model for the `pair` of apertures, from the middle between them.
     ///
     /// # Accuracy
     ///

@@ -1,7 +1,7 @@
-//! One light cone for both apertures: what a pair would see if both received the same events, those that the middle
-//! between them receives.
+//! One light cone for both apertures: the pair as if both received the same events, those that the middle between them
+//! receives.
 //!
-//! Not what two apertures see ([`crate::disparity()`] is), but what is left of it without the difference of their light
+//! This is not what two apertures see ([`crate::disparity()`] is), but the part of it that is not due to their having two light
 //! cones: both see the point in one place, from two sides.
 
 use crate::aperture::Aperture;

@@ -162,7 +162,7 @@ struct Delay {
     right_distance: f64,
 }
 
-/// How much longer light from the event that the left eye sees takes to the right.
+/// Returns the delay between the eyes: the additional time that light from the event which the left eye sees takes to the right eye.
 ///
 /// The difference of the two distances is `-2 u d` over their sum, u being the event's x. That is X - d/2,
 /// sharing X's rounding; where this cancels, it comes from s0, the point's objective x at the observation time.

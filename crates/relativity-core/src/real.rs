@@ -8,7 +8,7 @@ use crate::speed::MAX_GAMMA;
 pub trait Real: Elementary + Send + Sync + Into<f64> + sealed::Sealed {
     /// Largest magnitude of a coordinate or time.
     const MAX_COORDINATE: Self;
-    /// Largest Lorentz factor.
+    /// Greatest Lorentz factor.
     const MAX_GAMMA: f64;
 }
 

@@ -1,4 +1,4 @@
-//! What is seen: a point that moves uniformly, or one of a wheel.
+//! The source of light: a point that moves uniformly, or a point of a wheel.
 
 use crate::aperture::Aperture;
 use crate::domain::{DomainError, MAX_COORDINATE, check, check_in};
@@ -9,14 +9,14 @@ use crate::speed::Speed;
 pub struct SourcePoint {
     /// Objective (contracted) x at t = 0.
     pub x0: f64,
-    /// Depth.
+    /// Depth (y).
     pub y: f64,
-    /// Height.
+    /// Height (z).
     pub z: f64,
 }
 
 impl SourcePoint {
-    /// The same point, its places told from `aperture`.
+    /// Returns the same point with its coordinates measured from `aperture`.
     pub(crate) fn told_from(self, aperture: Aperture) -> Self {
         Self { x0: self.x0 - aperture.x, y: self.y - aperture.y, z: self.z - aperture.z }
     }
@@ -41,13 +41,13 @@ impl SourcePoint {
 /// The least radius of a wheel.
 pub const MIN_RADIUS: f64 = 1e-60;
 
-/// How fast a wheel turns.
+/// The speed at which a wheel turns.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Turning {
-    /// It rolls without slipping: in its rest frame the ground passes its rim at the speed of the rim.
+    /// Rolls without slipping: in its rest frame the ground passes its rim at the speed of the rim.
     #[default]
     Rolling,
-    /// Its rim moves at this speed in its rest frame, in (-1, 1), above 0 as a wheel that rolls towards +x.
+    /// Turns with this speed of the rim in its rest frame, in (-1, 1), above 0 like a wheel that rolls towards +x.
     RimSpeed(f64),
 }
 
@@ -70,11 +70,11 @@ pub struct WheelPoint {
     pub hub: SourcePoint,
     /// W, the radius on which it rolls, from [`MIN_RADIUS`] to [`MAX_COORDINATE`].
     pub radius: f64,
-    /// How far the point is from the axle, in radii, in [0, 1].
+    /// Distance of the point from the axle, in radii, in [0, 1].
     pub rho: f64,
-    /// Where it is at t' = 0 by the clocks of the rest frame: from +x towards +z, radians.
+    /// Angle of the point at t' = 0 by the clocks of the rest frame: from +x towards +z, radians.
     pub angle: f64,
-    /// How fast the wheel turns.
+    /// Speed at which the wheel turns.
     pub turning: Turning,
 }
 
@@ -85,13 +85,13 @@ impl WheelPoint {
         self.turning.rim_speed(speed.beta()) / self.radius
     }
 
-    /// Its angle at `own_time`, by the clocks of the rest frame (those of [`Sighting::own_time`](crate::Sighting)).
+    /// Returns the angle of the point at `own_time`, by the clocks of the rest frame (those of [`Sighting::own_time`](crate::Sighting)).
     #[must_use]
     pub fn angle_at(&self, speed: &Speed, own_time: f64) -> f64 {
         self.angle - self.omega(speed) * own_time
     }
 
-    /// An error for what is outside the domain of wheels; the hub is not looked at.
+    /// Returns an error for a wheel outside the domain; the hub is not checked.
     pub(crate) fn check(&self) -> Result<(), DomainError> {
         check_in("wheel_radius", self.radius, MIN_RADIUS..=MAX_COORDINATE)?;
         check_in("rho", self.rho, 0.0..=1.0)?;
@@ -122,9 +122,9 @@ impl WheelPoint {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Source {
-    /// It rests in the moving frame.
+    /// A point at rest in the moving frame.
     Point(SourcePoint),
-    /// It turns about an axle there.
+    /// A point that turns about an axle at rest there.
     Wheel(WheelPoint),
 }
 

@@ -43,7 +43,7 @@ pub struct Speed {
 }
 
 impl Speed {
-    /// At rest.
+    /// Speed 0.
     pub const REST: Self = Self {
         beta: 0.0,
         gamma: 1.0,
@@ -147,7 +147,7 @@ impl Speed {
         self.beta
     }
 
-    /// The Lorentz factor.
+    /// Returns the Lorentz factor gamma.
     #[must_use]
     pub const fn gamma(&self) -> f64 {
         self.gamma
@@ -171,7 +171,7 @@ impl Speed {
         self.inverse_gamma_squared
     }
 
-    /// atanh(beta).
+    /// Returns the rapidity, atanh(beta).
     #[must_use]
     pub const fn rapidity(&self) -> f64 {
         self.rapidity
@@ -198,7 +198,7 @@ impl Speed {
     }
 }
 
-/// What the light-cone solution needs of a speed, in the precision it runs in.
+/// The numbers of a speed that the light-cone solution needs, in the precision it runs in.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Coefficients<F> {
     pub beta: F,

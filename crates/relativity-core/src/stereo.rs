@@ -1,4 +1,4 @@
-//! Where two eyes take a point to be: the place at which their lines of sight meet.
+//! The stereo position: the place at which the lines of sight of two eyes meet, where a person would take the point to be.
 //!
 //! Derived here; not in the paper. The paper's pair of apertures lies along the motion, so both see the same y and z, and
 //! the lines from the left one at (-d/2, 0, 0) along (`X_l`, y, z) and from the right one at (d/2, 0, 0) along (`X_r`, y, z)
@@ -35,21 +35,21 @@ pub enum StereoError {
     Apart,
 }
 
-/// What two eyes make of one point.
+/// The stereo position of one point, and how its parallax differs from a resting point's.
 ///
 /// When the point is inside both apertures (distance 0, the apertures in one place) the gain is gamma^2 by definition, as the
 /// Doppler factor is gamma there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stereo {
-    /// How many times as far apart as they are the eyes would see the difference between them at a resting point, above 0:
-    /// the part of the parallax across the line of sight in the direction that a resting point's has, over that. (The line
-    /// of sight is the mean of both.) Of eyes along x that is all of it, (`X_left` - `X_right`)/d, and near gamma D as d -> 0.
+    /// Stereo gain, above 0: the factor by which the eyes would have to be further apart to see this parallax at a resting point in the
+    /// same place. It is the part of the parallax across the line of sight in the direction that a resting point's has, over that. (The
+    /// line of sight is the mean of both.) For eyes along x that is all of it, (`X_left` - `X_right`)/d, and near gamma D as d -> 0.
     /// That quotient it is for eyes along x of a point of a wheel too, whose lines of sight differ in height besides.
     pub gain: f64,
     /// The middle of the shortest connection of both lines of sight, from the middle between the eyes. Of eyes along x it is,
     /// as d -> 0, the apparent position over gamma D.
     pub position: [f64; 3],
-    /// How long that connection is: by how much the lines of sight miss each other. 0 of eyes along x.
+    /// Length of that connection: the distance by which the lines of sight miss each other. 0 for eyes along x.
     pub miss: f64,
 }
 
@@ -62,7 +62,7 @@ impl Stereo {
     }
 }
 
-/// Where the `pair` of apertures takes `source` to be at `observation_time`.
+/// Returns the stereo position of `source` for the `pair` of apertures at `observation_time`.
 ///
 /// Each aperture has a light cone of its own. Nothing changes where the apertures swap their places, and two in one place
 /// stand for the limit of those along x.
@@ -132,7 +132,7 @@ fn checked(pair: [Aperture; 2], source: Source, observation_time: f64) -> Result
     Ok(pair)
 }
 
-/// Where two lines of sight come closest, from apertures that are `offset` apart; none if that is not in front of both.
+/// Returns the closest approach of two lines of sight from apertures that are `offset` apart; `None` if it is not in front of both.
 pub(crate) fn meeting(lines: &LinesOfSight<f64>, offset: Offset<f64>) -> Option<Stereo> {
     let LinesOfSight { mean, difference, excess, .. } = *lines;
     let baseline = [offset.s, offset.y, offset.z];
@@ -164,7 +164,7 @@ pub(crate) fn meeting(lines: &LinesOfSight<f64>, offset: Offset<f64>) -> Option<
     (is_finite && gain > 0.0).then_some(Stereo { gain, position, miss: connection.abs() })
 }
 
-/// Of two ways to write one number as a sum, the one in which less cancels.
+/// Returns that of two sums for the same number in which less cancels.
 fn smallest_terms(a: [f64; 3], b: [f64; 3]) -> f64 {
     let [size_a, size_b] = [a, b].map(|terms| terms.iter().map(|term| term.abs()).sum::<f64>());
     // An overflow is larger than anything.

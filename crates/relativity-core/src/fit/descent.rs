@@ -37,7 +37,7 @@ pub(super) struct Minimum {
     pub cost: f64,
 }
 
-/// Where the best starts of what does not turn lead, the lowest first.
+/// Follows the best starts of a point that does not turn; the lowest minimum comes first.
 pub(super) fn ways(problem: &Problem) -> Vec<Descent> {
     let coarse = start::thinned(problem, start::GRID_SAMPLES);
     let glances = descents(&coarse, start::starts(problem, &coarse), GLANCE);
@@ -45,7 +45,7 @@ pub(super) fn ways(problem: &Problem) -> Vec<Descent> {
     descents(problem, followed, START_PATIENCE)
 }
 
-/// Where a few steps from a start led.
+/// The place to which a few steps from a start led.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Descent {
     pub free: Free,
@@ -53,7 +53,7 @@ pub(super) struct Descent {
 }
 
 impl Descent {
-    /// Whether both are on their way to the same minimum, as far as speed and depth tell.
+    /// Returns whether both are on their way to the same minimum, judged by speed and depth.
     fn is_near(&self, other: &Self) -> bool {
         let speed = |descent: &Self| descent.free[0].min(FAST);
         let apart = (speed(self) - speed(other)).abs().max((self.free[1] - other.free[1]).abs());
@@ -61,7 +61,7 @@ impl Descent {
     }
 }
 
-/// Where a few steps from a start lead.
+/// Goes a few steps from a start.
 pub(super) fn descent(problem: &Problem, start: Free, patience: usize) -> Descent {
     descended(At { problem, free: start, keeps_speed: false }, patience)
 }
@@ -76,7 +76,7 @@ fn descended(start: At<'_>, patience: usize) -> Descent {
     Descent { free: at.free, cost: report.objective_function }
 }
 
-/// Where a few steps from each start lead, the lowest first, without those that are near a lower one.
+/// Goes a few steps from each start. Returns the results, the lowest first, without those that are near a lower one.
 pub(super) fn descents(problem: &Problem, starts: Vec<Free>, patience: usize) -> Vec<Descent> {
     let mut descents: Vec<_> =
         starts.into_par_iter().map(|start| descent(problem, start, patience)).collect();

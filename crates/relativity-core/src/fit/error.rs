@@ -15,9 +15,9 @@ pub enum FitError {
     Sample {
         /// Number of the sample, from 0.
         index: usize,
-        /// Which of its quantities.
+        /// Name of the quantity.
         quantity: &'static str,
-        /// Its value.
+        /// Value of the quantity.
         value: f64,
     },
     /// A pair of apertures that measures nothing, or that the model does not cover.
@@ -25,27 +25,27 @@ pub enum FitError {
     Pair {
         /// Number of the pair, from 0.
         pair: usize,
-        /// What is wrong with it.
+        /// Problem with the quantity, in words.
         problem: &'static str,
     },
     /// Some readings of a curve have a sigma and some have none, so that they cannot be weighed.
     #[error("{with} of {of} readings of {curve} have a sigma: give it for all or for none")]
     MixedSigma {
-        /// Which curve.
+        /// Name of the curve.
         curve: &'static str,
         /// Readings with a sigma.
         with: usize,
-        /// Readings.
+        /// Number of readings.
         of: usize,
     },
     /// Fewer samples than the parameters need.
     #[error("{samples} samples of {curves} are too few: {parameters} parameters need at least {needed}")]
     TooFew {
-        /// Usable samples.
+        /// Number of usable samples.
         samples: usize,
-        /// Which curves were to be fitted.
+        /// Names of the curves that were to be fitted.
         curves: &'static str,
-        /// Number of parameters.
+        /// Number of fitted parameters.
         parameters: usize,
         /// Least number of samples.
         needed: usize,
@@ -53,7 +53,7 @@ pub enum FitError {
     /// The curve does not change by more than its noise.
     #[error("the curve of {curves} is flat: it varies by {range:e} rad, no more than its noise")]
     Flat {
-        /// Which curves were to be fitted.
+        /// Names of the curves that were to be fitted.
         curves: &'static str,
         /// Largest minus smallest value, radians.
         range: f64,
@@ -61,9 +61,9 @@ pub enum FitError {
     /// A guess that is not an object in front of the apertures.
     #[error("no guess: beta = {beta} must lie between 0 and 1, y = {y} above 0, and z and x0 be numbers")]
     Guess {
-        /// Its speed.
+        /// Speed beta of the best trial.
         beta: f64,
-        /// Its depth.
+        /// Depth y of the best trial.
         y: f64,
     },
     /// The search ended before a minimum was found.
@@ -77,7 +77,7 @@ pub enum FitError {
         /// Unexplained share of the sum of squares, 0 to 1.
         share: f64,
     },
-    /// The data do not tell parameters apart.
+    /// Parameters that the data do not separate.
     #[error(
         "the data cannot tell {parameter} from {partner}: {parameter} = {value:.3e} {}, correlation {correlation:.6}",
         spread(*.standard_error)
@@ -85,13 +85,13 @@ pub enum FitError {
     Indistinguishable {
         /// The parameter that is least determined.
         parameter: &'static str,
-        /// Its best value, which means nothing.
+        /// Best value, which means nothing.
         value: f64,
-        /// Its standard error; infinite if the data do not depend on it.
+        /// Standard error; infinite if the data do not depend on the parameter.
         standard_error: f64,
         /// The parameter that can make up for it.
         partner: &'static str,
-        /// Correlation between both.
+        /// Correlation between the two parameters.
         correlation: f64,
     },
     /// The best fit is where the data do not depend on a parameter.
@@ -99,9 +99,9 @@ pub enum FitError {
         "the data cannot tell {parameter}: near {parameter} = {value:.3e}, where they fit best, they do not depend on it"
     )]
     Insensitive {
-        /// The parameter.
+        /// Name of the parameter.
         parameter: &'static str,
-        /// Its best value, which means nothing.
+        /// Best value, which means nothing.
         value: f64,
     },
     /// Too many bootstrap replicates have no fit.
@@ -112,7 +112,7 @@ pub enum FitError {
     Bootstrap {
         /// Replicates without a fit.
         failed: usize,
-        /// Replicates drawn.
+        /// Number of replicates drawn.
         replicates: usize,
     },
 }

@@ -55,14 +55,14 @@ pub const NOISE_FREE_ERROR: f64 = 1e-9;
 /// Half the width of a 95 % interval of a normal distribution, in standard errors.
 const NORMAL_95: f64 = 1.959_963_984_540_054;
 
-/// The best fit.
+/// The best fit of a model to observations.
 #[derive(Debug, Clone)]
 pub struct Fit {
-    /// What was asked for.
+    /// Options that the fit was made with.
     pub options: FitOptions,
     /// Best values of beta, y, z, x0.
     pub values: [f64; 4],
-    /// Their covariance by linearisation; 0 for a known x0. From the sigmas where all readings have one, else
+    /// Covariance of the parameters by linearisation; 0 for a known x0. From the sigmas where all readings have one, else
     /// scaled by the scatter of the residuals.
     pub covariance: [[f64; 4]; 4],
     /// Root mean square of the residuals of all fitted readings, radians.

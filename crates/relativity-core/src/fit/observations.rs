@@ -1,4 +1,4 @@
-//! What was measured: disparities of one moving point, sample by sample, and by which apertures.
+//! Observations: disparities of one moving point, sample by sample, and the apertures that measured them.
 
 use std::f64::consts::TAU;
 
@@ -6,21 +6,21 @@ use crate::aperture::Aperture;
 use crate::domain::check;
 use crate::fit::error::FitError;
 
-/// One measured angle.
+/// One measured angle, with its uncertainty.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reading {
-    /// The angle, radians.
+    /// Measured angle, radians.
     pub value: f64,
-    /// Its standard deviation, radians, above 0; `None` if unknown.
+    /// Standard deviation of the angle, radians, above 0; `None` if unknown.
     pub sigma: Option<f64>,
 }
 
-/// What one pair of apertures measured at one time.
+/// Readings of one pair of apertures at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
     /// T: when the light was received.
     pub time: f64,
-    /// Which of the observation's pairs of apertures measured it.
+    /// Number of the pair of apertures, among the observation's, that measured the sample.
     pub pair: usize,
     /// Delta-phi, if it was measured.
     pub dphi: Option<Reading>,

@@ -1,11 +1,11 @@
-//! What is fitted: which curves, by which model, and which parameters of the object.
+//! Options of a fit: the curves, the model, and the parameters of the object that are free.
 
 use crate::fit::trial::Rolling;
 use crate::model::Model;
 
-/// Which curves are fitted.
+/// The curves that are fitted.
 ///
-/// As a flag's value and in a file they are their [name](Self::name).
+/// Its [name](Self::name) stands for it as a flag's value and in files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -18,7 +18,7 @@ pub enum Curves {
     #[cfg_attr(feature = "clap", value(name = "dtheta"))]
     #[cfg_attr(feature = "serde", serde(rename = "dtheta", alias = "Polar"))]
     Polar,
-    /// Both at once.
+    /// Both curves at once.
     #[default]
     #[cfg_attr(feature = "serde", serde(rename = "both", alias = "Both"))]
     Both,
@@ -31,7 +31,7 @@ impl Curves {
         [matches!(self, Self::Azimuth | Self::Both), matches!(self, Self::Polar | Self::Both)]
     }
 
-    /// As the command line and the files call them.
+    /// Returns the name of the curves on the command line and in files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -42,21 +42,21 @@ impl Curves {
     }
 }
 
-/// What is known of the object's objective x at t = 0.
+/// What is known of the object's x0, its objective x at t = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Passage {
-    /// x0 is this.
+    /// Known: x0 is this number.
     Known(f64),
     /// x0 is to be fitted.
     Fitted,
 }
 
-/// What is to be fitted.
+/// Options of a fit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitOptions {
-    /// The binocular model.
+    /// Binocular model that is fitted.
     pub model: Model,
-    /// Which curves.
+    /// Curves that are fitted.
     pub curves: Curves,
     /// x0, known or not.
     pub passage: Passage,
@@ -73,11 +73,11 @@ impl Default for FitOptions {
 /// A parameter of the fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Parameter {
-    /// Speed over c.
+    /// Speed over c, beta.
     Beta,
-    /// Depth.
+    /// Depth y.
     Y,
-    /// Height.
+    /// Height z.
     Z,
     /// Objective x at t = 0.
     X0,
@@ -87,7 +87,7 @@ impl Parameter {
     /// Every parameter, in the order of all arrays of the fit.
     pub const ALL: [Self; 4] = [Self::Beta, Self::Y, Self::Z, Self::X0];
 
-    /// Its name in files.
+    /// Returns the name of the parameter in files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         ["beta", "y", "z", "x0"][self as usize]

@@ -118,7 +118,7 @@ impl Data {
         rows().map(|(weight, value)| weight * (value - mean).powi(2)).sum()
     }
 
-    /// A bootstrap replicate keeps about 63 % of the samples, so twice the least number is asked for.
+    /// Checks that there are twice as many samples as a fit needs: a bootstrap replicate keeps about 63 % of them.
     fn check_number(&self, options: &FitOptions) -> Result<(), FitError> {
         let parameters = self.problem.parameters();
         let (samples, needed) = (self.problem.rows.len(), 2 * parameters);

@@ -22,7 +22,7 @@ const MAX_RAPIDITY: f64 = 60.0;
 /// Likewise for lengths and times.
 const MAX_LENGTH: f64 = 1e50;
 
-/// One sample, ready to be fitted.
+/// A sample that is ready to be fitted.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Row {
     pub time: f64,

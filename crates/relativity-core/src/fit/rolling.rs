@@ -92,7 +92,7 @@ impl Rolling {
     }
 }
 
-/// One aperture that looks at one time, which may depend on the parameters.
+/// A view by one aperture at one time, which may depend on the parameters.
 struct Sight<'a> {
     trial: &'a Trial,
     wheel: &'a WheelPoint,
@@ -101,13 +101,13 @@ struct Sight<'a> {
 }
 
 impl Sight<'_> {
-    /// Of phi and theta.
+    /// Returns the gradients of phi and theta.
     fn angle_gradients(&self, seen: &Seen<f64>) -> [Gradient; 2] {
         let [dx, dz] = self.place_gradients(seen);
         angle_gradients(&seen.cone, dx, dz)
     }
 
-    /// Of the apparent X and Z.
+    /// Returns the gradients of the apparent X and Z.
     fn place_gradients(&self, seen: &Seen<f64>) -> [Gradient; 2] {
         let Self { trial, wheel, time, dtime } = *self;
         let (beta, gamma) = (trial.speed.beta(), trial.speed.gamma());

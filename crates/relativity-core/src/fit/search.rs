@@ -1,11 +1,11 @@
-//! Where the descent to the minimum starts: the best of several starts, and of a wheel of several numbers of turns.
+//! The start of the descent to the minimum: the best of several starts, and for a wheel the best of several numbers of turns.
 
 use crate::fit::descent::{Descent, ROUNDING, START_PATIENCE, descent, descents, ways};
 use crate::fit::problem::{Free, Problem};
 use crate::fit::{start, wheel_start};
 use crate::threads::prelude::*;
 
-/// Of a wheel: ways that are followed with other numbers of turns, how many turns more and less, and how often from the best.
+/// Number of ways of a wheel that are followed with other numbers of turns, the turns more and less, and the repetitions from the best.
 const TURNED: usize = 2;
 const TURNS: i32 = 8;
 const ROUNDS: u32 = 4;

@@ -50,7 +50,7 @@ pub struct Simulation {
     pub pair: [Aperture; 2],
     /// The binocular model that the curves follow.
     pub model: Model,
-    /// Observation times.
+    /// Observation times T.
     pub times: Vec<f64>,
     /// Standard deviation of the normal noise, as a share of each curve's range.
     pub noise: f64,

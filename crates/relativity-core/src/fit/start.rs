@@ -1,4 +1,4 @@
-//! Where to start: trial objects that already look like the data, found without a guess.
+//! Starts of a fit: trial objects that already look like the data, found without a guess.
 //!
 //! A coarse grid over beta, elevation and distance. Its distances are those at which a trial's largest disparity is
 //! about the data's; if the time of passage is unknown, each trial is moved in time until it shows a feature
@@ -31,7 +31,7 @@ const PASSAGE: [f64; 25] = [
 
 /// Features by which the time of passage is found.
 const FEATURES: usize = 3;
-/// Most starts. A quarter of them loses no minimum in 100 cases of `examples/coverage.rs`; the rest is for the worst.
+/// Greatest number of starts. A quarter of them loses no minimum in 100 cases of `examples/coverage.rs`; the rest is for the worst.
 const STARTS: usize = 56;
 
 /// A start, and how badly it fits.
@@ -48,7 +48,7 @@ pub(super) fn thinned(problem: &Problem, most: usize) -> Problem {
     Problem { rows: (0..count).map(|index| all[index * all.len() / count]).collect(), ..problem.clone() }
 }
 
-/// Of the best starts of each speed, elevation band and feature, those that fit `coarse` best, the best first.
+/// Returns the best starts of each speed, elevation band and feature, in the order of their fit to `coarse`, the best first.
 /// Many are worth following: a coarse grid misjudges the sharp features of high speeds.
 pub(super) fn starts(problem: &Problem, coarse: &Problem) -> Vec<Free> {
     let features = Features::new(problem, coarse);
@@ -59,7 +59,7 @@ pub(super) fn starts(problem: &Problem, coarse: &Problem) -> Vec<Free> {
     best.iter().take(STARTS).map(|candidate| candidate.free).collect()
 }
 
-/// What the curve of a trial object looks like.
+/// The features of a trial object's curve.
 struct Shape {
     /// When its disparity is largest, smallest, and first reaches half its extreme, in units of the distance, from
     /// the time of passage.
@@ -68,7 +68,7 @@ struct Shape {
     distance: f64,
 }
 
-/// What the data look like.
+/// The features of the data.
 struct Features {
     rows: Vec<Row>,
     /// The curve with the largest disparity in it that is read for its extremum: 0 or 1.
@@ -76,7 +76,7 @@ struct Features {
     pair: [Aperture; 2],
     extremum_time: f64,
     onset_time: f64,
-    /// The largest disparity.
+    /// Largest disparity in the data.
     extreme: f64,
     /// Separation over largest disparity: of the order of the distance.
     scale: f64,
@@ -112,7 +112,7 @@ impl Features {
         }
     }
 
-    /// The best trial object of one speed and some elevations, for each feature that may tell its time of passage.
+    /// Returns the best trial object of one speed and some elevations, for each feature that may give its time of passage.
     fn best_of(&self, problem: &Problem, rapidity: f64, slopes: &[f64]) -> [Option<Candidate>; FEATURES] {
         let mut best = [None; FEATURES];
         let Ok(speed) = Speed::from_rapidity(rapidity) else { return best };
@@ -131,7 +131,7 @@ impl Features {
         best
     }
 
-    /// What an object of that speed and elevation looks like at the distance at which it is as large as the data:
+    /// Returns the features of an object of that speed and elevation at the distance at which it is as large as the data:
     /// from afar disparities fall as separation over distance, so that a second look is enough.
     fn shape(&self, problem: &Problem, speed: Speed, slope: f64) -> Shape {
         let from_afar = self.shape_at(problem, speed, slope, self.scale);

@@ -1,4 +1,4 @@
-//! What is tried: an object with a value for each parameter, and the wheel that it may be the hub of.
+//! A trial: an object with a value for each parameter, and the wheel that it may be the hub of.
 
 use crate::domain::DomainError;
 use crate::source::{SourcePoint, Turning, WheelPoint};
@@ -10,7 +10,7 @@ pub(crate) struct Trial {
     pub speed: Speed,
     pub y: f64,
     pub z: f64,
-    /// t0.
+    /// Time of passage t0.
     pub passage_time: f64,
     /// Objective x at t0.
     pub passage_x: f64,
@@ -19,13 +19,13 @@ pub(crate) struct Trial {
 }
 
 impl Trial {
-    /// Its beta, y, z and x0.
+    /// Returns beta, y, z and x0 of the object.
     pub fn reported(&self) -> [f64; 4] {
         let beta = self.speed.beta();
         [beta, self.y, self.z, self.passage_x - beta * self.passage_time]
     }
 
-    /// Where it is at t0.
+    /// Returns the place of the object at t0.
     pub const fn point(&self) -> SourcePoint {
         SourcePoint { x0: self.passage_x, y: self.y, z: self.z }
     }
@@ -36,9 +36,9 @@ impl Trial {
 pub struct Rolling {
     /// W, the radius on which it rolls, above 0.
     pub radius: f64,
-    /// How far the point is from the axle, in radii, in [0, 1].
+    /// Distance of the point from the axle, in radii, in [0, 1].
     pub rho: f64,
-    /// Where it is at t' = 0 by the clocks of the rest frame, which the one shows then that passes the ground's origin at
+    /// Angle of the point at t' = 0 by the clocks of the rest frame, that is by the one which then passes the ground's origin at
     /// t = 0: from +x towards +z, radians.
     pub angle: f64,
 }

@@ -1,4 +1,4 @@
-//! Whether a minimum says something about an object.
+//! The verdict on a minimum: whether it says anything about an object.
 
 use nalgebra::Matrix4;
 

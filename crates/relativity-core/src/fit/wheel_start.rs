@@ -1,4 +1,4 @@
-//! Where to start with a point on a wheel: speed and passage of the hub, closely enough to know how far the wheel has turned.
+//! The start of a fit to a point on a wheel: speed and passage of the hub, closely enough to know how far the wheel has turned.
 //!
 //! The hub's own curve is smooth, so that it is found as a point that does not turn; the wheel's wiggle about it is
 //! what that leaves over, and by which it may be off. The wheel may turn through tens of radians
@@ -13,20 +13,20 @@ use crate::fit::start;
 use crate::fit::trial::Trial;
 use crate::threads::prelude::*;
 
-/// Most that the wheel turns, radians, from one start to the next.
+/// Largest turn of the wheel between one start and the next, radians.
 const STEP: f64 = FRAC_PI_4;
-/// Most such steps in the time of passage, either way.
+/// Greatest number of such steps in the time of passage, either way.
 const MOST_TURNS: f64 = 10.0;
-/// Most of the largest steps by which the range of speeds is found.
+/// Greatest number of the largest steps by which the range of speeds is found.
 const WIDE: usize = 20;
-/// Most steps in ln(rapidity) either way, and the largest.
+/// Greatest number of steps in ln(rapidity) either way, and the largest step.
 const SPEEDS: usize = 120;
 const LARGEST_STEP: f64 = 0.1;
 /// ln(rapidity) of the fastest start: the motion of the wheel is then too slow to see.
 const FASTEST: f64 = 1.6;
 /// A speed is given up where the best hub leaves this many times what the wheel and the noise explain.
 const LEFT_OVER: f64 = 2.0;
-/// Share of the largest disparity above which a reading tells how far the wheel has turned.
+/// Share of the largest disparity above which a reading shows how far the wheel has turned.
 const TELLING: f64 = 0.2;
 /// Ways of what does not turn whose speeds are tried, and evaluations per parameter for the hub at another speed.
 const HUBS: usize = 2;
@@ -35,7 +35,7 @@ const HUB_PATIENCE: usize = 2;
 const PASSAGES: usize = 3;
 /// Samples that starts are held against.
 pub(super) const SAMPLES: usize = 97;
-/// How many of the best starts get how many evaluations per parameter, one round after the other; those that are then
+/// Rounds of the search: the number of best starts, and the evaluations per parameter that each of them gets. Those that are left are
 /// followed with all samples.
 const GLANCES: [(usize, usize); 2] = [(64, 1), (20, 3)];
 pub(super) const FOLLOWED: usize = 5;
@@ -43,7 +43,7 @@ const PATIENCE: usize = 8;
 /// Share of a sum of squares by which descents differ that are in different places.
 const SAME: f64 = 1e-4;
 
-/// Where the best of many starts leads. `ways` are those of `hubs`, the same problem for what does not turn, the lowest first.
+/// Returns the descent from the best of many starts. `ways` are those of `hubs`, the same problem without a turn, the lowest first.
 pub(super) fn best_start(problem: &Problem, hubs: &Problem, ways: &[Descent]) -> Option<Descent> {
     let [coarse, hubs] = [problem, hubs].map(|all| start::thinned(all, SAMPLES));
     let speeds = speeds(&coarse, &hubs, ways);

@@ -1,8 +1,8 @@
-//! Where the points of a wheel are: when the clocks of its rest frame show a time, at one time of the ground, and as they
+//! Events of a wheel's points: at a time by the clocks of its rest frame, at one time of the ground, and as they
 //! pass a plane.
 //!
-//! Each is told as a point that rests in the moving frame and is at the same event, so that all that is known of such
-//! points holds of it.
+//! Each place is given as a point that rests in the moving frame and is at the same event, so that everything known of such
+//! points holds for it.
 
 use super::root::{measured_later, root};
 use crate::aperture::Aperture;
@@ -11,7 +11,7 @@ use crate::source::{Source, SourcePoint, WheelPoint};
 use crate::speed::Speed;
 
 impl WheelPoint {
-    /// Where it is at this `angle`: the place in the moving frame, as a point that rests there.
+    /// Returns the place of the point at this `angle` in the moving frame, as a point that rests there.
     fn place_at_angle(&self, speed: &Speed, angle: f64) -> SourcePoint {
         let r = self.rho * self.radius;
         let (sine, cosine) = math::sin_cos(angle);
@@ -19,21 +19,21 @@ impl WheelPoint {
         SourcePoint { x0: x0 + r * cosine / speed.gamma(), y, z: z + r * sine }
     }
 
-    /// Where it is at `own_time`, by the clocks of the rest frame (those of [`Sighting::own_time`](crate::Sighting)): the
-    /// place in the moving frame, as a point that rests there.
+    /// Returns the place of the point at `own_time`, by the clocks of the rest frame (those of [`Sighting::own_time`](crate::Sighting)),
+    /// as a point that rests in the moving frame.
     #[must_use]
     pub fn place_at(&self, speed: &Speed, own_time: f64) -> SourcePoint {
         self.place_at_angle(speed, self.angle_at(speed, own_time))
     }
 
-    /// What the clock at the hub shows at `time` on the ground.
+    /// Returns the time that the clock at the hub shows at `time` on the ground.
     fn hub_clock(&self, speed: &Speed, time: f64) -> f64 {
         time / speed.gamma() - speed.gamma() * speed.beta() * self.hub.x0
     }
 
-    /// Where it is at `time` on the ground, as [`Self::place_at`]: at x = `x0` + beta `time`.
+    /// Returns the place of the point at `time` on the ground, as [`Self::place_at`]: at x = `x0` + beta `time`.
     ///
-    /// Of a wheel that rolls Kepler's equation, with beta rho as the eccentricity.
+    /// For a rolling wheel this is Kepler's equation, with beta rho as the eccentricity.
     #[must_use]
     pub fn place_when_measured(&self, speed: &Speed, time: f64) -> SourcePoint {
         let (r, omega) = (self.rho * self.radius, self.omega(speed));
@@ -42,8 +42,8 @@ impl WheelPoint {
         self.place_at_angle(speed, phase - omega * later)
     }
 
-    /// Where it is, as [`Self::place_at`], as it passes the plane through `middle` on the ground that is across `normal`.
-    /// `None` if it rests, and of a plane along the motion. A point of a wheel that rolls passes a plane across the motion
+    /// Returns the place of the point, as [`Self::place_at`], where it passes the plane through `middle` on the ground that is across `normal`.
+    /// `None` if it rests, and for a plane along the motion. A point of a rolling wheel passes a plane across the motion
     /// once; where it passes a slanted one several times, this is one of these.
     #[must_use]
     pub fn place_when_passing(
@@ -73,7 +73,7 @@ impl WheelPoint {
 }
 
 impl Source {
-    /// Where it is at `time` on the ground: at x = `x0` + beta `time`, and at y and z.
+    /// Returns the place of the point at `time` on the ground: at x = `x0` + beta `time`, and at y and z.
     #[must_use]
     pub fn place_when_measured(&self, speed: &Speed, time: f64) -> SourcePoint {
         match self {
@@ -167,7 +167,7 @@ mod tests {
         }
     }
 
-    /// What one aperture sees at x = 0 from there was there at t = T - R, as measured.
+    /// Light that one aperture sees at x = 0 left there at t = T - R, as measured.
     #[test]
     fn what_is_seen_was_where_it_is_measured() {
         for beta in [0.01, 0.5, 0.9, 0.9999] {

@@ -1,4 +1,4 @@
-//! What two apertures see of a point of a wheel.
+//! A point of a wheel as two apertures see it.
 //!
 //! No difference of two sightings is formed. By the clocks of the rest frame, the time Delta between the two emissions and
 //! the chord q from the second place to the first satisfy
@@ -26,7 +26,7 @@ use crate::wheel::seen::{Circle, Hub, Seen};
 /// A point of a wheel before two apertures.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SeenPair {
-    /// As the primary and the secondary one see it.
+    /// The point as the primary and as the secondary aperture see it.
     pub each: [Seen<f64>; 2],
     pub lines: LinesOfSight<f64>,
 }
@@ -107,7 +107,7 @@ fn moved(
 }
 
 impl WheelPoint {
-    /// As two apertures see it at one time. The baseline may be given better than by the difference of both.
+    /// Returns the point as two apertures see it at one time. The baseline may be known better than by the difference of both.
     pub(crate) fn seen_by_pair(
         &self,
         speed: &Speed,
@@ -125,7 +125,7 @@ impl WheelPoint {
         SeenPair::new(speed, &circle, each, Step { baseline, later: 0.0 })
     }
 
-    /// As the published model has it: by the left aperture of a `pair` along x, and again later by the second number.
+    /// Returns the point as the published model has it: by the left aperture of a `pair` along x, and again later by the second number.
     pub(crate) fn seen_as_published(
         &self,
         speed: &Speed,
@@ -153,7 +153,7 @@ impl WheelPoint {
 const HAIR: f64 = 1e-20;
 
 impl WheelPoint {
-    /// What two apertures see of it.
+    /// Returns the disparity of the point for two apertures.
     pub(crate) fn disparity(&self, speed: &Speed, pair: [Aperture; 2], observation_time: f64) -> Disparity {
         let seen = self.seen_by_pair(speed, pair, observation_time, baseline(pair));
         self.disparity_of(speed, &seen, [observation_time; 2])
@@ -177,7 +177,7 @@ impl WheelPoint {
         Disparity { primary, secondary, dphi, dtheta }
     }
 
-    /// Where two apertures take it to be. Two in one place stand for the limit of those along x.
+    /// Returns the stereo position of the point. Two apertures in one place stand for the limit of those along x.
     pub(crate) fn stereo(
         &self,
         speed: &Speed,

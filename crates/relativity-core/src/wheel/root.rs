@@ -5,10 +5,10 @@
 
 use crate::math::{self, Elementary};
 
-/// Most steps by Newton's method.
+/// Greatest number of steps by Newton's method.
 pub const NEWTON_STEPS: u32 = 20;
-/// Most steps of the root's search in f64: those, and the bisections after which the bracket is as narrow as a rounding of
-/// its first width.
+/// Greatest number of steps of the search for the root in f64: Newton's, and the bisections after which the bracket is as narrow as a
+/// rounding of its first width.
 pub const MAX_STEPS: u32 = NEWTON_STEPS + f64::MANTISSA_DIGITS + 1;
 
 /// By how much later than the hub a point `r` from it is seen, by the clocks of the rest frame: the root in [-r, r].
@@ -55,7 +55,7 @@ pub fn measured_later<F: Elementary>(beta: F, r: F, phase: F, omega: F) -> F {
     })
 }
 
-/// Sine and cosine of `phase` - `omega` later, of which only the small part is rounded anew for each.
+/// Returns sine and cosine of `phase` - `omega` later; only the small part is rounded anew each time.
 fn turning_from<F: Elementary>(phase: F, omega: F) -> impl Fn(F) -> (F, F) {
     let (sine, cosine) = math::sin_cos(phase);
     move |later| {
@@ -140,7 +140,7 @@ mod tests {
         assert!(counts.last() <= Some(&MAX_STEPS), "{:?}", counts.last());
     }
 
-    /// As a shader has it: from what both hold exactly.
+    /// Rounded like a shader's input: from what both hold exactly.
     #[test]
     fn in_single_precision_it_is_as_accurate_as_its_equation() {
         let single = |value: f64| value as f32;

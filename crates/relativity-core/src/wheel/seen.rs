@@ -8,13 +8,13 @@ use crate::speed::{Coefficients, Speed};
 
 use super::root::seen_later;
 
-/// Most times that the time of emission is made better; once is enough, unless the aperture is in the wheel.
+/// Greatest number of corrections of the time of emission; one is enough unless the aperture is in the wheel.
 const CORRECTIONS: u32 = 3;
 
 /// The circle on which a point of a wheel turns, in the precision it is solved in.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Circle<F> {
-    /// rho W.
+    /// Radius of the circle, rho W.
     pub r: F,
     /// At t' = 0.
     pub angle: F,
@@ -51,7 +51,7 @@ impl<F: Elementary> Circle<F> {
         }
     }
 
-    /// What the point's own motion multiplies the Doppler factor with, `slope` being 1 + v.n'.
+    /// Returns the factor by which the point's own motion multiplies the Doppler factor, `slope` being 1 + v.n'.
     pub fn own_doppler(&self, slope: F) -> F {
         (self.below_light * (F::one() + self.speed)).sqrt() / slope
     }
@@ -75,15 +75,15 @@ pub(crate) struct Seen<F> {
     pub cone: LightCone<F>,
     /// When, by the clocks of the rest frame.
     pub own_time: F,
-    /// Its angle then.
+    /// Angle of the point at that time.
     pub angle: F,
-    /// 1 + v.n'.
+    /// Slope 1 + v.n'.
     pub slope: F,
 }
 
 impl<F: Elementary> Seen<F> {
-    /// The time is that of the root from the hub, which is made better until it agrees with what the point's own place says:
-    /// that knows it as well as that of any resting point, also where the hub is far from there for the aperture.
+    /// Solves for the time: that of the root from the hub, improved until it agrees with what the point's own place says, which knows it as
+    /// well as that of any resting point, also where the hub is far from there for the aperture.
     pub fn new(coefficients: &Coefficients<F>, circle: &Circle<F>, hub: &Hub<F>) -> Self {
         let [s, y, z] = hub.from;
         let gamma = coefficients.gamma;
@@ -142,7 +142,7 @@ impl<F: Elementary> Seen<F> {
 }
 
 impl WheelPoint {
-    /// Its circle, in the precision `F`.
+    /// Returns the circle of the point, in the precision `F`.
     pub(crate) fn circle<F: Elementary>(&self, speed: &Speed) -> Circle<F> {
         let rim = self.turning.rim_speed(speed.beta());
         let [below_light, slip] = match self.turning {
@@ -163,7 +163,7 @@ impl WheelPoint {
         }
     }
 
-    /// What `aperture` sees at `observation_time`.
+    /// Returns the point as `aperture` sees it at `observation_time`.
     pub(crate) fn seen(&self, speed: &Speed, aperture: Aperture, observation_time: f64) -> Seen<f64> {
         let from = [
             (self.hub.x0 - aperture.x) + speed.beta() * observation_time,
@@ -174,7 +174,7 @@ impl WheelPoint {
         Seen::new(&speed.coefficients(), &self.circle(speed), &hub)
     }
 
-    /// All of what it is seen as.
+    /// Returns the sighting that belongs to `seen`.
     pub(crate) fn sighting(&self, speed: &Speed, seen: &Seen<f64>, observation_time: f64) -> Sighting {
         let LightCone { y, z, ref solution, .. } = seen.cone;
         let own_doppler = self.circle(speed).own_doppler(seen.slope);
