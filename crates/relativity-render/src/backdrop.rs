@@ -1,4 +1,4 @@
-//! What lies behind the bodies: a sky, on the ground a road or a grid, and house fronts, at rest with the aperture.
+//! The backdrop: a sky, a road or a grid on the ground, and house fronts, all at rest with the aperture.
 //!
 //! Never shifted, dimmed or exposed: it gives motion something to be seen against.
 //! `shaders/backdrop.wgsl` draws the same, with the same constants.
@@ -18,7 +18,7 @@ use crate::view::Appearance;
 pub(crate) const LINE_HALF_WIDTH: f64 = 0.012;
 /// Half the width of the two lines through the origin.
 pub(crate) const AXIS_HALF_WIDTH: f64 = 0.02;
-/// Where a pixel is p units wide on the ground, the share of the grid drawn is the first less p times the second:
+/// Share of the grid that is drawn where a pixel is p units wide on the ground: the first number less p times the second, that is
 /// all of it where four pixels lie between two lines, none where only two do and lines would merge.
 pub(crate) const GRID_FADE: [f64; 2] = [2.0, 4.0];
 /// Width of the kerbs beside a road.
@@ -27,7 +27,7 @@ pub(crate) const KERB_WIDTH: f64 = 0.25;
 pub(crate) const LANE_HALF_WIDTH: f64 = 0.09;
 /// Length of the dashes of that line, the first of which begins at x = 0, and from one to the next.
 pub(crate) const DASH: [f64; 2] = [3.0, 8.0];
-/// Of the ground at the distance s the share 1/(1 + haze s^2) is seen, of a grid half of it 20 units away, of a road
+/// Haze of a grid: at the distance s the share 1/(1 + haze s^2) of the ground is seen, half of a grid 20 units away, of a road
 /// half of it 50 units away: so the plane ends in the sky and not in a line, and the flicker of far lines with it.
 const GRID_HAZE: f64 = 0.0025;
 const ROAD_HAZE: f64 = 0.0004;
@@ -97,27 +97,27 @@ const LIGHT: Palette = Palette {
     },
 };
 
-/// What is to be seen below the horizon.
+/// The floor that is seen below the horizon.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Floor {
-    /// Nothing.
+    /// No floor.
     Open,
-    /// A grid.
+    /// A grid of lines.
     Grid,
     /// A road between pavements.
     Road,
-    /// That, and house fronts beyond it.
+    /// A road, with house fronts beyond it.
     Street,
 }
 
-/// What some tiles of a picture show behind the bodies, and no others: each is drawn with no more than that.
+/// The part of the backdrop that some tiles of a picture show: each tile is drawn with no more than its part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Part {
-    /// The sky alone.
+    /// Nothing but the sky.
     Sky,
     /// The grid, and the sky it ends in.
     Grid,
-    /// The road, likewise.
+    /// Sky and road, without fronts.
     Road,
     /// House fronts, and the sky above them.
     Fronts,
@@ -138,7 +138,7 @@ impl Floor {
 }
 
 impl Part {
-    /// All of them, by their number.
+    /// Every part, in the order of their numbers.
     pub const ALL: [Self; 5] = [Self::Sky, Self::Grid, Self::Road, Self::Fronts, Self::Street];
 
     /// Whether the ground can be seen in it.
@@ -151,7 +151,7 @@ impl Part {
         matches!(self, Self::Fronts | Self::Street)
     }
 
-    /// Of what is there at the distance s the share 1/(1 + haze s^2) is seen.
+    /// Returns the haze of the floor: at the distance s the share 1/(1 + haze s^2) of it is seen.
     pub const fn haze(self) -> f64 {
         if matches!(self, Self::Grid) { GRID_HAZE } else { ROAD_HAZE }
     }
@@ -193,13 +193,13 @@ pub struct Backdrop {
     road: Option<[f64; 2]>,
     /// y of the house fronts from the aperture, above 0.
     fronts: Option<f64>,
-    /// Where bodies touch the road.
+    /// Contacts of bodies with the road.
     contacts: Contacts,
     lines_of_sight: LinesOfSight,
 }
 
 impl Backdrop {
-    /// What `camera` has behind the bodies, without the shadows of what touches a road.
+    /// Returns the backdrop of `camera`, without the shadows of bodies that touch a road.
     #[must_use]
     pub fn new(camera: &Camera, appearance: &Appearance) -> Self {
         let aperture = camera.aperture;
@@ -254,13 +254,13 @@ impl Backdrop {
         mix(without, self.hazy(colour, line_of_sight, distance), cover)
     }
 
-    /// Width and height, on a surface, of the pixel with this line of sight, which `shift` tells for a turn of the line.
+    /// Returns width and height, on a surface, of the pixel with this line of sight; `shift` gives the shift on the surface for a turn of the line.
     fn pixel(&self, n: DVec3, shift: impl Fn(DVec3) -> DVec2) -> DVec2 {
         let [right, down] = self.lines_of_sight.turns_of(n).map(shift);
         DVec2::new(math::hypot(right.x, down.x), math::hypot(right.y, down.y))
     }
 
-    /// What is seen of `colour` along `line_of_sight` from `distance`.
+    /// Returns the colour that is seen along `line_of_sight` of a surface of this `colour` at `distance`.
     fn hazy(&self, colour: [f64; 3], line_of_sight: DVec3, distance: f64) -> [f64; 3] {
         let haze = if self.road.is_some() { ROAD_HAZE } else { GRID_HAZE };
         mix(self.sky(line_of_sight), colour, 1.0 / (1.0 + haze * distance * distance))

@@ -10,7 +10,7 @@ use crate::turn::turn_of;
 /// A box in the rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Block {
-    /// Centre.
+    /// Centre of the block.
     pub center: DVec3,
     /// From there to the middles of three faces, at right angles.
     pub half_axes: [DVec3; 3],
@@ -28,7 +28,7 @@ impl Block {
         }
     }
 
-    /// Its two halves, across its longest axis.
+    /// Returns both halves of the block, divided across its longest axis.
     pub fn halves(&self) -> [Self; 2] {
         let squares = DVec3::from(self.half_axes.map(DVec3::length_squared));
         let mut half = *self;
@@ -37,7 +37,7 @@ impl Block {
         [-step, step].map(|step| Self { center: self.center + step, ..half })
     }
 
-    /// Its corners.
+    /// Returns the corners of the block.
     pub fn corners(&self) -> [DVec3; 8] {
         let [x, y, z] = self.half_axes;
         std::array::from_fn(|i| {
@@ -46,7 +46,7 @@ impl Block {
         })
     }
 
-    /// Its edges, tubes without a radius.
+    /// Returns the edges of the block, as tubes without a radius.
     pub fn edges(&self) -> impl Iterator<Item = Capsule> + use<> {
         let corners = self.corners();
         let edge = move |from: usize, bit: usize| {
@@ -61,7 +61,7 @@ impl Block {
         Capsule::ball(self.center, radius)
     }
 
-    /// How far from the origin it is; 0 around it.
+    /// Returns the distance of the block from the origin; 0 where it contains it.
     pub fn distance(&self) -> f64 {
         let nearest = self.half_axes.iter().fold(self.center, |from_origin, axis| {
             let along = -self.center.dot(*axis) / axis.length_squared();

@@ -1,9 +1,9 @@
-//! What a scene is made of: shapes, the light that they send, and how they turn.
+//! Bodies, which a scene consists of: shapes, the light that they emit, and their turning.
 
 use crate::shape::Shape;
 use crate::wheel::spin::Spin;
 
-/// What light a body sends, alike in all directions in its rest frame.
+/// The light that a body emits, alike in all directions in its rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Emission {
     /// Light of one wavelength, nm, above 0.
@@ -13,7 +13,7 @@ pub enum Emission {
 }
 
 impl Emission {
-    /// Its wavelength in the rest frame, nm; white light has none.
+    /// Returns the wavelength in the rest frame, nm; `None` for white light.
     #[must_use]
     pub const fn wavelength_nm(self) -> Option<f64> {
         match self {
@@ -27,7 +27,7 @@ impl Emission {
 /// has the axes of the rest frame, a box its own.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Pattern {
-    /// None.
+    /// No pattern.
     #[default]
     Plain,
     /// The faces of a die on a box: 1 at the end of its x axis, 2 of y, 3 of z; opposite faces sum to 7. Plain on all
@@ -59,15 +59,15 @@ pub enum Pattern {
 /// A shape, and the light it sends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
-    /// Where it is and what form it has.
+    /// Place and form of the body.
     pub shape: Shape,
-    /// Its light in the rest frame.
+    /// Light that it emits in its rest frame.
     pub emission: Emission,
     /// Brightness beside other bodies, above 0 and at most 1.
     pub brightness: f64,
-    /// What it carries.
+    /// Pattern on its surface.
     pub pattern: Pattern,
-    /// How it turns within its group; `None` if it stands still there.
+    /// Turning of the body within its group; `None` if it stands still there.
     pub spin: Option<Spin>,
 }
 
@@ -100,7 +100,7 @@ impl Body {
         Self { spin: Some(spin), ..self }
     }
 
-    /// How it turns, if that changes where its surface is.
+    /// Returns the turning of the body, if that changes the place of its surface.
     #[must_use]
     pub fn displacing_spin(&self) -> Option<Spin> {
         self.spin.filter(|spin| !self.shape.is_round_about(spin))

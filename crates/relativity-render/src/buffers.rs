@@ -9,7 +9,7 @@ pub fn frame_buffer(gpu: &Gpu, count: usize) -> wgpu::Buffer {
     buffer(gpu, "frames", frame_stride(gpu) * count as u64, wgpu::BufferUsages::UNIFORM)
 }
 
-/// Puts `frames` into the buffer, which is made anew if it is too small.
+/// Writes `frames` into the buffer, and replaces the buffer if it is too small.
 pub fn fill_frame_buffer(gpu: &Gpu, buffer: &mut wgpu::Buffer, frames: &[Frame]) {
     let stride = frame_stride(gpu);
     if stride * frames.len() as u64 > buffer.size() {
@@ -42,7 +42,7 @@ pub fn vertex_buffer(gpu: &Gpu, size: u64) -> wgpu::Buffer {
     buffer(gpu, "vertices", size, wgpu::BufferUsages::VERTEX)
 }
 
-/// Puts `data` into the vertex buffer, which is made anew (and larger) if it is too small.
+/// Writes `data` into the vertex buffer, and replaces the buffer by a larger one if it is too small.
 pub fn fill_vertex_buffer<T: bytemuck::NoUninit>(gpu: &Gpu, buffer: &mut wgpu::Buffer, data: &[T]) {
     let bytes = bytemuck::cast_slice(data);
     if bytes.len() as u64 > buffer.size() {

@@ -9,7 +9,7 @@ pub use crate::axes::{Axes, MAX_ELEVATION};
 use crate::axes::{LEAST_ACROSS, level_across};
 use crate::mercator::{MOST_ASIDE, MOST_SHIFTED, Mercator};
 
-/// Where a camera looks: the direction of its optical axis. Its horizon stays level.
+/// A gaze: the direction of a camera's optical axis. The camera's horizon stays level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Gaze {
@@ -19,13 +19,13 @@ pub struct Gaze {
     pub elevation: f64,
 }
 
-/// How far a gaze can be from the plane across the baseline for a picture to stay parallel to that, radians: further on it
-/// would be stretched too much, and turns with the gaze.
+/// Greatest angle of a gaze from the plane across the baseline for which a picture stays parallel to the baseline, radians: further
+/// on it would be stretched too much, and turns with the gaze.
 pub const MAX_SLANT: f64 = 65.0 * PI / 180.0;
 /// The farthest that a gaze can be aside for the tilt of a picture parallel to the baseline to be found, radians.
 const MOST_SLANT: f64 = FRAC_PI_2 - 1e-6;
 
-/// A pinhole camera at rest on the ground. [`Projection`] says where its picture plane lies: across the gaze, unless two
+/// A pinhole camera at rest on the ground. Its [`Projection`] gives the place of the picture plane: across the gaze, unless two
 /// eyes' pictures are to be fused.
 ///
 /// # Examples
@@ -44,9 +44,9 @@ const MOST_SLANT: f64 = FRAC_PI_2 - 1e-6;
 /// lies at (i + 0.5, j + 0.5).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Camera {
-    /// The pinhole.
+    /// Place of the pinhole.
     pub aperture: Aperture,
-    /// Optical axis.
+    /// Direction of the optical axis.
     pub gaze: Gaze,
     /// Angle between the left and the right edge of the picture if its middle is on its axis (abreast, in a conformal one),
     /// radians, in (0, pi): what sets the focal length, so that it stays as the gaze moves.
@@ -55,11 +55,11 @@ pub struct Camera {
     pub size: [u32; 2],
     /// From the middle between the two eyes, of which the aperture is one, to it.
     pub off_middle: DVec3,
-    /// Where the picture plane lies.
+    /// Place of the picture plane.
     pub projection: Projection,
 }
 
-/// Where the picture plane of a camera lies, and how directions are mapped to it.
+/// The place of a camera's picture plane, and the map of directions to it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Projection {
     /// Across the gaze, the horizon level.
@@ -108,7 +108,7 @@ impl Projection {
 }
 
 impl Gaze {
-    /// Along +y.
+    /// The gaze along +y.
     pub const STRAIGHT_AHEAD: Self = Self { azimuth: std::f64::consts::FRAC_PI_2, elevation: 0.0 };
 
     /// The gaze that looks along `direction` (any length above 0).
@@ -153,7 +153,7 @@ impl Camera {
         0.5 * f64::from(self.size[0]) / self.half_width()
     }
 
-    /// How many pixels of the middle of the picture a radian along its rows has.
+    /// Returns the number of pixels that a radian along the middle row of the picture has.
     #[must_use]
     pub fn px_per_radian(&self) -> f64 {
         let stretch = self.through_middle().length();
@@ -205,7 +205,7 @@ impl Camera {
         (depth > 0.0).then(|| [direction.dot(right) / depth, direction.dot(up) / depth])
     }
 
-    /// What tells where in a flat picture a place appears.
+    /// Returns the gauge, which gives the place of anything in a flat picture.
     pub(crate) fn gauge(&self) -> Gauge {
         let axes = self.axes();
         let Axes { right, up, forward } = axes;
@@ -297,8 +297,8 @@ impl Camera {
         Gaze::along((axes.forward + axes.right * sinh(u)).to_array())
     }
 
-    /// Where in the picture (pixels) something along `direction` (any length above 0) appears; `None`
-    /// behind the camera, and along the baseline of a conformal picture. May lie outside the picture.
+    /// Returns the place in the picture (pixels) where something along `direction` (any length above 0) appears; `None` behind the
+    /// camera, and along the baseline of a conformal picture. The place may lie outside the picture.
     #[must_use]
     pub fn pixel(&self, direction: DVec3) -> Option<[f64; 2]> {
         if let Some(mercator) = self.mercator() {
@@ -320,7 +320,7 @@ impl Camera {
         Some([0.5 * width + direction.dot(right) * scale, 0.5 * height - direction.dot(up) * scale])
     }
 
-    /// A camera of which a small picture of this `size` shows what is about `pixel` in this one, so many times as large.
+    /// Returns a camera whose small picture of this `size` shows the surroundings of `pixel` in this one, magnified by `factor`.
     #[must_use]
     pub fn magnified(&self, pixel: [f64; 2], size: [u32; 2], factor: f64) -> Self {
         let sight = self.line_of_sight(pixel);
@@ -370,7 +370,7 @@ impl Camera {
 }
 
 impl Axes {
-    /// Those of the picture beside `baseline` with `gaze` in its middle: parallel to it, up to [`MAX_SLANT`].
+    /// Returns the axes of the picture beside `baseline` with `gaze` in its middle: parallel to the baseline, up to [`MAX_SLANT`].
     pub(crate) fn beside(baseline: DVec3, gaze: DVec3) -> Self {
         let across = Self::across(baseline, gaze);
         let slant = atan2(gaze.dot(across.right), gaze.dot(across.forward));
@@ -415,7 +415,7 @@ pub(crate) fn held(tangent: f64) -> f64 {
     tangent.clamp(-steepest, steepest)
 }
 
-/// What tells where in a flat picture places appear: their products with `right` and `up`, over that with `forward`, count
+/// The axes that give the place of anything in a flat picture: its products with `right` and `up`, over that with `forward`, count
 /// focal lengths from the middle of the picture. Where that is not on the picture's axis, `right` is not across `forward`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Gauge {
@@ -445,7 +445,7 @@ pub struct LinesOfSight {
 /// The highest rectangle of a conformal picture whose middle row is found between the outer ones, radians.
 const MOST_ROWS_AROUND: f64 = 3.0;
 
-/// How places in a picture are mapped to directions.
+/// The map of a picture's places to directions.
 #[derive(Debug, Clone, Copy)]
 enum Map {
     /// On a plane, whose top left corner is there, in pixels.
@@ -457,7 +457,7 @@ enum Map {
 }
 
 impl LinesOfSight {
-    /// Those of `camera`.
+    /// Returns the rays of `camera`.
     #[must_use]
     pub fn new(camera: &Camera) -> Self {
         let axes = camera.axes();

@@ -14,10 +14,10 @@ use crate::scene::PreparedScene;
 use crate::tiles::{TILE_SIDE, Tile};
 use crate::view::View;
 
-/// How long the balls are that follow what turns, in parts of how far that reaches from its axle.
+/// Length of the balls that follow a turning body, as a part of its reach from the axle.
 const BALLS: f64 = 0.15;
 
-/// Smaller parts of a picture, px, are not asked whether they show anything: that would cost what it spares.
+/// Smallest side of a part of a picture, px, that is tested for showing anything: testing a smaller one costs more than it saves.
 const LEAST_ASKED: u32 = 2 * TILE_SIDE;
 
 /// Rows of pixels that one thread draws at a time.
@@ -25,7 +25,7 @@ const BAND: u32 = 2 * TILE_SIDE;
 
 /// A tile of a picture, and what may be seen in it.
 pub(crate) struct TileLook<'a> {
-    /// Its pixels.
+    /// Tile that the rows belong to.
     pub tile: Tile,
     /// Around its lines of sight; `None` far from all bodies.
     pub cap: Option<Cap>,
@@ -43,33 +43,33 @@ pub(crate) struct Rows<'a, T> {
 }
 
 impl<T> Rows<'_, T> {
-    /// Writes a pixel.
+    /// Writes the value of a pixel.
     pub fn put(&mut self, [u, v]: [u32; 2], value: T) {
         self.values[(v - self.top) as usize * self.width + u as usize] = value;
     }
 }
 
-/// What is asked while a picture is divided.
+/// The fixed data of a division of a picture.
 struct Division<'a> {
     scene: &'a PreparedScene,
     views: &'a [GroupView],
     lines_of_sight: LinesOfSight,
-    /// Where in the sky those are that no hierarchy knows, and their numbers, which ascend.
+    /// Caps in the sky of bodies outside any hierarchy, and the numbers of these bodies, ascending.
     others: Vec<(Cap, u32)>,
 }
 
-/// What may be seen in a part of a picture; the numbers ascend.
+/// The bodies that may be seen in a part of a picture; numbers ascend.
 #[derive(Default)]
 struct Candidates<'a> {
-    /// Numbers of groups.
+    /// Numbers of the groups.
     groups: Cow<'a, [u32]>,
     /// Numbers into the list of others of the division, all of these groups.
     others: Vec<u32>,
 }
 
 impl PreparedScene {
-    /// One value per pixel of `view`, row by row: `draw` is given each tile, and the rows of pixels to write it into. The
-    /// default is in rows that would begin when it no longer `goes_on`.
+    /// Returns one value per pixel of `view`, row by row: `draw` is called with each tile and the rows of pixels to write into. Rows that
+    /// would begin after `goes_on` has become false keep the default.
     pub(crate) fn tiles<T: Clone + Default + Send>(
         &self,
         view: &View,
@@ -150,7 +150,7 @@ impl<'a> Division<'a> {
         }
     }
 
-    /// What of the `candidates` may be seen in `cap`; groups are left out only if that `is_asked`.
+    /// Returns those of the `candidates` that may be seen in `cap`; groups are left out only if `is_asked`.
     fn among<'b>(&self, candidates: &'b Candidates<'_>, cap: &Cap, is_asked: bool) -> Candidates<'b> {
         let meets = |other: &u32| self.others[*other as usize].0.meets(cap);
         let others: Vec<u32> = candidates.others.iter().copied().filter(meets).collect();

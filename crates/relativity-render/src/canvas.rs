@@ -1,4 +1,4 @@
-//! What every GPU renderer draws on: the frame's uniforms, the colour tables, and the last pass.
+//! The canvas of every GPU renderer: the frame's uniforms, the colour tables, and the last pass.
 //!
 //! Bodies are drawn with four samples per pixel over nothing, in linear light; the last pass puts them over sky
 //! and ground and applies the sRGB curve.
@@ -32,7 +32,7 @@ pub struct Canvas {
 /// The last pass, by the number of the part that it draws; made when it is first needed.
 type LastPass = OnceLock<[wgpu::RenderPipeline; 5]>;
 
-/// What a pass over the bodies wrote: RGBA32 floats, see the shaders' `Hit`.
+/// The numbers that a pass over the bodies wrote: RGBA32 floats, see the shaders' `Hit`.
 pub struct Measures {
     pub measures: Vec<[f32; 4]>,
     pub places: Vec<[f32; 4]>,
@@ -103,7 +103,7 @@ impl Canvas {
         gpu.queue.submit([encoder.finish()]);
     }
 
-    /// What the centre of every pixel of `part`, a magnified view of a small part of `whole` or that itself, shows of
+    /// Returns the hits at the centre of every pixel of `part`, which is a magnified view of a small part of `whole` or `whole` itself, of
     /// `scene`, its bodies drawn as `drawing` does for `whole`; without anti-aliasing.
     pub fn hits(
         &self,

@@ -1,4 +1,4 @@
-//! Caps of the sky: directions about an axis, told by sine and cosine, so that no angle has to be worked out.
+//! Caps of the sky: directions about an axis, given by sine and cosine, so that no angle has to be computed.
 
 use glam::DVec3;
 use relativity_core::Speed;
@@ -6,23 +6,23 @@ use relativity_core::math::{hypot, sin_cos};
 
 use crate::cone::Cone;
 
-/// What rounding may do to a cosine.
+/// Largest error of a cosine by rounding.
 const ROUNDING: f64 = 1e-14;
 
-/// All directions whose angle from `axis` is no greater than the one with this `sine` (0 or more) and `cosine`.
+/// A cap: all directions whose angle from `axis` is at most the one with this `sine` (0 or more) and `cosine`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cap {
-    /// Unit vector.
+    /// Axis of the cap, a unit vector.
     pub axis: DVec3,
     pub sine: f64,
     pub cosine: f64,
 }
 
 impl Cap {
-    /// Every direction.
+    /// The cap of every direction.
     pub const WHOLE_SKY: Self = Self { axis: DVec3::Y, sine: 0.0, cosine: -1.0 };
 
-    /// All directions to `corners`, and what no great circle between them leaves; all of them are unit vectors.
+    /// Returns the cap of all directions to `corners`, with the great circles between them; all are unit vectors.
     pub fn around(axis: DVec3, corners: [DVec3; 4]) -> Self {
         let chord_squared =
             corners.into_iter().map(|corner| corner.distance_squared(axis)).fold(0.0, f64::max);
@@ -43,7 +43,7 @@ impl Cap {
         sine < 0.0 || self.axis.dot(other.axis) >= cosine - ROUNDING
     }
 
-    /// What aberration makes of it where it multiplies the tangent of half the angle from x by 1/`head_on_doppler_factor`:
+    /// Returns the cap after aberration, which multiplies the tangent of half the angle from x by 1/`head_on_doppler_factor`:
     /// from the ground into the rest frame of what moves along +x. `None` if it holds -x, from where light comes from all
     /// sides then.
     ///

@@ -15,12 +15,12 @@ pub struct Capsule {
     pub from: DVec3,
     /// Centre of the other.
     pub to: DVec3,
-    /// Radius.
+    /// Radius of the tube.
     pub radius: f64,
 }
 
 impl Capsule {
-    /// A ball.
+    /// Returns a ball.
     pub const fn ball(center: DVec3, radius: f64) -> Self {
         Self { from: center, to: center, radius }
     }
@@ -54,7 +54,7 @@ impl Capsule {
         out.push(Self::ball(0.5 * (self.from + self.to), self.radius + 0.5 * length));
     }
 
-    /// Its two halves.
+    /// Returns both halves of the capsule.
     pub fn halves(&self) -> [Self; 2] {
         let middle = 0.5 * (self.from + self.to);
         [Self { to: middle, ..*self }, Self { from: middle, ..*self }]

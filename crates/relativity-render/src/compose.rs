@@ -1,4 +1,4 @@
-//! One picture from those of two eyes.
+//! Composition of one picture from those of two eyes.
 //!
 //! A mixture gives each of its pixels the weighted sum of red, green, blue and the largest of these of both pictures there,
 //! in linear light: an anaglyph or an overlay. Interleaved rows and halves take whole pixels of one or the other.
@@ -19,10 +19,10 @@ use crate::colour::{hue_preserving_clip, srgb_decoded};
 use crate::effects::{Constant, number};
 use crate::picture::{Picture, encoded};
 
-/// How two pictures of one size, the first and the second, become one.
+/// A way to compose two pictures of one size, the first and the second, into one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Composition {
-    /// The largest component of the first in red, of the second in green and blue. It stands for brightness where one
+    /// Anaglyph: the largest component of the first in red, of the second in green and blue. It stands for brightness where one
     /// wavelength fills the picture, and so no colour is lost behind the glasses.
     Anaglyph,
     /// For red-cyan glasses, by least squares: what the eyes see behind them is as near to the colours as can be.
@@ -31,7 +31,7 @@ pub enum Composition {
     Overlay([[u8; 3]; 2]),
     /// Rows of the first and of the second in turn.
     Rows {
-        /// Which picture the topmost row is of.
+        /// Picture of the topmost row.
         top: Top,
     },
     /// The first squeezed into the left half and the second into the right one: pairs of columns averaged in linear light.
@@ -40,7 +40,7 @@ pub enum Composition {
     HalfOverUnder,
 }
 
-/// Where interleaved rows begin.
+/// The picture that interleaved rows begin with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Top {
     /// With one of the first picture.
@@ -126,7 +126,7 @@ impl Composition {
         }
     }
 
-    /// What the shader is told.
+    /// Returns the parameters of the shader.
     pub(crate) fn composing(self) -> Composing {
         let top = if let Self::Rows { top } = self { top as u32 } else { 0 };
         let [first, second] =
@@ -141,7 +141,7 @@ impl Composition {
 pub struct Composing {
     /// Weights of the first picture's red, green, blue and largest component in those of a mixture.
     pub first: [[f32; 4]; 3],
-    /// Of the second's.
+    /// Weights of the second picture.
     pub second: [[f32; 4]; 3],
     /// `top[0]`: which picture the topmost of interleaved rows comes from; the rest is padding.
     pub top: [u32; 4],

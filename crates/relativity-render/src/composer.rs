@@ -11,7 +11,7 @@ use crate::gpu_error::GpuError;
 use crate::shaders::COMPOSE;
 use crate::target::{self, ENCODED_FORMAT, EyeTarget};
 
-/// Composes pictures.
+/// A composer of pictures on the GPU.
 #[derive(Debug)]
 pub struct Composer {
     layout: wgpu::BindGroupLayout,
@@ -21,7 +21,7 @@ pub struct Composer {
     pipelines: HashMap<Form, wgpu::RenderPipeline>,
 }
 
-/// What was composed: sRGB-encoded RGBA8 that can be sampled, copied and read back.
+/// A composed picture: sRGB-encoded RGBA8 that can be sampled, copied and read back.
 #[derive(Debug)]
 pub struct Composed {
     size: [u32; 2],
@@ -31,7 +31,7 @@ pub struct Composed {
 }
 
 impl Composed {
-    /// Of `size` pixels (width, height), at least 1x1 and at most what the device allows.
+    /// Returns a picture of `size` pixels (width, height), at least 1x1 and at most what the device allows.
     #[must_use]
     pub fn new(gpu: &Gpu, size: [u32; 2]) -> Self {
         use wgpu::TextureUsages as Usage;
@@ -54,7 +54,7 @@ impl Composed {
         self.size
     }
 
-    /// The picture, sRGB-encoded.
+    /// Returns the view of the picture, sRGB-encoded.
     #[must_use]
     pub const fn view(&self) -> &wgpu::TextureView {
         &self.view
@@ -71,7 +71,7 @@ impl Composed {
 }
 
 impl Composer {
-    /// One on `gpu`.
+    /// Returns a composer on `gpu`.
     #[must_use]
     pub fn new(gpu: &Gpu) -> Self {
         let device = &gpu.device;

@@ -12,17 +12,17 @@ use relativity_core::math::{asin, atan, atan2, sin_cos, tan};
 use crate::group_view::GroupView;
 use crate::view::Geometry;
 
-/// All directions within `half_angle` of `axis`.
+/// A cone: all directions within `half_angle` of `axis`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cone {
-    /// Unit vector.
+    /// Axis of the cone, a unit vector.
     pub axis: DVec3,
     /// Radians, 0 to pi; pi is the whole sky.
     pub half_angle: f64,
 }
 
 impl Cone {
-    /// Every direction.
+    /// The cone of every direction.
     pub const WHOLE_SKY: Self = Self { axis: DVec3::Y, half_angle: PI };
 
     /// The cone from the origin around the ball at `center`; the whole sky from inside the ball.

@@ -19,11 +19,11 @@ use crate::scene::PreparedScene;
 use crate::shape::Shape;
 use crate::view::{Appearance, Geometry};
 
-/// Of the road's light a shadow takes this share where bodies touch the road.
+/// Share of the road's light that a shadow takes where bodies touch the road.
 pub(crate) const DARKEST: f64 = 0.85;
 /// No shadow is drawn farther away, where haze leaves less than a level of it.
 pub(crate) const FARTHEST: f64 = 2000.0;
-/// At most so many are drawn: those of the nearest places.
+/// Greatest number of shadows that are drawn: those of the nearest places.
 pub(crate) const MOST: usize = 8;
 /// A body touches the ground if its lowest point is this near to it, in parts of its radius.
 const TOUCH: f64 = 0.02;
@@ -36,7 +36,7 @@ const BOX: f64 = 1.5;
 /// A body of a greater gamma has none: f32 would overflow in the squares.
 const MOST_RAPID: f64 = 1e9;
 
-/// Where bodies touch the road in one picture.
+/// The contacts of bodies with the road in one picture.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Contacts {
     /// From the middle between the eyes to the eye, where both have one light cone, else 0.
@@ -45,7 +45,7 @@ pub(crate) struct Contacts {
     count: usize,
 }
 
-/// Where one body touches the road.
+/// The contact of one body with the road.
 #[derive(Debug, Clone, Copy, Default)]
 struct Contact {
     /// From the eye to where it is seen, on the ground.
@@ -59,7 +59,7 @@ struct Contact {
     rapid: f64,
 }
 
-/// Where a shape touches the ground, and half the length and the width of its shadow.
+/// The foot of a shape: its place on the ground, and half the length and the width of its shadow.
 struct Foot {
     place: DVec3,
     half: DVec2,

@@ -1,4 +1,4 @@
-//! What a pixel shows of painted bands and lines: the share of it that they cover.
+//! Coverage of a pixel by painted bands and lines: the share of it that they cover.
 
 /// Share of a pixel, `pixel` wide there, that what lies between two places covers.
 pub fn band_cover(coordinate: f64, [from, to]: [f64; 2], pixel: f64) -> f64 {

@@ -1,4 +1,4 @@
-//! What the renderers on the GPU share: what they are asked for, and the batches of instances that they answer with.
+//! The interface of the GPU renderers: the request for a drawing, and the batches of instances that answer it.
 //!
 //! A renderer says which bodies can be seen and as what they are drawn ([`Drawing::load`], [`Drawing::record`]); the
 //! canvas makes a picture or a measurement of that.
@@ -16,12 +16,12 @@ use crate::scene::PreparedScene;
 use crate::view::Appearance;
 use crate::wheel::packed::{Shown, Turns};
 
-/// What is to be drawn.
+/// A request for a drawing.
 #[derive(Debug, Clone, Copy)]
 pub struct Shot<'a> {
-    /// The bodies.
+    /// Scene with the bodies to draw.
     pub scene: &'a PreparedScene,
-    /// How each of their groups is seen.
+    /// Views of the scene's groups, one each.
     pub views: &'a [GroupView],
     /// The views that triangles are made for: `views`, unless these show a magnified part of a picture.
     pub divided_for: &'a [GroupView],
@@ -52,26 +52,26 @@ pub struct Batches<I, T> {
 pub struct Batch<T> {
     group: usize,
     key: Key,
-    /// What each of them is an instance of.
+    /// Template that each instance is a copy of.
     pub template: T,
-    /// Where they are in the vertex buffer.
+    /// Range of the instances in the vertex buffer.
     pub instances: Range<u32>,
 }
 
-/// What the instances of a batch have in common.
+/// The properties that the instances of a batch share.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trait<T> {
     /// The number of their group.
     pub group: usize,
     /// The kind of their shapes.
     pub kind: Kind,
-    /// What each of them is an instance of.
+    /// Template that each instance is a copy of.
     pub template: T,
     /// Whether they are thinner than a pixel, and faded for that.
     pub is_thin: bool,
     /// Whether any of them carries a pattern.
     pub is_patterned: bool,
-    /// Whether they turn.
+    /// Turning of the instances.
     pub turns: Turns,
 }
 

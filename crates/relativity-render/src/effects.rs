@@ -1,4 +1,4 @@
-//! Which effects a picture has, as far as they choose a pipeline: what is off is not computed.
+//! Effects of a picture, as far as they choose a pipeline: an effect that is off is not computed.
 
 use crate::view::{Appearance, Colour, Shading};
 
@@ -14,7 +14,7 @@ pub struct Effects {
     pub(crate) form: bool,
 }
 
-/// How the shaders come from a Doppler factor to a colour.
+/// The shaders' way from a Doppler factor to a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Spectrum {
     /// Not at all: each body has its colour at rest.
@@ -30,11 +30,11 @@ pub enum Spectrum {
 }
 
 impl Effects {
-    /// None at all.
+    /// No effects at all.
     pub const NONE: Self =
         Self { spectrum: Spectrum::AtRest, doppler_shift: false, invisible: false, form: false };
 
-    /// Those of `appearance`; without a Doppler effect (D = 1) what depends on it is off.
+    /// Returns the effects of `appearance`; without a Doppler effect (D = 1) everything that depends on it is off.
     pub fn new(has_doppler_effect: bool, appearance: &Appearance) -> Self {
         let Appearance { doppler_shift, intensity_exponent, .. } = *appearance;
         let form = match appearance.shading {
@@ -56,12 +56,12 @@ impl Effects {
         Self { spectrum: Spectrum::StreetDaylight, ..self }
     }
 
-    /// How colours are found.
+    /// Returns the shaders' way to find colours.
     pub const fn spectrum(self) -> Spectrum {
         self.spectrum
     }
 
-    /// The shader's constants.
+    /// Returns the constants of the shader.
     pub fn constants(self) -> [Constant; 4] {
         let spectrum = match self.spectrum {
             Spectrum::AtRest => 0.0,
@@ -82,7 +82,7 @@ impl Effects {
 /// A constant that a shader leaves open: its name there, and its value.
 pub type Constant = (&'static str, f64);
 
-/// A boolean constant.
+/// Returns a boolean as a shader's constant.
 pub fn number(on: bool) -> f64 {
     f64::from(u8::from(on))
 }

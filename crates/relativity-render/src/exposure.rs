@@ -11,7 +11,7 @@ use crate::view::{Appearance, Colour, Geometry};
 
 /// Between these light of one wavelength is at least half as bright as its colour can be, nm.
 const SEEN_NM: [f64; 2] = [400.0, 745.0];
-/// How bright what glows or is white comes out abreast, beside the brightest that is shown as it is: a middle grey.
+/// Brightness, abreast, of bodies that glow or are white, relative to the brightest that is shown unchanged: a middle grey.
 const ABREAST: f64 = 0.18;
 /// The most that automatic exposure brightens, factors of 2: beyond, a picture is all shoulder.
 const MOST_EV: f64 = 6.0;

@@ -1,4 +1,4 @@
-//! What goes wrong on a graphics device: told to whoever draws, never the end of the program.
+//! Errors of a graphics device: they are reported to whoever draws, and never end the program.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -6,7 +6,7 @@ use wgpu::{DeviceLostReason, ErrorFilter};
 
 use crate::gpu_error::GpuError;
 
-/// What a device reported that nobody was waiting for, and whether it was lost.
+/// The errors of a device that nobody was waiting for, and its loss.
 #[derive(Debug, Clone, Default)]
 pub struct Faults(Arc<Mutex<Told>>);
 
@@ -18,7 +18,7 @@ struct Told {
 }
 
 impl Faults {
-    /// Those of `device` from now on, in place of the end of the program; each calls `wake`.
+    /// Collects the errors of `device` from now on, in place of ending the program; each error calls `wake`.
     pub fn of(device: &wgpu::Device, wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
         let faults = Self::default();
         let (told, wakes) = (faults.clone(), wake.clone());
@@ -34,7 +34,7 @@ impl Faults {
         faults
     }
 
-    /// How many errors there were.
+    /// Returns the number of errors so far.
     #[must_use]
     pub fn errors(&self) -> u64 {
         self.told().errors
@@ -80,7 +80,7 @@ impl ErrorScopes {
         Self(kinds.map(|kind| device.push_error_scope(kind)))
     }
 
-    /// Ends waiting.
+    /// Ends the wait.
     ///
     /// # Errors
     ///

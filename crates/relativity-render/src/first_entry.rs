@@ -16,13 +16,13 @@ use crate::scene::PreparedScene;
 pub(crate) struct Chosen<'a> {
     /// The number of the group.
     pub group: usize,
-    /// Of those that turn, or of all; their numbers ascend.
+    /// Bodies that turn, or all bodies; their numbers ascend.
     pub others: &'a [u32],
-    /// Where those that keep their places are looked for, if they are.
+    /// Rays to search for bodies that keep their places, if these are searched at all.
     pub standing: Option<Within>,
 }
 
-/// What rays are inside of.
+/// The beam that contains the rays.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Within(Option<Beam>);
 
@@ -37,7 +37,7 @@ struct First {
     is_tied: bool,
 }
 
-/// What rays look for.
+/// A search for the first entry of rays.
 struct Search<'a> {
     scene: &'a PreparedScene,
     view: &'a GroupView,
@@ -53,7 +53,7 @@ impl Chosen<'_> {
 }
 
 impl PreparedScene {
-    /// Where lines of sight within `cap` may meet the bodies of this `group` that keep their places.
+    /// Returns the beam in which lines of sight within `cap` may meet the bodies of this `group` that keep their places.
     pub(crate) fn standing(&self, group: usize, view: &GroupView, cap: &Cap) -> Option<Within> {
         let hierarchy = self.hierarchy(group);
         if hierarchy.is_empty() || !view.has_straight_rays() {
@@ -101,13 +101,13 @@ struct All<'a> {
     rays: &'a [Ray],
     lines: Lines,
     firsts: &'a mut [First],
-    /// What begins farther along a ray than this is not seen, nor along any than `reach`.
+    /// Distances beyond which nothing is seen, for each ray, and along none beyond `reach`.
     farthest: [f32; Lines::MOST],
     reach: f32,
 }
 
 impl All<'_> {
-    /// Tests what may be met, and says how far looking is worth while.
+    /// Tests a candidate, and returns the distance up to which searching is worth while.
     #[inline(always)]
     fn visit<S: Simd>(&mut self, simd: S, candidate: &Candidate) -> f32 {
         let mut meeting = self.lines.meeting(simd, candidate.center, candidate.half, &self.farthest);
@@ -185,7 +185,7 @@ impl Search<'_> {
         Some((number, entry?))
     }
 
-    /// Tests `ray` against a body, and says whether that is the `first` now.
+    /// Tests `ray` against a body, and updates the `first` hit.
     fn enter(&self, first: &mut First, ray: &Ray, body: u32) -> bool {
         if first.found.is_some_and(|(found, _)| found == body as usize) {
             return false;
@@ -202,7 +202,7 @@ impl Search<'_> {
 }
 
 impl First {
-    /// What begins farther than this is not seen.
+    /// Returns the distance beyond which nothing is seen.
     fn farthest(&self, tie: f64) -> f32 {
         let Some((_, Entry { distance, .. })) = self.found else { return f32::INFINITY };
         (distance + 3.0 * tie + 1e-6 * distance.abs()) as f32

@@ -1,4 +1,4 @@
-//! What the shaders know of one aperture's picture and of one group in it: the uniform block, rounded once from f64.
+//! The uniform block: everything that the shaders know of one aperture's picture and of one group in it, rounded once from f64.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
@@ -33,11 +33,11 @@ pub struct Frame {
     /// the group comes from, if that is in front, where the last digits of a line of sight matter most; else the middle
     /// of the picture.
     pub pole: [f32; 4],
-    /// Of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
+    /// Speed of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
     pub speed: [f32; 4],
     /// -1 if the group moves towards -x, else 1; the same of the reference of depths; 1 if the picture is conformal, else 0.
     pub motion: [f32; 4],
-    /// Where the camera is from the middle between the eyes, where these have one light cone, else 0; reflected so that
+    /// Place of the camera from the middle between the eyes, if these have one light cone, else 0; reflected so that
     /// the group moves along +x.
     pub eye: [f32; 4],
     /// `eye` of the reference.
@@ -48,7 +48,7 @@ pub struct Frame {
     pub reference_middle: [f32; 4],
     /// Middle of the group from the camera's event, rest frame; and half the reciprocal of its reach.
     pub middle: [f32; 4],
-    /// What f32 loses of the middle.
+    /// Remainder of the middle that f32 loses.
     pub middle_fine: [f32; 4],
     /// Camera x and y, height of the ground above the camera (`f32::MIN` for none), and the published model's aperture
     /// separation.
@@ -63,14 +63,14 @@ pub struct Frame {
     pub contacts: [[[f32; 4]; 2]; contact::MOST],
     /// Height of houses, and shade of their walls.
     pub houses: [[f32; 4]; 4],
-    /// What is let into these: from where, how long, and between which heights.
+    /// Openings in the walls: beginning and length along a house, and the heights between which they lie.
     pub openings: [[f32; 4]; 4],
     /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, a road; walls, frames, glass,
     /// doors, shops.
     pub backdrop: [[f32; 4]; 11],
     /// The hatch of what eyes do not see: see [`Hatch::packed`].
     pub hatch: [[f32; 4]; 2],
-    /// Its product with an apparent position is the clip coordinate x. In a conformal picture the unit vector along the
+    /// Row of the clip coordinate x: its product with an apparent position. In a conformal picture the unit vector along the
     /// baseline, and the clip coordinates of a unit of u.
     pub clip_right: [f32; 4],
     /// y. In a conformal picture the unit vector across the baseline and `forward`, and the clip coordinates of a radian of v.
@@ -143,7 +143,7 @@ impl Sights {
 const FARTHEST_POLE: f64 = 5.0;
 
 impl Frame {
-    /// One for each group of `scene`, which its `views` show.
+    /// Returns one frame for each group of `scene`, as its `views` show them.
     ///
     pub fn of_groups(scene: &PreparedScene, views: &[GroupView], appearance: &Appearance) -> Vec<Self> {
         let frame = |(view, group): (_, &PreparedGroup)| Self::new(view, appearance, &group.extent);
@@ -157,7 +157,7 @@ impl Frame {
         frames
     }
 
-    /// Has depths told among the bodies of the group of `reference`.
+    /// Makes depths comparable with those of the group of `reference`.
     fn refer_to(&mut self, reference: &Self) {
         self.motion[1] = reference.motion[0];
         self.reference_eye = reference.eye;
@@ -165,7 +165,7 @@ impl Frame {
         self.reference_middle = reference.middle;
     }
 
-    /// That of a group which is its own reference.
+    /// Returns the frame of a group that is its own reference.
     fn new(view: &GroupView, appearance: &Appearance, extent: &Extent) -> Self {
         let camera = &view.camera;
         let sights = Sights::new(camera, -view.velocity.direction());
@@ -218,7 +218,7 @@ impl Frame {
         self.motion[2] != 0.0
     }
 
-    /// What is to be seen below the horizon.
+    /// Returns the floor below the horizon.
     pub fn floor(&self) -> Floor {
         match (self.ground[2] > f32::MIN, self.road[0] < self.road[1]) {
             (false, _) => Floor::Open,

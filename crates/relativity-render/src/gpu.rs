@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::faults::ErrorScopes;
 use crate::gpu_error::GpuError;
 
-/// Which adapter the environment asks for: part of its name, in lower case. `None` if it does not.
+/// Returns the part of an adapter's name that the environment asks for, in lower case; `None` if it asks for none.
 #[must_use]
 pub fn adapter_name() -> Option<String> {
     std::env::var("WGPU_ADAPTER_NAME").ok().map(|name| name.to_lowercase()).filter(|name| !name.is_empty())
@@ -87,13 +87,13 @@ impl Gpu {
         self.device.limits().max_texture_dimension_2d
     }
 
-    /// What the device is, e.g. "llvmpipe (Vulkan)".
+    /// Returns a description of the device, e.g. "llvmpipe (Vulkan)".
     #[must_use]
     pub fn description(&self) -> String {
         format!("{} ({:?})", self.info.name, self.info.backend)
     }
 
-    /// Whether the device is software: the CPU does all that it is asked to draw.
+    /// Returns whether the device is software: then the CPU does all the drawing.
     #[must_use]
     pub fn is_software(&self) -> bool {
         self.info.device_type == wgpu::DeviceType::Cpu

@@ -11,13 +11,13 @@ pub enum GpuError {
          mesa-vulkan-drivers provides a software one"
     )]
     NoAdapter,
-    /// None with the name that is asked for.
+    /// No adapter has the name that is asked for.
     #[error(
         "WGPU_ADAPTER_NAME={asked:?} is no part of the name of a graphics adapter; there {}",
         there(present)
     )]
     NoSuchAdapter {
-        /// What the name is to contain.
+        /// Text that the name should contain.
         asked: String,
         /// The names of those that there are.
         present: Vec<String>,
@@ -27,7 +27,7 @@ pub enum GpuError {
     Device {
         /// Name of the adapter.
         adapter: String,
-        /// What the driver said.
+        /// Reason given by the driver.
         reason: wgpu::RequestDeviceError,
     },
     /// A picture larger than the device can draw.
@@ -35,7 +35,7 @@ pub enum GpuError {
         "{adapter} draws at most {}x{} of these pixels; the reference renderer has no such limit", size[0], size[1]
     )]
     TooLarge {
-        /// What the device is.
+        /// Description of the device.
         adapter: String,
         /// The part of the picture that it could draw: width and height, pixels.
         size: [u32; 2],

@@ -1,4 +1,4 @@
-//! How a view sees a group of bodies that moves.
+//! The view of a group of bodies in motion.
 //!
 //! A group rests in a frame of its own, in which its bodies stand still and rays are straight. Where it moves towards
 //! -x, everything is reflected there and back (x to -x), so that each formula is written for motion along +x alone.
@@ -14,7 +14,7 @@ use crate::wheel::spin::MaterialPoint;
 /// A ray in the rest frame of a group, where it is straight and the bodies stand still.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RestRay {
-    /// Where the camera's event is.
+    /// Place of the camera's event.
     pub origin: DVec3,
     /// When it is, by the group's own clocks; light was there earlier by the distance along the ray.
     pub time: f64,
@@ -29,12 +29,12 @@ pub struct RestRay {
     pub received_along: DVec3,
 }
 
-/// How one view sees one group: as it moves against the camera, from where the camera is in the group's frame.
+/// The view of one group: its motion against the camera, and the camera's place in the group's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GroupView {
-    /// The camera.
+    /// Camera of the view.
     pub camera: Camera,
-    /// Which geometry shows the group: [`Geometry::Rest`] where a group with a velocity of its own rests with the
+    /// Geometry that shows the group: [`Geometry::Rest`] where a group with a velocity of its own rests with the
     /// camera, since no ray is turned then; [`Geometry::Seen`] where it passes a camera that rides along with the
     /// scene.
     pub geometry: Geometry,
@@ -42,7 +42,7 @@ pub struct GroupView {
     pub velocity: Velocity,
     /// The same on the ground, on which its wheels roll.
     pub on_ground: Velocity,
-    /// Where the camera's event is in the group's frame: (gamma (`a_x` - beta T), `a_y`, `a_z`), with the group's
+    /// Camera's event in the group's frame: (gamma (`a_x` - beta T), `a_y`, `a_z`), with the group's
     /// beta on the ground. Where both eyes have one light cone, that of the middle between them.
     pub origin: DVec3,
     /// When it is there: gamma (T - beta `a_x`).
@@ -50,12 +50,12 @@ pub struct GroupView {
     /// `time` + x and `time` - x of the origin, reflected so that the group moves along +x on the ground, with the digits
     /// that these sums lose where the camera is far away in the group's frame.
     pub(crate) cone_times: [f64; 2],
-    /// T.
+    /// Observation time T.
     pub(crate) observation_time: f64,
 }
 
 impl GroupView {
-    /// How `view` sees a group that moves so.
+    /// Returns the view of a group with this `motion` by `view`.
     pub(crate) fn new(view: &View, motion: Motion) -> Self {
         let scene = Velocity::forward(view.speed);
         let on_ground = match motion {
@@ -175,7 +175,7 @@ impl GroupView {
         self.one_cone_ray(line_of_sight, Some(distance))
     }
 
-    /// How far what is seen along `ray` moves in the rest frame where the line of sight turns by `turn`, but for what is
+    /// Returns the shift in the rest frame of the place that is seen along `ray` when the line of sight turns by `turn`, without its part
     /// along the ray: per ground distance, since at the greatest speeds only that is a moderate number.
     pub(crate) fn shift(&self, ray: &RestRay, turn: DVec3) -> DVec3 {
         let speed = &self.velocity.speed;
@@ -231,7 +231,7 @@ impl GroupView {
         position.is_finite().then_some(position)
     }
 
-    /// Where the published model's right eye sees a point that turns: where the left one does earlier or later.
+    /// Returns the place where the published model's right eye sees a turning point: where the left one sees it earlier or later.
     fn published_position(&self, point: MaterialPoint) -> Option<DVec3> {
         let Aperture { x, y, z } = self.camera.aperture;
         let pair = [x, -x].map(|x| Aperture { x, y: 0.0, z: 0.0 });
@@ -250,7 +250,7 @@ impl GroupView {
 }
 
 impl View {
-    /// How this view sees a group of bodies that moves so.
+    /// Returns the view of a group with this `motion`.
     #[must_use]
     pub fn of_group(&self, motion: Motion) -> GroupView {
         GroupView::new(self, motion)

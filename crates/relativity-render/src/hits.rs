@@ -11,7 +11,7 @@ use crate::wheel::packed::Turns;
 use crate::wheel::spin::about_y;
 
 impl Measures {
-    /// What is seen of `scene` in `view`; what the shader has not written follows in f64.
+    /// Returns the hits of `scene` in `view`; the numbers that the shader does not write are computed in f64.
     pub fn hit_image(&self, scene: &PreparedScene, view: &View) -> HitImage {
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let group_views = scene.group_views(view);

@@ -13,7 +13,7 @@ use relativity_core::math::{atan2, powf};
 /// To the responses of the three kinds of cones, 1 each for white (D65).
 const CONES_FROM_XYZ: [[f64; 3]; 3] =
     [[0.4002, 0.7075, -0.0807], [-0.2280, 1.1500, 0.0612], [0.0, 0.0, 0.9184]];
-/// How responses are compressed.
+/// Exponent that compresses the responses.
 const COMPRESSION: f64 = 0.43;
 /// From compressed responses to the two opponent colours: P, red against green, and T, yellow against blue.
 const OPPONENTS: [[f64; 3]; 2] = [[4.4550, -4.8510, 0.3960], [0.8056, 0.3572, -1.1628]];

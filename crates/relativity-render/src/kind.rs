@@ -1,9 +1,9 @@
-//! The kinds of shape that shaders tell apart: each has its own ray test, and its own corners of triangles.
+//! The kinds of shape in the shaders: each has its own ray test, and its own corners of triangles.
 
 use crate::shaders::source;
 use crate::shape::Shape;
 
-/// One line for each kind: its name, and its files in `shaders/` for the ray test, for the corners and for patterns.
+/// Defines the kinds: one line each, with its name and its files in `shaders/` for the ray test, for the corners and for patterns.
 macro_rules! kinds {
     ($($(#[$doc:meta])* $kind:ident: $test:literal, $corners:literal, $pattern:literal;)+) => {
         /// A kind of shape.
@@ -13,10 +13,10 @@ macro_rules! kinds {
         }
 
         impl Kind {
-            /// Every kind.
+            /// Every kind of shape.
             pub const ALL: &[Self] = &[$(Self::$kind),+];
 
-            /// The rays' shader.
+            /// Returns the shader of the rays.
             pub const fn impostor(self) -> &'static str {
                 match self {
                     $(Self::$kind => source!(
@@ -40,9 +40,9 @@ macro_rules! kinds {
 kinds! {
     /// A tube with rounded ends; a ball is one without a length.
     Tube: "tube", "mesh_tube", "pattern_tube";
-    /// A torus.
+    /// A torus, as the shape `Ring`.
     Ring: "ring", "mesh_ring", "pattern_ring";
-    /// A box.
+    /// A box, as the shape `Box`.
     Box: "box", "mesh_box", "pattern_box";
     /// A cylinder with flat ends.
     Cylinder: "cylinder", "mesh_cylinder", "pattern_cylinder";

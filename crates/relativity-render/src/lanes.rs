@@ -8,7 +8,7 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 pub use fearless_simd::prelude::*;
 use fearless_simd::{f32x8, mask32x8};
 
-/// How many pixels are drawn at once.
+/// Number of pixels that are drawn at once.
 pub const LANES: usize = 8;
 
 /// A number for each.
@@ -31,7 +31,7 @@ pub struct V3<S: Simd> {
     pub z: F<S>,
 }
 
-/// A unit quaternion.
+/// A unit quaternion in each lane.
 #[derive(Debug, Clone, Copy)]
 pub struct Quaternion<S: Simd> {
     pub v: V3<S>,
@@ -44,7 +44,7 @@ pub fn all<S: Simd>(simd: S, value: f32) -> F<S> {
     F::splat(simd, value)
 }
 
-/// No for all.
+/// Returns a mask that is false in each lane.
 #[inline(always)]
 pub fn no<S: Simd>(simd: S) -> Mask<S> {
     Mask::splat(simd, 0)
@@ -139,7 +139,7 @@ impl<S: Simd> V3<S> {
         self.dot(self).sqrt()
     }
 
-    /// Part by part.
+    /// Returns the product, part by part.
     #[inline(always)]
     pub fn times(self, other: Self) -> Self {
         Self { x: self.x * other.x, y: self.y * other.y, z: self.z * other.z }
@@ -173,7 +173,7 @@ impl<S: Simd> V3<S> {
         Self { x: self.x.sqrt(), y: self.y.sqrt(), z: self.z.sqrt() }
     }
 
-    /// [`sign_of`] each part.
+    /// Returns [`sign_of`] of each part.
     #[inline(always)]
     pub fn signs(self) -> Self {
         Self { x: sign_of(self.x), y: sign_of(self.y), z: sign_of(self.z) }
@@ -185,13 +185,13 @@ impl<S: Simd> V3<S> {
         Self { x: self.x.abs(), y: self.y.abs(), z: self.z.abs() }
     }
 
-    /// The greatest part.
+    /// Returns the greatest of the parts.
     #[inline(always)]
     pub fn max_part(self) -> F<S> {
         self.x.max(self.y.max(self.z))
     }
 
-    /// The least part.
+    /// Returns the least of the parts.
     #[inline(always)]
     pub fn min_part(self) -> F<S> {
         self.x.min(self.y.min(self.z))
@@ -229,7 +229,7 @@ impl<S: Simd> V3<S> {
         first * (1.0 - share) + second * share
     }
 
-    /// That of one of the pixels.
+    /// Returns the vector of one lane.
     #[inline(always)]
     pub fn lane(self, lane: usize) -> [f32; 3] {
         [self.x[lane], self.y[lane], self.z[lane]]
@@ -243,7 +243,7 @@ impl<S: Simd> Quaternion<S> {
         Self { v: V3::all(simd, [x, y, z]), w: all(simd, w) }
     }
 
-    /// Against it.
+    /// Returns the opposite turn.
     #[inline(always)]
     pub fn conjugate(self) -> Self {
         Self { v: -self.v, w: self.w }
@@ -300,7 +300,7 @@ impl<S: Simd> Div<F<S>> for V3<S> {
     }
 }
 
-/// Part by part.
+/// Divides part by part.
 impl<S: Simd> Div for V3<S> {
     type Output = Self;
 

@@ -1,4 +1,4 @@
-//! What becomes of a body's light on its way to the screen, for one way to show it.
+//! The light of a body on its way to the screen, for one way to show it.
 //!
 //! Twice the same: `Light::shown` in f64 for one Doppler factor, and `Light::packed`, from which
 //! `shaders/colour.wgsl` works it out for each pixel by the tables of `palette.rs`.
@@ -16,7 +16,7 @@ use crate::spectrum::Band;
 use crate::tone::toned;
 use crate::view::{Appearance, Colour};
 
-/// What a tinted body reflects of daylight at every wavelength; the rest it reflects only about its own.
+/// Share of daylight that a tinted body reflects at every wavelength; the rest it reflects only near its own.
 const WHITE_SHARE: f64 = 0.25;
 /// Exponent of the radiance per wavelength, by which a band rises where it is received: `I_lambda lambda^5` is the same
 /// for all.
@@ -33,7 +33,7 @@ pub enum Light {
     Glow(f64),
     /// Daylight, of which a body reflects more about a wavelength, nm; without one, all alike.
     Daylight(Option<f64>),
-    /// None: the colour tells the Doppler factor.
+    /// No light: the colour shows the Doppler factor.
     Map,
 }
 
@@ -46,7 +46,7 @@ pub struct Shown {
     pub unseen: f64,
 }
 
-/// What has to be known of light of a broad spectrum for one Doppler factor.
+/// The levels of light of a broad spectrum for one Doppler factor.
 struct Levels {
     /// log2 of the brightness of its glowing part.
     glow: f64,
@@ -55,7 +55,7 @@ struct Levels {
 }
 
 impl Light {
-    /// Of `emission`, as `appearance` takes it.
+    /// Returns the light of `emission`, as `appearance` takes it.
     pub fn new(emission: Emission, appearance: &Appearance) -> Self {
         match (appearance.colour, emission) {
             (Colour::False, _) => Self::Map,
@@ -97,7 +97,7 @@ impl Light {
         Shown { colour, unseen }
     }
 
-    /// log2 of the part of the received intensity that its colour does not tell: D^n of one wavelength, and of all where
+    /// Returns log2 of the part of the received intensity that its colour does not contain: D^n of one wavelength, and of all where
     /// colours stay as they are at rest.
     fn log2_intensity(self, appearance: &Appearance, doppler_factor: f64) -> f64 {
         if self.exponent(appearance) == 0.0 {
@@ -146,7 +146,7 @@ impl Light {
         }
     }
 
-    /// What the shaders need of it: see `received_colour` there.
+    /// Returns the light as the shaders read it: see `received_colour` there.
     pub fn packed(self, appearance: &Appearance, effects: Effects) -> [f64; 4] {
         let (exponent, exposure) = (self.exponent(appearance), appearance.exposure_ev);
         match (effects.spectrum(), self) {

@@ -1,4 +1,4 @@
-//! What the shaders and Rust both state, for a test to compare: structs, and constants.
+//! Mirrors: structs and constants that both the shaders and Rust state, for a test to compare.
 
 use std::mem::offset_of;
 
@@ -16,9 +16,9 @@ use crate::{backdrop, mesh, rays, shaders};
 /// A shader and what Rust gives it.
 #[derive(Debug)]
 pub struct Shader {
-    /// What it draws.
+    /// Name of the pass that the shader draws.
     pub name: String,
-    /// WGSL.
+    /// Source text, in WGSL.
     pub source: &'static str,
     /// The constants that its pipelines are made with.
     pub constants: Vec<Constant>,
@@ -27,20 +27,20 @@ pub struct Shader {
 /// A struct that a shader reads, as Rust lays it out.
 #[derive(Debug)]
 pub struct Mirror {
-    /// Its name on both sides.
+    /// Name of the struct on both sides.
     pub name: &'static str,
-    /// Its fields and their offsets, bytes.
+    /// Names of the fields and their offsets, bytes.
     pub fields: &'static [(&'static str, usize)],
-    /// Its size, bytes.
+    /// Size of the struct, bytes.
     pub size: usize,
 }
 
 /// A mirror that the vertex stage reads by attributes.
 #[derive(Debug)]
 pub struct VertexMirror {
-    /// The struct.
+    /// Struct that both sides state.
     pub mirror: Mirror,
-    /// How pipelines read it.
+    /// Layout in which pipelines read the struct.
     pub layout: wgpu::VertexBufferLayout<'static>,
 }
 
@@ -54,7 +54,7 @@ macro_rules! mirror {
     };
 }
 
-/// The uniform blocks.
+/// The uniform blocks that both sides state.
 pub const BLOCKS: [Mirror; 2] = [
     mirror!(
         Frame: base, right, down, radial, pole, speed, motion, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, contact_eye, contacts, houses, openings, backdrop, hatch,
@@ -76,7 +76,7 @@ pub const VERTICES: [VertexMirror; 3] = [
     },
 ];
 
-/// Every shader.
+/// Returns every shader.
 #[must_use]
 pub fn shaders() -> Vec<Shader> {
     let backdrop = Shader {

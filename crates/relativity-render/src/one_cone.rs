@@ -1,4 +1,4 @@
-//! One light cone for both eyes: what the reference traces where each eye sees, from where it is, the events that the
+//! One light cone for both eyes: the reference traces, from where each eye is, the events that the
 //! middle between the eyes receives.
 //!
 //! Along the line of sight n from the eye at e, from the middle, the event at distance l has the time T - |e + l n|. In the
@@ -19,11 +19,11 @@ use crate::ray::Ray;
 use crate::scene::{PreparedGroup, PreparedScene};
 use crate::view::{Geometry, View};
 
-/// Most tangents that are tried. Two or three do but for bodies that are about as near as the eyes are to each other.
+/// Greatest number of tangents that are tried. Two or three are enough except for bodies about as near as the eyes are to each other.
 const ROUNDS: u32 = 12;
 /// A tangent serves this far from where it touches, in parts of the distance: it is off by the square.
 const SETTLED: f64 = 1e-7;
-/// Distances closer than this, in parts of themselves, are told apart along the ray instead, where they have more digits.
+/// Distances closer than this, as parts of themselves, are compared along the ray, where they have more digits.
 const ALIKE: f64 = 1e-9;
 
 impl GroupView {
@@ -72,7 +72,7 @@ impl GroupView {
         DVec3::X * (self.velocity.direction() * speed.gamma() * speed.beta() * gap)
     }
 
-    /// As [`Self::shift`].
+    /// Returns the shift of [`Self::shift`] for one light cone.
     pub(crate) fn one_cone_shift(&self, ray: &RestRay, turn: DVec3) -> DVec3 {
         let speed = &self.velocity.speed;
         let later = self.velocity.beta() * ray.received_along.dot(turn);
@@ -127,19 +127,19 @@ impl GroupView {
     }
 }
 
-/// Where a line of sight meets a body.
+/// The meeting of a line of sight with a body.
 struct Meeting {
     body: usize,
     entry: Entry,
-    /// Ground frame.
+    /// Distance in the ground frame.
     distance: f64,
     /// Along the ray's limit at great distances, from the middle of the group.
     depth: f64,
 }
 
 impl PreparedScene {
-    /// Of `bodies` of a group the first that is seen where both eyes have one light cone: its number, where the line of
-    /// sight enters it, how far that is on the ground, and the ray that touches there.
+    /// Returns the first of the `bodies` of a group that is seen where both eyes have one light cone: its number, the place where the line
+    /// of sight enters it, the distance of that on the ground, and the ray that touches there.
     pub(crate) fn first_entry_in_one_cone(
         &self,
         prepared: &PreparedGroup,
@@ -160,7 +160,7 @@ impl PreparedScene {
         Some(((body, entry), distance, group_view.rest_ray_at(line_of_sight, distance)))
     }
 
-    /// Where `line_of_sight` enters the `body` of this number, and how far that is on the ground. Rays are counted from
+    /// Returns the place where `line_of_sight` enters the `body` of this number, and its distance on the ground. Rays are counted from
     /// near the `middle` of the group.
     fn meeting(
         &self,
@@ -187,8 +187,8 @@ impl PreparedScene {
         found
     }
 
-    /// Where `ray`, which `touches` the curve of events that far along it, enters the `body` of this number, and how far
-    /// along the ray that is or else where it passes.
+    /// Returns the entry of `ray`, which `touches` the curve of events that far along it, into the `body` of this number, and the distance
+    /// of the entry along the ray, or else of the passage.
     fn entry_or_passage(
         &self,
         body: usize,

@@ -22,10 +22,10 @@ const WIDEST: f64 = 150.0 * DEGREE;
 /// The same in conformal pictures: u from -5.4 to 5.4.
 const WIDEST_CONFORMAL: f64 = 179.5 * DEGREE;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
-/// A tangent that stands for all that are larger.
+/// Tangent that stands for all larger ones.
 const FAR_OUT: f64 = 1e6;
 
-/// What a scene is about ([`PreparedScene::subject`](crate::PreparedScene::subject)), from one or several parallel apertures.
+/// The outline of a scene's subject ([`PreparedScene::subject`](crate::PreparedScene::subject)), from one or several parallel apertures.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
     /// Balls at rest on the ground, each from its aperture, that look like balls around its bodies.
@@ -38,7 +38,7 @@ pub struct Outline {
 /// The gaze that has an outline in the middle of the picture, both ways.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Framing {
-    /// It.
+    /// Gaze with the outline in the middle.
     pub gaze: Gaze,
     /// The reach of the outline from there, across and up, focal lengths (in conformal pictures u and radians).
     reach: [f64; 2],
@@ -52,7 +52,7 @@ enum Lies {
     Alone,
     /// In pictures parallel to that line.
     Sheared(Sheared),
-    /// Pictures are conformal.
+    /// The outline lies in conformal pictures.
     Slid(Slid),
 }
 
@@ -67,17 +67,17 @@ struct Slid {
     up: f64,
 }
 
-/// Least and greatest.
+/// A range from its least to its greatest number.
 pub(crate) type Range = [f64; 2];
 
-/// How an outline lies in both eyes' pictures, parallel to the baseline.
+/// The place of an outline in both eyes' pictures, parallel to the baseline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Sheared {
-    /// Those of pictures parallel to the baseline.
+    /// Axes of pictures parallel to the baseline.
     axes: Axes,
     /// Between which angles to the right of their axis it lies, for the left eye and for the right one.
     across: [Range; 2],
-    /// How far it reaches up or down, as a tangent, in pictures turned by this angle to the right from there.
+    /// Reach up or down, as a tangent, in pictures turned by this angle to the right from there.
     up: f64,
     turn: f64,
 }
@@ -90,7 +90,7 @@ pub(crate) struct Ball {
 }
 
 impl Outline {
-    /// How to hold all of it in pictures of the projection that the views it was worked out for have; `None` where there is
+    /// Returns the framing that holds all of the outline, in the projection of its views; `None` where there is
     /// nothing. Pictures parallel to a baseline have no image shift in it: [`Framing::shifted`] gives them one.
     #[must_use]
     pub const fn framing(&self) -> Option<Framing> {
@@ -134,7 +134,7 @@ impl Ball {
 }
 
 impl Framing {
-    /// Of what reaches as far as these angles across and up from `gaze`, between planes through the level and upright lines
+    /// Returns the framing of an outline that reaches as far as these angles across and up from `gaze`, between planes through the level and upright lines
     /// of a picture across it.
     pub(crate) fn level(gaze: Gaze, reach: [f64; 2]) -> Self {
         let tangent = |reach: f64| if reach < 0.5 * WIDEST { tan(reach) } else { f64::INFINITY };
@@ -148,8 +148,8 @@ impl Framing {
         Self { gaze: Gaze::STRAIGHT_AHEAD, reach: [0.0; 2], lies }.shifted([0.0; 2])
     }
 
-    /// Of what lies between these angles to the right of the forward axis of `axes`, which are parallel to the baseline, for
-    /// the left and for the right eye. How far up and down it lies from the axes of a picture tells `up`.
+    /// Returns the framing of an outline between these angles to the right of the forward axis of `axes`, parallel to the baseline, for
+    /// the left and for the right eye. `up` gives its reach up and down from the axes of a picture.
     pub(crate) fn sheared(axes: Axes, across: [Range; 2], up: impl Fn(&Axes) -> Range) -> Self {
         let turn = turn(across, [0.0; 2]);
         let up = up(&axes.turned(turn)).map(|up| tangent(up).abs());
@@ -241,7 +241,7 @@ fn shown(across: [Range; 2], shifts: [f64; 2], turn: f64) -> Range {
     [(left[0] + shifts[0]).min(right[0] + shifts[1]), (left[1] + shifts[0]).max(right[1] + shifts[1])]
 }
 
-/// By which angle to the right pictures turn for the middle of that not to slant too far.
+/// Returns the angle by which pictures turn to the right, so that the middle does not slant too far.
 fn turn(across: [Range; 2], shifts: [f64; 2]) -> f64 {
     let slant = |turn: f64| shown(across, shifts, turn).into_iter().sum::<f64>() * 0.5;
     let held_at = held(slant(0.0));
@@ -258,7 +258,7 @@ fn turn(across: [Range; 2], shifts: [f64; 2]) -> f64 {
     0.5 * (low + high)
 }
 
-/// How often a range is halved to find an angle in it to the last digit.
+/// Number of bisections that find an angle to the last digit.
 const BISECTIONS: u32 = 56;
 
 fn tangent(angle: f64) -> f64 {

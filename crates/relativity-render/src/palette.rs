@@ -20,17 +20,17 @@ pub struct Range {
     last: f64,
 }
 
-/// Of light of one wavelength: 338 nm to 861 nm.
+/// Octaves for light of one wavelength: 338 nm to 861 nm.
 pub const LINE: Range = Range { first: 8.4, last: 9.75 };
-/// Of black bodies: 32 K to 17 million.
+/// Octaves for black bodies: 32 K to 17 million K.
 pub const GLOW: Range = Range { first: 5.0, last: 24.0 };
-/// Of bands: 97 nm to 3100 nm.
+/// Octaves for bands: 97 nm to 3100 nm.
 pub const BAND: Range = Range { first: 6.6, last: 11.6 };
-/// Of false colours: D from 1/256 to 256.
+/// Octaves for false colours: D from 1/256 to 256.
 pub const MAP: Range = Range { first: -8.0, last: 8.0 };
 
 impl Range {
-    /// Entries per octave.
+    /// Returns the number of entries per octave.
     pub fn per_octave(self) -> f64 {
         f64::from(ENTRIES - 1) / (self.last - self.first)
     }
@@ -47,7 +47,7 @@ impl Range {
     }
 }
 
-/// The shader's constants.
+/// Returns the constants of the shader.
 pub fn constants() -> [Constant; 8] {
     [
         ("GLOW_PER_OCTAVE", GLOW.per_octave()),

@@ -12,38 +12,38 @@ use crate::view::{Appearance, Geometry};
 use crate::wheel::packed::Turns;
 use crate::{palette, pattern, shade};
 
-/// What a pipeline draws, with every effect decided.
+/// The key of a pipeline: everything it draws, with each effect decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Key {
     /// Bodies of this kind.
     pub kind: Kind,
-    /// As it shows them.
+    /// Geometry that shows the bodies.
     pub geometry: Geometry,
     /// Whether the picture is conformal.
     pub is_conformal: bool,
-    /// How depths are told among those of other groups, if there are any.
+    /// Comparison of depths with those of other groups, if there are any.
     pub among_others: Option<AmongOthers>,
-    /// Whether they turn.
+    /// Turning of the bodies.
     pub turns: Turns,
-    /// What is wanted of them.
+    /// Output that is wanted.
     pub output: Output,
 }
 
-/// Where a group stands among others.
+/// The place of a group among others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct AmongOthers {
     /// Whether it is the reference of depths.
     pub is_reference: bool,
-    /// What shows that.
+    /// Geometry that shows the reference group.
     pub reference: Geometry,
 }
 
-/// What a pipeline writes.
+/// The output of a pipeline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Output {
     /// Colours; bodies thinner than a pixel are blended by how much of it they cover.
     Picture { is_thin: bool, is_patterned: bool, effects: Effects },
-    /// What the centre of each pixel shows, in numbers.
+    /// Hits: numbers of what the centre of each pixel shows.
     Hits,
 }
 
@@ -58,7 +58,7 @@ impl Key {
 }
 
 impl AmongOthers {
-    /// Of the group of this number among those that `views` show, if it is not the only one.
+    /// Returns the place of the group of this number among those that `views` show; `None` if it is the only one.
     pub fn new(views: &[GroupView], group: usize) -> Option<Self> {
         Self::beside(views, reference_of_depths(views), group)
     }
@@ -71,7 +71,7 @@ impl AmongOthers {
 }
 
 impl Output {
-    /// Of what `view` shows of bodies that turn so: a picture that looks as `appearance` says, or numbers.
+    /// Returns the key for `view` of bodies that turn in this way: a picture that looks as `appearance` says, or numbers.
     pub fn new(
         view: &GroupView,
         turns: Turns,
@@ -86,16 +86,16 @@ impl Output {
     }
 }
 
-/// How a renderer draws bodies: what its pipelines have of their own.
+/// The technique of a renderer: the part of its pipelines that is its own.
 #[derive(Debug, Clone, Copy)]
 pub struct Technique {
     /// The shader of a kind of shape.
     pub source: fn(Kind) -> &'static str,
     /// Entry point of the vertex stage.
     pub vertex: &'static str,
-    /// What the vertex stage reads.
+    /// Layouts of the buffers that the vertex stage reads.
     pub buffers: &'static [Option<wgpu::VertexBufferLayout<'static>>],
-    /// How vertices become triangles.
+    /// Assembly of vertices into triangles.
     pub primitive: wgpu::PrimitiveState,
     /// Entry point of the fragment stage of a picture.
     pub picture: &'static str,
@@ -115,7 +115,7 @@ impl Technique {
         conservative: false,
     };
 
-    /// All constants of the shaders.
+    /// Returns all constants of the shaders.
     pub fn constants(&self, key: Key) -> Vec<Constant> {
         let (effects, is_patterned) = match key.output {
             Output::Picture { effects, is_patterned, .. } => (effects, is_patterned),
@@ -141,7 +141,7 @@ impl Technique {
     }
 }
 
-/// A renderer's pipelines.
+/// The pipelines of a renderer, made when they are first needed.
 #[derive(Debug)]
 pub struct Pipelines {
     technique: Technique,
@@ -151,7 +151,7 @@ pub struct Pipelines {
 }
 
 impl Pipelines {
-    /// None yet.
+    /// Returns an empty collection.
     pub fn new(technique: Technique, layout: wgpu::PipelineLayout) -> Self {
         Self { technique, layout, modules: HashMap::new(), made: HashMap::new() }
     }

@@ -42,7 +42,7 @@ impl Broad {
         self.log2_level + log2(luminance(self.hue))
     }
 
-    /// Of a spectrum whose natural logarithm at a wavelength (nm) is `ln_power`: summed relative to the largest, so that
+    /// Returns the stimulus of a spectrum whose natural logarithm at a wavelength (nm) is `ln_power`: summed relative to the largest, so that
     /// nothing overflows or is lost.
     fn of(ln_power: impl Fn(f64) -> f64) -> Self {
         let powers = || SUMMED_NM.map(f64::from).map(|nm| (nm, ln_power(nm)));

@@ -1,4 +1,4 @@
-//! Where a quartic first falls through zero inside an interval.
+//! First fall of a quartic through zero inside an interval.
 //!
 //! The roots come from `polycool`, which isolates them between the roots of the derivative: unlike the closed form this
 //! never misses a pair of roots through cancellation, however the coefficients are scaled.

@@ -16,7 +16,7 @@ use crate::surface::Surface;
 use crate::turn::turn_of;
 use crate::wheel::spin::Spin;
 
-/// Where the bodies of a group are as a whole: they are placed from their middle, so that they keep their places among
+/// The extent of a group: its bodies are placed from the middle of all, so that they keep their places among
 /// each other however far the camera is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
@@ -26,22 +26,22 @@ pub struct Extent {
     pub reach: f64,
 }
 
-/// A body, placed.
+/// A placed body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PreparedBody {
-    /// Its number, in the order of all bodies.
+    /// Number of the body, in the order of all bodies.
     pub number: usize,
     /// The number of its group.
     pub group: usize,
-    /// Its light in the rest frame.
+    /// Light that the body emits in its rest frame.
     pub emission: Emission,
     /// The number of that among all of the scene.
     pub(crate) emission_number: u32,
     /// Brightness beside other bodies, above 0 and at most 1.
     pub brightness: f64,
-    /// Which shaders draw it.
+    /// Kind of shape, which chooses the shaders.
     pub(crate) kind: Kind,
-    /// Its shape, placed at t' = 0, and the turn from its own axes to those of the rest frame.
+    /// Shape, placed at t' = 0, and the turn from its own axes to those of the rest frame.
     pub(crate) shape: Shape,
     pub(crate) turn: DQuat,
     /// The same for the shaders.
@@ -50,11 +50,11 @@ pub struct PreparedBody {
     pub(crate) joint: Joint,
     /// The block that contains it, if it has one.
     pub(crate) block: Option<Box<Block>>,
-    /// Which of the scene's capsules contain it otherwise.
+    /// Range of the scene's capsules that contain it otherwise.
     pub(crate) capsules: Range<usize>,
-    /// Its pattern; `None` for a plain one.
+    /// Pattern on the surface; `None` for a plain body.
     pub(crate) marking: Option<Box<Marking>>,
-    /// How it turns within its group.
+    /// Turning of the body within its group.
     pub spin: Option<Spin>,
     /// Whether turning changes where its surface is.
     pub(crate) is_turned: bool,
@@ -62,7 +62,7 @@ pub struct PreparedBody {
     pub(crate) is_patterned: bool,
 }
 
-/// Where a body is, for the shaders.
+/// The placement of a body, for the shaders.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placement {
     /// From the middle of its group: its centre, or one end of a tube; and its radius, of bodies with flat
@@ -79,14 +79,14 @@ pub struct Placement {
 /// them is seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Joint {
-    /// As it is.
+    /// Whether the body shares an end at its true width.
     pub as_it_is: bool,
-    /// Where both are drawn a pixel wide: bodies about one centre, which are as wide there.
+    /// Whether it shares an end where both are drawn a pixel wide: bodies about one centre, which are as wide there.
     pub widened: bool,
 }
 
 impl Extent {
-    /// Of a group whose bodies stay within these `boxes`, of each the lowest and highest corner.
+    /// Returns the extent of a group whose bodies stay within these `boxes`, each given by its lowest and highest corner.
     pub(crate) fn new(boxes: impl IntoIterator<Item = [DVec3; 2]>) -> Self {
         let around = boxes.into_iter().reduce(|[low, high], [from, to]| [low.min(from), high.max(to)]);
         let [low, high] = around.unwrap_or([DVec3::ZERO, DVec3::ONE]);
@@ -96,7 +96,7 @@ impl Extent {
 }
 
 impl Placement {
-    /// Of `shape`, turned so, in a group with this `middle`.
+    /// Returns the placement of `shape`, with this `turn`, in a group with this `middle`.
     #[must_use]
     pub fn new(shape: &Shape, turn: DQuat, middle: DVec3) -> Self {
         let from_middle = |place: [f64; 3], w: f64| packed(DVec3::from(place) - middle, w);
@@ -156,17 +156,17 @@ impl PreparedBody {
         }
     }
 
-    /// What triangles approach.
+    /// Returns the surface that triangles approximate.
     pub(crate) fn surface(&self) -> Surface {
         Surface::new(&self.shape, self.turn)
     }
 
-    /// Its number for the shaders: floats hold those up to 2^24.
+    /// Returns the number of the body for the shaders: floats hold integers up to 2^24.
     pub(crate) const fn index(&self) -> f32 {
         self.number as f32
     }
 
-    /// Its pattern for the shaders: 0 for none, and else what it is, and its steps along and around.
+    /// Returns the pattern for the shaders: 0 for none, else its number, and its steps along and around.
     pub(crate) fn pattern(&self) -> [f32; 3] {
         self.marking.as_ref().map_or([0.0; 3], |marking| marking.packed())
     }
@@ -218,7 +218,7 @@ pub(crate) fn number_emissions(bodies: &mut [PreparedBody]) -> Vec<Emission> {
     emissions
 }
 
-/// Which of `bodies` have an end in one place with another that has the same `trait_of`.
+/// Returns which of `bodies` have an end in one place with another that has the same `trait_of`.
 fn shared_ends<T: Ord>(bodies: &[PreparedBody], trait_of: impl Fn(&PreparedBody) -> T) -> Vec<bool> {
     let ends = bodies.iter().enumerate();
     let ends = ends.flat_map(|(place, body)| body.ends().map(move |end| (end, place)));
@@ -234,7 +234,7 @@ fn shared_ends<T: Ord>(bodies: &[PreparedBody], trait_of: impl Fn(&PreparedBody)
     are_shared
 }
 
-/// For the shaders.
+/// Packs a vector and a number for the shaders.
 pub(crate) fn packed(v: DVec3, w: f64) -> [f32; 4] {
     v.as_vec3().extend(w as f32).to_array()
 }

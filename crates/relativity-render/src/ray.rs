@@ -1,4 +1,4 @@
-//! A straight ray whose distances are told from a place on it near the bodies.
+//! A straight ray whose distances count from a place on it near the bodies.
 //!
 //! In the rest frame a camera may be 1e30 units away (at gamma = 1e30, one unit before the event); distances
 //! from there, at which f64 resolves 1e14, would not tell which of two bodies is nearer.
@@ -10,7 +10,7 @@ use glam::DVec3;
 pub struct Ray {
     /// A place on the ray: distances along it count from here.
     pub start: DVec3,
-    /// Unit vector.
+    /// Direction of the ray, a unit vector.
     pub direction: DVec3,
     /// From the camera to `start`; may be negative.
     pub from_camera: f64,

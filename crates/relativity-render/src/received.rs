@@ -1,5 +1,4 @@
-//! How much of each group is received in which band: so that a picture can say why something in it is dark, from the
-//! places of the bodies alone.
+//! Received light by group and band: so that a picture can say why a part of it is dark, from the places of the bodies alone.
 
 use std::slice;
 
@@ -11,7 +10,7 @@ use crate::scene::{PreparedGroup, PreparedScene};
 use crate::view::{Appearance, View};
 use crate::wheel::spin::MaterialPoint;
 
-/// Where along a capsule its light is looked at, in parts of its length.
+/// Places along a capsule at which its light is sampled, as parts of its length.
 const PLACES: [f64; 3] = [1.0 / 6.0, 0.5, 5.0 / 6.0];
 
 /// Parts of a group's picture by the band of [`Band::ALL`](crate::spectrum::Band::ALL) in which they are received. They
@@ -59,7 +58,7 @@ impl PreparedScene {
     }
 }
 
-/// What arrives from a place.
+/// The light that arrives from one place.
 struct Sample {
     /// About how large it is in the picture, 0 outside.
     weight: f64,

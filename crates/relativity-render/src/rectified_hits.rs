@@ -18,9 +18,9 @@ const SAMPLES: u32 = 2;
 /// Linear sRGB of what is no body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Blank {
-    /// Where the picture from the ground shows no body.
+    /// Colour where the picture from the ground shows no body.
     pub background: [f64; 3],
-    /// What lies outside the picture from the ground.
+    /// Colour outside the picture from the ground.
     pub outside: [f64; 3],
 }
 

@@ -24,9 +24,9 @@ use crate::velocity::Velocity;
 
 /// Rays per pixel of a corrected picture, along each side.
 const SAMPLES: u32 = 3;
-/// Wavelengths whose hues tell them apart, nm.
+/// Range of wavelengths that have distinct hues, nm.
 const HUES_NM: std::ops::RangeInclusive<u32> = 420..=710;
-/// How far from every spectral hue a colour may lie that still counts as one: a step of the table, widely.
+/// Distance from every spectral hue up to which a colour still counts as one of them: generously a step of the table.
 const HUE_TOLERANCE: f64 = 0.1;
 
 /// Two cameras at one event: one at rest on the ground, one moving along with the bodies.
@@ -56,7 +56,7 @@ pub struct Rectification {
     lines_of_sight: LinesOfSight,
 }
 
-/// What a correction does to light.
+/// The correction of light by a change of frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightCorrection {
     /// Whether wavelengths are multiplied by D.
@@ -96,14 +96,14 @@ impl Rectification {
         Camera { horizontal_fov: 2.0 * atan(sinh(half_width)), ..rest }
     }
 
-    /// The moving camera.
+    /// Returns the moving camera.
     #[must_use]
     pub const fn rest(&self) -> &Camera {
         &self.rest
     }
 
-    /// Where the picture from the ground shows what the corrected one shows at `place` (both in pixels);
-    /// `None` if outside.
+    /// Returns the place in the picture from the ground that shows the same as `place` in the corrected one (both in pixels); `None`
+    /// outside of it.
     #[must_use]
     pub fn ground_place(&self, place: [f64; 2]) -> Option<[f64; 2]> {
         let rest_line = self.lines_of_sight.through(place);

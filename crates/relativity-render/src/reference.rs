@@ -25,12 +25,12 @@ use crate::tiles::TILE_SIDE;
 use crate::view::{Appearance, Geometry, View};
 use crate::wheel::spin::{Spin, about_y};
 
-/// What one ray meets.
+/// The hit of one ray.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
     /// Number of the body, in the order given.
     pub body: usize,
-    /// Where it was hit, in the rest frame of its group.
+    /// Place of the hit, in the rest frame of its group.
     pub rest_position: DVec3,
     /// Outward unit normal in the rest frame.
     pub rest_normal: DVec3,
@@ -44,7 +44,7 @@ pub struct Hit {
     pub own_time: f64,
     /// By how much the body had turned then since t' = 0, about +y, radians; 0 if it does not turn.
     pub turn: f64,
-    /// Which of the body's points was hit: where that is at t' = 0, in the body as it was placed. Bodies that stand still
+    /// Point of the body that was hit: its place at t' = 0, in the body as it was placed. Bodies that stand still
     /// in their group have it where they were hit.
     pub material_position: DVec3,
     /// Doppler factor, 1 unless light is received in the geometry.
@@ -52,13 +52,13 @@ pub struct Hit {
 }
 
 impl Hit {
-    /// Its normal as it is on the body at t' = 0.
+    /// Returns the normal as it is on the body at t' = 0.
     pub(crate) fn material_normal(&self) -> DVec3 {
         about_y(self.rest_normal, -self.turn)
     }
 }
 
-/// What follows from where `body` is hit and when: by how much it had turned, which point it is, and its own Doppler factor.
+/// The turning of a hit: the angle that `body` had turned by, the point that was hit, and its own Doppler factor.
 pub(crate) struct Turned {
     pub own_time: f64,
     pub turn: f64,
@@ -67,7 +67,7 @@ pub(crate) struct Turned {
 }
 
 impl Turned {
-    /// Of a body that turns so, hit at `place`, which `group_view` shows.
+    /// Returns the turning of a hit at `place` of a body with this `spin`, which `group_view` shows.
     pub fn new(spin: Option<Spin>, group_view: &GroupView, place: DVec3) -> Self {
         let own_time = group_view.time_at(place);
         let Some(spin) = spin else {
@@ -79,17 +79,17 @@ impl Turned {
     }
 }
 
-/// What every pixel of a picture shows, row by row from the top left.
+/// The hits of a picture, row by row from the top left.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HitImage {
     /// Width and height, pixels.
     pub size: [u32; 2],
-    /// One per pixel centre, `None` where nothing is seen.
+    /// Hit at each pixel's centre, `None` where nothing is seen.
     pub hits: Vec<Option<Hit>>,
 }
 
 impl PreparedScene {
-    /// What is seen along `line_of_sight` (unit vector, the camera's frame).
+    /// Returns the hit along `line_of_sight` (unit vector, the camera's frame).
     ///
     /// Tests every body: meant for single rays. [`Self::hit_image`] is much faster per ray.
     #[must_use]
@@ -99,7 +99,7 @@ impl PreparedScene {
         self.first_hits_among(&all, view, &self.group_views(view), &[line_of_sight]).pop()?
     }
 
-    /// What is seen of `bodies` along each of these lines of sight, at most [`Lines::MOST`]: of each group the first, of
+    /// Returns the hits among `bodies` along each of these lines of sight, at most [`Lines::MOST`]: of each group the first, of
     /// those the nearest by light travel.
     fn first_hits_among(
         &self,
@@ -132,7 +132,7 @@ impl PreparedScene {
         nearest
     }
 
-    /// Of `bodies`, whose numbers ascend from this group's on, those of the group, and the others. The last group, often
+    /// Splits `bodies`, whose numbers ascend from this group's on, into those of the group and the others. The last group, often
     /// the only one, has them all without a search.
     fn split<'a>(&self, bodies: &'a [u32], group: usize) -> (&'a [u32], &'a [u32]) {
         let is_last = group + 1 == self.groups().len();
@@ -142,7 +142,7 @@ impl PreparedScene {
         bodies.split_at(count)
     }
 
-    /// What is seen of the bodies of a group that are `chosen`.
+    /// Returns the hits among the `chosen` bodies of a group.
     fn first_hits_in(
         &self,
         chosen: &Chosen<'_>,
@@ -187,7 +187,7 @@ impl PreparedScene {
         entries.into_iter().enumerate().map(one).collect()
     }
 
-    /// What `view` shows at the centre of every pixel.
+    /// Returns the hits at the centre of every pixel of `view`.
     #[must_use]
     pub fn hit_image(&self, view: &View) -> HitImage {
         let lines_of_sight = LinesOfSight::new(&view.camera);
@@ -207,7 +207,7 @@ impl PreparedScene {
         Picture { size: view.camera.size, rgba }
     }
 
-    /// The same while it `goes_on`, which is asked at every few rows; `None` once it does not.
+    /// Draws the same picture while `goes_on` is true, which is checked every few rows; `None` once it is false.
     #[must_use]
     pub fn picture_while(
         &self,
@@ -269,7 +269,7 @@ impl PreparedScene {
         view.is_lit_by_the_street(appearance).then(facing)
     }
 
-    /// What a sample covers of the surface at `hit`, where `line_of_sight` turns so to those beside and below it.
+    /// Returns the part of the surface at `hit` that a sample covers, given the turns of `line_of_sight` to those beside and below it.
     fn covered(
         &self,
         hit: &Hit,
@@ -304,8 +304,8 @@ impl PreparedScene {
         }
     }
 
-    /// One value per pixel of `view`, row by row, from what `samples` times `samples` rays meet in it; the default in rows
-    /// that are begun when it no longer `goes_on`.
+    /// Returns one value per pixel of `view`, row by row, from the hits of `samples` times `samples` rays in it; the default in rows that
+    /// are begun after `goes_on` has become false.
     fn pixels<T: Clone + Default + Send>(
         &self,
         view: &View,
@@ -343,11 +343,11 @@ impl PreparedScene {
     }
 }
 
-/// What the rays of a pixel meet.
+/// The hits of a pixel's rays.
 struct Met<'a> {
-    /// Where they are in the picture, px.
+    /// Places of the rays in the picture, px.
     places: &'a [[f64; 2]],
-    /// Their lines of sight.
+    /// Lines of sight of the rays.
     sights: &'a [DVec3],
     hits: &'a [Option<Hit>],
 }

@@ -1,4 +1,4 @@
-//! Which registers a processor has.
+//! Registers of the processor.
 
 use fearless_simd::Level;
 

@@ -66,7 +66,7 @@ pub enum Method {
     /// eyes meets a body, infinitely far aside: of a wheel around that line at most 1 % of the pixels show another body than
     /// is seen within the bound, up to 0.99 c and as seen (`tests/gpu_wheels.rs`); contracted at 0.9999 c up to 12 % did.
     Mesh {
-        /// How far any point may be drawn from where it is seen, pixels, above 0.
+        /// Greatest distance at which any point may be drawn from where it is seen, pixels, above 0.
         bound_px: f64,
     },
 }
@@ -81,9 +81,9 @@ impl Method {
         matches!(self, Self::Reference | Self::Packets)
     }
 
-    /// What draws `view` where this is asked for: the published model, which is defined point by point, is known to
+    /// Returns the method that draws `view` where this one is chosen: the published model, which is defined point by point, is known to
     /// the mesh renderer alone; one light cone for both eyes, whose rays are curved, not to the rays; a picture of half
-    /// the sky to the reference alone. Whether anything draws it says [`View::drawn`].
+    /// the sky to the reference alone. [`View::drawn`] tells whether anything draws it.
     #[must_use]
     pub fn of_view(self, view: &View) -> Self {
         if let Projection::Vr180 { .. } = view.camera.projection {
@@ -98,8 +98,8 @@ impl Method {
         }
     }
 
-    /// What draws `view` on the GPU where this is asked for: what draws the rest exactly stands in for the reference. Of
-    /// half the sky there nothing does: it stays the reference.
+    /// Returns the method that draws `view` on the GPU where this one is chosen: an exact one stands in for the reference. Half of the sky
+    /// is drawn by none there: it stays with the reference.
     #[must_use]
     pub fn on_gpu(self, view: &View) -> Self {
         let on_gpu = if self == Self::Reference { Self::Rays } else { self };
@@ -173,7 +173,7 @@ impl Renderers {
         self.gpu.as_ref()
     }
 
-    /// Draws `scene` into `target`, whose size overrides the camera's, by what stands for `method` on the GPU.
+    /// Draws `scene` into `target`, whose size overrides the camera's, by the GPU's substitute for `method`.
     ///
     /// # Errors
     ///
@@ -235,7 +235,7 @@ impl Renderers {
         Ok(Picture { size, rgba })
     }
 
-    /// What the centre of every pixel of `view` shows by `method`.
+    /// Returns the hits at the centre of every pixel of `view` by `method`.
     ///
     /// # Errors
     ///
@@ -244,7 +244,7 @@ impl Renderers {
         self.hits_in_part(method, scene, view, view)
     }
 
-    /// What `part`, a magnified view of a small part of `whole`, shows of what `method` draws `whole` with.
+    /// Returns the hits of `part`, a magnified view of a small part of `whole`, by the method that `method` draws `whole` with.
     ///
     /// # Errors
     ///
@@ -272,7 +272,7 @@ impl Renderers {
         scopes.close().and(hits)
     }
 
-    /// The device, what is drawn on, and what stands for `method` on the GPU.
+    /// Returns the device, the canvas, and the GPU's substitute for `method`.
     fn drawing(&mut self, method: Method) -> Result<(&Gpu, &Canvas, &mut dyn Drawing), GpuError> {
         let gpu = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?;
         let canvas = &*self.canvas.get_or_insert_with(|| Canvas::new(gpu));

@@ -19,17 +19,17 @@ use crate::wheel::spin::Spin;
 /// Bodies that move alike.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Group<'a> {
-    /// How they move.
+    /// Motion of the bodies.
     pub motion: Motion,
-    /// Its bodies, at rest in its frame, whose origin passes the ground's at t = 0.
+    /// Bodies of the group, at rest in its frame, whose origin passes the ground's at t = 0.
     pub bodies: &'a [Body],
 }
 
-/// Of two surfaces of one group nearer to each other than this part of the group's size, along a ray, that of the
-/// body with the lower number is seen: they are one surface, and which comes out nearer is a matter of rounding.
+/// Distance, as a part of the group's size along a ray, within which two surfaces of one group count as one: the body with the lower
+/// number is seen, since which comes out nearer is a matter of rounding.
 const TIE: f64 = 1e-12;
 
-/// No place.
+/// Marks the absence of a place.
 const NONE: u32 = u32::MAX;
 
 /// A scene prepared for every way to draw it, for hits and for picking. Clones share it; equal are those that do.
@@ -57,7 +57,7 @@ pub struct PreparedScene(Arc<Prepared>);
 struct Prepared {
     groups: Vec<PreparedGroup>,
     bodies: Vec<PreparedBody>,
-    /// Their shapes for rays, side by side: a ray looks at many, and at nothing else of them.
+    /// Shapes of the bodies for rays, side by side: a ray tests many, and reads nothing else of them.
     solids: Vec<Solid>,
     /// The same of bodies that turn out of their places.
     turning: Vec<TurningSolid>,
@@ -67,7 +67,7 @@ struct Prepared {
     hierarchies: Vec<Hierarchy>,
     /// The numbers of bodies that turn, whether out of their places or not.
     spinning: Vec<u32>,
-    /// What bodies emit, each once.
+    /// Light that bodies emit, each kind once.
     emissions: Vec<Emission>,
     /// The numbers of all bodies.
     numbers: Vec<u32>,
@@ -79,11 +79,11 @@ struct Prepared {
 /// A group, and the box around it.
 #[derive(Debug, Clone)]
 pub struct PreparedGroup {
-    /// How it moves.
+    /// Motion of the group.
     pub motion: Motion,
     /// The numbers of its bodies.
     pub bodies: Range<usize>,
-    /// Where they are as a whole: distances along rays count from near its middle.
+    /// Extent of all bodies together: distances along rays count from near its middle.
     pub extent: Extent,
 }
 
@@ -161,7 +161,7 @@ impl PreparedScene {
         Self::new([Group { motion: Motion::Scene, bodies }])
     }
 
-    /// The groups.
+    /// Returns the groups of the scene.
     #[must_use]
     pub fn groups(&self) -> &[PreparedGroup] {
         &self.0.groups
@@ -188,7 +188,7 @@ impl PreparedScene {
         &self.0.hierarchies[group]
     }
 
-    /// The rays within `cap` as `view` has them in the group of this number; `None` where they cannot be told so.
+    /// Returns the beam of rays within `cap` as `view` has them in the group of this number; `None` where there is none.
     pub(crate) fn beam(&self, group: usize, view: &GroupView, cap: &Cap) -> Option<Beam> {
         Beam::new(view, cap, self.groups()[group].extent.middle)
     }
@@ -213,7 +213,7 @@ impl PreparedScene {
         &self.0.balls[body.number]
     }
 
-    /// How the body of this number turns. Where none does, nothing is looked up.
+    /// Returns the turning of the body of this number. Where no body turns, nothing is looked up.
     pub(crate) fn spin(&self, body: usize) -> Option<Spin> {
         if self.spinning().is_empty() { None } else { self.bodies()[body].spin }
     }
@@ -229,7 +229,7 @@ impl PreparedScene {
         spinning.skip_while(move |&body| body < bodies.start).take_while(move |&body| body < bodies.end)
     }
 
-    /// What bodies emit, each once, by its number.
+    /// Returns the light that bodies emit, each kind once, by its number.
     pub(crate) fn emissions(&self) -> &[Emission] {
         &self.0.emissions
     }
@@ -240,7 +240,7 @@ impl PreparedScene {
         self.0.bodies[body].group
     }
 
-    /// How the body of this number moves.
+    /// Returns the motion of the body of this number.
     #[must_use]
     pub fn motion_of(&self, body: usize) -> Motion {
         self.0.groups[self.group_of(body)].motion
@@ -256,7 +256,7 @@ impl PreparedScene {
         self.0.groups.iter().filter(move |group| !any_moves || moves(group))
     }
 
-    /// How `view` sees each group.
+    /// Returns the view of each group by `view`.
     #[must_use]
     pub fn group_views(&self, view: &View) -> Vec<GroupView> {
         self.0.groups.iter().map(|group| view.of_group(group.motion)).collect()

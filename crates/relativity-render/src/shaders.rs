@@ -8,7 +8,7 @@ macro_rules! source {
 }
 pub(crate) use source;
 
-/// The last pass.
+/// The shader of the last pass.
 pub const BACKDROP: &str = source!("frame", "street", "srgb", "backdrop");
 /// Composes two eyes' pictures.
 pub const COMPOSE: &str = source!("srgb", "compose");

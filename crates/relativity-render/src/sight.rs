@@ -1,4 +1,4 @@
-//! How the outline of a scene is worked out, and the gaze that has it in the middle.
+//! Outlines of scenes, and the gaze that has an outline in the middle.
 //!
 //! A ball at rest in the moving frame looks as a ball of the same radius at another place on the ground looks at rest,
 //! since aberration maps cones of directions to cones (Penrose 1959); a tube looks as one swept along a curve, which is
@@ -26,11 +26,11 @@ use crate::view::{Geometry, View};
 
 /// Bulge of a piece, as it is seen, that is not worth halving it: radians, or units of u.
 const SLIGHT_BULGE: f64 = 1e-4;
-/// How often a piece is halved at most.
+/// Greatest number of halvings of a piece.
 const HALVINGS: u32 = 12;
-/// Every which body is looked at before all.
+/// Stride of the bodies that are examined before all others.
 const SAMPLED: usize = 23;
-/// How often the gaze is turned to the middle of what it frames.
+/// Number of turns of the gaze to the middle of its outline.
 const TURNS: u32 = 2;
 
 impl PreparedScene {
@@ -41,7 +41,7 @@ impl PreparedScene {
     }
 }
 
-/// One group, as one view sees it; all is reflected so that the group moves along +x.
+/// One group, as one view sees it; everything is reflected so that the group moves along +x.
 struct Sight<'a> {
     /// The number of the view.
     eye: usize,
@@ -50,16 +50,16 @@ struct Sight<'a> {
     bodies: Vec<Seen<'a>>,
 }
 
-/// A body.
+/// A body of the group, as it is seen.
 struct Seen<'a> {
-    /// What the ball around it looks like; `None` from inside.
+    /// Image of the ball around the body; `None` from inside.
     ball: Option<Ball>,
     bounds: Bounds<'a>,
-    /// What its pieces look like, once that was asked for.
+    /// Images of its pieces, once they were needed.
     images: OnceCell<Vec<Option<Image>>>,
 }
 
-/// What holds a body.
+/// The bounds of a body.
 enum Bounds<'a> {
     Capsules(&'a [Capsule]),
     Block(Block),
@@ -67,13 +67,13 @@ enum Bounds<'a> {
     Turning(Shape),
 }
 
-/// What a tube looks like.
+/// The image of a tube.
 #[derive(Debug, Clone, Copy)]
 struct Image {
     piece: Capsule,
     /// The centres of the balls that its ends look like.
     ends: [DVec3; 2],
-    /// How far it departs at most from the straight tube between them.
+    /// Greatest distance from the straight tube between the ends.
     bulge: DVec3,
 }
 
@@ -113,7 +113,7 @@ fn outline(scene: &PreparedScene, views: &[View]) -> Outline {
     Outline { balls, surrounds, framing }
 }
 
-/// How to hold all that is seen in pictures parallel to the `baseline`; `towards` is somewhere in the midst of it.
+/// Returns the framing of everything seen in pictures parallel to the `baseline`; `towards` is somewhere in the midst of it.
 fn framed_parallel_to(baseline: DVec3, sights: &[Sight], towards: DVec3) -> Framing {
     let axes = Axes::across(baseline, towards);
     // Angles up are about the baseline, the same from every axis.
@@ -146,7 +146,7 @@ fn framed_about(baseline: DVec3, sights: &[Sight], towards: DVec3) -> Framing {
     Framing::slid(axes, columns, 0.5 * (high - low))
 }
 
-/// How to hold all that is seen in pictures across the gaze; `towards` is somewhere in the midst of it.
+/// Returns the framing of everything seen in pictures across the gaze; `towards` is somewhere in the midst of it.
 fn framed(sights: &[Sight], towards: DVec3) -> Framing {
     let reach = |gaze: &Gaze| reach(sights, &gaze.axes());
     let mut gaze = Gaze { elevation: 0.0, ..Gaze::along(towards.to_array()) };
@@ -261,7 +261,7 @@ impl<'a> Sight<'a> {
         }
     }
 
-    /// What a piece, from the camera's event, looks like; `None` where that cannot be said.
+    /// Returns the image of a piece, from the camera's event; `None` where it has none.
     fn image(&self, piece: &Capsule) -> Option<Image> {
         let first = self.projection.apparent_centre(piece.from, piece.radius)?;
         let last = self.projection.apparent_centre(piece.to, piece.radius)?;
@@ -414,13 +414,13 @@ impl Wedge {
         union
     }
 
-    /// The angles.
+    /// Returns the range of angles.
     fn angles(&self) -> Range {
         self.tangents.map(|tangent| 2.0 * atan(tangent))
     }
 }
 
-/// Of half the angles at which a ball this far `aside` and this deep begins and ends.
+/// Returns the tangents of half the angles at which a ball this far `aside` and this deep begins and ends.
 fn tangents(aside: f64, depth: f64, radius: f64) -> Range {
     let squared = aside * aside + depth * depth;
     let outside_squared = squared - radius * radius;

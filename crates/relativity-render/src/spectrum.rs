@@ -1,9 +1,9 @@
 //! Names of wavelengths: what eyes see of them, and what that colour is called.
 
-/// Where the visible range begins and ends, nm. Colours fade towards these.
+/// Range of visible light, nm. Colours fade towards its ends.
 pub const VISIBLE_NM: [f64; 2] = [380.0, 780.0];
 
-/// Where each colour but the last ends, nm, and the last: the spectrum as it is usually divided, with cyan for the
+/// Upper end of each colour but the last, nm, and the last: the spectrum as it is usually divided, with cyan for the
 /// transition that looks like neither blue nor green.
 const COLOURS: [(f64, &str); 7] = [
     (450.0, "violet"),
@@ -23,7 +23,7 @@ const DRAPER_KELVIN: f64 = 798.0;
 pub enum Band {
     /// Shorter than what eyes see.
     Ultraviolet,
-    /// What eyes see.
+    /// Light that eyes see.
     Visible,
     /// Longer than what eyes see.
     Infrared,
@@ -46,13 +46,13 @@ impl Band {
         }
     }
 
-    /// The band that tells what eyes see of a body that glows at this temperature, K: however hot it is, they see it.
+    /// Returns the band of a body that glows at this temperature, K: eyes see it however hot it is.
     #[must_use]
     pub fn of_glow(kelvin: f64) -> Self {
         if kelvin < DRAPER_KELVIN { Self::Infrared } else { Self::Visible }
     }
 
-    /// What it is called.
+    /// Returns the name of the band.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -63,7 +63,7 @@ impl Band {
     }
 }
 
-/// What light of this wavelength (above 0) is called: its colour, or the band where eyes see none.
+/// Returns the name of light of this wavelength (above 0): its colour, or the band if eyes do not see it.
 ///
 /// # Examples
 ///

@@ -13,7 +13,7 @@ pub(crate) const HOUSE_WIDTH: f64 = 8.0;
 /// Houses take turns at these heights (the highest first, then the lowest) and shades of their walls; the means of both,
 /// for where they are finer than pixels.
 pub(crate) const HOUSES: [[f64; 2]; 4] = [[10.8, 0.78], [9.7, 1.0], [10.3, 0.6], [10.27, 0.79]];
-/// What is let into the walls: where it begins along a house, how long it is, and between which heights it lies. The
+/// Openings in the walls: beginning along a house, length, and the heights between which each lies. The
 /// windows of the first and of the second floor, twice in a house; the door, and the window of the shop.
 pub(crate) const OPENINGS: [[f64; 4]; 4] =
     [[1.25, 1.5, 4.6, 6.6], [1.25, 1.5, 7.7, 9.0], [1.2, 1.6, 0.0, 3.1], [3.9, 3.0, 1.0, 3.1]];
@@ -24,7 +24,7 @@ pub(crate) const COURSE: [f64; 2] = [3.7, 3.95];
 /// Height of the cornice under the roofs.
 pub(crate) const CORNICE: f64 = 0.3;
 
-/// The shader's constants.
+/// Constants of the shader.
 pub(crate) const CONSTANTS: [(&str, f64); 5] = [
     ("HOUSE_WIDTH", HOUSE_WIDTH),
     ("FRAME_WIDTH", FRAME),
@@ -51,7 +51,7 @@ pub(crate) struct Front {
 }
 
 impl Paints {
-    /// What a pixel shows of the fronts: x along them and height above the ground at its middle, and its width and height
+    /// Returns what a pixel shows of the fronts: `place` is x along them and height above the ground at its middle, `pixel` its width and height
     /// there.
     pub fn front(&self, place: DVec2, pixel: DVec2) -> Front {
         let House { shade, cover, cornice } = house(place, pixel);
@@ -64,7 +64,7 @@ impl Paints {
     }
 }
 
-/// What a pixel has of a house.
+/// The part of a house that a pixel shows.
 struct House {
     shade: f64,
     /// Share of the pixel below the roof, and within the cornice.

@@ -8,17 +8,17 @@ use crate::shape::Shape;
 /// A body's surface in the rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Surface {
-    /// Of a tube with rounded ends, or of a ball.
+    /// Surface of a tube with rounded ends, or of a ball.
     Tube(TubeSurface),
-    /// Of a torus.
+    /// Surface of a torus.
     Ring(RingSurface),
-    /// Of a box.
+    /// Surface of a box.
     Box(BoxSurface),
-    /// Of a cylinder with flat ends.
+    /// Surface of a cylinder with flat ends.
     Cylinder(CylinderSurface),
 }
 
-/// Of a tube with rounded ends; of a ball if it has no length.
+/// The surface of a tube with rounded ends; of a ball if it has no length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TubeSurface {
     center: DVec3,
@@ -28,7 +28,7 @@ pub struct TubeSurface {
     radius: f64,
 }
 
-/// Of a torus.
+/// The surface of a torus.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RingSurface {
     center: DVec3,
@@ -37,7 +37,7 @@ pub struct RingSurface {
     tube_radius: f64,
 }
 
-/// Of a box.
+/// The surface of a box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BoxSurface {
     center: DVec3,
@@ -45,7 +45,7 @@ pub struct BoxSurface {
     half: DVec3,
 }
 
-/// Of a cylinder with flat ends.
+/// The surface of a cylinder with flat ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CylinderSurface {
     center: DVec3,
@@ -55,7 +55,7 @@ pub struct CylinderSurface {
 }
 
 impl Surface {
-    /// Of `shape`, whose own axes are turned so.
+    /// Returns the surface of `shape`, whose own axes have this `turn`.
     pub fn new(shape: &Shape, turn: DQuat) -> Self {
         match *shape {
             Shape::Sphere { center, radius } => {

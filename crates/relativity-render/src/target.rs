@@ -1,4 +1,4 @@
-//! Where a picture is drawn: an off-screen texture per eye, and its readback.
+//! Render targets: an off-screen texture per eye, and its readback.
 
 use crate::buffers::{frame_buffer, vertex_buffer};
 use crate::gpu::Gpu;
@@ -14,7 +14,7 @@ pub(crate) const ENCODED_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba
 /// Bits of floats: 32-bit floats cannot be drawn to everywhere.
 pub(crate) const MEASURES_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
 
-/// Where bodies are drawn; those thinner than a pixel are blended by how much of it they cover.
+/// Returns the colour target of bodies; those thinner than a pixel are blended by the share of it that they cover.
 pub(crate) fn linear_target(is_thin: bool) -> wgpu::ColorTargetState {
     wgpu::ColorTargetState {
         format: LINEAR_FORMAT,
@@ -23,7 +23,7 @@ pub(crate) fn linear_target(is_thin: bool) -> wgpu::ColorTargetState {
     }
 }
 
-/// One eye's picture: sRGB-encoded RGBA8 that can be sampled, copied and read back.
+/// The target of one eye's picture: sRGB-encoded RGBA8 that can be sampled, copied and read back.
 #[derive(Debug)]
 pub struct EyeTarget {
     size: [u32; 2],
@@ -69,7 +69,7 @@ impl EyeTarget {
         self.size
     }
 
-    /// The picture, sRGB-encoded.
+    /// Returns the view of the picture, sRGB-encoded.
     #[must_use]
     pub fn view(&self) -> &wgpu::TextureView {
         &self.view

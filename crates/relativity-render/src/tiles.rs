@@ -6,7 +6,7 @@ use crate::cap::Cap;
 /// Side of a tile that is not halved any more, pixels; those at the right and lower edge may be smaller.
 pub const TILE_SIDE: u32 = 8;
 
-/// How far around a tile is looked, px: what is thinner than a pixel is widened to one.
+/// Margin around a tile, px: whatever is thinner than a pixel is widened to one.
 const ROOM: f64 = 0.4;
 
 /// A rectangle of pixels.
@@ -19,13 +19,13 @@ pub struct Tile {
 }
 
 impl Tile {
-    /// Its pixels, row by row.
+    /// Returns the pixels of the tile, row by row.
     pub fn pixels(self) -> impl Iterator<Item = [u32; 2]> {
         let Self { corner: [left, top], size: [width, height] } = self;
         (top..top + height).flat_map(move |v| (left..left + width).map(move |u| [u, v]))
     }
 
-    /// Its parts of no more than this `side`, row by row.
+    /// Returns the parts of the tile of at most this `side`, row by row.
     pub fn parts(self, side: u32) -> impl Iterator<Item = Self> {
         let Self { corner: [left, top], size: [width, height] } = self;
         let starts = move |length: u32| (0..length).step_by(side as usize);

@@ -9,7 +9,7 @@ use crate::effects::Constant;
 /// Up to here light is shown as it is.
 pub const KNEE: f64 = 0.6;
 
-/// The shader's constant.
+/// Returns the constant of the shader.
 pub(crate) fn constants() -> [Constant; 1] {
     [("KNEE", KNEE)]
 }
@@ -30,10 +30,10 @@ pub fn toned(linear: [f64; 3]) -> [f64; 3] {
     scaled(linear, shoulder)
 }
 
-/// What [`toned`] made `shown` of; what is shown as 1 and more is taken for a little less.
+/// Returns the value that [`toned`] turned into `shown`; values shown as 1 and more are taken for a little less.
 #[must_use]
 pub fn untoned(shown: [f64; 3]) -> [f64; 3] {
-    /// The brightest that a byte tells from 1.
+    /// Brightest value whose byte differs from that of 1.
     const BRIGHTEST: f64 = 0.998;
     scaled(shown, |y| {
         if y <= KNEE {

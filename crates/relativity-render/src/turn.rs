@@ -1,4 +1,4 @@
-//! How a body is turned: from its own axes to those of the rest frame.
+//! The turn of a body: from its own axes to those of the rest frame.
 
 use glam::{DQuat, DVec3};
 

@@ -1,4 +1,4 @@
-//! How a group of bodies moves along x.
+//! Velocities of groups along x.
 
 use glam::DVec3;
 use relativity_core::{
@@ -23,13 +23,13 @@ use crate::wheel::spin::MaterialPoint;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Velocity {
-    /// Its magnitude.
+    /// Magnitude of the velocity.
     pub speed: Speed,
     /// Whether it points towards -x.
     pub is_backward: bool,
 }
 
-/// How a group of bodies moves.
+/// The motion of a group of bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Motion {
     /// At the scene's speed along +x.
@@ -40,7 +40,7 @@ pub enum Motion {
 }
 
 impl Velocity {
-    /// At rest.
+    /// The velocity at rest.
     pub const REST: Self = Self::forward(Speed::REST);
 
     /// At `speed` along +x.
@@ -126,7 +126,7 @@ impl Velocity {
         pair.map(|aperture| Aperture { x: self.direction() * aperture.x, ..aperture })
     }
 
-    /// What the `pair` of apertures (left, right) sees in this `model` of `point` in the frame that moves so.
+    /// Returns the disparity of `point`, in the frame with this velocity, for the `pair` of apertures (left, right) in this `model`.
     ///
     /// # Errors
     ///
@@ -205,8 +205,8 @@ impl Velocity {
         model.conformal(speed, source, self.reflected_pair(baseline.apertures()), &axes, time)
     }
 
-    /// Where in this `model` the `pair` of apertures (left, right) takes `point` to be in the frame that
-    /// moves so, from the middle between them.
+    /// Returns the stereo position of `point`, in the frame with this velocity, for the `pair` of apertures (left, right) in this `model`,
+    /// from the middle between them.
     ///
     /// # Errors
     ///

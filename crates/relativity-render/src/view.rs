@@ -1,4 +1,4 @@
-//! What is to be drawn for one aperture: the physics (`View`) and the looks (`Appearance`).
+//! Views: the physics (`View`) and the looks (`Appearance`) of one aperture's picture.
 
 use glam::DVec3;
 use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
@@ -6,7 +6,7 @@ use relativity_core::{Speed, aberration};
 
 use crate::camera::Camera;
 
-/// Which geometry a picture shows.
+/// The geometry that a picture shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
@@ -32,7 +32,7 @@ pub enum Geometry {
 }
 
 impl Geometry {
-    /// The shaders' `GEOMETRY`.
+    /// Returns the shaders' `GEOMETRY`.
     pub(crate) fn number(self) -> f64 {
         match self {
             Self::Seen | Self::Published | Self::OneCone => 0.0,
@@ -56,14 +56,14 @@ impl Geometry {
         matches!(self, Self::Seen | Self::Published | Self::OneCone)
     }
 
-    /// What the left eye of a pair is shown: the published model gives it its own light cone.
+    /// Returns the geometry of a pair's left eye: the published model gives it its own light cone.
     #[must_use]
     pub const fn of_left_eye(self) -> Self {
         if matches!(self, Self::Published) { Self::Seen } else { self }
     }
 }
 
-/// One aperture's picture: everything that decides which point of which body a pixel shows.
+/// The view of one aperture: everything that decides which point of which body a pixel shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
     /// The camera at the aperture.
@@ -72,7 +72,7 @@ pub struct View {
     pub speed: Speed,
     /// T: when the light is received.
     pub observation_time: f64,
-    /// Which geometry to show.
+    /// Geometry to show.
     pub geometry: Geometry,
 }
 
@@ -100,7 +100,7 @@ impl View {
     }
 }
 
-/// What light the bodies send, and how it becomes a colour.
+/// The light that the bodies emit, and its way to a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
@@ -118,11 +118,11 @@ pub enum Colour {
     /// ahead, red and dim behind, and its light is shifted again on its way to the eye. Needs the Doppler shift and a camera
     /// that rests on the street; else as `white`.
     StreetDaylight,
-    /// The colour tells the Doppler factor: grey at D = 1, blue above, red below.
+    /// False colours, which show the Doppler factor: grey at D = 1, blue above, red below.
     False,
 }
 
-/// How form is shown.
+/// The way in which form is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
@@ -134,11 +134,11 @@ pub enum Shading {
     Form,
 }
 
-/// How it is drawn. Each effect that is off costs nothing.
+/// The looks of a picture. Each effect that is off costs nothing.
 #[expect(clippy::struct_excessive_bools, reason = "they are independent switches")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Appearance {
-    /// What light bodies send.
+    /// Light that bodies emit.
     pub colour: Colour,
     /// Temperature of bodies that glow, K, above 0.
     pub temperature_k: f64,
@@ -150,11 +150,11 @@ pub struct Appearance {
     pub exposure_ev: f64,
     /// Whether what is received as ultraviolet or infrared keeps its form, in hatched grey; else it is black.
     pub invisible: bool,
-    /// Shading.
+    /// Shading of the bodies.
     pub shading: Shading,
     /// Height z of the resting ground; `None` leaves it out.
     pub ground_z: Option<f64>,
-    /// Where a road along x lies on the ground: y of its near and of its far kerb. `None` draws a grid.
+    /// Place of a road along x on the ground: y of its near and of its far kerb. `None` draws a grid.
     pub road: Option<[f64; 2]>,
     /// y of a row of house fronts beyond that road; `None` leaves them out. They lie behind all bodies.
     pub fronts: Option<f64>,

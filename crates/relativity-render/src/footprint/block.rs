@@ -1,4 +1,4 @@
-//! Where in the picture a block can appear: in the hull of the images of its corners, as far as that is in front.
+//! Footprints of blocks: a block appears in the hull of the images of its corners, as far as that is in front.
 
 use glam::{DVec2, DVec3};
 
@@ -6,11 +6,11 @@ use super::projection::{Extent, Footprint, LOOSE_PX, Projection};
 use crate::block::Block;
 use crate::camera::Gauge;
 
-/// What a bulge may be of the shorter side of a block in the picture before halves are worth their own rectangles.
+/// Largest bulge, as a share of the shorter side of a block in the picture, at which halves do not get rectangles of their own.
 const LOOSE_SHARE: f64 = 0.25;
 
 impl Projection {
-    /// Where `block` can appear; `None` from inside it.
+    /// Returns the footprint of `block`; `None` from inside it.
     ///
     /// C(p) = gamma (`p_x` - beta |p|) along x and p across it; |p| is convex: over the block it lies below what is
     /// interpolated between the corners, by the bulge at most. So the image lies in the hull of the images of the corners
@@ -41,7 +41,7 @@ impl Projection {
         Some(images.rectangle(self, block, bulge, nearest, radius_px))
     }
 
-    /// How far the image of a block departs along x from what is interpolated between those of its corners, at most.
+    /// Returns the greatest distance along x between the image of a block and the interpolation of its corners' images.
     ///
     /// Along an axis the second derivative of |p| is the squared sine of the angle from there over |p|.
     fn bulge_of_block(&self, block: &Block, corners: &[DVec3; 8], distance: f64) -> f64 {
@@ -67,7 +67,7 @@ struct Images {
 }
 
 impl Images {
-    /// Of what of the hull of `points` is deeper than `near`.
+    /// Returns the footprint of the part of the hull of `points` that is deeper than `near`.
     fn new(projection: &Projection, points: &[DVec3], near: f64) -> Self {
         let Gauge { right, up, forward, .. } = projection.gauge;
         let mut images = Self { places: [DVec2::ZERO; 80], count: 0, is_cut: false };

@@ -1,4 +1,4 @@
-//! Where in the picture a piece of a body can appear: a rectangle that surely contains it.
+//! Footprints: rectangles in the picture that surely contain a piece of a body.
 //!
 //! A ball at rest in the moving frame subtends a circular cone of directions, and aberration maps circular
 //! cones to circular cones (Penrose 1959): as c.n* >= h with h = sqrt(|c|^2 - r^2) becomes C.n >= H, where
@@ -15,11 +15,11 @@ use crate::block::Block;
 use crate::capsule::Capsule;
 pub use projection::{Footprint, Projection, Rectangle};
 
-/// What contains a body, or a piece of one, and can be halved.
+/// A bound: it contains a body, or a piece of one, and can be halved.
 pub trait Bound: Sized {
-    /// Where it can appear; `None` if that cannot be said of it as a whole.
+    /// Returns the footprint of the bound; `None` if it has none as a whole.
     fn footprint(&self, projection: &Projection) -> Option<Footprint>;
-    /// Its two halves.
+    /// Returns both halves of the bound.
     fn halves(&self) -> [Self; 2];
     /// Whether halves would be no smaller.
     fn is_point(&self) -> bool;

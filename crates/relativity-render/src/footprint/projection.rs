@@ -1,4 +1,4 @@
-//! What a view makes of a group: where a piece with round ends appears, and the rectangle around that.
+//! The projection of a group into a view: the place of a piece with round ends, and the rectangle around it.
 
 use glam::{DVec2, DVec3};
 
@@ -14,17 +14,17 @@ pub(super) const MARGIN_PX: f64 = 1.5;
 /// In front is what lies deeper than this many times its own reach in depth: at 1 the outline runs off to infinity, and
 /// just beyond it the quadratic for its extent has lost its digits.
 const CLEAR_OF_APERTURE: f64 = 1.001;
-/// How much longer than wide a piece may bulge before halves are worth their own rectangles: by this many radii and
+/// Bulge up to which halves do not get rectangles of their own: this many radii and
 /// this many pixels. Halves of a bulge are a quarter of it each.
 pub(super) const LOOSE_RADII: f64 = 2.0;
 pub(super) const LOOSE_PX: f64 = 4.0;
 
-/// Where it can appear.
+/// The place in the picture where a piece can appear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Footprint {
     /// Nowhere in the picture.
     Hidden,
-    /// Inside a rectangle.
+    /// Inside this rectangle.
     Inside(Rectangle),
 }
 
@@ -43,7 +43,7 @@ pub struct Rectangle {
 }
 
 impl Rectangle {
-    /// The whole picture.
+    /// The footprint of the whole picture.
     pub const EVERYWHERE: Self = Self {
         middle: DVec2::ZERO,
         half_axes: [DVec2::X, DVec2::Y],
@@ -93,7 +93,7 @@ impl Projection {
         self.footprint(&Capsule::ball(center, radius)) == Some(Footprint::Hidden)
     }
 
-    /// Where `capsule` can appear; `None` if that cannot be said of it as a whole.
+    /// Returns the footprint of `capsule`; `None` if it has none as a whole.
     pub fn footprint(&self, capsule: &Capsule) -> Option<Footprint> {
         let balls = self.hull(capsule)?;
         if let Some(mercator) = &self.mercator {
@@ -154,7 +154,7 @@ impl Projection {
         )
     }
 
-    /// How far C(t) departs from its chord at most. `None` if the aperture looks along the axis from inside
+    /// Returns the greatest distance of C(t) from its chord. `None` if the aperture looks along the axis from inside
     /// the tube.
     ///
     /// Only the part -gamma beta h(t) of C is curved. Between the ends, h^2 and the square of the chord L(t) of h
@@ -248,7 +248,7 @@ fn least_scale(view: &GroupView) -> f64 {
     }
 }
 
-/// How far images reach along a direction of the picture, and across it.
+/// The extent of images along a direction of the picture, and across it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Extent {
     along: DVec2,
@@ -268,7 +268,7 @@ impl Extent {
         (self.high - self.low).element_product()
     }
 
-    /// Of an upright one, what is not farther than `limit` from the middle of the picture.
+    /// Returns the part of an upright extent that is not farther than `limit` from the middle of the picture.
     pub fn within(self, limit: DVec2) -> Self {
         Self { low: self.low.max(-limit), high: self.high.min(limit), ..self }
     }

@@ -1,4 +1,4 @@
-//! What a tile of the picture looks along: a cone of rays in the rest frame of a group.
+//! Beams: a tile of the picture looks along a cone of rays in the rest frame of a group.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -14,9 +14,9 @@ use crate::view::Geometry;
 
 /// Squares below this are no longer accurate.
 const LEAST_SQUARE: f64 = 1e-280;
-/// What f32 loses of a place and an offset, in parts of them.
+/// Relative error of a place and an offset in f32.
 pub(super) const ROUNDING: f32 = 1e-6;
-/// Of beams of a smaller one the planes that touch them are all but one.
+/// Least cosine of a beam for which bounding planes are of use: at smaller ones the planes that touch it are all but one.
 const LEAST_COSINE: f64 = 0.07;
 
 /// A cone of rays, inside four planes through its tip that touch it.
@@ -37,7 +37,7 @@ struct Plane {
     offset: f32,
 }
 
-/// One ray.
+/// A line, for one ray.
 #[derive(Debug, Clone, Copy)]
 pub struct Line {
     /// Across it and each other.
@@ -45,14 +45,14 @@ pub struct Line {
     axis: Vec3,
 }
 
-/// What looks for boxes.
+/// A search for boxes.
 pub trait Looks {
-    /// How far beyond the middle of the group it meets each of `boxes` at least; infinity if it passes.
+    /// Returns the least distance beyond the middle of the group at which each of `boxes` is met; infinity if it is missed.
     fn nearest<S: Simd>(&self, simd: S, boxes: &Boxes) -> F<S>;
 }
 
 impl Line {
-    /// Of `ray`, counted from its point nearest to `middle`.
+    /// Returns the line of `ray`, counted from its point nearest to `middle`.
     #[must_use]
     pub fn new(ray: &Ray, middle: DVec3) -> Self {
         let place = ray.start - middle;
@@ -180,7 +180,7 @@ fn in_rest_frame(cap: &Cap, view: &GroupView) -> Option<Cap> {
     (cap.cosine > LEAST_COSINE).then_some(cap)
 }
 
-/// Around what becomes of a cap where x is gamma times as long: of the four corners of a pyramid around it, between which
+/// Returns a cap around the image of a cap when x is stretched by gamma: that of the four corners of a pyramid around it, between which
 /// straight lines stay straight.
 fn stretched(cap: &Cap, view: &GroupView) -> Option<Cap> {
     if cap.cosine < 0.5 {

@@ -1,23 +1,23 @@
-//! Boxes that are looked at together.
+//! Boxes that are tested together.
 
 use glam::Vec3;
 
 use crate::lanes::{F, LANES, Simd, SimdBase, V3};
 
-/// How many they are.
+/// Number of boxes that are tested together.
 pub const WIDTH: usize = LANES;
 
 /// Boxes, counted from the middle of the group; those that lack are no box.
 #[derive(Debug, Clone, Copy)]
 pub struct Boxes {
-    /// Of each its middle, part by part.
+    /// Middles of the boxes, part by part.
     pub center: [[f32; WIDTH]; 3],
     /// Half of its sides.
     pub half: [[f32; WIDTH]; 3],
 }
 
 impl Boxes {
-    /// In registers.
+    /// Loads the boxes into registers.
     #[inline(always)]
     pub fn on<S: Simd>(&self, simd: S) -> BoxesOn<S> {
         let three = |parts: &[[f32; WIDTH]; 3]| {
@@ -28,14 +28,14 @@ impl Boxes {
     }
 }
 
-/// Boxes in registers.
+/// Boxes in registers, ready for tests.
 pub struct BoxesOn<S: Simd> {
     center: V3<S>,
     half: V3<S>,
 }
 
 impl<S: Simd> BoxesOn<S> {
-    /// Where the middles of the boxes are along `direction`, and half of their sizes along one of this `size`.
+    /// Returns the middles of the boxes along `direction`, and half of their sizes along one of this `size`.
     #[inline(always)]
     pub fn along(&self, direction: Vec3, size: Vec3) -> (F<S>, F<S>) {
         let dot = |v: V3<S>, w: Vec3| v.x * w.x + v.y * w.y + v.z * w.z;

@@ -1,4 +1,4 @@
-//! How a hierarchy is built: from above, each box divided where that makes looking cheapest.
+//! Construction of a hierarchy: from above, each box divided where that makes searching cheapest.
 //!
 //! Reference: I. Wald, *On fast construction of SAH-based bounding volume hierarchies* (2007).
 
@@ -36,12 +36,12 @@ struct Leaf {
 struct Part<'a> {
     leaves: &'a mut [Leaf],
     bounds: Bounds,
-    /// So often has all been divided.
+    /// Number of divisions above this one.
     depth: usize,
 }
 
 impl Hierarchy {
-    /// Of these, which are told from `middle`.
+    /// Returns the hierarchy of these pieces, measured from `middle`.
     #[must_use]
     pub fn new(pieces: impl IntoIterator<Item = Piece>, middle: DVec3) -> Self {
         let mut leaves: Vec<_> = pieces.into_iter().map(|piece| Leaf::new(&piece, middle)).collect();
@@ -54,7 +54,7 @@ impl Hierarchy {
 }
 
 impl Leaf {
-    /// Of `piece`, rounded outwards.
+    /// Returns the leaf of `piece`, rounded outwards.
     fn new(piece: &Piece, middle: DVec3) -> Self {
         let [low, high] = piece.corners.map(|corner| corner - middle);
         // More than f32 loses, of it and of the boxes that it is in.
@@ -178,7 +178,7 @@ impl Bounds {
     }
 }
 
-/// Puts `leaves` in two halves, and says how many are in the first.
+/// Sorts `leaves` into two halves, and returns the length of the first.
 fn divided(leaves: &mut [Leaf], depth: usize) -> usize {
     let middles = leaves
         .iter()
@@ -235,7 +235,7 @@ mod tests {
     use super::*;
     use crate::ray::Ray;
 
-    /// How often each of `bodies` is told to a ray along x, which meets all: boxes around places there, of this size.
+    /// Returns the number of times that each of `bodies` is reported to a ray along x, which meets all: boxes around places there, of this size.
     fn told(bodies: &[(f64, f64)]) -> Vec<u32> {
         let pieces = bodies.iter().zip(0..).map(|(&(x, half), body)| {
             let corners = [-half, half].map(|off| DVec3::new(x + off, off, off));

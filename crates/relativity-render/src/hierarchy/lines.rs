@@ -29,20 +29,20 @@ struct Side {
 struct RowSide {
     normal: [[f32; ROWS]; 3],
     offset: [f32; ROWS],
-    /// Of the direction.
+    /// Rows of the directions.
     turn: [f32; ROWS],
-    /// Of the offset, with room for rounding.
+    /// Rows of the offsets, with room for rounding.
     shift: [f32; ROWS],
 }
 
-/// So many times eight rays are there at most.
+/// Greatest number of rows of eight rays.
 const ROWS: usize = Lines::MOST / LANES;
 
 impl Lines {
-    /// So many rays are looked along at once: those of a tile.
+    /// Greatest number of rays that are followed at once: those of a tile.
     pub const MOST: usize = 64;
 
-    /// Of these.
+    /// Returns the lines of these rays.
     #[must_use]
     pub fn new(rays: &[Ray], middle: DVec3) -> Self {
         const NONE: [f32; Lines::MOST] = [0.0; Lines::MOST];
@@ -87,7 +87,7 @@ impl Lines {
 }
 
 impl Side {
-    /// Which rays from the `first` on pass a box on this side or the other.
+    /// Returns which rays from the `first` on miss a box on this side or the other.
     #[inline(always)]
     fn misses<S: Simd>(&self, simd: S, first: usize, center: Vec3, reach: Vec3) -> Mask<S> {
         let along = along(simd, &self.normal, first, center, reach);
@@ -97,7 +97,7 @@ impl Side {
 }
 
 impl RowSide {
-    /// Of the rays in `side`, of which the last of all stand in for those that lack.
+    /// Returns the rows of the rays in `side`; the last of all stand in for those that are missing.
     fn of(side: &Side, count: usize) -> Self {
         let mut rows = Self::default();
         let ray = |i: usize| (Vec3::from(side.normal.map(|part| part[i])), side.offset[i]);
@@ -117,7 +117,7 @@ impl RowSide {
         rows
     }
 
-    /// Of which rows all rays pass a box this far from the middle on this side or the other.
+    /// Returns the rows in which all rays miss a box this far from the middle on this side or the other.
     #[inline(always)]
     fn misses<S: Simd>(&self, simd: S, center: Vec3, reach: Vec3, distance: f32) -> Mask<S> {
         let along = along(simd, &self.normal, 0, center, reach);
@@ -126,7 +126,7 @@ impl RowSide {
     }
 }
 
-/// Where the middle of a box is along directions, and half of its size.
+/// The middle of a box along directions, and half of its size.
 struct Along<S: Simd> {
     middle: F<S>,
     size: F<S>,

@@ -27,7 +27,7 @@ const DEEPEST: usize = 62;
 /// Boxes that wait while others are looked into.
 const MOST_WAITING: usize = WIDTH + DEEPEST * (WIDTH - 1);
 
-/// Of those bodies of a group that stand still in it.
+/// The hierarchy of those bodies of a group that stand still in it.
 #[derive(Debug, Default)]
 pub struct Hierarchy {
     /// The first of them is around all, if there are any.
@@ -39,7 +39,7 @@ pub struct Hierarchy {
 #[repr(align(64))]
 struct Node {
     boxes: Boxes,
-    /// Of what is in each.
+    /// Numbers of what is in each box.
     numbers: [u32; WIDTH],
     holds: [Holds; WIDTH],
 }
@@ -54,14 +54,14 @@ enum Holds {
     Piece,
 }
 
-/// What may be met, in its box.
+/// A candidate: a body that may be met, in its box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Candidate {
     /// The number of the body.
     pub body: u32,
-    /// Whether it may be told a second time.
+    /// Whether the body may be reported a second time.
     pub is_one_of_some: bool,
-    /// It is met no nearer than this, beyond the middle of the group.
+    /// Least distance at which it is met, beyond the middle of the group.
     pub nearest: f32,
     /// The middle of the box, from that of the group.
     pub center: Vec3,
@@ -85,8 +85,8 @@ impl Hierarchy {
         is_met
     }
 
-    /// Has `visit` told of all that `looks` may meet, about from the nearest to the farthest. What lies no nearer beyond the
-    /// middle of the group than `visit` answers is left out from then on.
+    /// Calls `visit` with every candidate of `looks`, roughly from the nearest to the farthest. From then on it leaves out candidates
+    /// that are no nearer, beyond the middle of the group, than the distance `visit` returns.
     pub fn along(&self, looks: &impl Looks, visit: impl FnMut(Candidate) -> f32) {
         dispatch!(Level::new(), simd => self.along_on(simd, looks, visit));
     }

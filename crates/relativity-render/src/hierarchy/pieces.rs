@@ -12,7 +12,7 @@ use crate::prepared_body::Extent;
 const LONG: f64 = 1.0 / 24.0;
 /// Half as long as a box of a thin body is, in radii of that.
 const LEAST_SLENDER: f64 = 3.0;
-/// Most halvings of one.
+/// Greatest number of halvings of one capsule.
 const MOST_HALVINGS: u32 = 4;
 
 /// A part of a body, in a box.
@@ -26,7 +26,7 @@ pub struct Piece {
     pub corners: [DVec3; 2],
 }
 
-/// Those of the body of this `number` and form, which these capsules contain if there are any, in a group of this `extent`.
+/// Returns the pieces of the body of this `number` and form, which these capsules contain if there are any, in a group of this `extent`.
 pub fn pieces(
     solid: &Solid,
     capsules: &[Capsule],

@@ -9,7 +9,7 @@ fn spread(i: u32, root: f64) -> f64 {
     (f64::from(i) * root.sqrt()).fract()
 }
 
-/// All over a cube.
+/// Returns a place in a cube, another one for each number.
 pub fn place(i: u32, size: f64) -> DVec3 {
     size * (DVec3::new(spread(i, 2.0), spread(i, 3.0), spread(i, 5.0)) * 2.0 - 1.0)
 }
@@ -26,7 +26,7 @@ pub fn looks(middle: DVec3) -> impl Iterator<Item = Vec<Ray>> {
     })
 }
 
-/// Where in a box `ray` is, if anywhere: between three pairs of planes, in f64.
+/// Returns the range in which `ray` is inside a box, if anywhere: between three pairs of planes, in f64.
 pub fn inside(ray: &Ray, center: DVec3, half: DVec3) -> Option<[f64; 2]> {
     let to = |corner: DVec3| (corner - ray.start) / ray.direction;
     let (low, high) = (to(center - half), to(center + half));

@@ -43,7 +43,7 @@ pub(super) fn cylinder_entry(
     (first <= last).then_some(first)
 }
 
-/// How far `place` is outside a box about the origin along the axes, below 0 inside; and the unit vector away from the
+/// Returns the distance of `place` from a box about the origin along the axes, below 0 inside; and the unit vector away from the
 /// nearest place on the surface.
 pub(super) fn block_distance(place: DVec3, half: DVec3) -> (f64, DVec3) {
     let beyond = place.abs() - half;
@@ -68,8 +68,8 @@ pub(super) fn block_half_width(axes: DMat3, half: DVec3, direction: DVec3) -> f6
     widths.into_iter().filter(|&width| width > 0.0).fold(f64::INFINITY, f64::min)
 }
 
-/// Where a ray at `start`, as seen along an axis, enters and leaves the space between the planes at -`half` and `half`;
-/// everywhere if it runs in there for good.
+/// Returns the range in which a ray at `start`, as seen along an axis, is between the planes at -`half` and `half`; everywhere if it
+/// stays between them for good.
 pub(crate) fn between_planes(start: f64, slope: f64, half: f64) -> Option<[f64; 2]> {
     if slope == 0.0 {
         return (start.abs() <= half).then_some([f64::NEG_INFINITY, f64::INFINITY]);

@@ -1,4 +1,4 @@
-//! Where a straight ray enters a body, in the rest frame and in f64.
+//! Entries of straight rays into bodies, in the rest frame and in f64.
 //!
 //! Every test first moves the ray's start to the point nearest to the body's centre: what is left has the
 //! size of the body. Only entries count: an aperture inside a body does not see that body's inner surface.
@@ -13,14 +13,14 @@ use crate::ray::Ray;
 use crate::shape::Shape;
 use crate::turn::turn_of;
 
-/// Where a ray enters a body. Rest frame.
+/// The entry of a ray into a body. Rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Entry {
     /// Along the ray, from its start.
     pub distance: f64,
-    /// On the surface.
+    /// Place on the surface.
     pub position: DVec3,
-    /// Outward unit normal.
+    /// Outward unit normal at that place.
     pub normal: DVec3,
 }
 
@@ -61,7 +61,7 @@ pub(crate) enum Form {
 }
 
 impl Solid {
-    /// Prepares `shape`.
+    /// Prepares `shape` for rays.
     #[must_use]
     pub fn new(shape: &Shape) -> Self {
         match *shape {
@@ -147,7 +147,7 @@ impl Solid {
         }
     }
 
-    /// Where `ray` first enters, in front of the camera.
+    /// Returns the first entry of `ray`, in front of the camera.
     ///
     /// # Accuracy
     ///
@@ -193,7 +193,7 @@ impl Form {
         }
     }
 
-    /// How far `position` is outside, below 0 inside; and the unit vector away from the nearest place on the surface.
+    /// Returns the distance of `position` from the surface, below 0 inside; and the unit vector away from the nearest place on the surface.
     pub(crate) fn distance(&self, position: DVec3) -> (f64, DVec3) {
         match *self {
             Self::Ball { radius }
@@ -327,7 +327,7 @@ impl LocalRay {
         (low < high && !(in_hole(low) && in_hole(high))).then_some([low, high])
     }
 
-    /// One step of Newton's method on the distance from the surface: the quartic of a thin ring resolves
+    /// Improves an entry by one step of Newton's method on the distance from the surface: the quartic of a thin ring resolves
     /// its tube to only R^2 / r units of rounding. Left out where the ray grazes so closely that the
     /// step would cross to the way out.
     fn polished_torus_entry(&self, t: f64, axis: DVec3, radius: f64, tube_radius: f64) -> f64 {

@@ -1,4 +1,4 @@
-//! How finely a body must be divided for its triangles to keep a bound on the picture.
+//! Division of a body that is fine enough for its triangles to keep a bound on the picture.
 //!
 //! Between its corners a triangle is flat where the image P(u, v) of the surface is curved. Interpolation over
 //! a triangle of a grid with steps g along u and h along v is off by at most
@@ -34,10 +34,10 @@ const SAFETY: f64 = 1.3;
 /// Step of the second differences, radians or half lengths: their error is a 1e-5th of the derivative, and rounding
 /// costs 1e-12 of the position.
 const STEP: f64 = 1e-2;
-/// How many steps apart a body is sampled from one end to the other; one that turns is bent more in places.
+/// Number of steps in which a body is sampled from one end to the other; one that turns is bent more in places.
 const STEPS: u32 = 4;
 const STEPS_TURNING: u32 = 32;
-/// Where it is sampled, turned around it (radians).
+/// Angles around a body at which it is sampled, radians.
 const AROUND: [f64; 4] = [0.0, FRAC_PI_2, PI, 1.5 * PI];
 
 /// The division of `body` that keeps `bound_px` in `view`; where that would do with less, no coarser than
@@ -100,7 +100,7 @@ struct Curvature<'a> {
 }
 
 impl Curvature<'_> {
-    /// Of the circles around and along a tube.
+    /// Returns the divisions of the circles around and along a tube.
     fn of_arcs(&self, tube: &TubeSurface) -> f64 {
         let around = self.greatest(|t, angle, h| tube.side(t, angle + h));
         let meridians = [0.0, FRAC_PI_2]
@@ -108,7 +108,7 @@ impl Curvature<'_> {
         meridians.into_iter().fold(around, f64::max)
     }
 
-    /// Of lines on a box's faces along one of its own axes.
+    /// Returns the divisions of lines on a box's faces along one of its own axes.
     fn of_edges(&self, surface: &BoxSurface, axis: usize) -> f64 {
         let along = DVec3::AXES[axis];
         let [first, second] = [DVec3::AXES[(axis + 1) % 3], DVec3::AXES[(axis + 2) % 3]];
@@ -123,7 +123,7 @@ impl Curvature<'_> {
         lines(0.0).max(lines(1.0))
     }
 
-    /// Of circles around a cylinder, of its ends' radii, and of its sides.
+    /// Returns the divisions of circles around a cylinder, of its ends' radii, and of its sides.
     fn of_cylinder(&self, cylinder: &CylinderSurface) -> [f64; 3] {
         let around = self.greatest(|t, angle, h| cylinder.at(t, 1.0, angle + h));
         let end = |side: f64| self.greatest(|t, angle, h| cylinder.at(side, 0.5 * (t + 1.0) + h, angle));
@@ -152,12 +152,12 @@ impl Curvature<'_> {
         (bend.length() / (STEP * STEP * 8.0 * self.bound_px)).sqrt()
     }
 
-    /// Where the corner at `place` appears; no number outside the domain of the core, which asks for the finest division.
+    /// Returns the apparent position of the corner at `place`; NaN outside the domain of the core, which asks for the finest division.
     fn apparent(&self, place: DVec3) -> DVec3 {
         self.view.apparent_position(self.view.corner(self.body, place)).unwrap_or(DVec3::NAN)
     }
 
-    /// How far a change of an apparent position moves its image, px.
+    /// Returns the shift of an image, px, that a change of its apparent position makes.
     fn image_of_change(&self, at: DVec3, change: DVec3) -> DVec2 {
         let Gauge { right, up, forward, .. } = self.gauge;
         let depth = at.dot(forward);

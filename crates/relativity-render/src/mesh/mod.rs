@@ -29,7 +29,7 @@ use template::Division;
 /// Draws triangles that keep a bound on the picture.
 #[derive(Debug)]
 pub struct MeshRenderer {
-    /// How far any point may be drawn from where it is seen, pixels, above 0.
+    /// Greatest distance at which any point may be drawn from where it is seen, pixels, above 0.
     bound_px: f64,
     parts: Parts,
     templates: HashMap<Division, Loaded>,

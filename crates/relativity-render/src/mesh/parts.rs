@@ -50,7 +50,7 @@ struct Part {
 /// The parts of a view. Kept from view to view, for their memory.
 #[derive(Debug, Default)]
 pub struct Parts {
-    /// One for each body, `None` for those out of sight.
+    /// Parts found, one for each body, `None` for those out of sight.
     found: Vec<Option<Part>>,
     /// In the order they are drawn in.
     sorted: Vec<Part>,
@@ -116,7 +116,7 @@ impl Parts {
         self.sorted.sort_unstable_by_key(Part::rank);
     }
 
-    /// Those that are drawn by one draw, in order.
+    /// Returns the runs of parts that one draw draws, in order.
     pub fn runs(&self) -> impl Iterator<Item = (Trait<Division>, impl Iterator<Item = &Instance>)> {
         let chunks = self.sorted.chunk_by(|a, b| a.common() == b.common());
         chunks.map(|run| (run[0].common(), run.iter().map(|part| &part.instance)))
@@ -128,7 +128,7 @@ impl Part {
         Self { instance: Instance { copy, ..self.instance }, ..*self }
     }
 
-    /// What it has in common with those that are drawn with it.
+    /// Returns the properties that a part shares with those drawn by the same draw.
     fn common(&self) -> Trait<Division> {
         let Self { division, group, is_patterned, turns, .. } = *self;
         Trait {
@@ -141,7 +141,7 @@ impl Part {
         }
     }
 
-    /// Its place in the order: faded ones last; group by group; in the bodies' order where surfaces may coincide, so
+    /// Returns the place of a part in the order: faded ones last; group by group; in the bodies' order where surfaces may coincide, so
     /// that the first of them stays, and else those of one division together, which saves a draw for each.
     fn rank(&self) -> (bool, usize, Option<(bool, Turns, Division)>, u32) {
         let Trait { is_thin, .. } = self.common();
@@ -157,7 +157,7 @@ impl Part {
 }
 
 impl Instance {
-    /// How the vertex stage reads it.
+    /// Layout in which the vertex stage reads an instance.
     pub const LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
         array_stride: size_of::<Self>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,

@@ -7,7 +7,7 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::kind::Kind;
 
-/// How finely a shape is divided.
+/// The division of a shape: its number of steps each way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Division {
     /// A tube (or, with no sides, a ball): segments around, along each rounded end, and along the side.
@@ -29,7 +29,7 @@ pub struct Corner {
 }
 
 impl Corner {
-    /// How the vertex stage reads it.
+    /// Layout in which the vertex stage reads a corner.
     pub const LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
         array_stride: size_of::<Self>() as u64,
         step_mode: wgpu::VertexStepMode::Vertex,
@@ -55,7 +55,7 @@ impl Division {
         }
     }
 
-    /// Its corners and triangles, counter-clockwise as seen from outside.
+    /// Returns corners and triangles, counter-clockwise as seen from outside.
     pub fn template(self) -> Template {
         match self {
             Self::Tube { around, end, side } => grid(&tube_profile(end, side), around),

@@ -13,10 +13,10 @@ use crate::lanes::{F, Simd, SimdBase as _, SimdFloat as _, SimdMask as _, V2, V3
 /// Lines of sight that fall less do not meet the ground.
 const LEAST_FALL: f32 = -1e-6;
 
-/// How far around a rectangle is looked, px.
+/// Margin around a rectangle, px.
 const MARGIN: f32 = 2.0;
 
-/// What a rectangle of the picture can show: its left and upper edge, and its width and height, px.
+/// Returns the part of the backdrop that a rectangle of the picture can show: its left and upper edge, and its width and height, px.
 #[inline(always)]
 pub fn part<S: Simd>(simd: S, frame: &Frame, [left, top]: [f32; 2], [width, height]: [f32; 2]) -> Part {
     let floor = frame.floor();
@@ -81,7 +81,7 @@ fn paint<S: Simd>(simd: S, frame: &Frame, number: usize) -> V3<S> {
     V3::of_four(simd, frame.backdrop[number])
 }
 
-/// What is seen at a distance of this colour.
+/// Returns the colour that is seen at a distance of a surface of this colour.
 #[inline(always)]
 fn hazy<S: Simd>(part: Part, sky: V3<S>, colour: V3<S>, distance: F<S>) -> V3<S> {
     V3::mix(sky, colour, 1.0 / (1.0 + distance * distance * part.haze() as f32))
@@ -151,7 +151,7 @@ fn line_cover<S: Simd>(off_line: F<S>, half_width: f32, pixel: F<S>) -> F<S> {
     cover * (per_pixel * (2.0 * half_width)).min(1.0)
 }
 
-/// Of the lines at whole numbers; a grid finer than pixels is left out.
+/// Returns the coverage of lines at whole numbers; a grid finer than pixels is left out.
 #[inline(always)]
 fn grid_cover<S: Simd>(foot: F<S>, pixel: F<S>) -> F<S> {
     let simd = pixel.simd;
@@ -251,7 +251,7 @@ mod tests {
         row_of(simd, frame, tile_part(simd, frame, [u, v]), [u, v])
     }
 
-    /// What the tile with this pixel can show.
+    /// Returns the part of the backdrop that the tile with this pixel can show.
     #[inline(always)]
     fn tile_part<S: Simd>(simd: S, frame: &Frame, pixel: [u32; 2]) -> Part {
         part(simd, frame, pixel.map(|at| (at / 8 * 8) as f32), [8.0; 2])

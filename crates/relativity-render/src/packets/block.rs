@@ -13,13 +13,13 @@ pub fn middle<S: Simd>(body: &Body<S>) -> V3<S> {
     body.place
 }
 
-/// What holds it.
+/// Returns a capsule that contains the body.
 #[inline(always)]
 pub fn around<S: Simd>(body: &Body<S>) -> Capsule<S> {
     Capsule { place: body.place, end: body.place, radius: body.halves().length() }
 }
 
-/// Where rays meet it.
+/// Returns the surface of the body where rays meet it.
 #[inline(always)]
 pub fn surface<S: Simd>(simd: S, group: &Group, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
     let own = own_ray(simd, body, ray);
@@ -76,7 +76,7 @@ pub fn surface<S: Simd>(simd: S, group: &Group, body: &Body<S>, ray: &Ray<S>) ->
     }
 }
 
-/// Those of three `distances` whose lines are there.
+/// Returns those of three `distances` whose lines exist.
 #[inline(always)]
 fn of_lines<S: Simd>(sines: V3<S>, distances: V3<S>) -> V3<S> {
     V3::new(of_line(sines.x, distances.x), of_line(sines.y, distances.y), of_line(sines.z, distances.z))
@@ -87,13 +87,13 @@ fn of_line<S: Simd>(sine: F<S>, distance: F<S>) -> F<S> {
     select(sine.simd_lt(LEAST_SINE), all(sine.simd, 1e30), distance)
 }
 
-/// Which parts are this `value`.
+/// Returns which parts equal this `value`.
 #[inline(always)]
 fn equal_to<S: Simd>(v: V3<S>, value: F<S>) -> [Mask<S>; 2] {
     [v.x.simd_eq(value), v.y.simd_eq(value)]
 }
 
-/// The first axis that is chosen, of which x and y are told: z if it is neither.
+/// Returns the first chosen axis, of which x and y are given: z if it is neither.
 #[inline(always)]
 fn first_of<S: Simd>(simd: S, [is_x, is_y]: [Mask<S>; 2]) -> V3<S> {
     let (zero, one) = (all(simd, 0.0), all(simd, 1.0));

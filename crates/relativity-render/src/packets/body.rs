@@ -5,7 +5,7 @@ use crate::lanes::{F, Mask, Quaternion, Simd, V3, all, select};
 use crate::prepared_body::Placement;
 use crate::view::Geometry;
 
-/// How a group is seen, as the shaders have it.
+/// The view of a group, as the shaders have it.
 #[derive(Debug, Clone, Copy)]
 pub struct Group<'a> {
     pub frame: &'a Frame,
@@ -17,7 +17,7 @@ pub struct Group<'a> {
 pub struct Body<S: Simd> {
     /// From the middle of its group: its centre, or one end of a tube.
     pub place: V3<S>,
-    /// Of a body with flat faces the least of its half lengths.
+    /// Radius; for a body with flat faces the least of its half lengths.
     pub radius: F<S>,
     /// The other end of a tube; a ring's unit axis; half the lengths of a body with flat faces along its own axes.
     pub form: V3<S>,
@@ -34,7 +34,7 @@ pub struct Ray<S: Simd> {
     pub sight: V3<S>,
     /// 1/length of the unnormalised line of sight.
     pub scale: F<S>,
-    /// How the unnormalised line of sight changes to the next pixel on the right, and to the one below. In a flat picture
+    /// Changes of the unnormalised line of sight to the next pixel on the right, and to the one below. In a flat picture
     /// the component along the line of sight does not count.
     pub steps: [V3<S>; 2],
     /// Unit vector towards the source in the rest frame.
@@ -42,7 +42,7 @@ pub struct Ray<S: Simd> {
     /// Ground distance per rest-frame distance.
     pub ground_per_rest: F<S>,
     pub doppler: F<S>,
-    /// Of the group's middle: its moment about the ray, and its distance along it.
+    /// Middle of the group: its moment about the ray, and its distance along it.
     pub moment: V3<S>,
     pub to_centre: F<S>,
 }
@@ -55,10 +55,10 @@ pub struct Capsule<S: Simd> {
     pub radius: F<S>,
 }
 
-/// Where rays meet a body, or how far off they pass.
+/// The surface where rays meet a body, or the distance at which they pass.
 #[derive(Debug, Clone, Copy)]
 pub struct Surface<S: Simd> {
-    /// How far inside the outline the ray passes, rest-frame length at the surface; negative outside.
+    /// Depth of the ray inside the outline, as a rest-frame length at the surface; negative outside.
     pub clearance: F<S>,
     /// Half the least width that the body is seen with.
     pub half_width: F<S>,
@@ -72,7 +72,7 @@ pub struct Surface<S: Simd> {
 }
 
 impl<S: Simd> Body<S> {
-    /// Of what the shaders have.
+    /// Loads the shaders' data of a body.
     #[inline(always)]
     pub fn new(simd: S, placement: &Placement) -> Self {
         let Placement { place_radius, form, turn } = *placement;
@@ -91,7 +91,7 @@ impl<S: Simd> Body<S> {
         self.turn.turned(v)
     }
 
-    /// And back.
+    /// Turns a vector from the rest frame into the body's own axes.
     #[inline(always)]
     pub fn body_from_rest(&self, v: V3<S>) -> V3<S> {
         self.turn.conjugate().turned(v)

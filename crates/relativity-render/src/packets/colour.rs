@@ -1,4 +1,4 @@
-//! From a Doppler factor to linear sRGB, as `shaders/colour.wgsl` has it.
+//! From a Doppler factor to linear sRGB, the same way as `shaders/colour.wgsl`.
 
 use std::array::from_fn;
 

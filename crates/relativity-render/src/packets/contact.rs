@@ -1,4 +1,4 @@
-//! Contact shadows on a road, as `shaders/backdrop.wgsl` has them. [`crate::contact`] says what they are.
+//! Contact shadows on a road, the same way as `shaders/backdrop.wgsl`. [`crate::contact`] describes them.
 
 use crate::contact::{DARKEST, FARTHEST};
 use crate::frame::Frame;

@@ -4,7 +4,7 @@ use super::body::{Body, Group, Ray, Surface, own_ray};
 use super::edge::share_of_other;
 use crate::lanes::{F, Simd, SimdFloat, V2, V3, all, clamp, select, sign_of};
 
-/// Where rays meet it.
+/// Returns the surface of the body where rays meet it.
 #[inline(always)]
 pub fn surface<S: Simd>(simd: S, group: &Group, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
     let (zero, one) = (all(simd, 0.0), all(simd, 1.0));
@@ -80,13 +80,13 @@ pub fn surface<S: Simd>(simd: S, group: &Group, body: &Body<S>, ray: &Ray<S>) ->
 }
 
 struct Ellipse<S: Simd> {
-    /// How far inside it is, to first order near the outline.
+    /// Depth inside the ellipse, to first order near the outline.
     inside: F<S>,
     /// Unit vector across the outline.
     outward: V2<S>,
 }
 
-/// Where (x, y) is in an ellipse with the half axes `radius` and `radius` times `cosine`.
+/// Returns the place of (x, y) in an ellipse with the half axes `radius` and `radius` times `cosine`.
 #[inline(always)]
 fn ellipse<S: Simd>(x: F<S>, y: F<S>, radius: F<S>, cosine: F<S>) -> Ellipse<S> {
     let level = V2::new(cosine * x, y).length();

@@ -1,10 +1,10 @@
-//! Where two faces of a body meet: `share_of_other` of `shaders/body.wgsl`.
+//! Edges where two faces of a body meet: `share_of_other` of `shaders/body.wgsl`.
 
 use super::body::{Group, Ray};
 use super::ray::movement;
 use crate::lanes::{F, Simd, SimdFloat, V3, all, clamp};
 
-/// How much of what pixels show of two faces is the other than that which their rays meet: these pass the common edge at
+/// Returns the share of the other face in pixels whose rays meet one of two faces: these pass the common edge at
 /// the distance `from_edge`, `across` is the unit vector across the edge and the ray, and `width` that of the other face
 /// as it is seen.
 #[inline(always)]

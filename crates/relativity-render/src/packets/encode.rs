@@ -7,14 +7,14 @@ use fearless_simd::u32x8;
 use crate::colour::LEAST;
 use crate::lanes::{F, LANES, Simd, SimdBase as _, SimdFrom as _, V3, clamp};
 
-/// The rest of the digits of a float, after those that tell its cell: in none does more than one level begin.
+/// Number of the digits of a float after those of its cell: in none of these does more than one level begin.
 const DIGITS: u32 = 16;
 /// Cells from [`LEAST_TOLD`] to 2 and beyond.
 const CELLS: usize = 0x800;
 /// 2^-15: below lies the level 0 alone, and here the last digits of a cell's number are 0.
 const LEAST_TOLD: f32 = 1.0 / 32_768.0;
 
-/// Of each cell its first level, in front of [`DIGITS`] digits that are as far from full as the next level is from the
+/// First level of each cell, in front of [`DIGITS`] digits that are as far from full as the next level is from the
 /// start of the cell: the sum with the rest of a float's digits begins with its level.
 static LEVELS: LazyLock<[u32; CELLS]> = LazyLock::new(|| {
     let least = LEAST.map(|least| {

@@ -1,4 +1,4 @@
-//! What one view shows, as the shaders would have it: worked out once, used by all tiles.
+//! The look of one view: the shaders' parameters, computed once and used by all tiles.
 
 use std::sync::OnceLock;
 
@@ -15,23 +15,23 @@ use crate::wheel::packed::{Shown, Turns};
 
 use super::body::Group;
 
-/// One view of a scene.
+/// The look of one view of a scene.
 pub struct Look<'a> {
     pub scene: &'a PreparedScene,
-    /// How each of the groups is seen.
+    /// View of each group.
     pub views: Vec<GroupView>,
     frames: Vec<Frame>,
     /// The hatch for light outside the visible range.
     pub hatch: Hatch,
-    /// The number of the group among whose bodies the depths of all are told.
+    /// Number of the group in which the depths of all are compared.
     reference: usize,
-    /// What turns, with its number; these ascend.
+    /// Bodies that turn, with their numbers, which ascend.
     turning: Vec<(usize, Turns, Shown)>,
-    /// Of each emission of the scene the light as shaders have it, without and with a Doppler effect.
+    /// Light of each emission of the scene as the shaders have it, without and with a Doppler effect.
     lights: Vec<[OnceLock<[f32; 4]>; 2]>,
 }
 
-/// A body as one view has it.
+/// A body, as one view has it.
 #[derive(Debug, Clone, Copy)]
 pub struct Seen<'a> {
     pub body: &'a PreparedBody,
@@ -41,7 +41,7 @@ pub struct Seen<'a> {
 }
 
 impl<'a> Look<'a> {
-    /// A picture that looks as `appearance` says, or numbers.
+    /// Returns the look of a picture as `appearance` says, or of numbers.
     pub fn new(scene: &'a PreparedScene, view: &View, appearance: Option<&Appearance>) -> Self {
         let views = scene.group_views(view);
         let plain = Appearance::default();
@@ -70,7 +70,7 @@ impl<'a> Look<'a> {
         Group { frame: &self.frames[number], geometry: self.views[number].geometry }
     }
 
-    /// Where the group of this number stands among others, if there are any.
+    /// Returns the place of the group of this number among others, if there are any.
     pub fn among_others(&self, number: usize) -> Option<AmongOthers> {
         AmongOthers::beside(&self.views, self.reference, number)
     }
@@ -92,7 +92,7 @@ impl<'a> Look<'a> {
         Seen { body, number, turns, shown }
     }
 
-    /// Which effects a body that `turns` so has in the group of this number.
+    /// Returns the effects on a body that turns in this way, in the group of this number.
     pub fn effects(&self, group: usize, turns: Turns, appearance: &Appearance) -> Effects {
         self.views[group].effects(turns, appearance)
     }

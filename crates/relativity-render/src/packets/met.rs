@@ -1,4 +1,4 @@
-//! Where the rays of a packet meet a body that is seen there.
+//! The meeting of a packet's rays with a body that is seen there.
 
 use super::body::{Body, Group, Ray, Surface};
 use super::look::{Look, Seen};
@@ -7,7 +7,7 @@ use super::tile::{Owner, Packet, Test};
 use super::turning::{doppler_of, surface_when_shown};
 use crate::lanes::{F, Simd};
 
-/// What is known of that, eight pixels at a time.
+/// The meeting of eight pixels with a body.
 pub struct Met<'a, S: Simd> {
     pub group: Group<'a>,
     pub seen: Seen<'a>,
@@ -23,7 +23,7 @@ pub struct Met<'a, S: Simd> {
 }
 
 impl<'a, S: Simd> Met<'a, S> {
-    /// Of `owner`, in a packet with `N` samples to a pixel: in a picture there is more than one.
+    /// Returns the meeting with `owner`, in a packet with `N` samples to a pixel: in a picture there is more than one.
     #[inline(always)]
     pub fn new<const N: usize>(simd: S, look: &'a Look<'a>, owner: Owner, packet: &'a Packet<S, N>) -> Self {
         let (group, seen, ray) = (look.group(owner.group), look.seen(owner.number), &packet.ray);

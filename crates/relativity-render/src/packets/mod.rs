@@ -81,7 +81,7 @@ impl PacketRenderer {
         Picture { size: view.camera.size, rgba }
     }
 
-    /// What the centre of every pixel of `view` shows of `scene`.
+    /// Returns the hits of `scene` at the centre of every pixel of `view`.
     pub fn hits(&self, scene: &PreparedScene, view: &View) -> HitImage {
         let look = Look::new(scene, view, None);
         let both = scene.tiles(view, &look.views, &|| true, |tile, rows| {

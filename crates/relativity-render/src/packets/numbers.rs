@@ -1,4 +1,4 @@
-//! What a tile shows in numbers.
+//! The numbers of a tile.
 
 use super::look::Look;
 use super::met::Met;
@@ -9,7 +9,7 @@ use crate::candidates::Rows;
 use crate::lanes::{LANES, Simd, SimdFloat};
 use crate::tiles::Tile;
 
-/// What a pixel shows in numbers, as the shaders write it.
+/// The numbers of a pixel, as the shaders write them.
 pub type Numbers = ([f32; 4], [f32; 4]);
 
 impl<S: Simd> Drawn<S, 1> {

@@ -1,4 +1,4 @@
-//! Which of the eight packets of a tile a body may be seen in: a lane is a packet here.
+//! Packets of a tile, eight of them, in which a body may be seen: a lane is a packet here.
 
 use super::body::{Body, Group, Ray};
 use super::places::{PACKETS, packet_places};
@@ -20,7 +20,7 @@ pub struct Middles<S: Simd> {
 }
 
 impl<S: Simd> Middles<S> {
-    /// Of the tile with this `corner`.
+    /// Returns the rays of the tile with this `corner`.
     #[inline(always)]
     pub fn new(simd: S, group: &Group<'_>, corner: [u32; 2]) -> Self {
         let places: [[f32; 2]; LANES] = std::array::from_fn(|packet| {
@@ -51,14 +51,14 @@ impl<S: Simd> Middles<S> {
         Self { ray, spread, pixel }
     }
 
-    /// How far the samples of a pixel, and what is widened into it, are off its middle, per distance: of the packet at this
+    /// Returns the distance, per distance from the eye, of a pixel's samples (and of what is widened into it) from its middle: for the packet at this
     /// place, the same for eight pixels.
     #[inline(always)]
     pub fn pixel_of(&self, place: usize) -> F<S> {
         all(self.pixel.simd, self.pixel[place])
     }
 
-    /// Those packets that `body` may be seen in, unless all of it is farther there than the `farthest` of what covers them.
+    /// Returns those packets that `body` may be seen in, unless all of it is farther there than the `farthest` of what covers them.
     #[inline(always)]
     pub fn may_show(&self, kind: Kind, body: &Body<S>, farthest: [f32; PACKETS]) -> Mask<S> {
         let farthest = F::simd_from(self.spread.simd, farthest);
@@ -66,7 +66,7 @@ impl<S: Simd> Middles<S> {
     }
 }
 
-/// Where `body` may be seen within this `spread` of a ray per distance, unless all of it is farther than this.
+/// Returns where `body` may be seen within this `spread` of a ray per distance, unless all of it is farther than this.
 #[inline(always)]
 pub fn may_show<S: Simd>(kind: Kind, body: &Body<S>, ray: &Ray<S>, spread: F<S>, farthest: F<S>) -> Mask<S> {
     let n = ray.direction;

@@ -1,4 +1,4 @@
-//! Where the packets of a tile of 8 x 8 pixels are, and their pixels.
+//! Places of the packets in a tile of 8 x 8 pixels, and their pixels.
 
 use crate::candidates::Rows;
 use crate::lanes::{F, LANES, Simd, SimdFrom};

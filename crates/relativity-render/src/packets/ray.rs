@@ -9,7 +9,7 @@ use crate::lanes::{F, Simd, SimdBase as _, SimdFloat, V2, V3, all, select};
 use crate::pipelines::AmongOthers;
 use crate::view::Geometry;
 
-/// What is seen in a pixel's middle.
+/// The line of sight of a pixel's middle.
 #[derive(Debug, Clone, Copy)]
 pub struct Sight<S: Simd> {
     /// Unit vector towards the source, in the ground frame.
@@ -21,7 +21,7 @@ pub struct Sight<S: Simd> {
     sech: F<S>,
 }
 
-/// How lines of sight pass a group.
+/// The passage of lines of sight through a group.
 #[derive(Debug, Clone, Copy)]
 struct Passage<S: Simd> {
     /// Unit vector towards the source in the rest frame.
@@ -197,7 +197,7 @@ fn steps<S: Simd>(frame: &Frame, sight: Sight<S>) -> [V3<S>; 2] {
     [(baseline * (sech * sech) - across * cosine) * frame.base[3], down]
 }
 
-/// How the line of sight along the unit vector `sight` passes a group of this `speed`, with the `sign` of its motion.
+/// Returns the passage of the line of sight along the unit vector `sight` through a group of this `speed`, with the `sign` of its motion.
 #[inline(always)]
 fn passage<S: Simd>(simd: S, sight: V3<S>, geometry: Geometry, speed: [f32; 4], sign: f32) -> Passage<S> {
     let [beta, one_minus_beta, per_gamma, _] = speed;
@@ -241,7 +241,7 @@ pub fn rest_ray<S: Simd>(simd: S, group: &Group, sight: Sight<S>) -> Ray<S> {
     Ray { sight: n, scale, steps, direction, ground_per_rest, doppler, moment, to_centre }
 }
 
-/// How far the ray's direction (rest frame) moves along the unit vector `across`, perpendicular to it, from one pixel to
+/// Returns the movement of the ray's direction (rest frame) along the unit vector `across`, perpendicular to it, from one pixel to
 /// the next, to the right and down.
 #[inline(always)]
 pub fn movement<S: Simd>(group: &Group, ray: &Ray<S>, across: V3<S>) -> V2<S> {
@@ -261,7 +261,7 @@ pub fn movement<S: Simd>(group: &Group, ray: &Ray<S>, across: V3<S>) -> V2<S> {
     V2::new(turned.dot(right), turned.dot(down))
 }
 
-/// Where the ray comes closest to `anchor` (from the group's middle), from there.
+/// Returns the ray's closest approach to `anchor` (from the group's middle), from there.
 #[inline(always)]
 pub fn nearest_to<S: Simd>(anchor: V3<S>, ray: &Ray<S>) -> V3<S> {
     -ray.direction.cross(ray.moment + anchor.cross(ray.direction))

@@ -26,7 +26,7 @@ struct Torus<S: Simd> {
 #[derive(Clone, Copy)]
 struct Search<S: Simd> {
     found: Mask<S>,
-    /// Where F was least so far, and that F.
+    /// Place of the least F so far, and that F.
     s: F<S>,
     value: F<S>,
 }
@@ -79,19 +79,19 @@ fn entry<S: Simd>(
     search
 }
 
-/// The body's middle.
+/// Returns the middle of the body.
 #[inline(always)]
 pub fn middle<S: Simd>(body: &Body<S>) -> V3<S> {
     body.place
 }
 
-/// What holds it.
+/// Returns a capsule that contains the body.
 #[inline(always)]
 pub fn around<S: Simd>(body: &Body<S>) -> Capsule<S> {
     Capsule { place: body.place, end: body.place, radius: body.form_w + body.radius }
 }
 
-/// How far off its surface rays pass at least.
+/// Returns the least distance at which rays pass its surface.
 ///
 /// Where a ray crosses the ring's plane it is |rho - R| from the middle circle. On from there, rho changes by no more than
 /// the cosine of its slope and z by the sine, per step: so it comes no nearer than the sine times that.
@@ -105,7 +105,7 @@ pub fn least_miss<S: Simd>(body: &Body<S>, ray: &Ray<S>) -> F<S> {
     (times_sine - body.form_w * slope.abs()).abs() - body.radius
 }
 
-/// Where rays meet it.
+/// Returns the surface of the body where rays meet it.
 #[inline(always)]
 pub fn surface<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
     let n = ray.direction;

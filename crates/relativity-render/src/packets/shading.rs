@@ -1,4 +1,4 @@
-//! What a tile looks like.
+//! The colours of a tile.
 
 use super::backdrop::{behind, part};
 use super::colour::{Hatched, received_colour};

@@ -5,7 +5,7 @@ use super::{block, cylinder, ring, tube};
 use crate::kind::Kind;
 use crate::lanes::{Simd, V3};
 
-/// Where rays meet a body.
+/// Returns the surface of a body where rays meet it.
 ///
 /// Each kind's test is there once, and called.
 #[inline(always)]
@@ -40,7 +40,7 @@ pub fn middle<S: Simd>(kind: Kind, body: &Body<S>) -> V3<S> {
     }
 }
 
-/// What holds a body.
+/// Returns a capsule that contains a body.
 #[inline(always)]
 pub fn around<S: Simd>(kind: Kind, body: &Body<S>) -> Capsule<S> {
     match kind {

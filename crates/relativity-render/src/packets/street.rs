@@ -4,7 +4,7 @@ use crate::frame::Frame;
 use crate::lanes::{F, Mask, Simd, SimdFloat as _, V2, V3, all, clamp, select};
 use crate::street::{CORNICE, COURSE, FRAME, HOUSE_WIDTH};
 
-/// What a pixel covers along one axis.
+/// The range that a pixel covers along one axis.
 #[derive(Debug, Clone, Copy)]
 pub struct Covered<S: Simd> {
     half: F<S>,
@@ -17,7 +17,7 @@ pub struct Front<S: Simd> {
     pub cover: F<S>,
 }
 
-/// What a pixel covers, and where.
+/// The area that a pixel covers.
 #[derive(Debug, Clone, Copy)]
 struct Pixel<S: Simd> {
     place: V2<S>,
@@ -27,7 +27,7 @@ struct Pixel<S: Simd> {
 }
 
 impl<S: Simd> Covered<S> {
-    /// Of a pixel of this size.
+    /// Returns the coverage of a pixel of this size.
     #[inline(always)]
     pub fn new(pixel: F<S>) -> Self {
         let half = (pixel * 0.5).max(1e-6);
@@ -52,7 +52,7 @@ impl<S: Simd> Covered<S> {
 }
 
 impl<S: Simd> Pixel<S> {
-    /// Of a house of this height and shade: shade, share below the roof, share within the cornice.
+    /// Returns what a pixel shows of a house of this height and shade: shade, share below the roof, share within the cornice.
     #[inline(always)]
     fn of_house(&self, height: F<S>, shade: F<S>) -> V3<S> {
         let low = all(self.place.y.simd, 0.0);
@@ -95,7 +95,7 @@ impl<S: Simd> Pixel<S> {
         self.along.repeated_cover(place, length + 2.0 * margin, period as f32)
     }
 
-    /// And upwards.
+    /// Returns the coverage of openings upwards.
     #[inline(always)]
     fn up_openings(&self, frame: &Frame, number: usize, margin: f32) -> F<S> {
         let simd = self.place.y.simd;
@@ -115,7 +115,7 @@ impl<S: Simd> Pixel<S> {
     }
 }
 
-/// What a pixel of this size shows of the fronts at this place.
+/// Returns what a pixel of this size shows of the fronts at this place.
 #[inline(always)]
 pub fn front<S: Simd>(frame: &Frame, place: V2<S>, size: V2<S>) -> Front<S> {
     let simd = place.x.simd;

@@ -1,4 +1,4 @@
-//! What tests of packets share.
+//! Parts that tests of packets share.
 
 use fearless_simd::Level;
 

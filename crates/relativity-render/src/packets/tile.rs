@@ -14,12 +14,12 @@ use crate::kind::Kind;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, SimdMask, V2, all, select};
 use crate::pipelines::AmongOthers;
 
-/// No body.
+/// Marks the absence of a body.
 const NONE: f32 = -1.0;
 
 /// The four samples of a pixel, from its centre, in the standard places.
 pub const STANDARD: [[f32; 2]; 4] = [[-0.125, -0.375], [0.375, -0.125], [-0.375, 0.125], [0.125, 0.375]];
-/// Its centre alone.
+/// The sample at the centre alone.
 pub const CENTRE: [[f32; 2]; 1] = [[0.0, 0.0]];
 
 /// The nearest in a sample of eight pixels.
@@ -27,7 +27,7 @@ pub const CENTRE: [[f32; 2]; 1] = [[0.0, 0.0]];
 pub struct Nearest<S: Simd> {
     /// Beyond the middle of its group, or where there are several groups the negative of its depth among all.
     pub beyond: F<S>,
-    /// Its place in the list of what is in the tile, or a negative number.
+    /// Place in the list of the tile's bodies, or a negative number.
     pub owner: F<S>,
 }
 
@@ -38,22 +38,22 @@ pub struct Owner {
     pub group: usize,
 }
 
-/// What a packet shows of one group, in `N` samples of each of its pixels.
+/// The part of a packet that shows one group, in `N` samples of each of its pixels.
 #[derive(Debug, Clone, Copy)]
 pub struct Packet<S: Simd, const N: usize> {
-    /// Its place in the tile.
+    /// Place of the packet in the tile.
     pub place: usize,
     /// Through the middles of its pixels.
     pub ray: Ray<S>,
-    /// What covers samples.
+    /// Nearest bodies that cover samples.
     pub solid: [Nearest<S>; N],
-    /// What is thinner than a pixel, and covers a part of it.
+    /// Nearest bodies that are thinner than a pixel, and cover a part of it.
     pub thin: [Nearest<S>; N],
-    /// Which of the owners are its group's.
+    /// Range of the owners that belong to its group.
     pub owners: [usize; 2],
 }
 
-/// What is in a tile.
+/// The bodies that are seen in a tile.
 pub struct Drawn<S: Simd, const N: usize> {
     /// The packets that were looked into, group by group.
     pub packets: Vec<Packet<S, N>>,
@@ -61,7 +61,7 @@ pub struct Drawn<S: Simd, const N: usize> {
     pub owners: Vec<Owner>,
 }
 
-/// What is in a tile of one group.
+/// The bodies of one group that are seen in a tile.
 struct OfGroup<'a, S: Simd, const N: usize> {
     simd: S,
     look: &'a Look<'a>,
@@ -70,10 +70,10 @@ struct OfGroup<'a, S: Simd, const N: usize> {
     samples: &'a [[f32; 2]; N],
     sights: TileSights<'a, S>,
     drawn: &'a mut Drawn<S, N>,
-    /// Where the packets of this group are among all, those that were looked into.
+    /// Places of this group's packets among all, for those that were tested.
     places: [Option<usize>; PACKETS],
     middles: Middles<S>,
-    /// How far the farthest of what covers a sample is, for each packet.
+    /// Distance of the farthest body that covers a sample, for each packet.
     farthest: [f32; PACKETS],
     /// Bodies in several pieces that were tested.
     tested: Vec<u32>,
@@ -83,7 +83,7 @@ struct OfGroup<'a, S: Simd, const N: usize> {
 pub struct Test<S: Simd> {
     /// From the camera, rest frame.
     pub distance: F<S>,
-    /// How deep inside the outline the middle of the pixel is, and how that changes from pixel to pixel.
+    /// Depth of the pixel's middle inside the outline, and its change from pixel to pixel.
     clearance: F<S>,
     gradient: V2<S>,
     /// Share of a pixel that it covers, 1 unless it is thinner.
@@ -93,7 +93,7 @@ pub struct Test<S: Simd> {
 }
 
 impl Look<'_> {
-    /// What is in `tile`, whose lines of sight are in `cap`.
+    /// Draws the bodies of `tile`, whose lines of sight are in `cap`.
     #[inline(always)]
     pub fn draw<S: Simd, const N: usize>(
         &self,
@@ -154,7 +154,7 @@ impl Look<'_> {
 }
 
 impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
-    /// What is farther than this is seen nowhere in the tile.
+    /// Returns the distance beyond which nothing is seen anywhere in the tile.
     fn reach(&self) -> f32 {
         self.farthest.into_iter().fold(f32::NEG_INFINITY, f32::max)
     }
@@ -221,7 +221,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         number
     }
 
-    /// Tests a body in the packet of this number, in which a `pixel` is so wide per distance, and says whether it is seen
+    /// Tests a body in the packet of this number, in which a `pixel` has this width per distance; returns whether it is seen
     /// there.
     #[inline(always)]
     fn test_in(
@@ -282,7 +282,7 @@ impl<S: Simd, const N: usize> Packet<S, N> {
         }
     }
 
-    /// How far the farthest of what covers a pixel's samples is.
+    /// Returns the distance of the farthest body that covers a pixel's samples.
     #[inline(always)]
     fn farthest(&self, simd: S) -> F<S> {
         let mut farthest = all(simd, f32::NEG_INFINITY);
@@ -292,7 +292,7 @@ impl<S: Simd, const N: usize> Packet<S, N> {
         farthest
     }
 
-    /// What is farther than this is seen nowhere in it.
+    /// Returns the distance beyond which nothing is seen in the packet.
     #[inline(always)]
     fn reach(&self, simd: S) -> f32 {
         self.farthest(simd).as_slice().iter().copied().fold(f32::NEG_INFINITY, f32::max)
@@ -307,7 +307,7 @@ impl<S: Simd, const N: usize> Packet<S, N> {
         }
     }
 
-    /// What is nearest in each sample: of what covers it, and of what is thinner.
+    /// Returns the nearest bodies in each sample: those that cover it, and the thinner ones.
     #[inline(always)]
     fn layers(&mut self) -> [&mut [Nearest<S>; N]; 2] {
         [&mut self.solid, &mut self.thin]
@@ -384,7 +384,7 @@ impl<S: Simd> Nearest<S> {
         self.owner = select(holds, none.owner, self.owner);
     }
 
-    /// Where a surface this far `beyond`, of the body of this `number`, is seen before it: of equally near ones the first.
+    /// Returns where a surface this far `beyond`, of the body of this `number`, is seen before the present one: of equally near ones the first.
     #[inline(always)]
     fn is_behind(&self, beyond: F<S>, number: usize, owners: &[Owner]) -> Mask<S> {
         let is_farther = self.beyond.simd_gt(beyond);
@@ -402,7 +402,7 @@ impl<S: Simd> Nearest<S> {
 }
 
 impl<S: Simd> Test<S> {
-    /// Of the `body` that is `seen`, whose `surface` was found; in a picture what is thinner than a pixel is drawn a pixel wide.
+    /// Returns the fragment of the `body` that is `seen`, whose `surface` was found; in a picture it is drawn at least a pixel wide.
     #[inline(always)]
     pub fn new(
         simd: S,
@@ -437,7 +437,7 @@ impl<S: Simd> Test<S> {
         test
     }
 
-    /// In which pixels the sample this far from the centre is inside.
+    /// Returns the pixels in which the sample this far from the centre is inside.
     #[inline(always)]
     fn holds(&self, [right, down]: [f32; 2]) -> Mask<S> {
         let clearance = self.clearance + self.gradient.x * right + self.gradient.y * down;

@@ -4,22 +4,22 @@ use super::body::{Body, Capsule, Ray, Surface};
 use super::ray::nearest_to;
 use crate::lanes::{Simd, SimdFloat, SimdMask, V3, clamp, select};
 
-/// How far beside the ends, in radii.
+/// Margin beside the ends, in radii.
 const BESIDE: f32 = 0.02;
 
-/// The body's middle.
+/// Returns the middle of the body.
 #[inline(always)]
 pub fn middle<S: Simd>(body: &Body<S>) -> V3<S> {
     (body.place + body.form) * 0.5
 }
 
-/// What holds it.
+/// Returns a capsule that contains the body.
 #[inline(always)]
 pub fn around<S: Simd>(body: &Body<S>) -> Capsule<S> {
     Capsule { place: body.place, end: body.form, radius: body.radius }
 }
 
-/// Where rays meet it.
+/// Returns the surface of the body where rays meet it.
 #[inline(always)]
 pub fn surface<S: Simd>(body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
     let n = ray.direction;

@@ -13,15 +13,15 @@ use crate::wheel::packed::Turns;
 /// The angle, radians, below which a turning body that is no tube is met in rounds from the middle of the ray's passage. Beyond it the
 /// ray is first followed to the tube around the body. Tubes are always met in steps (`course.rs`).
 const SHORT: f32 = 0.4;
-/// Most rounds, and when one is the last: what is off then is this part of the body's radius.
+/// Greatest number of rounds, and the error, as a part of the body's radius, at which a round is the last.
 const MOST_ROUNDS: u32 = 6;
 const SETTLED: f32 = 1e-4;
 
-/// What is shown along rays, in the frame that turns.
+/// The co-moving place of what is shown along rays, in the frame that turns.
 struct CoMoving<S: Simd> {
-    /// From the hub.
+    /// Place from the hub.
     place: V3<S>,
-    /// How fast the place changes along the ray.
+    /// Change of the place along the ray.
     tangent: V3<S>,
 }
 
@@ -32,7 +32,7 @@ pub struct Standing<S: Simd> {
     pub place: V3<S>,
 }
 
-/// Where rays meet a body as it is shown.
+/// Returns the surface of a body where rays meet it as it is shown.
 #[inline(always)]
 pub fn surface_when_shown<S: Simd>(
     simd: S,
@@ -79,7 +79,7 @@ fn surface_of_turning<S: Simd>(
     surface_near(simd, kind, group, body, ray, spin, start, reach)
 }
 
-/// What is shown at `q`, from the hub, along rays in the direction of `n`.
+/// Returns the co-moving place of what is shown at `q`, from the hub, along rays in the direction of `n`.
 #[inline(always)]
 fn co_moving<S: Simd>(simd: S, group: &Group, q: V3<S>, n: V3<S>, spin: &Spin<S>) -> CoMoving<S> {
     let shown = later(simd, group, q, spin);
@@ -88,7 +88,7 @@ fn co_moving<S: Simd>(simd: S, group: &Group, q: V3<S>, n: V3<S>, spin: &Spin<S>
     CoMoving { place: about_y(q, turn), tangent: about_y(tangent, turn) }
 }
 
-/// Where rays meet a body that turns, as one round after the other finds it, from `start` along the ray, counted from its
+/// Returns the surface of a turning body where rays meet it, found round after round from `start` along the ray, counted from its
 /// point nearest to the hub, and no farther from there than `reach`.
 #[expect(clippy::too_many_arguments, reason = "as the shader has them, and what are constants there")]
 #[inline(always)]

@@ -1,4 +1,4 @@
-//! Where on a shape a place is: its coordinates along and around the axis.
+//! Coordinates of a place on a shape, along and around its axis.
 
 use std::f64::consts::TAU;
 
@@ -12,15 +12,15 @@ use crate::shape::Shape;
 pub enum Form {
     /// A tube with rounded ends; a ball if it has no length.
     Tube { half_length: f64, radius: f64 },
-    /// One with flat ends.
+    /// A cylinder with flat ends.
     Cylinder { half_length: f64, radius: f64 },
-    /// A ring.
+    /// A ring, as a torus.
     Ring { radius: f64, tube_radius: f64 },
-    /// A box.
+    /// A box, with three pairs of faces.
     Box { half: DVec3 },
 }
 
-/// Where a place is on a round shape.
+/// A place on a round shape, in the shape's own coordinates.
 #[derive(Debug, Clone, Copy)]
 pub struct Chart {
     /// Arc along the axis, from the beginning; and its gradient.
@@ -34,7 +34,7 @@ pub struct Chart {
 }
 
 impl Form {
-    /// Of `shape`.
+    /// Returns the form of `shape`.
     pub fn new(shape: &Shape) -> Self {
         match *shape {
             Shape::Sphere { radius, .. } => Self::Tube { half_length: 0.0, radius },
@@ -47,7 +47,7 @@ impl Form {
         }
     }
 
-    /// Of what has one: half the length between its ends.
+    /// Returns half the length between the ends; 0 for a form without ends.
     pub const fn half_length(self) -> f64 {
         match self {
             Self::Tube { half_length, .. } | Self::Cylinder { half_length, .. } => half_length,
@@ -55,7 +55,7 @@ impl Form {
         }
     }
 
-    /// Of the circle that parallels divide.
+    /// Returns the radius of the circle that parallels divide.
     pub const fn radius(self) -> f64 {
         match self {
             Self::Tube { radius, .. } | Self::Cylinder { radius, .. } => radius,
@@ -75,7 +75,7 @@ impl Form {
         }
     }
 
-    /// Where `place` is, of a round shape.
+    /// Returns the chart of `place`, on a round shape.
     pub fn chart(self, place: DVec3, normal: DVec3) -> Chart {
         let DVec3 { x, y, z } = place;
         let off_axis = hypot(x, y);

@@ -1,15 +1,15 @@
-//! What a sample of a picture covers of a surface, and the averages of lines, bands and discs over that.
+//! Coverage of a surface by a sample of a picture, and the averages of lines, bands and discs over it.
 
 use glam::{DQuat, DVec3};
 use relativity_core::math::hypot;
 
-/// What a pixel covers is taken for no less and no more than this, in steps: f32 has no more digits, and beyond a few
+/// Least and greatest coverage of a pixel that is told apart, in steps: f32 has no more digits, and beyond a few
 /// steps there is only an average.
 pub const COVERED: [f64; 2] = [1e-4, 1e3];
 /// Least cosine between a ray and the normal: at the outline itself a pixel covers without end.
 pub const GRAZING: f64 = 1e-3;
 
-/// What one sample of a picture covers of a surface: how far the place that it shows moves towards the next sample to
+/// The coverage of a sample of a picture: the shifts on the surface towards the next sample to
 /// the right, and below.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Covered {
@@ -18,7 +18,7 @@ pub struct Covered {
 }
 
 impl Covered {
-    /// A point.
+    /// The coverage of a point.
     pub const NOTHING: Self = Self { right: DVec3::ZERO, down: DVec3::ZERO };
 
     /// On a surface with this `normal`, met by a ray along `direction` (unit vectors), which moves there by `right` and
@@ -34,7 +34,7 @@ impl Covered {
         Self { right: turn * self.right, down: turn * self.down }
     }
 
-    /// How much it covers of a coordinate with this gradient.
+    /// Returns the range of a coordinate with this gradient that is covered.
     pub fn of(&self, gradient: DVec3) -> f64 {
         hypot(gradient.dot(self.right), gradient.dot(self.down))
     }
@@ -70,7 +70,7 @@ pub fn wave(x: f64, covered: f64) -> f64 {
     average(sawtooth, x - 2.0 * (0.5 * x).round(), covered)
 }
 
-/// Of a function with this `integral`, over what is `covered` around `x`, all in steps.
+/// Returns the average of a function with this `integral`, over the range `covered` around `x`, all in steps.
 fn average(integral: impl Fn(f64) -> f64, x: f64, covered: f64) -> f64 {
     let covered = covered.clamp(COVERED[0], COVERED[1]);
     (integral(x + 0.5 * covered) - integral(x - 0.5 * covered)) / covered

@@ -7,12 +7,12 @@ use super::coverage::{Covered, disc, rim};
 
 /// Radius of a pip, in half edges of the smaller edge of its face.
 pub const PIP_RADIUS: f64 = 0.19;
-/// How far from the middle of a face pips lie, in half edges.
+/// Distance of pips from the middle of a face, in half edges.
 pub const PIP_PLACE: f64 = 0.52;
 /// Width of the dark rim of a face, in half edges of the smaller edge.
 pub const RIM: f64 = 0.035;
 
-/// How dark a die's face is at `place`.
+/// Returns the darkness of a die's face at `place`.
 pub fn face(half: DVec3, place: DVec3, normal: DVec3, covered: Covered) -> f64 {
     let [axis, a, b] = if normal.x.abs() > normal.y.abs().max(normal.z.abs()) {
         [DVec3::X, DVec3::Y, DVec3::Z]

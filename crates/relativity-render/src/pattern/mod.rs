@@ -25,7 +25,7 @@ use coverage::{line, wave};
 pub(crate) const DARK: f64 = 0.2;
 /// Half the width of a graticule's line, in steps.
 pub(crate) const LINE_REACH: f64 = 0.035;
-/// How far below the surface stripes and squares are looked up, in steps: an end lies where one of them does.
+/// Depth below the surface at which stripes and squares are looked up, in steps: an end lies where one of them does.
 pub(crate) const NUDGE: f64 = 1e-3;
 
 /// Values of the shaders' constants for a scene shown in this `geometry`.
@@ -57,7 +57,7 @@ pub(crate) struct Marking {
     around_step: f64,
 }
 
-/// What is drawn, as the shaders count it.
+/// The rulings of patterns, as the shaders number them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Ruling {
     Faces = 1,
@@ -67,7 +67,7 @@ pub(crate) enum Ruling {
 }
 
 impl Marking {
-    /// Of `pattern` on this `form`, turned so; `None` where that leaves a body plain.
+    /// Returns the marking of `pattern` on this `form`, with this `turn`; `None` where that leaves a body plain.
     pub fn new(pattern: Pattern, form: Form, turn: DQuat) -> Option<Self> {
         let (ruling, [along_step, around_step]) = match (pattern, form) {
             (Pattern::Faces, Form::Box { .. }) => (Ruling::Faces, [1.0; 2]),
@@ -129,7 +129,7 @@ impl Marking {
         }
     }
 
-    /// How far along `axis` the `place` lies from the low end, just below the surface; and the gradient of that.
+    /// Returns the distance along `axis` of `place` from the low end, just below the surface; and the gradient of that.
     fn level(&self, place: DVec3, normal: DVec3, half_length: f64, axis: DVec3) -> (f64, DVec3) {
         let below = place - normal * (NUDGE * self.along_step);
         (below.dot(axis) + half_length, axis)

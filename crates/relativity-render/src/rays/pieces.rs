@@ -22,7 +22,7 @@ use crate::tiles::Tile;
 use crate::view::Geometry;
 use crate::wheel::packed::{Shown, Turns};
 
-/// How often a piece is halved before its bound is taken as it is: 32 rectangles follow the most bent of tubes, and
+/// Number of halvings after which the bound of a piece is taken as it is: 32 rectangles follow the most bent of tubes, and
 /// a looser bound only costs time.
 const MAX_HALVINGS: u32 = 5;
 /// Below this radius a piece may be faded in pictures instead of drawn thinner, px. The shader fades what it finds
@@ -30,10 +30,10 @@ const MAX_HALVINGS: u32 = 5;
 /// along x below a pixel is drawn as thin as it is there.
 const THIN_PX: f64 = 0.75;
 
-/// Where bodies are looked for.
+/// The bounds in which bodies are searched for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Bounds {
-    /// Where they can appear.
+    /// Tight bounds around where they can appear.
     #[default]
     Tight,
     /// Everywhere: what tight bounds are measured against.
@@ -62,7 +62,7 @@ pub struct Piece {
 pub struct Pieces {
     lists: BTreeMap<(bool, usize, Kind, bool, Turns), Vec<Piece>>,
     rectangles: Vec<Rectangle>,
-    /// What contains the last body that turns.
+    /// Capsules that contain the last body that turns.
     shown: Vec<Capsule>,
     /// The numbers of bodies that may be in the picture.
     candidates: Vec<u32>,
@@ -90,7 +90,7 @@ impl Pieces {
         }
     }
 
-    /// Those that are drawn by one draw, in order.
+    /// Returns the runs of pieces that one draw draws, in order.
     pub fn runs(&self) -> impl Iterator<Item = (Trait<()>, Iter<'_, Piece>)> {
         let filled = self.lists.iter().filter(|(_, list)| !list.is_empty());
         filled.map(|(&(is_thin, group, kind, is_patterned, turns), list)| {
@@ -195,7 +195,7 @@ fn add_rectangles<B: Bound>(projection: &Projection, bound: &B, halvings: u32, o
 }
 
 impl Piece {
-    /// How the vertex stage reads it.
+    /// Layout in which the vertex stage reads a piece.
     pub const LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
         array_stride: size_of::<Self>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,
@@ -205,7 +205,7 @@ impl Piece {
         ],
     };
 
-    /// Of `body`, without a rectangle.
+    /// Returns the piece of `body`, without a rectangle.
     fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
         let Shown { placement: Placement { place_radius, form, turn }, spin, rim } = shot.shown(body);
         Self {

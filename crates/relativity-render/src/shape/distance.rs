@@ -40,7 +40,7 @@ impl Shape {
     }
 }
 
-/// Where an axis begins, and how it runs from there.
+/// Returns the start of an axis, and the vector along it.
 fn axis(from: [f64; 3], to: [f64; 3]) -> (DVec3, DVec3) {
     (from.into(), DVec3::from(to) - DVec3::from(from))
 }

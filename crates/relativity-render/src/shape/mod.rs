@@ -14,11 +14,11 @@ use crate::wheel::spin::{Spin, about_y};
 /// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
-    /// A ball.
+    /// A ball of any size.
     Sphere {
-        /// Centre.
+        /// Centre of the ball.
         center: [f64; 3],
-        /// Radius, above 0.
+        /// Radius of the ball, above 0.
         radius: f64,
     },
     /// A cylinder with rounded ends (a capsule).
@@ -27,12 +27,12 @@ pub enum Shape {
         from: [f64; 3],
         /// Centre of the other.
         to: [f64; 3],
-        /// Radius, above 0.
+        /// Radius of the tube, above 0.
         radius: f64,
     },
-    /// A torus.
+    /// A torus, the shape of a tyre.
     Ring {
-        /// Centre.
+        /// Centre of the torus.
         center: [f64; 3],
         /// Unit vector along the axis of symmetry.
         axis: [f64; 3],
@@ -43,7 +43,7 @@ pub enum Shape {
     },
     /// A box: three pairs of flat faces at right angles.
     Box {
-        /// Centre.
+        /// Centre of the box.
         center: [f64; 3],
         /// Half its lengths along its own axes, above 0.
         half: [f64; 3],
@@ -56,7 +56,7 @@ pub enum Shape {
         from: [f64; 3],
         /// Centre of the other, elsewhere.
         to: [f64; 3],
-        /// Radius, above 0.
+        /// Radius of the cylinder, above 0.
         radius: f64,
     },
 }

@@ -19,7 +19,7 @@ pub enum Path {
     },
     /// A circle, from s = 0 to 1.
     Circle {
-        /// Centre.
+        /// Centre of the ring.
         center: DVec3,
         /// Vectors at right angles from the centre to the circle.
         across: [DVec3; 2],

@@ -1,4 +1,4 @@
-//! Where one view shows a body that turns: capsules around it.
+//! Bounds of a turning body in one view: capsules around the places where it is shown.
 //!
 //! At one camera event each material point has one place where it is shown, so a straight spoke is shown as a bent tube
 //! that stands still in the rest frame. Where a point moves at v and the places shown at one time lie across the
@@ -14,7 +14,7 @@ use crate::group_view::GroupView;
 use crate::view::Geometry;
 use crate::wheel::spin::{MaterialPoint, Spin, about_y};
 
-/// How often an axis is halved at most.
+/// Greatest number of halvings of an axis.
 const MAX_HALVINGS: u32 = 6;
 /// A piece is halved that departs from its chord by more than the body's radius and this part of its length.
 const LOOSE: f64 = 0.03;
@@ -22,7 +22,7 @@ const LOOSE: f64 = 0.03;
 const BULGE: f64 = 4.0 / 27.0;
 /// Bulges are this much larger than those of cubics.
 const BULGE_ROOM: f64 = 1.5;
-/// Where 1 + v.p changes by no more than this part of itself, a piece is shown much like a cubic.
+/// Relative change of 1 + v.p up to which a piece is shown much like a cubic.
 const STEADY: f64 = 0.5;
 
 /// A place on the axis of a body.
@@ -30,29 +30,29 @@ const STEADY: f64 = 0.5;
 struct Station {
     /// From 0 at one end to 1 at the other.
     share: f64,
-    /// Where it is shown.
+    /// Place where the point is shown.
     place: DVec3,
-    /// How fast that moves with the share.
+    /// Change of that place with the share along the axis.
     tangent: DVec3,
-    /// Its distance from the axle.
+    /// Distance of the point from the axle.
     off_axle: f64,
-    /// |omega|.
+    /// Angular speed, |omega|.
     omega: f64,
     /// |p|, and how near the camera comes to what [`Self::reach`] covers: without end where p does not change.
     slowness: f64,
     nearest: f64,
-    /// 1 + v.p.
+    /// Rate 1 + v.p.
     rate: f64,
 }
 
 impl Station {
-    /// How fast what is within `radius` moves at most, and how much 1 + v.p changes per step from there.
+    /// Returns the greatest speed of everything within `radius`, and the greatest change of 1 + v.p per step from there.
     fn steepness(&self, radius: f64) -> [f64; 2] {
         let speed = self.omega * (self.off_axle + radius);
         [speed, self.omega * self.slowness + speed / self.nearest]
     }
 
-    /// How far the ball of this `radius` around it is shown at most; infinite where that cannot be said.
+    /// Returns the greatest distance at which the ball of this `radius` around it is shown; infinite where there is no bound.
     fn reach(&self, radius: f64) -> f64 {
         let [speed, steepness] = self.steepness(radius);
         let least = 1.0 - speed * self.slowness;
@@ -174,7 +174,7 @@ impl GroupView {
     }
 }
 
-/// Of the rectangle around its image from the side.
+/// Returns the area of the rectangle around its image from the side.
 fn area(capsule: &Capsule) -> f64 {
     2.0 * capsule.radius * (capsule.from.distance(capsule.to) + 2.0 * capsule.radius)
 }

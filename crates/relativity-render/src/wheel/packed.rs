@@ -1,4 +1,4 @@
-//! What the shaders know of how a body turns: the pipelines that this takes, and where one view has it begin.
+//! The turning of a body as the shaders have it: the pipelines it needs, and its start in one view.
 
 use glam::{DQuat, DVec3};
 use relativity_core::Turning;
@@ -11,22 +11,22 @@ use crate::velocity::Velocity;
 use crate::view::{Appearance, Geometry};
 use crate::wheel::spin::{MaterialPoint, Spin};
 
-/// Whether a body turns within its group, as far as it chooses a pipeline: what stands still is drawn as if nothing could
+/// The turning of a body within its group, as far as it chooses a pipeline: a still body is drawn as if nothing could
 /// turn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Turns {
-    /// It stands still.
+    /// The body stands still.
     Not,
-    /// It turns, but its surface stays where it is.
+    /// The body turns, but its surface stays where it is.
     InPlace,
-    /// Its surface turns.
+    /// The surface of the body turns.
     About,
 }
 
 /// A body as one view has the shaders begin with it: as it is when the view shows the middle of its axle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shown {
-    /// Where it is then.
+    /// Placement of the body at that time.
     pub placement: Placement,
     /// The middle of its axle, from the middle of its group; and omega, about +y.
     pub spin: [f32; 4],
@@ -41,7 +41,7 @@ impl Turns {
         geometry.has_doppler_effect() || self != Self::Not && geometry == Geometry::Rest
     }
 
-    /// The shaders' constant.
+    /// Returns the constant of the shaders.
     pub fn constant(self) -> Constant {
         let number = match self {
             Self::Not => 0.0,
@@ -59,7 +59,7 @@ impl GroupView {
         if self.is_lit_by_the_street(appearance) { effects.in_street_daylight() } else { effects }
     }
 
-    /// How `body`, one of the group, turns.
+    /// Returns the turning of `body`, one of the group.
     pub(crate) fn turns(&self, body: &PreparedBody) -> Turns {
         match body.spin {
             Some(spin) if spin.omega(self.on_ground.beta()) == 0.0 => Turns::Not,

@@ -16,15 +16,15 @@ use crate::wheel::solid::{Course, TurningSolid};
 
 /// A part of the ray in which the body turns by no more than this, radians.
 const LONGEST_PART: f64 = 0.4;
-/// Most parts.
+/// Greatest number of parts.
 const MOST_PARTS: f64 = 5.0;
 
-/// How an entry into a body that turns is found.
+/// A search for the entry into a body that turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Search {
-    /// As the reference does: the first one, to 1e-12 of the body's size.
+    /// Exact, as in the reference: the first entry, to 1e-12 of the body's size.
     Exact,
-    /// In so many rounds, 1 or more.
+    /// In this number of rounds, 1 or more.
     Rounds(u32),
 }
 
@@ -35,8 +35,8 @@ impl PreparedScene {
         self.turning(body).is_some()
     }
 
-    /// Where the camera's `line_of_sight` first enters the body of this number, which `view` shows: the length along the
-    /// ray in the rest frame, from near the middle of the group. `None` if it misses, or if the body does not turn.
+    /// Returns the first entry of the camera's `line_of_sight` into the body of this number, which `view` shows: the length along the ray
+    /// in the rest frame, from near the middle of the group. `None` if it misses, or if the body does not turn.
     ///
     /// # Accuracy
     ///
@@ -63,7 +63,7 @@ impl PreparedScene {
 }
 
 impl TurningSolid {
-    /// Along `ray`, in so many rounds.
+    /// Searches along `ray` in this number of rounds.
     fn entry_in_rounds(&self, ray: &Ray, view: &GroupView, rounds: u32) -> Option<f64> {
         let (local, from_start) = self.local_ray(ray);
         let [first, last] = self.reach_along(&local)?;
@@ -77,7 +77,7 @@ impl TurningSolid {
 }
 
 impl Course<'_> {
-    /// In so many rounds from the middle of the part of the ray that begins at `low`.
+    /// Searches in this number of rounds from the middle of the part of the ray that begins at `low`.
     fn entry_near(&self, low: f64, length: f64, rounds: u32) -> Option<f64> {
         let mut s = low + 0.5 * length;
         let mut found = None;
@@ -99,7 +99,7 @@ impl Course<'_> {
 }
 
 impl Solid {
-    /// Where `ray` passes the line within which it lies most closely.
+    /// Returns the place where `ray` passes the line within which it lies most closely.
     fn passed_at(&self, ray: &Ray) -> f64 {
         let ([from, to], _) = self.core();
         let along = to - from;

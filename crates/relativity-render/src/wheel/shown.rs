@@ -49,7 +49,7 @@ impl GroupView {
         }
     }
 
-    /// By which angle what turns so has turned since t' = 0 where it is shown at `place`.
+    /// Returns the angle by which a body with this `spin` has turned since t' = 0 where it is shown at `place`.
     #[must_use]
     pub fn turn_at(&self, spin: &Spin, place: DVec3) -> f64 {
         let off_axle = spin.off_axle(place);
@@ -57,7 +57,7 @@ impl GroupView {
         spin.omega(self.on_ground.beta()) * (self.time_at(on_axle) + self.later(on_axle, off_axle))
     }
 
-    /// Where `point` is in the group's frame when this view shows it.
+    /// Returns the place of `point` in the group's frame when this view shows it.
     #[must_use]
     pub fn place_when_shown(&self, point: impl Into<MaterialPoint>) -> DVec3 {
         let MaterialPoint { rest, spin } = point.into();
@@ -73,7 +73,7 @@ impl GroupView {
         })
     }
 
-    /// What the own motion of what turns so and is seen at `place` multiplies its Doppler factor with:
+    /// Returns the factor by which the own motion of a body with this `spin`, seen at `place`, multiplies its Doppler factor:
     /// sqrt(1 - v^2)/(1 + v.n'), v being its velocity in the group's frame and n' the unit vector from the camera's event
     /// there. 1 in [`Geometry::Contracted`], which shows no light.
     #[must_use]

@@ -1,4 +1,4 @@
-//! Where a ray enters a body that turns about an axle, as the spokes and the valve of a wheel do.
+//! Entries of rays into a body that turns about an axle, as the spokes and the valve of a wheel do.
 //!
 //! What a view shows along a straight ray it shows at times that pass evenly along it (`GroupView::rate_along`). So in
 //! the frame that turns with the body, where the body rests, the ray is a curve q(s), s being the length along the ray:
@@ -25,23 +25,23 @@ use crate::ray::Ray;
 use crate::shape::Shape;
 use crate::wheel::spin::{Spin, about_y};
 
-/// Most steps to an entry. Grazing rays take about fifty.
+/// Greatest number of steps to an entry. Grazing rays take about fifty.
 const MAX_STEPS: u32 = 1000;
 /// Nearer than this to the surface, in parts of how far the body reaches from the axle, is on it.
 const ON_SURFACE: f64 = 4.0 * f64::EPSILON;
-/// How much wider a sweep is than what it holds, relatively: a ray begins outside the body.
+/// Relative margin of a sweep around its content: a ray begins outside the body.
 const ROOM: f64 = 1e-9;
 
 /// A body that turns and does not keep its place doing so.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct TurningSolid {
-    /// As it is at t' = 0.
+    /// The body as it is at t' = 0.
     solid: Solid,
     spin: Spin,
     sweep: Sweep,
 }
 
-/// What a body sweeps as it turns: what lies between two planes across the axle and two cylinders about it.
+/// The sweep of a body as it turns: the space between two planes across the axle and two cylinders about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Sweep {
     /// On the axle, halfway between the planes.
@@ -79,8 +79,8 @@ impl TurningSolid {
         [middle - half, middle + half]
     }
 
-    /// Where `ray` first enters it as `view` shows it, in front of the camera; and how far along the ray that is, or where
-    /// the ray passes near it if it does not enter. A ray that only `touches` the curve of what is seen has its times from
+    /// Returns the first entry of `ray` as `view` shows the body, in front of the camera; and its distance along the ray, or that of the
+    /// place where the ray passes near it if it does not enter. A ray that only `touches` the curve of what is seen has its times from
     /// there: how far along it that is.
     ///
     /// # Accuracy
@@ -180,7 +180,7 @@ impl Sweep {
 pub(super) struct Course<'a> {
     body: &'a TurningSolid,
     ray: &'a LocalRay,
-    /// Where the body's centre is at t' = 0, from the sweep's middle.
+    /// Centre of the body at t' = 0, from the sweep's middle.
     center: DVec3,
     /// By how much the body has turned where it is shown at the parameter `turned_at`.
     turn: f64,
@@ -217,7 +217,7 @@ impl<'a> Course<'a> {
         self.turn + self.rate * (s - self.turned_at)
     }
 
-    /// What it may enter, as it is at t' = 0.
+    /// Returns the body that it may enter, as it is at t' = 0.
     pub fn solid(&self) -> &Solid {
         &self.body.solid
     }
@@ -277,7 +277,7 @@ impl<'a> Course<'a> {
         was_outside.then_some(s)
     }
 
-    /// How far on there is nothing of the body, from a place at this `distance`, which grows with this `slope`.
+    /// Returns the length of a step along which there is nothing of the body, from a place at this `distance`, which grows with this `slope`.
     fn step(&self, distance: f64, slope: f64, place: DVec3) -> f64 {
         let mut curvature = self.curvature;
         let mut most = f64::INFINITY;

@@ -1,26 +1,26 @@
-//! How bodies turn within their group, as parts of a wheel, and the points that they are made of.
+//! The turning of bodies within their group, as parts of a wheel, and the points that they consist of.
 
 use glam::DVec3;
 use relativity_core::Turning;
 use relativity_core::math;
 
-/// How a body turns about an axle along y, which rests in the frame of its group.
+/// The turning of a body about an axle along y, which rests in the frame of its group.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spin {
-    /// Where the axle is: any point of it, in the rest frame.
+    /// Any point of the axle, in the rest frame.
     pub hub: [f64; 3],
     /// W, the radius on which the wheel rolls, above 0. Nothing that turns with it is farther from the axle.
     pub radius: f64,
-    /// How fast it turns.
+    /// Speed of the turning.
     pub turning: Turning,
 }
 
 /// A point of a body: where it is at t' = 0, and how it turns from there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MaterialPoint {
-    /// Where it is at t' = 0 by the clocks of the rest frame; always, if it does not turn.
+    /// Place of the point at t' = 0 by the clocks of the rest frame; at all times, if it does not turn.
     pub rest: DVec3,
-    /// How it turns; `None` if it stays there.
+    /// Turning of the point; `None` if it stays there.
     pub spin: Option<Spin>,
 }
 
@@ -31,7 +31,7 @@ impl Spin {
         Self { hub: (DVec3::from(self.hub) + DVec3::from(offset)).to_array(), ..self }
     }
 
-    /// How fast it turns where its group moves at this velocity on the ground, `beta` in (-1, 1): about +y, radians per
+    /// Returns the angular speed where the group moves at this velocity on the ground, `beta` in (-1, 1): about +y, radians per
     /// unit of the rest frame's time.
     #[must_use]
     pub fn omega(&self, beta: f64) -> f64 {
@@ -51,7 +51,7 @@ impl Spin {
         math::atan2(z, x)
     }
 
-    /// Where the point is that is at `rest` at t' = 0, at a time that depends on where it is: from `axle_time`, that of the
+    /// Returns the place of the point that is at `rest` at t' = 0, at a time that depends on the place: from `axle_time`, that of the
     /// axle abreast of it, on by `later`, which follows from its distance from the axle and its angle at `axle_time`.
     /// It turns at `omega`, as [`Self::omega`] has it.
     pub fn place_when(
@@ -68,7 +68,7 @@ impl Spin {
         rest - off_axle + DVec3::new(r * cosine, 0.0, r * sine)
     }
 
-    /// Where a point of the wheel at `place` is once it has turned by `angle` (radians, about +y, as a wheel does that
+    /// Returns the place of a point of the wheel at `place` once it has turned by `angle` (radians, about +y, as a wheel does that
     /// rolls towards +x).
     #[must_use]
     pub fn turned(&self, place: DVec3, angle: f64) -> DVec3 {

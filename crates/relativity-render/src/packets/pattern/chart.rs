@@ -1,4 +1,4 @@
-//! Where places are on round shapes, and how dark these are there: as `shaders/pattern_tube.wgsl`, `pattern_ring.wgsl` and
+//! Charts of round shapes, and how dark a pattern is there: the same way as `shaders/pattern_tube.wgsl`, `pattern_ring.wgsl` and
 //! `pattern_cylinder.wgsl` have it. All in the body's own axes.
 
 use std::f32::consts::{FRAC_PI_2, PI};
@@ -8,7 +8,7 @@ use super::coverage::{Covered, line, wave};
 use crate::lanes::{F, Simd, SimdFloat as _, V2, V3, all, clamp, select, sign_of};
 use crate::pattern::{LINE_REACH, NUDGE, Ruling};
 
-/// Where places are on a round shape.
+/// A place on a round shape, in the shape's own coordinates.
 #[derive(Debug, Clone, Copy)]
 pub struct Chart<S: Simd> {
     /// Arc along the axis, and its gradient.
@@ -18,13 +18,13 @@ pub struct Chart<S: Simd> {
     around: F<S>,
     around_gradient: V3<S>,
     off_axis: F<S>,
-    /// What stripes lie across, and its gradient.
+    /// Coordinate that stripes lie across, and its gradient.
     level: F<S>,
     level_gradient: V3<S>,
 }
 
 impl<S: Simd> Chart<S> {
-    /// How dark `pattern` is there.
+    /// Returns the darkness of `pattern` at this place.
     #[inline(always)]
     pub fn darkness(&self, pattern: [f32; 3], covered: &Covered<S>) -> F<S> {
         const REACH: f32 = LINE_REACH as f32;
@@ -91,7 +91,7 @@ pub fn on_tube<S: Simd>(body: &Body<S>, pattern: [f32; 3], place: V3<S>, normal:
     }
 }
 
-/// On a ring.
+/// Returns the chart of a place on a ring.
 #[inline(always)]
 pub fn on_ring<S: Simd>(body: &Body<S>, place: V3<S>) -> Chart<S> {
     let off = OffAxis::new(place);

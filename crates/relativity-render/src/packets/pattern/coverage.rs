@@ -1,9 +1,9 @@
-//! What pixels cover of a surface, and the averages of lines, bands and discs over that.
+//! Coverage of a surface by pixels, and the averages of lines, bands and discs over it.
 
 use crate::lanes::{F, Simd, SimdFloat as _, V3, all, clamp, select};
 use crate::pattern::coverage::{COVERED, GRAZING};
 
-/// How far the places that pixels show move on the surface towards the pixel on the right, and below.
+/// The coverage of a pixel: the shifts on the surface towards the pixel on the right, and below.
 #[derive(Debug, Clone, Copy)]
 pub struct Covered<S: Simd> {
     right: V3<S>,
@@ -21,7 +21,7 @@ impl<S: Simd> Covered<S> {
         }
     }
 
-    /// How much of a coordinate with this gradient.
+    /// Returns the range of a coordinate with this gradient that is covered.
     #[inline(always)]
     pub fn of(&self, gradient: V3<S>) -> F<S> {
         let (right, down) = (gradient.dot(self.right), gradient.dot(self.down));
@@ -63,7 +63,7 @@ fn sawtooth<S: Simd>(x: F<S>) -> F<S> {
     (x - (x * 0.5).round_ties_even() * 2.0).abs()
 }
 
-/// Of a disc, at this place from its middle.
+/// Returns the coverage of a disc, at this place from its middle.
 #[inline(always)]
 pub fn pip<S: Simd>(off: V3<S>, radius: F<S>, covered: &Covered<S>) -> F<S> {
     let simd = radius.simd;

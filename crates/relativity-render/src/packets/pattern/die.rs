@@ -18,7 +18,7 @@ pub fn normal_of_box<S: Simd>(body: &Body<S>, place: V3<S>) -> V3<S> {
     V3::select(below.x.simd_lt(below.y.min(below.z)), along_x, other)
 }
 
-/// How dark `pattern` is there.
+/// Returns the darkness of `pattern` on a box at this place.
 #[inline(always)]
 pub fn darkness_of_box<S: Simd>(
     body: &Body<S>,
@@ -43,7 +43,7 @@ pub fn darkness_of_box<S: Simd>(
     0.5 - along_x * along_y * along_z * 0.5
 }
 
-/// How dark a die's face is.
+/// Returns the darkness of a die's face.
 #[inline(always)]
 fn face<S: Simd>(half: V3<S>, place: V3<S>, normal: V3<S>, covered: &Covered<S>) -> F<S> {
     let simd = half.x.simd;

@@ -93,7 +93,7 @@ fn covered_by_pixel<S: Simd>(
     Covered::new(direction, normal, right, down, distance)
 }
 
-/// How far what is seen moves in the rest frame from pixel to pixel along `across`, per ground distance, but for what is
+/// Returns the shift in the rest frame of the place seen, from pixel to pixel along `across`, per ground distance, without its part
 /// along the ray. As `GroupView::shift` has it, but for one light cone of both eyes.
 #[inline(always)]
 fn shift<S: Simd>(group: &Group, ray: &Ray<S>, across: V3<S>) -> V3<S> {

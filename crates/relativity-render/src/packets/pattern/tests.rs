@@ -45,7 +45,7 @@ fn view(geometry: Geometry, beta: f64) -> View {
     View { observation_time, ..moment }
 }
 
-/// What a packet is asked: pixels, and what the reference hits there.
+/// A question to a packet: pixels, and the reference's hits there.
 struct Asked<'a> {
     scene: &'a PreparedScene,
     view: &'a GroupView,

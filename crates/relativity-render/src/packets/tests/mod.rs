@@ -29,7 +29,7 @@ use crate::{
 struct Random(u64);
 
 impl Random {
-    /// In [-1, 1).
+    /// Returns a number in [-1, 1).
     fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut bits = self.0;
@@ -49,7 +49,7 @@ impl Random {
     }
 }
 
-/// One body in one view.
+/// A case: one body in one view.
 struct Case {
     body: Body,
     scene: PreparedScene,
@@ -58,7 +58,7 @@ struct Case {
     frame: Frame,
 }
 
-/// How a group moves and is seen.
+/// The motion of a group, and its view.
 #[derive(Debug, Clone, Copy)]
 struct Passing {
     beta: f64,
@@ -67,7 +67,7 @@ struct Passing {
     projection: Projection,
 }
 
-/// What packets find in a pixel.
+/// The result of packets in one pixel.
 #[derive(Debug, Clone, Copy)]
 struct Found {
     direction: DVec3,
@@ -87,7 +87,7 @@ struct Found {
     across: DVec3,
     own_doppler: f64,
     from_hub: DVec3,
-    /// As it is when what is met is shown.
+    /// Turn of the body when the hit is shown.
     turn: DQuat,
     there: DVec3,
 }
@@ -169,7 +169,7 @@ impl Case {
         self.scene.groups()[0].extent.middle
     }
 
-    /// How far the body reaches from its centre.
+    /// Returns the reach of the body from its centre.
     fn size(&self) -> f64 {
         self.scene.solid(0).bounding_radius()
     }
@@ -196,12 +196,12 @@ impl Case {
         self.view.camera.line_of_sight([u.into(), v.into()])
     }
 
-    /// What the pixels show of the body.
+    /// Returns what the pixels show of the body.
     fn found(&self, level: Level, pixels: &[[f32; LANES]; 2]) -> [Found; LANES] {
         dispatch!(level, simd => found(simd, self, pixels))
     }
 
-    /// What the best registers find.
+    /// Returns what the best registers find.
     fn found_best(&self, pixels: &[[f32; LANES]; 2]) -> [Found; LANES] {
         self.found(Level::new(), pixels)
     }
@@ -280,7 +280,7 @@ fn shapes() -> Vec<Shape> {
     ]
 }
 
-/// Where cameras are from a body, in its rest frame: aside, where it goes and where it comes from.
+/// Places of cameras from a body, in its rest frame: aside, ahead of it and behind it.
 const EVENTS: [DVec3; 4] = [
     DVec3::new(0.2, -3.0, 0.4),
     DVec3::new(2.5, -1.5, -0.6),

@@ -1,4 +1,4 @@
-//! How rays move from pixel to pixel, against differences of the reference's rays; and depths.
+//! Movements of rays from pixel to pixel, against differences of the reference's rays; and depths.
 
 use super::{Random, cases};
 

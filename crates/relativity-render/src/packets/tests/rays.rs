@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::{Random, cases};
 use crate::Projection;
 
-/// What f32 loses, in parts of each quantity; of the moment in parts of how far the group's middle is. Of pixels that are
+/// Relative error in f32 of each quantity; of the moment relative to the distance of the group's middle. For pixels that are
 /// further from the frame's pole than the focal length is long, as many times as much.
 const PART: f64 = 1e-6;
 /// In conformal pictures of a tilted head `n_x` is a sum of parts of order 1, which f32 rounds by so much; the contracted geometry

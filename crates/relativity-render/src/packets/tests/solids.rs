@@ -1,4 +1,4 @@
-//! Where rays meet bodies that stand still, against the reference.
+//! Meetings of rays with bodies that stand still, against the reference.
 
 use glam::DVec3;
 
@@ -6,7 +6,7 @@ use super::{Case, Found, Random, cases};
 use crate::intersect::Entry;
 use crate::shape::Shape;
 
-/// What f32 loses, in parts of the body's size.
+/// Error in f32, relative to the body's size.
 const PART: f64 = 2e-6;
 
 impl Case {

@@ -1,4 +1,4 @@
-//! Where rays meet bodies that turn, against the reference.
+//! Meetings of rays with bodies that turn, against the reference.
 
 use glam::{DQuat, DVec3};
 
@@ -8,11 +8,11 @@ use crate::kind::Kind;
 use crate::wheel::packed::Turns;
 use crate::wheel::spin::about_y;
 
-/// What f32 loses, in parts of the wheel's radius, and what is off after the last round, in parts of the body's.
+/// Error in f32, relative to the wheel's radius, and error after the last round, relative to the body's.
 const PART: f64 = 2e-6;
 const SETTLED: f64 = 1.5e-4;
 
-/// What the Doppler factor is off, in parts of itself times gamma.
+/// Error of the Doppler factor, relative to itself times gamma.
 const DOPPLER: f64 = 2e-4;
 
 impl Case {
