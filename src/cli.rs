@@ -1,4 +1,4 @@
-//! What the command line asks for, handed to whom it concerns. Each command's own flags live beside its code in `commands`.
+//! The command line, and its dispatch. Each command's own flags are beside its code in `commands`.
 
 use std::process::ExitCode;
 
@@ -35,7 +35,7 @@ Examples:
 
 `gamow COMMAND --help` tells more.";
 
-/// The headless commands.
+/// A headless command.
 #[derive(Debug, Subcommand)]
 enum Command {
     Eval(commands::eval::EvalArgs),
@@ -94,7 +94,7 @@ pub fn explain(error: &clap::Error) -> anyhow::Result<ExitCode> {
 /// Exit status of a command line that makes no sense.
 const USAGE: u8 = 2;
 
-/// What is wrong with the command line of these `words`, if any of them would have to be quoted: then without colours, since
+/// Returns the error in the command line of these `words`, if any of them would have to be quoted: then without colours, since
 /// these are what a terminal obeys too.
 fn quoted(words: Vec<String>) -> Option<String> {
     let mut odd = words.clone();
@@ -114,7 +114,7 @@ fn quoted(words: Vec<String>) -> Option<String> {
 }
 
 impl Cli {
-    /// Whether a graphics device may be asked for though no window is to appear.
+    /// Returns whether a graphics device may be used although no window is to appear.
     const fn draws_without_a_window(&self) -> bool {
         match self.command {
             None => self.window.screenshot.is_some(),

@@ -42,13 +42,13 @@ pub const ROLL: &str = "roll";
 pub const TURN: &str = "turn";
 /// The columns of where on a wheel a point is.
 pub const WHEEL: [&str; 3] = ["wheel_radius", "rho", "angle"];
-/// How many there are without `--stereo`.
+/// Number of columns without `--stereo`.
 const USUAL: usize = 16;
 /// The columns of how far a wheel has turned, for its points only.
 const TURNED: [&str; 2] = ["angle_left", "angle_right"];
 /// The columns of `--conformal`, after all others.
 const CONFORMAL: [&str; 4] = ["u_left", "u_right", "v_left", "v_right"];
-/// Those of angles.
+/// The columns of angles.
 pub const ANGLES: &[&str] = COLUMNS.split_at(14).0.split_at(8).1;
 
 /// The end of a command's help: what the columns and the models are, and `examples`.
@@ -96,7 +96,7 @@ angles from the left eye. They reproduce the paper (doi 10.1098/rspa.2019.0703) 
 /// Flags that choose the model behind the columns.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct ModelArgs {
-    /// How the two eyes' views are computed.
+    /// Model of the two eyes' views.
     #[arg(long, value_enum, default_value_t)]
     pub model: Model,
     /// Intensity = doppler^N: surface (4), photons (3), paper (2), or N.
@@ -111,28 +111,28 @@ pub struct ModelArgs {
     pub conformal: bool,
 }
 
-/// What the input tells of, which decides which columns there are.
+/// The inputs that are given, which decide the columns of the output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Given {
     /// A head that is tilted or turned.
     pub is_turned: bool,
-    /// Points on wheels.
+    /// Whether points are on wheels.
     pub on_wheel: bool,
 }
 
 impl Given {
-    /// How many of the columns of `--stereo` there are.
+    /// Returns the number of columns that `--stereo` adds.
     const fn stereo(self) -> usize {
         COLUMNS.len() - USUAL - !(self.is_turned || self.on_wheel) as usize
     }
 }
 
-/// One point at one observation time, before a pair of eyes.
+/// An observation: one point at one observation time, before a pair of eyes.
 #[derive(Debug, Clone, Copy)]
 pub struct Observation {
-    /// The point's speed.
+    /// Speed of the point.
     pub speed: Speed,
-    /// Where it is at t = 0, or on which wheel.
+    /// Place of the point at t = 0, or the wheel it is on.
     pub source: Source,
     /// The apertures: their separation d, 0 or more, and its direction.
     pub baseline: Baseline,
@@ -157,7 +157,7 @@ pub enum ObservationError {
     Head {
         /// The column of the angle.
         name: &'static str,
-        /// Its value.
+        /// Value that is out of range.
         value: f64,
     },
     /// A place on a wheel that is none.
@@ -165,9 +165,9 @@ pub enum ObservationError {
     Wheel {
         /// The column of the value.
         name: &'static str,
-        /// Its value.
+        /// Value that is out of range.
         value: f64,
-        /// What it should be.
+        /// Range that is right.
         range: &'static str,
     },
     /// A pair of eyes that the model does not know.
@@ -184,7 +184,7 @@ pub enum ObservationError {
     NotFinite {
         /// The column that cannot be filled.
         column: &'static str,
-        /// What it would hold.
+        /// Value that the column would contain.
         value: f64,
     },
 }

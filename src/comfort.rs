@@ -1,4 +1,4 @@
-//! How comfortably two eyes fuse a pair of pictures: the disparities on the screen, as angles at the viewer.
+//! Comfort of fusing a pair of pictures: the disparities on the screen, as angles at the viewer.
 //!
 //! Of the places of all bodies ([`Shape::samples`](relativity_render::Shape::samples)) those count that lie in both pictures. The difference of where one is in the
 //! left and in the right picture is `u_left - u_right` across and `v_left - v_right` down; seen from a distance L a
@@ -22,7 +22,7 @@ pub const RANGES: [f64; 2] = [PI / 180.0, 2.0 * PI / 180.0];
 /// Largest vertical disparity that can be fused, radians.
 pub const VERTICAL: f64 = PI / 540.0;
 
-/// Most bodies that are looked at: of a crowd every so many.
+/// Greatest number of bodies that are sampled; larger scenes are strided.
 const MOST_BODIES: usize = 256;
 
 /// The disparities of a pair of pictures, radians at the viewer.
@@ -34,19 +34,19 @@ pub struct Comfort {
     pub vertical: f64,
 }
 
-/// What that means for whoever looks at them.
+/// The verdict on a pair of pictures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
-    /// It can be looked at for long.
+    /// Comfortable for a long time.
     Comfortable,
-    /// It can be fused.
+    /// Fused with effort.
     Tiring,
     /// Few can fuse it.
     TooMuch,
 }
 
 impl Comfort {
-    /// That of the `views` (left, right) of `scene`, looked at from a distance of so many of their pixels, above 0.
+    /// Returns the comfort of the `views` (left, right) of `scene`, seen from a distance of this number of their pixels, above 0.
     /// `None` where no body lies in both pictures.
     #[must_use]
     pub fn of(scene: &Scene, views: &[View; 2], distance_px: f64) -> Option<Self> {
@@ -84,7 +84,7 @@ impl Comfort {
         format!("{}: {across}° across, {down}′ up", self.verdict().word())
     }
 
-    /// What they mean.
+    /// Returns the verdict on the pair.
     #[must_use]
     pub fn verdict(self) -> Verdict {
         let [comfortable, most] = RANGES;
@@ -174,7 +174,7 @@ mod tests {
         Comfort::of(&scene, &views, views[0].camera.focal_length_px())
     }
 
-    /// Where an eye at (`eye`, 0, 0) sees a place at rest along x, by the light cone's quadratic equation.
+    /// Returns x where an eye at (`eye`, 0, 0) sees a place at rest along x, by the light cone's quadratic equation.
     fn seen_x([x, y, z]: [f64; 3], eye: f64, beta: f64, time: f64) -> f64 {
         let rest = (1.0 - beta * beta).sqrt();
         let present = x * rest - eye + beta * time;

@@ -1,4 +1,4 @@
-//! Left is blue and right is orange wherever the eyes are told apart by colour: a pair that colour-blind eyes tell
+//! Colours of the eyes: left is blue and right is orange wherever colour distinguishes them, a pair that colour-blind eyes tell
 //! apart, from M. Okabe and K. Ito, *Color universal design* (2008).
 
 /// The colours of the left and the right eye on a dark background, sRGB-encoded.

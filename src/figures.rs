@@ -1,4 +1,4 @@
-//! How numbers are written on screen: fixed decimals, a true minus sign, and enough nines.
+//! Numbers as text on screen: fixed decimals, a true minus sign, and enough nines.
 
 use std::borrow::Cow;
 
@@ -7,7 +7,7 @@ use relativity_core::math;
 
 use crate::platform::tell;
 
-/// What stands where a number does not exist.
+/// Sign for a number that does not exist.
 pub const NONE: &str = "–";
 
 /// `value` with `decimals` digits after the point; in powers of ten, with two, where that would not
@@ -25,7 +25,7 @@ pub fn fixed(value: f64, decimals: u8) -> String {
     text.replace('-', "−")
 }
 
-/// As [`fixed`], but 0 where the `decimals` would show nothing else.
+/// Writes like [`fixed`], but 0 where the `decimals` would show nothing else.
 #[must_use]
 pub fn rounded(value: f64, decimals: u8) -> String {
     fixed(if rounds_to_zero(value, decimals) { 0.0 } else { value }, decimals)
@@ -35,7 +35,7 @@ fn rounds_to_zero(value: f64, decimals: u8) -> bool {
     value.abs() < 0.5 * 10f64.powi(-i32::from(decimals))
 }
 
-/// As [`fixed`], without zeros at the end of the decimals.
+/// Writes like [`fixed`], without zeros at the end of the decimals.
 #[must_use]
 pub fn trimmed(value: f64, decimals: u8) -> String {
     let text = fixed(value, decimals);
@@ -45,7 +45,7 @@ pub fn trimmed(value: f64, decimals: u8) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// As [`fixed`], with a dash for `None`.
+/// Writes like [`fixed`], with a dash for `None`.
 #[must_use]
 pub fn fixed_or_none(value: Option<f64>, decimals: u8) -> String {
     value.map_or_else(|| NONE.to_owned(), |value| fixed(value, decimals))
@@ -107,7 +107,7 @@ pub fn decimals_of(uncertainty: f64) -> usize {
     }
 }
 
-/// So many bytes, with that many significant `digits`, in the largest unit that leaves a number above 1.
+/// Writes a number of bytes with this many significant `digits`, in the largest unit that leaves a number above 1.
 #[must_use]
 pub fn bytes(count: u64, digits: i32) -> String {
     let (mut value, mut unit) = (count as f64, "bytes");

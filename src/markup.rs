@@ -1,6 +1,6 @@
-//! Text as it stands in SVG and HTML.
+//! Text in SVG and HTML.
 
-/// `text` as it stands in an element or in an attribute between double quotes. Characters that XML does not allow become U+FFFD.
+/// Escapes `text` for an element or an attribute between double quotes. Characters that XML does not allow become U+FFFD.
 #[must_use]
 pub fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());

@@ -1,4 +1,4 @@
-//! Where a passing point is shown: places by its distance from the eyes as it passes x = 0.
+//! The passage of a point: places by its distance from the eyes as it passes x = 0.
 
 use relativity_core::math;
 use relativity_core::{Aperture, DomainError, SourcePoint, Speed, observation_time_when_seen_at};

@@ -1,5 +1,5 @@
-//! In which units the window shows lengths and times, and which it takes where they are typed. Files, CSV and flags have
-//! the scene's own always, in which c = 1.
+//! Units in which the window shows lengths and times, and in which they are typed. Files, CSV and flags always use the scene's own, in
+//! which c = 1.
 
 use clap::ValueEnum;
 use relativity_core::{Speed, math};
@@ -10,41 +10,41 @@ use crate::scene::Scene;
 
 /// The speed of light, m/s.
 const METRES_PER_SECOND: f64 = 299_792_458.0;
-/// That in Gamow's town, km/h.
+/// Speed of light in Gamow's town, km/h.
 const TOWN_KM_PER_HOUR: f64 = 30.0;
-/// Most decimals of a speed in km/h.
+/// Greatest number of decimals of a speed in km/h.
 const MOST_SPEED_DECIMALS: f64 = 6.0;
 
-/// In which units lengths and times are shown and typed.
+/// The units in which lengths and times are shown and typed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Units {
     /// The scene's own for both: c = 1.
     #[default]
     Natural,
-    /// Metres and nanoseconds, where the scene says how long its unit is.
+    /// Metres and nanoseconds, where the scene gives the length of its unit.
     Metric,
-    /// Metres and seconds as if c were 30 km/h, as in Gamow's town, where the scene says how long its unit is.
+    /// Metres and seconds as if c were 30 km/h, as in Gamow's town, where the scene gives the length of its unit.
     Town,
 }
 
 /// A unit of length or time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
-    /// How many of it the scene's unit is.
+    /// Number of these in the scene's unit.
     pub factor: f64,
-    /// Its name; none of the scene's own.
+    /// Name of the unit; empty for the scene's own.
     pub name: &'static str,
 }
 
 /// The units that a scene is shown in.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measures {
-    /// Which they are.
+    /// Choice that the units belong to.
     pub units: Units,
-    /// Of lengths.
+    /// Unit of lengths.
     pub length: Unit,
-    /// Of times.
+    /// Unit of times.
     pub time: Unit,
 }
 
@@ -65,7 +65,7 @@ impl Units {
 }
 
 impl Measures {
-    /// The scene's own.
+    /// The scene's own units.
     pub const OWN: Self = Self { units: Units::Natural, length: Unit::OWN, time: Unit::OWN };
 
     /// `speed` in the units of everyday life, where c is a speed of everyday life too.
@@ -83,7 +83,7 @@ impl Measures {
 }
 
 impl Unit {
-    /// The scene's own.
+    /// The scene's own unit.
     pub const OWN: Self = Self { factor: 1.0, name: "" };
 
     /// `value`, in units of the scene, in this unit.
@@ -98,7 +98,7 @@ impl Unit {
         shown / self.factor
     }
 
-    /// How many decimals show as much of a value as `decimals` do in units of the scene.
+    /// Returns the number of decimals that show as much of a value as `decimals` do in units of the scene.
     #[must_use]
     pub fn decimals(self, decimals: u8) -> u8 {
         (f64::from(decimals) - math::log10(self.factor).round()).clamp(0.0, 9.0) as u8
@@ -111,7 +111,7 @@ impl Unit {
         figures::fixed(self.shown(value), self.decimals(decimals))
     }
 
-    /// As [`Self::number`], with the unit.
+    /// Writes like [`Self::number`], with the unit.
     #[must_use]
     pub fn text(self, value: f64, decimals: u8) -> String {
         let number = self.number(value, decimals);
@@ -124,7 +124,7 @@ impl Unit {
         if self.name.is_empty() { String::new() } else { format!(" {}", self.name) }
     }
 
-    /// What stands at an axis: `T / ns`.
+    /// Returns the label of an axis: `T / ns`.
     #[must_use]
     pub fn label(self, symbol: &str) -> String {
         if self.name.is_empty() { symbol.to_owned() } else { format!("{symbol} / {}", self.name) }

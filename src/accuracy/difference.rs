@@ -11,14 +11,14 @@ use super::spread::Spread;
 /// Arcseconds of a radian.
 pub const ARCSECONDS: f64 = 3600.0 * 180.0 / std::f64::consts::PI;
 
-/// How one pixel differs from the reference's.
+/// The difference of one pixel from the reference's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PixelDifference {
-    /// Neither shows anything.
+    /// Neither picture shows anything.
     Nothing,
     /// Another body, or only one of the two shows any.
     WrongBody,
-    /// The same body.
+    /// Both pictures show the same body.
     SameBody {
         /// Angle between the pixel's line of sight and that along which the point shown is really seen.
         arcseconds: f64,
@@ -27,14 +27,14 @@ pub enum PixelDifference {
     },
 }
 
-/// How a picture differs from the reference's.
+/// The difference of a picture from the reference's.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Difference {
     /// Width and height, pixels.
     pub size: [u32; 2],
-    /// One per pixel, row by row from the top left.
+    /// Difference of each pixel, row by row from the top left.
     pub pixels: Vec<PixelDifference>,
-    /// In figures.
+    /// Summary of the differences.
     pub figures: DifferenceFigures,
 }
 
@@ -45,7 +45,7 @@ pub struct DifferenceFigures {
     pub covered_pixels: usize,
     /// Pixels with the wrong body, or with one where there is none, or without one where there is.
     pub wrong_pixels: usize,
-    /// Those of them whose eight neighbours all show the same as they do in the reference.
+    /// Wrong pixels whose eight neighbours all show the same as they do in the reference.
     pub wrong_pixels_off_outlines: usize,
     /// Over pixels with the right body: see [`PixelDifference::SameBody`].
     pub line_of_sight_arcseconds: Option<Spread>,
@@ -62,7 +62,7 @@ impl DifferenceFigures {
 }
 
 impl Difference {
-    /// How `shown` differs from `reference`, both being pictures of `view`.
+    /// Returns the difference of `shown` from `reference`, both being pictures of `view`.
     #[must_use]
     pub fn new(scene: &PreparedScene, view: &View, reference: &HitImage, shown: &HitImage) -> Self {
         let group_views = scene.group_views(view);

@@ -1,4 +1,4 @@
-//! What error to expect of a method in one view, and what it costs there.
+//! The expected error of a method in one view, and its cost there.
 
 use relativity_render::{Appearance, GpuError, HitImage, Method, PreparedScene, Renderers, View};
 
@@ -9,7 +9,7 @@ use super::rounds::RoundsError;
 use super::spread::Spread;
 use crate::platform::threads::prelude::*;
 
-/// How thoroughly a view is examined.
+/// The effort with which a view is examined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Effort {
     /// Places on outlines at which displacements are measured.
@@ -21,7 +21,7 @@ pub struct Effort {
 impl Effort {
     /// For a panel that is to be filled in a moment.
     pub const GLANCE: Self = Self { outline_places: 40, rounds: 2 };
-    /// For a report.
+    /// The effort for a report.
     pub const REPORT: Self = Self { outline_places: 60, rounds: 2 };
 }
 
@@ -38,7 +38,7 @@ pub struct ExpectedError {
     pub rounds: Option<RoundsError>,
 }
 
-/// Measures `method` in `view` of `scene`; `None` if it `is_cancelled` meanwhile.
+/// Measures `method` in `view` of `scene`; `None` if `is_cancelled` becomes true.
 ///
 /// May take seconds: meant for a thread of its own. Whether it `is_cancelled` is asked between pictures.
 ///

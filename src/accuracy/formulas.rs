@@ -29,14 +29,14 @@ pub enum Formula {
     StableF64,
     /// The core's, in f32.
     StableF32,
-    /// As the literature prints it, in f64.
+    /// The literature's form, in f64.
     NaiveF64,
-    /// As the literature prints it, in f32.
+    /// The literature's form, in f32.
     NaiveF32,
 }
 
 impl Formula {
-    /// All of them.
+    /// Every form and precision.
     pub const ALL: [Self; 4] = [Self::StableF64, Self::StableF32, Self::NaiveF64, Self::NaiveF32];
 
     /// Largest Lorentz factor it is meant for.

@@ -1,4 +1,4 @@
-//! How much accuracy each method trades for its speed, measured against the f64 reference.
+//! Measured accuracy and speed of each method, against the f64 reference.
 //!
 //! Knows neither the window nor the command line; both call it.
 

@@ -57,11 +57,11 @@ fn across_outline([a, b]: [(Option<Hit>, DVec2); 2]) -> Option<OutlinePixels> {
 /// A place on an outline in the reference's picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OutlinePoint {
-    /// Where it is in the picture.
+    /// Place of the point in the picture.
     pub pixel: DVec2,
     /// Unit vector out of the body, across the outline; right and down.
     pub outward: DVec2,
-    /// What is nearer than this lies inside the outline, what is farther behind it.
+    /// Distance that divides body and background: what is nearer lies inside the outline, what is farther behind it.
     pub divide: f64,
 }
 
@@ -113,7 +113,7 @@ impl Search<'_> {
     }
 }
 
-/// How far the outline at `point` of `view` is displaced in a renderer's picture, pixels, 0 up to
+/// Returns the displacement of the outline at `point` of `view` in a renderer's picture, pixels, 0 up to
 /// [`RESOLUTION_PX`].
 ///
 /// `hits` gives the renderer's picture of a small part of `view`, magnified. Where it shows no outline up
@@ -158,7 +158,7 @@ impl Strip {
         strip
     }
 
-    /// Where along the strip the renderer draws the outline, strip pixels outwards from the middle; `None`
+    /// Returns the end of the body along the strip as the renderer draws it, strip pixels outwards from the middle; `None`
     /// beyond the strip.
     ///
     /// A body that is lost counts as displaced by its width, a gap that is closed by the gap's.
@@ -178,7 +178,7 @@ impl Strip {
         (end > 0 && end < STRIP as usize).then_some(end as f64 - middle as f64)
     }
 
-    /// Which of the strip's pixels lie inside the outline, outwards.
+    /// Returns which of the strip's pixels lie inside the outline, outwards.
     fn inside(&self, image: &HitImage) -> Vec<bool> {
         let is_inside = |hit: &Option<Hit>| hit.is_some_and(|hit| hit.distance < self.point.divide);
         let mut inside: Vec<_> = image.hits.iter().map(is_inside).collect();
@@ -193,7 +193,7 @@ impl Strip {
         if end == 0.0 { 0.0 } else { self.outward_px(camera, end).abs() }
     }
 
-    /// How far out of the body, in pixels of `camera`, the place is that lies `along` strip pixels from the
+    /// Returns the distance outwards from the body, in pixels of `camera`, of the place that lies `along` strip pixels from the
     /// middle.
     fn outward_px(&self, camera: &Camera, along: f64) -> f64 {
         let mut place = [0.5, 0.5];

@@ -1,4 +1,4 @@
-//! How far the published binocular model is from the exact one: where it puts the right eye's view.
+//! The error of the published binocular model: the distance of its right eye's view from the exact one.
 
 use std::hint::black_box;
 
@@ -10,7 +10,7 @@ use super::difference::{ARCSECONDS, angle};
 use super::spread::Spread;
 use crate::platform::clock::Instant;
 
-/// Most points that are compared.
+/// Greatest number of points that are compared.
 const POINTS: usize = 2000;
 
 /// The published model's error in one view, and both models' costs.

@@ -15,7 +15,7 @@ use crate::platform::clock::Instant;
 
 /// The numbers of rounds that are measured. The shader takes six at most, for bodies that are no tubes.
 const ROUNDS: [u32; 4] = [1, 2, 3, 6];
-/// Most rays that are compared.
+/// Greatest number of rays that are compared.
 const RAYS: usize = 2000;
 /// Timed runs, of which the fastest counts.
 const RUNS: u32 = 3;
@@ -24,7 +24,7 @@ const BISECTIONS: u32 = 40;
 /// Distance of the neighbouring place that gives an outline's direction, pixels.
 const NEIGHBOUR_PX: f64 = 0.02;
 
-/// What rounds come to in one view.
+/// The error of rounds in one view.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RoundsError {
     /// Rays that were compared: through pixels that show what turns.
@@ -35,10 +35,10 @@ pub struct RoundsError {
     pub after: Vec<AfterRounds>,
 }
 
-/// How far off rays are after some rounds.
+/// The error of rays after some rounds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AfterRounds {
-    /// How many.
+    /// Number of rounds.
     pub rounds: u32,
     /// Nanoseconds per ray and body, one thread.
     pub ray_ns: f64,
@@ -129,12 +129,12 @@ fn turned_pixels(scene: &PreparedScene, image: &HitImage) -> Vec<(DVec2, usize)>
     shown.collect()
 }
 
-/// About so many of all.
+/// Returns about `most` of all, evenly spread.
 fn evenly<T: Copy>(all: &[T], most: usize) -> impl Iterator<Item = T> {
     all.iter().copied().step_by(all.len().div_ceil(most.max(1)).max(1))
 }
 
-/// Where each ray enters, and nanoseconds per ray.
+/// Returns the place where each ray enters, and nanoseconds per ray.
 fn timed(scene: &PreparedScene, rays: &[Sample<'_>], search: Search) -> (Vec<Option<f64>>, f64) {
     let entry = |ray: &Sample<'_>| scene.turned_entry(ray.body, ray.view, ray.line_of_sight, search);
     let mut fastest = f64::INFINITY;
@@ -153,7 +153,7 @@ struct Edge {
     body: usize,
     inside: DVec2,
     outside: DVec2,
-    /// Where it is.
+    /// Place of the edge.
     place: DVec2,
     /// Pixels across the outline per pixel from `inside` to `outside`.
     across: f64,
@@ -177,7 +177,7 @@ impl Edges<'_> {
         Some(Edge { body, inside, outside, place, across })
     }
 
-    /// How far off the edge is, pixels; if it is not between the two pixels, as far as the nearer of them that shows that.
+    /// Returns the displacement of the edge, pixels; if it is not between the two pixels, the distance of the nearer one that shows so.
     fn displacement(&self, edge: &Edge, search: Search) -> f64 {
         let Edge { body, inside, outside, place, across } = *edge;
         let found = self

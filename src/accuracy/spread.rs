@@ -9,9 +9,9 @@ pub struct Spread {
     pub median: f64,
     /// 99 of 100 errors are at most this.
     pub p99: f64,
-    /// The largest error.
+    /// Largest error.
     pub worst: f64,
-    /// How many errors there were.
+    /// Number of errors.
     pub count: usize,
 }
 

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::passage::time_seen_at;
 
-/// Where the tracked point is seen. Its distance as it passes x = 0 is the unit of length here.
+/// The place where the tracked point is seen. Its distance as it passes x = 0 is the unit of length here.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Place {
@@ -19,10 +19,10 @@ pub enum Place {
 }
 
 impl Place {
-    /// All of them, in the order of a ride.
+    /// Every place, in the order of a ride.
     pub const ALL: [Self; 3] = [Self::Approaching, Self::Abreast, Self::Receding];
 
-    /// Its name.
+    /// Returns the name of the place.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -45,7 +45,7 @@ impl Place {
     }
 }
 
-/// What the left eye of a pair sees, `separation` apart, that looks at the rest-frame point `tracked`.
+/// Returns the view of the left eye of a pair, `separation` apart, that looks at the rest-frame point `tracked`.
 ///
 /// # Errors
 ///

@@ -15,16 +15,16 @@ const DOPPLER_DECIMALS: u8 = 2;
 /// The light of a point where it is at rest, as a picture takes it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Source {
-    /// Of one wavelength, nm.
+    /// Light of one wavelength, nm.
     Line(f64),
-    /// Of a body that glows at this temperature, K.
+    /// Light of a body that glows at this temperature, K.
     Glow(f64),
-    /// Of many wavelengths.
+    /// Light of many wavelengths.
     Broad,
 }
 
 impl Source {
-    /// That of a body with this `emission`, as `light` has it.
+    /// Returns the light of a body with this `emission`, as `light` has it.
     #[must_use]
     pub fn new(emission: Emission, light: &Light) -> Self {
         match (light.colour, emission) {
@@ -34,7 +34,7 @@ impl Source {
         }
     }
 
-    /// What is received of it with these `doppler_factors`, of the left and the right eye or of one; none where they are
+    /// Describes the light as received with these `doppler_factors`, of the left and the right eye or of one; `None` where they are
     /// no numbers.
     pub(super) fn described(self, doppler_factors: &[f64]) -> Option<String> {
         let are_numbers = doppler_factors.iter().all(|factor| factor.is_finite() && *factor > 0.0);
@@ -79,7 +79,7 @@ fn glow(kelvin: f64, received: &[f64]) -> String {
     format!("a glow of {kelvin} K, received as of {received} K{unseen}")
 }
 
-/// Which eye sees nothing of what arrives in these bands at the left and the right eye, or at both.
+/// Returns which eye sees nothing of light that arrives in these bands at the left and the right eye, or at both.
 fn unseen(bands: impl Iterator<Item = Band>) -> &'static str {
     match bands.map(|band| band == Band::Visible).collect::<Vec<_>>()[..] {
         [false] | [false, false] => ": eyes see nothing",

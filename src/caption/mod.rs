@@ -27,40 +27,40 @@ use crate::units::{Measures, Unit};
 /// Decimals of a time or a place, at least.
 const DECIMALS: u8 = 2;
 
-/// What is shown of one point at one T.
+/// The moment: one point as it is shown at one T.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Moment {
-    /// What the point is called, with its article.
+    /// Name of the point, with its article.
     pub name: String,
-    /// Its light at rest.
+    /// Light of the point at rest.
     pub source: Source,
-    /// T.
+    /// Observation time T.
     pub time: f64,
-    /// What its lengths and times are told in.
+    /// Units of lengths and times.
     measures: Measures,
-    /// What is said of its colour where that is not drawn as it is received.
+    /// Remark on colours that are not drawn as they are received.
     drawn: &'static str,
     shown: Shown,
 }
 
-/// What the geometry shows of it.
+/// The point in the shown geometry.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Shown {
-    /// What arrives at each eye; at both in one place the same.
+    /// Light at each eye; at both in one place the same.
     Received([Sighting; 2], Eyes, Clock),
-    /// What arrives at the middle between the eyes, as if both received that.
+    /// Light at the middle between the eyes, as if both received it.
     OneCone(Sighting, Clock),
-    /// What arrives at the left eye, and what the published model has the right eye receive.
+    /// Light at the left eye, and the light that the published model gives to the right eye.
     Published([Sighting; 2]),
-    /// Where it is at T: this x from between the eyes.
+    /// Place at T: this x from between the eyes.
     Contracted(f64),
-    /// What arrives at cameras that ride along: Doppler factors.
+    /// Doppler factors at cameras that ride along.
     RidingAlong([f64; 2]),
     /// Nothing: it is outside the domain of the core.
     Unknown,
 }
 
-/// Whose clock tells τ: that of the point, unless that goes as those on the ground do, or turns about an axle.
+/// The clock that τ is read from: the point's, unless that goes like those on the ground, or turns about an axle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Clock {
     Own,
@@ -69,7 +69,7 @@ enum Clock {
 }
 
 impl Clock {
-    /// That of the point at `track`.
+    /// Returns the clock of the point at `track`.
     fn of(settings: &Settings, track: &Track) -> Self {
         let velocity = settings.velocity(track.motion);
         match track.spin {
@@ -88,7 +88,7 @@ enum Eyes {
 }
 
 impl Moment {
-    /// What is shown of the point at `track`, called `name`, at `time` with these `settings`. Its sentence has the
+    /// Returns the moment of the point at `track`, called `name`, at `time` with these `settings`. Its sentence has the
     /// scene's own units.
     #[must_use]
     pub fn new(settings: &Settings, track: &Track, name: String, emission: Emission, time: f64) -> Self {
@@ -103,7 +103,7 @@ impl Moment {
         }
     }
 
-    /// It, told in these units.
+    /// Returns the moment with lengths and times in these units.
     #[must_use]
     pub fn told_in(self, measures: Measures) -> Self {
         Self { measures, ..self }
@@ -129,7 +129,7 @@ impl Moment {
         self.doppler_factors().map(|factor| factor.and_then(received))
     }
 
-    /// That light in words; `None` where no light is shown that arrives.
+    /// Describes the light in words; `None` where no light is shown that arrives.
     #[must_use]
     pub fn light(&self) -> Option<String> {
         self.source.described(&self.doppler_factors().into_iter().flatten().collect::<Vec<_>>())
@@ -190,12 +190,12 @@ fn told(unit: Unit, value: f64) -> String {
     decimal(unit.shown(value), unit.decimals(DECIMALS)) + &tied(unit)
 }
 
-/// What stands behind a number: its unit, which is not parted from it.
+/// Returns the unit behind a number, tied to it by a space that does not break.
 fn tied(unit: Unit) -> String {
     unit.suffix().replace(' ', "\u{a0}")
 }
 
-/// What differs of `values` in this unit, or the one text that they share.
+/// Returns the distinct texts of `values` in this unit, or the one that both share.
 fn told_of_both(unit: Unit, values: [f64; 2]) -> Vec<String> {
     let texts = told_apart(&values.map(|value| unit.shown(value)), unit.decimals(DECIMALS));
     texts.into_iter().map(|text| text + &tied(unit)).collect()
@@ -211,7 +211,7 @@ fn departure(seen: &[Sighting; 2], eyes: Eyes, unit: Unit) -> String {
     }
 }
 
-/// What its `clock` showed then: nothing of those on the ground, which have just been told.
+/// Returns the time that `clock` showed then: nothing for those on the ground, whose time is in the sentence already.
 fn own_time(clock: Clock, seen: &[Sighting; 2], unit: Unit) -> String {
     let whose = match clock {
         Clock::Own => "own",
@@ -222,7 +222,7 @@ fn own_time(clock: Clock, seen: &[Sighting; 2], unit: Unit) -> String {
     format!(", by its {whose} clock at τ = {times}")
 }
 
-/// What is said of colours where `light` does not draw them as they are received.
+/// Returns the remark on colours that `light` does not draw as they are received.
 const fn drawn(light: &Light) -> &'static str {
     match light.colour {
         Colour::False => " The colours drawn are false ones, which tell D.",
@@ -232,7 +232,7 @@ const fn drawn(light: &Light) -> &'static str {
 }
 
 impl Shown {
-    /// What `settings` show of the point at `track` at `time`; `None` outside the domain of the core.
+    /// Returns the point at `track` at `time` as `settings` show it; `None` outside the domain of the core.
     fn new(settings: &Settings, track: &Track, time: f64) -> Option<Self> {
         let clock = Clock::of(settings, track);
         let is_moving = clock != Clock::Ground;
@@ -257,7 +257,7 @@ impl Shown {
         }
     }
 
-    /// What arrives at cameras that ride along, in the places of the eyes.
+    /// Returns the light at cameras that ride along, in the places of the eyes.
     fn riding_along(settings: &Settings, track: &Track, time: f64) -> Option<Self> {
         let doppler_factor = |view: View| {
             let seen = view.of_group(track.motion);

@@ -2,7 +2,7 @@
 
 use crate::figures;
 
-/// Decimals that may be added to tell two numbers apart.
+/// Decimals that may be added so that two numbers differ.
 const MORE: u8 = 4;
 
 /// `value` with `decimals`; 0 without a sign.

@@ -1,4 +1,4 @@
-//! What the sentences say, against numbers of the core.
+//! The sentences of moments, against numbers of the core.
 
 use clap::ValueEnum as _;
 use relativity_core::{Aperture, PublishedVariant, SourcePoint, Speed, published_disparity, sighting};
@@ -23,7 +23,7 @@ fn moment(settings: &Settings, time: f64) -> Moment {
     Moment::new(settings, &POINT, "the front tyre".to_owned(), Emission::Wavelength(700.0), time)
 }
 
-/// What the core says: t and wavelength of each eye, and what a clock shows at the event: that of its own frame, as
+/// Returns t and wavelength for each eye by the core, and the time of a clock at the event: that of its own frame, as
 /// Lorentz has it.
 fn core(beta: f64, d: f64, time: f64) -> [[f64; 3]; 2] {
     let speed = Speed::from_beta(beta).expect("a speed");

@@ -6,29 +6,29 @@ use crate::units::Unit;
 /// A time by its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TimeName {
-    /// Its name, with its symbol.
+    /// Name of the time, with its symbol.
     pub name: &'static str,
-    /// What it is, in short.
+    /// Short description, for a table.
     pub short: &'static str,
-    /// What it is.
+    /// Full description, for a tooltip.
     pub tip: &'static str,
 }
 
-/// When light arrives.
+/// The time when light arrives.
 pub const RECEIVED: TimeName = TimeName {
     name: "received T",
     short: "when the light arrives at the eyes",
     tip: "When the light arrives at the eyes, on the ground's clocks: the present of whoever looks.",
 };
 
-/// When it left.
+/// The time when the light left.
 pub const HAPPENED: TimeName = TimeName {
     name: "happened t",
     short: "when the light left",
     tip: "When what is seen happened: when the light left, on the ground's clocks. R is how far it came.\nt = T − R",
 };
 
-/// What the body's clock showed then.
+/// The proper time that the body's clock showed then.
 pub const OWN_CLOCK: TimeName = TimeName {
     name: "proper time τ",
     short: "what the body's clock showed then",
@@ -37,7 +37,7 @@ pub const OWN_CLOCK: TimeName = TimeName {
         Of a point that turns with a wheel it is the clock of the axle.",
 };
 
-/// All three, in the order in which they are shown.
+/// All three times, in the order in which they are shown.
 pub const TIMES: [TimeName; 3] = [RECEIVED, HAPPENED, OWN_CLOCK];
 
 /// When light is received, when it left, and what the own clock showed then, units of the scene, each by its name in this

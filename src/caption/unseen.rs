@@ -3,7 +3,7 @@
 use relativity_render::received::Shares;
 use relativity_render::spectrum::Band;
 
-/// From this part of a group on it is said.
+/// Share of a group from which on it is remarked on.
 const SUBSTANTIAL: f64 = 0.03;
 /// From this part on it is all of it.
 const ALL: f64 = 0.97;

@@ -15,7 +15,7 @@ use crate::passage::{passage_times, time_within};
 /// Speed of the paper's cyclist.
 const CYCLIST_BETA: f64 = 0.9;
 
-/// What two eyes see of one point over a range of observation times, as CSV.
+/// Writes what two eyes see of one point over a range of observation times, as CSV.
 ///
 /// Without flags: the tracked point of the paper's cyclist. The first columns are the inputs, under the names that
 /// `gamow eval` reads; roll and turn, in radians, are among them where the head is tilted or turned, and `wheel_radius`, rho and
@@ -25,7 +25,7 @@ const CYCLIST_BETA: f64 = 0.9;
 pub struct CurveArgs {
     #[command(flatten)]
     speed: SpeedArgs,
-    /// Aperture separation.
+    /// Separation of the apertures.
     #[arg(long, default_value_t = 0.1, value_parser = finite_number, allow_hyphen_values = true)]
     d: f64,
     #[command(flatten)]
@@ -47,7 +47,7 @@ pub struct CurveArgs {
     /// Last observation time [default: when it is seen at x = +2 R]
     #[arg(long, value_name = "T", value_parser = within(COORDINATES), allow_hyphen_values = true)]
     to: Option<f64>,
-    /// How many observation times, 2 to 1000000000.
+    /// Number of observation times, 2 to 1000000000.
     #[arg(long, default_value_t = 201, value_name = "N", value_parser = clap::value_parser!(u64).range(2..=1_000_000_000))]
     samples: u64,
     #[command(flatten)]
@@ -66,7 +66,7 @@ Examples:
   gamow curve --wheel-radius 0.525 --rho 1 --angle 0 --from -2 --to 8
   gamow curve --gamma 1e6 --x0 -10 --from 0 --to 20 --out curve.csv";
 
-/// Runs `gamow curve`.
+/// Runs the command `gamow curve`.
 pub fn run(args: &CurveArgs) -> anyhow::Result<()> {
     let first = args.observation(0.0)?;
     args.model.values(&first, args.told())?; // so that a bad flag leaves no header behind on standard output
@@ -113,7 +113,7 @@ impl CurveArgs {
         Ok(Observation { speed: self.speed.speed(CYCLIST_BETA)?, source, baseline, time })
     }
 
-    /// Of what the flags tell.
+    /// Returns what the flags determine.
     fn told(&self) -> Given {
         let is_turned = self.head.radians().into_iter().flatten().any(|angle| angle != 0.0);
         Given { is_turned, on_wheel: self.wheel.given().is_some() }

@@ -30,13 +30,13 @@ pub struct FitArgs {
     /// Aperture separation; without it, the file's column d.
     #[arg(long, value_parser = separation, allow_hyphen_values = true)]
     d: Option<f64>,
-    /// How the head was held; without them, the file's columns roll and turn (in radians), else straight.
+    /// Tilt and turn of the head; without them, the file's columns roll and turn (in radians), else straight.
     #[command(flatten)]
     head: HeadArgs,
-    /// How the two eyes' views are modelled.
+    /// Model of the two eyes' views.
     #[arg(long, value_enum, default_value_t)]
     model: Model,
-    /// Which curves are fitted [default: those that the file has]
+    /// Curves to fit [default: those that the file has]
     #[arg(long = "use", value_enum)]
     curves: Option<Curves>,
     /// Number of bootstrap replicates, up to 10 million; 0 for none. Ctrl-C ends with the report of those that were drawn
@@ -80,7 +80,7 @@ fn separation(text: &str) -> Result<f64, String> {
 
 /// The most replicates: each takes 40 bytes, in each of three fits.
 const MOST_REPLICATES: usize = 10_000_000;
-/// From how long on it is said how long the bootstrap takes, and after how long that can be told, seconds.
+/// Duration, seconds, from which on that of the bootstrap is remarked on, and after which it can be estimated.
 const LONG: f64 = 10.0;
 const TOLD_AFTER: f64 = 1.0;
 
@@ -91,7 +91,7 @@ fn replicates(text: &str) -> Result<usize, String> {
     }
 }
 
-/// Runs `gamow fit`.
+/// Runs the command `gamow fit`.
 pub fn run(args: &FitArgs) -> anyhow::Result<()> {
     let (name, input) = csv_in::open(args.file.as_deref())?;
     let data = Data::read(&name, input, Eyes::given(args.d, args.head.radians()))?;

@@ -37,13 +37,13 @@ pub struct RectifyArgs {
     /// The bodies move towards -x.
     #[arg(long)]
     backward: bool,
-    /// Which eye's picture is corrected where both are in it [default: left]
+    /// Eye whose picture is corrected, where both are in it [default: left]
     #[arg(long, value_enum)]
     eye: Option<EyeChoice>,
     /// Field of view of the corrected picture, degrees [default: so that its centre is as large as before]
     #[arg(long, value_name = "DEG", value_parser = field_of_view)]
     out_fov: Option<f64>,
-    /// Where the moving camera looks [default: at what was in the centre]
+    /// Gaze of the moving camera [default: at what was in the centre]
     #[arg(long, value_name = "AZ,EL", allow_hyphen_values = true)]
     out_gaze: Option<GazeChoice>,
     /// Whether wavelengths are corrected.
@@ -53,14 +53,14 @@ pub struct RectifyArgs {
     /// surface]
     #[arg(long, value_name = "surface|photons|paper|N|off", allow_hyphen_values = true)]
     intensity_exponent: Option<IntensityExponent>,
-    /// Where to: a file of the same kind, written whole or not at all.
+    /// Output: a file of the same kind, written whole or not at all.
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
     #[command(flatten, next_help_heading = "Of photographs, and of what a file does not record")]
     camera: CameraArgs,
 }
 
-/// One of the two eyes.
+/// An eye of the two.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 enum EyeChoice {
     #[default]
@@ -74,7 +74,7 @@ Examples:
   gamow rectify seen.png --beta 0.6 --out corrected.png
   gamow rectify photo.png --gamma 3 --fov 60 --gaze 90,0 --out corrected.png";
 
-/// Runs `gamow rectify`.
+/// Runs the command `gamow rectify`.
 pub fn run(args: &RectifyArgs) -> anyhow::Result<()> {
     let kind = |path: &Path| {
         FileKind::of(path).with_context(|| format!("{}: it should end in .png or .exr", files::shown(path)))
@@ -109,7 +109,7 @@ impl RectifyArgs {
         write_whole(&self.out, |file| png::write(&corrected, &provenance.texts(), file))
     }
 
-    /// What is corrected of `file`: the picture of an eye (0 left, 1 right) in it, and whose it is.
+    /// Returns the part of `file` that is corrected: the picture of an eye (0 left, 1 right) in it, and whose it is.
     fn of_an_eye(&self, mut file: PngFile, settings: &Settings) -> anyhow::Result<(Picture, usize)> {
         let picture = &settings.picture;
         if let [eye] = *picture.eyes() {
@@ -154,7 +154,7 @@ impl RectifyArgs {
         LightCorrection { doppler_shift: self.doppler_shift, intensity_exponent: exponent.0 }
     }
 
-    /// The settings that the file's `command` tells, if `gamow render` made it.
+    /// Returns the settings in the file's `command`, if `gamow render` made it.
     fn recorded(&self, command: &str) -> Option<Settings> {
         Settings::of_picture(command, &files::shown(&self.image)).ok()
     }
@@ -163,7 +163,7 @@ impl RectifyArgs {
         self.speed.given().context("one of --beta, --gamma, --rapidity is needed")
     }
 
-    /// Those of a picture of the left eye and of the right one, to the same camera.
+    /// Returns the rectifications of a picture of the left eye and of the right one, to the same camera.
     fn rectifications(&self, size: [u32; 2], settings: &Settings) -> anyhow::Result<[Rectification; 2]> {
         let (parameter, value) = self.speed()?;
         let velocity = Velocity { speed: parameter.speed(value)?, is_backward: self.backward };
@@ -185,7 +185,7 @@ impl RectifyArgs {
         Ok(grounds.map(|ground| Rectification::new(ground, rest, velocity)))
     }
 
-    /// The settings with which the picture was taken, one eye's unless it is said to be more.
+    /// Returns the settings with which the picture was taken, one eye's unless a flag says that there are more.
     fn settings(&self, recorded: Option<Settings>, size: [u32; 2]) -> anyhow::Result<Settings> {
         let (settings, missing) = self.camera.settings(recorded, size, Some(Layout::Left));
         anyhow::ensure!(missing.is_empty(), self.not_recorded(&missing.join(", ")));
@@ -212,7 +212,7 @@ impl RectifyArgs {
     }
 }
 
-/// Where a pixel of the corrected picture comes from.
+/// The source of a pixel of the corrected picture.
 #[derive(Debug, Clone, Copy)]
 struct Source {
     /// Number of the pixel in the picture from the ground.

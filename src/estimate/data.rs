@@ -12,7 +12,7 @@ use crate::platform::sizes;
 
 const NEEDED: &str = "T, dphi or dtheta, and d unless --d gives it";
 
-/// What a separation of eyes that measure is, in words: see [`is_separation`].
+/// The permitted separation of eyes that measure, in words: see [`is_separation`].
 pub const SEPARATION: &str = "above 0 and at most 1e60";
 
 /// Whether two eyes so far apart can measure disparities.
@@ -21,7 +21,7 @@ pub fn is_separation(value: f64) -> bool {
     value > 0.0 && value <= MAX_COORDINATE
 }
 
-/// Measured disparities.
+/// The measured disparities of a file.
 #[derive(Debug)]
 pub struct Data {
     /// The samples, and the pairs of apertures that took them.
@@ -30,43 +30,43 @@ pub struct Data {
     pub has: [bool; 2],
     /// Whether there is a column with their standard deviations.
     pub has_sigmas: bool,
-    /// Whether the file says how far apart the eyes are.
+    /// Whether the file contains the separation of the eyes.
     pub has_separation: bool,
 }
 
-/// Where the eyes are: their separation, and roll and turn of the head, radians.
+/// The place of the eyes: their separation, and roll and turn of the head, radians.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Eyes {
-    /// What holds whatever the file says.
+    /// Numbers that hold whatever the file contains.
     pub given: [Option<f64>; 3],
-    /// What holds where the file has no such column.
+    /// Numbers that hold where the file has no such column.
     pub usual: [Option<f64>; 3],
 }
 
 impl Eyes {
-    /// Those of all samples where given, else the columns d, roll and turn; of the last two 0 where there are none.
+    /// Returns the eyes of all samples where given, else those of the columns d, roll and turn; of the last two 0 where there are none.
     #[must_use]
     pub const fn given(separation: Option<f64>, [roll, turn]: [Option<f64>; 2]) -> Self {
         Self { given: [separation, roll, turn], usual: [None, Some(0.0), Some(0.0)] }
     }
 
-    /// The columns d, roll and turn, and what `baseline` says where there are none.
+    /// Returns the eyes of the columns d, roll and turn, and of `baseline` where there are none.
     #[must_use]
     pub const fn unless_told(Baseline { separation, roll, turn }: Baseline) -> Self {
         Self { given: [None; 3], usual: [Some(separation), Some(roll), Some(turn)] }
     }
 }
 
-/// Where the inputs are in each row.
+/// The places of the inputs in each row.
 struct Header {
     time: usize,
-    /// Of d, roll and turn.
+    /// Sources of d, roll and turn.
     eyes: [Source; 3],
     curves: [Option<Curve>; 2],
     names: Names,
 }
 
-/// Where a number comes from that says where the eyes are.
+/// The source of a number that places the eyes.
 #[derive(Clone, Copy)]
 enum Source {
     Given(f64),
@@ -119,7 +119,7 @@ impl Data {
         })
     }
 
-    /// The curves that are fitted if these are asked for; those that there are if none is.
+    /// Returns the curves that are fitted if these are requested; those in the data if none is.
     #[must_use]
     pub const fn curves(&self, asked: Option<Curves>) -> Curves {
         match (asked, self.has) {

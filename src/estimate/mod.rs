@@ -1,5 +1,5 @@
-//! What `gamow fit` says: one structure, written as JSON or as a table; and what it fits, [`data`] from files and
-//! [`samples`] of a point.
+//! The report of `gamow fit`: one structure, written as JSON or as a table; and its data, [`data`] from files and [`samples`] of
+//! a point.
 
 pub mod data;
 pub mod other_side;
@@ -22,13 +22,13 @@ pub struct FitReport {
     pub model: &'static str,
     /// Always true: what did not converge is an error.
     pub converged: bool,
-    /// Where the point is on its wheel, if it is on one: y, z and x0 are its hub's.
+    /// Place of the point on its wheel, if it is on one: y, z and x0 are its hub's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wheel: Option<OnWheel>,
-    /// The fit of all that was asked for.
+    /// Fit of all curves together.
     #[serde(flatten)]
     pub fit: CurvesFit,
-    /// What the scatter says of the sigmas, if it is another than they say.
+    /// Remark on the sigmas, if the scatter is another than theirs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sigmas: Option<String>,
     /// The bootstrap behind the uncertainties.
@@ -38,14 +38,14 @@ pub struct FitReport {
     pub fits: Fits,
 }
 
-/// Where on a wheel that rolls a point is, which is taken for known.
+/// The place of a point on a rolling wheel, which is taken for known.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct OnWheel {
     /// The radius on which the wheel rolls.
     pub wheel_radius: f64,
-    /// How far the point is from the axle, in radii.
+    /// Distance of the point from the axle, in radii.
     pub rho: f64,
-    /// Its angle when the wheel's own clock shows 0, radians.
+    /// Angle of the point when the wheel's own clock shows 0, radians.
     pub angle: f64,
 }
 
@@ -58,7 +58,7 @@ impl From<Rolling> for OnWheel {
 /// A fit of one set of curves.
 #[derive(Debug, Serialize)]
 pub struct CurvesFit {
-    /// Which curves: `dphi`, `dtheta` or `both`.
+    /// Name of the curves: `dphi`, `dtheta` or `both`.
     pub curves: &'static str,
     /// Best values and their uncertainties.
     pub parameters: Parameters<Estimate>,
@@ -69,21 +69,21 @@ pub struct CurvesFit {
     /// Chi squared per degree of freedom, if there were sigmas.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reduced_chi_squared: Option<f64>,
-    /// Readings fitted.
+    /// Number of readings fitted.
     pub readings: usize,
     /// The remark on z of the other sign, where that fits within the noise too.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub other_side: Option<String>,
 }
 
-/// One value per parameter.
+/// Values, one for each parameter.
 #[derive(Debug, Clone, Serialize)]
 pub struct Parameters<T> {
-    /// Speed over c.
+    /// Speed over c, beta.
     pub beta: T,
-    /// Depth.
+    /// Depth y.
     pub y: T,
-    /// Height.
+    /// Height z.
     pub z: T,
     /// Objective x at t = 0, if it was fitted.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -93,7 +93,7 @@ pub struct Parameters<T> {
 /// A value and its uncertainty.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Estimate {
-    /// Best value.
+    /// Best value of the parameter.
     pub value: f64,
     /// Standard error, by the bootstrap if there was one.
     pub uncertainty: f64,
@@ -103,27 +103,27 @@ pub struct Estimate {
     pub uncertainty_linear: f64,
 }
 
-/// The bootstrap.
+/// The summary of a bootstrap.
 #[derive(Debug, Serialize)]
 pub struct BootstrapSummary {
-    /// Replicates drawn.
+    /// Number of replicates drawn.
     pub replicates: usize,
-    /// Those without a fit.
+    /// Number of replicates without a fit.
     pub failed: usize,
-    /// The seed.
+    /// Seed of the random numbers.
     pub seed: u64,
 }
 
 /// Fits of single curves.
 #[derive(Debug, Default, Serialize)]
 pub struct Fits {
-    /// The azimuthal fit.
+    /// Fit of the azimuths alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dphi: Option<Attempt>,
-    /// The polar fit.
+    /// Fit of the elevations alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dtheta: Option<Attempt>,
-    /// Their weighted mean.
+    /// Weighted mean of both.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub combined: Option<Parameters<Mean>>,
 }
@@ -132,11 +132,11 @@ pub struct Fits {
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
 pub enum Attempt {
-    /// A fit.
+    /// A fit that was found.
     Fit(Box<CurvesFit>),
-    /// None.
+    /// No fit.
     Failure {
-        /// Why.
+        /// Reason why there is none.
         problem: String,
     },
 }
@@ -144,9 +144,9 @@ pub enum Attempt {
 /// A weighted mean of two estimates.
 #[derive(Debug, Clone, Serialize)]
 pub struct Mean {
-    /// The mean.
+    /// Weighted mean.
     pub value: f64,
-    /// Its standard error.
+    /// Standard error of the mean.
     pub uncertainty: f64,
     /// Interval that holds 95 % of the replicates.
     pub ci95: [f64; 2],
@@ -168,7 +168,7 @@ impl From<Combined> for Mean {
     }
 }
 
-/// How many samples are drawn in a round of replicates, after which it is asked whether more are wanted: some tenths of a
+/// Number of samples drawn in a round of replicates, before it is checked whether more are wanted: some tenths of a
 /// second. But no less replicates than keep all threads busy.
 const ROUND_SAMPLES: usize = 1_000_000;
 const LEAST_ROUND: usize = 16;
@@ -177,7 +177,7 @@ const MOST_ROUND: usize = 4096;
 /// Difference of the estimates of both curves, in standard errors, beyond which it is remarked on.
 const AGREEING: f64 = 3.0;
 
-/// A fit and its bootstrap, if one was asked for.
+/// A fit and its bootstrap, if there is one.
 type Fitted = (Fit, Option<Bootstrap>);
 
 impl FitReport {
@@ -191,8 +191,8 @@ impl FitReport {
         Self::while_wanted(observations, options, replicates, seed, |_| true)
     }
 
-    /// The same with the replicates that were drawn until `is_wanted`, which is asked with how many there are, is no longer
-    /// so; with less than 2 there is no bootstrap.
+    /// Fits likewise with the replicates drawn until `is_wanted`, which is called with their number, becomes
+    /// false; with less than 2 there is no bootstrap.
     pub fn while_wanted(
         observations: &Observations,
         options: &FitOptions,
@@ -366,7 +366,7 @@ impl fmt::Display for CurvesFit {
     }
 }
 
-/// A dash stands for what does not exist: parameters that no replicate moves, as without noise.
+/// Returns the correlation; a dash stands for none: parameters that no replicate moves, as without noise.
 fn correlation_text(correlation: f64) -> String {
     if correlation.is_finite() { format!("{correlation:.3}") } else { "-".to_owned() }
 }

@@ -1,4 +1,4 @@
-//! What is fitted: samples that are simulated of the selected point, or measured ones from a file.
+//! Samples to fit: simulated readings of the selected point, or measured ones from a file.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -23,27 +23,27 @@ use crate::settings::{FitSetup, Settings};
 /// Everything that a fit depends on.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FitKey {
-    /// The samples.
+    /// Samples to fit.
     pub samples: Samples,
-    /// How they are made, if they are simulated, and how they are fitted.
+    /// Settings of the simulation, if there is one, and of the fit.
     pub setup: FitSetup,
 }
 
-/// Where samples come from.
+/// The source of samples.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Samples {
     /// From the selected point.
     Simulated(Simulated),
-    /// From a file, whose eyes are held like this where it does not tell.
+    /// Samples from a file, whose eyes are held like this where it does not say.
     Measured(Arc<DataFile>, Baseline),
 }
 
 /// The point of which samples are simulated, and how they are taken.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Simulated {
-    /// True speed.
+    /// Velocity of the truth.
     pub velocity: Velocity,
-    /// True worldline.
+    /// Worldline of the truth.
     pub source: Source,
     /// The eyes, from the middle between them.
     pub pair: [Aperture; 2],
@@ -53,7 +53,7 @@ pub struct Simulated {
     pub model: Model,
 }
 
-/// What both eyes measure of the selected point of `scene`, as `settings` have it.
+/// Simulates what both eyes measure of the selected point of `scene`, as `settings` have it.
 ///
 /// # Errors
 ///
@@ -76,7 +76,7 @@ pub struct Taken {
 }
 
 impl Taken {
-    /// What a fit should find for `parameter`.
+    /// Returns the value of `parameter` that a fit should find.
     #[must_use]
     pub fn true_value(&self, parameter: Parameter) -> f64 {
         self.simulated.true_value(parameter, self.fittable.options.curves)
@@ -98,7 +98,7 @@ impl Taken {
     }
 }
 
-/// The columns of a table that tell where the eyes are, and what stands in each of its rows: roll and turn, in radians, of a
+/// Returns the columns of a table that place the eyes, and their numbers in each row: roll and turn, in radians, of a
 /// head that is not straight.
 #[must_use]
 pub fn eye_columns(Baseline { separation, roll, turn }: Baseline) -> (&'static [&'static str], Vec<f64>) {
@@ -111,19 +111,19 @@ pub fn eye_columns(Baseline { separation, roll, turn }: Baseline) -> (&'static [
 /// A file of measured disparities, as it was read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DataFile {
-    /// Its whole name, as errors have it.
+    /// Whole name, for error messages.
     place: String,
-    /// Its name without its folder.
+    /// Name without its folder.
     pub name: String,
     bytes: Vec<u8>,
     /// Whether it has the standard deviations of its readings.
     pub has_sigmas: bool,
-    /// Whether it tells the separation of the eyes.
+    /// Whether the file contains the separation of the eyes.
     pub has_separation: bool,
 }
 
 impl DataFile {
-    /// The file at `path`, whose eyes are held like `baseline` where it does not tell.
+    /// Opens the file at `path`, whose eyes are held like `baseline` where it does not say.
     ///
     /// # Errors
     ///
@@ -146,9 +146,9 @@ impl DataFile {
 /// Samples, and how they are fitted.
 #[derive(Debug, Clone)]
 pub struct Fittable {
-    /// The samples.
+    /// Observations to fit.
     pub observations: Observations,
-    /// How.
+    /// Options of the fit.
     pub options: FitOptions,
 }
 
@@ -208,7 +208,7 @@ impl FitKey {
 }
 
 impl Simulated {
-    /// Of `point`, as `settings` have it.
+    /// Simulates `point`, as `settings` have it.
     #[must_use]
     pub fn of(settings: &Settings, point: &Track) -> Self {
         Self {
@@ -244,7 +244,7 @@ impl Simulated {
         simulation.observations().map_err(|error| error.to_string())
     }
 
-    /// Where on its wheel the point is, if it is on one that rolls.
+    /// Returns the place of the point on its wheel, if it is on one that rolls.
     #[must_use]
     pub const fn rolling(&self) -> Option<Rolling> {
         match self.source {
@@ -255,7 +255,7 @@ impl Simulated {
         }
     }
 
-    /// What a fit of these curves should find for `parameter`.
+    /// Returns the value of `parameter` that a fit of these curves should find.
     #[must_use]
     pub fn true_value(&self, parameter: Parameter, curves: Curves) -> f64 {
         let place = self.source.place();

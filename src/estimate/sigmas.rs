@@ -1,4 +1,4 @@
-//! What a fit says of the sigmas it was given: whether the readings scatter as these say.
+//! Remarks of a fit on the sigmas it was given: whether the readings scatter accordingly.
 
 use crate::figures::significant;
 
@@ -7,7 +7,7 @@ const FITTING: [f64; 2] = [0.5, 2.0];
 /// Standard deviations of chi squared by which it must differ from 1 besides.
 const LEAST_DEVIATION: f64 = 3.0;
 
-/// A sentence if so many `readings` scatter clearly less or more than their sigmas say, around a fit of this many
+/// Returns a sentence if `readings` scatter clearly less or more than their sigmas, around a fit of this many
 /// `parameters` with this reduced chi squared; nothing without sigmas.
 #[must_use]
 pub fn remark(reduced: Option<f64>, readings: usize, parameters: usize) -> Option<String> {

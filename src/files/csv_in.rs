@@ -151,7 +151,7 @@ struct Tap<R> {
     chunk: Vec<u8>,
     bytes: u64,
     has_ended: bool,
-    /// Where the row starts that is being read, and in which line.
+    /// Start of the row that is being read, and its line.
     row: (u64, u64),
     /// Whether it has been begun, by more than blank lines, in what was given.
     is_begun: bool,
@@ -203,12 +203,12 @@ impl<R> Tap<R> {
         Err(io::Error::new(io::ErrorKind::InvalidData, problem))
     }
 
-    /// What it gave last, before `position` in the file.
+    /// Returns the bytes that it gave last, before `position` in the file.
     fn before(&self, position: u64) -> &[u8] {
         self.chunk.split_at(self.place(position)).0
     }
 
-    /// What it gave last, from `position` in the file on.
+    /// Returns the bytes that it gave last, from `position` in the file on.
     fn after(&self, position: u64) -> &[u8] {
         self.chunk.split_at(self.place(position)).1
     }
@@ -246,7 +246,7 @@ impl Names {
         self.place(name)?.ok_or_else(|| self.missing(name, needed))
     }
 
-    /// What to say if the column `name`, one of those `needed`, is not there.
+    /// Returns the error for a missing column `name`, one of those `needed`.
     pub fn missing(&self, name: &'static str, needed: &'static str) -> HeaderError {
         let found = self.0.iter().map(legible).collect::<Vec<_>>().join(", ");
         HeaderError::Missing { name, needed, found: tell::excerpt(&found) }
@@ -266,7 +266,7 @@ impl Names {
         Ok(())
     }
 
-    /// What to say of the number at `place` in `row` if it is not as `range` says.
+    /// Returns the error for a number at `place` in `row` that is outside `range`.
     #[must_use]
     pub fn out_of_range(&self, row: &ByteRecord, place: usize, range: &'static str) -> RowError {
         RowError::OutOfRange { column: legible(&self.0[place]), value: legible(&row[place]), range }
@@ -301,34 +301,34 @@ pub enum HeaderError {
     /// A column is not there.
     #[error("column {name} is missing; the header should name {needed}, and it names {found}")]
     Missing {
-        /// The column.
+        /// Name of the column.
         name: &'static str,
-        /// All the columns that are needed.
+        /// Names of the columns that are needed.
         needed: &'static str,
-        /// All the columns there are.
+        /// Names of the columns that exist.
         found: String,
     },
     /// A column is there twice.
     #[error("column {name} is there twice, as fields {first} and {second}; it should be there once")]
     Duplicate {
-        /// The column.
+        /// Name of the column.
         name: &'static str,
-        /// Its first place, from 1.
+        /// First place of the column, from 1.
         first: usize,
-        /// Its second place, from 1.
+        /// Second place of the column, from 1.
         second: usize,
     },
 }
 
-/// A row that is not as its header says.
+/// A row that disagrees with its header.
 #[derive(Debug, PartialEq, Error)]
 pub enum RowError {
     /// Fields are missing at its end.
     #[error("column {column} has no value; the row has {fields} of {columns} fields")]
     TooShort {
-        /// How many fields the row has.
+        /// Number of fields in the row.
         fields: usize,
-        /// How many the header has.
+        /// Number of fields in the header.
         columns: usize,
         /// The first column without a value.
         column: String,
@@ -336,9 +336,9 @@ pub enum RowError {
     /// There are more fields than columns.
     #[error("\"{value}\" belongs to no column; the row has {fields} fields, and should have {columns}")]
     TooLong {
-        /// How many fields the row has.
+        /// Number of fields in the row.
         fields: usize,
-        /// How many the header has.
+        /// Number of fields in the header.
         columns: usize,
         /// The first value without a column.
         value: String,
@@ -346,27 +346,27 @@ pub enum RowError {
     /// The file ends inside a quoted field.
     #[error("the quote that opens \"{value}\" is never closed")]
     Unclosed {
-        /// The field.
+        /// Text of the field.
         value: String,
     },
     /// A value is a number that it cannot be.
     #[error("column {column}: {value} is out of range: it must be {range}")]
     OutOfRange {
-        /// Its column.
+        /// Column of the field.
         column: String,
-        /// The value as it stands.
+        /// Text of the value.
         value: String,
-        /// What it should be.
+        /// Range that is right.
         range: &'static str,
     },
     /// A value is no finite number.
     #[error("column {column}: \"{value}\" {problem}")]
     Value {
-        /// Its column.
+        /// Column of the field.
         column: String,
-        /// The value as it stands.
+        /// Text of the value.
         value: String,
-        /// What is wrong with it.
+        /// Problem with the value, in words.
         problem: &'static str,
     },
 }

@@ -12,12 +12,12 @@ pub struct Rows<W: Write> {
 }
 
 impl<W: Write> Rows<W> {
-    /// Into `writer`.
+    /// Returns a writer into `writer`.
     pub fn new(writer: W) -> Self {
         Self { csv: csv::Writer::from_writer(writer), decimals: zmij::Buffer::new() }
     }
 
-    /// Writes the fields of `row`, quoted where they must be, and then `numbers`, which must be finite; NaN stands for none,
+    /// Writes the fields of `row`, quoted where necessary, and then `numbers`, which must be finite; NaN stands for none,
     /// which leaves its field empty. `row` is left with all of them.
     pub fn write(&mut self, row: &mut ByteRecord, numbers: &[f64]) -> io::Result<()> {
         for &number in numbers {
@@ -42,7 +42,7 @@ impl<W: Write> Rows<W> {
 }
 
 impl Rows<Vec<u8>> {
-    /// All rows as text; what is no UTF-8 in their fields is replaced.
+    /// Returns all rows as text; invalid UTF-8 in their fields is replaced.
     #[must_use]
     pub fn into_text(self) -> String {
         // Flushing into memory does not fail.

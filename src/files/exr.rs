@@ -30,7 +30,7 @@ const NO_WAVELENGTH_NM: f64 = 0.0;
 /// The angle on a wheel of what turns on none, and of nothing: no angle, which lie in [-pi, pi].
 pub const NO_ANGLE: f32 = -10.0;
 
-/// A measured quantity.
+/// A measured quantity, in a channel of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Channel {
     /// Number of the body, -1 where nothing is seen.
@@ -39,11 +39,11 @@ pub enum Channel {
     Group,
     /// From the aperture to the place where the light left.
     Distance,
-    /// When it left.
+    /// Time when the light left.
     EmissionTime,
     /// When that was by the clocks of the group that the body moves with.
     OwnTime,
-    /// Which point of a wheel sent it: its angle about the axle at t' = 0 by those clocks, radians from +x towards +z; -10
+    /// Point of a wheel that emitted the light: its angle about the axle at t' = 0 by those clocks, radians from +x towards +z; -10
     /// for bodies that turn about no axle.
     MaterialAngle,
     /// Received over rest frequency.
@@ -53,23 +53,23 @@ pub enum Channel {
     /// Received over rest intensity, before any exposure: D^n of one wavelength, the luminance of what has many; 3.4e38 where
     /// it is more.
     Intensity,
-    /// Where the light left, in the rest frame of the body's group, along the motion.
+    /// Place where the light left, in the rest frame of the body's group, along the motion.
     RestX,
-    /// Its depth.
+    /// Depth of that place.
     RestY,
-    /// Its height.
+    /// Height of that place.
     RestZ,
 }
 
-/// What there is to say of a [`Channel`].
+/// The definition of a [`Channel`].
 struct Definition {
-    /// Its name in the file, after the layer's.
+    /// Name in the file, after the layer's.
     name: &'static str,
-    /// What stands where nothing is seen.
+    /// Value where nothing is seen.
     nothing: f32,
-    /// Its value for a hit.
+    /// Value for a hit.
     value: fn(&Hit, &Light<'_>) -> f64,
-    /// What multiplies it on the way to the frame of the bodies, for a Doppler factor.
+    /// Factor of the value on the way to the frame of the bodies, for a Doppler factor.
     factor: fn(f64, LightCorrection) -> f64,
 }
 
@@ -88,7 +88,7 @@ const fn corrected(
 }
 
 impl Channel {
-    /// All of them.
+    /// Every channel.
     pub const ALL: [Self; 12] = [
         Self::Id,
         Self::Group,
@@ -122,7 +122,7 @@ impl Channel {
         }
     }
 
-    /// Its name in a file, after that of the layer and a dot.
+    /// Returns the name in a file, after that of the layer and a dot.
     #[must_use]
     pub const fn name(self) -> &'static str {
         self.definition().name
@@ -138,25 +138,25 @@ impl Channel {
         }
     }
 
-    /// What stands where nothing is seen.
+    /// Returns the value where nothing is seen.
     #[must_use]
     pub const fn nothing(self) -> f32 {
         self.definition().nothing
     }
 
-    /// What multiplies it when light with the Doppler factor `doppler` is corrected to the frame of the bodies.
+    /// Returns the factor of the value when light with the Doppler factor `doppler` is corrected to the frame of the bodies.
     #[must_use]
     pub fn factor(self, doppler: f64, correction: LightCorrection) -> f64 {
         (self.definition().factor)(doppler, correction)
     }
 }
 
-/// What the channels need to know beside the hits.
+/// The data that channels need beside the hits.
 #[derive(Debug, Clone, Copy)]
 pub struct Light<'a> {
-    /// The scene.
+    /// Scene that is seen.
     pub scene: &'a PreparedScene,
-    /// What becomes of its light.
+    /// Appearance of its light.
     pub appearance: Appearance,
 }
 
@@ -165,7 +165,7 @@ fn material_angle(hit: &Hit, light: &Light<'_>) -> f64 {
     spin.map_or(f64::from(NO_ANGLE), |spin| spin.angle(hit.material_position))
 }
 
-/// `value` as files have it: what f32 has no room for stands as its largest number.
+/// Returns `value` as files store it: beyond f32 its largest number.
 fn in_f32(value: f64) -> f32 {
     (value as f32).clamp(f32::MIN, f32::MAX)
 }
@@ -188,7 +188,7 @@ fn intensity_correction(doppler: f64, correction: LightCorrection) -> f64 {
     correction.intensity_exponent.map_or(1.0, |exponent| 1.0 / intensity_factor(doppler, exponent))
 }
 
-/// What an EXR file holds: channels in f32, and what it says of how it was made.
+/// The contents of an EXR file: channels in f32, and comments on how it was made.
 #[derive(Debug, Clone)]
 pub struct Measurements {
     /// Width and height, pixels.
@@ -199,7 +199,7 @@ pub struct Measurements {
 }
 
 impl Measurements {
-    /// What both eyes see, in a file that says `comments` of how it was made.
+    /// Returns the measurements of both eyes, with `comments` on how the file was made.
     #[must_use]
     pub fn of_eyes(eyes: &[HitImage; 2], light: Light<'_>, comments: &str) -> Self {
         let mut channels = BTreeMap::new();
@@ -336,7 +336,7 @@ pub fn command(path: &Path) -> anyhow::Result<String> {
     Ok(command_in_comments(&said(&first.own_attributes)).to_owned())
 }
 
-/// Whether `path` is a whole EXR file that says just these `comments`: all of its blocks are there and can be decompressed.
+/// Returns whether `path` is a whole EXR file with just these `comments`: all of its blocks are there and can be decompressed.
 #[must_use]
 pub fn is_made(path: &Path, comments: &str) -> bool {
     let says = |header: &Header| said(&header.own_attributes) == comments;

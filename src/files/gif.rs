@@ -1,4 +1,4 @@
-//! Animated GIF files.
+//! Animated pictures in GIF files.
 //!
 //! `CompuServe`, *Graphics Interchange Format, Version 89a* (1990).
 
@@ -10,7 +10,7 @@ use relativity_render::Picture;
 
 use super::png::rgb;
 
-/// How carefully the 256 colours of a frame are chosen, from 1 (best) to 30 (fastest).
+/// Care with which the 256 colours of a frame are chosen, from 1 (best) to 30 (fastest).
 const SPEED: i32 = 10;
 
 /// A file of frames that follow each other without an end, written frame by frame.
@@ -21,7 +21,7 @@ pub struct Frames<W: Write> {
 }
 
 impl<W: Write> Frames<W> {
-    /// A file of frames of this `size`, pixels, each of which is shown for so many `hundredths` of a second.
+    /// Begins a file of frames of this `size`, pixels, each of which is shown for this number of `hundredths` of a second.
     ///
     /// # Errors
     ///
@@ -47,7 +47,7 @@ impl<W: Write> Frames<W> {
         Ok(self.encoder.write_frame(&frame)?)
     }
 
-    /// Ends the file.
+    /// Finishes the file.
     ///
     /// # Errors
     ///

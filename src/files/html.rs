@@ -8,7 +8,7 @@ use pulldown_cmark::{CowStr, Event, Tag, TagEnd, html};
 use crate::formula::{self, Formula, markdown};
 pub use crate::markup::escaped;
 
-/// What a page is for.
+/// The style of a page, by its use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Style {
     /// To be read on a screen.
@@ -72,7 +72,7 @@ code { font-size: 9.5pt; overflow-wrap: anywhere; }
     }
 }
 
-/// What formulas look like on any page.
+/// Style sheet of formulas on any page.
 const FORMULAS: &str = "\
 .formula { max-width: 100%; overflow: visible; }
 .displayed { display: block; margin: 0.8em 0; text-align: center; break-inside: avoid; }
@@ -142,7 +142,7 @@ impl Page {
         self.text.push_str(html);
     }
 
-    /// The whole page.
+    /// Returns the whole page.
     #[must_use]
     pub fn finish(mut self) -> String {
         self.text.push_str("</body>\n</html>\n");
@@ -171,7 +171,7 @@ pub fn answer_lines(count: usize) -> String {
     format!("<div class=\"answer-lines\">{}</div>\n", "<div></div>".repeat(count))
 }
 
-/// A figure is no part of a paragraph: one that stands in a paragraph of its own stands without it.
+/// Takes figures out of paragraphs: one in a paragraph of its own is left without it.
 fn without_paragraphs_around_figures(events: Vec<Event<'_>>) -> Vec<Event<'_>> {
     let mut kept: Vec<Event<'_>> = Vec::new();
     let mut is_alone = false;

@@ -12,11 +12,11 @@ use crate::platform::{files, sizes};
 /// Keyword of the text that names the program.
 const SOFTWARE_KEYWORD: &str = "Software";
 
-/// How long a frame of an animated file is shown, seconds as a fraction: two of them alternate three times a second, which
+/// Time for which a frame of an animated file is shown, seconds as a fraction: two of them alternate three times a second, which
 /// is no more often than flashes may be shown to everybody (W3C, *Web Content Accessibility Guidelines* 2.2, 2.3.1).
 pub const FRAME_SECONDS: [u16; 2] = [1, 6];
 
-/// What a PNG file holds.
+/// The contents of a PNG file.
 #[derive(Debug, Clone)]
 pub struct PngFile {
     /// The picture, and, where it is animated, those that follow, all of one size.
@@ -25,12 +25,12 @@ pub struct PngFile {
     pub texts: Vec<(String, String)>,
 }
 
-/// What a PNG file is to show.
+/// A picture for a PNG file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Still {
-    /// One picture, or several of one size, which are shown one after the other without an end.
+    /// Pictures of one size, one or several, which are shown one after the other without an end.
     pub frames: Vec<Picture>,
-    /// How many pixels of it make a metre, if that matters.
+    /// Pixels per metre, if they matter.
     pub pixels_per_metre: Option<u32>,
 }
 
@@ -44,7 +44,7 @@ pub fn write(picture: &Picture, texts: &[(&str, &str)], out: impl Write) -> anyh
 }
 
 impl Still {
-    /// It as a PNG file with `texts`, as [`write()`].
+    /// Writes the picture as a PNG file with `texts`, as [`write()`].
     ///
     /// # Errors
     ///
@@ -71,12 +71,12 @@ fn write_frames(
     writer.finish()
 }
 
-/// How the frames of an animated file follow each other, without an end.
+/// The timing of an animated file, whose frames repeat without an end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Animation {
-    /// How many there are, 1 or more.
+    /// Number of frames, 1 or more.
     pub frames: u32,
-    /// How long each is shown, seconds as a fraction.
+    /// Time for which each is shown, seconds as a fraction.
     pub seconds: [u16; 2],
 }
 
@@ -125,7 +125,7 @@ impl<W: Write> Frames<W> {
         Ok(self.writer.write_image_data(&rgb(frame))?)
     }
 
-    /// Ends the file.
+    /// Finishes the file.
     ///
     /// # Errors
     ///
@@ -204,7 +204,7 @@ impl PngFile {
     }
 }
 
-/// Of more than so many frames none is of use here.
+/// Greatest number of frames that are read.
 const MOST_FRAMES: u32 = 2;
 
 /// The pixels of a decoded frame.

@@ -1,6 +1,6 @@
-//! How a picture or a file of measurements was made: what is written into it, and what is read back.
+//! The provenance of a picture or a file of measurements: it is written into the file, and read back.
 
-/// Program and version.
+/// Name and version of the program.
 pub const SOFTWARE: &str = concat!("gamow ", env!("CARGO_PKG_VERSION"));
 
 /// The keyword of the text in a PNG file that holds [`Provenance::parameters`].
@@ -8,7 +8,7 @@ const PARAMETERS: &str = "Parameters";
 /// The keyword of the one that holds [`Provenance::scene_fingerprint`].
 const SCENE_FINGERPRINT: &str = "Scene-Fingerprint";
 
-/// Where a picture comes from.
+/// The provenance of a picture.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Provenance {
     /// Name of the scene.
@@ -33,16 +33,16 @@ impl Provenance {
     }
 }
 
-/// What parts the command from the fingerprint in the comments of an EXR file.
+/// Separator between the command and the fingerprint in the comments of an EXR file.
 const FINGERPRINT_LINE: &str = "\nScene-Fingerprint ";
 
-/// The command that the comments of an EXR file tell.
+/// Returns the command in the comments of an EXR file.
 #[must_use]
 pub fn command_in_comments(comments: &str) -> &str {
     comments.rsplit_once(FINGERPRINT_LINE).map_or(comments, |(command, _)| command)
 }
 
-/// The command that the texts of a PNG file tell; empty if none of them is ours.
+/// Returns the command in the texts of a PNG file; empty if none of them is ours.
 #[must_use]
 pub fn command_in_texts(texts: &[(String, String)]) -> &str {
     texts.iter().find(|(keyword, _)| keyword == PARAMETERS).map_or("", |(_, command)| command)

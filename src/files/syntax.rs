@@ -1,4 +1,4 @@
-//! What is wrong with a text that should be TOML, in one line that says what would be right.
+//! Syntax errors in TOML, in one line that gives the correction.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use toml::de::Error;
 use crate::figures;
 use crate::platform::tell;
 
-/// What the TOML reader found in `text`, and where: bytes of it.
+/// Returns the problem that the TOML reader found in `text`, and its range of bytes.
 #[must_use]
 pub fn problem(text: &str, error: &Error) -> (Range<usize>, String) {
     let span = error.span().unwrap_or_default();
@@ -34,7 +34,7 @@ fn line_at(text: &str, offset: usize) -> &str {
     &text[start..end]
 }
 
-/// What would be right in a line like `beta = 0,8`.
+/// Returns the correction of a line like `beta = 0,8`.
 fn decimal_comma(line: &str) -> Option<String> {
     let (key, value) = line.split_once('=')?;
     let value = value.split('#').next().unwrap_or(value).trim();

@@ -6,7 +6,7 @@ use anyhow::Context as _;
 
 const BUFFER_BYTES: usize = 1 << 16;
 
-/// A writer with a buffer, of which [`write_named`] tells how it failed.
+/// A writer with a buffer, whose failure [`write_named`] reports.
 pub type Named<W> = BufWriter<Watched<W>>;
 
 /// A writer that keeps its first failure.

@@ -14,7 +14,7 @@ use super::watched::{Named, write_named};
 use crate::platform::files::{self, File, Rights, TempPath};
 use crate::platform::{closed, interrupt, tell};
 
-/// Where a command writes to.
+/// The output of a command.
 #[derive(Debug, Clone, Args)]
 pub struct OutArgs {
     /// Write here, whole or not at all, instead of to standard output.
@@ -49,7 +49,7 @@ pub fn write_out(write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>) -> an
     say(write)
 }
 
-/// The same of what is said beside what was asked for, and may be lost with a standard output that is closed.
+/// Writes a message beside the requested output; it may be lost with a standard output that is closed.
 ///
 /// # Errors
 ///
@@ -58,10 +58,10 @@ pub fn say(write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>) -> anyhow::
     write_named(tell::stdout(), || STDOUT.to_owned(), |out| write(out)).map(drop)
 }
 
-/// What messages call it.
+/// Name of standard output in messages.
 const STDOUT: &str = "standard output";
 
-/// How a command writes its report, and where to.
+/// The format and the output of a command's report.
 #[derive(Debug, Clone, Args)]
 pub struct ReportArgs {
     /// Write JSON instead of a table.
@@ -72,7 +72,7 @@ pub struct ReportArgs {
 }
 
 impl ReportArgs {
-    /// Writes `report`.
+    /// Writes the `report`.
     ///
     /// # Errors
     ///
@@ -82,8 +82,8 @@ impl ReportArgs {
     }
 }
 
-/// Refuses a `path`, given by `flag`, whose name does not end in `.ending`, and says which one would be right: its name is
-/// to tell what a file holds. Devices are called as they are.
+/// Refuses a `path`, given by `flag`, whose name does not end in `.ending`, and gives the one that would be right: the name should
+/// tell what a file holds. Devices are called as they are.
 ///
 /// # Errors
 ///
@@ -156,7 +156,7 @@ static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 struct Unfinished(Option<TempPath>);
 
 impl Unfinished {
-    /// One to take the place of `target`.
+    /// Returns a temporary file to take the place of `target`.
     fn beside(target: &Path) -> io::Result<(File, Self)> {
         interrupt::end_after(remove_unfinished);
         let rights = Rights::of(target)?;

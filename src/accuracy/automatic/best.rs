@@ -4,18 +4,18 @@ use relativity_render::Method;
 
 use crate::flags::Goal;
 
-/// What takes no more than this part of the time of what drew before takes its place: below a gain of a fifth, nothing
+/// Share of the present method's time below which another takes its place: for a gain of less than a fifth nothing
 /// changes.
 pub const GAIN: f64 = 0.8;
 
 /// A method, its error and its cost.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Offer {
-    /// Which.
+    /// Method that is rated.
     pub method: Method,
     /// No point is drawn further from where it is seen, pixels.
     pub error_px: f64,
-    /// What a frame's pictures take, milliseconds.
+    /// Time for a frame's pictures, milliseconds.
     pub ms: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What was chosen, and in words.
+//! The automatic choice, and its description in words.
 
 use std::fmt;
 
@@ -7,24 +7,24 @@ use relativity_render::Method;
 use crate::figures;
 use crate::flags::Goal;
 
-/// What was chosen, and why.
+/// An automatic choice, and the reason for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Choice {
-    /// What draws.
+    /// Method that draws.
     pub method: Method,
     /// No point is drawn further from where it is seen, pixels.
     pub error_px: f64,
-    /// What a frame's pictures take, milliseconds.
+    /// Time for a frame's pictures, milliseconds.
     pub ms: f64,
     /// Whether that was measured, else it is expected.
     pub is_measured: bool,
-    /// What was to be kept.
+    /// Goal of the choice.
     pub goal: Goal,
     /// Whether it is kept, as far as is known.
     pub holds: bool,
 }
 
-/// What a method is called.
+/// Returns the name of a method.
 #[must_use]
 pub fn method_name(method: Method) -> String {
     match method {
@@ -40,7 +40,7 @@ fn short(number: f64) -> String {
     figures::trimmed(number, 6)
 }
 
-/// Of `packets, 4 ms, within 0.002 px`.
+/// Formats a choice like `packets, 4 ms, within 0.002 px`.
 impl fmt::Display for Choice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = match self.method {

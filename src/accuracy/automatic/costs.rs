@@ -1,20 +1,20 @@
-//! What each method costs on this machine, as far as it is known: measured in passing, else expected.
+//! Costs of each method on this machine, as far as they are known: measured in passing, else expected.
 
 use relativity_render::{Geometry, Gpu, Method};
 
-/// What a machine draws with.
+/// The hardware that a machine draws with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Machine {
     /// Processors alone.
     Cpu,
     /// A GPU that is software.
     SoftwareGpu,
-    /// A real one.
+    /// A real GPU.
     Gpu,
 }
 
 impl Machine {
-    /// That with this `gpu`, or without any.
+    /// Returns the machine with this `gpu`, or without any.
     #[must_use]
     pub fn of(gpu: Option<&Gpu>) -> Self {
         match gpu {
@@ -25,13 +25,13 @@ impl Machine {
     }
 }
 
-/// How many of the last measurements count: their median, which one hiccup does not move.
+/// Number of the last measurements that count: their median, which one hiccup does not move.
 const KEPT: usize = 5;
 /// Drawings that are not measured: the first makes what the others use.
 const UNMEASURED: u32 = 1;
 /// Measurements after which a cost is known.
 const ENOUGH: usize = 3;
-/// How long after one the next measurement follows, once it is known, milliseconds.
+/// Time from one measurement to the next, once the cost is known, milliseconds.
 const INTERVAL_MS: f64 = 500.0;
 /// Pixels of a megapixel.
 const MEGAPIXEL: f64 = 1e6;
@@ -45,7 +45,7 @@ pub struct Costs {
     records: Vec<Record>,
 }
 
-/// What was measured of one method in views of one kind.
+/// The measurements of one method in views of one kind.
 #[derive(Debug, Clone)]
 struct Record {
     method: Method,
@@ -74,7 +74,7 @@ impl Costs {
         Self { machine, samples, records: Vec::new() }
     }
 
-    /// What draws.
+    /// Returns the hardware that draws.
     #[must_use]
     pub const fn machine(&self) -> Machine {
         self.machine
@@ -117,7 +117,7 @@ impl Costs {
         record.at_ms = now_ms;
     }
 
-    /// What `method` was measured to cost for so many `pixels`, milliseconds.
+    /// Returns the measured cost of `method` for this number of `pixels`, milliseconds.
     #[must_use]
     pub fn measured_ms(&self, method: Method, geometry: Geometry, pixels: f64) -> Option<f64> {
         Some(self.record(method, geometry)?.median()? * pixels / MEGAPIXEL)
@@ -130,8 +130,7 @@ impl Costs {
         (!record.recent.is_empty()).then_some(record.at_ms)
     }
 
-    /// What it is known or expected to cost: by what other methods of the same processor cost here, beside what they usually
-    /// do.
+    /// Returns the known or expected cost: by the cost here of other methods of the same processor, relative to their usual ones.
     #[must_use]
     pub fn expected_ms(&self, method: Method, geometry: Geometry, pixels: f64) -> f64 {
         self.measured_ms(method, geometry, pixels).unwrap_or_else(|| {
@@ -152,7 +151,7 @@ impl Costs {
     }
 }
 
-/// What a method is taken to cost before anything is measured, milliseconds per megapixel: as the presets do on two cores,
+/// Returns the cost of a method before anything is measured, milliseconds per megapixel: that of the presets on two cores,
 /// or with a GPU of a desk's computer. Only their order and their ratios count.
 fn usual_ms(machine: Machine, samples: u32, method: Method) -> f64 {
     let is_real = machine == Machine::Gpu;

@@ -23,32 +23,32 @@ use crate::flags::Goal;
 
 /// The share of the time in which other methods are tried.
 const TRIED_SHARE: f64 = 0.02;
-/// How long after a scene appears the first is tried, and how long after one the next, milliseconds.
+/// Time from the appearance of a scene to the first trial, and from one trial to the next, milliseconds.
 const FIRST_TRIAL_MS: f64 = 1000.0;
-/// What was measured is tried again after this, milliseconds.
+/// Time after which a measured method is tried again, milliseconds.
 const STALE_MS: f64 = 10_000.0;
-/// What was measured to cost so many times as much is far worse, and is not tried again.
+/// Factor of cost from which a measured method is far worse, and is not tried again.
 const FAR_WORSE: f64 = 3.0;
-/// What is expected to, without a measurement, is not tried at all.
+/// Factor of cost from which a method that is only expected to be worse is not tried at all.
 const EXPECTED_FAR_WORSE: f64 = 5.0;
 
 /// The views of a frame that are drawn by one method.
 #[derive(Debug, Clone, Copy)]
 pub struct Sight<'a> {
-    /// What is seen.
+    /// Scene that is seen.
     pub scene: &'a PreparedScene,
     /// One of the views.
     pub view: &'a View,
-    /// Pixels of all.
+    /// Number of pixels of all views.
     pub pixels: f64,
 }
 
-/// What chooses.
+/// The automatic choice: the cheapest method that keeps an error, or the most accurate that keeps a time.
 #[derive(Debug)]
 pub struct Automatic {
     costs: Costs,
     scene: Option<PreparedScene>,
-    /// What drew views of each kind last.
+    /// Methods that drew views of each kind last.
     kept: Vec<(Geometry, Method)>,
     /// When something may be tried, milliseconds.
     next_trial_ms: Option<f64>,
@@ -68,7 +68,7 @@ impl Automatic {
         Self { costs, scene: None, kept: Vec::new(), next_trial_ms: None }
     }
 
-    /// What is known of costs.
+    /// Returns the known costs.
     pub const fn costs(&mut self) -> &mut Costs {
         &mut self.costs
     }
@@ -84,7 +84,7 @@ impl Automatic {
         candidates(goal, has_gpu, scene, view).into_iter().map(offer).collect()
     }
 
-    /// What is to draw `sight`; `None` if nothing here does.
+    /// Returns the method that draws `sight`; `None` if none does.
     pub fn choose(&mut self, goal: Goal, sight: Sight<'_>) -> Option<Choice> {
         if self.scene.as_ref() != Some(sight.scene) {
             self.scene = Some(sight.scene.clone());
@@ -105,7 +105,7 @@ impl Automatic {
         Some(Choice { method, error_px, ms, is_measured, goal, holds })
     }
 
-    /// What is to draw the next frame of `sight` in place of what was `chosen`, to learn what it costs.
+    /// Returns the method that draws the next frame of `sight` in place of the one `chosen`, so that its cost becomes known.
     pub fn trial(&mut self, chosen: &Choice, sight: Sight<'_>, now_ms: f64) -> Option<Method> {
         let geometry = sight.view.geometry;
         // The cost of what draws comes first.

@@ -1,4 +1,4 @@
-//! What is stated of each method's error, and which methods there are to choose from.
+//! Stated errors of each method, and the methods that there are to choose from.
 
 use relativity_render::{Method, Motion, PreparedScene, View};
 
@@ -6,21 +6,21 @@ use crate::accuracy::cost::MESH_BOUNDS_PX;
 use crate::flags::Goal;
 use crate::settings::BOUND_PX;
 
-/// How far what is drawn in f32 is off up to [`MEASURED_GAMMA`], pixels (README, Accuracy and speed).
+/// Error in f32 up to [`MEASURED_GAMMA`], pixels (docs/accuracy.md).
 const F32_ERROR_PX: f64 = 0.002;
 /// The same as an angle, radians: what counts where a pixel is small.
 const F32_ERROR_RADIANS: f64 = 1e-6;
 /// The greatest gamma for which that is measured.
 const MEASURED_GAMMA: f64 = 1000.0;
-/// How far it is off from there to [`GROUPS_GAMMA`], pixels: where another body is shown, an outline is no further.
+/// Error in f32 from there to [`GROUPS_GAMMA`], pixels: where another body is shown, an outline is no further.
 const F32_FAST_ERROR_PX: f64 = 0.05;
-/// The greatest gamma up to which groups that fly apart are told apart in f32.
+/// Greatest gamma up to which groups that fly apart are told apart in f32.
 const GROUPS_GAMMA: f64 = 1e5;
 
 /// A method, and what is stated of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Candidate {
-    /// Which.
+    /// Method that the error is stated of.
     pub method: Method,
     /// No point is drawn further from where it is seen, pixels.
     pub error_px: f64,
@@ -47,7 +47,7 @@ pub fn candidates(goal: Goal, has_gpu: bool, scene: &PreparedScene, view: &View)
         .collect()
 }
 
-/// What is stated of what is drawn in f32, pixels; without end where bodies may be mistaken for others.
+/// Returns the stated error in f32, pixels; infinity where bodies may be mistaken for others.
 fn f32_error_px(scene: &PreparedScene, view: &View) -> f64 {
     let gamma = |motion: &Motion| match motion {
         Motion::Scene => view.speed.gamma(),

@@ -28,7 +28,7 @@ fn methods() -> impl Strategy<Value = Vec<Offer>> {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(2000) })]
 
-    /// Whatever drew before.
+    /// The choice does not depend on the method before.
     #[test]
     fn an_error_is_never_exceeded_where_something_keeps_it(
         offers in methods(), px in prop_oneof![Just(0.001), Just(0.002), Just(0.1), Just(1.0)],
@@ -171,7 +171,7 @@ fn before_anything_is_measured_the_machine_decides() {
     }
 }
 
-/// Of groups that fly apart that fast bodies are mistaken for each other in 32-bit floats.
+/// Groups that fly apart: fast bodies are mistaken for each other in 32-bit floats.
 #[test]
 fn beyond_what_is_stated_the_reference_draws() {
     for (gamma, expected) in [(900.0, 0.002), (2000.0, 0.05), (1e6, 0.0)] {

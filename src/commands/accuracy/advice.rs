@@ -9,7 +9,7 @@ use crate::accuracy::Spread;
 /// (I. P. Howard and B. J. Rogers, *Seeing in Depth*, 2002).
 const STEREO_ACUITY_ARCSECONDS: f64 = 10.0;
 
-/// What a picture is for, and what it must not exceed then.
+/// A use of pictures, and the errors that it permits.
 struct Need {
     purpose: &'static str,
     outlines_p99_px: f64,
@@ -38,7 +38,7 @@ pub fn advice(report: &AccuracyReport) -> Vec<String> {
 }
 
 impl Need {
-    /// What of `errors` is more than the need permits, if anything is.
+    /// Returns the part of `errors` that exceeds the need, if there is one.
     fn excess(&self, errors: &PictureErrors) -> Option<String> {
         let p99 = |spread: Option<Spread>| spread.map_or(0.0, |spread| spread.p99);
         let (outlines_px, doppler) = (p99(errors.outlines_px), p99(errors.doppler_relative));
@@ -74,7 +74,7 @@ fn for_pictures(need: &Need, renderers: &[RendererReport]) -> String {
     )
 }
 
-/// Where the renderer first fails to meet the need, in the order of speed.
+/// Returns the first failure of the renderer to meet the need, in the order of speed.
 fn first_failure(need: &Need, renderer: &RendererReport) -> Option<String> {
     let failure = |row: &PictureRow| Some((row.view, need.excess(&row.errors)?));
     let (view, excess) = renderer.views.iter().find_map(failure)?;
@@ -98,7 +98,7 @@ fn on_bounds(renderers: &[RendererReport]) -> Option<String> {
     })
 }
 
-/// What certainty costs: the reference against the rays, which are as exact as f32 is.
+/// Returns the cost of certainty: the reference against the rays, which are as exact as f32 is.
 fn for_comparison(renderers: &[RendererReport]) -> Option<String> {
     let reference = renderers.iter().find(|renderer| renderer.is_reference)?;
     let rays = renderers.iter().find(|renderer| renderer.is_rays())?;

@@ -1,4 +1,4 @@
-//! What automatic quality may choose, held against the reference: in all views in which methods are measured, of all scenes.
+//! Bounds of the automatic choice, held against the reference: in all views in which methods are measured, of all scenes.
 
 use relativity_core::Speed;
 use relativity_render::{Appearance, Gpu, Method, Renderers, View};
@@ -13,11 +13,11 @@ use crate::scene::{PRESETS, Scene};
 /// With this, all scenes in all views are measured, which takes minutes.
 const ALL: &str = "GAMOW_ALL_SCENES";
 
-/// The scenes that are measured else: one that stands, and one that turns.
+/// The scenes that other measurements use: one that stands, and one that turns.
 const SOME: [&str; 2] = ["street", "wheel"];
 const ERRORS_PX: [f64; 3] = [0.01, 0.1, 2.0];
 
-/// What is chosen for an error of `px` in `view` where `favourite` costs next to nothing.
+/// Returns the method chosen for an error of `px` in `view` where `favourite` costs next to nothing.
 fn chosen(scene: &Scene, view: &View, px: f64, favourite: Method) -> Method {
     let prepared = scene.prepared();
     let mut automatic = Automatic::new(Machine::Gpu);
@@ -79,7 +79,7 @@ fn whatever_is_chosen_for_an_error_keeps_it_in_every_view() {
     }
 }
 
-/// Where a pixel is as small as in a field of view of 2 degrees on a screen of 1,920, what is drawn in f32 is still as near as
+/// Small pixels, as in a field of view of 2 degrees on a screen of 1,920: pictures in f32 are still as near as
 /// is stated; with pixels smaller still, the reference draws.
 #[test]
 fn where_pixels_are_small_the_error_is_kept_too() {

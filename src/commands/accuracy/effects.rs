@@ -1,11 +1,11 @@
-//! What each effect costs: the same view with one after the other left out.
+//! Costs of effects: the same view with one after the other left out.
 
 use relativity_render::{Appearance, Geometry, GpuError, Method, PreparedScene, Renderers, Shading, View};
 
 use super::report::{Circumstances, EffectRow, EffectsReport};
 use crate::accuracy::{frame_ms, methods};
 
-/// How often each picture is timed; taking turns, so that all meet the same disturbances.
+/// Number of times that each picture is timed; in turns, so that all meet the same disturbances.
 const TURNS: u32 = 6;
 
 /// Name of an effect, and how it is left out.

@@ -19,11 +19,11 @@ use crate::scene::Scene;
 
 /// Separation of the apertures: the paper's for its cyclist.
 const SEPARATION: f64 = 0.1;
-/// That of `gamow render`.
+/// Field of view of `gamow render`.
 const FOV_DEGREES: f64 = 60.0;
 const BETAS: [f64; 7] = [0.0, 0.3, 0.6, 0.9, 0.99, 0.999, 0.9999];
 const QUICK_BETAS: [f64; 3] = [0.0, 0.9, 0.9999];
-/// Beyond what beta says well.
+/// Lorentz factors that beta does not express well.
 const GAMMAS: [f64; 2] = [100.0, 1000.0];
 /// Only for formulas in f64.
 const EXTREME_GAMMAS: [f64; 2] = [1e5, 1e7];
@@ -77,7 +77,7 @@ pub fn report(
     Ok(report)
 }
 
-/// The views, and what is said of them.
+/// Measures the views, and reports each.
 pub(super) fn views(
     scene: &Scene,
     size: [u32; 2],

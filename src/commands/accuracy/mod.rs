@@ -28,7 +28,7 @@ use crate::scene::Scene;
 #[derive(Debug, Args)]
 #[command(after_long_help = HELP)]
 pub struct AccuracyArgs {
-    /// What rides past: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls) or a scene file.
+    /// Scene: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls) or a scene file.
     #[arg(long, default_value = "cyclist", value_name = "PRESET|FILE")]
     scene: String,
     /// Size of one eye's picture, pixels.
@@ -62,7 +62,7 @@ Examples:
   gamow accuracy --plot frontier.svg --json --out frontier.json
   gamow accuracy --scene two-balls --size 960x720 --quick";
 
-/// Runs `gamow accuracy`.
+/// Runs the command `gamow accuracy`.
 pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
     if let Some(path) = &args.plot {
         ensure_ending("--plot", path, "svg")?;

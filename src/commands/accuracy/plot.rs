@@ -4,7 +4,7 @@ use super::report::AccuracyReport;
 use crate::accuracy::{RESOLUTION_PX, Spread};
 use crate::plot::{COLOURS, Line, Panel, Stroke, svg};
 
-/// Where methods without error are drawn among formulas, arcseconds.
+/// Error at which methods without error are drawn among formulas, arcseconds.
 const LEAST_ARCSECONDS: f64 = 1e-10;
 /// Costs below the clock's resolution are drawn here.
 const LEAST_COST: f64 = 1e-3;
@@ -46,7 +46,7 @@ fn logarithmic(title: String, labels: [&'static str; 2], lines: Vec<Line>) -> Pa
     Panel { logarithmic: [true; 2], width: 520.0, ..Panel::new(title, labels, lines) }
 }
 
-/// Errors below `least` are drawn there, and said to be.
+/// Returns a mark. Errors below `least` are drawn there, with a remark.
 fn mark(name: &str, colour: &'static str, cost: f64, error: Option<Spread>, least: f64) -> Line {
     let cost = cost.max(LEAST_COST);
     let note = match error {

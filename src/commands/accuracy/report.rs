@@ -1,11 +1,11 @@
-//! What `gamow accuracy` has measured, as `--json` writes it.
+//! The report of `gamow accuracy`, as `--json` writes it.
 
 use serde::Serialize;
 
 use crate::accuracy::{Place, RoundsError, Spread};
 
-/// The members, at whatever depth, that rest on the clock, and differ from run to run: times, ratios of times, and what is said
-/// of them. All others are the same in every run on the same device.
+/// Members, at whatever depth, that depend on the clock, and differ from run to run: times, ratios of times, and remarks
+/// on them. All others are the same in every run on the same device.
 pub const TIMED: [&str; 9] = [
     "frame_ms",
     "point_ns",
@@ -18,14 +18,14 @@ pub const TIMED: [&str; 9] = [
     "advice",
 ];
 
-/// All of it.
+/// The whole report.
 #[derive(Debug, Clone, Serialize)]
 pub struct AccuracyReport {
-    /// Under which circumstances.
+    /// Circumstances of the measurements.
     pub setting: Setting,
     /// The names of the members that differ from run to run.
     pub timed: [&'static str; TIMED.len()],
-    /// What this machine could not measure, and why.
+    /// Measurements that this machine could not make, with the reasons.
     pub missing: Vec<String>,
     /// Pictures: one entry per renderer, the reference first.
     pub renderers: Vec<RendererReport>,
@@ -33,16 +33,16 @@ pub struct AccuracyReport {
     pub formulas: Vec<FormulaReport>,
     /// The published binocular model against the exact one.
     pub published: PublishedReport,
-    /// What each effect costs.
+    /// Costs of effects.
     pub effects: EffectsReport,
-    /// What follows from these figures, a sentence each.
+    /// Conclusions from these figures, a sentence each.
     pub advice: Vec<String>,
 }
 
 /// Circumstances of the measurement.
 #[derive(Debug, Clone, Serialize)]
 pub struct Setting {
-    /// Program and version.
+    /// Name and version of the program.
     pub program: &'static str,
     /// Whether the program itself was compiled with optimisation; costs mean little without.
     pub optimised: bool,
@@ -72,28 +72,28 @@ pub struct Setting {
 /// The view of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Circumstances {
-    /// Speed.
+    /// Speed beta.
     pub beta: f64,
     /// The same as Lorentz factor.
     pub gamma: f64,
-    /// Where the tracked point is seen.
+    /// Place where the tracked point is seen.
     pub place: Place,
 }
 
-/// One renderer.
+/// The report on one renderer.
 #[derive(Debug, Clone, Serialize)]
 pub struct RendererReport {
-    /// Its name.
+    /// Name of the renderer.
     pub method: String,
     /// Whether it is what the others are held against; then its errors are 0 by definition.
     pub is_reference: bool,
-    /// How far it promises to draw any point from where it is seen, pixels, if it does.
+    /// Greatest promised distance of any point from where it is seen, pixels, if there is a promise.
     pub bound_px: Option<f64>,
     /// Median over the views of the milliseconds per picture of one eye.
     pub frame_ms: f64,
-    /// Of each figure the largest of all views.
+    /// Largest of each figure in all views.
     pub worst_view: PictureErrors,
-    /// View by view.
+    /// Figures of each view.
     pub views: Vec<PictureRow>,
 }
 
@@ -108,12 +108,12 @@ impl RendererReport {
 /// A renderer in one view.
 #[derive(Debug, Clone, Serialize)]
 pub struct PictureRow {
-    /// Which view.
+    /// View that was measured.
     #[serde(flatten)]
     pub view: Circumstances,
     /// Milliseconds per picture of one eye.
     pub frame_ms: f64,
-    /// How far from the truth.
+    /// Errors against the truth.
     #[serde(flatten)]
     pub errors: PictureErrors,
     /// With the reference: what rounds come to where bodies turn.
@@ -124,12 +124,12 @@ pub struct PictureRow {
 /// Errors of a picture.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PictureErrors {
-    /// Displacement of outlines.
+    /// Displacement of outlines, pixels.
     #[serde(rename = "silhouettes_px")]
     pub outlines_px: Option<Spread>,
-    /// Lines of sight.
+    /// Error of lines of sight, arcseconds.
     pub line_of_sight_arcseconds: Option<Spread>,
-    /// Doppler factor.
+    /// Relative error of the Doppler factor.
     pub doppler_relative: Option<Spread>,
     /// Wrong pixels per covered pixel.
     pub wrong_share: f64,
@@ -137,10 +137,10 @@ pub struct PictureErrors {
     pub wrong_pixels_off_outlines: usize,
 }
 
-/// One form of the formulas for a point.
+/// The report on one form of the formulas for a point.
 #[derive(Debug, Clone, Serialize)]
 pub struct FormulaReport {
-    /// Form and precision.
+    /// Name of the form, with its precision.
     pub formula: String,
     /// Whether it is what the others are held against.
     pub is_reference: bool,
@@ -150,21 +150,21 @@ pub struct FormulaReport {
     pub line_of_sight_arcseconds: Option<Spread>,
     /// Largest of all views.
     pub doppler_relative: Option<Spread>,
-    /// View by view.
+    /// Figures of each view.
     pub views: Vec<FormulaRow>,
 }
 
 /// A formula in one view.
 #[derive(Debug, Clone, Serialize)]
 pub struct FormulaRow {
-    /// Which view.
+    /// View that was measured.
     #[serde(flatten)]
     pub view: Circumstances,
-    /// Nanoseconds per point.
+    /// Time per point, nanoseconds.
     pub point_ns: f64,
     /// Angle between the lines of sight.
     pub line_of_sight_arcseconds: Option<Spread>,
-    /// Doppler factor.
+    /// Relative error of the Doppler factor.
     pub doppler_relative: Option<Spread>,
 }
 
@@ -182,7 +182,7 @@ pub struct PublishedReport {
 /// The published model in one view.
 #[derive(Debug, Clone, Serialize)]
 pub struct PublishedRow {
-    /// Which view.
+    /// View that was measured.
     #[serde(flatten)]
     pub view: Circumstances,
     /// Angle between the lines of sight.
@@ -191,26 +191,26 @@ pub struct PublishedRow {
     pub pixels: Option<Spread>,
 }
 
-/// What effects cost.
+/// The costs of effects.
 #[derive(Debug, Clone, Serialize)]
 pub struct EffectsReport {
-    /// Which renderer.
+    /// Renderer that was measured.
     pub method: String,
-    /// Which view.
+    /// View that was measured.
     #[serde(flatten)]
     pub view: Circumstances,
     /// Milliseconds per picture of one eye with everything on.
     pub all_on_ms: f64,
     /// By how much the same picture differed when it was timed again, relatively: less is noise.
     pub repeatability: f64,
-    /// One entry per effect, and one with all off.
+    /// Entries for each effect that is left out, and one for all.
     pub without: Vec<EffectRow>,
 }
 
 /// A picture with an effect left out.
 #[derive(Debug, Clone, Serialize)]
 pub struct EffectRow {
-    /// What is left out.
+    /// Effect that is left out.
     pub effect: &'static str,
     /// Whether the picture still shows the bodies in the same places.
     pub same_geometry: bool,

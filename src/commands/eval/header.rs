@@ -1,4 +1,4 @@
-//! Where the inputs are in the rows of `gamow eval`, and the observation that a row describes.
+//! The header of `gamow eval`: places of the inputs in a row, and the observation that a row describes.
 
 use csv::ByteRecord;
 use relativity_core::{Baseline, SourcePoint, StereoError};
@@ -8,15 +8,15 @@ use crate::columns::{Given, Observation, ObservationError, ROLL, TURN, WHEEL};
 use crate::files::csv_in::{self, Names};
 use crate::flags::{SpeedParameter, rolling};
 
-/// Where the inputs are in each row.
+/// The places of the inputs in each row.
 #[derive(Debug)]
 pub struct Header {
     speed_parameter: SpeedParameter,
     speed: usize,
     d: usize,
-    /// Of roll and turn.
+    /// Places of roll and turn.
     head: [Option<usize>; 2],
-    /// Of the radius, rho and angle of a point on a wheel.
+    /// Places of the radius, rho and angle of a point on a wheel.
     wheel: Option<[usize; 3]>,
     y: usize,
     z: usize,
@@ -34,18 +34,18 @@ pub enum InputError {
     /// The speed is given in two ways.
     #[error("columns {0} and {1} both give the speed; there should be one of beta, gamma, rapidity")]
     TwoSpeeds(&'static str, &'static str),
-    /// Where on a wheel a point is is given in part.
+    /// A point on a wheel is given in part.
     #[error("column {there} is given, and {missing} is not; wheel_radius, rho and angle go together")]
     PartOfWheel {
-        /// One that is there.
+        /// A column that is there.
         there: &'static str,
-        /// One that is missing.
+        /// A column that is missing.
         missing: &'static str,
     },
     /// A column has the name of one that will be appended.
     #[error("column {0} is there already, and would be appended again; it should be dropped or renamed")]
     Taken(&'static str),
-    /// A row that is not as the header says.
+    /// A row that disagrees with the header.
     #[error(transparent)]
     Row(#[from] csv_in::RowError),
     /// A value is outside its domain.
@@ -62,7 +62,7 @@ impl<E: Into<ObservationError>> From<E> for InputError {
 const NEEDED: &str = "d, y, z, T and one of beta, gamma, rapidity";
 
 impl Header {
-    /// Finds the inputs by the names in the first row, to which will be added what is `appended` to what they tell of.
+    /// Finds the inputs by the names in the first row, to which the columns in `appended` will be added.
     pub fn new(
         row: ByteRecord,
         appended: impl Fn(Given) -> Result<Vec<&'static str>, StereoError>,
@@ -106,7 +106,7 @@ impl Header {
         Ok(Observation { speed, source, baseline, time: number(self.time)? })
     }
 
-    /// What there are columns of.
+    /// Returns what the columns determine.
     pub fn given(&self) -> Given {
         given(self.head, self.wheel)
     }
@@ -116,7 +116,7 @@ fn head_places(names: &Names) -> Result<[Option<usize>; 2], csv_in::HeaderError>
     Ok([names.place(ROLL)?, names.place(TURN)?])
 }
 
-/// Those of a point on a wheel: all or none.
+/// Returns the places of a point on a wheel: all or none.
 fn wheel_places(names: &Names) -> Result<Option<[usize; 3]>, InputError> {
     let mut places = [None; 3];
     for (place, name) in places.iter_mut().zip(WHEEL) {

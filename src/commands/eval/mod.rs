@@ -14,7 +14,7 @@ use crate::columns::{Given, ModelArgs, help_with};
 use crate::files::whole::OutArgs;
 use crate::files::{csv_in, csv_out};
 
-/// What two eyes see of the point in each row of a CSV file.
+/// Writes what two eyes see of the point in each row of a CSV file.
 ///
 /// The header names the columns, in any order: exactly one of beta, gamma, rapidity; d (aperture separation); y and z
 /// (the point's depth and height); T (when the light arrives); optionally x0 (the point's x at t = 0, else 0), roll and
@@ -42,7 +42,7 @@ Examples:
   printf 'beta,d,y,z,T,wheel_radius,rho,angle\\n0.9,0.1,3,2,4,0.5,1,0\\n' | gamow eval
   gamow curve | cut -d, -f 1-6 | gamow eval --model published --out published.csv";
 
-/// Runs `gamow eval`.
+/// Runs the command `gamow eval`.
 pub fn run(args: &EvalArgs) -> anyhow::Result<()> {
     let (name, input) = csv_in::open(args.file.as_deref())?;
     args.out.write(|out| evaluate(&name, input, args.model, out))

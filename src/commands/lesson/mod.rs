@@ -43,7 +43,7 @@ Examples:
   gamow lesson rods --worksheet rods-answers.html --answers
   gamow lesson rods --teacher rods-teacher.html --lab rods-lab.html";
 
-/// Runs `gamow lesson`.
+/// Runs the command `gamow lesson`.
 pub fn run(args: &LessonArgs) -> anyhow::Result<()> {
     let of_questions = if args.answers { Sheet::Answers } else { Sheet::Questions };
     let sheets = [

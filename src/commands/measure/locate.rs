@@ -1,4 +1,4 @@
-//! Where in a picture the target is.
+//! Places of the target in a picture.
 
 use std::borrow::Cow;
 
@@ -14,12 +14,12 @@ use crate::settings::Settings;
 
 /// Largest difference of a component of a colour that still counts as the same.
 const COLOUR_TOLERANCE: u8 = 24;
-/// How far from a pixel's centre a mark may be for that pixel to show it, in pixels: a corner is 0.7 away.
+/// Greatest distance of a mark from the centre of a pixel that shows it, in pixels: a corner is 0.7 away.
 const REACH_PX: f64 = 1.0;
 /// Root mean square of u^2, u being anywhere within half a pixel: 1/sqrt(80).
 const SQUARE_RMS: f64 = 0.111_803_398_874_989_48;
 
-/// What is looked for.
+/// The target that is looked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Target<'a> {
     /// The mark at a place on a body's surface; of one that turns with a wheel, at t' = 0.
@@ -40,7 +40,7 @@ impl Target<'_> {
     }
 }
 
-/// Parses a colour.
+/// Parses a colour of six hexadecimal digits.
 pub fn colour(text: &str) -> Result<[u8; 3], String> {
     let digits = text.strip_prefix('#').unwrap_or(text);
     let is_colour = digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
@@ -55,7 +55,7 @@ pub fn colour_in(picture: &Picture, colour: [u8; 3]) -> Mask {
     Mask { shows: picture.rgba.iter().map(is_alike).collect(), width: picture.size[0] as usize }
 }
 
-/// Where `target` is in the layer of `eye`.
+/// Returns the place of `target` in the layer of `eye`.
 ///
 /// # Errors
 ///
@@ -105,7 +105,7 @@ fn at_start(scene: &Scene, ids: &[f32], rest: [&[f32]; 3], angles: &[f32]) -> [V
     places
 }
 
-/// Which place of which body each pixel shows.
+/// The surface that each pixel shows: a place of a body.
 struct Surface<'a> {
     width: usize,
     ids: &'a [f32],
@@ -113,7 +113,7 @@ struct Surface<'a> {
 }
 
 impl Surface<'_> {
-    /// Where `point` is seen: at the pixel that shows the nearest place, and from there to a fraction of a
+    /// Returns the place where `point` is seen: at the pixel that shows the nearest place, and from there to a fraction of a
     /// pixel by how the places change from pixel to pixel; `None` if that leads out of the pixel's reach.
     ///
     /// Its standard deviation is what this leaves out, over all offsets in a pixel: how that change itself changes, or,
@@ -179,10 +179,10 @@ impl Surface<'_> {
     }
 }
 
-/// How the place shown changes along a row or a column.
+/// The change of the place shown along a row or a column.
 struct Change {
     per_pixel: DVec3,
-    /// How that changes from pixel to pixel, if two neighbours show the same body.
+    /// Change of that change from pixel to pixel, if two neighbours show the same body.
     bend: Option<DVec3>,
 }
 

@@ -59,7 +59,7 @@ pub struct MeasureArgs {
     taken: TakenArgs,
 }
 
-/// Where and when the pictures were taken.
+/// The circumstances in which the pictures were taken.
 #[derive(Debug, Clone, Args)]
 struct TakenArgs {
     /// Separation of the eyes [default: as the file records it]
@@ -76,7 +76,7 @@ struct TakenArgs {
     camera: CameraArgs,
 }
 
-/// What is followed.
+/// The target that is followed.
 #[derive(Debug, Clone, Args)]
 #[group(required = true, multiple = false)]
 struct TargetArgs {
@@ -100,12 +100,12 @@ Examples:
   gamow measure ride --point=0,3,2 | gamow fit --wheel-radius 0.525 --rho 1 --angle 0
   gamow measure photos --marker ff2000 --times 0,6 --d 0.1 --fov 50 --gaze 90,0 --layout over-under";
 
-/// How many columns there are: T, d, roll, turn, the angles, and the standard deviations of their differences.
+/// Number of columns: T, d, roll, turn, the angles, and the standard deviations of their differences.
 const COLUMNS: usize = 4 + ANGLES.len() + 2;
-/// Those of roll and turn, which are left out where the head is held straight.
+/// Columns of roll and turn, which are left out where the head is held straight.
 const HEAD: std::ops::Range<usize> = 2..4;
 
-/// Runs `gamow measure`.
+/// Runs the command `gamow measure`.
 pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
     let target = args.target.target();
     let files = files(&args.inputs, target)?;
@@ -172,7 +172,7 @@ fn files(inputs: &[PathBuf], target: Target<'_>) -> anyhow::Result<Vec<PathBuf>>
 }
 
 impl TakenArgs {
-    /// The observation times that flags give to so many files, if they do.
+    /// Returns the observation times that flags give to this number of files, if they do.
     fn times_of(&self, files: usize) -> anyhow::Result<Vec<Option<f64>>> {
         let file = |index: usize| match *self.times.as_slice() {
             [] => None,
@@ -281,7 +281,7 @@ fn row(settings: &Settings, cameras: &[Camera; 2], [left, right]: [Place; 2]) ->
     ]
 }
 
-/// How a file of this `size` is divided that shows both eyes as `picture` says.
+/// Returns the sheet of a file of this `size` that shows both eyes as `picture` says.
 fn sheet(picture: &Picture, size: [u32; 2]) -> anyhow::Result<Sheet> {
     let layout = picture.layout;
     let has_both = layout.loses_nothing() && picture.eyes().len() == 2;
@@ -293,7 +293,7 @@ fn sheet(picture: &Picture, size: [u32; 2]) -> anyhow::Result<Sheet> {
 struct Angles {
     phi: f64,
     theta: f64,
-    /// Their standard deviations.
+    /// Standard deviation of the difference of azimuths, radians.
     sigma_phi: f64,
     sigma_theta: f64,
 }

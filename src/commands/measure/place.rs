@@ -14,7 +14,7 @@ pub const ROUNDING: f64 = 0.288_675_134_594_812_9;
 /// Share of all pixels that a part must have to count: less is noise.
 const LEAST_SHARE: f64 = 0.1;
 
-/// Which pixels of a picture show what is looked for.
+/// The pixels of a picture that show the target.
 pub struct Mask {
     /// Row by row from the top left.
     pub shows: Vec<bool>,
@@ -55,7 +55,7 @@ impl Mask {
         Some(Place { at, sigma: squares.map(|sum| ROUNDING * sum.sqrt() / count) })
     }
 
-    /// How many separate parts there are: pixels that touch, at a corner at least, belong together.
+    /// Returns the number of separate parts: pixels that touch, at a corner at least, belong together.
     pub fn parts(&self) -> usize {
         let mut is_left = self.shows.clone();
         let mut sizes = Vec::new();

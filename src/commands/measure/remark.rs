@@ -1,4 +1,4 @@
-//! What looks wrong with what was found in a picture, so that it may not be one point: said once for all files.
+//! Remarks on what was found in a picture, where it may not be one point; each is made once for all files.
 
 use std::collections::BTreeMap;
 
@@ -11,25 +11,25 @@ use super::place::Place;
 use crate::files::exr::EYES;
 use crate::settings::Settings;
 
-/// How many standard deviations, and pixels besides, two eyes' lines of sight to one point may be off.
+/// Greatest miss of two eyes' lines of sight to one point, in standard deviations and pixels besides.
 const MOST_SIGMAS: f64 = 5.0;
 const MOST_PX: f64 = 1.0;
 
-/// What looks wrong.
+/// A remark on what was found.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Remark {
     /// An eye's picture (0 left, 1 right) has the colour in several places.
     Parts { eye: usize, parts: usize },
-    /// The lines of sight of both eyes pass above each other by so many tenths of a pixel.
+    /// Lines of sight of both eyes that pass above each other by this number of tenths of a pixel.
     OffPlane { tenths_px: i64 },
-    /// They meet behind the eyes.
+    /// Lines of sight that meet behind the eyes.
     Diverging,
     /// The target turns with a wheel: what is to be done about that.
     Turning(String),
 }
 
 impl Remark {
-    /// Those with the same number are said once.
+    /// Returns a number for the kind: remarks with the same number are made once.
     const fn kind(&self) -> u8 {
         match self {
             Self::Parts { .. } => 0,
@@ -58,7 +58,7 @@ impl Remark {
     }
 }
 
-/// What a fit has to know of a `target` in the scene of `settings` that turns with a wheel, if it does.
+/// Returns a remark on a `target` in the scene of `settings` that turns with a wheel, which a fit has to know.
 ///
 /// # Errors
 ///
@@ -89,7 +89,7 @@ pub fn of_target(settings: &Settings, target: Target<'_>) -> anyhow::Result<Opti
     Ok(advice.map(Remark::Turning))
 }
 
-/// What the places that both eyes have of one colour tell, if the head is held along the motion: a point is then in one
+/// Returns a remark on the places that both eyes have of one colour, if the head is held along the motion: a point is then in one
 /// plane with the eyes, whenever its light left, and in front of them.
 pub fn of_places(settings: &Settings, cameras: &[Camera; 2], places: [Place; 2]) -> Option<Remark> {
     let baseline = settings.baseline();
@@ -110,7 +110,7 @@ pub fn of_places(settings: &Settings, cameras: &[Camera; 2], places: [Place; 2])
     (diverging_px > most).then_some(Remark::Diverging)
 }
 
-/// What was remarked on, in which file first, and in how many.
+/// All remarks, each with the first file that it is about and the number of files.
 #[derive(Debug, Default)]
 pub struct Remarks(BTreeMap<u8, (String, usize)>);
 

@@ -58,20 +58,20 @@ pub fn time_when_seen_at(setup: &Setup, x: f64) -> Result<f64, PairError> {
     Ok(time.expect("the paper's bicycles ride"))
 }
 
-/// Where a point at `rest` appears to a single eye at the origin.
+/// Returns the place where a point at `rest` appears to a single eye at the origin.
 pub fn seen_by_one(setup: &Setup, rest: [f64; 2], time: f64) -> Result<[f64; 2], PairError> {
     let seen = sighting(&setup.speed(), source(setup, rest), Aperture::default(), time)?;
     Ok([seen.position[0], seen.position[1]])
 }
 
-/// Where the left and the right eye are from the point midway between them, for what [`seen_by_two`] gives of each: the
+/// Returns the places of the left and the right eye from the middle between them, for what [`seen_by_two`] gives of each: the
 /// published model measures both from the left eye.
 pub fn measured_from(setup: &Setup, model: Model) -> [f64; 2] {
     let half = 0.5 * setup.separation;
     [-half, if model == Model::Exact { half } else { -half }]
 }
 
-/// Where a point at `rest` appears to the left and to the right eye, x from the eye, as `gamow eval` writes it.
+/// Returns the places where a point at `rest` appears to the left and to the right eye, x from the eye, as `gamow eval` writes it.
 pub fn seen_by_two(
     setup: &Setup,
     model: Model,

@@ -10,7 +10,7 @@ pub const APPENDIX_A: Model = Model::Published(PublishedVariant::AppendixA);
 /// The same with the sign of the text.
 pub const TEXT_SIGN: Model = Model::Published(PublishedVariant::TextSign);
 
-/// What the figures call `model`.
+/// Returns the name of `model` in the figures.
 pub const fn title(model: Model) -> &'static str {
     match model {
         APPENDIX_A => "published (Appendix A)",
@@ -55,12 +55,12 @@ impl Setup {
         Ok(time.unwrap_or_default())
     }
 
-    /// What both eyes see of the tracked point.
+    /// Returns the disparity of the tracked point.
     pub fn seen(&self, model: Model, time: f64) -> Result<Disparity, PairError> {
         self.seen_at(model, self.point(), time)
     }
 
-    /// What both eyes see of another point of the same body.
+    /// Returns the disparity of another point of the same body.
     pub fn seen_at(&self, model: Model, point: SourcePoint, time: f64) -> Result<Disparity, PairError> {
         model.disparity(&self.speed(), point, Aperture::pair(self.separation), time)
     }

@@ -40,7 +40,7 @@ pub struct Errors {
     pub window: [f64; 3],
 }
 
-/// How the uncertainties depend on when the samples were taken.
+/// Returns the uncertainties for each range of time in which samples were taken.
 pub fn errors_of_published() -> anyhow::Result<Errors> {
     let t0 = Setup::CYCLIST.equidistance_time()?;
     let errors = |simulation: &Simulation| -> anyhow::Result<[f64; 3]> {
@@ -67,7 +67,7 @@ pub fn write_all(folder: &Path) -> anyhow::Result<[ModelFits; 2]> {
 /// Beta, y and z from some curves, or why there is no fit.
 pub type Bias = (Curves, Result<[f64; 3], FitError>);
 
-/// What the published model makes of exact curves.
+/// Returns the bias of the published model fitted to exact curves.
 pub fn bias_of_published() -> anyhow::Result<[Bias; 3]> {
     let observations = simulation(Model::Exact, 0.0)?.observations()?;
     Ok([Curves::Azimuth, Curves::Polar, Curves::Both].map(|curves| {

@@ -33,7 +33,7 @@ pub struct PaperArgs {
     out: PathBuf,
 }
 
-/// Runs `gamow paper`.
+/// Runs the command `gamow paper`.
 pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
     let folder = args.out.as_path();
     files::create_folder(folder).with_context(|| files::shown(folder))?;

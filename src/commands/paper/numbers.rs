@@ -7,12 +7,12 @@ use super::curves::{APPENDIX_A, Extent, Setup, TEXT_SIGN, extent};
 /// Observation times that hold all extremes and zeros.
 const TIMES: [f64; 2] = [-20.0, 40.0];
 const SAMPLES: usize = 60_001;
-/// Speed at which what becomes of the zeros as beta tends to 1 is settled to four digits.
+/// Speed at which the limit of the zeros as beta tends to 1 is settled to four digits.
 const FAST: f64 = 0.999_999;
 /// Observation times that hold both zeros then.
 const ZERO_TIMES: [f64; 2] = [0.3, 1.0];
 const ZERO_SAMPLES: usize = 7_001;
-/// So far away, in units of the distance of closest approach, that ratios have their limits.
+/// Distance, in units of that of closest approach, at which ratios have their limits.
 const FAR: f64 = 1e6;
 /// Shortest length that counts as short against its distance.
 const ROD: f64 = 1e-3;
@@ -20,20 +20,20 @@ const ROD: f64 = 1e-3;
 /// A number that the paper states, beside ours.
 #[derive(Debug)]
 pub struct Row {
-    /// What it is.
+    /// Name of the quantity.
     pub quantity: &'static str,
-    /// As the paper states it.
+    /// Number that the paper states.
     pub paper: &'static str,
     /// In the models of [`MODELS`], or one value for all.
     pub ours: Vec<String>,
-    /// What there is to say.
+    /// Remark on the numbers.
     pub remark: &'static str,
 }
 
 /// The models, in the order of the columns.
 pub const MODELS: [Model; 3] = [APPENDIX_A, TEXT_SIGN, Model::Exact];
 
-/// All rows.
+/// Returns every row of the table.
 pub fn rows() -> Result<Vec<Row>, PairError> {
     let mut rows = difference_rows()?;
     rows.extend(motion_rows()?);
@@ -108,7 +108,7 @@ fn zeros(extent: &Extent) -> String {
     if zeros.is_empty() { "none".to_owned() } else { zeros.join(", ") }
 }
 
-/// What one aperture sees, the same in every model.
+/// Returns the rows of what one aperture sees, the same in every model.
 fn motion_rows() -> Result<Vec<Row>, PairError> {
     let setup = Setup::CYCLIST;
     let doppler = |x: f64| -> Result<f64, PairError> { Ok(700.0 / seen_at(&setup, x, 0.0)?.doppler_factor) };
@@ -154,7 +154,7 @@ fn motion_rows() -> Result<Vec<Row>, PairError> {
     ])
 }
 
-/// What an eye at the origin sees of the tracked point or one `xr` further forward in the rest frame, when
+/// Returns the sighting by an eye at the origin of the tracked point or one `xr` further forward in the rest frame, when
 /// it sees the tracked point at `x`.
 fn seen_at(setup: &Setup, x: f64, xr: f64) -> Result<relativity_core::Sighting, PairError> {
     let time = setup.time_when_seen_at(x)?;

@@ -10,18 +10,18 @@ use super::values::{WeightedMean, ratio_text, weighted, written};
 use crate::estimate::{Attempt, CurvesFit, Parameters};
 use crate::flags::words::Shell;
 
-/// Everything the report tells.
+/// The contents of the report.
 #[derive(Debug)]
 pub struct PaperReport<'a> {
     /// The numbers of the paper's text.
     pub numbers: Vec<Row>,
     /// Fits of data of the published and of the exact model.
     pub fits: [ModelFits; 2],
-    /// How uncertainties depend on when samples were taken.
+    /// Uncertainties for each range of time in which samples were taken.
     pub errors: fits::Errors,
     /// Fits of exact curves by the published model.
     pub bias: [fits::Bias; 3],
-    /// The stereo frames.
+    /// Stereo frames, figure by figure.
     pub frames: Vec<(&'a Figure, Vec<Frame>)>,
 }
 
@@ -126,7 +126,7 @@ impl fmt::Display for PaperReport<'_> {
 }
 
 impl PaperReport<'_> {
-    /// What a reader is to know first, in numbers of this report.
+    /// Writes what a reader should know first, in numbers of this report.
     fn write_findings(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [least, largest, zeros] =
             ["least delta-phi, rad", "largest delta-phi, rad", "zeros of delta-phi, T"]

@@ -20,13 +20,13 @@ use crate::studio::{Sheet, Studio};
 pub struct Figure {
     /// Name of its files.
     pub name: &'static str,
-    /// What it shows.
+    /// Caption of the figure.
     pub caption: &'static str,
     /// The preset that it is drawn with.
     preset: &'static str,
     /// Whether it shows the cyclist itself, at rest.
     at_rest: bool,
-    /// Where the tracked point is seen in each frame, x.
+    /// Places x where the tracked point is seen in each frame.
     places: &'static [f64],
 }
 
@@ -75,16 +75,16 @@ const HEIGHT: u32 = 300;
 const CAPTION_HEIGHT: u32 = 26;
 const REST_WAVELENGTH_NM: f64 = 700.0;
 
-/// One drawn frame.
+/// A drawn frame.
 #[derive(Debug)]
 pub struct Frame {
-    /// Its file.
+    /// Name of its file.
     pub file: String,
     /// The settings that draw it.
     pub settings: Settings,
-    /// T.
+    /// Observation time T.
     pub time: f64,
-    /// What both eyes see of the tracked point.
+    /// Disparity of the tracked point.
     pub seen: Disparity,
 }
 
@@ -128,7 +128,7 @@ impl Figure {
         Ok(Frame { file, settings, time, seen: setup.seen(Model::Exact, time)? })
     }
 
-    /// Those of its preset, for print.
+    /// Returns the settings of its preset, for print.
     fn settings(&self) -> Settings {
         let preset = Preset::named(self.preset).expect("tests draw every figure");
         let mut settings = preset.settings.clone();

@@ -1,4 +1,4 @@
-//! How values and their uncertainties are written, and a mean of two of them.
+//! Values and their uncertainties as text, and the mean of two of them.
 
 use relativity_core::math;
 
@@ -7,7 +7,7 @@ pub fn ratio_text(ratios: [f64; 3]) -> String {
     ratios.map(|ratio| format!("{ratio:.0}")).join(" : ")
 }
 
-/// As in 0.901(5), the uncertainty with two digits; plain where it is no more than rounding.
+/// Writes a value like 0.901(5), the uncertainty with two digits; plain where that is no more than rounding.
 pub fn written(value: f64, uncertainty: f64) -> String {
     if uncertainty < 1e-9 {
         return format!("{value:.4}");

@@ -25,7 +25,7 @@ use crate::studio::film::FilmKind;
 #[derive(Debug, Args)]
 #[command(after_long_help = EXAMPLES, mut_args(without_the_windows))]
 pub struct RenderArgs {
-    /// Where to: FILE.png or FILE.exr; with --frames a folder, or FILE.gif or FILE.png, an animation of 25 frames a second.
+    /// Output: FILE.png or FILE.exr; with --frames a folder, or FILE.gif or FILE.png, an animation of 25 frames a second.
     /// Each file is written whole or not at all.
     #[arg(long, default_value = "gamow.png", value_name = "FILE|DIR")]
     out: PathBuf,
@@ -34,7 +34,7 @@ pub struct RenderArgs {
     /// Print how long each stage took.
     #[arg(long, conflicts_with = "frames")]
     timings: bool,
-    /// How many times all is done that --timings measures.
+    /// Number of repetitions that --timings measures.
     #[arg(long, default_value_t = 5, value_name = "N", requires = "timings", value_parser = clap::value_parser!(u32).range(1..))]
     repeat: u32,
     #[command(flatten)]
@@ -62,7 +62,7 @@ Examples:
   gamow render --projection vr180 --time 2 --out street.png   (street_180x180_LR.png, for headsets)
   gamow render --renderer mesh --bound-px 0.1 --timings --repeat 20";
 
-/// Runs `gamow render`.
+/// Runs the command `gamow render`.
 pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
     let output = args.output()?;
     let settings = vr180::fitted(args.start.settings(Settings::default())?)?;
@@ -86,7 +86,7 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// What is to be made.
+/// The output that is made.
 enum Output {
     File(FileKind),
     Sequence,

@@ -68,7 +68,7 @@ pub fn run_film(studio: &mut Studio, times: &TimeArgs, kind: FilmKind, path: &Pa
     Ok(())
 }
 
-/// T of a frame of so many: those of the first and the last are the ends of `range`.
+/// Returns T of one of `frames` frames: those of the first and the last are the ends of `range`.
 fn time_of(frame: u32, frames: u32, range: [f64; 2]) -> f64 {
     time_within(range, f64::from(frame) / f64::from(frames.max(2) - 1))
 }
@@ -113,7 +113,7 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
     Ok(())
 }
 
-/// The frames that are made first, to tell from them how large all will be: the first one, one that approaches, and the one
+/// Returns the frames that are made first, by which the size of all is estimated: the first one, one that approaches, and the one
 /// in the middle.
 fn probes(frames: u32) -> Vec<u32> {
     let mut probes = vec![0, frames / 4, frames / 2];

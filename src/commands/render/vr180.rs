@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use crate::flags::choices::{FileKind, Layout, ProjectionChoice, Size};
 use crate::settings::{Picture, Settings};
 
-/// What headsets look for before the extension: 180 x 180 degrees, left and right side by side.
+/// Mark that headsets look for before the extension: 180 x 180 degrees, left and right side by side.
 const MARK: &str = "_180x180_LR";
-/// Side of each eye's picture unless another is asked for, pixels.
+/// Default side of each eye's picture, pixels.
 const SIDE: u32 = 2048;
 
 /// Whether `settings` ask for such pictures.
@@ -39,7 +39,7 @@ pub fn fitted(mut settings: Settings) -> anyhow::Result<Settings> {
     Ok(settings)
 }
 
-/// Where a file of `settings` goes that is asked for at `path`: a picture for headsets has a name that they know.
+/// Returns the path of a file of `settings` that is requested at `path`: a picture for headsets has a name that they know.
 #[must_use]
 pub fn named(settings: &Settings, path: &Path) -> PathBuf {
     let stem = path.file_stem().unwrap_or_default();

@@ -11,11 +11,11 @@ use crate::files::exr::Measurements;
 use crate::files::png::Still;
 use crate::files::{gif, png};
 
-/// What a file is written to.
+/// A place that a file is written to.
 trait Place: Write + Seek {}
 impl<P: Write + Seek> Place for P {}
 
-/// One that takes so many bytes more, wherever they go to.
+/// A place that takes this number of further bytes, wherever they go.
 struct Failing<P> {
     to: P,
     left: usize,
@@ -74,7 +74,7 @@ const KINDS: [Kind; 7] = [
     ("text", |out| Ok(out.write_all(&b"a line of text\n".repeat(30))?)),
 ];
 
-/// How many bytes are written, of which some may take the place of others.
+/// Returns the number of bytes that are written, some of which may take the place of others.
 fn count(write: fn(&mut dyn Place) -> anyhow::Result<()>) -> usize {
     let mut out = Failing { to: Cursor::new(Vec::new()), left: usize::MAX };
     write(&mut out).expect("there is room");
