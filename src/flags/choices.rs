@@ -1,4 +1,4 @@
-//! What can be chosen, and how it is written.
+//! Choices among named values, and their spelling in flags and files.
 
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -13,7 +13,7 @@ pub use super::compare::Compare;
 pub use super::layout::{Form, Layout, Swapped};
 use super::within;
 
-/// What draws.
+/// The choice of a renderer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum RendererChoice {
@@ -30,12 +30,12 @@ pub enum RendererChoice {
     Reference,
 }
 
-/// What a file can be, by its extension.
+/// The kind of a file, by its extension.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileKind {
-    /// A picture.
+    /// A picture (PNG).
     Png,
-    /// Measurements.
+    /// Measurements of every pixel.
     Exr,
 }
 
@@ -97,7 +97,7 @@ impl Serialize for Size {
     }
 }
 
-/// Where both eyes look, in parallel.
+/// The gaze of both eyes, in parallel.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum GazeChoice {
     /// At the apparent middle of all that moves.
@@ -129,7 +129,7 @@ pub enum ProjectionChoice {
     /// Flat screens: planes parallel to the line between the eyes. Both eyes see a point in one row under the same condition as
     /// in the conformal picture; stretches what is aside.
     Parallel,
-    /// All that lies ahead, 180 x 180 degrees, for headsets. Drawn by the reference renderer; the field of view and
+    /// Everything ahead, 180 x 180 degrees, for headsets. Drawn by the reference renderer; the field of view and
     /// the gaze's elevation are not used.
     Vr180,
 }

@@ -10,13 +10,13 @@ use super::numbers::coordinates;
 /// A point on a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FollowedPoint {
-    /// Where it is at rest.
+    /// Place of the point at rest.
     pub place: [f64; 3],
     /// The number of the body in its scene, from 0.
     pub body: usize,
 }
 
-/// Most points that a list of them can have.
+/// Greatest number of points in a list.
 const MOST: usize = 64;
 
 /// Points that are followed, at least one: written `X,Y,Z@BODY;X,Y,Z@BODY`.

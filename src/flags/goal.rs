@@ -1,4 +1,4 @@
-//! What is asked of automatic quality: an error that no picture exceeds, or a time that a frame may take.
+//! The goal of automatic quality: an error that no picture exceeds, or a time that a frame may take.
 
 use std::ops::RangeInclusive;
 
@@ -7,12 +7,12 @@ use serde::{Serialize, Serializer};
 
 use super::within;
 
-/// Smallest and largest error that can be asked for, pixels.
+/// Smallest and largest error that can be set, pixels.
 pub const ERROR_PX: RangeInclusive<f64> = 1e-6..=100.0;
 /// Shortest and longest time that can be, milliseconds.
 pub const BUDGET_MS: RangeInclusive<f64> = 0.01..=1e6;
 
-/// What automatic quality keeps.
+/// The goal that automatic quality keeps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Goal {
     /// The cheapest method whose stated error is no more than this, pixels.
@@ -22,7 +22,7 @@ pub enum Goal {
 }
 
 impl Goal {
-    /// The error that is asked for unless another is, pixels.
+    /// Default error, pixels.
     pub const DEFAULT_ERROR_PX: f64 = 0.1;
     /// The budget that a control begins with, milliseconds: of a frame at 60 a second.
     pub const USUAL_BUDGET_MS: f64 = 16.0;
@@ -34,7 +34,7 @@ impl Default for Goal {
     }
 }
 
-/// Its two flags, of which one is given.
+/// The two flags of a goal, of which one is given.
 #[derive(Debug, Args)]
 #[group(multiple = false)]
 struct GoalArgs {

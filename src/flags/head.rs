@@ -1,4 +1,4 @@
-//! How the head is held, as flags have it.
+//! Flags for the tilt and the turn of the head.
 
 use std::ops::RangeInclusive;
 
@@ -7,7 +7,7 @@ use relativity_core::Baseline;
 
 use super::within;
 
-/// How far the head can be tilted or turned, degrees.
+/// Range of tilt and turn of the head, degrees.
 pub const HEAD_DEGREES: RangeInclusive<f64> = -180.0..=180.0;
 
 /// By how much the head is tilted and turned.

@@ -1,4 +1,4 @@
-//! How the pictures of the two eyes are shown together: one list for the window and for files.
+//! Layouts: how the pictures of the two eyes are shown together, in the window and in files.
 
 use std::str::FromStr;
 
@@ -9,7 +9,7 @@ use serde::{Serialize, Serializer};
 
 use crate::eye_colours;
 
-/// How the pictures of the two eyes are shown together.
+/// The layout of the pictures of the two eyes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Layout {
@@ -35,31 +35,31 @@ pub enum Layout {
     OverUnder,
     /// Side by side, each at half its width, as 3-D televisions take it.
     HalfSideBySide,
-    /// One above the other, each at half its height, as 3-D televisions take it.
+    /// The left eye's picture above the right eye's, each at half its height, as 3-D televisions take it.
     HalfOverUnder,
     /// Rows of the left and the right eye's picture in turn, for screens whose rows are polarised in turn.
     Rows,
-    /// One after the other, three times a second; a file is animated.
+    /// The left eye's picture and the right eye's in turn, three times a second; a file is animated.
     Flicker,
 }
 
-/// How the pictures share what they are shown on.
+/// The form in which the pictures share the place where they are shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
-    /// One eye's alone (0 left, 1 right).
+    /// One eye's picture alone (0 left, 1 right).
     One(usize),
-    /// Beside each other.
+    /// Pictures beside each other.
     Beside,
-    /// One above the other.
+    /// Pictures one above the other.
     Above,
-    /// Pixel by pixel.
+    /// Pictures mixed pixel by pixel.
     Composed(Composition),
-    /// One after the other.
+    /// Pictures one after the other.
     InTurn,
 }
 
 impl Layout {
-    /// How the pictures share what they are shown on.
+    /// Returns the form in which the pictures share the place where they are shown.
     #[must_use]
     pub const fn form(self) -> Form {
         match self {
@@ -90,7 +90,7 @@ impl Layout {
         }
     }
 
-    /// The layout so many `steps` further in the list of all, or back; after the last comes the first.
+    /// Returns the layout `steps` further in the list, or back; after the last comes the first.
     #[must_use]
     pub fn further(self, steps: isize) -> Self {
         let all = Self::value_variants();
@@ -125,13 +125,13 @@ impl Layout {
         !matches!(self.form(), Form::Composed(_))
     }
 
-    /// What it is called in files and flags.
+    /// Returns the name of the layout in files and flags.
     #[must_use]
     pub fn name(self) -> String {
         self.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
     }
 
-    /// Its place in a set.
+    /// Returns the bit of the layout in a set.
     const fn bit(self) -> u16 {
         1 << self as u16
     }
@@ -141,7 +141,7 @@ impl Layout {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Swapped(u16);
 
-/// What none of them is called.
+/// Name of the empty set.
 const NONE: &str = "none";
 
 impl Swapped {
@@ -157,7 +157,7 @@ impl Swapped {
         if layout.has_both() { Self(self.0 ^ layout.bit()) } else { self }
     }
 
-    /// All of them, in their order.
+    /// Returns the layouts of the set, in their order.
     pub fn layouts(self) -> impl Iterator<Item = Layout> {
         Layout::value_variants().iter().copied().filter(move |&layout| self.has(layout))
     }

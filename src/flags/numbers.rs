@@ -44,7 +44,7 @@ where
     value.ok_or_else(|| format!("must be a whole number between {} and {}", range.start(), range.end()))
 }
 
-/// As short as it can be written.
+/// Writes `value` as briefly as possible.
 fn short(value: f64) -> String {
     let [plain, powers] = [value.to_string(), format!("{value:e}")];
     if powers.len() < plain.len() { powers } else { plain }
@@ -131,7 +131,7 @@ impl Serialize for Share {
 /// Coordinates of a place: no body of a scene reaches further.
 pub const PLACE: RangeInclusive<f64> = -1e7..=1e7;
 
-/// Parses a place.
+/// Parses a place of three coordinates.
 pub fn coordinates(text: &str) -> Result<[f64; 3], String> {
     let numbers: Vec<f64> = text.split(',').map(within(PLACE)).collect::<Result<_, _>>()?;
     numbers.try_into().map_err(|_| "write three numbers like 0,3,2".to_owned())
@@ -140,7 +140,7 @@ pub fn coordinates(text: &str) -> Result<[f64; 3], String> {
 /// Whether something is so: `on` or `off`. (By this name `clap` takes it for a value like any other.)
 pub type OnOff = bool;
 
-/// Parses a switch.
+/// Parses `on` or `off`.
 pub fn switch(text: &str) -> Result<OnOff, String> {
     match text {
         "on" => Ok(true),
@@ -230,7 +230,7 @@ pub const TEMPERATURE_K: RangeInclusive<f64> = 300.0..=100_000.0;
 
 /// Parses a temperature in kelvin, or in degrees Celsius if it ends in C.
 pub fn temperature(text: &str) -> Result<f64, String> {
-    /// Of ice that melts, K.
+    /// Melting point of ice, K.
     const MELTING_K: f64 = 273.15;
     match text.strip_suffix('C') {
         Some(celsius) => within(TEMPERATURE_K)(&(finite_number(celsius)? + MELTING_K).to_string()),

@@ -10,19 +10,19 @@ use super::finite_number;
 /// The three ways to give a speed: a flag each, and a column of a CSV file each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SpeedParameter {
-    /// v/c.
+    /// Speed over c, beta.
     Beta,
-    /// The Lorentz factor.
+    /// Lorentz factor, gamma.
     Gamma,
-    /// atanh(beta).
+    /// Rapidity, atanh(beta).
     Rapidity,
 }
 
 impl SpeedParameter {
-    /// All of them.
+    /// Every parameter of a speed.
     pub const ALL: [Self; 3] = [Self::Beta, Self::Gamma, Self::Rapidity];
 
-    /// Its name as a flag and as a column.
+    /// Returns the name of the flag and of the column.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -73,7 +73,7 @@ impl SpeedArgs {
         self.given().unwrap_or((SpeedParameter::Beta, default_beta))
     }
 
-    /// The speed asked for, or `default_beta` if none was.
+    /// Returns the given speed, or `default_beta` without one.
     pub fn speed(&self, default_beta: f64) -> anyhow::Result<Speed> {
         let (parameter, value) = self.parameter(default_beta);
         Ok(parameter.speed(value)?)
@@ -89,7 +89,7 @@ pub struct SpeedSetting {
 }
 
 impl SpeedSetting {
-    /// At rest.
+    /// Speed 0, given by beta.
     pub const REST: Self = Self { parameter: SpeedParameter::Beta, value: 0.0, speed: Speed::REST };
 
     /// The speed whose `parameter` has this `value`.
@@ -106,7 +106,7 @@ impl SpeedSetting {
         (self.parameter, self.value)
     }
 
-    /// The speed.
+    /// Returns the speed itself.
     #[must_use]
     pub const fn speed(&self) -> Speed {
         self.speed

@@ -1,21 +1,21 @@
-//! A point on a wheel that rolls, as flags have it.
+//! Flags for a point on a rolling wheel.
 
 use clap::Args;
 use relativity_core::{Rolling, Source, SourcePoint, Turning, WheelPoint};
 
 use super::finite_number;
 
-/// Where on a rolling wheel a point is: all or none.
+/// The place of a point on a rolling wheel: all or none.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct WheelArgs {
     /// The point is on a wheel of this radius, that rolls towards +x; --x0, --y and --z are then its hub's.
     #[arg(long, value_name = "W", value_parser = finite_number, allow_hyphen_values = true,
           requires_all = ["rho", "angle"])]
     wheel_radius: Option<f64>,
-    /// How far the point is from the hub, in radii of its wheel, 0 to 1.
+    /// Distance of the point from the hub, in radii of its wheel, 0 to 1.
     #[arg(long, value_parser = finite_number, allow_hyphen_values = true, requires = "wheel_radius")]
     rho: Option<f64>,
-    /// Where the point is at t' = 0 by the clocks that ride with the hub: from +x towards +z, radians.
+    /// Angle of the point at t' = 0 by the clocks that ride with the hub: from +x towards +z, radians.
     #[arg(long, value_name = "RAD", value_parser = finite_number, allow_hyphen_values = true,
           requires = "wheel_radius")]
     angle: Option<f64>,

@@ -5,20 +5,20 @@ use skrifa::instance::{LocationRef, Size};
 use skrifa::outline::{DrawSettings, OutlinePen};
 use skrifa::{FontRef, MetadataProvider as _};
 
-/// A font.
+/// A font, by its face.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Face {
     /// Upright: digits, operators, names of functions, capital Greek.
     Main,
-    /// Upright and bold.
+    /// Upright bold letters.
     Bold,
-    /// Slanted: variables.
+    /// Slanted letters, for variables.
     Italic,
-    /// Further symbols.
+    /// Further symbols (AMS).
     Ams,
     /// Signs of sums, brackets and roots, a little larger.
     Size1,
-    /// Those of displayed formulas.
+    /// Large operators of displayed formulas.
     Size2,
     /// Brackets and roots around fractions.
     Size3,
@@ -27,11 +27,11 @@ pub enum Face {
 }
 
 impl Face {
-    /// All of them.
+    /// Every font.
     pub const ALL: [Self; 8] =
         [Self::Main, Self::Bold, Self::Italic, Self::Ams, Self::Size1, Self::Size2, Self::Size3, Self::Size4];
 
-    /// Its name.
+    /// Returns the name of the font.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -46,7 +46,7 @@ impl Face {
         }
     }
 
-    /// Its file, TrueType.
+    /// Returns the TrueType file of the font.
     #[must_use]
     pub const fn file(self) -> &'static [u8] {
         match self {
@@ -65,7 +65,7 @@ impl Face {
         FontRef::new(self.file()).ok()
     }
 
-    /// Lets `pen` draw a character, y up, and says how many of its units are an em; `None` if the font lacks it.
+    /// Draws a character with `pen`, y up, and returns how many of its units are an em; `None` if the font lacks it.
     pub(super) fn draw(self, character: char, pen: &mut impl OutlinePen) -> Option<f32> {
         let font = self.font()?;
         let glyph = font.outline_glyphs().get(font.charmap().map(character)?)?;
@@ -73,7 +73,7 @@ impl Face {
         Some(f32::from(font.metrics(Size::unscaled(), LocationRef::default()).units_per_em))
     }
 
-    /// How far a character advances, em.
+    /// Returns the advance of a character, em.
     #[cfg(test)]
     pub(super) fn advance(self, character: char) -> Option<f32> {
         let font = self.font()?;

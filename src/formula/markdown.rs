@@ -25,18 +25,18 @@ pub struct Events<'a> {
     parser: OffsetIter<'a>,
     /// The elements that are open.
     open: Vec<Element>,
-    /// How many of the open elements count towards [`sizes::NESTED`].
+    /// Number of open elements that count towards [`sizes::NESTED`].
     depth: usize,
 }
 
 /// An open element of a Markdown text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Element {
-    /// It can contain another of its kind, and counts towards the depth.
+    /// An element that can contain another of its kind, and counts towards the depth.
     Nested,
-    /// It cannot contain another of its kind.
+    /// An element that cannot contain another of its kind.
     Simple,
-    /// Its tags are dropped and only its words are kept.
+    /// An element whose tags are dropped, and only its words are kept.
     Dropped,
 }
 

@@ -22,7 +22,7 @@ use crate::platform::{sizes, tell};
 /// Size of a formula's em in that of the text around it: TeX's letters are small beside those of screens.
 pub const EM: f32 = 1.1;
 
-/// How much room a formula has.
+/// The style of a formula, by the room it has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Style {
     /// In a line of text.
@@ -31,7 +31,7 @@ pub enum Style {
     Displayed,
 }
 
-/// What is wrong with a formula, in a line.
+/// An error in a formula, in one line.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("the formula ${tex}$ cannot be drawn: {reason}")]
 pub struct FormulaError {
@@ -42,37 +42,37 @@ pub struct FormulaError {
 /// A formula, laid out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Formula {
-    /// It in words and characters, for those who hear it.
+    /// Formula in words and characters, for assistive technology.
     pub words: String,
-    /// Its width, em.
+    /// Width of the formula, em.
     pub width: f32,
-    /// How far it reaches above the baseline, em.
+    /// Reach above the baseline, em.
     pub ascent: f32,
-    /// How far it reaches below the baseline, em.
+    /// Reach below the baseline, em.
     pub descent: f32,
-    /// What is drawn.
+    /// Marks that draw the formula.
     pub marks: Vec<Mark>,
 }
 
-/// What a formula is drawn with.
+/// A mark of a formula.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Mark {
-    /// A character.
+    /// A character of a font.
     Glyph {
-        /// The font.
+        /// Font of the character.
         face: Face,
-        /// The character.
+        /// Character that is drawn.
         character: char,
         /// The start of its baseline.
         at: [f32; 2],
-        /// Its size, em.
+        /// Size of the character, em.
         size: f32,
     },
     /// A filled rectangle.
     Rule {
-        /// Its least x and y.
+        /// Least x and y of the rectangle.
         min: [f32; 2],
-        /// Its width and height.
+        /// Width and height of the rectangle.
         size: [f32; 2],
     },
     /// Closed curves, as polygons: what is inside is filled (nonzero winding).
@@ -90,8 +90,8 @@ impl Formula {
         Self::of(&nodes, tex, style).map_err(|reason| FormulaError::new(tex, &reason))
     }
 
-    /// The formulas between the wide spaces (`\quad`, `\qquad`) in `tex`: what stands below each other where there is no
-    /// room for all beside each other.
+    /// Returns the formulas between the wide spaces (`\quad`, `\qquad`) in `tex`, which are put below each other if there is no room
+    /// for all of them beside each other.
     ///
     /// # Errors
     ///

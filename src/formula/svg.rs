@@ -1,4 +1,4 @@
-//! A formula as an inline SVG, which stands in a line of text and has its colour.
+//! A formula as an inline SVG, which is part of a line of text and has its colour.
 
 use std::fmt::Write as _;
 
@@ -11,7 +11,7 @@ use crate::markup::escaped;
 const UNITS: f32 = 1000.0;
 
 impl Formula {
-    /// It as an element of a page: as large as the text around, its baseline on that of the text, named by its words.
+    /// Returns the formula as an element of a page: as large as the text around, its baseline on that of the text, named by its words.
     #[must_use]
     pub fn svg(&self) -> String {
         let units = |em: f32| (em * UNITS).round();

@@ -10,7 +10,7 @@ fn displayed(tex: &str) -> Formula {
     Formula::new(tex, Style::Displayed).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Where the only glyph of this character starts, and its size.
+/// Returns the start and the size of the only glyph of this character.
 fn glyph(formula: &Formula, sought: char) -> ([f32; 2], f32) {
     let found: Vec<_> = formula
         .marks
@@ -111,7 +111,7 @@ fn brackets_grow_with_what_they_hold() {
     assert!(matches!(face, Some(Face::Size2 | Face::Size3)), "{face:?}");
 }
 
-/// Everything is within the room that the formula says it takes.
+/// Marks lie within the room that the formula claims.
 #[test]
 fn formulas_say_how_much_room_they_take() {
     for tex in TEXTBOOK {

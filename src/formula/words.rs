@@ -6,7 +6,7 @@ use ratex_parser::parse_node::AtomFamily;
 
 /// The formula of these nodes; `None` if there is one that no line can hold.
 pub(super) fn of(nodes: &[ParseNode]) -> Option<String> {
-    /// Pairs that stand apart where each node is said alone, and how they are written.
+    /// Pairs that stand apart when each node is spoken alone, and their spelling.
     const CLOSER: [[&str; 2]; 7] =
         [[" ,", ","], [" ;", ";"], [" )", ")"], [" ]", "]"], ["( ", "("], ["(− ", "(−"], ["= − ", "= −"]];
     let mut words = String::new();
@@ -87,7 +87,7 @@ fn inside(body: &[ParseNode]) -> Option<String> {
     Some(words.trim().to_owned())
 }
 
-/// What a node says, in brackets if a sign beside it would seem to take a part of it alone.
+/// Returns the words of a node, in brackets if a sign beside it would seem to take a part of it alone.
 fn grouped(node: &ParseNode) -> Option<String> {
     let words = of_one(node)?.trim().to_owned();
     let is_whole = words.chars().count() <= 1 || words.chars().all(char::is_alphanumeric);

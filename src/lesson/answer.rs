@@ -1,18 +1,18 @@
-//! What somebody predicted, and what became of it.
+//! An answer to a question: the prediction, and its outcome.
 
 use relativity_render::Gaze;
 use serde::{Deserialize, Serialize};
 
 use super::plan::{Kind, Number};
 
-/// A prediction.
+/// A prediction of any kind.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Answer {
     /// The choice of this number.
     Choice(usize),
-    /// How many hands were raised for each choice.
+    /// Number of hands raised for each choice.
     Votes(Vec<u32>),
-    /// A number.
+    /// A predicted number.
     Number(f64),
     /// A direction in which the left eye would look there.
     Direction(Gaze),
@@ -21,7 +21,7 @@ pub enum Answer {
 }
 
 impl Answer {
-    /// Whether it says anything.
+    /// Returns whether anything has been entered.
     #[must_use]
     pub fn is_told(&self) -> bool {
         match self {
@@ -42,7 +42,7 @@ impl Answer {
         }
     }
 
-    /// Whether it can be given to what is asked in this way.
+    /// Returns whether the answer suits a question of this kind.
     #[must_use]
     pub fn fits(&self, kind: &Kind) -> bool {
         match (self, kind) {
@@ -64,14 +64,14 @@ impl Number {
     }
 }
 
-/// How a prediction came to its end.
+/// The outcome of a prediction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Outcome {
-    /// Nothing was predicted.
+    /// No prediction was made.
     Skipped,
-    /// This was.
+    /// A prediction was made.
     Made {
-        /// What.
+        /// Prediction that was made.
         answer: Answer,
         /// Confidence in the answer, if given.
         confidence: Option<Confidence>,
@@ -126,10 +126,10 @@ impl From<Confidence> for u8 {
     }
 }
 
-/// What somebody did in a step.
+/// The record of a step.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Record {
-    /// What was predicted, once the reveal was asked for.
+    /// Outcome of the prediction, once the reveal has been opened.
     pub outcome: Option<Outcome>,
     /// The number of the answer to what was seen.
     pub observed: Option<usize>,

@@ -14,7 +14,7 @@ pub struct Course {
     lesson: Arc<Lesson>,
     place: Place,
     records: Vec<Record>,
-    /// What is being entered for the present step.
+    /// Answer that is being entered for the present step.
     pub draft: Option<Answer>,
     /// Confidence in the draft, if chosen.
     pub confidence: Option<Confidence>,
@@ -43,7 +43,7 @@ impl Course {
         })
     }
 
-    /// The same way through a `lesson` that was written anew: at the present place, if there still is one, with the
+    /// Returns the same course through a rewritten `lesson`: at the present place, if it still exists, with the
     /// records of the steps that are as they were.
     ///
     /// # Errors
@@ -61,7 +61,7 @@ impl Course {
         Ok(renewed)
     }
 
-    /// Takes up what was `kept` of it: the answers to what is still asked, and the place, if there still is one.
+    /// Restores the `kept` way: the answers to questions that are still asked, and the place, if it still exists.
     pub fn take_up(&mut self, kept: &Way) {
         for (number, record) in self.records.iter_mut().enumerate() {
             *record = kept.record(&self.lesson, number);
@@ -89,7 +89,7 @@ impl Course {
         is_new && self.records.iter().all(|record| *record == Record::default())
     }
 
-    /// Begins it anew, without the answers that were given.
+    /// Starts the course again, without the answers that were given.
     pub fn begin_anew(&mut self) {
         self.records.fill(Record::default());
         (self.place, self.draft, self.confidence, self.is_passed_over) = (Place::START, None, None, false);
@@ -101,7 +101,7 @@ impl Course {
         &self.lesson
     }
 
-    /// Where it is.
+    /// Returns the present place.
     #[must_use]
     pub const fn place(&self) -> Place {
         self.place
@@ -113,13 +113,13 @@ impl Course {
         self.lesson.steps.get(self.place.step)
     }
 
-    /// What was done in each step.
+    /// Returns the record of each step.
     #[must_use]
     pub fn records(&self) -> &[Record] {
         &self.records
     }
 
-    /// What was done in the present step.
+    /// Returns the record of the present step.
     #[must_use]
     pub fn record(&self) -> Option<&Record> {
         self.records.get(self.place.step)
@@ -138,18 +138,18 @@ impl Course {
         self.record().is_some_and(|record| record.answer().is_some())
     }
 
-    /// Whether hands are counted.
+    /// Returns whether hands are counted.
     #[must_use]
     pub const fn is_class(&self) -> bool {
         self.is_class
     }
 
-    /// Counts hands, or no longer.
+    /// Starts or ends counting hands.
     pub fn toggle_class(&mut self) {
         (self.is_class, self.draft) = (!self.is_class, None);
     }
 
-    /// Whether the reveal of the present step has been asked for.
+    /// Returns whether the reveal of the present step has been opened.
     #[must_use]
     pub const fn is_revealed(&self) -> bool {
         !matches!(self.place.phase, Phase::Ask)
@@ -170,14 +170,14 @@ impl Course {
         is_asked && !is_answered && !self.is_passed_over && self.place.phase == Phase::Shown
     }
 
-    /// Whether the reveal of the step of this number has been asked for, or the step been left behind.
+    /// Returns whether the reveal of the step of this number has been opened, or the step has been left behind.
     #[must_use]
     pub fn is_done(&self, number: usize) -> bool {
         let is_asked_for = self.records.get(number).is_some_and(|record| record.outcome.is_some());
         is_asked_for || number < self.place.step || (number == self.place.step && self.is_revealed())
     }
 
-    /// Takes what is being entered for the prediction of the present step, if it says anything, with how sure it is; and
+    /// Takes the answer that is being entered for the present step, if there is one, with its confidence; and
     /// goes on to the reveal.
     pub fn predict(&mut self) {
         let Some(answer) = self.draft.take().filter(Answer::is_told) else { return };
@@ -217,7 +217,7 @@ impl Course {
         }
     }
 
-    /// The place before.
+    /// Goes back to the place before.
     pub fn back(&mut self) {
         let before = self.before(self.place).unwrap_or(self.place);
         self.go_to(before);
@@ -289,7 +289,7 @@ impl Course {
         [self.before(self.place).is_some(), is_open || self.next(self.place).is_some()]
     }
 
-    /// How many have raised their hands for each of so many choices.
+    /// Returns the number of raised hands for each of `choices` choices.
     #[must_use]
     pub fn votes(&self, choices: usize) -> Vec<u32> {
         match &self.draft {

@@ -1,4 +1,4 @@
-//! What can be wrong with a lesson, in one line.
+//! Errors of lessons, each in one line.
 
 use thiserror::Error;
 
@@ -10,9 +10,9 @@ pub enum LessonError {
     /// The file, or the folder, could not be read.
     #[error("{source_name}: cannot read this lesson: {reason}")]
     Read {
-        /// The file.
+        /// Name of the file.
         source_name: String,
-        /// Why.
+        /// Reason why it cannot be read.
         reason: String,
     },
     /// Neither the name of a lesson nor a path.
@@ -21,7 +21,7 @@ pub enum LessonError {
         tell::excerpt(name)
     )]
     Unknown {
-        /// What was given.
+        /// Name that was given.
         name: String,
         /// The names of all.
         known: String,
@@ -29,11 +29,11 @@ pub enum LessonError {
     /// Something in it that cannot be.
     #[error("{source_name}:{line}: {problem}")]
     Content {
-        /// The file.
+        /// Name of the file.
         source_name: String,
         /// The line in it, from 1.
         line: usize,
-        /// What is wrong there, and what would be right.
+        /// Problem in that line, and its correction.
         problem: String,
     },
     /// Settings in it that cannot be had; they name file and line.

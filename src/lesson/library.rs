@@ -1,4 +1,4 @@
-//! All lessons: the program's own, those in a folder that somebody named, and the presets, which are lessons of one step.
+//! The library of lessons: the program's own, those in a folder of the user's, and the presets, which are lessons of one step.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
@@ -53,7 +53,7 @@ static OWN_LIBRARY: LazyLock<Arc<Library>> = LazyLock::new(|| {
 });
 
 impl Library {
-    /// The program's own.
+    /// Returns the program's own library.
     #[must_use]
     pub fn own() -> Arc<Self> {
         Arc::clone(&OWN_LIBRARY)
@@ -85,7 +85,7 @@ impl Library {
         Ok(Self { lessons: lessons.into_iter().map(Arc::new).collect(), refused })
     }
 
-    /// All of them: lessons in their order, then presets.
+    /// Returns all lessons in their order, then the presets.
     #[must_use]
     pub fn all(&self) -> &[Arc<Lesson>] {
         &self.lessons

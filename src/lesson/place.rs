@@ -2,14 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
-/// How far somebody is in a step.
+/// The phase of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Phase {
-    /// Its text is read, and its prediction is made.
+    /// The text is read, and the prediction is made.
     Ask,
-    /// What was predicted is shown, and compared.
+    /// The outcome is shown, and compared.
     Shown,
-    /// It is explained.
+    /// The outcome is explained.
     Explained,
 }
 
@@ -18,11 +18,11 @@ pub enum Phase {
 pub struct Place {
     /// The number of the step.
     pub step: usize,
-    /// How far in it.
+    /// Phase of the step.
     pub phase: Phase,
 }
 
 impl Place {
-    /// The beginning.
+    /// The beginning of a lesson.
     pub const START: Self = Self { step: 0, phase: Phase::Ask };
 }

@@ -1,4 +1,4 @@
-//! What a lesson consists of.
+//! The plan of a lesson: its steps, questions and reveals.
 
 use std::path::PathBuf;
 
@@ -12,7 +12,7 @@ use crate::settings::{Preset, Settings};
 pub struct Text {
     /// The Markdown; before a lesson is worked out, with places for values such as `{gain:.2}`.
     pub markdown: String,
-    /// Its first line in the file, from 1.
+    /// Number of its first line in the file, from 1.
     pub line: usize,
 }
 
@@ -27,9 +27,9 @@ impl Text {
 /// Settings that differ, as TOML, and the line in the file at which that begins.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Told {
-    /// The TOML.
+    /// Text in TOML.
     pub toml: String,
-    /// Its first line in the file, from 1.
+    /// Number of its first line in the file, from 1.
     pub line: usize,
 }
 
@@ -48,47 +48,47 @@ pub(super) fn line_giving(key: &str, toml: &str) -> Option<usize> {
     })
 }
 
-/// A lesson.
+/// A lesson, as its file describes it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lesson {
-    /// Its name on the command line: that of its file without the ending.
+    /// Name on the command line: that of its file without the ending.
     pub name: String,
-    /// What errors call its file.
+    /// Name of the file in error messages.
     pub source_name: String,
     /// The file that it was read from, if it is not one of the program's own.
     pub path: Option<PathBuf>,
-    /// Its title.
+    /// Title of the lesson.
     pub title: String,
-    /// Its place among the others.
+    /// Place among the lessons.
     pub order: u32,
     /// The concept of the Relativity Concept Inventory that it serves; empty for a state that only shows something.
     pub concept: String,
-    /// How long it takes.
+    /// Duration, minutes.
     pub minutes: u32,
-    /// What it is about.
+    /// Introduction to the subject.
     pub introduction: Text,
-    /// Its steps, at least one.
+    /// Steps of the lesson, at least one.
     pub steps: Vec<Step>,
     /// The sentence to take away.
     pub sentence: Text,
-    /// What is measured by hand.
+    /// Lab with measurements by hand.
     pub lab: Option<Lab>,
 }
 
 /// A step of a lesson.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Step {
-    /// Its title.
+    /// Title of the step.
     pub title: String,
-    /// How its state differs from that before.
+    /// Changes of the state from the step before.
     pub state: Option<Told>,
-    /// What is said before the prediction.
+    /// Text before the prediction.
     pub text: Text,
-    /// What is to be predicted.
+    /// Prediction that is asked for.
     pub prediction: Option<Prediction>,
-    /// What then happens.
+    /// Reveal after the prediction.
     pub reveal: Option<Reveal>,
-    /// What was seen: asked after the reveal.
+    /// Question about what was seen, after the reveal.
     pub observation: Option<Choices>,
     /// Why that is so.
     pub explanation: Text,
@@ -96,21 +96,21 @@ pub struct Step {
     pub teaching: Text,
 }
 
-/// What is to be predicted.
+/// A prediction that is asked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prediction {
-    /// The question.
+    /// Question in words.
     pub question: Text,
-    /// How it is answered.
+    /// Kind of the answer.
     pub kind: Kind,
 }
 
-/// How a prediction is made.
+/// The kind of an answer.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Kind {
-    /// One of several.
+    /// One choice of several.
     Choice(Options),
-    /// A number.
+    /// A number with a tolerance.
     Number(Number),
     /// A place clicked in a view.
     Point(PointAt),
@@ -121,7 +121,7 @@ pub enum Kind {
 /// Several answers, one of which is right.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Options {
-    /// The answers.
+    /// Texts of the answers.
     pub texts: Vec<Text>,
     /// The number of the right one.
     pub right: usize,
@@ -130,9 +130,9 @@ pub struct Options {
 /// A question with several answers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Choices {
-    /// The question.
+    /// Question in words.
     pub question: Text,
-    /// The answers.
+    /// Answers to choose from.
     pub options: Options,
 }
 
@@ -141,15 +141,15 @@ pub struct Choices {
 pub struct Number {
     /// The value that it should be, as texts ask for it, such as `gain`.
     pub value: String,
-    /// The line in which that stands.
+    /// Number of its line in the file.
     pub line: usize,
-    /// What stands behind the number; may be empty.
+    /// Unit behind the number; may be empty.
     pub unit: String,
-    /// Decimals with which the truth is told.
+    /// Decimals with which the truth is written.
     pub decimals: u8,
     /// By how much it may be off, as a part of the truth.
     pub within: f64,
-    /// What it is after the reveal, once the lesson is worked out.
+    /// True value after the reveal, once the lesson is worked out.
     pub truth: Option<f64>,
 }
 
@@ -158,11 +158,11 @@ pub struct Number {
 pub struct PointAt {
     /// The name of the body in its scene.
     pub body: String,
-    /// The line in which that stands.
+    /// Number of its line in the file.
     pub line: usize,
 }
 
-/// What a drawn curve is of; of the selected point.
+/// The quantity of a drawn curve, for the selected point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
     /// The disparity across, radians.
@@ -178,47 +178,47 @@ pub enum Quantity {
 /// A curve over T that is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Curve {
-    /// What it is of.
+    /// Quantity that is drawn.
     pub quantity: Quantity,
     /// The least and the greatest value that can be drawn.
     pub range: [f64; 2],
 }
 
-/// What happens once the prediction is made.
+/// The reveal of a step, after the prediction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reveal {
-    /// How its state differs from that of the step.
+    /// Changes of the state from the step's.
     pub state: Option<Told>,
-    /// What runs.
+    /// Animation that plays.
     pub animation: Option<Animation>,
-    /// What is said to it.
+    /// Text of the reveal.
     pub text: Text,
 }
 
-/// What runs in a reveal.
+/// The animation of a reveal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Animation {
-    /// Where to.
+    /// End of the animation.
     pub to: Animated,
-    /// How long it takes, seconds.
+    /// Duration, seconds.
     pub seconds: f64,
 }
 
-/// Where an animation ends.
+/// The end of an animation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Animated {
-    /// At this T.
+    /// Stops at this T.
     Time(f64),
-    /// At this speed.
+    /// Stops at this speed.
     Speed(SpeedSetting),
 }
 
-/// What is measured by hand, from data that the worksheet carries.
+/// A lab: measurements by hand, from data on the worksheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lab {
-    /// What is to be done.
+    /// Task in words.
     pub text: Text,
-    /// How the state in which the data are taken differs from that of the last step.
+    /// Changes of the state from that of the last step.
     pub state: Option<Told>,
 }
 
@@ -258,8 +258,8 @@ impl Lesson {
         self.order == u32::MAX
     }
 
-    /// The settings of the step of this number, after its reveal if it `is_revealed`, in the place of what `base` says
-    /// otherwise: usual settings in somebody's window.
+    /// Returns the settings of the step of this number, after its reveal if it `is_revealed`, on top of `base`: default settings in a
+    /// user's window.
     ///
     /// # Errors
     /// A setting that cannot be.
@@ -293,7 +293,7 @@ impl Lesson {
         self.with(last, self.lab.as_ref().and_then(|lab| lab.state.as_ref()))
     }
 
-    /// `settings` with what is `told` in their stead. What belongs to a scene does not go over to another.
+    /// Returns `settings` with those in `told` on top. Settings that belong to a scene do not go over to another.
     pub(super) fn with(&self, settings: Settings, told: Option<&Told>) -> Result<Settings, LessonError> {
         let Some(told) = told else { return Ok(settings) };
         let Told { toml, line } = told;

@@ -1,4 +1,4 @@
-//! What somebody did in a lesson, as a page to keep or to print.
+//! The report of a lesson, as a page to keep or to print.
 
 use std::fmt::Write as _;
 
@@ -12,7 +12,7 @@ use crate::files::html::{Page, Style, escaped};
 use crate::plot::{BLACK, BLUE, Line, Stroke};
 use crate::settings::Settings;
 
-/// The report of `course`, whose states are shown in the place of what `base` says otherwise; with a `fit` that was made,
+/// Returns the report of `course`, whose states are shown on top of `base`; with a `fit` that was made,
 /// as a table.
 ///
 /// # Errors
@@ -74,7 +74,7 @@ fn step(page: &mut Page, step: &Step, record: &Record, settings: &Settings) -> a
     page.text(&step.explanation.markdown)
 }
 
-/// What was predicted, how surely, what it is, and whether that is right.
+/// Returns the prediction, its confidence, the truth, and whether they agree.
 fn told(verdict: &Verdict, record: &Record) -> String {
     let Verdict { right, said, is } = verdict;
     let (who, sure) = match &record.outcome {

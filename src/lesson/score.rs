@@ -14,7 +14,7 @@ pub struct Score {
     pub asked: usize,
     /// Number of right predictions among these.
     pub right: usize,
-    /// How many were skipped.
+    /// Number of predictions that were skipped.
     pub skipped: usize,
     /// Remarks, a sentence each, on predictions for which right or wrong is not enough: curves, clicked places, votes.
     pub others: Vec<String>,

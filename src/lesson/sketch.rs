@@ -1,6 +1,6 @@
 //! A curve over T as somebody draws it: stroke by stroke, and what is drawn again takes the place of what was there.
 
-/// How many equal parts a range of T is drawn in.
+/// Number of equal parts in which a range of T is drawn.
 const PARTS: u32 = 120;
 
 /// The T at which a curve over `times` (first and last T) is sampled.
@@ -31,7 +31,7 @@ pub fn drawn(
     all
 }
 
-/// The connected pieces of a drawn curve: nothing is said where nothing was drawn.
+/// Returns the connected pieces of a drawn curve: there are gaps where nothing was drawn.
 #[must_use]
 pub fn pieces(points: &[[f64; 2]], [from, to]: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
     let widest = 1.5 * (to - from) / f64::from(PARTS);

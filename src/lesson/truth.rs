@@ -1,4 +1,4 @@
-//! What is predicted, as it is: curves over T and places in a view.
+//! The truth about a prediction: curves over T and places in a view.
 
 use glam::DVec3;
 use relativity_render::{Gaze, PreparedScene};
@@ -7,7 +7,7 @@ use super::plan::Quantity;
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
-/// How far from it a place counts as that of a body, radians.
+/// Distance up to which a place counts as that of a body, radians.
 pub const NEAR: f64 = 2.0 / 180.0 * std::f64::consts::PI;
 
 /// Equal parts in which a curve is sampled at least, how often they are halved at most, and how far from its chord, as a part
@@ -16,18 +16,18 @@ const PARTS: u32 = 128;
 const HALVINGS: u32 = 6;
 const FLAT: f64 = 1e-3;
 
-/// What is shown of a scene.
+/// The picture of a scene.
 #[derive(Debug, Clone, Copy)]
 pub struct Sight<'a> {
-    /// How it is shown.
+    /// Settings of the picture.
     pub settings: &'a Settings,
-    /// The scene.
+    /// Scene in the picture.
     pub scene: &'a Scene,
-    /// It, ready to be drawn.
+    /// Scene, ready to be drawn.
     pub prepared: &'a PreparedScene,
-    /// The selected point.
+    /// Selected point.
     pub track: Track,
-    /// T.
+    /// Observation time T.
     pub time: f64,
 }
 
@@ -97,7 +97,7 @@ fn refine(
 }
 
 impl Quantity {
-    /// It of the point at `track` at `time`; `None` outside the domain of the core. Radians, or a ratio.
+    /// Returns the quantity of the point at `track` at `time`; `None` outside the domain of the core. Radians, or a ratio.
     #[must_use]
     pub fn at(self, settings: &Settings, track: &Track, time: f64) -> Option<f64> {
         let seen = settings.disparity(track, time).ok()?;
@@ -109,13 +109,13 @@ impl Quantity {
         })
     }
 
-    /// Its curve over `times` (first and last T), in pieces, densely where it bends.
+    /// Returns the curve of the quantity over `times` (first and last T), in pieces, densely where it bends.
     #[must_use]
     pub fn over(self, settings: &Settings, track: &Track, times: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
         curve(times, |time| self.at(settings, track, time))
     }
 
-    /// Its sign and its unit, for an axis.
+    /// Returns the symbol and the unit of the quantity, for an axis.
     #[must_use]
     pub const fn axis(self) -> [&'static str; 2] {
         match self {

@@ -1,4 +1,4 @@
-//! What somebody said in a step, and what it is: in words, for all who tell it.
+//! Verdicts: the answer of a step and the truth, in words, for every place that shows them.
 
 use relativity_render::Gaze;
 
@@ -8,19 +8,19 @@ use super::truth::{NEAR, Sight, angle_between, rms};
 use crate::caption::decimal;
 use crate::figures;
 
-/// What became of a prediction. The texts are Markdown, without a stop at the end.
+/// The verdict on a prediction. The texts are Markdown, without a full stop at the end.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Verdict {
-    /// Whether it is right; of curves and of counted hands nobody says that.
+    /// Whether the prediction is right; `None` for curves and counted hands.
     pub right: Option<bool>,
-    /// What was said.
+    /// Answer that was given.
     pub said: String,
-    /// What it is.
+    /// True answer.
     pub is: String,
 }
 
-/// What became of the prediction of `step`, of which `record` tells, in what is shown after its reveal; `None` before that
-/// was asked for, and where nothing is predicted.
+/// Returns the verdict on the prediction of `step` in its `record`, by what is shown after its reveal; `None` before that was
+/// opened, and where nothing is predicted.
 #[must_use]
 pub fn verdict(step: &Step, record: &Record, sight: &Sight<'_>) -> Option<Verdict> {
     let kind = &step.prediction.as_ref()?.kind;
@@ -89,7 +89,7 @@ impl Sight<'_> {
 }
 
 impl Number {
-    /// `number` with the decimals and the unit that are asked for.
+    /// Writes `number` with the decimals and the unit of the question.
     #[must_use]
     pub fn text(&self, number: f64) -> String {
         let number = decimal(number, self.decimals);

@@ -1,11 +1,11 @@
-//! Where a place of the world is on a chart, and the other way round.
+//! Places of the world on a chart, and the other way round.
 
-/// How the user looks at a map: as it is fitted, or nearer, or at another part.
+/// The user's look at a map: as it is fitted, or nearer, or at another part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Viewpoint {
-    /// What the scale is multiplied by.
+    /// Factor of the scale.
     pub zoom: f64,
-    /// What the middle is moved by, in units of the world: x, y, z of the space face; x, t of spacetime.
+    /// Shift of the middle, in units of the world: x, y, z of the space face; x, t of spacetime.
     pub shift: [f64; 3],
 }
 
@@ -15,7 +15,7 @@ impl Viewpoint {
 }
 
 impl Default for Viewpoint {
-    /// All of it, as it is fitted.
+    /// The whole map, as it is fitted.
     fn default() -> Self {
         Self { zoom: 1.0, shift: [0.0; 3] }
     }
@@ -28,14 +28,14 @@ pub struct Chart {
     pub middle: [f64; 2],
     /// Half its width and height, points.
     pub half: [f64; 2],
-    /// What is there in the middle: to the right and up, units.
+    /// Place in the middle of the chart: to the right and up, units.
     pub center: [f64; 2],
     /// Points per unit, above 0.
     pub scale: f64,
 }
 
 impl Chart {
-    /// Where on screen a place of the world is, points.
+    /// Returns the place on screen of a place of the world, points.
     #[must_use]
     pub fn screen(&self, [right, up]: [f64; 2]) -> [f64; 2] {
         [
@@ -44,7 +44,7 @@ impl Chart {
         ]
     }
 
-    /// Which place of the world is there on screen.
+    /// Returns the place of the world at a place on screen.
     #[must_use]
     pub fn world(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [

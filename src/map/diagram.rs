@@ -19,7 +19,7 @@ use crate::settings::Settings;
 pub struct Cone {
     /// The event of reception, or that between the eyes where one cone serves both.
     pub apex: Event,
-    /// How far from the line along x through it the point passes.
+    /// Distance at which the point passes the line along x through the event.
     pub distance: f64,
 }
 
@@ -33,7 +33,7 @@ impl Cone {
         self.apex.t - math::hypot(x - self.apex.x, self.distance)
     }
 
-    /// From where to where it is later than `t`; `None` where that is nowhere.
+    /// Returns the range in which it is later than `t`; `None` where that is nowhere.
     #[must_use]
     pub fn later_than(&self, t: f64) -> Option<[f64; 2]> {
         let ago = self.apex.t - t;
@@ -66,25 +66,25 @@ impl Cone {
     }
 }
 
-/// What the spacetime face shows of a point at T.
+/// The spacetime face: the events of a point at T.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Diagram {
     /// The frame it is drawn in, by its velocity on the ground.
     pub frame: Velocity,
     /// The velocity of the scene: of the frame that it rests in.
     pub scene: Velocity,
-    /// How the point moves.
+    /// Worldline of the point.
     pub point: Worldline,
     /// The light that the eyes receive at T.
     pub rays: [Ray; 2],
     /// The middle between the eyes at T.
     pub present: Event,
-    /// T.
+    /// Observation time T.
     pub time: f64,
 }
 
 impl Diagram {
-    /// That of `point` when the eyes receive light at `time`, in the frame that moves at `frame`.
+    /// Returns the diagram of `point` when the eyes receive light at `time`, in the frame that moves at `frame`.
     ///
     /// # Errors
     ///
@@ -138,7 +138,7 @@ impl Diagram {
         self.rays.map(|ray| StraightLine { through: ray.received, step })
     }
 
-    /// All that is now on the ground's clocks, and all that is on those of the scene's frame.
+    /// Returns the present by the ground's clocks, and that by the clocks of the scene's frame.
     #[must_use]
     pub fn nows(&self) -> [StraightLine; 2] {
         let back = Velocity { is_backward: !self.scene.is_backward, ..self.scene };
@@ -159,7 +159,7 @@ impl Diagram {
 /// A part of a passage: from where to where the point is seen to pass, in distances at which it does; and, of slow
 /// passages, how long before and after it is seen abreast, in the same.
 type Part = ([f64; 2], f64);
-/// What is shown at first, and at most.
+/// Part shown at first, and the largest.
 const AT_FIRST: Part = ([-1.2, 0.2], 1.0);
 const AT_MOST: Part = ([-2.5, 2.2], 3.0);
 /// The smallest distance that is made room for.
@@ -192,7 +192,7 @@ pub fn home(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> R
     Ok([low.plus(onward), high.plus(onward)])
 }
 
-/// Points left free for what stands at the left, at the right, above and below.
+/// Margins for labels at the left, at the right, above and below, points.
 const MARGINS: [f64; 4] = [44.0, 16.0, 22.0, 26.0];
 
 /// The chart in a rectangle (left, top, width, height, points) that holds all from `low` to `high`, as the user looks at
@@ -251,7 +251,7 @@ mod tests {
         settings
     }
 
-    /// All that is shown at a few T of all kinds of points at a few speeds, on the ground and in the scene's frame.
+    /// Returns diagrams at a few T for all kinds of points at a few speeds, on the ground and in the scene's frame.
     fn diagrams() -> Vec<[Diagram; 2]> {
         let mut all = Vec::new();
         for beta in [0.0, 0.01, 0.6, 0.9, 0.99] {
@@ -270,7 +270,7 @@ mod tests {
         all
     }
 
-    /// How large its numbers are.
+    /// Returns the magnitude of its numbers.
     fn scale(diagram: &Diagram) -> f64 {
         let [left, right] = diagram.rays;
         let events = [diagram.measured(), left.left, left.received, right.left, right.received];

@@ -2,17 +2,17 @@
 
 use relativity_render::Velocity;
 
-/// Where along x and when something happens, from the point between the eyes at T = 0. Scene units.
+/// An event: its place along x and its time, from the point between the eyes at T = 0. Scene units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event {
-    /// Where.
+    /// Place along x.
     pub x: f64,
     /// When, by the clocks of the frame.
     pub t: f64,
 }
 
 impl Event {
-    /// It in the frame that moves at `frame`, its origin being the same event. A step from one event to another
+    /// Returns the event in the frame that moves at `frame`, its origin being the same event. A step from one event to another
     /// is one, too.
     ///
     /// t - x and t + x are only scaled by the head-on Doppler factor, so neither spoils the other at great speeds.
@@ -27,7 +27,7 @@ impl Event {
         Self { x: 0.5 * (incoming - outgoing), t: 0.5 * (incoming + outgoing) }
     }
 
-    /// It and the `step` from it.
+    /// Returns the event a `step` away.
     #[must_use]
     pub fn plus(self, step: Self) -> Self {
         Self { x: self.x + step.x, t: self.t + step.t }
@@ -69,7 +69,7 @@ impl StraightLine {
         self.part_within(low, high).map(|part| part.map(|steps| self.at(steps)))
     }
 
-    /// So many `steps` from [`Self::through`].
+    /// Returns the event this number of `steps` from [`Self::through`].
     #[must_use]
     pub fn at(&self, steps: f64) -> Event {
         self.through.plus(Event { x: steps * self.step.x, t: steps * self.step.t })

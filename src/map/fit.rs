@@ -1,5 +1,5 @@
-//! What of the world a map holds unless the user looks elsewhere. It depends on the scene and on how far from the eyes
-//! it passes, not on T, and on the speed in steps at most: nothing jumps while time runs.
+//! The fitted part of the world in a map. It depends on the scene and on how far from the eyes it passes, not on T, and on the speed
+//! only in steps: nothing jumps while time runs.
 
 use relativity_core::math;
 use relativity_render::{Motion, Velocity};
@@ -12,19 +12,19 @@ use crate::settings::{Frame, Settings};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent(pub [[f64; 2]; 3]);
 
-/// How far it is seen to pass on either side, in its distance.
+/// Distance on either side within which a passage is shown, in units of its closest approach.
 const PASSAGE: f64 = 2.0;
 /// Least distance that it is fitted to, units.
 const NEAREST: f64 = 1.0;
 /// At most so much wider is the map in the bicycle's frame.
 const WIDEST: f64 = 1.5;
-/// What is left free behind the eyes, beyond what moves and below the ground, units; above it half as much.
+/// Margin behind the eyes, beyond what moves and below the ground, units; above it half as much.
 const MARGIN: f64 = 0.7;
 /// Space between the plan and the view from the side, points.
 const BETWEEN: f64 = 10.0;
 
 impl Extent {
-    /// What the space face holds: both eyes, and what moves, as it passes them.
+    /// Returns the part in the space face: both eyes, and what moves, as it passes them.
     #[must_use]
     pub fn of_space(settings: &Settings, scene: &Scene) -> Self {
         let [x, y, z] = subject_box(scene);
@@ -42,7 +42,7 @@ impl Extent {
     }
 }
 
-/// How much wider the map is that has to hold eyes which ride past: from T = 0 on they are gamma beta T away. In steps,
+/// Returns the factor by which a map is wider that holds eyes which ride past: from T = 0 on they are gamma beta T away. In steps,
 /// and at most so much that the bicycle stays large enough to be seen.
 fn widening(settings: &Settings) -> f64 {
     match settings.map.frame {

@@ -8,22 +8,22 @@ use super::present::Present;
 use crate::scene::Track;
 use crate::settings::{Frame, Look, Settings};
 
-/// One of the pictures of a body on the map.
+/// A picture of a body on the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Picture {
-    /// Where all of it is at one time of the frame that is drawn.
+    /// The whole body at one time of the frame that is drawn.
     Measured,
-    /// Where the left (0) or the right (1) eye sees it.
+    /// The body where the left (0) or the right (1) eye sees it.
     Seen(usize),
-    /// Where two eyes take it to be: where their lines of sight cross.
+    /// The body where two eyes place it: where their lines of sight cross.
     Stereo,
 }
 
 impl Picture {
-    /// All of them, in the order in which they are drawn.
+    /// Every picture, in the order in which they are drawn.
     pub const ALL: [Self; 4] = [Self::Measured, Self::Seen(0), Self::Seen(1), Self::Stereo];
 
-    /// What it shows, after the name of a body.
+    /// Returns the words for the picture, after the name of a body.
     #[must_use]
     pub const fn words(self) -> &'static str {
         match self {
@@ -67,14 +67,14 @@ impl<'a> Instant<'a> {
         motion == Motion::Own(Velocity::REST)
     }
 
-    /// Where the left and the right eye are.
+    /// Returns the places of the left and the right eye.
     #[must_use]
     pub fn eyes(&self) -> [DVec3; 2] {
         let street = self.places(Motion::Own(Velocity::REST));
         self.settings.apertures().map(|eye| street.measured(position(eye)))
     }
 
-    /// Where the pictures of what moves so are.
+    /// Returns the places of everything with this `motion`.
     #[must_use]
     pub fn places(&self, motion: Motion) -> Places {
         let Settings { motion: set, .. } = self.settings;
@@ -95,14 +95,14 @@ impl<'a> Instant<'a> {
         }
     }
 
-    /// Where `picture` has the point; `None` where there is none, or outside the domain of the core.
+    /// Returns the place of the point in `picture`; `None` where there is none, or outside the domain of the core.
     #[must_use]
     pub fn place(&self, point: &Track, picture: Picture) -> Option<DVec3> {
         self.places(point.motion).place(picture, point.point())
     }
 }
 
-/// Where the pictures of a group's points are.
+/// The places of a group's points in each picture.
 #[derive(Debug, Clone, Copy)]
 pub struct Places {
     /// From the scene's coordinates to those from between the eyes.
@@ -113,7 +113,7 @@ pub struct Places {
     pair: [Aperture; 2],
     model: Model,
     seen: [GroupView; 2],
-    /// T.
+    /// Observation time T.
     received: f64,
     /// The present of the frame that is drawn.
     present: Present,
@@ -121,7 +121,7 @@ pub struct Places {
 }
 
 impl Places {
-    /// Where `picture` has the `point` of the scene; `None` where there is none, or outside the domain of the core.
+    /// Returns the place of the scene's `point` in `picture`; `None` where there is none, or outside the domain of the core.
     #[must_use]
     pub fn place(&self, picture: Picture, point: impl Into<MaterialPoint>) -> Option<DVec3> {
         let point = point.into();
@@ -140,7 +140,7 @@ impl Places {
         place.is_finite().then_some(place)
     }
 
-    /// What a ball of this `radius` around the `point` becomes: where its radii along x, y and z lead, from the place of the
+    /// Returns the image of a ball of this `radius` around the `point`: its radii along x, y and z, from the place of the
     /// point.
     #[must_use]
     pub fn ball(&self, picture: Picture, point: impl Into<MaterialPoint>, radius: f64) -> Option<[DVec3; 3]> {
@@ -158,7 +158,7 @@ impl Places {
         self.present.on_ground.stereo(self.model, point, self.pair, self.received).ok()
     }
 
-    /// Where the `point` is now.
+    /// Returns the place of the `point` now.
     #[must_use]
     pub fn measured(&self, point: impl Into<MaterialPoint>) -> DVec3 {
         let Present { relative, time, .. } = self.present;

@@ -12,21 +12,21 @@ use crate::settings::Settings;
 /// Light that reaches an eye at T.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ray {
-    /// Where and when it left the point.
+    /// Event where the light left the point.
     pub left: Event,
     /// y and z of the point there.
     pub across: [f64; 2],
-    /// Where and when the eye receives it.
+    /// Event where the eye receives it.
     pub received: Event,
     /// The event in whose past light cone it left: of reception, or where one cone serves both eyes, that between them.
     pub apex: Event,
-    /// How far from the line along x through that event the point passes.
+    /// Distance at which the point passes the line along x through that event.
     pub aside: f64,
     /// y and z of the eye.
     pub eye: [f64; 2],
     /// When it left, on the ground's clocks.
     pub happened: f64,
-    /// What the point's own clock showed then.
+    /// Proper time of the point at that event.
     pub own_time: f64,
 }
 
@@ -70,15 +70,15 @@ pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> R
 /// Light that left the point at one event, now: a sphere about the place of that.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Front {
-    /// Where along x and when it left.
+    /// Place along x and time at which the light left.
     pub left: Event,
     /// y and z of the point there.
     pub across: [f64; 2],
     /// When that was on the ground's clocks.
     pub happened: f64,
-    /// What the point's own clock showed then.
+    /// Proper time of the point at that event.
     pub own_time: f64,
-    /// How far it has come.
+    /// Radius of the wave front.
     pub radius: f64,
 }
 
@@ -102,7 +102,7 @@ impl Ray {
     }
 }
 
-/// How many fronts there are at most.
+/// Greatest number of wave fronts.
 const MOST_FRONTS: i32 = 10;
 
 /// The fronts of light that left the point at the multiples of `period` of the time of the worldline's frame, as they are

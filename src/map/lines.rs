@@ -12,7 +12,7 @@ use super::{Chart, Projection};
 use crate::scene::{Scene, SceneGroup};
 use crate::settings::Frame;
 
-/// How far a line may be from the curve it stands for, points.
+/// Greatest distance of a line from the curve it stands for, points.
 const TOLERANCE: f64 = 0.25;
 /// A part of a line is halved so often at most.
 const DEEPEST: u32 = 12;
@@ -20,15 +20,15 @@ const DEEPEST: u32 = 12;
 const SMALLEST: f64 = 1.0;
 /// Length over which a picture is taken for straight, units.
 const SMALL: f64 = 1e-4;
-/// Most bodies that are drawn of a group: of more, some that are evenly spread.
+/// Greatest number of bodies that are drawn of a group: of more, some that are evenly spread.
 const MOST_BODIES: usize = 500;
 
 /// A point of an outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vertex {
-    /// Where it rests, in the scene's coordinates; where it is at t' = 0, if it turns.
+    /// Place at rest, in the scene's coordinates; at t' = 0, if it turns.
     pub rest: DVec3,
-    /// Where it is on the map.
+    /// Place on the map.
     pub place: DVec3,
 }
 
@@ -39,24 +39,24 @@ pub struct Line {
     pub body: usize,
     /// Whether it rests on the ground.
     pub rests: bool,
-    /// Which of its pictures.
+    /// Picture that the line belongs to.
     pub picture: Picture,
-    /// What is around it: the radii along x, y and z of a ball as thick as it, at rest and on the map. None of an edge.
+    /// Ball around the place: the radii along x, y and z of one as thick as the body, at rest and on the map. `None` for an edge.
     pub ball: Option<Ball>,
     /// The only projection that it is drawn in, if not in both: of a ball, whose outline in each is another.
     pub only: Option<Projection>,
     /// Radius of a ball around the body at rest.
     pub reach: f64,
-    /// Its points among [`Lines::vertices`].
+    /// Range of its points among [`Lines::vertices`].
     vertices: Range<usize>,
 }
 
 /// A ball, and what it becomes on the map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball {
-    /// Its radius at rest.
+    /// Radius at rest.
     pub radius: f64,
-    /// Where its radii along x, y and z lead on the map, from its middle.
+    /// Radii along x, y and z on the map, from the middle.
     pub radii: [DVec3; 3],
 }
 
@@ -86,7 +86,7 @@ impl Line {
     }
 }
 
-/// All outlines.
+/// The outlines of all bodies.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Lines {
     /// In the order in which they are drawn.
@@ -112,7 +112,7 @@ impl Lines {
         lines
     }
 
-    /// Adds the outlines of a group's bodies: not of those too small to be seen, nor of more than can be told apart.
+    /// Adds the outlines of a group's bodies: neither of those too small to be seen, nor of more than can be told apart.
     fn add_group(&mut self, sampler: &Sampler, scene: &Scene, group: &SceneGroup) {
         for body in group.bodies().step_by(group.count.div_ceil(MOST_BODIES).max(1)) {
             let reach = scene.bodies[body].shape.ball_around().1;
@@ -166,7 +166,7 @@ struct Sampler<'a> {
     picture: Picture,
     rests: bool,
     charts: &'a [Chart; 2],
-    /// How the body turns whose outline it is.
+    /// Turning of the outlined body.
     spin: Option<Spin>,
 }
 
@@ -206,7 +206,7 @@ impl<'a> Sampler<'a> {
         Some(Vertex { rest, place: self.places.place(self.picture, point)? })
     }
 
-    /// Where the thickness of a `path` of `body` is taken from: what turns in itself is as thick as if it did not.
+    /// Returns the point that the thickness of a `path` of `body` is taken from: a body that turns in itself is as thick as if it did not.
     fn thickest(&self, path: &Path, body: &Body) -> MaterialPoint {
         let spin = self.spin.and(body.displacing_spin());
         MaterialPoint { rest: path.at(0.5), spin }

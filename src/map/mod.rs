@@ -1,4 +1,4 @@
-//! What the map draws, as lines and marks in scene units: where things are at the observer's present T, beside where
+//! The map, as lines and marks in scene units: places of things at the observer's present T, beside those where
 //! they are seen. It knows nothing of the window, and asks the same functions as the views.
 //!
 //! Coordinates are from between the eyes: x along the motion, y away from the eyes, z up; those of the bicycle's frame

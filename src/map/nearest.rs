@@ -1,4 +1,4 @@
-//! What is under the pointer.
+//! The nearest outline under the pointer.
 
 use glam::DVec3;
 
@@ -8,11 +8,11 @@ use super::{Chart, Projection};
 /// A point of a body's outline that is near the pointer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nearest<'a> {
-    /// The outline.
+    /// Outline that is nearest.
     pub line: &'a Line,
-    /// Where on it: in the middle of its thickness.
+    /// Nearest place on it: in the middle of its thickness.
     pub vertex: Vertex,
-    /// Where the body's surface is, in front of that on the side of the eyes; in the scene's coordinates, at rest, or
+    /// Place on the body's surface, in front of that on the side of the eyes; in the scene's coordinates, at rest, or
     /// at t' = 0 if it turns.
     pub surface: DVec3,
 }
@@ -56,7 +56,7 @@ impl<'a> Nearest<'a> {
     }
 }
 
-/// Which part of the way from `from` to `to` is nearest to `place`, and how far that is.
+/// Returns the fraction of the way from `from` to `to` that is nearest to `place`, and its distance.
 #[must_use]
 pub fn along(from: [f64; 2], to: [f64; 2], place: [f64; 2]) -> (f64, f64) {
     let [way, here] = [to, place].map(|end| glam::DVec2::from(end) - glam::DVec2::from(from));

@@ -1,4 +1,4 @@
-//! Where points are at one time of a frame: those that rest in the frame of their group, and those that turn there.
+//! Places of points at one time of a frame: those that rest in the frame of their group, and those that turn there.
 
 use glam::DVec3;
 use relativity_core::wheel::measured_later;
@@ -9,14 +9,14 @@ use relativity_render::{MaterialPoint, Velocity};
 pub(super) struct Present {
     /// The velocity of the group on the ground.
     pub on_ground: Velocity,
-    /// Its velocity in the frame.
+    /// Velocity of the group in the frame.
     pub relative: Velocity,
     /// The time by the clocks of the frame.
     pub time: f64,
 }
 
 impl Present {
-    /// Where `point` is then, in the frame of its group.
+    /// Returns the place of `point` at that time, in the frame of its group.
     pub fn place(&self, point: MaterialPoint) -> DVec3 {
         let MaterialPoint { rest, spin } = point;
         let Some(spin) = spin else { return rest };
@@ -27,7 +27,7 @@ impl Present {
         })
     }
 
-    /// What the clocks of the group's frame show then at `place` in it.
+    /// Returns the time of the group's clocks at `place` in its frame.
     pub fn own_time(&self, place: DVec3) -> f64 {
         self.time / self.relative.speed.gamma() - self.relative.beta() * place.x
     }

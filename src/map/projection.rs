@@ -1,8 +1,8 @@
-//! From where the map looks at the world.
+//! Projections of the world onto the map.
 
 use glam::DVec3;
 
-/// One of the two charts of the space face.
+/// A chart of the space face, of two.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Projection {
     /// From above: x to the right, y up.
@@ -15,7 +15,7 @@ impl Projection {
     /// Both, from the top.
     pub const BOTH: [Self; 2] = [Self::Plan, Self::Side];
 
-    /// Which coordinates of the world run right and up (x is 0).
+    /// Returns the coordinates of the world that run right and up (x is 0).
     #[must_use]
     pub const fn axes(self) -> [usize; 2] {
         match self {

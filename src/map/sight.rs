@@ -1,4 +1,4 @@
-//! What is in the field of view of an eye, on the map.
+//! Fields of view of the eyes, on the map.
 
 use glam::DVec3;
 use relativity_render::Camera;
@@ -24,7 +24,7 @@ pub fn field_of_view(camera: &Camera, projection: Projection) -> Option<[[f64; 2
     (dot(edges[0], edges[1]) > -1.0 + ALIKE && edges[0] != edges[1]).then_some(edges)
 }
 
-/// How near to each other two edges may seem to be either way, by rounding.
+/// Distance up to which two edges seem in one place, either way, by rounding.
 const ALIKE: f64 = 1e-12;
 
 /// The direction of `v` in `projection`, unless it looks along that.

@@ -1,4 +1,4 @@
-//! What the map draws, held against formulas written down here.
+//! The map, held against formulas written down here.
 
 mod wheels;
 

@@ -13,10 +13,10 @@ use crate::settings::Settings;
 
 /// Pieces of a drawn turn.
 const PIECES_OF_A_TURN: f64 = 48.0;
-/// Most pieces that are drawn: of more turns than these make up the line is drawn as straight.
+/// Greatest number of pieces that are drawn: a line of more turns than these make up is drawn as straight.
 const MOST_PIECES: f64 = 4096.0;
 
-/// How a point moves, in the frame of a map.
+/// The worldline of a point, in the frame of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Worldline {
     /// The velocity of the point's group on the ground.
@@ -25,14 +25,14 @@ pub struct Worldline {
     frame: Velocity,
     /// The point in the frame of its group, from the point between the eyes.
     point: MaterialPoint,
-    /// What it turns about: where it is itself, if it does not turn.
+    /// Place of the axle; of the point itself, if it does not turn.
     axle: DVec3,
     /// Whether the frame of its group is that of the map, too.
     rests: bool,
 }
 
 impl Worldline {
-    /// That of `point` in the frame that moves at `frame`.
+    /// Returns the worldline of `point` in the frame that moves at `frame`.
     #[must_use]
     pub fn new(settings: &Settings, point: &Track, frame: Velocity) -> Self {
         let velocity = settings.velocity(point.motion);
@@ -41,7 +41,7 @@ impl Worldline {
         Self { velocity, frame, point, axle, rests: velocity == frame }
     }
 
-    /// Its event at the ground's time `t`.
+    /// Returns the event of the worldline at the ground's time `t`.
     #[must_use]
     pub fn at(&self, t: f64) -> Event {
         let place = self.place(t);
@@ -52,13 +52,13 @@ impl Worldline {
         Event { x: from_middle + self.velocity.beta() * t, t }.in_frame(self.frame)
     }
 
-    /// Where it is in the frame of its group at the ground's time `t`, from the point between the eyes.
+    /// Returns the place in the frame of its group at the ground's time `t`, from the point between the eyes.
     #[must_use]
     pub fn place(&self, t: f64) -> DVec3 {
         self.now(t).place(self.point)
     }
 
-    /// What a clock at the point shows at the ground's time `t`, all clocks of its group's frame being set alike there.
+    /// Returns the time of a clock at the point at the ground's time `t`, all clocks of its group's frame being set alike there.
     #[must_use]
     pub fn own_time(&self, t: f64) -> f64 {
         self.now(t).own_time(self.place(t))
@@ -103,7 +103,7 @@ impl Worldline {
         t + math::hypot(x, math::hypot(place.y, place.z))
     }
 
-    /// The axle's worldline as the ground has it: from t = 0 on, a step for each unit of time.
+    /// Returns the axle's worldline as the ground has it: from t = 0 on, a step for each unit of time.
     fn axle_on_ground(&self) -> StraightLine {
         let through = Event { x: self.axle.x / self.velocity.speed.gamma(), t: 0.0 };
         StraightLine { through, step: Event { x: self.velocity.beta(), t: 1.0 } }
@@ -156,13 +156,13 @@ impl Worldline {
         self.rests
     }
 
-    /// How far from the line along x through the eyes it passes, or its axle.
+    /// Returns the distance at which the point, or its axle, passes the line along x through the eyes.
     #[must_use]
     pub fn distance(&self) -> f64 {
         math::hypot(self.axle.y, self.axle.z)
     }
 
-    /// How far it comes from the axle.
+    /// Returns the distance of the point from the axle.
     #[must_use]
     pub fn reach(&self) -> f64 {
         math::hypot(self.point.rest.x - self.axle.x, self.point.rest.z - self.axle.z)

@@ -1,4 +1,4 @@
-//! The clock.
+//! The clock of the system.
 #![expect(clippy::disallowed_types, clippy::disallowed_methods, reason = "this is where the clock is read")]
 
 use std::time::Duration;
@@ -10,18 +10,18 @@ pub fn since_1970_ms() -> u64 {
     passed.map_or(0, |passed| passed.as_millis() as u64)
 }
 
-/// A moment of the wall clock, to tell how long ago it was.
+/// A moment of the wall clock, from which elapsed time is measured.
 #[derive(Debug, Clone, Copy)]
 pub struct Instant(std::time::Instant);
 
 impl Instant {
-    /// This moment.
+    /// Returns the present moment.
     #[must_use]
     pub fn now() -> Self {
         Self(std::time::Instant::now())
     }
 
-    /// How long ago it was.
+    /// Returns the time since the moment.
     #[must_use]
     pub fn elapsed(&self) -> Duration {
         self.0.elapsed()

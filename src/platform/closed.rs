@@ -11,7 +11,7 @@ use std::path::Path;
 /// tell, it was not.
 #[must_use]
 pub fn is_stdout_closed() -> bool {
-    /// The bits that tell what a file is open for, and those of both.
+    /// Bits that describe what a file is open for, and those of both.
     const FOR: [u32; 2] = [0o3, 0o2];
     let told = std::fs::read_to_string("/proc/self/fdinfo/1").unwrap_or_default();
     let flags = told.lines().find_map(|line| line.strip_prefix("flags:"));

@@ -1,4 +1,4 @@
-//! The file system.
+//! The file system, and what may be done in it.
 #![expect(clippy::disallowed_methods, clippy::disallowed_types, reason = "this is where files are reached")]
 
 use std::fs::OpenOptions;
@@ -49,12 +49,12 @@ fn irregular(what: &str) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidInput, format!("{what}; an ordinary file would be right"))
 }
 
-/// Refuses what is `found` in place of a regular file. Of a folder the system says itself that it is none.
+/// Refuses what is `found` in place of a regular file. For a folder the system's own error is enough.
 fn check_regular(found: &std::fs::Metadata) -> io::Result<()> {
     if found.is_file() || found.is_dir() { Ok(()) } else { Err(irregular("it is a device or a pipe")) }
 }
 
-/// How a file is opened without waiting for whoever is at its other end.
+/// Returns options that open a file without waiting for the other end.
 #[cfg(unix)]
 fn at_once() -> OpenOptions {
     use nix::libc;
@@ -87,8 +87,8 @@ pub fn open(path: &Path) -> io::Result<Regular> {
     Ok(Regular(file))
 }
 
-/// What is at `path`, to be read from its beginning to its end: also a pipe or a terminal, for whose other end it waits, as
-/// one does who is told to read from there.
+/// Opens `path` for reading from its beginning to its end: also a pipe or a terminal, for whose other end it waits, as a reader
+/// should.
 pub fn open_stream(path: &Path) -> io::Result<Box<dyn Read>> {
     let found = path.metadata()?;
     if found.is_file() || found.is_dir() {
@@ -97,7 +97,7 @@ pub fn open_stream(path: &Path) -> io::Result<Box<dyn Read>> {
     Ok(Box::new(File::open(path)?))
 }
 
-/// What is at `path` and no regular file, to be written to. A pipe waits for its reader, as in a shell.
+/// Opens what is at `path` and no regular file for writing. A pipe waits for its reader, as in a shell.
 pub fn open_special(path: &Path) -> io::Result<File> {
     File::create(path)
 }
@@ -135,7 +135,7 @@ pub fn create_folder(path: &Path) -> io::Result<()> {
     std::fs::create_dir_all(path)
 }
 
-/// What is in the folder `path`, in alphabetical order.
+/// Returns the paths in the folder `path`, in alphabetical order.
 pub fn list_folder(path: &Path) -> io::Result<Vec<PathBuf>> {
     let mut inside =
         std::fs::read_dir(path)?.map(|entry| Ok(entry?.path())).collect::<io::Result<Vec<_>>>()?;
@@ -172,7 +172,7 @@ pub fn size(path: &Path) -> io::Result<u64> {
     Ok(path.metadata()?.len())
 }
 
-/// What tells that a file has changed: when it was written, and how long it is.
+/// The stamp by which a change of a file is noticed: its time of writing, and its length.
 pub type Stamp = (std::time::SystemTime, u64);
 
 /// The stamp of the file at `path`; none if it cannot be had.
@@ -197,7 +197,7 @@ pub fn remove(path: &Path) -> io::Result<()> {
     std::fs::remove_file(path)
 }
 
-/// What a file that is written to `path` is to replace: the file there, or behind the links there, even if it is not there
+/// Returns the file that writing to `path` replaces: the file there, or behind the links there, even if it is not there
 /// yet.
 pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
     match path.canonicalize() {
@@ -237,20 +237,20 @@ pub fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."))
 }
 
-/// Has the names in the folder `path` reach the disc, where the system can be told so. Where it cannot, the old name of a
-/// file may come back after a power cut, and what it leads to is whole all the same.
+/// Flushes the names in the folder `path` to the disc, where the system can. Where it cannot, the old name of a file may come back
+/// after a power cut, and the file behind it is whole all the same.
 pub fn sync_folder(path: &Path) {
     if cfg!(unix) {
         let _ = File::open(path).and_then(|folder| folder.sync_all());
     }
 }
 
-/// Who may do what with a file, and whose it is.
+/// The access rights of a file, and its owner.
 #[derive(Debug, Clone)]
 pub struct Rights(std::fs::Metadata);
 
 impl Rights {
-    /// Those of the file at `path`, none if there is none.
+    /// Returns the rights of the file at `path`, `None` if there is no file.
     ///
     /// # Errors
     ///
@@ -343,7 +343,7 @@ mod tests {
         }
     }
 
-    /// Only some users may read what the kernel says, and it says nothing more once all was read.
+    /// A file of the kernel's log, which only some users may read, and which gives nothing more once all was read.
     #[cfg(target_os = "linux")]
     #[test]
     fn what_says_nothing_yet_is_not_waited_for() {

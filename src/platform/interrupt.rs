@@ -1,13 +1,13 @@
-//! Being interrupted (Ctrl-C), or told to end.
+//! Interrupts (Ctrl-C), and requests to end.
 
 use std::any::Any;
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Once, OnceLock};
 
-/// Exit status after an interrupt, as shells have it.
+/// Exit status after an interrupt, the same as in shells.
 const INTERRUPTED: i32 = 130;
 
-/// What an interrupt does: it ends the program; or the first one is noted, and the next ends it.
+/// Effect of an interrupt: it ends the program; or the first one is noted, and the next ends it.
 const ENDS: u8 = 0;
 const IS_NOTED: u8 = 1;
 const WAS_NOTED: u8 = 2;

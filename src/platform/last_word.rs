@@ -1,4 +1,4 @@
-//! What is said where a system library ends the program, as that of X11 does: it calls `exit` where its display is gone.
+//! The last word: a message where a system library ends the program, as that of X11 does: it calls `exit` where its display is gone.
 //!
 //! The system's C library then drops what the calling thread alone has, and with that the last word. One that does not (musl)
 //! leaves it unsaid.
@@ -6,7 +6,7 @@
 use std::cell::Cell;
 use std::marker::PhantomData;
 
-/// What is done last, and the exit status that it gives.
+/// The last action, and the exit status that it gives.
 type Word = Box<dyn FnOnce() -> u8>;
 
 thread_local!(static LAST: Last = const { Last(Cell::new(None)) });

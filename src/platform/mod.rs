@@ -1,4 +1,4 @@
-//! What the system provides, each in one place, so that what a platform lacks is decided there: the clock, files,
+//! The platform: everything that the system provides, each thing in one module, which decides what a platform lacks: the clock, files,
 //! locks, threads, interrupts, being ended, limits, what names of files mean, the environment, the standard streams, a terminal, and how much memory a file may ask for.
 
 pub mod clock;

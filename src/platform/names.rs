@@ -1,6 +1,6 @@
-//! What names of files mean on Windows, beyond what they say: a name alone can reach another computer, and wait for a device.
+//! File names with a special meaning on Windows: a name alone can reach another computer, and wait for a device.
 
-/// Whether Windows takes `name` for a device, whatever its ending and wherever it is said to be: `nul.toml`, `C:\x\COM1 `.
+/// Returns whether Windows takes `name` for a device, whatever its ending and its folder: `nul.toml`, `C:\x\COM1 `.
 #[must_use]
 pub fn is_device(name: &str) -> bool {
     let name = name.rsplit(['\\', '/']).next().unwrap_or_default();
@@ -15,7 +15,7 @@ pub fn is_device(name: &str) -> bool {
     matches!(stem.as_str(), "CON" | "PRN" | "AUX" | "NUL" | "CONIN$" | "CONOUT$") || numbered(&stem)
 }
 
-/// Whether Windows looks for `name` on another computer, to which it tells who asks, or among the devices. Of the names that
+/// Returns whether Windows looks for `name` on another computer, which then knows the asker, or among the devices. Of the names that
 /// begin with two separators only those of a drive do not lead there: `\\?\C:\a.toml`.
 #[must_use]
 pub fn is_elsewhere(name: &str) -> bool {
@@ -25,7 +25,7 @@ pub fn is_elsewhere(name: &str) -> bool {
     !matches!(drive, Some([letter, b':', b'\\', ..]) if letter.is_ascii_alphabetic())
 }
 
-/// What is wrong with `name` where it stands in a file that somebody else may have written, on Windows.
+/// Returns the problem with `name`, on Windows, in a file that somebody else may have written.
 #[must_use]
 pub fn problem_in_a_file(name: &str) -> Option<&'static str> {
     if is_elsewhere(name) {

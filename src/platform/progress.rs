@@ -1,8 +1,8 @@
-//! How far a command has come, on a terminal.
+//! Progress of a command, on a terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// A bar of so many `steps`, called `things`: on standard error, and only if that is a terminal.
+/// Returns a bar of `steps` steps, called `things`: on standard error, and only if that is a terminal.
 #[must_use]
 #[expect(clippy::missing_panics_doc, reason = "the template is well formed")]
 pub fn bar(steps: u64, things: &'static str) -> ProgressBar {

@@ -1,4 +1,4 @@
-//! The standard streams: what this program says there. Nothing it says ends it, and nothing it says commands a terminal.
+//! The standard streams: the program's messages there. None of them ends it, and none commands a terminal.
 
 use std::fmt;
 use std::io::{self, StdoutLock, Write as _};
@@ -42,9 +42,9 @@ pub fn excerpt(text: &str) -> String {
     }
 }
 
-/// Most letters of a message.
+/// Greatest length of a message, letters.
 const MOST_LETTERS: usize = 4000;
-/// Those that are kept of the end of one that is longer: what is wrong is said there.
+/// Letters that are kept of the end of a longer one, which names the problem.
 const LAST_LETTERS: usize = 500;
 
 /// `text`, or its beginning and its end where it is too long for a message.
@@ -59,7 +59,7 @@ pub fn in_short(text: &str) -> String {
     format!("{first} (and {} more letters) {last}", count - MOST_LETTERS)
 }
 
-/// Says `remark` in a line on standard error. Where that cannot be written to nobody is told, and all goes on.
+/// Prints `remark` to standard error, ignoring a closed stream.
 pub fn remark(remark: impl fmt::Display) {
     let _ = writeln!(io::stderr(), "{}", in_short(&shown(&remark.to_string())));
 }
@@ -67,7 +67,7 @@ pub fn remark(remark: impl fmt::Display) {
 /// Exit status of whatever could not be done.
 const FAILURE: u8 = 2;
 
-/// Says in a line why what was asked for could not be done; the exit status for that.
+/// Prints the error in a line, and returns the exit status for it.
 #[must_use]
 pub fn failure(error: &anyhow::Error) -> u8 {
     remark(format_args!("gamow: {error:#}"));
@@ -79,7 +79,7 @@ pub fn remark_lines(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
 }
 
-/// Standard output, for what was asked for.
+/// Returns standard output, for a command's results.
 pub fn stdout() -> StdoutLock<'static> {
     io::stdout().lock()
 }

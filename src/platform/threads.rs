@@ -1,4 +1,4 @@
-//! Threads.
+//! Threads of the program.
 #![expect(clippy::disallowed_methods, reason = "this is where threads are started")]
 
 use std::time::Duration;

@@ -6,34 +6,34 @@ use super::grid::{Grid, count, power_of_ten, scaled};
 
 /// Fewest and most ticks.
 const TICKS: [usize; 2] = [4, MOST_TICKS];
-/// Most ticks of an axis.
+/// Greatest number of ticks of an axis.
 pub const MOST_TICKS: usize = 7;
 /// An axis is at least this wide, as a part of the values on it: what is narrower is rounding.
 const NARROWEST: f64 = 1e-9;
-/// How much a gap of the axis' whole length without a tick counts, in ticks too many or too few.
+/// Weight of a gap of the axis' whole length without a tick, in ticks too many or too few.
 const GAP_WEIGHT: f64 = 8.0;
 
 /// A mark along an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tick {
-    /// Where it is; on a logarithmic axis the logarithm.
+    /// Place of the tick; on a logarithmic axis the logarithm.
     pub place: f64,
-    /// What is written there.
+    /// Text at the tick.
     pub text: String,
 }
 
-/// An axis.
+/// An axis, with its ticks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// Its ends; on a logarithmic axis their logarithms.
+    /// Ends of the axis; on a logarithmic axis their logarithms.
     pub range: [f64; 2],
     /// From the lowest to the highest.
     pub ticks: Vec<Tick>,
-    /// What is written at the ticks is in units of 10 to the power of this.
+    /// Power of ten that the numbers at the ticks are in units of.
     pub exponent: i32,
 }
 
-/// How many ticks there is room for along so many pixels, where each takes so many.
+/// Returns the number of ticks that fit into `length`, where each takes `each`, pixels.
 #[must_use]
 pub fn ticks_along(length: f64, each: f64) -> usize {
     let [fewest, most] = TICKS;
@@ -108,7 +108,7 @@ fn grids(logarithmic: bool, range: [f64; 2]) -> Vec<Grid> {
     if logarithmic { Grid::logarithmic(range) } else { Grid::linear(range) }
 }
 
-/// `range` as little wider as it takes to have four ticks or more, but no more than so many (4 to 7).
+/// Returns `range` as little wider as it takes to have four ticks or more, but at most `most` (4 to 7).
 #[must_use]
 pub fn widened(logarithmic: bool, range: [f64; 2], most: usize) -> [f64; 2] {
     let range = sound(range);
@@ -122,7 +122,7 @@ pub fn widened(logarithmic: bool, range: [f64; 2], most: usize) -> [f64; 2] {
     wider.min_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0]))).unwrap_or(range)
 }
 
-/// `range`, or where it is none or too narrow for numbers to tell its ends apart, one around it.
+/// Returns `range`, or a range around it if it is empty or too narrow for numbers to differ at its ends.
 fn sound([low, high]: [f64; 2]) -> [f64; 2] {
     if !(low.is_finite() && high.is_finite() && low <= high) {
         return [-1.0, 1.0];
@@ -151,7 +151,7 @@ fn widest_gap(grid: &Grid, [low, high]: [f64; 2]) -> f64 {
     widest / (high - low)
 }
 
-/// Of which power of ten values up to `largest` are written as multiples: none of what is short anyway, else a third one.
+/// Returns the power of ten in which values up to `largest` are written: 0 for short ones, else a multiple of three.
 fn common_exponent(largest: f64) -> i32 {
     if largest == 0.0 {
         return 0;
@@ -160,7 +160,7 @@ fn common_exponent(largest: f64) -> i32 {
     if (-1..=3).contains(&exponent) { 0 } else { 3 * (exponent + 1).div_euclid(3) }
 }
 
-/// What is written at a place of `grid`: as many digits as tell it from its neighbours.
+/// Returns the text at a place of `grid`: as many digits as distinguish it from its neighbours.
 fn text(grid: &Grid, number: i64, exponent: i32) -> String {
     let decimals = |power: i32| (-power).max(0) as usize;
     let text = match *grid {
@@ -189,7 +189,7 @@ fn text(grid: &Grid, number: i64, exponent: i32) -> String {
     text.replace('-', "\u{2212}")
 }
 
-/// The power of ten of what stands at this place.
+/// Returns the power of ten of the number at this place.
 fn decade_of(grid: &Grid, number: i64) -> i32 {
     grid.place(number).map_or(0, |place| (place + 1e-12).floor() as i32)
 }
@@ -217,7 +217,7 @@ fn power_text(exponent: i32) -> String {
     format!("10{}", exponent.to_string().chars().map(superscript).collect::<String>())
 }
 
-/// What stands at an axis, `symbol / unit`, whose numbers are in units of 10 to the power of `exponent`.
+/// Returns the label of an axis, `symbol / unit`, whose numbers are in units of 10 to the power of `exponent`.
 #[must_use]
 pub fn with_factor(label: &str, exponent: i32) -> String {
     if exponent == 0 {
@@ -281,7 +281,7 @@ mod tests {
         assert!(high - low <= 1.5 * (wide[1] - wide[0]), "{wide:?}: {axis:?}");
     }
 
-    /// What the text says.
+    /// Returns the number in the text.
     fn number(text: &str, exponent: i32) -> f64 {
         let plain: f64 = text.replace('−', "-").parse().expect("a number");
         plain * 10f64.powi(exponent)

@@ -18,13 +18,13 @@ pub enum Grid {
     Decades { leading: u8, power: i32 },
 }
 
-/// What steps are multiples of.
+/// Leading digits of steps.
 const LEADING: [u8; 3] = [1, 2, 5];
 /// Logarithms less wide than this may have places at even steps of the number.
 const NARROW_LOGARITHM: f64 = 1.5;
 /// More places than this on an axis are not counted.
 const MOST: i64 = 12;
-/// How far beyond the end of an axis, as a part of it, a place still lies on it: rounding.
+/// Distance beyond the end of an axis, as a part of it, up to which a place still lies on it: rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// 10 to the power of `exponent`.
@@ -43,18 +43,18 @@ fn steps(width: f64) -> impl Iterator<Item = (u8, i32)> {
     (power - 1..=power + 1).flat_map(|power| LEADING.map(|leading| (leading, power)))
 }
 
-/// How many numbers there are.
+/// Returns the count of numbers.
 pub const fn count(numbers: &Range<i64>) -> usize {
     (numbers.end - numbers.start) as usize
 }
 
 impl Grid {
-    /// Those that may suit a linear axis.
+    /// Returns the grids that may suit a linear axis.
     pub fn linear([low, high]: [f64; 2]) -> Vec<Self> {
         steps(high - low).map(|(leading, power)| Self::Steps { leading, power }).collect()
     }
 
-    /// Those that may suit an axis between two logarithms.
+    /// Returns the grids that may suit an axis between two logarithms.
     pub fn logarithmic([low, high]: [f64; 2]) -> Vec<Self> {
         let mut grids = vec![Self::Digits(&[1, 2, 5]), Self::Digits(&[1, 5])];
         let decades = steps(high - low).filter(|&(_, power)| power >= 0);
@@ -66,7 +66,7 @@ impl Grid {
         grids
     }
 
-    /// Its place with this `number`; `None` where a logarithm has none.
+    /// Returns the place with this `number`; `None` where a logarithm has none.
     pub fn place(&self, number: i64) -> Option<f64> {
         match *self {
             Self::Steps { leading, power } | Self::Decades { leading, power } => {

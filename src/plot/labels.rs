@@ -1,4 +1,4 @@
-//! Where the names of marks stand: beside them, inside the axes, and not on top of each other.
+//! Labels of marks: beside them, inside the axes, and not on top of each other.
 
 /// About how wide a letter is and how high a line, pixels.
 const LETTER: f64 = 7.0;
@@ -15,7 +15,7 @@ pub struct Labels {
     taken: Vec<[f64; 4]>,
 }
 
-/// Where a name begins, or ends if its `anchor` says so.
+/// Start of the name, or its end with that `anchor`.
 pub struct Label {
     pub anchor: &'static str,
     pub x: f64,

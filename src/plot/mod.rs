@@ -19,13 +19,13 @@ pub use self::axis::{
 use self::labels::{Label, Labels};
 use crate::markup::escaped;
 
-/// Black.
+/// Colour black.
 pub const BLACK: &str = "#000000";
 /// Blue: the left eye.
 pub const BLUE: &str = "#0072B2";
 /// Vermilion: the right eye.
 pub const VERMILION: &str = "#D55E00";
-/// As many more as there may be marks in a panel.
+/// Colours of the lines, in their order: as many as there may be marks in a panel.
 pub const COLOURS: [&str; 7] = [BLUE, VERMILION, "#009E73", "#CC79A7", "#E69F00", "#56B4E9", BLACK];
 
 /// Height of a panel unless it has another, pixels.
@@ -41,20 +41,20 @@ struct Margin {
     bottom: f64,
 }
 
-/// How a line is drawn.
+/// The stroke of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stroke {
-    /// Whole.
+    /// A solid line.
     Solid,
-    /// Dashed.
+    /// A dashed line.
     Dashed,
     /// Dashes of this length, pixels.
     Dashes(u8),
-    /// Dotted.
+    /// A dotted line.
     Dotted,
     /// Dots at the points instead of a line.
     Dots,
-    /// A disc at the first point with a line to the last. Its name stands beside it, not in the legend.
+    /// A disc at the first point with a line to the last. Its name is beside it, not in the legend.
     Mark,
 }
 
@@ -63,11 +63,11 @@ pub enum Stroke {
 pub struct Line {
     /// Entry in the legend.
     pub name: String,
-    /// CSS colour.
+    /// Colour, in CSS.
     pub colour: Cow<'static, str>,
-    /// How it is drawn.
+    /// Stroke of the line.
     pub stroke: Stroke,
-    /// The pieces.
+    /// Pieces of the line.
     pub pieces: Vec<Vec<[f64; 2]>>,
 }
 
@@ -100,25 +100,25 @@ impl Line {
 /// A pair of axes with lines.
 #[derive(Debug, Clone)]
 pub struct Panel {
-    /// Above the axes.
+    /// Title above the axes.
     pub title: String,
     /// Below and beside them.
     pub labels: [String; 2],
-    /// The lines.
+    /// Lines of the panel.
     pub lines: Vec<Line>,
-    /// What the horizontal axis shows besides the lines, so that panels can be compared.
+    /// Range of the horizontal axis besides the lines, so that panels can be compared.
     pub shown_x: Option<[f64; 2]>,
     /// Values on the horizontal axis to mark, and their names.
     pub marks: Vec<(f64, String)>,
     /// Whether a unit is as long on both axes.
     pub equal_scales: bool,
-    /// Which axes are logarithmic: all coordinates along these are above 0, and `equal_scales` has no say.
+    /// Logarithmic axes: all coordinates along these are above 0, and `equal_scales` has no effect.
     pub logarithmic: [bool; 2],
     /// Ends of the axes, logarithms of a logarithmic one; else the lines decide.
     pub ranges: [Option<[f64; 2]>; 2],
-    /// Width, pixels.
+    /// Width of the picture, pixels.
     pub width: f64,
-    /// Height, pixels.
+    /// Height of the picture, pixels.
     pub height: f64,
 }
 
@@ -139,7 +139,7 @@ impl Panel {
         }
     }
 
-    /// What the lines take of an axis (logarithms of a logarithmic one), with such a share of it more at both ends; whole
+    /// Returns the range that the lines need of an axis (logarithms of a logarithmic one), with this share of it more at both ends; whole
     /// decades where both axes are logarithmic, and so much more that nothing is drawn on the frame.
     fn needed(&self, axis: usize, room: f64) -> [f64; 2] {
         let values = self.lines.iter().flat_map(|line| &line.pieces).flatten().map(|point| point[axis]);
@@ -204,7 +204,7 @@ fn row_height(panels: &[Panel]) -> f64 {
     panels.iter().map(|panel| panel.height).fold(0.0, f64::max)
 }
 
-/// Where a panel's coordinates lie in the picture.
+/// The axes of a panel, which place its coordinates in the picture.
 struct Axes<'a> {
     panel: &'a Panel,
     /// Left, right, top and bottom of the box, pixels.
@@ -212,9 +212,9 @@ struct Axes<'a> {
     both: [Axis; 2],
 }
 
-/// How far from each other ticks are at least, along and across, pixels.
+/// Least distance of ticks from each other, along and across, pixels.
 const TICK_SPACING: [f64; 2] = [75.0, 45.0];
-/// How much more than the lines need there is along an axis and across, as a part of that.
+/// Room beyond what the lines need along an axis and across, as a part of that.
 const ROOM: [f64; 2] = [0.0, 0.06];
 /// Part of two logarithmic axes that stays free at each end.
 const FREE: f64 = 0.05;

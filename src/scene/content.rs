@@ -1,4 +1,4 @@
-//! What a scene consists of.
+//! The contents of a scene.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -8,7 +8,7 @@ use relativity_render::{Body, Group, MaterialPoint, Motion, PreparedScene, Spin,
 use super::table::coincide;
 use crate::platform::{sizes, tell};
 
-/// How far off the surface of a body a point is still taken to be on it: coordinates may be rounded to three decimals.
+/// Distance from a body's surface up to which a point is taken to be on it: coordinates may be rounded to three decimals.
 const ON_BODY: f64 = 1e-3;
 /// The numbers of similar names that an error message suggests, and of ambiguous ones that it lists.
 const NEAREST: usize = 3;
@@ -18,20 +18,20 @@ const CHOICES: usize = 4;
 /// unit, rest-frame coordinates `[x, y, z]` with x along the motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
-    /// Its name, as shown.
+    /// Name of the scene, as shown.
     pub name: String,
     /// The bodies of all groups, numbered from 0; at least one.
     pub bodies: Vec<Body>,
     /// The name of each body, such as `front tyre`: it follows "the" in a sentence. A file's names mean one body each.
     pub names: Vec<String>,
-    /// Which of them move alike: one after the other, without gaps.
+    /// Groups of bodies that move alike: one after the other, without gaps.
     pub groups: Vec<SceneGroup>,
     /// The point that is selected and followed at first: the forward-most one (largest x) unless the
     /// file chooses another.
     pub tracked: [f64; 3],
-    /// What rides past, in a word: its frame is called by that.
+    /// Word for whatever rides past: its frame is called by it.
     pub rider: String,
-    /// How many metres its unit of length is, if it says so.
+    /// Length of its unit in metres, if the file gives it.
     pub metres: Option<f64>,
     /// Height of the resting ground, if there is one.
     pub ground_z: Option<f64>,
@@ -43,13 +43,13 @@ pub struct Scene {
 /// Bodies that move alike.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneGroup {
-    /// Its name.
+    /// Name of the group.
     pub name: String,
-    /// How it moves.
+    /// Motion of the group.
     pub motion: Motion,
     /// Number of its first body.
     pub first: usize,
-    /// How many it has.
+    /// Number of its bodies.
     pub count: usize,
 }
 
@@ -66,9 +66,9 @@ impl SceneGroup {
 pub struct Track {
     /// Rest coordinates, as in the scene file; of a point that turns, those at t' = 0.
     pub rest: [f64; 3],
-    /// How its group moves.
+    /// Motion of the point's group.
     pub motion: Motion,
-    /// How the body that it is on turns there.
+    /// Turning of the body that it is on.
     pub spin: Option<Spin>,
 }
 
@@ -85,7 +85,7 @@ impl Track {
         MaterialPoint { rest: self.rest.into(), spin: self.spin }
     }
 
-    /// Where the axle is that it turns about, beside it; itself if it does not turn.
+    /// Returns the place of the axle that it turns about, beside it; its own place if it does not turn.
     #[must_use]
     pub fn axle(&self) -> [f64; 3] {
         let [x, y, z] = self.rest;
@@ -160,7 +160,7 @@ impl Scene {
         self.names.iter().map(String::as_str).collect()
     }
 
-    /// The error message for a `name` that no body has: it suggests the most similar names, and says how to list them all.
+    /// Returns the error for a `name` that no body has: it suggests the most similar names, and how to list them all.
     fn no_body_named(&self, name: &str) -> String {
         let known = self.body_names();
         let sought: String = name.to_lowercase().chars().take(sizes::NAME_LETTERS).collect();
@@ -198,12 +198,12 @@ impl Scene {
         Some(Track { rest, motion, spin: self.bodies[body].spin.filter(is_moved) })
     }
 
-    /// How the body of this number moves, if there is one.
+    /// Returns the motion of the body of this number, if there is one.
     fn motion_of(&self, body: usize) -> Option<Motion> {
         self.groups.iter().find(|group| group.bodies().contains(&body)).map(|group| group.motion)
     }
 
-    /// It without what rests on the ground: the groups that do not move, but for its first.
+    /// Returns the scene without its surroundings: the groups that do not move, except the first.
     #[must_use]
     pub fn without_surroundings(self) -> Self {
         let rests = |group: &SceneGroup| group.motion == Motion::Own(Velocity::REST);
@@ -220,7 +220,7 @@ impl Scene {
         Self { groups: groups.collect(), bodies, names, ..self }
     }
 
-    /// What the body of this number is called: as its file names it, else by shape and number.
+    /// Returns the name of the body of this number: the one in its file, else its shape and number.
     #[must_use]
     pub fn name_of(&self, body: usize) -> &str {
         &self.names[body]
@@ -242,7 +242,7 @@ impl Scene {
         self.body_at(self.tracked)
     }
 
-    /// It, ready to be drawn.
+    /// Prepares the scene for drawing.
     #[must_use]
     pub fn prepared(&self) -> PreparedScene {
         let group = |group: &SceneGroup| Group { motion: group.motion, bodies: &self.bodies[group.bodies()] };

@@ -1,4 +1,4 @@
-//! What can be wrong with a scene, said in one line that a person who writes scene files can act on.
+//! Errors of scene files, in one line that an author can act on.
 
 use std::ops::Range;
 
@@ -14,43 +14,43 @@ pub enum SceneError {
     /// The file could not be read.
     #[error("{source_name}: cannot read this scene file: {reason}")]
     Read {
-        /// The file.
+        /// Name of the file.
         source_name: String,
-        /// Why.
+        /// Reason why it cannot be read.
         reason: std::io::Error,
     },
     /// Neither a preset nor a path.
     #[error("no scene is called `{name}`: there are {list}; for a file, give a name ending in .toml", name = tell::excerpt(.0), list = PRESETS.join(", "))]
     UnknownPreset(String),
-    /// The file says something wrong.
+    /// A file with wrong contents.
     #[error("{source_name}:{line}: {problem}")]
     Content {
-        /// The file.
+        /// Name of the file.
         source_name: String,
         /// Line in it, from 1.
         line: usize,
-        /// What is wrong there.
+        /// Problem in that line.
         problem: Problem,
     },
 }
 
-/// What is wrong at one place of a scene file. Values are quoted as the file has them.
+/// A problem at one place of a scene file. Values are quoted from the file.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum Problem {
-    /// Not TOML.
+    /// Text that is no TOML.
     #[error("column {column}: {message}")]
     Syntax {
-        /// Column, from 1.
+        /// Number of the column, from 1.
         column: usize,
-        /// What the TOML reader says.
+        /// Message of the TOML reader.
         message: String,
     },
     /// A key that means nothing here.
     #[error("unknown key `{key}`: {owner} has {known}", key = tell::excerpt(key))]
     UnknownKey {
-        /// The key.
+        /// Name of the key.
         key: String,
-        /// What it was written in.
+        /// Table that contains it.
         owner: &'static str,
         /// The keys that exist there.
         known: String,
@@ -58,19 +58,19 @@ pub enum Problem {
     /// A key that must be there.
     #[error("{owner} needs `{key}`")]
     MissingKey {
-        /// The key.
+        /// Name of the key.
         key: &'static str,
-        /// What needs it.
+        /// Table that needs it.
         owner: &'static str,
     },
     /// A value of the wrong type, or none of those that there are.
     #[error("{key} = {value} must be {expected}")]
     WrongType {
-        /// The key.
+        /// Name of the key.
         key: &'static str,
-        /// Its value.
+        /// Value of the key.
         value: String,
-        /// What it should be.
+        /// Value that would be right.
         expected: &'static str,
     },
     /// A name of more letters than one may have.
@@ -93,25 +93,25 @@ pub enum Problem {
     /// A coordinate that is not finite, or too far out to draw.
     #[error("{key} = {value} must lie between -1e6 and 1e6")]
     OutOfRange {
-        /// The key.
+        /// Name of the key.
         key: &'static str,
-        /// Its value.
+        /// Value of the key.
         value: String,
     },
     /// A radius or wavelength that is not positive.
     #[error("{key} = {value} must be above 0")]
     NotPositive {
-        /// The key.
+        /// Name of the key.
         key: &'static str,
-        /// Its value.
+        /// Value of the key.
         value: String,
     },
     /// A positive size that f32 arithmetic on a graphics card would lose or overflow.
     #[error("{key} = {value} must lie between 1e-6 and 1e6")]
     SizeOutOfRange {
-        /// The key.
+        /// Name of the key.
         key: &'static str,
-        /// Its value.
+        /// Value of the key.
         value: String,
     },
     /// A speed that is none.
@@ -169,7 +169,7 @@ impl Located {
         SceneError::Content { source_name: source_name.to_owned(), line, problem: self.problem }
     }
 
-    /// What the TOML reader found, in one line.
+    /// Returns the problem that the TOML reader found, in one line.
     pub fn syntax(text: &str, error: &toml::de::Error) -> Self {
         let (span, message) = syntax::problem(text, error);
         let (_, column) = position(text, span.start);

@@ -14,7 +14,7 @@ use super::table::Table;
 use super::wheel::{Changes, wheel};
 use crate::platform::sizes;
 
-/// What rides past where the file has no word for it.
+/// Default word for whatever rides past.
 const RIDER: &str = "rider";
 
 /// The scene that a file's text describes.
@@ -71,7 +71,7 @@ fn forward_most(bodies: &[Body]) -> Option<[f64; 3]> {
     points.max_by(|a, b| a.x.total_cmp(&b.x)).map(|point| point.to_array())
 }
 
-/// All objects, and the groups they belong to: the scene's own, which moves at its speed, comes first.
+/// Returns all objects, and the groups they belong to: the scene's own, which moves at its speed, comes first.
 fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec<SceneGroup>), Located> {
     let mut all = objects(top, changes)?;
     let mut groups =
@@ -93,14 +93,14 @@ fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec
     Ok((all, groups))
 }
 
-/// How a group moves: at the scene's speed unless it has its own.
+/// Returns the motion of a group: at the scene's speed unless it has its own.
 fn motion(group: &Table) -> Result<Motion, Located> {
     let Some(beta) = group.coordinate("beta")? else { return Ok(Motion::Scene) };
     let velocity = Velocity::from_beta(beta).map_err(|_| group.problem_at("beta", Problem::NoSpeed))?;
     Ok(Motion::Own(velocity))
 }
 
-/// All objects of a group: the included ones first, then its wheels.
+/// Returns all objects of a group: the included ones first, then its wheels.
 fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
     let mut objects = Vec::new();
     let includes = group.tables("include", "an include")?;
@@ -131,7 +131,7 @@ fn told_apart(includes: &[Table], number: usize) -> Rc<str> {
     }
 }
 
-/// The objects of a preset, moved; they move as the group does that includes them, which tells them from others of the
+/// Returns the objects of a preset, moved; they move like the group that includes them, and are distinguished from others of the
 /// same name by `told_apart`.
 fn included(include: &Table, told_apart: &Rc<str>, changes: Changes) -> Result<Vec<Object>, Located> {
     include.check_keys(&["scene", "offset", "wheels"])?;
@@ -155,7 +155,7 @@ fn included(include: &Table, told_apart: &Rc<str>, changes: Changes) -> Result<V
     Ok(objects.map(moved).collect())
 }
 
-/// An object, and as many more like it as its table says, a step from each to the next; they are told apart by numbers.
+/// Returns an object, and further ones like it as its table says, a step from each to the next, with numbers in their names.
 fn repeated(table: Table) -> Result<Vec<Object>, Located> {
     let (count, step) = (table.count("repeat")?, table.point("step")?);
     let first = object(table)?;

@@ -31,7 +31,7 @@ impl Scene {
         format!("{:016x}", hash.0)
     }
 
-    /// What a picture of it records, which this `command` makes.
+    /// Returns the provenance of a picture of the scene, which this `command` makes.
     #[must_use]
     pub fn provenance(&self, command: String) -> Provenance {
         Provenance { title: self.name.clone(), parameters: command, scene_fingerprint: self.fingerprint() }

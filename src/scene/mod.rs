@@ -59,7 +59,7 @@ impl Scene {
 }
 
 impl Default for Scene {
-    /// Gamow's street.
+    /// Opens Gamow's street.
     fn default() -> Self {
         Self::preset(PRESETS[0]).expect("it is a preset")
     }

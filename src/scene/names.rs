@@ -6,7 +6,7 @@ use super::content::SceneGroup;
 use super::error::{Located, Problem};
 use super::object::Object;
 
-/// Names the bodies of `groups`: as their file does, with what tells two of one name apart behind it. Of a group with
+/// Names the bodies of `groups`: like their file, with a distinction behind a name that two of them have. In a group with
 /// several of one name that is what each was included with; of several groups it is the group, or the `rider` for the
 /// scene's own, which comes first.
 ///

@@ -11,7 +11,7 @@ use super::table::{Table, coincide};
 
 /// Red, as in the paper.
 const DEFAULT_WAVELENGTH_NM: f64 = 700.0;
-/// Degrees from line to line of a graticule, and length from line to line of other patterns, unless told.
+/// Default degrees from line to line of a graticule, and default length from line to line of other patterns.
 const DEFAULT_DEGREES: f64 = 15.0;
 const DEFAULT_SPACING: f64 = 0.25;
 /// The keys of an object of any shape, beside its shape.
@@ -30,14 +30,14 @@ pub(super) struct Object {
 }
 
 impl Object {
-    /// What it is called as the body of this number.
+    /// Returns the name of the object as the body of this number.
     pub fn name_as(&self, number: usize) -> String {
         let shape = self.body.shape.name();
         self.name.clone().unwrap_or_else(|| format!("{shape} {number}"))
     }
 }
 
-/// One object.
+/// Parses an object.
 pub(super) fn object(mut object: Table) -> Result<Object, Located> {
     let shape = match object.needed_string("shape")? {
         "sphere" => {
@@ -73,7 +73,7 @@ fn check_keys(object: &Table, known: &[&str]) -> Result<(), Located> {
     object.check_keys(&[&["shape"], known, &OF_EVERY_OBJECT].concat())
 }
 
-/// The light of an object: of one wavelength unless it says otherwise.
+/// Parses the light of an object: one wavelength by default.
 pub(super) fn emission(object: &Table) -> Result<Emission, Located> {
     let wavelength = object.size("wavelength_nm")?;
     match (object.string("light")?, wavelength) {
@@ -86,7 +86,7 @@ pub(super) fn emission(object: &Table) -> Result<Emission, Located> {
     }
 }
 
-/// How bright an object is beside others: as bright as can be unless it says otherwise.
+/// Parses the brightness of an object relative to others: the greatest by default.
 pub(super) fn brightness(object: &Table) -> Result<f64, Located> {
     let Some(brightness) = object.coordinate("brightness")? else { return Ok(1.0) };
     if brightness > 0.0 && brightness <= 1.0 {

@@ -14,18 +14,18 @@ const MAX_COORDINATE: f64 = 1e6;
 /// Smallest size and distance: its square is still far from the smallest f32.
 const MIN_SIZE: f64 = 1e-6;
 
-/// How often an object can be repeated.
+/// Range of the number of repetitions of an object.
 const COUNT: RangeInclusive<usize> = 1..=1000;
 
-/// One table of a scene file.
+/// A table of a scene file.
 pub(super) struct Table<'a> {
-    /// The whole file.
+    /// Text of the whole file.
     pub text: &'a str,
-    /// Its keys and values.
+    /// Keys and values of the table.
     pub entries: &'a DeTable<'a>,
-    /// Where it is: what a missing key is reported at.
+    /// Place of the table, where missing keys are reported.
     pub span: Range<usize>,
-    /// What it describes, with its article.
+    /// Description of the table's object, with its article.
     pub owner: &'static str,
 }
 
@@ -54,7 +54,7 @@ impl<'a> Table<'a> {
         self.value(key).map(|value| self.point_of(key, value)).transpose()
     }
 
-    /// How many, if the key is there.
+    /// Returns the number at the key, if that exists.
     pub fn count(&self, key: &'static str) -> Result<Option<usize>, Located> {
         let Some(value) = self.value(key) else { return Ok(None) };
         let count = match value.get_ref() {
@@ -65,7 +65,7 @@ impl<'a> Table<'a> {
         count.map(Some).ok_or_else(|| self.wrong_type(key, value, "a whole number between 1 and 1000"))
     }
 
-    /// How many, which must be there.
+    /// Returns the number at the key, which must exist.
     pub fn needed_count(&self, key: &'static str) -> Result<usize, Located> {
         self.count(key)?.ok_or_else(|| self.missing(key))
     }
@@ -166,12 +166,12 @@ impl<'a> Table<'a> {
         Located { problem: problem(self.quoted(&span)), span }
     }
 
-    /// That the value of `key` is not what is `expected`.
+    /// Returns the error that the value of `key` is not what is `expected`.
     pub fn wrong(&self, key: &'static str, expected: &'static str) -> Located {
         self.problem_at(key, |value| Problem::WrongType { key, value, expected })
     }
 
-    /// The value of `key` as the file has it.
+    /// Returns the value of `key` in the file's spelling.
     pub fn quoted_value(&self, key: &str) -> String {
         self.value(key).map_or_else(String::new, |value| self.quoted(&value.span()))
     }

@@ -12,19 +12,19 @@ use super::error::Located;
 use super::object::{self, Object};
 use super::table::Table;
 
-/// What ends the name of a wheel, and makes room there for what a part of it is called.
+/// End of a wheel's name, which the names of its parts replace.
 const WHEEL: &str = "wheel";
-/// How far a valve reaches inwards from the rim, in radii of the wheel.
+/// Length of a valve inwards from the rim, in radii of the wheel.
 const VALVE: f64 = 0.15;
 
-/// What a wheel does within its group.
+/// The motion of a wheel within its group.
 #[derive(Debug, Clone, Copy)]
 enum WheelMotion {
     Still,
     Turns(Turning),
 }
 
-/// What an include says of the wheels in it, in place of what these say themselves.
+/// The changes that an include makes to its wheels.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Changes {
     motion: Option<WheelMotion>,
@@ -35,7 +35,7 @@ pub(super) struct Changes {
 impl Changes {
     const KEYS: [&str; 4] = ["rolls", "rim_speed", "tread", "valve"];
 
-    /// Those that a table of an include asks for.
+    /// Parses the changes in a table of an include.
     pub fn of(wheels: &Table) -> Result<Self, Located> {
         wheels.check_keys(&Self::KEYS)?;
         Self::read(wheels)
@@ -55,7 +55,7 @@ impl Changes {
     }
 }
 
-/// What a wheel is said to do, if anything.
+/// Parses the motion of a wheel, if one is given.
 fn motion(wheel: &Table) -> Result<Option<WheelMotion>, Located> {
     let (rolls, speed) = (wheel.truth("rolls")?, wheel.coordinate("rim_speed")?);
     match (rolls, speed) {
@@ -87,7 +87,7 @@ struct Wheel {
     flanges: f64,
     spokes: usize,
     spoke_radius: f64,
-    /// Of spokes: by how much the start is behind and ahead of the end, in turn, and where the first ends; radians.
+    /// Crossing of spokes: the angle by which the start is behind and ahead of the end, in turn, and where the first ends; radians.
     crossing: f64,
     angle: f64,
 }
@@ -129,7 +129,7 @@ pub(super) fn wheel(table: &Table, changes: Changes) -> Result<Vec<Object>, Loca
     Ok(objects)
 }
 
-/// What a part of the wheel called `wheel` is called: the "tyre" of the "front wheel" is the "front tyre".
+/// Returns the name of a part of the wheel called `wheel`: the "tyre" of the "front wheel" is the "front tyre".
 fn part_name(wheel: &str, part: &str) -> String {
     format!("{} {part}", wheel.strip_suffix(WHEEL).unwrap_or(wheel).trim_end()).trim_start().to_owned()
 }
@@ -186,7 +186,7 @@ impl Wheel {
         wheel.check(table)
     }
 
-    /// It, unless its parts do not lie one inside the other.
+    /// Returns the wheel, unless its parts do not lie one inside the other.
     fn check(self, table: &Table) -> Result<Self, Located> {
         let wrong = |key, expected| Err(table.wrong(key, expected));
         if 4.0 * self.tyre >= self.radius {

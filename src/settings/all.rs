@@ -1,4 +1,4 @@
-//! All settings together.
+//! The settings, all together.
 
 use std::ffi::OsString;
 use std::path::Path;
@@ -19,7 +19,7 @@ use crate::scene::PRESETS;
 #[derive(Debug, Clone, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 pub struct Settings {
-    /// What rides past: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls) or a scene file.
+    /// Scene: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls) or a scene file.
     #[arg(long, value_name = "PRESET|FILE", value_parser = OsStringValueParser::new().try_map(scene_name))]
     pub scene: String,
     /// Observation time T, -1e12 to 1e12 [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]
@@ -32,37 +32,37 @@ pub struct Settings {
     /// [default: none]
     #[arg(long, value_name = "X,Y,Z@BODY;...", allow_hyphen_values = true)]
     pub points: Option<Followed>,
-    /// How the scene moves, and between which eyes.
+    /// Motion of the scene, and separation of the eyes.
     #[command(flatten)]
     pub motion: Motion,
-    /// How the eyes look at it.
+    /// Gaze, projection and geometry of the views.
     #[command(flatten)]
     pub look: Look,
-    /// What becomes of its light.
+    /// Light of the bodies, and its way to a colour.
     #[command(flatten)]
     pub light: Light,
-    /// What draws it.
+    /// Renderer, and its error or time.
     #[command(flatten)]
     pub quality: Quality,
-    /// How a picture is made of it.
+    /// Layout and size of pictures.
     #[command(flatten)]
     pub picture: Picture,
-    /// What it is looked at on.
+    /// Screen that the pictures are seen on.
     #[command(flatten)]
     pub screen: Screen,
-    /// How time runs.
+    /// Playback of time.
     #[command(flatten)]
     pub playback: Playback,
-    /// What the map shows.
+    /// Contents of the map.
     #[command(flatten)]
     pub map: Map,
-    /// What the plots show.
+    /// Contents of the plots.
     #[command(flatten)]
     pub plots: Plots,
-    /// What is fitted to what.
+    /// Samples and model of the fit.
     #[command(flatten)]
     pub fit: FitSetup,
-    /// Which parts of the window are shown.
+    /// Parts of the window, and their sizes.
     #[command(flatten)]
     pub window: Window,
 }
@@ -72,7 +72,7 @@ fn scene_name(name: OsString) -> Result<String, &'static str> {
     name.into_string().map_err(|_| NO_TEXT)
 }
 
-/// What is wrong with the name of a scene's file that is no text.
+/// Error for the name of a scene's file that is no text.
 const NO_TEXT: &str = "the file's name is no text in UTF-8, so that nothing could record which scene is shown; under another \
                        name it can be";
 
@@ -111,7 +111,7 @@ impl Settings {
         Ok(self.with_scene(scene))
     }
 
-    /// These settings with another scene, a preset or a file. What belongs to a scene is as usual: where it passes, where the
+    /// Returns these settings with another scene, a preset or a file. Settings that belong to a scene become defaults: where it passes, where the
     /// eyes look, T, and what is done over a range of T. Speed, eyes, geometry and light stay.
     #[must_use]
     pub fn with_scene(self, scene: String) -> Self {

@@ -34,7 +34,7 @@ pub enum ComparisonError {
     /// D is 1 everywhere.
     #[error("--compare paper needs the Doppler effect, --geometry seen: without it D is 1 everywhere")]
     NoDoppler,
-    /// The first picture has it already.
+    /// The first picture is the same already.
     #[error("--compare: the first picture is so already: both would be alike")]
     Alike,
 }
@@ -142,7 +142,7 @@ impl Settings {
         Some(second)
     }
 
-    /// The views of both pictures at `time`, and what becomes of their light: those of the left and the right eye, or
+    /// Returns the views of both pictures at `time`, and the appearance of each: those of the left and the right eye, or
     /// two of the left one.
     #[must_use]
     pub fn pictures(&self, subject: Subject, scene: &Scene, time: f64) -> [(View, Appearance); 2] {

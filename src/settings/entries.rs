@@ -12,7 +12,7 @@ use crate::flags::choices::ProjectionChoice;
 use crate::flags::words::{Shell, words};
 use crate::platform::files;
 
-/// All settings as flags.
+/// The flags of all settings.
 static FLAGS: LazyLock<Command> = LazyLock::new(|| {
     let flags = Command::new("settings").no_binary_name(true).disable_help_flag(true);
     Settings::augment_args_for_update(flags)
@@ -20,9 +20,9 @@ static FLAGS: LazyLock<Command> = LazyLock::new(|| {
 
 /// The setting that names a scene.
 pub(super) const SCENE: &str = "scene";
-/// What draws a picture of settings.
+/// Command that draws a picture of settings.
 const RENDER: &str = "gamow render";
-/// What opens a window with settings.
+/// Command that opens a window with settings.
 const WINDOW: &str = "gamow";
 /// The sections that decide what the eyes are shown.
 const OF_VIEWS: [&str; 5] = ["", "motion", "look", "light", "quality"];
@@ -34,9 +34,9 @@ const OF_PICTURES: &str = "picture";
 pub(super) struct Entry {
     /// The section it is in; none at the top.
     pub section: String,
-    /// Its name.
+    /// Name of the setting.
     pub key: String,
-    /// Its value, as a flag has it.
+    /// Value of the setting, in the spelling of a flag.
     pub text: String,
 }
 
@@ -80,7 +80,7 @@ impl Settings {
         })
     }
 
-    /// These settings, with what `command`, one of those above that was recorded at `place`, says in their stead.
+    /// Returns these settings with those of `command`, one of the commands above recorded at `place`, on top.
     ///
     /// # Errors
     /// Another command, a flag that does not exist, or a value that it cannot have.
@@ -133,7 +133,7 @@ impl Settings {
     }
 }
 
-/// A value as a flag has it.
+/// Writes a value in the spelling of a flag.
 fn text(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),

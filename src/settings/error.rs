@@ -1,4 +1,4 @@
-//! What can be wrong with settings, in one line that says where, what, and what would be right.
+//! Errors of settings, in one line: where, what, and the correction.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use std::error::Error as _;
@@ -12,9 +12,9 @@ pub enum SettingsError {
     /// The file could not be read.
     #[error("{source_name}: cannot read these settings: {reason}")]
     Read {
-        /// The file.
+        /// Name of the file.
         source_name: String,
-        /// Why.
+        /// Reason why it cannot be read.
         reason: String,
     },
     /// Neither a preset nor a path.
@@ -23,7 +23,7 @@ pub enum SettingsError {
         tell::excerpt(name)
     )]
     UnknownPreset {
-        /// What was given.
+        /// Name that was given.
         name: String,
         /// The names of all presets.
         known: String,
@@ -33,22 +33,22 @@ pub enum SettingsError {
     Content {
         /// The file, and the line in it where it has lines.
         place: String,
-        /// What is wrong there.
+        /// Problem in that line.
         problem: String,
     },
 }
 
-/// What is wrong with a setting.
+/// A problem with a setting.
 #[derive(Debug)]
 pub(super) struct Problem {
     /// The setting's name, if it has one.
     pub key: Option<String>,
-    /// What is wrong with it.
+    /// Description of the problem.
     pub text: String,
 }
 
 impl Problem {
-    /// What `clap` finds wrong, in one line.
+    /// Returns the problem that `clap` finds, in one line.
     pub fn new(error: &clap::Error) -> Self {
         let key = context(error, ContextKind::InvalidArg).map(name);
         let value = tell::excerpt(context(error, ContextKind::InvalidValue).unwrap_or_default());

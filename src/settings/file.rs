@@ -17,14 +17,14 @@ use crate::platform::{files, tell};
 use crate::scene::{Scene, SceneError, looks_like_a_name};
 
 impl Settings {
-    /// All settings as a file.
+    /// Writes all settings as a file.
     #[must_use]
     #[expect(clippy::missing_panics_doc, reason = "it cannot fail: a test writes a thousand")]
     pub fn to_toml(&self) -> String {
         toml::to_string(self).expect("settings are numbers, words and lists of them")
     }
 
-    /// These settings, with what `text`, a file called `source_name`, says in their stead.
+    /// Returns these settings with those in `text`, a file called `source_name`, on top.
     ///
     /// # Errors
     /// One line that names the file, the line in it, what is wrong and what would be right.
@@ -44,7 +44,7 @@ impl Settings {
         Ok(self)
     }
 
-    /// The settings in `text`, as usual where it says nothing that can be; and what it says that cannot, a line each.
+    /// Returns the settings in `text` as far as they are valid, else defaults; and each invalid one in a line.
     #[must_use]
     pub fn as_far_as_told(text: &str) -> (Self, Vec<String>) {
         let mut settings = Self::default();
@@ -57,7 +57,7 @@ impl Settings {
         (settings, problems)
     }
 
-    /// These settings, with what the file at `path` says in their stead: settings in TOML, or a picture (.png) or
+    /// Returns these settings with those in the file at `path` on top: settings in TOML, or a picture (.png) or
     /// measurements (.exr) by `gamow render`; a link is no file, and says itself what it opens. A relative path to a scene is looked for beside the file, then where the
     /// program runs.
     ///
@@ -122,8 +122,8 @@ impl Settings {
         Ok(())
     }
 
-    /// These settings as the file at `path` is to tell them: with the name that it has for the file of their scene. They are
-    /// found again wherever both files go, and do not tell where they lay.
+    /// Returns these settings as the file at `path` should contain them: with the name of their scene's file relative to it. They are
+    /// found again wherever both files go, and do not reveal where they lay.
     #[must_use]
     pub fn as_told_in(&self, path: &Path) -> Self {
         let mut told = self.clone();
@@ -146,9 +146,9 @@ pub fn looks_like_settings(text: &str) -> bool {
     })
 }
 
-/// What a file of settings says besides them.
+/// The contents of a settings file besides the settings.
 pub(super) struct Told {
-    /// A title.
+    /// Title of the state.
     pub title: String,
     /// A sentence or two.
     pub caption: String,
@@ -158,7 +158,7 @@ pub(super) struct Told {
 const TOLD: [&str; 2] = ["title", "caption"];
 
 impl Told {
-    /// That of a file's text; `None` where a part is missing.
+    /// Parses these contents in a file's text; `None` where a part is missing.
     pub fn in_toml(text: &str) -> Option<Self> {
         let top = DeTable::parse(text).ok()?;
         let [title, caption] =
@@ -239,7 +239,7 @@ fn setting(section: &str, key: &Spanned<DeString>, value: &Spanned<DeValue>) -> 
     Ok(Given { key: name.to_string(), text, span: value.span() })
 }
 
-/// A value as a flag has it.
+/// Writes a value in the spelling of a flag.
 fn text_of(value: &DeValue) -> Option<String> {
     Some(match value {
         DeValue::String(text) => text.to_string(),

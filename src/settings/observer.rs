@@ -1,5 +1,4 @@
-//! What the two eyes are shown of a scene with these settings: the one place where the window and `gamow render` have
-//! it from.
+//! Views of a scene by the two eyes with these settings: the one source for the window and for `gamow render`.
 
 use glam::DVec3;
 use relativity_core::math::{asinh, sinh};
@@ -31,10 +30,10 @@ const SHARE_OF_PASSAGE: f64 = 0.6;
 /// A resting picture that is further aside, as a rapidity, is left out of what is framed.
 const FARTHEST_RESTING: f64 = 4.0;
 
-/// What gazes turn to.
+/// The subject of gazes.
 #[derive(Debug, Clone, Copy)]
 pub struct Subject<'a> {
-    /// All that moves with the scene.
+    /// Scene, with everything that moves.
     pub scene: &'a PreparedScene,
     /// The point that is tracked.
     pub tracked: Track,
@@ -66,7 +65,7 @@ impl Settings {
         self.motion.speed.speed()
     }
 
-    /// Where the left and the right eye rest, in the scene's coordinates: it passes further away or higher where they
+    /// Returns the places of the left and the right eye, in the scene's coordinates: it passes further away or higher where they
     /// stand back or lower.
     #[must_use]
     pub fn apertures(&self) -> [Aperture; 2] {
@@ -81,7 +80,7 @@ impl Settings {
         Baseline { separation: d, roll: roll.to_radians(), turn: turn.to_radians() }
     }
 
-    /// Where both eyes rest, from the point between them.
+    /// Returns the places of both eyes, from the point between them.
     #[must_use]
     pub fn pair(&self) -> [Aperture; 2] {
         self.baseline().apertures()
@@ -129,13 +128,13 @@ impl Settings {
         self.velocity(point.motion).reflected_source(self.from_between_eyes(point))
     }
 
-    /// That of what `point` rides along with: of the hub that it turns about, or its own.
+    /// Returns the source that `point` rides along with: the hub that it turns about, or itself.
     #[must_use]
     pub fn carrier(&self, point: &Track) -> SourcePoint {
         self.source(point).place()
     }
 
-    /// Where `point` is measured to be at `time`, from the point between the eyes.
+    /// Returns the place where `point` is measured at `time`, from the point between the eyes.
     #[must_use]
     pub fn measured_place(&self, point: &Track, time: f64) -> [f64; 3] {
         let velocity = self.velocity(point.motion);
@@ -172,7 +171,7 @@ impl Settings {
         }
     }
 
-    /// The binocular model by which it is told what happens: one light cone for both eyes where the views show that,
+    /// Returns the binocular model that descriptions use: one light cone for both eyes where the views show that,
     /// else the exact one. (The paper's has a right eye that is nowhere.)
     #[must_use]
     pub fn model(&self) -> Model {
@@ -182,7 +181,7 @@ impl Settings {
         }
     }
 
-    /// What the eyes receive of `point` at `observation_time`, by the [`Self::model`].
+    /// Returns the disparity of `point` at `observation_time`, by the [`Self::model`].
     ///
     /// # Errors
     /// A time outside the domain of the core.
@@ -202,7 +201,7 @@ impl Settings {
         self.velocity(point.motion).disparity(model, self.from_between_eyes(point), self.pair(), time)
     }
 
-    /// Where the eyes take `point` to be at `observation_time`, by the [`Self::model`] of what the views show.
+    /// Returns the stereo position of `point` at `observation_time`, by the [`Self::model`] of the views.
     ///
     /// # Errors
     /// A time outside the domain of the core; lines of sight that do not meet.
@@ -253,13 +252,13 @@ impl Settings {
         passage::time_of_approach(&speed, self.carrier(point), self.pair()).unwrap_or_default()
     }
 
-    /// What the left and the right eye are shown at `observation_time`, `size` in pixels, as they look at `subject`.
+    /// Returns the views of the left and the right eye at `observation_time`, `size` in pixels, as they look at `subject`.
     #[must_use]
     pub fn views(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> [View; 2] {
         self.views_with(&self.fixed_look(subject, observation_time, size), observation_time, size)
     }
 
-    /// How both eyes look at `subject` at `observation_time` in pictures of this `size`, as a gaze that stays there and
+    /// Returns the look of both eyes at `subject` at `observation_time` in pictures of this `size`, as a gaze that stays there and
     /// a field of view, in degrees, and a distance of zero parallax: the numbers from which a view is made, so that
     /// recorded ones give the same view to the last digit.
     ///
@@ -335,7 +334,7 @@ impl Settings {
         across.try_normalize().map_or(gaze, |across| Gaze::along(across.to_array()))
     }
 
-    /// Where the pictures of eyes with this `look`, whose gaze is fixed, have no parallax: a distance instead of `point`.
+    /// Returns the zero parallax of eyes with this `look`, whose gaze is fixed: a distance instead of `point`.
     fn zero_parallax(&self, look: &Look, point: &Track, observation_time: f64) -> ZeroParallax {
         let is_followed = look.zero_parallax == ZeroParallax::Point;
         if !look.projection.is_fused() || !is_followed {
@@ -471,7 +470,7 @@ impl Settings {
         Ok(self.cameras_with(look, size))
     }
 
-    /// What becomes of the light of `scene`, in a light window or a dark one.
+    /// Returns the appearance of `scene`, in a light window or a dark one.
     #[must_use]
     pub fn appearance(&self, scene: &Scene, light_window: bool) -> Appearance {
         let exposure_ev = self.light.exposure.0.unwrap_or_else(|| self.automatic_ev(scene));

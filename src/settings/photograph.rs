@@ -1,4 +1,4 @@
-//! What flags say of a picture that does not record it: a photograph, or a picture by another program.
+//! Flags for a picture that does not record its settings: a photograph, or a picture by another program.
 
 use clap::Args;
 
@@ -12,15 +12,15 @@ pub struct CameraArgs {
     /// Horizontal field of view of each eye's picture, degrees [default: as the file records it]
     #[arg(long, value_name = "DEG", value_parser = field_of_view)]
     fov: Option<f64>,
-    /// Where the cameras looked: azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees [default: as
+    /// Gaze of the cameras: azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees [default: as
     /// the file records it]
     #[arg(long, value_name = "AZ,EL", value_parser = fixed_gaze, allow_hyphen_values = true)]
     gaze: Option<GazeChoice>,
-    /// How directions become places in the pictures [default: as the file records it, else gaze, which is what a camera
+    /// Projection of the pictures [default: as the file records it, else gaze, which is what a camera
     /// does]
     #[arg(long, value_enum)]
     projection: Option<ProjectionChoice>,
-    /// How the pictures of both eyes are put together [default: as the file records it]
+    /// Layout in which the pictures of both eyes are put together [default: as the file records it]
     #[arg(long, value_enum)]
     layout: Option<Layout>,
     #[command(flatten)]

@@ -8,15 +8,15 @@ use super::file::Told;
 /// A state that has something to show.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Preset {
-    /// Its name on the command line.
+    /// Name on the command line.
     pub name: &'static str,
-    /// Its title in the window.
+    /// Title in the window.
     pub title: String,
-    /// What is seen, and why.
+    /// Caption: what is seen, and why.
     pub caption: String,
-    /// All its settings.
+    /// Settings of the preset.
     pub settings: Settings,
-    /// Its file.
+    /// Text of its file.
     pub toml: &'static str,
 }
 
@@ -57,7 +57,7 @@ static ALL: LazyLock<Vec<Preset>> = LazyLock::new(|| {
 });
 
 impl Preset {
-    /// All of them; the first is the start.
+    /// Returns every preset; the first is the start.
     #[must_use]
     pub fn all() -> &'static [Self] {
         &ALL

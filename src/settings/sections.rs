@@ -25,7 +25,7 @@ pub const MAX_LENGTH: f64 = 1e6;
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Motion")]
 pub struct Motion {
-    /// Speed along +x.
+    /// Speed of the scene along +x.
     #[command(flatten)]
     #[serde(flatten)]
     pub speed: SpeedSetting,
@@ -39,16 +39,16 @@ pub struct Motion {
     /// the left one, along y.
     #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
     pub turn: f64,
-    /// How much further away than the scene says it passes, along y.
+    /// Additional distance beyond the scene's own, along y.
     #[arg(long, value_name = "DY", value_parser = within(-MAX_LENGTH..=MAX_LENGTH), allow_hyphen_values = true)]
     pub depth_shift: f64,
-    /// How much higher than the scene says it passes, along z.
+    /// Additional height above the scene's own, along z.
     #[arg(long, value_name = "DZ", value_parser = within(-MAX_LENGTH..=MAX_LENGTH), allow_hyphen_values = true)]
     pub height_shift: f64,
 }
 
 impl Default for Motion {
-    /// The paper's.
+    /// The motion of the paper.
     fn default() -> Self {
         let speed = SpeedSetting::new(SpeedParameter::Beta, 0.9).expect("0.9 is a speed");
         Self { speed, d: 0.1, roll: 0.0, turn: 0.0, depth_shift: 0.0, height_shift: 0.0 }
@@ -65,7 +65,7 @@ const WIDEST_CONFORMAL: f64 = 179.5;
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Look")]
 pub struct Look {
-    /// Which geometry is shown.
+    /// Geometry of the views.
     #[arg(long, value_enum)]
     pub geometry: Geometry,
     /// The second of two pictures of the left eye, in place of the right eye's (with --layout side-by-side or over-under):
@@ -73,7 +73,7 @@ pub struct Look {
     #[arg(long, value_enum)]
     #[serde(skip_serializing_if = "Compare::is_off")]
     pub compare: Compare,
-    /// Where both eyes look: at the middle of all that moves, at the tracked point, straight ahead, abreast at
+    /// Gaze of both eyes: at the middle of all that moves, at the tracked point, straight ahead, abreast at
     /// the whole passage, or azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
     #[arg(long, value_name = "whole|point|ahead|passage|AZ,EL", allow_hyphen_values = true)]
     pub gaze: GazeChoice,
@@ -81,10 +81,10 @@ pub struct Look {
     /// whole passage from 81 degrees left to 81 right, or further; is 110 straight ahead and else 60.
     #[arg(long, value_name = "auto|DEG", allow_hyphen_values = true)]
     pub fov: FieldOfView,
-    /// How directions become places in a picture. What is measured by them does not change.
+    /// Projection of directions into a picture. What is measured does not depend on it.
     #[arg(long, value_enum)]
     pub projection: ProjectionChoice,
-    /// What is in the same place in both pictures, and so at the depth of the screen (not with --projection gaze): the
+    /// Zero parallax: in the same place of both pictures, and so at the depth of the screen (not with --projection gaze), is the
     /// tracked point, what is infinitely far away, or what is this far ahead, 1e-9 to 1e12.
     #[arg(long, value_name = "point|infinity|DISTANCE", allow_hyphen_values = true)]
     pub zero_parallax: ZeroParallax,
@@ -92,7 +92,7 @@ pub struct Look {
 
 /// The field of view that is used to show a point or a direction, degrees.
 pub const USUAL_FOV: f64 = 60.0;
-/// That straight ahead, degrees: wide enough for what passes to be seen coming and going.
+/// Field of view straight ahead, degrees: wide enough for a passing scene to be seen coming and going.
 pub const FOV_AHEAD: f64 = 110.0;
 
 impl Look {
@@ -114,12 +114,12 @@ impl Look {
     }
 }
 
-/// What light bodies send, what is received of it, shading and background.
+/// The light that bodies send, the part of it that is received, shading and background.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Light")]
 pub struct Light {
-    /// What light the bodies send, and how it becomes a colour.
+    /// Light that the bodies send, and how it becomes a colour.
     #[arg(long, value_enum)]
     pub colour: Colour,
     /// Temperature of bodies that glow, in kelvin, or in degrees Celsius like 1000C.
@@ -142,7 +142,7 @@ pub struct Light {
     /// falling ones for ultraviolet); eyes see nothing there.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub invisible: OnOff,
-    /// How form is shown.
+    /// Shading of the bodies.
     #[arg(long, value_enum)]
     pub shading: Shading,
     /// Whether what rests around the scene is drawn: its groups that do not move, such as houses.
@@ -183,30 +183,30 @@ impl Default for Light {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Daylight {
-    /// As the window is; dark where there is none.
+    /// Follows the window's theme; dark where there is none.
     #[default]
     Theme,
-    /// Light.
+    /// Light, like a page.
     On,
-    /// Dark.
+    /// Dark, like a night.
     Off,
 }
 
 /// Finest and coarsest bound of the mesh renderer, pixels.
 pub const BOUND_PX: RangeInclusive<f64> = 0.01..=100.0;
 
-/// What draws the views: the trade of speed for accuracy.
+/// The choice of a renderer: the trade of speed for accuracy.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Quality")]
 pub struct Quality {
-    /// What draws.
+    /// Renderer of the views.
     #[arg(long, value_enum)]
     pub renderer: RendererChoice,
-    /// How far the mesh renderer, where it is chosen, may draw a point from where it is seen, pixels.
+    /// Greatest distance, pixels, at which the mesh renderer, where it is chosen, may draw a point from where it is seen.
     #[arg(long, value_name = "PX", value_parser = within(BOUND_PX))]
     pub bound_px: f64,
-    /// What the automatic renderer keeps.
+    /// Goal of the automatic renderer.
     #[command(flatten)]
     #[serde(flatten)]
     pub goal: Goal,
@@ -222,7 +222,7 @@ impl Default for Quality {
     }
 }
 
-/// How the pictures of the eyes are shown together, and how `gamow render` makes a file of them. The window's views are as
+/// The layout of the eyes' pictures, and how `gamow render` makes a file of them. The window's views are as
 /// large as its panes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
@@ -231,13 +231,13 @@ pub struct Picture {
     /// Size of one eye's picture, pixels.
     #[arg(long, value_name = "WxH")]
     pub size: Size,
-    /// How the pictures of the two eyes are shown together. Those of an .exr file are layers of their own.
+    /// Layout of the pictures of the two eyes. Those of an .exr file are layers of their own.
     #[arg(long, value_enum)]
     pub layout: Layout,
     /// The layouts whose eyes are swapped, like `anaglyph,rows`; `none` has all as they are described.
     #[arg(long, value_name = "none|LAYOUTS")]
     pub swapped: Swapped,
-    /// Whether beside or above each other they are told apart by a letter above each and a bar between them. Both lie outside the
+    /// Labels: a letter above each of two pictures beside or above each other, and a bar between them. Both lie outside the
     /// pictures.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub labels: OnOff,
@@ -271,7 +271,7 @@ pub const VIEWING_CM: RangeInclusive<f64> = 5.0..=100_000.0;
 /// Closest and furthest that the middles of two pictures may be, mm.
 pub const PICTURE_MM: RangeInclusive<f64> = 10.0..=200.0;
 
-/// The screen that the pictures are looked at on: what is an angle in the scene is another one there.
+/// The screen that the pictures are seen on: an angle in the scene is another one there.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Screen")]
@@ -279,7 +279,7 @@ pub struct Screen {
     /// Width of the whole screen, centimetres; `auto` takes 96 pixels for an inch, which is right for few projectors.
     #[arg(long, value_name = "auto|CM")]
     pub screen_width: ScreenWidth,
-    /// How far one sits from the screen, centimetres.
+    /// Distance of the viewer from the screen, centimetres.
     #[arg(long, value_name = "CM", value_parser = within(VIEWING_CM))]
     pub viewing_distance: f64,
     /// Largest distance between the middles of two pictures that are fused without glasses, millimetres: no more than
@@ -289,17 +289,17 @@ pub struct Screen {
 }
 
 impl Default for Screen {
-    /// A desk's.
+    /// A screen on a desk.
     fn default() -> Self {
         Self { screen_width: ScreenWidth(None), viewing_distance: 60.0, picture_distance: 60.0 }
     }
 }
 
-/// What `auto` takes a point of the screen to be, cm: there are 96 of them in an inch.
+/// Size of a point of the screen that `auto` assumes, cm: there are 96 of them in an inch.
 const CM_PER_POINT: f64 = 2.54 / 96.0;
 
 impl Screen {
-    /// How large a point of a window is on a screen of this width in points, where that is known, cm.
+    /// Returns the size of a point of a window on a screen of this width in points, where that is known, cm.
     #[must_use]
     pub fn cm_per_point(&self, width_points: Option<f64>) -> f64 {
         let set = self.screen_width.0.zip(width_points.filter(|points| *points >= 1.0));
@@ -310,7 +310,7 @@ impl Screen {
 /// Slowest and fastest playback, units of T per second.
 pub const RATE: RangeInclusive<f64> = 0.001..=1e6;
 
-/// How the observation time runs.
+/// The playback of the observation time.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Playback")]
@@ -332,22 +332,22 @@ impl Default for Playback {
     }
 }
 
-/// Which quantity is plotted against T.
+/// The quantity that is plotted against T.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PlotTab {
-    /// How differently the eyes see each point.
+    /// Disparities: how differently the eyes see each point.
     #[default]
     Disparity,
     /// Azimuth and elevation for each eye.
     Angles,
     /// Doppler factor for each eye.
     Doppler,
-    /// Where two eyes take the point to be.
+    /// Stereo position: where two eyes take the point to be.
     Stereo,
     /// Speed and distance fitted to noisy disparities.
     Fit,
-    /// What each way to draw the views costs, and how far it is off.
+    /// Cost and error of each way to draw the views.
     Accuracy,
 }
 
@@ -362,12 +362,12 @@ pub enum Coordinates {
     Conformal,
 }
 
-/// What the plots show.
+/// The contents of the plots.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Plots")]
 pub struct Plots {
-    /// What is plotted.
+    /// Tab of the plots.
     #[arg(long, value_enum)]
     pub plot: PlotTab,
     /// The coordinates of the disparity plots.
@@ -391,7 +391,7 @@ impl Plots {
 
 /// Fewest and most samples that are fitted: their fit still takes less than a second.
 pub const FIT_SAMPLES: RangeInclusive<usize> = 2..=5000;
-/// Most noise, per cent.
+/// Range of the noise, per cent.
 pub const NOISE_PERCENT: RangeInclusive<f64> = 0.0..=100.0;
 /// Largest seed: up to here a field of the window, whose numbers are `f64`, holds every whole number.
 pub const MAX_SEED: u64 = 1 << f64::MANTISSA_DIGITS;
@@ -404,7 +404,7 @@ pub struct FitSetup {
     /// Number of samples, evenly spread over the range.
     #[arg(long, value_name = "N", value_parser = samples)]
     pub fit_samples: usize,
-    /// By which model they are made: that of what the views show, or another.
+    /// Model by which samples are made: that of the views, or another.
     #[arg(long, value_enum)]
     pub data_from: DataFrom,
     /// First and last T of the samples; `auto` is as plotted.
@@ -416,7 +416,7 @@ pub struct FitSetup {
     /// Seed of the noise and of the bootstrap.
     #[arg(long, value_name = "S", value_parser = seed)]
     pub seed: u64,
-    /// Which curves are fitted.
+    /// Curves that are fitted.
     #[arg(long, value_enum)]
     pub curves: Curves,
     /// The binocular model that is fitted.
@@ -442,7 +442,7 @@ impl Default for FitSetup {
     }
 }
 
-/// By which binocular model simulated samples are made.
+/// The binocular model by which simulated samples are made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum DataFrom {
@@ -478,14 +478,14 @@ fn seed(text: &str) -> Result<u64, String> {
     whole_number(text, 0..=MAX_SEED)
 }
 
-/// What the map draws.
+/// The face of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Face {
     /// Places at the present T: a plan, and a view from the side.
     #[default]
     Space,
-    /// x against t.
+    /// Spacetime: x against t.
     Spacetime,
 }
 
@@ -493,10 +493,10 @@ pub enum Face {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Frame {
-    /// That of the street and of the eyes.
+    /// Frame of the street and of the eyes.
     #[default]
     Ground,
-    /// That of what moves at the scene's speed.
+    /// Frame of everything that moves at the scene's speed.
     Bicycle,
 }
 
@@ -511,12 +511,12 @@ pub enum Framing {
     CloseUp,
 }
 
-/// What the map shows.
+/// The contents of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Map")]
 pub struct Map {
-    /// What the map draws.
+    /// Face of the map.
     #[arg(long, value_enum)]
     pub face: Face,
     /// The frame in which the map is drawn.
@@ -531,12 +531,12 @@ pub struct Map {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Presence {
-    /// Where there is room.
+    /// Shown if there is room.
     #[default]
     Auto,
-    /// Always.
+    /// Always shown.
     On,
-    /// Never.
+    /// Never shown.
     Off,
 }
 
@@ -544,16 +544,16 @@ pub enum Presence {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Theme {
-    /// Dark on light.
+    /// Dark on a light background.
     Light,
-    /// Light on dark.
+    /// Light on a dark background.
     #[default]
     Dark,
-    /// As the system says.
+    /// Follows the system's theme.
     System,
 }
 
-/// Which parts of the window are shown, how large, and in which colours.
+/// The parts of the window that are shown, their sizes and colours.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Window")]
@@ -567,16 +567,16 @@ pub struct Window {
     /// A strip below the views that shows which wavelengths arrive of the selected point.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub spectrum: OnOff,
-    /// A sentence below the views that tells the moment.
+    /// Sentence below the views about the moment.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub sentence: OnOff,
     /// The map: what happens, beside what is seen. Hidden, it computes nothing.
     #[arg(long, value_enum)]
     pub map: Presence,
-    /// The plots.
+    /// Plots of curves over T.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub plots: OnOff,
-    /// The controls.
+    /// Controls beside the views.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub controls: OnOff,
     /// Few controls: those of the speed, the separation of the eyes and T; and one plot. A new user's window begins so.
@@ -601,7 +601,7 @@ pub struct Window {
     /// since the step of a lesson began, else since it showed 0.
     #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
     pub resting_clock: OnOff,
-    /// Along the lower edge of conformal views, a ruler of rapidity and the spectrum that stands still above it.
+    /// Ruler of rapidity along the lower edge of conformal views, with the spectrum that stands still above it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub ruler: OnOff,
     /// In conformal views, the outline of what moves where it would be seen at rest, and the arrow by which motion slides it.

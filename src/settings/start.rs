@@ -1,4 +1,4 @@
-//! The settings to start with: what was left or is usual, what a file says, what flags say.
+//! The settings to start with: the last ones or the defaults, then a file's, then the flags'.
 
 use std::path::{Path, PathBuf};
 
@@ -40,8 +40,8 @@ impl StartArgs {
         self.given.get_one(SCENE)
     }
 
-    /// `left`, or what the preset or the file says if one is given; and the flags in their stead. What belongs to a scene
-    /// does not go over to another that a flag gives.
+    /// Returns `left`, or the settings of the preset or the file if one is given; and the flags on top. Settings that belong to a scene
+    /// do not go over to another that a flag gives.
     pub fn settings(&self, left: Settings) -> anyhow::Result<Settings> {
         let base = match &self.state {
             Some(state) => named(state, &left)?,

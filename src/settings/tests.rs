@@ -1,4 +1,4 @@
-//! Settings survive every file they are in, to the last digit; and what is wrong with one is said in a line.
+//! Settings survive every file they are in, to the last digit; and an invalid one gives an error of one line.
 
 use std::f64::consts::FRAC_PI_2;
 use std::ops::RangeInclusive;

@@ -18,28 +18,28 @@ use crate::flags::words::Shell;
 use crate::passage::time_within;
 use crate::platform::files;
 
-/// Frames a second: as many hundredths of a second each as a GIF can tell.
+/// Frames a second: a whole number of hundredths of a second each, as a GIF needs.
 pub const FRAMES_PER_SECOND: u16 = 25;
-/// Where the eyes' pictures alternate, each is shown for so many frames: no faster than flashes may be shown to everybody.
+/// Number of frames for which each of two alternating pictures is shown: no faster than flashes may be shown to everybody.
 const FRAMES_PER_TURN: usize = 5;
 
-/// What a film can be.
+/// The kind of a film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FilmKind {
     /// An animated GIF, of 256 colours a frame.
     Gif,
-    /// An animated PNG.
+    /// An animated picture (PNG).
     Png,
     /// A folder with a picture for each frame.
     Folder,
 }
 
-/// How far a film has come.
+/// The part of a film that is written.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Written {
     /// Frames that are written.
     pub frames: u32,
-    /// Their size, bytes.
+    /// Size of the frames, bytes.
     pub bytes: u64,
 }
 
@@ -67,7 +67,7 @@ impl<W: Write> Write for Counted<'_, W> {
 pub struct Stopped;
 
 impl FilmKind {
-    /// What `path` names by its ending; a folder if it has none.
+    /// Returns the kind that `path` names by its ending; a folder if it has none.
     #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
         let Some(extension) = path.extension() else { return Some(Self::Folder) };
@@ -99,19 +99,19 @@ impl FilmKind {
     }
 }
 
-/// How many frames a film has in which T runs through `range` once, at `rate` units a second; 2 or more.
+/// Returns the number of frames of a film in which T runs through `range` once, at `rate` units a second; 2 or more.
 #[must_use]
 pub fn frame_count([from, to]: [f64; 2], rate: f64) -> u32 {
     (f64::from(FRAMES_PER_SECOND) * (to - from) / rate).round().clamp(2.0, f64::from(u32::MAX)) as u32
 }
 
-/// The T of each of so many frames of a loop through `range`: after the last comes the first again.
+/// Returns T of each of `frames` frames of a loop through `range`: after the last comes the first again.
 #[must_use]
 pub fn loop_times(range: [f64; 2], frames: u32) -> Vec<f64> {
     (0..frames).map(|frame| time_within(range, f64::from(frame) / f64::from(frames))).collect()
 }
 
-/// Where frame `number` of a sequence in `folder` is.
+/// Returns the path of frame `number` of a sequence in `folder`.
 #[must_use]
 pub fn frame_path(folder: &Path, number: u32, kind: FileKind) -> PathBuf {
     folder.join(format!("frame_{number:05}.{}", kind.extension()))
@@ -124,7 +124,7 @@ enum Animated<W: Write> {
 }
 
 impl<W: Write> Animated<W> {
-    /// One of so many `frames` of this `size`, of which the `record` tells how it was made.
+    /// Begins a film of `frames` frames of this `size`, whose provenance is `record`.
     fn new(
         kind: FilmKind,
         size: [u32; 2],
@@ -202,7 +202,7 @@ impl Studio {
         Ok(bytes.get())
     }
 
-    /// What the frame of this number shows: where the eyes take turns, the picture of one of them.
+    /// Draws the frame of this number: where the eyes take turns, the picture of one of them.
     fn shown_in_film(&mut self, frame: &Frame, number: u32) -> anyhow::Result<Picture> {
         let mut still = self.still(frame)?;
         let turn = (number as usize / FRAMES_PER_TURN) % still.frames.len();

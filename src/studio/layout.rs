@@ -7,7 +7,7 @@ use crate::files::png::Still;
 use crate::flags::choices::{Form, Layout};
 use crate::settings::Picture;
 
-/// The file that shows `eyes`, the pictures of those that `picture` shows in its order, labelled in `labels` where that tells
+/// Returns the file that shows `eyes`, the pictures of those that `picture` shows in its order, labelled in `labels` where that tells
 /// them apart. For free viewing the middles of pictures are `picture_mm` apart.
 #[must_use]
 pub fn still(picture: &Picture, eyes: Vec<Pixels>, labels: Option<Labels>, picture_mm: f64) -> Still {

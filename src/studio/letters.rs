@@ -10,7 +10,7 @@ const PEN: f64 = 0.085;
 /// A letter of height 1, from its top left corner to the right and down.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Letter {
-    /// Straight strokes.
+    /// Straight strokes of the letter.
     lines: &'static [[DVec2; 2]],
     /// Middle and radius of half circles that are open to the left.
     bowl: Option<(DVec2, f64)>,
@@ -42,7 +42,7 @@ pub fn draw(picture: &mut Picture, letter: &Letter, middle: [f64; 2], height: f6
     draw_by(picture, |place| letter.distance(place), middle, [corner.x, corner.y, height], colour);
 }
 
-/// Draws what is `height` high from a corner `[x, y, height]` on about `middle`, where `distance` tells how far a place is from its
+/// Draws a shape that is `height` high from a corner `[x, y, height]` on, about `middle`; `distance` gives the distance of a place from its
 /// nearest stroke, both in parts of the height.
 pub(super) fn draw_by(
     picture: &mut Picture,

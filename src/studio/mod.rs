@@ -1,4 +1,4 @@
-//! Where pictures are made for files: a scene, settings and a renderer, and what the files record of them.
+//! The studio, where pictures are made for files: a scene, settings and a renderer, and the record in each file.
 
 pub mod film;
 mod layout;
@@ -56,7 +56,7 @@ impl Studio {
         Self::of_scene(settings, scene, tracked)
     }
 
-    /// This `scene` as `settings` have it, with this point `tracked`, and the renderer that they choose.
+    /// Returns a studio for this `scene` as `settings` have it, with this point `tracked`, and the renderer that they choose.
     ///
     /// # Errors
     ///
@@ -70,7 +70,7 @@ impl Studio {
         Ok(studio)
     }
 
-    /// What is drawn, and how.
+    /// Returns the settings of the studio.
     #[must_use]
     pub const fn settings(&self) -> &Settings {
         &self.settings
@@ -82,7 +82,7 @@ impl Studio {
         self.tracked
     }
 
-    /// What the eyes look at.
+    /// Returns the subject of the eyes' gaze.
     fn subject(&self) -> Subject<'_> {
         Subject { scene: &self.prepared, tracked: self.tracked }
     }
@@ -106,7 +106,7 @@ impl Studio {
         Ok(Frame { settings, time })
     }
 
-    /// What the file of `frame` at `path` records.
+    /// Returns the provenance that the file of `frame` at `path` records.
     fn provenance(&self, frame: &Frame, path: &Path) -> Provenance {
         self.scene.provenance(frame.settings.as_told_in(path).command(Shell::RECORDED))
     }
@@ -146,7 +146,7 @@ impl Studio {
         }
     }
 
-    /// What the file of `frame` shows.
+    /// Draws the picture for the file of `frame`.
     ///
     /// # Errors
     ///
@@ -173,7 +173,7 @@ impl Studio {
         Ok(timings.timed("layout", || layout::still(picture, eyes, labels, picture_mm)))
     }
 
-    /// What every pixel of the left and the right eye shows.
+    /// Returns the hits of every pixel of the left and the right eye.
     fn hits(&mut self, frame: &Frame) -> anyhow::Result<[HitImage; 2]> {
         let Frame { settings, time, .. } = frame;
         anyhow::ensure!(
@@ -188,7 +188,7 @@ impl Studio {
         ])
     }
 
-    /// What draws on what, and how long each stage took.
+    /// Returns a report: the renderer, the device, and the time of each stage.
     #[must_use]
     pub fn report(&self) -> String {
         let size = self.settings.picture.size;
@@ -196,7 +196,7 @@ impl Studio {
     }
 }
 
-/// One observation time of a studio's scene.
+/// A frame: one observation time of a studio's scene.
 #[derive(Debug, Clone)]
 pub struct Frame {
     /// The settings, with nothing left to be found out.

@@ -1,4 +1,4 @@
-//! What draws for files: the method that the settings choose, on the device it needs.
+//! The painter of files: the method that the settings choose, on the device it needs.
 
 use anyhow::Context as _;
 use relativity_render::{
@@ -17,16 +17,16 @@ pub struct Painter {
     method: Method,
     /// Rays per pixel of the reference are the square of this.
     samples: u32,
-    /// What chooses the method, where that is automatic.
+    /// Choice of the method, where that is automatic.
     automatic: Option<Choosing>,
     /// When it was made.
     clock: Instant,
 }
 
-/// What chooses, and how far that is.
+/// The automatic choice, and its progress.
 struct Choosing {
     automatic: Automatic,
-    /// What was chosen last.
+    /// Last choice that was made.
     choice: Option<Choice>,
     /// Whether a picture was measured since.
     is_measured: bool,
@@ -90,7 +90,7 @@ impl Painter {
         Ok(Self { automatic, ..Self::of_method(settings, Method::Reference, gpu) })
     }
 
-    /// What draws half of the sky.
+    /// Returns the painter of half the sky.
     fn of_vr180(settings: &Settings) -> anyhow::Result<Self> {
         anyhow::ensure!(
             settings.look.geometry != Geometry::Published,
@@ -110,8 +110,8 @@ impl Painter {
         Ok(Self::of_method(settings, Method::Reference, None))
     }
 
-    /// Has what draws so many pictures like that of `view` chosen where that is automatic: by what methods usually cost, and
-    /// once more when the first picture was measured. The `quality` that leads to this method again.
+    /// Chooses the method for this number of pictures like that of `view` where the choice is automatic: by the methods' usual costs, and
+    /// once more when the first picture was measured. Returns the `quality` that leads to this method again.
     #[must_use]
     pub fn choose(
         &mut self,
@@ -153,7 +153,7 @@ impl Painter {
         Ok(picture)
     }
 
-    /// What the centre of every pixel of `view` shows.
+    /// Returns the hits at the centre of every pixel of `view`.
     ///
     /// # Errors
     ///
@@ -162,7 +162,7 @@ impl Painter {
         Ok(self.renderers.hits(self.method, scene, view)?)
     }
 
-    /// What it is, for a reader.
+    /// Returns a description of the painter, for a reader.
     #[must_use]
     pub fn description(&self) -> String {
         let device = self.renderers.gpu().map(Gpu::description).unwrap_or_default();

@@ -1,5 +1,5 @@
-//! Where the pictures of the two eyes lie in a file. What tells them apart, a letter above each and a bar between them,
-//! stands outside of them, so that every pixel of theirs stays as it was drawn and can be measured.
+//! Sheets: the places of the two eyes' pictures in a file. A letter above each and a bar between them, which distinguish them,
+//! lie outside of them, so that every pixel of theirs stays as it was drawn and can be measured.
 
 use relativity_render::Picture;
 
@@ -15,7 +15,7 @@ const BAR: (f64, u32) = (1.0 / 160.0, 2);
 /// Height of a letter in parts of the strip's.
 const LETTER: f64 = 0.6;
 
-/// What the strip and the bar are drawn with, sRGB-encoded.
+/// The ink of the strip and the bar, sRGB-encoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Ink {
     /// Behind the letters, and between the pictures.
@@ -52,7 +52,7 @@ impl Default for Labels {
     }
 }
 
-/// How a file is divided among the pictures in it.
+/// The division of a file among the pictures in it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Sheet {
     /// Width and height of the file, pixels.
@@ -67,11 +67,11 @@ pub struct Sheet {
 /// A picture in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Part {
-    /// Whose it is (0 left, 1 right).
+    /// Eye of the picture (0 left, 1 right).
     eye: usize,
-    /// In which frame of the file.
+    /// Number of the frame in the file.
     frame: usize,
-    /// Where it begins there from the left and from the top.
+    /// Place of its corner there, from the left and from the top.
     corner: [u32; 2],
 }
 
@@ -117,7 +117,7 @@ impl Sheet {
             .find(|sheet| sheet.size == size)
     }
 
-    /// How many pixels a metre has on which the middles of pictures that stand side by side are `millimetres` (above 0)
+    /// Returns the pixels per metre at which the middles of pictures beside each other are `millimetres` (above 0)
     /// apart, or hardly less.
     #[must_use]
     pub fn pixels_per_metre(&self, millimetres: f64) -> u32 {

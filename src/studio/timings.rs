@@ -1,4 +1,4 @@
-//! How long each stage of a picture takes.
+//! Times of the stages of a picture.
 
 use std::fmt;
 

@@ -12,9 +12,9 @@ pub const LAST: Moment = 1 << 53;
 /// A value and when it was entered.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Dated<T> {
-    /// The date.
+    /// Date of the change.
     pub at: Moment,
-    /// The value.
+    /// Value at that date.
     pub value: T,
 }
 

@@ -36,7 +36,7 @@ fn entering(course: &Course, answer: Answer) -> Course {
 enum Deed {
     /// Predict this in the present step.
     Predict(usize),
-    /// Go on without.
+    /// Goes on without an answer.
     Skip,
     Observe(usize),
     Forward,

@@ -27,7 +27,7 @@ pub(super) struct Draft {
     pub(super) confidence: Option<Confidence>,
 }
 
-/// The answers given in a step, and the questions asked there: a lesson may be rewritten in the meantime.
+/// A step's answers, with the questions that were asked: a lesson may be rewritten in the meantime.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct KeptStep {
     number: usize,
@@ -57,7 +57,7 @@ impl Way {
         self.place.as_ref().map_or(Place::START, |place| place.value)
     }
 
-    /// Returns the answers given in the step of this `number`, if `lesson` still asks there what it asked then.
+    /// Returns the answers given in the step of this `number`, if `lesson` still has the same question there.
     #[must_use]
     pub fn record(&self, lesson: &Lesson, number: usize) -> Record {
         let Some(step) = lesson.steps.get(number) else { return Record::default() };
@@ -70,7 +70,7 @@ impl Way {
         Some(Record { outcome, observed }).filter(|record| record.fits(step)).unwrap_or_default()
     }
 
-    /// Returns the answer that was being entered and how sure it was, if that is still asked at `place`.
+    /// Returns the answer that was being entered and its confidence, if `place` still has the same question.
     #[must_use]
     pub fn draft(&self, lesson: &Lesson, place: Place) -> (Option<Answer>, Option<Confidence>) {
         let draft = self.draft.as_ref().map(|draft| &draft.value).filter(|draft| draft.place == place);
@@ -138,7 +138,7 @@ impl Way {
         self.draft.as_ref().map_or(0, |draft| draft.at).max(self.latest_answer())
     }
 
-    /// Restores the order of its steps, which a file may have lost, and returns whether no step stands there twice.
+    /// Restores the order of its steps, which a file may have lost, and returns whether each step occurs only once.
     pub(super) fn put_in_order(&mut self) -> bool {
         self.steps.sort_by(|a, b| a.key().cmp(&b.key()));
         self.drop_cleared();

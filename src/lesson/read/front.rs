@@ -4,7 +4,7 @@ use super::limits::check_name;
 use super::wrong::Wrong;
 use crate::platform::tell;
 
-/// What it says.
+/// The front matter of a lesson.
 pub struct Front {
     pub title: String,
     pub order: u32,
@@ -13,13 +13,13 @@ pub struct Front {
 }
 
 const KEYS: [&str; 4] = ["title", "order", "concept", "minutes"];
-/// What stands before it and after it.
+/// Line before and after the front matter.
 pub const FENCE: &str = "---";
 /// A lesson that does not say its place comes after those that do.
 const LAST: u32 = 1000;
 
 impl Front {
-    /// That of a lesson's `text`, and how many lines it takes.
+    /// Parses the front matter of a lesson's `text`, and returns the number of its lines, too.
     pub fn of(text: &str) -> Result<(Self, usize), Wrong> {
         let begin = format!("a lesson begins with a line `{FENCE}`, then `title: …`, and again `{FENCE}`");
         let mut lines = text.lines().enumerate();

@@ -30,15 +30,15 @@ const LAB: &str = "Lab";
 const PARTS: [&str; 5] = ["Predict", "Reveal", "Observe", "Explain", "Teach"];
 /// The blocks that are no text.
 const BLOCKS: [&str; 5] = ["state", "play", "number", "point", "curve"];
-/// How long an animation takes, and the longest, seconds.
+/// Default duration of an animation, and the longest, seconds.
 const SECONDS: f64 = 4.0;
 const MOST_SECONDS: f64 = 120.0;
-/// What blocks say that are right.
+/// Correct contents of blocks, for error messages.
 const NUMBER: &str = "`truth = \"gain\"` (the name of a value), and if it likes `unit = \"times\"`, `decimals = 2`, `within = 0.1`";
 const POINT: &str = "`body = \"front tyre\"`";
 const CURVE: &str = "`of = \"doppler\"`, `from = 0` and `to = 3`";
 const PLAY: &str = "`time = 5` or `beta = 0.9`, and if it likes `seconds = 4`";
-/// By how much a number may be off unless the lesson says, as a part of the truth.
+/// Default tolerance of a number, as a part of the truth.
 const WITHIN: f64 = 0.1;
 
 impl Lesson {
@@ -322,7 +322,7 @@ fn choices(part: &Part) -> Result<Choices, Wrong> {
 }
 
 impl Part {
-    /// Its text, in which none of these `blocks` may stand, which is somewhere `place` tells.
+    /// Returns its text, in which none of these `blocks` may occur; `place` describes where it is.
     fn only_text(&self, blocks: &[&str], place: &str) -> Result<Text, Wrong> {
         let (found, text) = self.blocks(blocks, blocks)?;
         match found.first() {
@@ -333,7 +333,7 @@ impl Part {
 }
 
 impl Block {
-    /// What it says, as TOML; where that is wrong, `right` tells what it could be.
+    /// Parses its text as TOML; in an error, `right` gives the correction.
     fn table<T: DeserializeOwned>(&self, right: &str) -> Result<T, Wrong> {
         toml::from_str(&self.text).map_err(|error| {
             let (span, message) = syntax::problem(&self.text, &error);
@@ -349,10 +349,10 @@ impl Block {
 }
 
 impl Quantity {
-    /// All of them.
+    /// Every quantity of a drawn curve.
     pub const ALL: [Self; 4] = [Self::Dphi, Self::Dtheta, Self::Doppler, Self::Phi];
 
-    /// What a lesson calls it.
+    /// Returns the name of the quantity in lessons.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

@@ -1,28 +1,28 @@
-//! A Markdown text in parts: what stands below its headings, its blocks between fences, its lists of choices.
+//! Parts of a Markdown text: the text below its headings, its blocks between fences, its lists of choices.
 
 use super::wrong::Wrong;
 use crate::lesson::plan::{Options, Text};
 use crate::platform::tell;
 
-/// What stands below a heading.
+/// A part: the text below a heading.
 #[derive(Debug)]
 pub struct Part {
-    /// The heading; none of what stands before the first.
+    /// Heading of the part; empty for the text before the first.
     pub title: String,
     /// The number of lines before its first.
     pub line: usize,
-    /// What stands below it.
+    /// Text below the heading.
     pub text: String,
 }
 
-/// What stands between two fences.
+/// A block between two fences.
 #[derive(Debug)]
 pub struct Block {
-    /// What the first of them says.
+    /// Kind of the block, from its first fence.
     pub kind: String,
-    /// Its first line in the file, from 1.
+    /// Number of its first line in the file, from 1.
     pub line: usize,
-    /// Its lines.
+    /// Lines of the block.
     pub text: String,
 }
 
@@ -107,7 +107,7 @@ fn endless(kind: &str, place: &str) -> String {
     format!("the block ```{} has no end: a line ```{place}", tell::excerpt(kind))
 }
 
-/// The parts of `text` below the headings that begin like `mark`; the first has none, and begins after so many lines.
+/// Returns the parts of `text` below the headings that begin like `mark`; the first has no heading, and begins after `first` lines.
 pub fn parts(text: &str, first: usize, mark: &str) -> Vec<Part> {
     let mut all = vec![Part { title: String::new(), line: first, text: String::new() }];
     let mut is_block = false;
@@ -129,7 +129,7 @@ impl Part {
         self.line.max(1)
     }
 
-    /// Its blocks of the kinds that are `allowed` here, one of each at most, of all that are `known`; and the rest of its
+    /// Returns its blocks of the kinds that are `allowed` here, one of each at most, of all that are `known`; and the rest of its
     /// text. Other blocks are text.
     pub fn blocks(&self, allowed: &[&str], known: &[&str]) -> Result<(Vec<Block>, Text), Wrong> {
         let (mut blocks, mut rest): (Vec<Block>, Vec<(usize, &str)>) = (Vec::new(), Vec::new());
@@ -162,7 +162,7 @@ impl Part {
         Ok((blocks, text(&rest)))
     }
 
-    /// Its list of choices, if it has one, and it without that.
+    /// Returns its list of choices, if it has one, and the part without it.
     pub fn options(&self) -> Result<(Option<Options>, Self), Wrong> {
         let (mut options, mut right, mut rest) = (Vec::new(), Vec::new(), String::new());
         let mut is_item = false;
@@ -197,7 +197,7 @@ impl Part {
     }
 }
 
-/// What a choice says that begins in this line, and whether it is the right one.
+/// Returns the choice that begins in this line, and whether it is the right one.
 fn item(line: &str) -> Option<(&str, bool)> {
     let item = line.strip_prefix(['-', '*']).filter(|item| item.starts_with([' ', '\t']))?.trim_start();
     let marks = [("[ ]", false), ("[x]", true), ("[X]", true)];

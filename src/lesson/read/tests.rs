@@ -231,7 +231,7 @@ fn a_lesson_that_is_no_text_is_told() {
 }
 
 proptest! {
-    /// Whatever an editor leaves there, there is a lesson or a line that says what is wrong.
+    /// Broken files give either a lesson or one line with the error, whatever an editor leaves.
     #[test]
     fn a_broken_lesson_is_told_in_a_line(
         cut in any::<proptest::sample::Index>(),

@@ -4,7 +4,7 @@ use relativity_core::math;
 
 use super::here::{Here, Value};
 
-/// Them.
+/// Values of a body's ends.
 pub const VALUES: &[Value] = &[
     Value {
         name: "stereo_length",
@@ -46,7 +46,7 @@ pub const VALUES: &[Value] = &[
 ];
 
 impl Here<'_> {
-    /// From where two eyes place one end to where they place the other.
+    /// Returns the span from where two eyes place one end to where they place the other.
     fn stereo_span(&self) -> Option<[f64; 3]> {
         let place = |end| {
             let end = self.scene.track_at(end, self.body?)?;

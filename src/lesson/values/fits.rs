@@ -1,9 +1,9 @@
-//! Values of the fit of the selected point, as the *Fit* tab has it.
+//! Values of the fit of the selected point, as the *Fit* tab shows it.
 
 use super::fitted::{Fitted, fitted};
 use super::here::{Here, Value};
 
-/// Them.
+/// Values of the fit.
 pub const VALUES: &[Value] = &[
     Value {
         name: "fit_beta",

@@ -1,4 +1,4 @@
-//! The fit of the selected point, which is made when a value of it is first asked for.
+//! The fit of the selected point, made when a value of it is first needed.
 
 use std::cell::OnceCell;
 
@@ -9,13 +9,13 @@ use crate::estimate::{Estimate, estimate};
 use crate::scene::Scene;
 use crate::settings::Settings;
 
-/// A fit that is made when it is first asked for. `None` in it: there is none.
+/// A fit, made when it is first needed. `None` inside: there is none.
 pub type Fit = OnceCell<Option<[Fitted; 3]>>;
 
-/// What a fit finds for a parameter, and the truth.
+/// A fitted parameter, and the truth.
 #[derive(Debug, Clone)]
 pub struct Fitted {
-    /// What it finds.
+    /// Estimate of the parameter.
     pub estimate: Estimate,
     truth: f64,
 }

@@ -1,4 +1,4 @@
-//! What a value is, and what it is worked out for.
+//! A value of a lesson, and the point it is computed for.
 
 use relativity_core::{Disparity, Sighting};
 
@@ -6,40 +6,40 @@ use super::fitted::Fit;
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
-/// A value that lessons can tell.
+/// A value that lessons can quote.
 pub struct Value {
-    /// Its name.
+    /// Name of the value.
     pub name: &'static str,
-    /// What it is, with its unit.
+    /// Description of the value, with its unit.
     pub what: &'static str,
-    /// It; `None` where it does not exist.
+    /// Computes the value; `None` where it does not exist.
     pub work_out: fn(&Here) -> Option<f64>,
 }
 
-/// What a value is worked out for: a point of a scene at a T.
+/// The place that a value is computed for: a point of a scene at a T.
 pub struct Here<'a> {
-    /// The settings.
+    /// Settings of the step.
     pub settings: &'a Settings,
     /// The scene that they name.
     pub scene: &'a Scene,
-    /// The point.
+    /// Point of the scene.
     pub track: Track,
     /// The body that it is on, if it is on one.
     pub body: Option<usize>,
-    /// T.
+    /// Observation time T.
     pub time: f64,
-    /// The fit of the selected point, once it was asked for.
+    /// Fit of the selected point, once it was needed.
     pub fit: &'a Fit,
 }
 
 impl Here<'_> {
-    /// What both eyes see of the point, by the model of what the views show.
+    /// Returns the disparity of the point, by the model of the views.
     #[must_use]
     pub fn disparity(&self) -> Option<Disparity> {
         self.settings.disparity(&self.track, self.time).ok()
     }
 
-    /// What the left eye sees of the point.
+    /// Returns the left eye's sighting of the point.
     #[must_use]
     pub fn left(&self) -> Option<Sighting> {
         Some(self.disparity()?.primary)

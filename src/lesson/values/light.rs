@@ -5,7 +5,7 @@ use relativity_core::{Speed, math, observation_time_when_seen_at};
 
 use super::here::{Here, Value};
 
-/// Them.
+/// Values of the received light.
 pub const VALUES: &[Value] = &[
     Value {
         name: "received_nm",

@@ -1,4 +1,4 @@
-//! The values that lessons tell: each has a name, and is worked out by the program for the state of a step, so that no
+//! The values that lessons quote: each has a name, and is computed by the program for the state of a step, so that no
 //! number in a text is typed.
 //!
 //! A text asks for one as `{NAME:.2}` (two decimals), `{NAME of BODY:.2}` or `{NAME at T:.2}`. Without a body it is
@@ -29,7 +29,7 @@ use crate::settings::Settings;
 /// This many values with similar names are suggested.
 const NEAREST: usize = 5;
 
-/// All of them, in the order of the documentation.
+/// Returns every value, in the order of the documentation.
 pub fn all() -> impl Iterator<Item = &'static Value> {
     [optics::VALUES, light::VALUES, pairs::VALUES, ends::VALUES, rolling::VALUES, fits::VALUES]
         .into_iter()
@@ -45,7 +45,7 @@ struct Asked<'a> {
 }
 
 impl<'a> Asked<'a> {
-    /// What `text` asks for: `NAME`, `NAME of BODY`, `NAME at T`, or both.
+    /// Parses a request: `NAME`, `NAME of BODY`, `NAME at T`, or both.
     fn of(text: &'a str) -> Result<Self, String> {
         let (rest, time) = match text.rsplit_once(" at ") {
             Some((rest, time)) => {
@@ -83,7 +83,7 @@ pub fn check(text: &str) -> Result<(), String> {
     Asked::of(text)?.value().map(|_| ())
 }
 
-/// The value that `text` asks for, in `scene` as `settings` have it.
+/// Returns the value that `text` requests, in `scene` as `settings` have it.
 ///
 /// # Errors
 /// Why there is none.
@@ -114,7 +114,7 @@ fn followed(scene: &Scene, name: &str) -> Result<(Track, Option<usize>), String>
 }
 
 impl Lesson {
-    /// It with all values in their places, and with the truth of every number that is predicted.
+    /// Returns the lesson with all values in their places, and with the truth of every number that is predicted.
     ///
     /// # Errors
     /// A setting, a scene or a value that cannot be had, with its line.
@@ -172,7 +172,7 @@ impl Lesson {
         Ok((settings, scene))
     }
 
-    /// All that is told of settings up to the step of this number, after its reveal if it `is_revealed`, last first.
+    /// Returns all settings given up to the step of this number, after its reveal if it `is_revealed`, last first.
     fn told_until(&self, step: usize, is_revealed: bool) -> impl Iterator<Item = &Told> {
         let passed = self.steps.iter().enumerate().take(step + 1);
         let told = passed.flat_map(move |(number, passed)| {
@@ -182,7 +182,7 @@ impl Lesson {
         told.flatten().collect::<Vec<_>>().into_iter().rev()
     }
 
-    /// The scene of `settings`, which the first that names one of those `told` has chosen.
+    /// Returns the scene of `settings`, which the first of those in `told` that names one has chosen.
     fn scene<'a>(
         &self,
         settings: &Settings,

@@ -4,7 +4,7 @@ use relativity_core::math;
 
 use super::here::Value;
 
-/// Them.
+/// Values of what one eye sees.
 pub const VALUES: &[Value] = &[
     Value {
         name: "beta",

@@ -4,7 +4,7 @@ use relativity_core::math;
 
 use super::here::{Here, Value};
 
-/// Them.
+/// Values of what two eyes see.
 pub const VALUES: &[Value] = &[
     Value {
         name: "t_left",

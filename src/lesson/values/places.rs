@@ -11,7 +11,7 @@ use crate::platform::tell;
 /// Letters of the shortest name that is no sign of a formula, where braces are TeX's.
 const SHORTEST: usize = 3;
 
-/// `markdown` with a number in each place `{ASKED:.N}`; what is wrong, and in which of its lines, from 0. Which names are values, `is_value` tells.
+/// Returns `markdown` with a number in each place `{REQUEST:.N}`; or the error, with its line, from 0. `is_value` knows the names of values.
 pub fn filled(
     markdown: &str,
     is_value: impl Fn(&str) -> bool,
@@ -40,20 +40,20 @@ fn next_place(text: &str) -> Option<(usize, &str, u8, usize)> {
     })
 }
 
-/// What stands in the braces that begin there, unless others begin in them.
+/// Returns the text inside the braces that begin there, unless others begin in it.
 fn inside(text: &str, begin: usize) -> Option<&str> {
     let inside = &text[begin + 1..begin + text[begin..].find('}')?];
     (!inside.contains('{')).then_some(inside)
 }
 
-/// What is asked for, and with how many decimals.
+/// Returns the request in the braces, and its decimals.
 fn place(inside: &str) -> Option<(&str, u8)> {
     let (asked, format) = inside.rsplit_once(":.")?;
     let decimals = format.parse::<u8>().ok().filter(|decimals| *decimals <= 9)?;
     Some((asked, decimals))
 }
 
-/// Where the first braces are that were meant for a value and ask for none, and what would be right.
+/// Finds the first braces that were meant for a value and request none, and returns the correction.
 fn broken_place(markdown: &str, is_value: impl Fn(&str) -> bool) -> Option<(usize, String)> {
     let (mut formulas, mut code): (Vec<Range<usize>>, Vec<Range<usize>>) = (Vec::new(), Vec::new());
     for (event, range) in Parser::new_ext(markdown, OPTIONS).into_offset_iter() {

@@ -2,7 +2,7 @@
 
 use super::here::{Here, Value};
 
-/// Them.
+/// Values of a rolling wheel.
 pub const VALUES: &[Value] = &[
     Value {
         name: "top_speed",

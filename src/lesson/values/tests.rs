@@ -33,7 +33,7 @@ fn what_cannot_be_told_is_named_with_its_line() {
     assert!(wrong("{D at noon:.2}").1.contains("must be a number"));
 }
 
-/// The documentation's table names each value once, and no others; a row of a single value says what it is in the same words.
+/// The documentation's table names each value once, and no others; a row of a single value describes it in the same words.
 #[test]
 fn the_table_of_values_is_complete() {
     let (_, table) = include_str!("../../../assets/lessons/README.md")

@@ -28,7 +28,7 @@ fn wheel() -> (Scene, Spin) {
     (scene, spin)
 }
 
-/// Where a point that is at `rest` at t' = 0 is in the frame of a wheel that rolls at `beta` when the clocks there show
+/// Returns the place of a point that is at `rest` at t' = 0, in the frame of a wheel that rolls at `beta`, when the clocks there show
 /// `own_time`.
 fn turned(beta: f64, spin: &Spin, rest: DVec3, own_time: f64) -> DVec3 {
     let [x, _, z] = spin.hub;
@@ -37,7 +37,7 @@ fn turned(beta: f64, spin: &Spin, rest: DVec3, own_time: f64) -> DVec3 {
     DVec3::new(x + dx * cos + dz * sin, rest.y, z + dz * cos - dx * sin)
 }
 
-/// How far the event of the ground at `place` and `t` is from the worldline of the point that is at `rest` at t' = 0.
+/// Returns the distance of the ground's event at `place` and `t` from the worldline of the point that is at `rest` at t' = 0.
 fn off(beta: f64, spin: &Spin, rest: DVec3, place: DVec3, t: f64) -> f64 {
     let gamma = 1.0 / (1.0 - beta * beta).sqrt();
     let own_time = gamma * (t - beta * place.x);

@@ -9,7 +9,7 @@ use relativity_render::{Body, Emission, Pattern, Shape, Spin};
 use super::error;
 use crate::scene::Scene;
 
-/// A wheel of four spokes whose hub is at (1, 3, 2), and what else is said of it.
+/// Returns a wheel of four spokes whose hub is at (1, 3, 2), with the `rest` of its table.
 fn wheel(rest: &str) -> String {
     format!(
         "name = \"x\"\n[[wheel]]\nhub = [1, 3, 2]\nradius = 0.5\ntyre = 0.03\nrim = 0.01\naxle = 0.2\nhub_radius = 0.05\n\
@@ -26,7 +26,7 @@ fn ends(body: &Body) -> [DVec3; 2] {
     [from, to].map(DVec3::from)
 }
 
-/// Where spokes of the paper's cyclist start and end: of the drawing from which its wheels were first written down, to three
+/// Start and end of some spokes of the paper's cyclist: of the drawing from which its wheels were first written down, to three
 /// decimals.
 const SPOKES: [(&str, [f64; 3], [f64; 3]); 6] = [
     ("front wheel's spoke 1", [-0.505, 2.948, 1.963], [-0.096, 3.0, 2.098]),
