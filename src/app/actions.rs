@@ -1,4 +1,4 @@
-//! What the keys and the command palette do: one table, from which they act and from which the help is written.
+//! Actions of the keys and of the command palette: one table, by which they act and from which the help is written.
 
 use eframe::egui::text_selection::LabelSelectionState;
 use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
@@ -16,14 +16,14 @@ use super::running::LessonCommand;
 use super::state::State;
 use super::stopwatch::StopwatchCommand;
 
-/// Something that can be asked for by name or by key.
+/// An action, by name or by key.
 #[derive(Debug)]
 pub struct Action {
-    /// What it does.
+    /// Name of the action.
     pub name: &'static str,
     /// The keys that do it, if any.
     pub keys: &'static [KeyboardShortcut],
-    /// What it asks for.
+    /// Command of the action.
     pub command: Command,
 }
 
@@ -51,11 +51,11 @@ const fn action(name: &'static str, keys: &'static [KeyboardShortcut], command: 
     Action { name, keys, command }
 }
 
-/// What a key multiplies the field of view by, and by how many widths of a view one looks aside.
+/// Step of a key: the factor of the field of view, and the widths of a view by which one looks aside.
 pub const ZOOM_STEP: f64 = 0.9;
 pub const LOOK_STEP: f64 = 0.05;
 
-/// All of them, in the order of the help.
+/// Every action, in the order of the help.
 pub static ACTIONS: &[Action] = &[
     action("undo the last step", &[with_control(Key::Z)], Command::Undo),
     action("redo what was undone", &[with_control_and_shift(Key::Z), with_control(Key::Y)], Command::Redo),
@@ -165,7 +165,7 @@ pub static ACTIONS: &[Action] = &[
 ];
 
 impl Action {
-    /// Its keys as they are written on a keyboard; empty if it has none.
+    /// Returns the keys of the action as they are labelled on a keyboard; empty if it has none.
     #[must_use]
     pub fn keys_text(&self) -> String {
         self.keys.iter().copied().map(keys_text).collect::<Vec<_>>().join(", ")

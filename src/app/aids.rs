@@ -1,4 +1,4 @@
-//! What aids for accessibility ask of the window, as far as it can be done.
+//! Requests of accessibility aids to the window, as far as they can be fulfilled.
 
 use eframe::egui::accesskit::ActionData;
 use eframe::egui::{Event, RawInput};

@@ -56,7 +56,7 @@ pub struct Lay {
 pub enum RulerCommand {
     /// Has the next drag lay one, or if there is one takes it away.
     Toggle,
-    /// Lays the ruler.
+    /// Lays the ruler between two places.
     Lay(Lay),
     /// Ends the drag that lays it: it stays, and drags look around again.
     Settle,

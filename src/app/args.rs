@@ -12,7 +12,7 @@ use crate::lesson::{LessonError, Library};
 use crate::scene::Scene;
 use crate::settings::{Settings, StartArgs};
 
-/// Flags of the window. A setting that is not given is as it was left or, with a scene or a state given, as usual.
+/// The flags of the window. Settings that are not given stay as they were left or, with a scene or a state given, are defaults.
 #[derive(Debug, Clone, Args)]
 #[command(mut_args(without_the_files))]
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag")]
@@ -57,7 +57,7 @@ fn without_the_files(flag: Arg) -> Arg {
     flag.hide(is_of_files)
 }
 
-/// Inner size of the window if none is asked for, points.
+/// Default inner size of the window, points.
 const DEFAULT_SIZE: [u32; 2] = [1280, 800];
 
 impl WindowArgs {
@@ -120,7 +120,7 @@ impl WindowArgs {
         Library::new(self.lessons.as_deref())
     }
 
-    /// Inner size of the window, if one is asked for.
+    /// Returns the inner size of the window, if it is given.
     #[must_use]
     pub const fn window_size(&self) -> Option<[u32; 2]> {
         self.window_size

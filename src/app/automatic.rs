@@ -1,4 +1,4 @@
-//! What draws the views of a frame where that is automatic.
+//! The automatic choice of the method that draws the views of a frame.
 
 use eframe::egui::Ui;
 use relativity_render::{Geometry, Method};
@@ -39,7 +39,7 @@ impl App {
         self.state.frame.choices = self.chosen.iter().map(choice).collect();
     }
 
-    /// What draws views of this `geometry` in this frame, and whether the reference does so within it.
+    /// Returns the method that draws views of this `geometry` in this frame, and whether the reference does so within it.
     pub(super) fn drawn_by(&self, geometry: Geometry) -> (Method, bool) {
         let chosen = self.chosen.iter().find_map(|(of, chosen)| (*of == geometry).then_some(chosen));
         let set = self.state.document.settings.quality.method();

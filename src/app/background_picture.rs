@@ -30,7 +30,7 @@ impl<J: Clone + PartialEq + Send + 'static> BackgroundPicture<J> {
         }
     }
 
-    /// Has the picture of `job` made, unless that was asked for last.
+    /// Draws the picture of `job` in the background, unless it was requested last.
     pub fn request(&mut self, job: &J) {
         if self.requested.as_ref() != Some(job) {
             self.worker.request(job.clone());
@@ -49,7 +49,7 @@ impl<J: Clone + PartialEq + Send + 'static> BackgroundPicture<J> {
         self.texture.as_ref()
     }
 
-    /// Whether the newest picture is what was asked for.
+    /// Returns whether the newest picture is the requested one.
     #[must_use]
     pub fn is_up_to_date(&self) -> bool {
         self.texture.is_some() && !self.worker.is_pending()

@@ -1,4 +1,4 @@
-//! What lies beyond the edge of a view: an arrow points there, with a name and how far one has to turn.
+//! Arrows at the edge of a view to things beyond it, each with a name and the angle to turn by.
 
 use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, TextStyle, Ui, Vec2, Visuals, vec2};
 use glam::DVec3;
@@ -11,18 +11,18 @@ use super::theme;
 /// Something out of a view.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Beyond {
-    /// What it is called.
+    /// Name of the thing.
     pub name: String,
     /// From the middle of the view, degrees, 0 to 180.
     pub degrees: f64,
     /// Unit vector in the picture, right and down.
     pub towards: Vec2,
-    /// Its number, if it is a followed point.
+    /// Number of the followed point, if it is one.
     pub point: Option<usize>,
 }
 
 impl Beyond {
-    /// What lies along `direction` (any length above 0).
+    /// Returns the arrow to something along `direction` (any length above 0).
     fn new(name: String, camera: &Camera, direction: DVec3, point: Option<usize>) -> Self {
         let axes = camera.axes();
         let [width, height] = camera.size.map(f64::from);
@@ -41,7 +41,7 @@ impl Beyond {
         Self { name, degrees, towards: vec2(towards.x as f32, towards.y as f32), point }
     }
 
-    /// In words.
+    /// Returns the arrow in words.
     #[must_use]
     pub fn text(&self) -> String {
         let whole = self.degrees.round();
@@ -50,7 +50,7 @@ impl Beyond {
 }
 
 impl State {
-    /// What is out of the view of `eye`, `size` in pixels: all that moves with the scene, or else the selected point.
+    /// Returns the arrows to what is out of the view of `eye`, `size` in pixels: everything that moves, or else the selected point.
     #[must_use]
     pub fn beyond(&self, eye: Eye, size: [u32; 2]) -> Vec<Beyond> {
         let camera = self.view(eye, size).camera;
@@ -109,7 +109,7 @@ fn label(ui: &Ui, painter: &Painter, rect: Rect, beyond: &Beyond, tip: Pos2) {
     painter.galley(back.min + vec2(5.0, 2.0), galley, Color32::WHITE);
 }
 
-/// Where the way from the middle of `rect` `towards` somewhere leaves it.
+/// Returns the place where the way from the middle of `rect` `towards` somewhere leaves it.
 fn edge_of(rect: Rect, towards: Vec2) -> Pos2 {
     let half = 0.5 * rect.size();
     let reach = |half: f32, part: f32| if part == 0.0 { f32::INFINITY } else { half / part.abs() };

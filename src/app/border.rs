@@ -5,7 +5,7 @@ use eframe::egui::{Pos2, Rect};
 use crate::flags::Share;
 use crate::settings::Window;
 
-/// What a border parts.
+/// The two parts that a border separates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Split {
     /// The controls, on the right, and the rest.
@@ -17,7 +17,7 @@ pub enum Split {
 }
 
 impl Split {
-    /// What it is called.
+    /// Returns the name of the border.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -44,19 +44,19 @@ impl Split {
     }
 }
 
-/// One of them.
+/// A border between two parts of the window.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Border {
-    /// What it parts.
+    /// Parts that it separates.
     pub split: Split,
-    /// Where it can be grabbed, points.
+    /// Rectangle where it can be grabbed, points.
     pub rect: Rect,
-    /// Where it stands for a share of 0 and of 1: x of an upright one, y of a level one.
+    /// Ends of its way, for a share of 0 and of 1: x of an upright one, y of a level one.
     pub ends: [f32; 2],
 }
 
 impl Border {
-    /// The share with which it stands at `place`.
+    /// Returns the share with the border at `place`.
     #[must_use]
     pub fn share_at(&self, place: Pos2) -> Share {
         let [zero, one] = self.ends;

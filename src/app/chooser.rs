@@ -1,28 +1,28 @@
-//! What a file is chosen for, and what can be in it.
+//! Purposes of a file dialog, and the products that can be saved.
 
 use std::path::{Path, PathBuf};
 
 use crate::lesson::worksheet::Sheet;
 
-/// What a file is chosen for.
+/// The purpose for which a file is chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
     /// To show what is in it.
     Open,
     /// To fit the measured disparities in it.
     OpenData,
-    /// To write this.
+    /// Saving this product.
     Save(Product),
 }
 
-/// What can be written to a file.
+/// A product that can be written to a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Product {
     /// The views, as a picture that records its state.
     Picture,
     /// The shown plots, as SVG.
     PlotsSvg,
-    /// What the shown plots are made of, as CSV.
+    /// Data of the shown plots, as CSV.
     PlotsCsv,
     /// The state, as TOML.
     State,
@@ -30,7 +30,7 @@ pub enum Product {
     Film,
     /// The fit, as JSON.
     Fit,
-    /// What was done in the lesson, as a page.
+    /// Report of the lesson, as a page.
     Report,
     /// The questions of the lesson, to print.
     Worksheet,
@@ -41,7 +41,7 @@ pub enum Product {
 }
 
 impl Product {
-    /// What it is called after "the".
+    /// Returns the name of the product, for use after "the".
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -80,7 +80,7 @@ impl Product {
         matches!(self, Self::Film)
     }
 
-    /// What the names of its files end in, the usual ending first.
+    /// Returns the endings of its files, the default first.
     #[must_use]
     pub const fn endings(self) -> &'static [&'static str] {
         match self {
@@ -94,7 +94,7 @@ impl Product {
         }
     }
 
-    /// What a file of it is called at first, of this `subject`: a scene, or a lesson.
+    /// Returns the default name of its file, for this `subject`: a scene, or a lesson.
     #[must_use]
     pub fn file_name(self, subject: &str) -> String {
         let what = match self {
@@ -138,7 +138,7 @@ impl Product {
 }
 
 impl Purpose {
-    /// What the window that asks is called.
+    /// Returns the title of the dialog.
     #[must_use]
     pub const fn title(self) -> &'static str {
         match self {

@@ -1,4 +1,4 @@
-//! Which file to open or to write: asked for in a dialog of the system, or typed.
+//! The file dialog: the file to open or to write is chosen in a dialog of the system, or typed.
 
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -21,29 +21,29 @@ use crate::studio::film::FilmKind;
 #[derive(Default)]
 pub struct Chooser {
     purpose: Option<Purpose>,
-    /// What is typed for its path.
+    /// Text typed for the path.
     pub path: String,
-    /// What is typed for the size of an eye's picture.
+    /// Text typed for the size of an eye's picture.
     pub size: String,
     /// Whether the keyboard should be given to the path.
     pub wants_focus: bool,
-    /// What cannot be done with what is typed, or why there is no dialog.
+    /// Problem with the text typed, or reason why there is no dialog.
     pub remark: Option<String>,
     /// A file that is there already, and would be replaced.
     pub replaced: Option<PathBuf>,
-    /// Where a file was last chosen.
+    /// Folder in which a file was last chosen.
     folder: Option<PathBuf>,
     dialog: Option<Dialog>,
 }
 
 impl Chooser {
-    /// What is chosen for.
+    /// Returns the purpose of the choice.
     #[must_use]
     pub const fn purpose(&self) -> Option<Purpose> {
         self.purpose
     }
 
-    /// Begins or ends as `state` has it, and reads what the dialog answers.
+    /// Opens or closes as `state` says, and reads the answer of the system's dialog.
     pub fn update(&mut self, state: &State, asks: &mut Vec<Command>) {
         if self.purpose != state.scratch.chooser {
             self.begin(state);
@@ -106,7 +106,7 @@ impl Chooser {
         self.dialog.is_some()
     }
 
-    /// Where the name of the file begins in its path, and where its ending does; characters.
+    /// Returns the beginning of the file's name in its path, and that of its ending; characters.
     #[must_use]
     pub fn stem(&self) -> [usize; 2] {
         let letters = |text: &str| text.chars().count();
@@ -115,12 +115,12 @@ impl Chooser {
         [letters(&self.path[..name]), letters(&self.path[..ending])]
     }
 
-    /// Forgets what was said of what was typed before.
+    /// Clears the remark on the text typed before.
     pub fn edited(&mut self) {
         (self.remark, self.replaced) = (None, None);
     }
 
-    /// What to do with what is typed; `None`, and a remark or a question, if that cannot be done yet. The file at
+    /// Returns the command for the text typed; `None`, with a remark or a question, if it cannot be done yet. The file at
     /// `may_replace` may be there already.
     pub fn confirmed(&mut self, may_replace: Option<&Path>) -> Option<Command> {
         self.edited();
@@ -198,12 +198,12 @@ struct Dialog {
     _woken: Woken,
 }
 
-/// What a dialog was answered with.
+/// The answer of a system dialog.
 enum Answer {
     Path(PathBuf),
-    /// It was closed.
+    /// The dialog was closed.
     None,
-    /// There is none.
+    /// There is no dialog.
     NoDialog,
 }
 
@@ -239,7 +239,7 @@ impl Dialog {
         Self { answer, _woken: woken }
     }
 
-    /// What it was answered with, once it was.
+    /// Returns the answer of the dialog, once there is one.
     fn answer(&self) -> Option<Answer> {
         match self.answer.try_recv() {
             Ok(answer) => Some(answer),

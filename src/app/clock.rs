@@ -1,4 +1,4 @@
-//! How the observation time runs. The wall clock's step is an argument, so tests decide what it is.
+//! The course of the observation time. The wall clock's step is an argument, so that tests decide it.
 
 use crate::flags::MAX_TIME;
 use relativity_core::math;

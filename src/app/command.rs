@@ -29,7 +29,7 @@ use crate::settings::{
     Settings, Window,
 };
 
-/// Something the user asked for.
+/// A command of the user.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Command {
     /// New speed, separation or path.
@@ -52,7 +52,7 @@ pub enum Command {
     SwapEyes,
     /// Show beside one eye's picture another of it: the next choice of that, which can be shown.
     NextComparison,
-    /// New colours.
+    /// Sets the light.
     Light(Light),
     /// Another renderer, or another bound of it.
     Quality(Quality),
@@ -80,11 +80,11 @@ pub enum Command {
     Step(i32),
     /// To the first (0) or the last (1) T, or in between.
     TimeInRange(f64),
-    /// Play, or pause.
+    /// Plays or pauses.
     TogglePlaying,
     /// Hundredths of the speed slider, up or down.
     NudgeSpeed(i32),
-    /// Show this geometry.
+    /// Shows this geometry.
     Geometry(Geometry),
     /// Turn the gaze so that what is seen at a place is seen at another, and keep it there.
     Turn(Turn),
@@ -96,7 +96,7 @@ pub enum Command {
     Magnify(f64),
     /// Hold the whole scene in the views.
     Frame,
-    /// The same, asked for by a double click, whose first click may have picked a point: [`super::steps`] takes that back.
+    /// Frames the whole scene after a double click, whose first click may have picked a point: [`super::steps`] takes that back.
     FollowAgain,
     /// Select the point of the scene at a pixel of an eye's picture.
     Pick(Pick),
@@ -106,21 +106,21 @@ pub enum Command {
     Ruler(RulerCommand),
     /// Press the stopwatch, or take it away.
     Stopwatch(StopwatchCommand),
-    /// Follow the body so many further in the list of them, or back.
+    /// Follows the body that is this many further in the list, or back.
     FollowNext(isize),
     /// Select a followed point.
     SelectPoint(usize),
     /// No longer follow a point.
     RemovePoint(usize),
-    /// Show another preset.
+    /// Shows another preset.
     Preset(&'static str),
-    /// Show this state, all else as usual but for the parts of the window.
+    /// Shows this state, with defaults for all else but the parts of the window.
     State(&'static Preset),
-    /// Show what comes so many steps after what is shown; a lesson goes on, or back.
+    /// Shows what comes this many steps after what is shown; a lesson goes on, or back.
     ShowNext(i32),
     /// Show what is in a file: a scene, settings, or a picture with which settings it was made.
     Open(PathBuf),
-    /// Show what a file that is shown says by now.
+    /// Shows the present contents of a file that is shown.
     Reload(PathBuf),
     /// Show a file that was read.
     ShowFile(Box<ReadFile>),
@@ -134,17 +134,17 @@ pub enum Command {
     Undo,
     /// Make the step again that was undone.
     Redo,
-    /// Have all as usual but for the parts of the window, its units and the screen.
+    /// Resets everything but the parts of the window, its units and the screen to defaults.
     Reset,
-    /// Have the settings of a section as usual.
+    /// Resets the settings of a section to defaults.
     ResetSection(Section),
     /// Fit the measured disparities in a file.
     OpenData(PathBuf),
     /// Fit simulated disparities again.
     Simulate,
-    /// Write a file.
+    /// Writes a file.
     Save(Saving),
-    /// Copy something.
+    /// Copies something to the clipboard.
     Copy(Copied),
     /// Give up what is being saved.
     StopSaving,
@@ -152,7 +152,7 @@ pub enum Command {
     ToggleMap,
     /// Draw the map in the other frame.
     ToggleFrame,
-    /// Show or hide what stands over the window.
+    /// Shows or hides an overlay.
     Toggle(Overlay),
     /// Take the whole screen, or leave it.
     ToggleFullScreen,
@@ -162,7 +162,7 @@ pub enum Command {
     ToggleProjector,
     /// Have a part alone in the window, or all others again.
     ToggleMaximised(Part),
-    /// Close the message.
+    /// Closes the message.
     CloseNotice,
     /// Close what is on top, else leave what the window was made.
     Close,
@@ -199,7 +199,7 @@ impl Command {
 }
 
 impl State {
-    /// Does what was asked.
+    /// Performs a command.
     pub(super) fn perform(&mut self, command: Command) {
         self.scratch.missed = None;
         if command.sets_what_runs() {
@@ -377,7 +377,7 @@ impl State {
         self.document.settings.window = window;
     }
 
-    /// Another map is looked at as a whole first.
+    /// Sets the map; another map is shown as a whole first.
     fn set_map(&mut self, map: Map) {
         if map != self.document.settings.map {
             self.scratch.map_view = Viewpoint::default();

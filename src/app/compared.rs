@@ -20,7 +20,7 @@ impl State {
         }
     }
 
-    /// Answers `asked` with the settings of a picture: those of the second picture of one eye if it `is_second`.
+    /// Calls `asked` with the settings of a picture: those of the second picture of one eye if it `is_second`.
     pub(super) fn of_picture<R>(&mut self, is_second: bool, asked: impl FnOnce(&mut Self) -> R) -> R {
         let kept = self.enter(is_second);
         let found = asked(self);

@@ -10,23 +10,23 @@ use relativity_render::{Appearance, Camera, Picture, PreparedScene, Projection, 
 
 use super::background_picture::BackgroundPicture;
 
-/// Most pixels of a corrected picture: enough to judge it by, and made in a blink on the CPU.
+/// Greatest number of pixels of a corrected picture: enough to judge it by, and drawn in a blink on the CPU.
 const MAX_PIXELS: f64 = 200_000.0;
-/// How much finer the eye's picture is, along each side: parts of it come out enlarged.
+/// Resolution of the eye's picture relative to the corrected one, along each side: parts of it come out enlarged.
 const FINENESS: u32 = 2;
-/// How bright what lies outside the eye's picture is, beside the background inside it.
+/// Brightness outside the eye's picture, relative to the background inside it.
 const OUTSIDE: f64 = 0.6;
 
-/// What a corrected picture depends on.
+/// The key of a corrected picture: everything it depends on.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Job {
     /// The eye's view, as seen.
     pub view: View,
-    /// By which speed it is corrected.
+    /// Speed by which it is corrected.
     pub speed: Speed,
-    /// What becomes of its light.
+    /// Appearance of its light.
     pub appearance: Appearance,
-    /// What rides past.
+    /// Scene that is drawn.
     pub scene: PreparedScene,
 }
 
@@ -34,7 +34,7 @@ pub struct Job {
 pub type Corrected = BackgroundPicture<Job>;
 
 impl Corrected {
-    /// No picture yet.
+    /// Returns a correction of the left eye's picture, without a picture yet.
     #[must_use]
     pub fn of_left_eye(ctx: &Context) -> Self {
         Self::new(ctx, "corrected", picture)

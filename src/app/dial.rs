@@ -24,13 +24,13 @@ const RADIUS_SHARE: f32 = 0.035;
 const AWAY: f32 = 15.0;
 /// Room below the resting clock for its count and a line of the view's own, points.
 const BELOW_RESTING: f32 = 56.0;
-/// What stays free between the dial and the edge of the view.
+/// Room between the dial and the edge of the view.
 const MARGIN: f32 = 2.0;
 
 /// A clock as an eye sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dial {
-    /// Where the hand is: turns clockwise from the top, from 0 to below 1.
+    /// Position of the hand: turns clockwise from the top, from 0 to below 1.
     pub turn: f64,
     /// The own time that a turn of it takes, units of the scene.
     pub period: f64,
@@ -45,13 +45,13 @@ impl Dial {
     }
 }
 
-/// How long a turn takes: a round number of this `unit`. In units of the scene.
+/// Returns the duration of a turn: a round number of this `unit`. In units of the scene.
 #[must_use]
 pub fn period(unit: Unit) -> f64 {
     unit.in_scene(round_step(unit.shown(PERIOD)))
 }
 
-/// What a dial shows whose times are in this `unit`.
+/// Returns the tooltip of a dial whose times are in this `unit`.
 #[must_use]
 pub fn tip(unit: Unit, is_turning: bool) -> String {
     let what = if is_turning {
@@ -134,7 +134,7 @@ pub struct Drawn {
     pub colour: Color32,
 }
 
-/// Draws `dial`, and tells its `name` to who does not see it, the `tip` to who points at it.
+/// Draws `dial`, with its `name` for assistive technology and its `tip` for hovering.
 pub fn show(ui: &Ui, dial: Dial, drawn: Drawn, name: &str, tip: String) {
     let (centre, radius) = face(drawn.marker, drawn.view);
     let outwards = (centre - drawn.marker).normalized();
@@ -232,7 +232,7 @@ mod tests {
         state.dial(state.document.points.selected(), eye).expect("it is seen")
     }
 
-    /// What a clock at (0, 3, 2) of what moves at 0.9 shows as light leaves it that arrives at (a, 0, 0) at T: in its own
+    /// Returns the time of a clock at (0, 3, 2) of what moves at 0.9 as light leaves it that arrives at (a, 0, 0) at T: in its own
     /// frame, where it rests, that arrives later by its distance from there.
     fn own_time(a: f64, time: f64) -> f64 {
         let gamma = 1.0 / 0.19_f64.sqrt();

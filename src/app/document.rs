@@ -1,4 +1,4 @@
-//! What the window shows: what is undone, saved and compared.
+//! The document of the window: what is undone, saved and compared.
 
 use std::path::PathBuf;
 
@@ -13,18 +13,18 @@ use crate::flags::choices::ProjectionChoice;
 use crate::scene::Scene;
 use crate::settings::{Look, Preset, Settings};
 
-/// What is shown, and the files and presets that it came from.
+/// The document: what is shown, and the files and presets that it came from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Document {
     /// Remembered, but for T and the points, which are here.
     pub settings: Shared<Settings>,
-    /// What rides past, at rest, as its file says.
+    /// Scene at rest, as its file describes it.
     pub scene: Scene,
     /// The scene, ready to be drawn and picked from.
     pub prepared: PreparedScene,
-    /// T.
+    /// Observation time T.
     pub time: f64,
-    /// The followed points.
+    /// Followed points.
     pub points: Points,
     /// The preset that is shown, until another scene or state is.
     pub preset: Option<&'static Preset>,
@@ -32,7 +32,7 @@ pub struct Document {
     pub opened: Option<PathBuf>,
 }
 
-/// A picture for a headset is shown as a conformal one instead, and that is said.
+/// Changes a picture for a headset into a conformal one, and returns a message about it.
 fn without_headset(look: &mut Look) -> Option<Notice> {
     (look.projection == ProjectionChoice::Vr180).then(|| {
         look.projection = ProjectionChoice::Mercator;
@@ -41,7 +41,7 @@ fn without_headset(look: &mut Look) -> Option<Notice> {
 }
 
 impl Document {
-    /// Returns `scene` as `settings` have it, and the message that is due, if there is one. Unless they say otherwise the
+    /// Returns `scene` as `settings` have it, and the message that is due, if there is one. By default the
     /// scene's own point is selected, and T is shortly before that passes.
     pub(super) fn new(mut settings: Settings, scene: ReadyScene) -> (Self, Option<Notice>) {
         let ReadyScene { scene, prepared } = scene;

@@ -1,5 +1,5 @@
-//! What each way to draw the present views costs, and how far it is off: measured by a thread of its own, one method
-//! after the other, while the Accuracy tab is shown and nothing moves.
+//! Examination of the present views: the cost of each way to draw them, and its error, measured by a thread of its own, one method after
+//! the other, while the Accuracy tab is shown and nothing moves.
 
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use relativity_render::{Appearance, Gpu, GpuError, Method, PreparedScene, Renderers, View};
@@ -13,18 +13,18 @@ use crate::accuracy::{
     expected_error, method_name,
 };
 
-/// What is examined: the present views.
+/// The present views, which are examined.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sight {
-    /// What the eyes see through their own light cones.
+    /// Views of the eyes through their own light cones.
     pub views: Vec<(Eye, View)>,
-    /// What becomes of their light.
+    /// Appearance of their light.
     pub appearance: Appearance,
-    /// Of what.
+    /// Scene that is seen.
     pub scene: PreparedScene,
 }
 
-/// What one method costs, and how far its pictures are off: the worse of the eyes.
+/// The cost of one method, and the error of its pictures: the worse of the eyes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figures {
     /// Milliseconds for the pictures of all eyes.
@@ -37,25 +37,25 @@ pub struct Figures {
     pub doppler: Option<Spread>,
     /// Share of the covered pixels that show another body.
     pub wrong_share: f64,
-    /// How far off it is in all, pixels: 99 % of the outlines that can be told apart, and of the directions, are nearer.
+    /// Total error, pixels: 99 % of the outlines that can be told apart, and of the directions, are nearer.
     pub error_px: f64,
-    /// Of the reference: what rounds come to where it shows bodies that turn.
+    /// Errors of rounds, for the reference where it shows bodies that turn.
     pub rounds: Option<RoundsError>,
 }
 
-/// How far each eye's picture is off, pixel by pixel.
+/// The error of each eye's picture, pixel by pixel.
 type HeatMaps = Vec<(Eye, ColorImage)>;
 
-/// What came of one method.
+/// The outcome of one method.
 struct Outcome {
     method: Method,
-    /// Which of the sights it was measured in.
+    /// Number of the sight in which it was measured.
     sight: u64,
     figures: Result<Figures, String>,
     maps: HeatMaps,
 }
 
-/// One method to measure.
+/// A job: one method to measure.
 struct Job {
     sight: Sight,
     number: u64,
@@ -67,12 +67,12 @@ pub struct Examination {
     worker: Worker<Job, Outcome>,
     has_gpu: bool,
     stillness: Stillness<Sight>,
-    /// What is examined; nothing while nobody looks.
+    /// Sight that is examined; `None` while the tab is hidden.
     sight: Option<Sight>,
-    /// How many sights there were.
+    /// Number of sights so far.
     number: u64,
     methods: Vec<Method>,
-    /// What draws the views.
+    /// Method that draws the views.
     chosen: Method,
     outcomes: Vec<Outcome>,
     shown_maps: Option<ShownMaps>,
@@ -88,22 +88,22 @@ struct ShownMaps {
 /// A method, and what is known about it.
 #[derive(Debug, Clone, Copy)]
 pub struct Row<'a> {
-    /// Which.
+    /// Method of the row.
     pub method: Method,
-    /// Its figures, or why there are none; `None` before the first.
+    /// Figures, or the reason why there are none; `None` before the first.
     pub figures: Option<&'a Result<Figures, String>>,
     /// Whether they were measured in the present views.
     pub is_current: bool,
 }
 
 impl<'a> Row<'a> {
-    /// Its figures, if they were measured in the present views.
+    /// Returns the figures, if they were measured in the present views.
     #[must_use]
     pub fn measured(&self) -> Option<&'a Figures> {
         self.figures.filter(|_| self.is_current)?.as_ref().ok()
     }
 
-    /// What the method is called.
+    /// Returns the name of the method.
     #[must_use]
     pub fn name(&self) -> String {
         method_name(self.method)
@@ -168,7 +168,7 @@ impl Examination {
         is_seen && self.outcome(method).is_none_or(|outcome| outcome.sight != self.number)
     }
 
-    /// How many pixels of a picture a radian has; nothing while nobody looks.
+    /// Returns the pixels of a picture per radian; `None` while the tab is hidden.
     #[must_use]
     pub fn px_per_radian(&self) -> Option<f64> {
         let views = &self.sight.as_ref()?.views;
@@ -182,7 +182,7 @@ impl Examination {
         }
     }
 
-    /// What draws the views.
+    /// Returns the method that draws the views.
     #[must_use]
     pub const fn chosen(&self) -> Method {
         self.chosen
@@ -200,7 +200,7 @@ impl Examination {
         self.sight.as_ref().is_none_or(|sight| sight.views.is_empty())
     }
 
-    /// All methods: rays, packets, meshes from fine to coarse, reference.
+    /// Returns the rows of all methods: rays, packets, meshes from fine to coarse, reference.
     pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         self.methods.iter().map(|&method| {
             let outcome = self.outcome(method);
@@ -222,7 +222,7 @@ impl Examination {
         self.rows().find_map(|other| is_better(other.measured()?).then_some(other.method))
     }
 
-    /// How far the picture of `eye` by `method` is off, pixel by pixel, once that is known and while somebody looks.
+    /// Returns the error of the picture of `eye` by `method`, pixel by pixel, once it is known and while the tab is shown.
     pub fn heat_map(&mut self, ctx: &Context, eye: Eye, method: Method) -> Option<&TextureHandle> {
         self.sight.as_ref()?;
         let sight = self.number;
@@ -239,7 +239,7 @@ impl Examination {
     }
 }
 
-/// What can be measured: not what another method stands in for.
+/// Returns the methods that can be measured: not those that another one stands in for.
 fn methods(has_gpu: bool, chosen: Method, sight: &Sight) -> Vec<Method> {
     if !has_gpu {
         return vec![Method::Packets, Method::Reference];
@@ -291,7 +291,7 @@ fn examined(
 }
 
 impl Figures {
-    /// Of what was found in the eyes' views, a radian of which is so many pixels.
+    /// Returns the figures for the errors found in the eyes' views, in which a radian is this many pixels.
     fn of(found: &[ExpectedError], px_per_radian: f64) -> Self {
         let worse = |spread: fn(&ExpectedError) -> Option<Spread>| {
             found.iter().filter_map(spread).reduce(Spread::worse)

@@ -1,11 +1,11 @@
-//! Which of the two eyes.
+//! The two eyes, left and right.
 
-/// One of the two eyes.
+/// An eye, of two.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Eye {
-    /// The primary aperture.
+    /// Left eye, the primary aperture.
     Left,
-    /// The secondary aperture.
+    /// Right eye, the secondary aperture.
     Right,
 }
 
@@ -13,7 +13,7 @@ impl Eye {
     /// Left, then right, as everywhere on screen.
     pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
 
-    /// Its place in [`Self::BOTH`].
+    /// Returns the place of the eye in [`Self::BOTH`].
     #[must_use]
     pub const fn index(self) -> usize {
         match self {
@@ -22,7 +22,7 @@ impl Eye {
         }
     }
 
-    /// What it is called.
+    /// Returns the name of the eye.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

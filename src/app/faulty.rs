@@ -1,4 +1,4 @@
-//! What the window says of a graphics device that fails, once.
+//! Messages about errors of the graphics device, each shown once.
 
 use eframe::egui::Context;
 use eframe::egui_wgpu::RenderState;
@@ -7,7 +7,7 @@ use relativity_render::{Faults, GpuError};
 use super::waker::Woken;
 use crate::caption::capitalised;
 
-/// What the device has reported, and how much of that was told.
+/// The errors that the device has reported, and the number of those that were shown.
 #[derive(Debug, Default)]
 pub struct Faulty {
     faults: Faults,
@@ -17,7 +17,7 @@ pub struct Faulty {
 }
 
 impl Faulty {
-    /// Of the window's device, if it has one, from now on; each fault is followed by a frame.
+    /// Collects the errors of the window's device, if it has one, from now on; each is followed by a frame.
     pub fn of(ctx: &Context, render_state: Option<&RenderState>) -> Self {
         let Some(state) = render_state else { return Self::default() };
         let woken = Woken::new(ctx.clone());
@@ -30,7 +30,7 @@ impl Faulty {
         self.faults.loss()
     }
 
-    /// What is to be said, once, of what the device could not do; it is `newly` known that it refuses to draw the views.
+    /// Takes the message for errors that have not been shown yet; `newly`, the device has refused to draw the views.
     pub fn newly_told(&mut self, newly: Option<GpuError>) -> Option<String> {
         let text = if let Some(error) = newly {
             format!("{}. The views are drawn on the CPU from now on.", capitalised(&error.to_string()))

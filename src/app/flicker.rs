@@ -1,4 +1,4 @@
-//! Whose turn it is where the eyes' pictures are shown one after the other.
+//! Turns of the eyes where their pictures are shown one after the other.
 
 use std::time::Duration;
 
@@ -6,7 +6,7 @@ use eframe::egui::Context;
 
 use crate::files::png::FRAME_SECONDS;
 
-/// The place in the layout of the eye whose turn it is: 0 or 1. The next frame that is asked for is that in which the other's
+/// Returns the place in the layout of the eye whose turn it is: 0 or 1. The next frame that is requested is that in which the other's
 /// begins, so that nothing is drawn in between.
 pub fn turn(ctx: &Context) -> usize {
     let [numerator, denominator] = FRAME_SECONDS.map(f64::from);

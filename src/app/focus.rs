@@ -1,4 +1,4 @@
-//! Which widget the keyboard is at: what it takes of the keys, and a ring that shows it.
+//! Keyboard focus: the keys that the focused widget takes, and a ring that shows it.
 
 use eframe::egui::{Context, Key, KeyboardShortcut, Memory, StrokeKind};
 

@@ -1,4 +1,4 @@
-//! What each frame of the window measures, chooses and works out once.
+//! The frame: everything that is measured, chosen and worked out once for each picture of the window.
 
 use std::sync::Arc;
 
@@ -10,24 +10,24 @@ use crate::accuracy::Choice;
 use crate::scene::Track;
 use crate::settings::{Look, Settings, Subject};
 
-/// What a frame measures, chooses and works out.
+/// The measurements and choices of a frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frame {
     /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
     pub picture_size: [u32; 2],
     /// The size of a pixel of the screen, cm.
     pub cm_per_pixel: f64,
-    /// What automatic quality has chosen for views of each geometry that is shown.
+    /// Automatic choice for views of each geometry that is shown.
     pub choices: Vec<(Geometry, Choice)>,
     /// Whether the map is shown.
     pub shows_map: bool,
-    /// The step that T took; 0 while it stands still.
+    /// Step of T; 0 while it stands still.
     pub step: f64,
-    /// How the eyes look, in the first picture of one eye and in the second.
+    /// Looks of the eyes, in the first picture of one eye and in the second.
     pub(super) looks: [Option<Looked>; 2],
 }
 
-/// How both eyes look at a document, and at what.
+/// The look of both eyes at a document.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Looked {
     pub(super) settings: Shared<Settings>,

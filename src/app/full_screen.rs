@@ -2,7 +2,7 @@
 
 use eframe::egui::{Context, ViewportCommand};
 
-/// What was asked of the system, and whether it did so.
+/// The full screen: the last request to the system, and whether it was fulfilled.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct FullScreen {
     asked: Option<bool>,

@@ -1,4 +1,4 @@
-//! Which graphics device the window asks for: Vulkan, Metal or Direct3D, else OpenGL, with what it has.
+//! The graphics device of the window: Vulkan, Metal or Direct3D, else OpenGL, with the features it has.
 
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
@@ -11,7 +11,7 @@ use relativity_render::{adapter_name, named_adapter};
 
 use crate::platform::clock::Instant;
 
-/// A surface that cannot be drawn on is configured anew at most so often.
+/// Least time between two configurations of a surface that cannot be drawn on.
 const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(250);
 
 /// The configuration of the window's device, and of a screenshot's. `WGPU_BACKEND` chooses a backend, `WGPU_ADAPTER_NAME`

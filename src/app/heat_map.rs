@@ -10,9 +10,9 @@ use crate::accuracy::{ARCSECONDS, Difference, PixelDifference};
 
 /// Powers of ten of a pixel, from the darkest to the brightest colour.
 pub const DECADES: RangeInclusive<f64> = -8.0..=0.0;
-/// Where another body is seen.
+/// Colour of places where another body is seen.
 pub const WRONG_BODY: Color32 = Color32::from_rgb(0xFF, 0x38, 0x60);
-/// Where nothing is seen the picture shows through.
+/// Colour of places where nothing is seen: the picture shows through.
 const NOTHING: Color32 = Color32::from_black_alpha(170);
 
 /// The colour of 10 to this power of a pixel.

@@ -1,4 +1,4 @@
-//! The outline of the body under the pointer, which tells it from its neighbours. It is found by rays at that body alone,
+//! The outline of the body under the pointer, which sets it off from its neighbours. It is found by rays at that body alone,
 //! spread from the pointer as far as they hit it, so that it costs nothing where there is none.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,7 +14,7 @@ use super::state::State;
 /// and large ones cheaply.
 const GRIDS: [(i32, usize); 3] = [(1, 4000), (2, 4000), (4, 6000)];
 
-/// How often the steps of an outline from pixel to pixel are smoothed.
+/// Number of times that the steps of an outline from pixel to pixel are smoothed.
 const SMOOTHED: usize = 2;
 
 /// A closed line: pixels of the picture.

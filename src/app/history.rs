@@ -10,15 +10,15 @@ use super::shared::Shared;
 use crate::lesson::Place;
 use crate::settings::{Preset, Settings};
 
-/// Most steps that can be undone.
+/// Greatest number of steps that can be undone.
 const MAX_STEPS: usize = 200;
 
-/// What the user set, at one time.
+/// A kept state: the user's settings at one time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kept {
-    /// What was set.
+    /// Settings at that time.
     pub settings: Shared<Settings>,
-    /// The followed points.
+    /// Followed points at that time.
     pub points: Points,
     /// The preset that was shown.
     pub preset: Option<&'static Preset>,
@@ -36,16 +36,16 @@ impl Kept {
     }
 }
 
-/// What makes several changes one step.
+/// A run of changes that make one step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Run {
-    /// They came while the button was held that was pressed at this time, seconds.
+    /// Changes while the button was held that was pressed at this time, seconds.
     Press(f64),
-    /// They were nudges of the speed.
+    /// Nudges of the speed.
     Speed,
-    /// They were turns of the wheel over a view.
+    /// Turns of the wheel over a view.
     Zoom,
-    /// They were nudges of a control by the arrow keys.
+    /// Nudges of a control by the arrow keys.
     Arrows,
 }
 
@@ -54,13 +54,13 @@ pub enum Run {
 pub struct History {
     past: Vec<Kept>,
     future: Vec<Kept>,
-    /// What the last step goes on with.
+    /// Run that the last step belongs to.
     run: Option<Run>,
-    /// Whether the last thing that was asked for was a pick that made a step.
+    /// Whether the last command was a pick that made a step.
     was_pick: bool,
     /// When the button that is held, or was let go just now, was pressed.
     press: Option<f64>,
-    /// Whether it is.
+    /// Whether the button is held.
     is_held: bool,
     /// Whether an arrow key was pressed just now.
     is_nudged: bool,
@@ -127,12 +127,12 @@ impl History {
         }
     }
 
-    /// What was before the last thing done, if that was a pick, which is forgotten.
+    /// Takes back the step of the last command, if that was a pick.
     pub fn taken_pick(&mut self) -> Option<Kept> {
         if std::mem::take(&mut self.was_pick) { self.past.pop() } else { None }
     }
 
-    /// What was before the last step, or after the one that was undone last.
+    /// Returns the state before the last step, or after the one that was undone last.
     pub fn next(&mut self, direction: Direction) -> Option<Kept> {
         (self.run, self.was_pick) = (None, false);
         match direction {
@@ -153,9 +153,9 @@ impl History {
 /// A way through the steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
-    /// Undoing.
+    /// Back, by undoing.
     Back,
-    /// Doing again.
+    /// Forwards, by redoing.
     Forwards,
 }
 

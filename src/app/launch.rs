@@ -1,4 +1,4 @@
-//! Opens the window, or says in one sentence why it cannot be opened and what to do instead.
+//! Launch of the window: it is opened, or one sentence gives the reason why it cannot be, and the remedy.
 
 use std::path::Path;
 
@@ -66,7 +66,7 @@ fn unopened(reason: &str) -> anyhow::Error {
     anyhow::anyhow!("the window cannot be opened: {}. {WHAT_TO_DO}.", in_one_line(reason))
 }
 
-/// That a window ended for this `reason`, after its `state` is kept.
+/// Returns the error for a window that ended for this `reason`, after its `state` is kept.
 fn broken(reason: &Break, state: &State, keeper: &Keeper) -> anyhow::Error {
     let reason = in_one_line(&reason.to_string());
     match keeper.keep(state) {
@@ -92,7 +92,7 @@ fn in_one_line(message: &str) -> String {
     reason.split_whitespace().collect::<Vec<_>>().join(" ").trim_end_matches('.').to_owned()
 }
 
-/// Opens a window that begins in this state, or else as the flags and the last one have it, and leaves its own to the
+/// Opens a window in the state `begin`, or else as the flags and the last one have it, and leaves its own state to the
 /// `estate`; returns when it is closed.
 fn open(args: &WindowArgs, begin: Option<State>, estate: &Estate, keeper: &Keeper) -> Result<(), Break> {
     // Another window in place of a broken one begins in the state of that.

@@ -1,4 +1,4 @@
-//! Where the parts of the window lie. A pure function of its size, so that the parts can be run in the
+//! The layout of the window: a pure function of its size, so that the parts can be run in the
 //! order in which they depend on each other: controls first, then what follows them in the same frame.
 
 use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
@@ -13,7 +13,7 @@ use crate::settings::{PlotTab, Presence, Window};
 /// The parts of the window. A part without room (or switched off) has no rectangle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layout {
-    /// Scene, theme, help.
+    /// Bar with scene, theme and help.
     pub bar: Rect,
     /// The lesson that is gone through, on the left.
     pub lesson: Option<Rect>,
@@ -23,29 +23,29 @@ pub struct Layout {
     pub readout: Option<Rect>,
     /// The views: the two eyes', and what is shown beside them.
     pub panes: Vec<Pane>,
-    /// Which wavelengths arrive, below the views.
+    /// Strip of wavelengths below the views.
     pub spectrum: Option<Rect>,
     /// The moment in a sentence, below that.
     pub sentence: Option<Rect>,
-    /// Play, pause, scrubber.
+    /// Timeline with play, pause and scrubber.
     pub timeline: Rect,
     /// The map: beside the plots, or in their place, or in that of the views.
     pub map: Option<Rect>,
-    /// Curves over T.
+    /// Plots of curves over T.
     pub plots: Option<Rect>,
-    /// What can be dragged to make one part larger and another smaller.
+    /// Borders that can be dragged to make one part larger and another smaller.
     pub borders: Vec<Border>,
 }
 
-/// How much of a lesson is shown.
+/// The part of a lesson that is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum LessonPart {
-    /// There is none.
+    /// No lesson.
     #[default]
     Nothing,
-    /// Its panel is folded to a strip.
+    /// The strip of a folded panel.
     Strip,
-    /// All of its panel.
+    /// The whole panel.
     Panel,
 }
 
@@ -65,7 +65,7 @@ const SENTENCE_HEIGHTS: [f32; 2] = [22.0, 38.0];
 const NARROWEST_LINE: f32 = 1000.0;
 /// Height of the readout down to the times and places, and with all of its rows.
 const READOUT_HEIGHTS: [f32; 2] = [274.0, 345.0];
-/// How much of the side the readout takes at most.
+/// Greatest share of the side that the readout takes.
 const READOUT_SHARE: f32 = 0.42;
 /// Height of the controls of motion and view, which the readout leaves to them before it grows.
 const CONTROLS_HEIGHT: f32 = 472.0;
@@ -82,7 +82,7 @@ const LOWEST: f32 = 90.0;
 const LOWEST_BESIDE_WORDS: f32 = 210.0;
 /// Height of a view that is high enough, in widths.
 const VIEW_ASPECT: f32 = 0.75;
-/// How much of the height the plots take from the views.
+/// Share of the height that the plots take from the views.
 const PLOTS_SHARE: f32 = 0.38;
 /// Height that the fit with its table and residuals needs. The other tabs get as much, so that the tabs stay in
 /// their place, but none more than half, unless the views leave more.
@@ -93,7 +93,7 @@ const SHARED_STRIP: Vec2 = vec2(900.0, 280.0);
 const SMALLEST_MAP: Vec2 = vec2(440.0, 240.0);
 /// Least width of a tab that has a table beside its plots.
 const TABLE_AND_PLOTS_WIDTH: f32 = 660.0;
-/// How much of a shared strip the map takes, and the least width of it and of the plots beside it.
+/// Share of a common strip that the map takes, and the least width of it and of the plots beside it.
 const MAP_SHARE: f32 = 0.42;
 const NARROWEST_IN_STRIP: f32 = 240.0;
 /// Width of what of a border can be grabbed.
@@ -106,7 +106,7 @@ impl Layout {
         self.panes.iter().any(|pane| pane.content == content)
     }
 
-    /// Where a message stands, at the top: over the views, else below the bar of a window with this inner `area`.
+    /// Returns the room for a message, at the top: over the views, else below the bar of a window with this inner `area`.
     #[must_use]
     pub fn message_room(&self, area: Rect) -> Rect {
         let views = self.panes.iter().map(|pane| pane.rect).reduce(Rect::union);
@@ -215,7 +215,7 @@ impl LessonPart {
         }
     }
 
-    /// It on the left of `rect`, and the rest of that.
+    /// Returns the part on the left of `rect`, and the rest of it.
     fn split_off(self, rect: Rect) -> (Option<Rect>, Rect) {
         let width = match self {
             Self::Nothing => return (None, rect),
@@ -230,7 +230,7 @@ impl LessonPart {
 /// The layout for an audience: the views, and below them words beside a plot, the map or a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Presentation {
-    /// The views.
+    /// Panes of the views.
     pub panes: Vec<Pane>,
     /// The words; none where the picture needs the whole screen.
     pub words: Option<Rect>,
@@ -243,9 +243,9 @@ pub struct Presentation {
 pub enum Beside {
     /// Nothing: they have all the room.
     Nothing,
-    /// One plot.
+    /// One plot alone.
     Plot,
-    /// The map.
+    /// The map alone.
     Map,
     /// The fit: readings, residuals and a table.
     Fit,
@@ -305,7 +305,7 @@ pub fn views(area: Rect, arranged: &Arrangement) -> Vec<Pane> {
     shared.or_else(|| Some(arranged.panes(large_enough(area)?))).unwrap_or_default()
 }
 
-/// How much of a `whole` a part has whose share is set, else `usual`: at least the first of `least`, and as long as there
+/// Returns the size of a part with this share of a `whole`, else `usual`: at least the first of `least`, and as long as there
 /// is room leaving the second.
 fn part(share: Share, whole: f32, usual: f32, [least, rest]: [f32; 2]) -> f32 {
     let Some(share) = share.0 else { return usual };
@@ -327,14 +327,14 @@ fn level(split: Split, lower: Rect, ends: [f32; 2]) -> Border {
     }
 }
 
-/// How high views `arranged` in an area of this `size` need to be: higher ones would show more of the sky only.
+/// Returns the height that views `arranged` in an area of this `size` need: higher ones would show more of the sky only.
 fn height_of_views(arranged: &Arrangement, size: Vec2) -> f32 {
     let panes = arranged.panes(Rect::from_min_size(Pos2::ZERO, size));
     let bottoms = panes.iter().map(|pane| pane.rect.min.y + VIEW_ASPECT * pane.rect.width());
     bottoms.fold(0.0, f32::max) + GAP
 }
 
-/// What stands below the timeline.
+/// The contents below the timeline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Below {
     Nothing,
@@ -344,7 +344,7 @@ enum Below {
 }
 
 impl Below {
-    /// What stands in a strip of this `size`. Beside a table and plots there is a map where they have room too, or where
+    /// Returns the contents of a strip of this `size`. Beside a table and plots there is a map where they have room too, or where
     /// it is asked for.
     fn of(size: Vec2, window: Window, tab: PlotTab) -> Self {
         let has_room = |least: Vec2| size.x >= least.x && size.y >= least.y;
@@ -361,7 +361,7 @@ impl Below {
         }
     }
 
-    /// Where in `strip` the map and the plots are, of which the map takes this `share`.
+    /// Returns the places of the map and the plots in `strip`, of which the map takes this `share`.
     fn parts(self, strip: Rect, share: Share) -> [Option<Rect>; 2] {
         let width = part(share, strip.width(), MAP_SHARE * strip.width(), [NARROWEST_IN_STRIP; 2]);
         let (left, right) = split_left(strip, width);
@@ -497,7 +497,7 @@ mod tests {
         assert!(map.width() >= 780.0 && map.height() >= 470.0, "{map:?}");
     }
 
-    /// Where the parts are.
+    /// Returns the places of the parts.
     fn parts(layout: &Layout) -> Vec<Rect> {
         let singles =
             [layout.controls, layout.readout, layout.map, layout.plots, layout.spectrum, layout.sentence];

@@ -1,4 +1,4 @@
-//! What the layouts of the eyes' pictures are called in the window, and whose is what.
+//! Names of the layouts of the eyes' pictures in the window, and colours that assign their parts to the eyes.
 
 use eframe::egui::{Color32, Visuals};
 
@@ -8,7 +8,7 @@ use super::theme;
 use crate::flags::choices::Layout;
 use crate::settings::Picture;
 
-/// All layouts: what each is called, and what it is for.
+/// All layouts, with their names and uses.
 pub const LAYOUTS: [(Layout, &str, &str); 13] = [
     (Layout::SideBySide, "Side by side", "The left eye's picture on the left, the right eye's on the right."),
     (
@@ -54,7 +54,7 @@ pub const LAYOUTS: [(Layout, &str, &str); 13] = [
     (Layout::Flicker, "Flicker", "One after the other, three times a second: depth shows without glasses."),
 ];
 
-/// What `layout` is called.
+/// Returns the name of `layout`.
 #[must_use]
 pub fn name(layout: Layout) -> &'static str {
     LAYOUTS.iter().find(|(of, ..)| *of == layout).map_or("", |(_, name, _)| name)
@@ -85,7 +85,7 @@ pub fn marker_colours(state: &State, eye: Eye, own: Color32, visuals: &Visuals) 
     }
 }
 
-/// What sets a marker off: light is added to what is dark.
+/// Returns the colour that sets a marker off: light is added to what is dark.
 #[must_use]
 pub fn halo_colour(state: &State, visuals: &Visuals) -> Color32 {
     let is_added = matches!(state.document.settings.picture.layout, Layout::Anaglyph | Layout::Dubois);

@@ -80,7 +80,7 @@ impl State {
         }
     }
 
-    /// Does what was asked of the lesson.
+    /// Performs a command of the lesson.
     pub(super) fn apply_to_lesson(&mut self, command: LessonCommand) {
         if let LessonCommand::Open(name) = command {
             let opened = self.library().open(&name).and_then(|lesson| self.begin_lesson(&lesson));
@@ -182,7 +182,7 @@ impl State {
         }
     }
 
-    /// What the states of the lesson differ from: usual settings, in this window with the parts that it had before.
+    /// Returns the settings that the states of the lesson build on: defaults, in this window with the parts that it had before.
     #[must_use]
     pub fn lesson_base(&self) -> Settings {
         let now = self.document.settings.window;

@@ -1,4 +1,4 @@
-//! How the eyes look in a frame: worked out once, for every question about a view.
+//! Looks of the eyes in a frame: worked out once, for every question about a view.
 
 use std::sync::Arc;
 
@@ -30,7 +30,7 @@ impl State {
         }
     }
 
-    /// Where both eyes look now and how wide, as numbers.
+    /// Returns the look of both eyes now, as numbers.
     #[must_use]
     pub fn look(&self) -> Look {
         let known = self.frame.looked(&self.document).map(|looked| looked.look);

@@ -122,7 +122,7 @@ use watch::Watch;
 use crate::lesson::Course;
 use crate::settings::{PlotTab, Presence, Window};
 
-/// The whole window.
+/// The application: the whole window.
 pub struct App {
     state: State,
     curves: Vec<Curves>,
@@ -130,12 +130,12 @@ pub struct App {
     corrected: Option<Corrected>,
     examination: Option<Examination>,
     eyes: Option<EyePictures>,
-    /// What draws views of each geometry that is shown in this frame, where that is automatic.
+    /// Automatic choice for views of each geometry that is shown in this frame.
     chosen: Vec<(Geometry, Chosen)>,
     /// Whether pictures may get smoother while nothing changes.
     refines: bool,
     faults: Faulty,
-    /// Those in the projector's window, once there was one.
+    /// Pictures in the projector's window, once there was one.
     projected: Option<EyePictures>,
     /// On which screen the projector's window is.
     screen: Screen,
@@ -154,7 +154,7 @@ pub struct App {
 const TITLE: &str = "Gamow";
 /// Enlargement of the start page's text for an audience.
 const PRESENTED_START_SCALE: f32 = 1.6;
-/// What stays free around the bar, the controls and the readout, points.
+/// Margin around the bar, the controls and the readout, points.
 const INSET: egui::Vec2 = egui::vec2(theme::GAP, theme::GAP / 2.0);
 
 impl App {
@@ -191,7 +191,7 @@ impl App {
         Self { keeper: Some(keeper), ..self }
     }
 
-    /// What it shows.
+    /// Returns the state that the window shows.
     #[must_use]
     pub const fn state(&self) -> &State {
         &self.state
@@ -209,7 +209,7 @@ impl App {
         self.corrected.as_ref()
     }
 
-    /// What the present views cost and how far they are off, once the Accuracy tab was shown.
+    /// Returns the examination of the present views, once the Accuracy tab was shown.
     #[must_use]
     pub const fn examination(&self) -> Option<&Examination> {
         self.examination.as_ref()
@@ -221,21 +221,21 @@ impl App {
         &self.thumbnails
     }
 
-    /// What the shown tab of plots shows, as SVG.
+    /// Returns the contents of the shown plot tab as SVG.
     #[must_use]
     pub fn plots_svg(&mut self) -> String {
         self.update_curves();
         panels::plots::svg(&self.state, self.plotted())
     }
 
-    /// What the shown tab of plots shows, as CSV.
+    /// Returns the contents of the shown plot tab as CSV.
     #[must_use]
     pub fn plots_csv(&mut self) -> String {
         self.update_curves();
         panels::plots::csv(&self.state, self.plotted())
     }
 
-    /// What there is to plot.
+    /// Returns the data of the plots.
     const fn plotted(&self) -> Plotted<'_> {
         Plotted {
             curves: self.curves.as_slice(),
@@ -316,7 +316,7 @@ impl App {
         self.state.renew_looks();
     }
 
-    /// Those of the files that are shown which have changed on disk.
+    /// Returns those of the shown files that have changed on disk.
     fn changed_files(&mut self, ctx: &egui::Context) -> Vec<PathBuf> {
         let shown = self.state.shown_files();
         if self.watch.as_ref().is_none_or(|watch| watch.paths() != shown) {
@@ -454,7 +454,7 @@ impl App {
         self.message(ui.ctx(), page, area);
     }
 
-    /// How much of a lesson is shown.
+    /// Returns the part of a lesson that is shown.
     fn lesson_part(&self) -> LessonPart {
         match &self.state.session.lesson {
             None => LessonPart::Nothing,
@@ -606,15 +606,15 @@ impl App {
         self.apply(ctx, asks);
     }
 
-    /// What the views' area shows.
+    /// Returns the arrangement of the views' area.
     fn arranged(&self, ui: &Ui) -> Arrangement {
         let State { document, frame, .. } = &self.state;
         let cm_per_point = frame.cm_per_pixel * f64::from(ui.pixels_per_point());
         Arrangement::of(&document.settings, cm_per_point, self.text_scale)
     }
 
-    /// Has a part alone in the window whose title is clicked twice, or all others again. What stands in a title is above
-    /// it and takes clicks first.
+    /// Maximises the part of the window whose title is double-clicked, or restores all others. Widgets in a title are above
+    /// it and take clicks first.
     fn titles(&mut self, ui: &mut Ui, layout: &Layout) {
         let height = theme::TITLE_HEIGHT;
         let panes = layout.panes.iter().enumerate().map(|(number, pane)| {

@@ -1,4 +1,4 @@
-//! What the user is told about the last thing that was done, or could not be.
+//! Messages to the user about the last thing that was done, or could not be.
 
 use crate::platform::{files, tell};
 use std::path::Path;
@@ -15,18 +15,18 @@ pub struct Notice {
 }
 
 impl Notice {
-    /// That something was done.
+    /// Returns a message that something was done.
     pub fn done(text: impl Into<String>) -> Self {
         Self { text: tell::in_short(&tell::shown(&text.into())), is_error: false, path: None }
     }
 
-    /// That something could not be done, and why.
+    /// Returns a message that something could not be done, with the reason.
     #[expect(clippy::needless_pass_by_value, reason = "errors are given away as they are")]
     pub fn error(error: impl ToString) -> Self {
         Self { is_error: true, ..Self::done(error.to_string()) }
     }
 
-    /// It, about the file at `path`: files beside that are called by their names alone.
+    /// Returns the message with the file at `path` as its subject: files beside that are called by their names alone.
     #[must_use]
     pub fn about(self, path: &Path) -> Self {
         let folder = path.parent().filter(|folder| folder.file_name().is_some());

@@ -1,4 +1,4 @@
-//! What the two eyes make of the state: sightings of the followed points, gaze, cameras, markers.
+//! The two eyes before the document: sightings of the followed points, gaze, cameras, markers.
 
 use glam::DVec3;
 use relativity_core::{Disparity, Model, Parameter, Sighting, Source, Speed, Stereo, StereoError};
@@ -17,16 +17,16 @@ use crate::estimate::samples::{FitKey, Samples, Simulated};
 use crate::scene::Track;
 use crate::settings::{PlotTab, Settings, Subject};
 
-/// By which speed a picture is corrected.
+/// The correction of a picture by a speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Correction {
-    /// The speed.
+    /// Speed of the correction.
     pub speed: Speed,
     /// Whether it was found by the fit; else it is the scene's own.
     pub is_fitted: bool,
 }
 
-/// How far from the pointer something may be that is meant all the same, pixels, and in which directions it is looked for.
+/// Distances from the pointer within which something counts as pointed at, pixels, and the directions of the search.
 const REACHES: [f64; 4] = [2.0, 4.0, 7.0, 10.0];
 const DIRECTIONS: [[f64; 2]; 8] = {
     let slant = std::f64::consts::FRAC_1_SQRT_2;
@@ -71,7 +71,7 @@ impl State {
         self.document.settings.source(&self.document.points.selected().track)
     }
 
-    /// What `eye` sees of `point` now; `None` outside the domain of the core.
+    /// Returns the sighting of `point` by `eye` now; `None` outside the domain of the core.
     #[must_use]
     pub fn sighting(&self, point: &Point, eye: Eye) -> Option<Sighting> {
         let both = self.disparity(point)?;
@@ -81,7 +81,7 @@ impl State {
         })
     }
 
-    /// What is shown of the selected point now.
+    /// Returns the moment of the selected point.
     #[must_use]
     pub fn moment(&self) -> Moment {
         let point = self.document.points.selected();
@@ -102,7 +102,7 @@ impl State {
         self.document.settings.shown_disparity(&point.track, self.document.time).ok()
     }
 
-    /// Where two eyes take `point` to be now, and how much deeper they see it than one that rests.
+    /// Returns the stereo position and gain of `point` now.
     ///
     /// # Errors
     ///
@@ -168,7 +168,7 @@ impl State {
         std::iter::once(pixel).chain(around.filter(is_inside)).find(hits)
     }
 
-    /// What the curves of `point` depend on.
+    /// Returns the key of the curves of `point`.
     #[must_use]
     pub fn curve_key(&self, point: &Point) -> CurvesKey {
         let stereo = self.document.settings.plots.plot == PlotTab::Stereo;
@@ -187,7 +187,7 @@ impl State {
         }
     }
 
-    /// What the fit depends on: of the own data if there are any, else of the selected point.
+    /// Returns the key of the fit: of the own data if there are any, else of the selected point.
     #[must_use]
     pub fn fit_key(&self) -> FitKey {
         let setup = self.document.settings.fit;
@@ -207,7 +207,7 @@ impl State {
         self.document.settings.fit.data_from.model().unwrap_or_else(|| self.document.settings.model())
     }
 
-    /// Where both eyes look now, in parallel.
+    /// Returns the gaze of both eyes now, in parallel.
     #[must_use]
     pub fn gaze(&self) -> Gaze {
         self.view(Eye::Left, [1, 1]).camera.gaze
@@ -228,7 +228,7 @@ impl State {
         self.views_of(&settings, size)[Eye::Left.index()]
     }
 
-    /// How comfortably two eyes so far apart fuse the views on the screen; `None` where they show no body.
+    /// Returns the comfort of the views for eyes `separation` apart; `None` where they show no body.
     #[must_use]
     pub fn comfort(&self, separation: f64) -> Option<Comfort> {
         let (Document { settings, scene, .. }, Frame { picture_size, cm_per_pixel, .. }) =
@@ -250,7 +250,7 @@ impl State {
         settings.views_with(&look, time, size)
     }
 
-    /// What gazes turn to.
+    /// Returns the subject that gazes turn to.
     #[must_use]
     pub fn subject(&self) -> Subject<'_> {
         Subject { scene: &self.document.prepared, tracked: self.document.points.selected().track }

@@ -1,4 +1,4 @@
-//! Where on a wheel a point is that turns with it, and how it moves there.
+//! Points of turning wheels: their place on the wheel, and their motion there.
 
 use std::f64::consts::TAU;
 
@@ -10,16 +10,16 @@ use super::state::State;
 use crate::figures;
 use crate::scene::Track;
 
-/// Where on its wheel a point is at one time.
+/// The place of a point on its wheel at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OnWheel {
-    /// How far it is from the axle, in parts of the radius on which the wheel rolls.
+    /// Distance from the axle, in parts of the radius on which the wheel rolls.
     pub share: f64,
-    /// Its angle there, from +x (0) over the top (pi/2): radians, from 0 to below a turn.
+    /// Angle of the point, from +x (0) over the top (pi/2): radians, from 0 to below a turn.
     pub angle: f64,
-    /// How fast it moves about the axle, in the frame in which that rests.
+    /// Speed about the axle, in the frame in which that rests.
     pub turning: f64,
-    /// How fast it moves on the ground.
+    /// Speed on the ground.
     pub on_ground: f64,
 }
 
@@ -38,7 +38,7 @@ pub fn told_angle(angle: f64) -> String {
 }
 
 impl State {
-    /// Where on its wheel the point at `track` is when the clocks of its group show `own_time`; `None` of one that does not
+    /// Returns the place on its wheel of the point at `track` when the clocks of its group show `own_time`; `None` if it does not
     /// turn.
     #[must_use]
     pub fn on_wheel(&self, track: &Track, own_time: f64) -> Option<OnWheel> {
@@ -63,7 +63,7 @@ impl State {
         self.on_wheel(track, group.time_at(group.place_when_shown(track.point())))
     }
 
-    /// What is said of the point at `track` where `view` shows it, if it turns: a line each.
+    /// Describes the point at `track` where `view` shows it, if it turns: a line for each remark.
     #[must_use]
     pub fn told_on_wheel(&self, track: &Track, view: &View) -> Vec<String> {
         let Some(wheel) = self.on_wheel_in(track, view) else { return Vec::new() };

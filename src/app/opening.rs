@@ -108,7 +108,7 @@ impl State {
         }
     }
 
-    /// Shows `settings` that the file at `path` says by now, at the present T and with the points that are still there,
+    /// Shows `settings` that the file at `path` now contains, at the present T and with the points that still exist,
     /// unless it says which.
     fn show_again(&mut self, settings: Settings, scene: ReadyScene, path: PathBuf) {
         let (points, before) = (self.document.points.clone(), self.document.scene.clone());

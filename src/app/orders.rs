@@ -1,15 +1,15 @@
-//! What is asked for that more than the state is needed for: the graphics device, the clipboard, or what is plotted.
+//! Orders: requests that need more than the state, such as the graphics device, the clipboard or the plotted curves.
 
 use std::path::PathBuf;
 
 use super::chooser::Product;
 
-/// What is asked for.
+/// An order.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Order {
-    /// Write a file.
+    /// Writes a file.
     Save(Saving),
-    /// Copy something.
+    /// Copies something to the clipboard.
     Copy(Copied),
     /// Give up what is being made.
     Stop,
@@ -18,15 +18,15 @@ pub enum Order {
 /// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Saving {
-    /// What.
+    /// Product to save.
     pub product: Product,
-    /// Where to; a folder for a film that is a sequence of pictures.
+    /// Path of the file; a folder for a film that is a sequence of pictures.
     pub path: PathBuf,
     /// Width and height of an eye's picture, pixels, of what is made of pictures.
     pub size: [u32; 2],
 }
 
-/// What can be copied.
+/// An object that can be copied.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Copied {
     /// The views, as a picture.
@@ -39,6 +39,6 @@ pub enum Copied {
     RenderCommand,
     /// The command that gives the numbers of the selected point's curves.
     CurveCommand,
-    /// What both eyes see of the selected point at T.
+    /// Values for both eyes of the selected point at T.
     Values,
 }

@@ -1,9 +1,9 @@
-//! What stands over the whole window, one at a time.
+//! Overlays over the whole window, one at a time.
 
 /// Something that is shown until it is closed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Overlay {
-    /// The help.
+    /// The help page.
     Help,
     /// The command palette.
     Palette,

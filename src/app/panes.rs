@@ -1,4 +1,4 @@
-//! How the views' area is divided: what stands in which pane, and where in it the eyes' pictures are.
+//! Panes of the views' area: their contents, and the places of the eyes' pictures in them.
 
 use eframe::egui::{Pos2, Rect, Ui, Vec2, pos2, vec2};
 use relativity_render::Composition;
@@ -9,46 +9,46 @@ use super::theme::{GAP, TITLE_HEIGHT};
 use crate::flags::choices::{Form, Layout};
 use crate::settings::{Picture, Settings};
 
-/// What can stand in a pane. One more is a variant, a file in `panels`, an arm where panes are painted, and what asks for it
+/// The contents of a pane. To add one, add a variant, a file in `panels`, an arm where panes are painted, and its switch
 /// among the settings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Content {
-    /// What an eye sees.
+    /// The view of one eye.
     Eye(Eye),
     /// The second picture of the left eye, in place of the right eye's.
     Second,
-    /// What both eyes see, in one picture.
+    /// The views of both eyes, in one picture.
     Both,
     /// The left eye's picture, corrected.
     Corrected,
 }
 
-/// One of the parts of the views' area.
+/// A pane of the views' area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pane {
-    /// What stands in it.
+    /// Contents of the pane.
     pub content: Content,
-    /// Where that is; its title stands above.
+    /// Place of the pane; its title is above.
     pub rect: Rect,
 }
 
-/// What the views' area shows.
+/// The arrangement of the views' area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arrangement {
     picture: Picture,
     /// Whether both pictures are of the left eye.
     is_comparing: bool,
-    /// Whether the corrected picture stands beside those of the eyes.
+    /// Whether the corrected picture is beside those of the eyes.
     corrected: bool,
     /// For free viewing, how far apart the middles of pictures are at most, points.
     apart: f32,
-    /// How high titles are, points.
+    /// Height of titles, points.
     title: f32,
 }
 
 impl Arrangement {
-    /// That of `settings`, where a point of the window is so large on the screen (above 0), with titles written
-    /// `scale` times as large as usual.
+    /// Returns the arrangement of `settings`, where a point of the window has this size on the screen (above 0), with titles magnified
+    /// by `scale`.
     #[must_use]
     pub fn of(settings: &Settings, cm_per_point: f64, scale: f32) -> Self {
         let Settings { picture, window, screen, .. } = settings;
@@ -122,7 +122,7 @@ impl Arrangement {
         })
     }
 
-    /// Where pictures are that have these two columns: for free viewing nearer to the middle, and no wider than that
+    /// Returns the places of pictures that have these two columns: for free viewing nearer to the middle, and no wider than that
     /// they are not too far apart.
     fn beside(&self, left: Rect, right: Rect) -> [Rect; 2] {
         let apart = right.min.x - left.min.x;
@@ -146,10 +146,10 @@ pub fn on_screen(ui: &Ui, composition: Composition, rect: Rect) -> Composition {
     Composition::Rows { top: if row.rem_euclid(2) == 0 { Top::First } else { Top::Second } }
 }
 
-/// Where an eye's picture is on screen, and how many pixels it has.
+/// The place of an eye's picture on screen, and its number of pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EyePane {
-    /// Whose.
+    /// Eye that the picture belongs to.
     pub eye: Eye,
     /// Whether it is the second of two pictures of one eye.
     pub is_second: bool,
@@ -162,7 +162,7 @@ pub struct EyePane {
 }
 
 impl EyePane {
-    /// That of `eye` in `rect`, its picture being at most `largest` pixels wide or high.
+    /// Returns the pane of `eye` in `rect`, its picture being at most `largest` pixels wide or high.
     #[must_use]
     pub fn new(eye: Eye, rect: Rect, pixels_per_point: f32, largest: u32) -> Self {
         let snapped = |p: Pos2| (p.to_vec2() * pixels_per_point).round();
@@ -178,7 +178,7 @@ impl EyePane {
         Self { is_second: true, ..Self::new(Eye::Left, rect, pixels_per_point, largest) }
     }
 
-    /// Those of both eyes in a `rect` that they share as `picture` says, in the order of the layout.
+    /// Returns the panes of both eyes in a `rect` that they share as `picture` says, in the order of the layout.
     #[must_use]
     pub fn both(picture: &Picture, rect: Rect, pixels_per_point: f32, largest: u32) -> [Self; 2] {
         let form = picture.layout.form();
@@ -222,7 +222,7 @@ impl EyePane {
         [f64::from(inside.x) * f64::from(self.size[0]), f64::from(inside.y) * f64::from(self.size[1])]
     }
 
-    /// Where a pixel of the picture is on screen.
+    /// Returns the place of a pixel of the picture on screen.
     #[must_use]
     pub fn place(&self, [u, v]: [f64; 2]) -> Pos2 {
         let fraction = vec2((u / f64::from(self.size[0])) as f32, (v / f64::from(self.size[1])) as f32);

@@ -1,4 +1,4 @@
-//! What the plots against T show of the state: which quantities, over which T, and what their curves depend on.
+//! Plots of the document against T: the quantities, the ranges of T, and the keys of the curves.
 
 use super::clock;
 use super::curves::{CurvesKey, Quantity};
@@ -9,7 +9,7 @@ use crate::plot::{MOST_TICKS, widened};
 use crate::settings::PlotTab;
 
 impl State {
-    /// Does what was asked of the plots.
+    /// Performs a command of the plots.
     pub fn apply_to_plots(&mut self, command: PlotCommand) {
         let (point, now) = (*self.document.points.selected(), self.document.time);
         let pin = Pin { point, key: self.curve_key(&point) };
@@ -42,7 +42,7 @@ impl State {
         self.scratch.plotting.zoom(quantity).map_or_else(|| self.whole_times(), |zoom| zoom.times)
     }
 
-    /// First and last T of a plot of which no part only is looked at.
+    /// Returns the first and last T of a plot that shows everything.
     #[must_use]
     pub fn whole_times(&self) -> [f64; 2] {
         let unit = self.measures().time;
@@ -50,7 +50,7 @@ impl State {
         widened(false, shown, MOST_TICKS).map(|time| unit.in_scene(time))
     }
 
-    /// What the curves of `point` in the plot of `quantity` depend on.
+    /// Returns the key of the curves of `point` in the plot of `quantity`.
     #[must_use]
     pub fn plotted_key(&self, point: &Point, quantity: Quantity) -> CurvesKey {
         CurvesKey { range: self.plotted_times(quantity), ..self.curve_key(point) }
@@ -64,7 +64,7 @@ impl State {
         CurvesKey { range: self.plotted_times(quantity), published: false, stereo, conformal, ..pin.key }
     }
 
-    /// What all curves that are plotted depend on, each once.
+    /// Returns the keys of all curves that are plotted, each once.
     #[must_use]
     pub fn plotted_keys(&self) -> Vec<CurvesKey> {
         let mut keys: Vec<CurvesKey> = Vec::new();

@@ -1,13 +1,13 @@
-//! How the user looks at the plots against T: parts they zoom into, two cursors, and curves that are pinned.
+//! The user's look at the plots against T: parts they zoom into, two cursors, and curves that are pinned.
 
 use super::curves::{CurvesKey, Quantity};
 use super::points::Point;
 use crate::settings::{PlotTab, Plots};
 
-/// Most curves that can be pinned: as many as there are dashes to tell them apart.
+/// Greatest number of pinned curves: as many as there are dashes to tell them apart.
 pub const MAX_PINS: usize = 4;
 
-/// What is looked at of the plots, and what is kept in them.
+/// The state of the plots: the parts that are shown, cursors and pins.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Plotting {
     zooms: Vec<(Quantity, Ranges)>,
@@ -15,7 +15,7 @@ pub struct Plotting {
     pins: Vec<Pin>,
 }
 
-/// The part of a plot that is looked at.
+/// The part of a plot that is shown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ranges {
     /// First and last T.
@@ -29,11 +29,11 @@ pub struct Ranges {
 pub struct Pin {
     /// The point, with the number whose colour it has.
     pub point: Point,
-    /// What its curves depend on, but for the range of T.
+    /// Key of its curves, without the range of T.
     pub key: CurvesKey,
 }
 
-/// Something that is asked of the plots.
+/// A command of the plots.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PlotCommand {
     /// Look at a part of a plot, or at the whole.
@@ -44,12 +44,12 @@ pub enum PlotCommand {
     Cursor(Option<f64>),
     /// Keep the curves of the selected point, in place of the oldest where there are [`MAX_PINS`].
     Pin,
-    /// Keep none.
+    /// Removes all pins.
     Unpin,
 }
 
 impl Plotting {
-    /// The part of the plot of `quantity` that is looked at; `None` of the whole.
+    /// Returns the part of the plot of `quantity` that is shown; `None` for the whole.
     #[must_use]
     pub fn zoom(&self, quantity: Quantity) -> Option<Ranges> {
         self.zooms.iter().find_map(|&(of, ranges)| (of == quantity).then_some(ranges))
@@ -96,7 +96,7 @@ impl Plotting {
         self.pins.push(pin);
     }
 
-    /// Keeps none.
+    /// Removes all pins.
     pub fn unpin(&mut self) {
         self.pins.clear();
     }

@@ -1,4 +1,4 @@
-//! What is done with the pointer in a picture.
+//! Gestures of the pointer in a picture.
 
 use super::eye::Eye;
 use crate::scene::Track;
@@ -6,13 +6,13 @@ use crate::scene::Track;
 /// A movement of the pointer that takes the scene along.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turn {
-    /// In whose picture.
+    /// Eye whose picture it is.
     pub eye: Eye,
     /// Whether that is the second of two pictures of one eye.
     pub is_second: bool,
-    /// From where, in pixels from the top left corner.
+    /// Start of the gesture, in pixels from the top left corner.
     pub from: [f64; 2],
-    /// To where.
+    /// End of the gesture.
     pub to: [f64; 2],
     /// Width and height of the picture, pixels.
     pub size: [u32; 2],
@@ -21,26 +21,26 @@ pub struct Turn {
 /// A turn of the wheel over a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Zoom {
-    /// Whose picture.
+    /// Eye whose picture it is.
     pub eye: Eye,
     /// Whether it is the second of two pictures of one eye.
     pub is_second: bool,
-    /// Where, in pixels from the top left corner.
+    /// Place of the gesture, in pixels from the top left corner.
     pub pixel: [f64; 2],
     /// Width and height of the picture, pixels.
     pub size: [u32; 2],
-    /// What the field of view is multiplied by.
+    /// Factor of the field of view.
     pub factor: f64,
 }
 
 /// A click into a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pick {
-    /// Whose picture.
+    /// Eye whose picture it is.
     pub eye: Eye,
     /// Whether it is the second of two pictures of one eye.
     pub is_second: bool,
-    /// Where, in pixels from the top left corner.
+    /// Place of the click, in pixels from the top left corner.
     pub pixel: [f64; 2],
     /// Width and height of the picture, pixels.
     pub size: [u32; 2],
@@ -51,7 +51,7 @@ pub struct Pick {
 /// A point of the scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Select {
-    /// Where it rests, and how that moves.
+    /// Track of the point: its place at rest, and the motion of that.
     pub track: Track,
     /// The number of the body it is on.
     pub body: usize,

@@ -3,19 +3,19 @@
 use crate::flags::{Followed, FollowedPoint};
 use crate::scene::{Scene, Track};
 
-/// A followed point.
+/// A followed point, with its number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
     /// Number shown to the user, from 1; kept when others are removed.
     pub number: usize,
-    /// Where it is in the scene.
+    /// Track of the point in the scene.
     pub track: Track,
     /// The body it was picked on; `None` for the scene's own tracked point, and one that is given by its place.
     pub body: Option<usize>,
 }
 
 impl Point {
-    /// What it is on, in words.
+    /// Returns the name of the body that it is on.
     #[must_use]
     pub fn what<'a>(&self, scene: &'a Scene) -> &'a str {
         let nameless = if self.is_tracked() { "tracked point" } else { "point" };
@@ -28,13 +28,13 @@ impl Point {
         self.body.or_else(|| scene.body_at(self.track.rest))
     }
 
-    /// What it is called in a sentence.
+    /// Returns the name of the point in a sentence.
     #[must_use]
     pub fn noun(&self, scene: &Scene) -> String {
         format!("the {}", self.what(scene))
     }
 
-    /// It as `scene` has it: on its body, if there is one of that number, with which it may turn.
+    /// Returns the point in `scene`: on its body, if there is one of that number, with which it may turn.
     fn in_scene(self, scene: &Scene) -> Option<Self> {
         let rest = self.track.rest;
         let track =
@@ -56,12 +56,12 @@ pub struct Points {
     last_number: usize,
 }
 
-/// Most points that can be compared at once: as many as there are colours to tell them apart.
+/// Greatest number of points that can be compared: as many as there are colours to tell them apart.
 pub const MAX_POINTS: usize = 5;
 
 /// Place of the scene's own tracked point among all.
 const TRACKED: usize = 0;
-/// Its number.
+/// Number of the scene's own point.
 const FIRST: usize = 1;
 
 impl Points {
@@ -94,7 +94,7 @@ impl Points {
         self
     }
 
-    /// Those beside the scene's own, as settings; of one that is given by its place no body is known.
+    /// Returns the points beside the scene's own, as settings; for one that is given by its place no body is known.
     #[must_use]
     pub fn followed(&self) -> Option<Followed> {
         let on_body = |point: &Point| Some(FollowedPoint { place: point.track.rest, body: point.body? });
@@ -102,7 +102,7 @@ impl Points {
         (!followed.is_empty()).then_some(Followed(followed))
     }
 
-    /// All of them: the scene's own tracked point, then the others in the order they were added.
+    /// Returns all points: the scene's own tracked point, then the others in the order they were added.
     #[must_use]
     pub fn all(&self) -> &[Point] {
         &self.all
@@ -114,7 +114,7 @@ impl Points {
         self.selected
     }
 
-    /// The selected one.
+    /// Returns the selected point.
     #[must_use]
     pub fn selected(&self) -> &Point {
         &self.all[self.selected]
@@ -159,7 +159,7 @@ impl Points {
         }
     }
 
-    /// Those that are there in `scene`, which may have been read again since they were chosen.
+    /// Returns the points that exist in `scene`, which may have been read again since they were chosen.
     #[must_use]
     pub fn of(mut self, scene: &Scene) -> Self {
         self.all[TRACKED].track = scene.track(None);
@@ -172,7 +172,7 @@ impl Points {
         self
     }
 
-    /// Those that are still there in `new`, another version of the scene `old`: on a body of the same name that moves alike.
+    /// Returns the points that still exist in `new`, another version of the scene `old`: on a body of the same name that moves alike.
     #[must_use]
     pub fn carried(&self, old: &Scene, new: &Scene) -> Self {
         let mut carried = Self { last_number: self.last_number, ..Self::tracked(new.track(None)) };

@@ -20,7 +20,7 @@ const LOOKS: u16 = 50;
 /// Strokes of both, above what sets them off from the picture.
 const WIDTHS: [(f32, Color32); 2] = [(4.5, Color32::from_black_alpha(190)), (2.0, Color32::WHITE)];
 
-/// The body that is asked for in the present step of the lesson, if one is.
+/// Returns the body that the present step of the lesson asks for, if it asks for one.
 fn body(state: &State) -> Option<&str> {
     match &state.course()?.step()?.prediction.as_ref()?.kind {
         Kind::Point(PointAt { body, .. }) => Some(body),
@@ -28,7 +28,7 @@ fn body(state: &State) -> Option<&str> {
     }
 }
 
-/// What the views say while it is asked for.
+/// Returns the hint in the views while it is asked for.
 pub(super) fn hint(state: &State) -> Option<String> {
     let body = body(state).filter(|_| state.course().is_some_and(|course| course.asked().is_some()))?;
     Some(format!("Click where you expect the {body} to be seen."))

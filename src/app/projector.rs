@@ -13,7 +13,7 @@ use super::{App, actions, halo, theme};
 /// The name of the projector's window.
 const TITLE: &str = "Gamow: views";
 
-/// What it is called among windows.
+/// Returns the name of the projector's window among windows.
 fn id() -> ViewportId {
     ViewportId::from_hash_of("projector")
 }
@@ -38,7 +38,7 @@ fn other_screen(frame: &eframe::Frame) -> Option<usize> {
     window.available_monitors().position(|screen| screen != own)
 }
 
-/// Whether `command` is about this window alone, and then done: what it says of the whole screen is said of its own.
+/// Returns whether `command` is about this window alone, and performs it then: one about the whole screen is about its own.
 fn takes(ctx: &Context, command: &Command) -> bool {
     let is_full = ctx.input(|input| input.viewport().fullscreen).unwrap_or_default();
     let is_taken = match command {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::platform::files;
 
-/// Most of them.
+/// Greatest number of files.
 const MAX_FILES: usize = 8;
 
 /// The files that were opened, the latest first.
@@ -12,7 +12,7 @@ const MAX_FILES: usize = 8;
 pub struct Recent(Vec<PathBuf>);
 
 impl Recent {
-    /// All of them.
+    /// Returns all files, the last first.
     #[must_use]
     pub fn all(&self) -> &[PathBuf] {
         &self.0
@@ -26,7 +26,7 @@ impl Recent {
         self.0.truncate(MAX_FILES);
     }
 
-    /// Drops `path`.
+    /// Removes `path` from the list.
     pub fn remove(&mut self, path: &Path) {
         self.0.retain(|known| known != path);
     }
@@ -41,13 +41,13 @@ impl Recent {
         self.0.truncate(MAX_FILES);
     }
 
-    /// It as a text, a line for each.
+    /// Writes the list as text, a line for each file.
     #[must_use]
     pub fn to_text(&self) -> String {
         self.0.iter().filter_map(|path| path.to_str()).collect::<Vec<_>>().join("\n")
     }
 
-    /// That of such a `text`.
+    /// Reads the list from such a `text`.
     #[must_use]
     pub fn of_text(text: &str) -> Self {
         Self(text.lines().filter(|line| !line.is_empty()).map(PathBuf::from).take(MAX_FILES).collect())

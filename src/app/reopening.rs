@@ -1,4 +1,4 @@
-//! What becomes of the window's state where the window cannot go on: it is opened again once, else the state is left for the
+//! Reopening of a window that cannot go on: it is opened again once, else its state is left for the
 //! next start.
 
 use std::cell::RefCell;
@@ -16,26 +16,26 @@ use super::state::{Scratch, State};
 use crate::caption::capitalised;
 use crate::platform::clock::Instant;
 
-/// A device that is lost again within this time is not asked for another window.
+/// Time within which a device that is lost again is given up.
 const SOON: Duration = Duration::from_mins(1);
 
-/// What a window leaves when it ends, however it does.
+/// The state that a window leaves when it ends, however it does.
 #[derive(Debug)]
 pub struct Left {
-    /// What it showed.
+    /// State that it showed.
     pub state: State,
     /// Why its device was lost, if it was.
     pub loss: Option<String>,
 }
 
 impl Left {
-    /// What `app` would leave now.
+    /// Returns the state that `app` would leave now.
     fn of(app: &App) -> Self {
         Self { state: app.state().clone(), loss: app.loss() }
     }
 }
 
-/// Where a window leaves it, and is found until then.
+/// The place where a window leaves its state, and where it is found until then.
 #[derive(Clone, Default)]
 pub struct Estate {
     window: Rc<RefCell<Weak<RefCell<App>>>>,
@@ -47,7 +47,7 @@ impl Estate {
         self.left.replace(Some(left));
     }
 
-    /// What the window has left, or would leave now; `None` if it was never there.
+    /// Returns the state that the window has left, or would leave now; `None` if there never was one.
     pub fn take(&self) -> Option<Left> {
         self.left.take().or_else(|| {
             let app = self.window.borrow().upgrade()?;
@@ -91,16 +91,16 @@ impl Drop for Bequeathed {
     }
 }
 
-/// What ended a window without its user.
+/// The reason why a window ended without its user.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Break {
-    /// It could not be had, or it could not go on, as the windowing library says.
+    /// A window that could not be had, or could not go on, with the windowing library's reason.
     Window(String),
     /// The display that it was on is gone.
     Display,
     /// A system library ended the program.
     Exit,
-    /// The graphics device is of no use any more, as its library says.
+    /// A graphics device that is of no use any more, with its library's reason.
     Device(String),
 }
 
@@ -118,7 +118,7 @@ impl fmt::Display for Break {
 }
 
 impl Break {
-    /// What a panic of one of the libraries below the window is, if it is none of its defects: a `message` from the source
+    /// Returns the reason behind a panic of one of the libraries below the window, if it is none of its defects: a `message` from the source
     /// `file`. Any other panic is a defect of this program or of theirs.
     fn of(message: &str, file: &str) -> Option<Self> {
         let is_from = |library: &str| file.replace('\\', "/").contains(&format!("/{library}-"));
@@ -174,12 +174,12 @@ fn broken(info: &PanicHookInfo<'_>) -> Option<Break> {
     Break::of(info.payload_as_str().unwrap_or_default(), file)
 }
 
-/// How a window that did not end by its user came to its end.
+/// The end of a window that was not ended by its user.
 #[derive(Debug)]
 pub enum Ended {
-    /// It was never there.
+    /// A window that never opened.
     Unopened(Break),
-    /// It could not go on; it showed this.
+    /// A window that could not go on, with the state it showed.
     Broken(Break, Box<State>),
 }
 
@@ -235,7 +235,7 @@ mod tests {
         State::open(Settings { time: Some(time), ..Settings::default() }).expect("a preset")
     }
 
-    /// Windows that end one after the other as `ends` have it, each after this time; how they ended, and the times that they
+    /// Opens windows that end one after the other as `ends` have it, each after this time; returns how they ended, and the times that they
     /// began with.
     fn opened(ends: &[(Result<(), Break>, Option<&str>, Duration)]) -> (Result<(), Ended>, Vec<Option<f64>>) {
         let (mut began, lasted) = (Vec::new(), Cell::new(Duration::ZERO));

@@ -1,10 +1,10 @@
-//! A lesson that is gone through in the window, and what can be asked for in it.
+//! The lesson that is under way in the window, and its commands.
 
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::lesson::{Animated, Animation, Answer, Confidence, Course, Place, Score};
 use crate::settings::{Settings, Window};
 
-/// Something asked for in a lesson.
+/// A command of a lesson.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LessonCommand {
     /// Begin the lesson of this name.
@@ -15,25 +15,25 @@ pub enum LessonCommand {
     Confidence(Option<Confidence>),
     /// Make the prediction that was entered.
     Predict,
-    /// Go on without.
+    /// Goes on without an answer.
     Skip,
     /// Tell what was seen: the answer of this number.
     Observe(usize),
     /// Go on; what is predicted and not entered is skipped.
     Forward,
-    /// Go back.
+    /// Goes back to the place before.
     Back,
     /// Go there, or as far as one can.
     GoTo(Place),
-    /// Have the state as the lesson has it at this place, and run its reveal again.
+    /// Restores the state that the lesson has at this place, and plays its reveal again.
     SetUp,
-    /// Count hands, or no longer.
+    /// Starts or ends counting hands.
     ToggleClass,
     /// Show the usual plots beside a curve that was predicted, or the curve again.
     ShowPlots(bool),
     /// Fold its panel to a strip, or have all of it.
     ToggleFolded,
-    /// Begin it anew: the answers that were given in it are forgotten.
+    /// Starts the lesson again: its answers are forgotten.
     BeginAnew,
     /// End the lesson: its answers are kept, and opening it again takes it up where it was.
     Close,
@@ -42,7 +42,7 @@ pub enum LessonCommand {
 /// A lesson that is gone through.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Running {
-    /// How far.
+    /// Course through the lesson.
     pub course: Course,
     /// Whether its panel is folded to a strip.
     pub is_folded: bool,
@@ -50,7 +50,7 @@ pub struct Running {
     pub(super) before: Window,
     /// The number of the step whose predicted curve gave its place to the usual plots.
     pub(super) plots_in: Option<usize>,
-    /// What runs.
+    /// Animation that is playing.
     pub(super) run: Option<Run>,
     /// The settings that it has at its present place.
     pub(super) told: Option<Told>,
@@ -76,7 +76,7 @@ pub(super) struct Run {
 }
 
 impl Run {
-    /// Where it is, and whether that is its end. Speeds change by equal rapidities in equal times.
+    /// Returns the present value, and whether it is the last. Speeds change by equal rapidities in equal times.
     pub fn now(&self) -> (Animated, bool) {
         let part = self.passed / self.animation.seconds;
         let between = |from: f64, to: f64| from + part * (to - from);

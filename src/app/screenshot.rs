@@ -16,11 +16,11 @@ use crate::platform::threads;
 
 /// Frames until the layout has settled: the size of a scroll area is known from the frame before.
 const FRAMES: usize = 3;
-/// How often it is asked whether the work in the background is done.
+/// Interval in which the background work is checked.
 const WAIT: Duration = Duration::from_millis(5);
 
-/// Saves the window's content in `state`, `size` points of one pixel each, as a PNG file with `texts` that tell
-/// how it was made, keywords first. The file is written whole or not at all.
+/// Saves the window's content in `state`, `size` points of one pixel each, as a PNG file with `texts` on how
+/// it was made, keywords first. The file is written whole or not at all.
 ///
 /// # Errors
 /// No graphics adapter, or the file system's.

@@ -1,4 +1,4 @@
-//! The curve that a lesson has drawn: what is known of it, and when it stands in the place of the plots.
+//! The curve that a lesson asks to draw, and the time when it takes the place of the plots.
 
 use super::state::State;
 use crate::lesson::{Answer, Curve, Kind, Sight};
@@ -7,7 +7,7 @@ use crate::settings::{Presence, Window};
 /// A curve that is drawn, or was.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sketched<'a> {
-    /// What it is of.
+    /// Curve that is asked for.
     pub curve: Curve,
     /// T and value of its points, T rising; none where it was skipped.
     pub points: &'a [[f64; 2]],
@@ -32,7 +32,7 @@ impl State {
         Some(Sketched { curve, points, is_asked, is_revealed: course.is_revealed() })
     }
 
-    /// Whether it stands in the place of the plots.
+    /// Returns whether the sketch takes the place of the plots.
     #[must_use]
     pub fn shows_sketch(&self) -> bool {
         let Some(sketched) = self.sketched() else { return false };
@@ -41,7 +41,7 @@ impl State {
         sketched.is_asked || !gave_way || self.session.stage.is_presented()
     }
 
-    /// The parts of the window: there is a place to draw in while a curve is asked for, and to compare it.
+    /// Returns the parts of the window: there is a place to draw in while a curve is asked for, and to compare it.
     #[must_use]
     pub fn shown_window(&self) -> Window {
         let window = self.document.settings.window;
@@ -53,7 +53,7 @@ impl State {
         Window { plots: true, map, ..window }
     }
 
-    /// What is shown of the scene.
+    /// Returns the picture of the scene, for the truth of predictions.
     #[must_use]
     pub fn sight(&self) -> Sight<'_> {
         Sight {

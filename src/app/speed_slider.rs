@@ -33,7 +33,7 @@ impl SpeedSetting {
         Self::new(SpeedParameter::Beta, beta).unwrap_or(Self::REST)
     }
 
-    /// Where on the slider (0 to 1) this speed is.
+    /// Returns the position (0 to 1) of this speed on the slider.
     #[must_use]
     pub fn slider_position(&self) -> f64 {
         math::powf((self.speed().rapidity() / SLIDER_MAX_RAPIDITY).min(1.0), 1.0 / SLIDER_POWER)

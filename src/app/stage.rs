@@ -1,4 +1,4 @@
-//! What is made of the window for a while: the whole screen, a show for an audience, one part alone in it. None of it is
+//! Temporary modes of the window: the whole screen, a show for an audience, one part alone in it. None of it is
 //! remembered.
 
 use crate::settings::Preset;
@@ -8,13 +8,13 @@ use crate::settings::Preset;
 pub enum Part {
     /// The view with this number, from the left.
     Pane(usize),
-    /// The map.
+    /// The map part.
     Map,
-    /// The plots.
+    /// The plots part.
     Plots,
 }
 
-/// What is made of the window.
+/// The temporary modes of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Stage {
     /// Whether it has the whole screen.
@@ -28,7 +28,7 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// One that is presented from the start.
+    /// Returns the stage of a window that is presented from the start.
     #[must_use]
     pub const fn presented() -> Self {
         Self { full_screen: true, maximised: None, projector: false, before: Some(false) }
@@ -74,7 +74,7 @@ impl Stage {
     }
 }
 
-/// What is shown so many `steps` after what is `shown`, before it if below 0: the one list that a presenter goes through.
+/// Returns the preset `steps` after the one `shown`, before it if below 0: the one list that a presenter goes through.
 /// It ends at both ends; whoever shows none of it begins with the first.
 #[must_use]
 pub fn next_to_show(shown: Option<&Preset>, steps: i32) -> Option<&'static Preset> {

@@ -1,4 +1,4 @@
-//! What the window shows: settings that are remembered, and the session they are applied to.
+//! The state of the window, in parts by how long each lasts.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -34,20 +34,20 @@ use crate::units::Measures;
 /// Everything the panels read, each part by how long it lasts. Only [`super::command`] changes it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State {
-    /// What is shown: undone, saved and compared.
+    /// Document that is shown: undone, saved and compared.
     pub document: Document,
-    /// What lasts until something else is shown.
+    /// Scratch of the document, until another is shown.
     pub scratch: Scratch,
-    /// What lasts as long as the window.
+    /// Session of the window.
     pub session: Session,
-    /// What the last frame has measured and chosen.
+    /// Frame with its measurements and choices.
     pub frame: Frame,
 }
 
-/// What is tried on the document, and forgotten when another is shown.
+/// The scratch of a document: what is tried on it, and forgotten when another is shown.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Scratch {
-    /// Whether T runs.
+    /// Whether playback runs.
     pub playing: bool,
     /// The ruler for angles in the views.
     pub angle_ruler: AngleRuler,
@@ -59,7 +59,7 @@ pub struct Scratch {
     pub narrowed: Option<[f64; 2]>,
     /// The user's look at the map.
     pub map_view: Viewpoint,
-    /// What is looked at of the plots, and what is kept in them.
+    /// Zoomed parts, cursors and pins of the plots.
     pub plotting: Plotting,
     /// The message about the last thing that was done, or could not be.
     pub notice: Option<Notice>,
@@ -67,16 +67,16 @@ pub struct Scratch {
     pub chooser: Option<Purpose>,
 }
 
-/// What lasts as long as the window.
+/// The session: everything that lasts as long as the window.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Session {
-    /// What stands over the window.
+    /// Overlay over the window.
     pub overlay: Option<Overlay>,
     /// Whether the views say what a click does: until the first.
     pub hint: bool,
-    /// What is made of the window for a while.
+    /// Temporary modes of the window.
     pub stage: Stage,
-    /// The way back.
+    /// Undo history.
     pub history: History,
     /// The measured disparities that are fitted in place of simulated ones.
     pub data: Option<Arc<DataFile>>,
@@ -95,7 +95,7 @@ pub struct Session {
 }
 
 impl State {
-    /// `scene` as `settings` have it. Unless they say otherwise its own point is selected, and T is shortly before
+    /// Returns the state that shows `scene` as `settings` have it. By default its own point is selected, and T is shortly before
     /// that passes.
     #[must_use]
     pub fn new(settings: Settings, scene: Scene) -> Self {
@@ -118,7 +118,7 @@ impl State {
         self.scratch = Scratch { playing, notice, ..Scratch::default() };
     }
 
-    /// The scene that `settings` name, as they have it.
+    /// Opens the scene that `settings` name.
     ///
     /// # Errors
     /// A scene that cannot be had.
@@ -157,7 +157,7 @@ impl State {
             .then(|| Path::new(&self.document.settings.scene))
     }
 
-    /// All that is shown, as settings: what is remembered, and the session's T and points.
+    /// Returns everything that is shown, as settings with T and points.
     #[must_use]
     pub fn shown(&self) -> Settings {
         let points = &self.document.points;
@@ -169,7 +169,7 @@ impl State {
         }
     }
 
-    /// What `point` is called in lists and plots: by what it is on, with its number where another is on that too.
+    /// Returns the name of `point` in lists and plots: the body that it is on, with its number where another is on that too.
     #[must_use]
     pub fn name_of(&self, point: &Point) -> String {
         let what = point.what(&self.document.scene);
@@ -211,20 +211,20 @@ impl State {
         self.emission(point).wavelength_nm()
     }
 
-    /// What draws `view`: what is set, else what automatic quality has chosen.
+    /// Returns the method that draws `view`: the one set, else the automatic choice.
     #[must_use]
     pub fn method(&self, view: &View) -> Method {
         let chosen = || self.choice(view.geometry).map(|choice| choice.method);
         self.document.settings.quality.method().or_else(chosen).unwrap_or(Method::Rays)
     }
 
-    /// What automatic quality has chosen for views of this `geometry`.
+    /// Returns the automatic choice for views of this `geometry`.
     #[must_use]
     pub fn choice(&self, geometry: Geometry) -> Option<&Choice> {
         self.frame.choices.iter().find_map(|(of, choice)| (*of == geometry).then_some(choice))
     }
 
-    /// What becomes of its light, in a light window or a dark one.
+    /// Returns the appearance of its light, in a light window or a dark one.
     #[must_use]
     pub fn appearance(&self, light_window: bool) -> Appearance {
         self.document.settings.appearance(&self.document.scene, light_window)

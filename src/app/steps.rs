@@ -1,4 +1,4 @@
-//! Doing what was asked as a step that can be undone, and undoing it.
+//! Undo and redo: commands are applied as steps.
 
 use std::path::PathBuf;
 
@@ -9,7 +9,7 @@ use super::state::State;
 use crate::lesson::Course;
 
 impl State {
-    /// Does what was asked, so that it can be undone.
+    /// Applies a command, so that it can be undone.
     pub fn apply(&mut self, command: Command) {
         let before = self.course().cloned();
         match command {

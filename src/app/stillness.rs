@@ -6,7 +6,7 @@ use eframe::egui::Context;
 
 use crate::platform::clock::Instant;
 
-/// What has not changed for this long is still.
+/// Time without a change after which something counts as still.
 const REST: Duration = Duration::from_millis(150);
 
 /// When something last changed.
@@ -22,7 +22,7 @@ impl<K> Default for Stillness<K> {
 }
 
 impl<K: Clone + PartialEq> Stillness<K> {
-    /// Whether `key` is what it was before, and has been for a while. If not, a frame is asked for in which
+    /// Returns whether `key` is unchanged, and has been for a while. If not, a frame is requested in which
     /// it may be.
     pub fn is_still(&mut self, ctx: &Context, key: &K) -> bool {
         let since = match &self.last {

@@ -14,11 +14,11 @@ pub enum Stopwatch {
     /// No stopwatch is shown.
     #[default]
     Hidden,
-    /// It is shown, and has not been started.
+    /// Shown, and not started yet.
     Ready,
-    /// It has been running since this press.
+    /// Running since this press.
     Running(Box<Mark>),
-    /// It ran between two presses.
+    /// Stopped between two presses.
     Stopped(Box<[Mark; 2]>),
 }
 
@@ -69,7 +69,7 @@ pub enum StopwatchCommand {
 pub struct Elapsed {
     /// The time T of the observer.
     pub time: [f64; 2],
-    /// The time by the selected point's clock as it is seen; `None` where that is another one meanwhile, or is not seen. Its error is
+    /// Time by the selected point's clock as it is seen; `None` if that has become another one, or is not seen. Its error is
     /// to first order in the step.
     pub clock: Option<[f64; 2]>,
 }

@@ -1,4 +1,4 @@
-//! Colours and sizes. Colour-blind eyes tell the colours of the points apart, too: they are from M. Okabe and K. Ito,
+//! Colours and sizes. The colours of the points differ to colour-blind eyes, too: they are from M. Okabe and K. Ito,
 //! *Color universal design* (2008), like those of the eyes.
 
 use eframe::egui::{
@@ -45,7 +45,7 @@ pub fn point_colour(number: usize, visuals: &Visuals) -> Color32 {
     either(visuals.dark_mode, COLOURS[(number + MAX_POINTS - 1) % MAX_POINTS])
 }
 
-/// Where two eyes take something to be, on this background.
+/// Returns the colour of places where two eyes take something to be, on this background.
 #[must_use]
 pub fn stereo_colour(visuals: &Visuals) -> Color32 {
     either(visuals.dark_mode, [[0xF0, 0x62, 0xB8], [0xB8, 0x1E, 0x7A]])
@@ -62,13 +62,13 @@ pub fn verdict_colour(verdict: Verdict, visuals: &Visuals) -> Color32 {
     either(visuals.dark_mode, colours)
 }
 
-/// What tells a message that something failed from one that something was done, on this background.
+/// Returns the colour of a message, which separates failure from success, on this background.
 #[must_use]
 pub fn notice_colour(is_error: bool, visuals: &Visuals) -> Color32 {
     verdict_colour(if is_error { Verdict::TooMuch } else { Verdict::Comfortable }, visuals)
 }
 
-/// What is measured at one time, on this background.
+/// Returns the colour of what is measured at one time, on this background.
 #[must_use]
 pub fn measured_colour(visuals: &Visuals) -> Color32 {
     visuals.strong_text_color()
@@ -80,16 +80,16 @@ pub fn focus_stroke(visuals: &Visuals) -> Stroke {
     Stroke::new(2.0, either(visuals.dark_mode, [[0x8A, 0xC7, 0xFF], [0x1B, 0x5F, 0xA8]]))
 }
 
-/// What sets a marker off from any picture.
+/// Returns the colour that sets a marker off from any picture.
 #[must_use]
 pub fn halo_colour(visuals: &Visuals) -> Color32 {
     if visuals.dark_mode { Color32::from_black_alpha(170) } else { Color32::from_white_alpha(210) }
 }
 
-/// What is said on the dark tags of pictures, in either theme.
+/// Colour of text on the dark tags of pictures, in either theme.
 pub const TAG_TEXT: Color32 = Color32::from_gray(205);
 
-/// What leads on, and what is open; and what is written on it.
+/// Returns the colours of a primary button or an open tab: its background, and its text.
 #[must_use]
 pub fn primary_colours(visuals: &Visuals) -> [Color32; 2] {
     [either(visuals.dark_mode, [[0x2F, 0x6B, 0xA8], [0x1B, 0x5F, 0xA8]]), Color32::WHITE]
@@ -107,7 +107,7 @@ pub fn equidistance_colour(visuals: &Visuals) -> Color32 {
     visuals.weak_text_color()
 }
 
-/// The choice of theme as the toolkit has it.
+/// Returns the toolkit's name for the choice of theme.
 #[must_use]
 pub const fn preference(theme: Theme) -> ThemePreference {
     match theme {
@@ -124,7 +124,7 @@ pub const SMALL_SIZE: f32 = 11.5;
 /// Size of most writing, points.
 pub const BODY_SIZE: f32 = 14.0;
 
-/// Makes all writing `scale` times as large as usual.
+/// Magnifies all text by `scale`.
 pub fn scale_text(ctx: &egui::Context, scale: f32) {
     ctx.all_styles_mut(|style| set_body_size(style, scale * BODY_SIZE));
 }
@@ -142,7 +142,7 @@ pub fn set_body_size(style: &mut egui::Style, size: f32) {
     .into();
 }
 
-/// How much larger than usual writing is.
+/// Returns the magnification of text.
 #[must_use]
 pub fn text_scale(style: &egui::Style) -> f32 {
     TextStyle::Body.resolve(style).size / BODY_SIZE

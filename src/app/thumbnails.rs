@@ -14,14 +14,14 @@ use crate::accuracy::REFERENCE_SAMPLES;
 use crate::lesson::Lesson;
 use crate::settings::Settings;
 
-/// What a thumbnail depends on beside its lesson.
+/// The look of a thumbnail, which it depends on beside its lesson.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Look {
     /// Width and height, pixels.
     pub size: [u32; 2],
-    /// Whether it stands in a light window.
+    /// Whether it is in a light window.
     pub in_light_window: bool,
-    /// Who sees it.
+    /// Eye that sees it.
     pub eye: Eye,
 }
 
@@ -32,7 +32,7 @@ struct Job {
     look: Look,
 }
 
-/// What a thumbnail is kept by: a preset may be called like a lesson.
+/// The key of a thumbnail: a preset may be called like a lesson.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Key {
     name: String,
@@ -47,14 +47,14 @@ impl Key {
     }
 }
 
-/// One that was drawn; nothing where there is nothing to draw.
+/// A drawn thumbnail; empty where there is nothing to draw.
 struct Drawn {
     key: Key,
     in_light_window: bool,
     image: Option<ColorImage>,
 }
 
-/// One that is kept. In a window that was made light or dark since, it stays until the other is drawn.
+/// A kept thumbnail. In a window that has since changed its theme, it stays until the other is drawn.
 struct Kept {
     in_light_window: bool,
     texture: Option<TextureHandle>,
@@ -67,12 +67,12 @@ pub struct Thumbnails {
     kept: HashMap<Key, Kept>,
     /// The first that is missing, and whether it is in view.
     missing: Option<(Job, bool)>,
-    /// How many were drawn.
+    /// Number of thumbnails drawn.
     count: usize,
 }
 
 impl Thumbnails {
-    /// How many were drawn since the window opened.
+    /// Returns the number of thumbnails drawn since the window opened.
     #[must_use]
     pub const fn count(&self) -> usize {
         self.count
@@ -93,7 +93,7 @@ impl Thumbnails {
         self.count += 1;
     }
 
-    /// That of `lesson`, once there is one; until it has this `look` it is noted as missing. Those in view come first.
+    /// Returns the thumbnail of `lesson`, once there is one; until it has this `look` it is noted as missing. Those in view come first.
     pub fn of(&mut self, lesson: &Arc<Lesson>, look: Look, is_in_view: bool) -> Option<&TextureHandle> {
         let kept = self.kept.get(&Key::of(lesson, look));
         let is_missing = kept.is_none_or(|kept| kept.in_light_window != look.in_light_window);
@@ -119,7 +119,7 @@ fn work(Job { lesson, look }: Job, _: &Wanted) -> Option<Drawn> {
     Some(Drawn { key: Key::of(&lesson, look), in_light_window: look.in_light_window, image })
 }
 
-/// What is seen in the first step of `lesson`, once that is revealed; nothing where it cannot be shown.
+/// Draws the first step of `lesson`, after its reveal; `None` where it cannot be shown.
 fn picture(lesson: &Lesson, Look { size, in_light_window, eye }: Look) -> Option<Picture> {
     let settings = lesson.settings(0, true, &Settings::default()).ok()?;
     let mut state = State::open(settings).ok()?;

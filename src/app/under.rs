@@ -1,4 +1,4 @@
-//! What is under the pointer in a view, in words: its name, where it is seen, its three times, and D.
+//! The hover label of a view: the body's name, where it is seen, its three times, and D.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat};
@@ -17,23 +17,23 @@ use crate::flags::choices::ProjectionChoice;
 const AWAY: Vec2 = vec2(16.0, 14.0);
 const MARGIN: Vec2 = vec2(7.0, 5.0);
 
-/// What is under the pointer.
+/// The thing under the pointer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Under {
     /// Number of the body.
     pub body: usize,
-    /// Where it is in the picture, at the pointer or very near.
+    /// Place in the picture, at the pointer or very near.
     pub pixel: [f64; 2],
-    /// What it is called.
+    /// Name of the body.
     pub name: String,
     /// Doppler factor of the light of it that is received, where that is shown.
     pub doppler_factor: Option<f64>,
-    /// What is said of the point of it: a line each.
+    /// Remarks on the point of it: a line each.
     pub lines: Vec<String>,
 }
 
 impl Under {
-    /// What it is, and how its light is shifted.
+    /// Returns its name, with the shift of its light.
     #[must_use]
     pub fn title(&self) -> String {
         let shift = self.doppler_factor.map(|factor| format!("   D = {}", figures::fixed(factor, 3)));
@@ -42,7 +42,7 @@ impl Under {
 }
 
 impl State {
-    /// What is shown at a `pixel` of the picture of `eye`, which has this `size`, or very near; none where nothing is, and where no ray
+    /// Returns the thing at a `pixel` of the picture of `eye`, which has this `size`, or very near; `None` where nothing is, and where no ray
     /// leads to it.
     #[must_use]
     pub fn under(&self, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Option<Under> {
@@ -71,7 +71,7 @@ impl State {
         Some(Under { body, pixel, name, doppler_factor, lines })
     }
 
-    /// Where a point is seen that an eye receives light of, and its times.
+    /// Returns the place where a point is seen that an eye receives light of, and its times.
     fn received(&self, seen: &Sighting) -> Vec<String> {
         let at = format!("seen at {}", self.place(seen.position));
         let times = [self.document.time, seen.retarded_time, seen.own_time];
@@ -124,7 +124,7 @@ pub fn show_nothing(ui: &Ui, view: Rect, place: Pos2) {
     tag(ui, view, place, NOTHING, &[], NOTHING);
 }
 
-/// What is said where a click hit nothing.
+/// Remark where a click hit nothing.
 const NOTHING: &str = "Nothing here to follow.";
 
 /// Writes `title`, and below it `lines`, beside a `place` in `view`; `name` is for assistive technology.
@@ -146,7 +146,7 @@ fn tag(ui: &Ui, view: Rect, place: Pos2, title: &str, lines: &[String], name: &s
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name));
 }
 
-/// Where a tag of this `size` stands: below the pointer to the right, else where there is room in the `view`.
+/// Returns the place of a tag of this `size`: below the pointer to the right, else where there is room in the `view`.
 fn beside(pointer: Pos2, size: Vec2, view: Rect) -> Rect {
     let along = |at: f32, away: f32, size: f32, [from, to]: [f32; 2]| {
         let start = if at + away + size > to { at - away - size } else { at + away };

@@ -1,4 +1,4 @@
-//! What is usual: what the shown preset says, or else a window that starts; and the ways back to it.
+//! Defaults: those of the shown preset, or else of a window that starts; and the ways back to them.
 
 use super::clock;
 use super::notice::Notice;
@@ -11,16 +11,16 @@ use crate::settings::{Look, Motion, Picture, Settings};
 pub enum Section {
     /// Speed, separation and path.
     Motion,
-    /// What the views show, where they look and what draws them.
+    /// Geometry, gaze and renderer of the views.
     Look,
-    /// How the head is held, and how two pictures make a pair.
+    /// Head and eyes, and how two pictures make a pair.
     TwoEyes,
-    /// What becomes of the light.
+    /// Light of the bodies.
     Light,
 }
 
 impl Section {
-    /// Its title.
+    /// Returns the title of the section.
     #[must_use]
     pub const fn title(self) -> &'static str {
         match self {
@@ -58,7 +58,7 @@ impl Section {
 }
 
 impl State {
-    /// What is usual here: what the lesson or the shown preset says, else what a window starts with.
+    /// Returns the defaults: those of the lesson or the shown preset, else those of a window that starts.
     #[must_use]
     pub fn usual(&self) -> Settings {
         let of_preset =
@@ -66,7 +66,7 @@ impl State {
         self.lesson_settings().cloned().unwrap_or_else(of_preset)
     }
 
-    /// Where [`Self::usual`] is from, in words.
+    /// Returns the source of the defaults, in words.
     #[must_use]
     pub fn usual_is(&self) -> String {
         match self.document.preset {
@@ -76,7 +76,7 @@ impl State {
         }
     }
 
-    /// Whether nothing is otherwise than the lesson has it at its present place.
+    /// Returns whether everything is as the lesson has it at its present place.
     #[must_use]
     pub fn is_as_in_lesson(&self) -> bool {
         let Some(mut told) = self.lesson_settings().cloned() else { return true };
@@ -93,14 +93,14 @@ impl State {
             && clock::bounded(time) == self.document.time
     }
 
-    /// All as usual, but for the scene, the parts of the window, its units and colours, and the screen.
+    /// Returns the defaults with the present scene, the parts of the window, its units and colours, and the screen.
     #[must_use]
     pub(super) fn as_usual(&self) -> Settings {
         let Settings { ref scene, screen, window, .. } = *self.document.settings;
         Settings { scene: scene.clone(), screen, window, ..self.usual() }
     }
 
-    /// Whether there is anything to have as usual.
+    /// Returns whether everything has its default.
     #[must_use]
     pub fn is_usual(&self) -> bool {
         let as_usual = Settings { time: None, point: None, points: None, ..self.as_usual() };
@@ -108,13 +108,13 @@ impl State {
         as_usual == *self.document.settings && has_own_point
     }
 
-    /// Whether what is set in `section` is as usual.
+    /// Returns whether the settings in `section` have their defaults.
     #[must_use]
     pub fn is_usual_in(&self, section: Section) -> bool {
         section.as_in(&self.usual(), &self.document.settings) == *self.document.settings
     }
 
-    /// Has what is set in `section` as usual.
+    /// Resets the settings in `section` to their defaults.
     pub(super) fn reset(&mut self, section: Section) {
         if let Err(error) = self.set(section.as_in(&self.usual(), &self.document.settings)) {
             self.scratch.notice = Some(Notice::error(error));

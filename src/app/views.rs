@@ -21,7 +21,7 @@ const fn pane_id(pane: EyePane) -> &'static str {
 }
 
 impl App {
-    /// Where in `pane` eyes' pictures are, in the order of the layout.
+    /// Returns the places of the eyes' pictures in `pane`, in the order of the layout.
     pub(super) fn eye_panes(&self, ui: &Ui, pane: &Pane) -> Vec<EyePane> {
         let largest = self.eyes.as_ref().map_or(1, EyePictures::largest_side);
         let scale = ui.pixels_per_point();
@@ -81,7 +81,7 @@ impl App {
         self.panel(ui, "fusing", strip, |ui, state, asks| panels::fusing::offer(ui, state, strip, asks));
     }
 
-    /// Draws what stands in `pane`.
+    /// Draws the contents of `pane`.
     fn paint(&mut self, ui: &mut Ui, pane: Pane) {
         match (pane.content, self.eye_panes(ui, &pane).as_slice()) {
             (Content::Both, &[first, second]) => self.paint_both(ui, [first, second]),
@@ -96,7 +96,7 @@ impl App {
         }
     }
 
-    /// What is drawn in `pane`.
+    /// Returns the request for the picture in `pane`.
     fn request(&self, ui: &Ui, pane: EyePane) -> eyes::Request {
         let state = &self.state;
         let view = state.view(pane.eye, pane.size);
@@ -111,7 +111,7 @@ impl App {
         }
     }
 
-    /// How far the picture of `request` in `pane` is off, where that is to be seen.
+    /// Returns the error of the picture of `request` in `pane`, where it is shown.
     fn heat_map(&mut self, ui: &Ui, pane: EyePane, request: &eyes::Request) -> Option<TextureId> {
         let is_examined = self.state.document.settings.plots.heat_map && !pane.is_second;
         let examination = self.examination.as_mut().filter(|_| is_examined)?;

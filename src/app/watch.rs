@@ -9,7 +9,7 @@ use eframe::egui::Context;
 use super::waker::{Waker, Woken};
 use crate::platform::{files, threads};
 
-/// How often they are looked at.
+/// Interval between two looks at the files.
 const INTERVAL: Duration = Duration::from_secs(1);
 
 /// A thread that looks at files about once a second. It ends at once with this, unless a disc keeps it: nothing waits for it.
@@ -23,7 +23,7 @@ pub struct Watch {
 }
 
 impl Watch {
-    /// One that looks at `paths`.
+    /// Watches `paths`.
     #[must_use]
     pub fn new(ctx: Context, paths: Vec<PathBuf>) -> Self {
         let (sender, changed) = channel();
@@ -34,13 +34,13 @@ impl Watch {
         Self { paths, changed, _stop: stop, _woken: woken }
     }
 
-    /// What it looks at.
+    /// Returns the paths that are watched.
     #[must_use]
     pub fn paths(&self) -> &[PathBuf] {
         &self.paths
     }
 
-    /// The files that have changed since this was last asked.
+    /// Returns the files that have changed since the last call.
     #[must_use]
     pub fn changed(&self) -> Vec<PathBuf> {
         let mut changed: Vec<_> = self.changed.try_iter().collect();
@@ -50,7 +50,7 @@ impl Watch {
     }
 }
 
-/// A file with what tells that it has changed.
+/// A file with its stamp, which changes with it.
 type Stamped = (PathBuf, Option<files::Stamp>);
 
 fn stamped(paths: &[PathBuf]) -> Vec<Stamped> {

@@ -11,7 +11,7 @@ use eframe::egui::Context;
 use crate::platform::clock::Instant;
 use crate::platform::threads::{self, JoinHandle};
 
-/// A job that has taken longer than this gives way to a newer one. A shorter one is finished, so that
+/// Time after which a job gives way to a newer one. A shorter one is finished, so that
 /// something is seen while a control is dragged.
 const PATIENCE: Duration = Duration::from_millis(250);
 
@@ -78,7 +78,7 @@ impl<J: Send + 'static, R: Send + 'static> Worker<J, R> {
         self.stopped.store(self.newest.load(Ordering::Relaxed), Ordering::Relaxed);
     }
 
-    /// The newest result since this was last asked.
+    /// Returns the newest result since the last call.
     pub fn result(&self) -> Option<R> {
         let (number, result) = self.results.try_iter().last()?;
         self.received.set(number);

@@ -9,27 +9,27 @@ use relativity_core::{
 
 use crate::passage::time_within;
 
-/// Parts of the range in which less than a quarter of a turn is seen where turns can be told apart: there a turn is two pixels of a
+/// Number of parts of the range, in which less than a quarter of a turn is seen where turns can be told apart: there a turn is two pixels of a
 /// plot wide, or wider.
 const CELLS: u32 = 512;
 /// Steps of a turn, at each of which there is a sample: from pi/2 on they fall by pi/4.
 const STEPS: f64 = 8.0;
 
-/// Where in a range of T curves bend.
+/// The bends of curves in a range of T.
 #[derive(Debug, Clone, Default)]
 pub struct Bends {
-    /// Those of the passage: T0, when the point is objectively abreast of each eye, and when that sees it there.
+    /// Times of the passage: T0, when the point is objectively abreast of each eye, and when that sees it there.
     pub passage: Vec<f64>,
     /// When the point of a wheel has turned by eighths of a turn from its lowest place, as each eye and the middle between them
     /// sees it and as it is measured.
     pub turns: Vec<f64>,
-    /// Until this T it turns too fast for turns to be told apart: there it is drawn only where it is lowest, highest, or moves
+    /// End of the range in which it turns too fast for turns to be told apart: there it is drawn only where it is lowest, highest, or moves
     /// along the line of sight, now on one side and now on the other, and the line fills what it moves in.
     pub blurred_until: Option<f64>,
 }
 
 impl Bends {
-    /// Those of `source`, which moves along +x, before a `pair` of eyes in this `range` of T.
+    /// Returns the bends for `source`, which moves along +x, before a `pair` of eyes in this `range` of T.
     #[must_use]
     pub fn new(speed: &Speed, source: impl Into<Source>, pair: [Aperture; 2], range: [f64; 2]) -> Self {
         let source = source.into();
@@ -83,14 +83,14 @@ fn later(a: Option<f64>, b: Option<f64>) -> Option<f64> {
     if a > b { a } else { b }
 }
 
-/// The whole numbers from `first` to `last`; the first of them where they are more than can be told apart.
+/// Returns the whole numbers from `first` to `last`; the first of them if they are more than can be told apart.
 fn whole([first, last]: [f64; 2]) -> impl Iterator<Item = f64> {
     let most = f64::from(CELLS) * STEPS;
     let count = (last.floor() - first.ceil() + 1.0).clamp(0.0, most) as u32;
     (0..count).map(move |index| first.ceil() + f64::from(index))
 }
 
-/// What is around a whole step at which the point is highest or lowest: there it moves towards the eyes or away from them, and is
+/// Returns the times around a whole step at which the point is highest or lowest: there it moves towards the eyes or away from them, and is
 /// seen to be blue or red within an angle of 1/gamma.
 fn close_by(speed: &Speed, step: f64) -> impl Iterator<Item = f64> {
     let is_end = step.rem_euclid(0.5 * STEPS) == 0.0;
@@ -113,18 +113,18 @@ fn measured(speed: &Speed, wheel: &WheelPoint, range: [f64; 2]) -> Vec<f64> {
     whole([ends[0].min(ends[1]), ends[0].max(ends[1])]).filter_map(time).collect()
 }
 
-/// How many steps from its highest place on `wheel` has turned by this own time.
+/// Returns the number of steps from its highest place that `wheel` has turned by this proper time.
 fn steps(speed: &Speed, wheel: &WheelPoint, own_time: f64) -> f64 {
     (FRAC_PI_2 - wheel.angle_at(speed, own_time)) / FRAC_PI_4
 }
 
-/// The own time by which it has turned by so many.
+/// Returns the proper time by which it has turned by this number of steps.
 fn own_time_of(speed: &Speed, wheel: &WheelPoint, steps: f64) -> Option<f64> {
     let own_time = (wheel.angle - FRAC_PI_2 + FRAC_PI_4 * steps) / wheel.omega(speed);
     Some(own_time).filter(|time| time.is_finite())
 }
 
-/// How an eye sees a point of a wheel turn.
+/// The turning of a wheel's point as an eye sees it.
 struct SeenTurning<'a> {
     speed: &'a Speed,
     wheel: &'a WheelPoint,
@@ -132,7 +132,7 @@ struct SeenTurning<'a> {
 }
 
 impl SeenTurning<'_> {
-    /// How many steps the wheel has turned by what the clock at its hub is seen to show at `time`.
+    /// Returns the number of steps that the wheel has turned by the time that the clock at its hub is seen to show at `time`.
     fn steps_at(&self, time: f64) -> Option<f64> {
         let hub = sighting(self.speed, self.wheel.hub, self.eye, time).ok()?;
         Some(steps(self.speed, self.wheel, hub.own_time)).filter(|steps| steps.is_finite())
@@ -146,7 +146,7 @@ impl SeenTurning<'_> {
         steps - 0.5 * STEPS * (steps / (0.5 * STEPS)).round()
     }
 
-    /// When the point is seen to have turned by so many.
+    /// Returns the time when the point is seen to have turned by this number of steps.
     fn time_of(&self, steps: f64) -> Option<f64> {
         let Self { speed, wheel, eye } = *self;
         let own_time = own_time_of(speed, wheel, steps)?;

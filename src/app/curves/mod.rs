@@ -18,9 +18,9 @@ pub(super) use sampled::{Sample, sampled};
 /// A quantity that is plotted against T.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
-    /// Delta-phi.
+    /// Difference of azimuths, Delta-phi.
     DeltaPhi,
-    /// Delta-theta.
+    /// Difference of elevations, Delta-theta.
     DeltaTheta,
     /// Delta-u, the difference of columns of conformal pictures.
     DeltaU,
@@ -52,12 +52,12 @@ impl Quantity {
     }
 }
 
-/// One curve of a point: of a quantity and, where that has several, which of them.
+/// A curve of a point: of a quantity, and of one of its kinds where it has several.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Curve {
-    /// Delta-phi.
+    /// Difference of azimuths, Delta-phi.
     DeltaPhi,
-    /// Delta-theta.
+    /// Difference of elevations, Delta-theta.
     DeltaTheta,
     /// Delta-u, the difference of columns of conformal pictures.
     DeltaU,
@@ -97,16 +97,16 @@ pub enum DistanceKind {
 }
 
 impl DistanceKind {
-    /// All of them.
+    /// Every kind of distance.
     pub const ALL: [Self; 4] = [Self::Stereo, Self::Seen(0), Self::Seen(1), Self::Measured];
 }
 
-/// What a point's curves depend on.
+/// The key of a point's curves: everything they depend on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurvesKey {
-    /// How the point moves.
+    /// Velocity of the point.
     pub velocity: Velocity,
-    /// Where it is at rest or turns, from between the eyes.
+    /// Place of the point, at rest or on its wheel, from between the eyes.
     pub point: MaterialPoint,
     /// From the left to the right eye.
     pub baseline: Baseline,
@@ -136,13 +136,13 @@ pub struct Curves {
 /// The pieces of a curve.
 type Pieces = Vec<Vec<PlotPoint>>;
 
-/// Those of one binocular model.
+/// The curves of one binocular model.
 #[derive(Debug, Clone)]
 struct OfModel {
     eyes: [Vec<PlotPoint>; EYES],
     /// Log gain, in pieces.
     gains: Vec<Vec<PlotPoint>>,
-    /// Logs of the distances, each of the kind that its number says.
+    /// Logarithms of the distances, in the order of their kinds.
     distances: Vec<Vec<PlotPoint>>,
     /// Delta-u and Delta-v, in pieces.
     conformal: [Pieces; 2],
@@ -192,7 +192,7 @@ impl OfModel {
     }
 }
 
-/// Where a curve of what each eye sees is among the [`EYES`]; `None` of the others.
+/// Returns the channel of a curve of what each eye sees among the [`EYES`]; `None` for the others.
 const fn eyes_channel(curve: Curve) -> Option<usize> {
     match curve {
         Curve::DeltaPhi => Some(0),
@@ -225,7 +225,7 @@ impl Curves {
         Self { key, shown, exact, published, published_conformal, resting }
     }
 
-    /// What they were made for.
+    /// Returns the key that the curves were made for.
     #[must_use]
     pub const fn key(&self) -> &CurvesKey {
         &self.key
@@ -254,7 +254,7 @@ impl Curves {
 /// The published model, of which disparities have a curve.
 pub const PUBLISHED: Model = Model::Published(PublishedVariant::AppendixA);
 
-/// What a `curve` of the point of `key` is at `time` in this `model`, as plotted; `None` outside the domain of the core,
+/// Returns the value of a `curve` of the point of `key` at `time` in this `model`, as plotted; `None` outside the domain of the core,
 /// and where there is no such thing.
 #[must_use]
 pub fn value(key: &CurvesKey, model: Model, curve: Curve, time: f64) -> Option<f64> {
@@ -327,7 +327,7 @@ fn conformal_pieces<const N: usize>(
     all
 }
 
-/// What two eyes make in this `model` at `time` of the point of `key`; none where the lines of sight do not meet.
+/// Returns the stereo position of the point of `key` in this `model` at `time`; `None` where the lines of sight do not meet.
 fn fused(key: &CurvesKey, model: Model, time: f64) -> Option<Stereo> {
     key.velocity.stereo(model, key.point, key.baseline.apertures_or_limit(), time).ok()
 }
@@ -338,7 +338,7 @@ fn seen_distances(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; 2]> 
     Some([both.primary.distance, both.secondary.distance])
 }
 
-/// How far the point of `key` is at `time`.
+/// Returns the distance of the point of `key` at `time`, as measured.
 fn measured_distance(key: &CurvesKey, time: f64) -> f64 {
     let speed = &key.velocity.speed;
     let SourcePoint { x0, y, z } = key.velocity.reflected_source(key.point).place_when_measured(speed, time);

@@ -6,11 +6,11 @@ use crate::passage::time_within;
 /// Largest distance of a drawn chord from the curve, as a fraction of the curve's height: a third of a
 /// pixel in a plot 600 pixels high.
 const TOLERANCE: f64 = 1.0 / 1800.0;
-/// Most halvings of one of the first intervals. A jump (phi of a point at y = 0) ends there.
+/// Greatest number of halvings of one of the first intervals. A jump (phi of a point at y = 0) ends there.
 const MAX_DEPTH: u32 = 16;
 /// From this many samples on nothing is divided any more, however it bends.
 const MAX_SAMPLES: usize = 10_000;
-/// Intervals at first.
+/// Number of intervals at first.
 const FIRST_INTERVALS: u32 = 64;
 /// Halvings of the distance to each point of interest: features narrower than 2^-40 of the range show
 /// as steps.
@@ -19,9 +19,9 @@ const RUNGS: i32 = 40;
 /// Values at one T.
 #[derive(Debug, Clone, Copy)]
 pub struct Sample<const N: usize> {
-    /// T.
+    /// Observation time T.
     pub time: f64,
-    /// Values there.
+    /// Values at that time.
     pub values: [f64; N],
 }
 
@@ -102,7 +102,7 @@ fn first_times([from, to]: [f64; 2], bends: &Bends) -> Vec<f64> {
     times
 }
 
-/// How far a chord may be from each curve.
+/// Returns the greatest distance of a chord from each curve.
 fn tolerances<const N: usize>(samples: &[Sample<N>]) -> [f64; N] {
     std::array::from_fn(|channel| {
         let values = samples.iter().map(|sample| sample.values[channel]);
@@ -150,11 +150,11 @@ pub fn pieces<const N: usize>(
     found
 }
 
-/// Where in an interval chords are held against the curve: in the middle, and where a point turns also beside it, since halfway to
+/// Fractions of an interval where chords are held against the curve: in the middle, and where a point turns also beside it, since halfway to
 /// the other side of a peak it is on the chord.
 const ON_CHORDS: [f64; 2] = [0.5, 0.3];
 
-/// What lies halfway between two samples, unless the chord between them is near the curve `at` these parts of it, of which the
+/// Returns the sample halfway between two others, unless the chord between them is near the curve `at` these parts of it, of which the
 /// first is the half.
 fn bend<const N: usize>(
     [start, end]: [Sample<N>; 2],

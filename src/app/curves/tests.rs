@@ -134,7 +134,7 @@ fn wheel_key(beta: f64, rho: f64, angle: f64) -> CurvesKey {
     CurvesKey { point: MaterialPoint { rest, spin: Some(spin) }, range, ..key }
 }
 
-/// How far `exact` is from where a drawn `curve` goes a third of a pixel before and after `time`, in a plot 600 pixels wide.
+/// Returns the distance of `exact` from where a drawn `curve` goes a third of a pixel before and after `time`, in a plot 600 pixels wide.
 fn off_the_line(curve: &[PlotPoint], time: f64, exact: f64, width: f64) -> f64 {
     let [from, to] = [-1.0, 1.0].map(|sign| time + sign * width / 1800.0);
     let between = [from, to].map(|end| curve.partition_point(|point| point.x < end));
@@ -191,7 +191,7 @@ fn on_the_rim(beta: f64, time: f64) -> [f64; 2] {
     all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| [low.min(d), high.max(d)])
 }
 
-/// Where turns are thinner than a pixel the line fills what the point moves in, and no more: within a pixel or two it goes as high
+/// Turns thinner than a pixel: the line fills what the point moves in, and no more. Within a pixel or two it goes as high
 /// and as low as each eye's D does there.
 #[test]
 fn turns_too_fast_to_be_told_apart_are_filled() {

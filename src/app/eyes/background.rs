@@ -16,20 +16,20 @@ const STEPS: [u32; 3] = [REFERENCE_SAMPLES, 4, 8];
 /// A picture, and how many rays per pixel and direction it is made of.
 #[derive(Debug)]
 pub struct Made {
-    /// What it is of.
+    /// Request that it fulfils.
     pub of: Request,
     /// Rays per pixel and direction.
     pub samples: u32,
-    /// The picture.
+    /// Picture that was drawn.
     pub picture: Picture,
 }
 
-/// Those of one eye.
+/// The background drawing of one eye.
 pub struct Background {
     worker: Worker<(Request, u32), Made>,
     stillness: Stillness<Request>,
     requested: Option<(Request, u32)>,
-    /// The newest.
+    /// Newest picture.
     done: Option<Made>,
     /// Whether what is to be shown is not yet made.
     pub is_awaited: bool,
@@ -38,7 +38,7 @@ pub struct Background {
 }
 
 impl Background {
-    /// None yet.
+    /// Returns a background without a picture yet.
     pub fn new(ctx: &Context) -> Self {
         let work = |(of, samples): (Request, u32), wanted: &Wanted| {
             let Request { view, appearance, scene, .. } = &of;
@@ -62,7 +62,7 @@ impl Background {
         self.is_refining
     }
 
-    /// The picture that `request` is for, once it is done. It is begun when what is asked for no longer changes, and then
+    /// Returns the picture for `request`, once it is drawn. Drawing begins when the request no longer changes, and then the picture
     /// gets smoother if it may.
     pub fn picture(&mut self, ctx: &Context, request: &Request) -> Option<&Made> {
         let is_still = self.stillness.is_still(ctx, request);
@@ -79,7 +79,7 @@ impl Background {
         self.done.as_ref().filter(|made| is_made && made.samples > REFERENCE_SAMPLES)
     }
 
-    /// The newest picture of this size, be it of what was asked for before: a late one is better than none.
+    /// Returns the newest picture of this size, even if it was requested before: a late one is better than none.
     pub fn newest(&mut self, request: &Request) -> Option<&Made> {
         self.update(request, REFERENCE_SAMPLES, true);
         self.done.as_ref().filter(|made| made.picture.size == request.view.camera.size)

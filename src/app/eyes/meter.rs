@@ -9,10 +9,10 @@ use crate::platform::clock::Instant;
 
 /// Frames in a row in which pictures were drawn, after which they are taken to move: only then others are tried.
 const MOVING: u32 = 8;
-/// What the reference draws within a frame takes no longer than this, milliseconds; else it is made in the background.
+/// Time up to which the reference draws within a frame, milliseconds; else it draws in the background.
 const AT_ONCE_MS: f64 = 100.0;
 
-/// What chooses, and what it goes by.
+/// The meter: the automatic choice, and the measurements that guide it.
 pub struct Meter {
     automatic: Automatic,
     clock: Instant,
@@ -23,12 +23,12 @@ pub struct Meter {
     frames: u32,
 }
 
-/// What draws the views of one kind in a frame.
+/// The automatic choice for the views of one kind in a frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Chosen {
-    /// What was chosen.
+    /// Choice that was made.
     pub choice: Choice,
-    /// What draws this frame: that, or what is tried.
+    /// Method that draws this frame: the chosen one, or one on trial.
     pub method: Method,
 }
 
@@ -46,14 +46,14 @@ impl Meter {
         Self { automatic, clock: Instant::now(), is_on: false, drawings: 0, frames: 0 }
     }
 
-    /// Begins a frame after so many `drawings`, in which the choice is automatic or not.
+    /// Begins a frame after this number of `drawings`, in which the choice is automatic or not.
     pub fn begin(&mut self, drawings: u64, is_on: bool) {
         let has_moved = drawings != std::mem::replace(&mut self.drawings, drawings);
         self.frames = if has_moved && is_on { self.frames.saturating_add(1) } else { 0 };
         self.is_on = is_on;
     }
 
-    /// What draws `sight` in this frame.
+    /// Returns the method that draws `sight` in this frame.
     pub fn choose(&mut self, goal: Goal, sight: Sight<'_>) -> Option<Chosen> {
         let choice = self.automatic.choose(goal, sight)?;
         let now_ms = self.clock.elapsed_ms();

@@ -30,11 +30,11 @@ pub struct EyePictures {
     backgrounds: [Option<Background>; 2],
     composer: Option<Composer>,
     composed: Option<ComposedPicture>,
-    /// How often a picture was drawn.
+    /// Number of pictures drawn.
     drawings: u64,
     /// Why the device no longer draws, once it has refused to: from then on the reference does.
     refusal: Option<GpuError>,
-    /// Whether that is yet to be told.
+    /// Whether the refusal is still to be reported.
     is_untold: bool,
 }
 
@@ -65,7 +65,7 @@ impl EyePictures {
         Self { refusal: self.refusal.clone(), ..Self::new(&self.render_state) }
     }
 
-    /// Why the device no longer draws, if it has refused to since this was last asked.
+    /// Returns the reason why the device no longer draws, if it has refused since the last call.
     pub fn newly_refused(&mut self) -> Option<&GpuError> {
         std::mem::take(&mut self.is_untold).then_some(self.refusal.as_ref()).flatten()
     }
@@ -99,7 +99,7 @@ impl EyePictures {
         self.meter.begin(self.drawings, is_automatic);
     }
 
-    /// What draws `sight` in this frame, chosen for `goal`; `None` if nothing does.
+    /// Returns the choice for `sight` in this frame and this `goal`; `None` if nothing draws it.
     pub fn choose(&mut self, goal: Goal, sight: Sight<'_>) -> Option<Chosen> {
         self.meter.choose(goal, sight)
     }
@@ -135,7 +135,7 @@ impl EyePictures {
         }
     }
 
-    /// The picture as it is asked for.
+    /// Draws the picture by the method of the request.
     fn picture_by_method(
         &mut self,
         ctx: &Context,
@@ -169,7 +169,7 @@ impl EyePictures {
         })
     }
 
-    /// The newest picture by the reference, if that draws what is asked for and has drawn any.
+    /// Returns the newest picture by the reference, if that draws the request and has drawn any.
     fn picture_by_reference(&mut self, ctx: &Context, index: usize, request: &Request) -> Option<Shown> {
         let request = request.for_reference();
         let Self { render_state, gpu, pictures, backgrounds, drawings, .. } = self;

@@ -1,4 +1,4 @@
-//! What is asked for, and what is shown.
+//! The request for a picture, and the picture that is shown.
 
 use eframe::egui::TextureId;
 use relativity_render::{Appearance, Method, PreparedScene, View};
@@ -6,13 +6,13 @@ use relativity_render::{Appearance, Method, PreparedScene, View};
 /// Everything a picture depends on.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Request {
-    /// Who looks at what.
+    /// View to draw.
     pub view: View,
-    /// What becomes of its light.
+    /// Appearance of its light.
     pub appearance: Appearance,
-    /// What there is to see.
+    /// Scene to draw.
     pub scene: PreparedScene,
-    /// What is to draw it.
+    /// Method that should draw it.
     pub method: Method,
     /// Whether the reference is to draw it within the frame, too.
     pub at_once: bool,
@@ -23,9 +23,9 @@ pub struct Request {
 /// A picture to show.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shown {
-    /// The picture.
+    /// Texture of the picture.
     pub texture: TextureId,
-    /// What drew it. The rays stand in for the reference until that is done; the published model is
+    /// Method that drew it. The rays stand in for the reference until that is done; the published model is
     /// only known to the mesh renderer, and one light cone for both eyes not to the rays.
     pub method: Method,
 }
@@ -46,12 +46,12 @@ impl Request {
         Method::Reference.of_view(&self.view) == Method::Reference
     }
 
-    /// It, for the reference to draw.
+    /// Returns the request with the reference as its method.
     pub fn for_reference(&self) -> Self {
         Self { method: Method::Reference, at_once: false, ..self.clone() }
     }
 
-    /// What draws it within the frame.
+    /// Returns the method that draws it within the frame.
     pub fn method_in_frame(&self) -> Method {
         if self.at_once { self.method.of_view(&self.view) } else { self.method.on_gpu(&self.view) }
     }

@@ -1,4 +1,4 @@
-//! Where a picture is kept on the device, and what of.
+//! Slots: pictures that are kept on the device, with the requests they fulfil.
 
 use eframe::egui::TextureId;
 use eframe::egui_wgpu::RenderState;
@@ -11,31 +11,31 @@ use super::request::{Request, Shown};
 pub struct EyePicture {
     pub target: EyeTarget,
     pub texture: TextureId,
-    /// What it is of, and what drew that.
+    /// Request of the picture, and the method that drew it.
     drawn: Option<(Request, Drawn)>,
-    /// Which of all drawings it was.
+    /// Number of its drawing among all.
     pub number: u64,
 }
 
-/// What drew a picture.
+/// The method that drew a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drawn {
-    /// By which method.
+    /// Method of the drawing.
     pub method: Method,
     /// Rays per pixel and direction, where the reference has made it smoother than that does.
     pub samples: Option<u32>,
 }
 
-/// What is made of both.
+/// A picture composed of both eyes' pictures.
 pub struct ComposedPicture {
     pub target: Composed,
     pub texture: TextureId,
-    /// How it was composed, and of which drawings.
+    /// Composition of the picture, and the numbers of its drawings.
     pub of: Option<(Composition, [u64; 2])>,
 }
 
 impl EyePicture {
-    /// It, after `draw` has drawn what is asked for `by` this, unless that is up to date.
+    /// Returns the picture, after `draw` has drawn the request `by` this method, unless it is up to date.
     pub fn shown(
         &mut self,
         request: &Request,
@@ -56,7 +56,7 @@ impl EyePicture {
     }
 }
 
-/// The picture in `slot`, made anew if it does not have this `size`.
+/// Returns the picture in `slot`, replaced by a new one if it does not have this `size`.
 pub fn fitting<'a>(
     slot: &'a mut Option<EyePicture>,
     size: [u32; 2],
@@ -71,7 +71,7 @@ pub fn fitting<'a>(
     })
 }
 
-/// What is composed in `slot`, made anew if it does not have this `size`.
+/// Returns the composed picture in `slot`, replaced by a new one if it does not have this `size`.
 pub fn fitting_composed<'a>(
     slot: &'a mut Option<ComposedPicture>,
     size: [u32; 2],
@@ -86,7 +86,7 @@ pub fn fitting_composed<'a>(
     })
 }
 
-/// What egui calls the picture in `view`, be it new or in place of the one that it called so `before`.
+/// Registers the picture in `view` with egui, as a new texture or in place of the one `before`.
 fn registered(render_state: &RenderState, view: &TextureView, before: Option<TextureId>) -> TextureId {
     let mut renderer = render_state.renderer.write();
     let (device, filter) = (&render_state.device, FilterMode::Linear);

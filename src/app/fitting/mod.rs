@@ -27,7 +27,7 @@ pub struct Fitting {
 }
 
 impl Fitting {
-    /// Asks for the fit of `key`, unless that is what is shown or already asked for.
+    /// Requests the fit of `key`, unless that is shown or already requested.
     pub fn update(&mut self, ctx: &Context, key: FitKey) {
         self.receive();
         if self.requested.as_ref() != Some(&key) {
@@ -71,7 +71,7 @@ impl Fitting {
         self.awaited_since.is_some_and(|since| since.elapsed() >= GRACE)
     }
 
-    /// Whether the newest outcome is what was asked for.
+    /// Returns whether the newest outcome is the requested one.
     #[must_use]
     pub const fn is_up_to_date(&self) -> bool {
         self.shown.is_some() && !self.is_pending()
@@ -83,7 +83,7 @@ impl Fitting {
         self.awaited_since.is_some()
     }
 
-    /// How many fits were asked for.
+    /// Returns the number of fits that were requested.
     #[must_use]
     pub const fn requests(&self) -> u64 {
         self.requests

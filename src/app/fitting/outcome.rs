@@ -19,24 +19,24 @@ use crate::platform::threads::prelude::*;
 /// The samples and what became of them.
 #[derive(Debug, Clone)]
 pub struct FitOutcome {
-    /// What it was made for.
+    /// Key that it was made for.
     pub key: FitKey,
     /// First and last T of the samples.
     pub range: [f64; 2],
     /// The samples, in their order.
     pub samples: Vec<Measured>,
-    /// Those of Delta-phi and of Delta-theta.
+    /// Samples of Delta-phi and of Delta-theta.
     pub data: [Vec<PlotPoint>; 2],
     /// The fit, or why there is none.
     pub fitted: Result<Fitted, String>,
-    /// What the fitted model makes of simulated curves without noise: fitted minus true beta, y and z, or why it fits
+    /// Bias of the fitted model on simulated curves without noise: fitted minus true beta, y and z, or the reason why it fits
     /// nothing. `None` for the model by which they are made, and of measured ones.
     pub bias: Option<Result<[f64; 3], String>>,
-    /// How long it took.
+    /// Duration of the fit.
     pub elapsed: Duration,
 }
 
-/// A fit.
+/// A fit that was made.
 #[derive(Debug, Clone)]
 pub struct Fitted {
     /// Each fitted parameter, its best value with uncertainty, and its true value if that is known.
@@ -49,7 +49,7 @@ pub struct Fitted {
     pub rms: f64,
     /// Chi squared per degree of freedom, if there were sigmas.
     pub reduced_chi_squared: Option<f64>,
-    /// Readings fitted.
+    /// Number of readings fitted.
     pub readings: usize,
     /// The remark on z of the other sign, where that fits within the noise too.
     pub other_side: Option<String>,
@@ -57,19 +57,19 @@ pub struct Fitted {
     pub no_bootstrap: Option<String>,
 }
 
-/// A fitted curve.
+/// A fitted curve, with its residuals.
 #[derive(Debug, Clone)]
 pub struct FittedCurve {
     /// The curve of the best fit; of several pairs of eyes that of the first.
     pub line: Vec<PlotPoint>,
-    /// Of the curves of the bootstrap's replicates, the 95 % interval at each point of `line`, minus the best
+    /// Band of 95 % of the bootstrap's curves at each point of `line`, minus the best
     /// fit; empty without a bootstrap.
     pub band: Vec<[f64; 2]>,
     /// Sample minus best fit.
     pub residuals: Vec<PlotPoint>,
 }
 
-/// Most times at which the band is found; in between it is interpolated.
+/// Greatest number of times at which the band is computed; in between it is interpolated.
 const BAND_TIMES: usize = 120;
 
 impl FitOutcome {
@@ -172,7 +172,7 @@ fn fitted_angles(best: &Fit, pair: usize, time: f64) -> Option<[f64; 2]> {
     best.angles(pair, time).filter(|angles| angles.iter().all(|angle| angle.is_finite()))
 }
 
-/// What there is to draw of the fitted curves, of samples and what the best fit makes of each.
+/// Returns the fitted curves for drawing: samples, and the best fit's curve of each.
 fn curves(
     key: &FitKey,
     (observed, at_samples): (&Observations, &[Option<[f64; 2]>]),
@@ -216,7 +216,7 @@ fn worldline(rolling: Option<Rolling>, [beta, y, z, x0]: [f64; 4]) -> Option<(Sp
     Some((Speed::from_beta(beta).ok()?, source))
 }
 
-/// How a fit sees, and the eyes that see so.
+/// The model of a fit, and the eyes that it assumes.
 type Seeing = (FitOptions, [Aperture; 2]);
 
 /// For each sample of the best fit's `lines` the replicates' 95 % intervals, relative to the best fit.

@@ -1,17 +1,17 @@
-//! Where a window's picture changes from one frame to the next.
+//! Changes of a window's picture from one frame to the next.
 
 use std::collections::HashSet;
 
 use eframe::egui::epaint::ClippedShape;
 use eframe::egui::{Pos2, Rect, Shape, TextureId};
 
-/// So many shapes are passed over at most to find one that stayed.
+/// Greatest number of shapes that are skipped to find one that stayed.
 const REACH: usize = 12;
 /// Two areas are one where that is larger by no more than this, square points: each costs something of its own.
 const SPARE: f32 = 4000.0;
-/// The most areas.
+/// Greatest number of areas.
 const MOST: usize = 24;
-/// How far shapes are painted beyond their outlines, to be smooth, pixels.
+/// Distance beyond their outlines to which shapes are painted, to be smooth, pixels.
 const SMOOTH: f32 = 2.0;
 
 /// The areas that hold all that is different where `new` shapes are painted in the place of `old` ones, or the same with
@@ -47,7 +47,7 @@ pub fn areas(
     areas
 }
 
-/// What of the window a shape can change, points, with what makes it smooth.
+/// Returns the area of the window that a shape can change, points, with its smooth edge.
 pub fn extent(shape: &ClippedShape, pixels_per_point: f32) -> Rect {
     let outline = shape.shape.visual_bounding_rect();
     if outline.is_negative() {
@@ -59,7 +59,7 @@ pub fn extent(shape: &ClippedShape, pixels_per_point: f32) -> Rect {
     outline.expand(SMOOTH / pixels_per_point).intersect(shape.clip_rect)
 }
 
-/// How many of the `old` and of the `new` come before the next that is in both; at least one, and no more than there are.
+/// Returns the numbers of `old` and of `new` items before the next that is in both; at least one, and no more than there are.
 fn next_same<T>(old: &[T], new: &[T], is_same: impl Fn(&T, &T) -> bool) -> (usize, usize) {
     for sum in 1..=REACH {
         for a in 0..=sum {

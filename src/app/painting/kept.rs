@@ -9,7 +9,7 @@ use eframe::wgpu;
 
 use super::pipelines::Pipelines;
 
-/// The picture.
+/// The kept picture of a window.
 pub struct Kept {
     size: [u32; 2],
     view: wgpu::TextureView,
@@ -42,7 +42,7 @@ struct Run {
 }
 
 impl Kept {
-    /// Of this size, pixels; nothing is painted on it yet.
+    /// Returns a picture of this size, pixels; nothing is painted on it yet.
     pub fn new(render_state: &RenderState, pipelines: &Pipelines, size: [u32; 2]) -> Self {
         let RenderState { device, target_format, .. } = render_state;
         let largest = device.limits().max_texture_dimension_2d;
@@ -82,12 +82,12 @@ impl Kept {
         }
     }
 
-    /// Its size, pixels.
+    /// Returns the size of the picture, pixels.
     pub const fn size(&self) -> [u32; 2] {
         self.size
     }
 
-    /// What shows it.
+    /// Returns what shows the picture.
     pub fn shown(&self) -> Shown {
         self.shown.clone()
     }
@@ -166,7 +166,7 @@ fn scissor(area: Rect, pixels_per_point: f32, size: [u32; 2]) -> Option<[u32; 4]
 }
 
 impl Buffer {
-    /// It with these `bytes` at its beginning; `None` if there are none.
+    /// Writes these `bytes` to the beginning of the buffer, and returns it; `None` if there are none.
     fn write(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, bytes: &[u8]) -> Option<&wgpu::Buffer> {
         let size = bytes.len() as u64;
         self.buffer.take_if(|buffer| buffer.size() < size);

@@ -1,4 +1,4 @@
-//! Paints the window where the GPU is software: its picture is kept, and only what changed of it is painted anew, by a
+//! Painting of the window where the GPU is software: its picture is kept, and only changed parts are painted again, by a
 //! shader as plain as can be. The toolkit's own paints all of it in each frame, and each pixel costs it ten times as much.
 
 mod changes;
@@ -35,28 +35,28 @@ pub fn is_drawn_anew(ctx: &Context, texture: TextureId) {
 #[derive(Debug, Clone, Default)]
 struct Anew(HashSet<TextureId>);
 
-/// Paints windows.
+/// The painter of all windows.
 struct Painting {
     render_state: RenderState,
     pipelines: Pipelines,
-    /// Those whose passes have begun, the innermost last.
+    /// Windows whose passes have begun, the innermost last.
     begun: Vec<ViewportId>,
     windows: Vec<(ViewportId, Painted)>,
 }
 
-/// What a window shows.
+/// The picture of a window.
 #[derive(Default)]
 struct Painted {
-    /// Its size as it was last told, points.
+    /// Size of the window as last reported, points.
     size: Option<Vec2>,
     kept: Option<Kept>,
-    /// What is painted there.
+    /// Shapes painted there.
     shapes: Vec<ClippedShape>,
     pixels_per_point: f32,
     news: News,
 }
 
-/// What is not to be seen in a window yet, whatever its shapes are.
+/// Changes that are not to be seen in a window yet, whatever its shapes are.
 #[derive(Debug, Clone, Default)]
 struct News {
     /// Pictures that are others than before.
@@ -198,7 +198,7 @@ fn ground(shapes: &[ClippedShape], whole: Rect) -> (Color32, usize) {
     first.and_then(hides_all).unwrap_or((Color32::BLACK, 0))
 }
 
-/// All of `area` in one `colour`, to its edges.
+/// Returns a mesh that fills `area` with one `colour`, to its edges.
 fn plain(area: Rect, colour: Color32) -> Mesh {
     let mut mesh = Mesh::default();
     mesh.add_colored_rect(area.expand2(vec2(1.0, 1.0)), colour);

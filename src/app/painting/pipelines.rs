@@ -1,4 +1,4 @@
-//! What paints triangles, and what shows the picture that is kept.
+//! The pipelines that paint triangles, and that show the kept picture.
 
 use eframe::egui::epaint::Vertex;
 use eframe::wgpu;
@@ -9,9 +9,9 @@ pub struct Pipelines {
     pub triangles: wgpu::RenderPipeline,
     /// Shows what is kept.
     pub shown: wgpu::RenderPipeline,
-    /// What `triangles` takes of a window.
+    /// Layout of the bindings of `triangles`, for a window.
     pub of_window: wgpu::BindGroupLayout,
-    /// What `shown` takes.
+    /// Layout of the bindings of `shown`.
     pub of_kept: wgpu::BindGroupLayout,
 }
 

@@ -28,7 +28,7 @@ const NARROWEST_WITH_PARTS: f32 = 700.0;
 /// A narrower caption would say nothing.
 const NARROWEST_CAPTION: f32 = 180.0;
 
-/// Shows the bar.
+/// Shows the bar with its menus.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let width = ui.available_width();
     ui.horizontal_centered(|ui| {
@@ -133,7 +133,7 @@ fn files(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
 }
 
-/// In which units the whole window shows lengths and times.
+/// Shows the choice of units for lengths and times in the whole window.
 fn units(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ComboBox::from_id_salt("units")
         .selected_text(UNITS[state.measures().units as usize].1)
@@ -159,7 +159,7 @@ fn units_to_choose(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
 }
 
-/// Steps back and forwards, and all as usual.
+/// Shows the buttons that undo, redo and reset.
 fn way_back(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let history = &state.session.history;
     let reset = format!(
@@ -198,7 +198,7 @@ const UNITS_TIP: &str = "In which units the window shows and takes lengths and t
 
 const NO_METRES: &str = "This scene does not say how many metres its unit is.";
 
-/// What a narrow bar has no room for: the units, the theme, and `with_parts` what is shown.
+/// Shows the menu of a narrow bar: the units, the theme, and `with_parts` the parts that are shown.
 fn more(ui: &mut Ui, state: &State, with_parts: bool, asks: &mut Asks) {
     let stays_open = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let menu = MenuButton::new("More").config(stays_open).ui(ui, |ui| {
@@ -225,7 +225,7 @@ fn theme(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
 }
 
-/// Which parts of the window are shown.
+/// Shows the switches of the parts of the window.
 fn parts(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut window = state.document.settings.window;
     ui.toggle_value(&mut window.controls, "Controls").on_hover_text("Show the controls and the readout");

@@ -17,7 +17,7 @@ const DOT_STEP: f32 = 5.0;
 
 const TIP: &str = "Drag to make room.   Double-click: as usual.";
 
-/// Shows `border`.
+/// Shows `border`, and reads drags of it.
 pub fn show(ui: &Ui, state: &State, border: Border, asks: &mut Asks) {
     let Border { split, rect, .. } = border;
     let response = ui.interact(rect, ui.scope_id().with(split.name()), Sense::click_and_drag());
@@ -39,7 +39,7 @@ pub fn show(ui: &Ui, state: &State, border: Border, asks: &mut Asks) {
     }
 }
 
-/// What is done by a double click on the title of `part`, which is all that is in `ui`.
+/// Maximises `part` after a double click on its title, which is all that is in `ui`.
 pub fn title(ui: &Ui, part: Part, asks: &mut Asks) {
     let name = match part {
         Part::Pane(number) => format!("Title of view {}", number + 1),

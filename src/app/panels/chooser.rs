@@ -60,7 +60,7 @@ fn path(ui: &mut Ui, chooser: &mut Chooser) -> bool {
     response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
 }
 
-/// What is set or said of what is saved.
+/// Shows settings and remarks for the product that is saved.
 fn told(ui: &mut Ui, state: &State, product: Product, chooser: &mut Chooser) {
     if product.has_size() {
         ui.horizontal(|ui| {

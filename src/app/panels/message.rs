@@ -17,7 +17,7 @@ const WIDEST: f32 = 640.0;
 const LOWEST: f32 = 60.0;
 const AROUND: f32 = 10.0;
 
-/// Shows what there is to tell at the top of `room`, inside `window`.
+/// Shows the message at the top of `room`, inside `window`, if there is one.
 pub fn show(ctx: &Context, state: &State, room: Rect, window: Rect, asks: &mut Asks) {
     let Some(notice) = &state.scratch.notice else { return };
     let scale = theme::text_scale(&ctx.global_style());
@@ -50,7 +50,7 @@ fn sign(ui: &mut Ui, notice: &Notice) {
     icons::sign(ui.painter(), icon, rect.center(), 7.0, theme::notice_colour(notice.is_error, ui.visuals()));
 }
 
-/// All of it, to select; what has no room in this `height` is scrolled to.
+/// Shows the whole text, selectable; beyond this `height` it scrolls.
 fn text(ui: &mut Ui, notice: &Notice, height: f32) {
     ScrollArea::vertical().max_height(height).show(ui, |ui| {
         let text = RichText::new(&notice.text).color(ui.visuals().strong_text_color());

@@ -26,5 +26,5 @@ pub mod views;
 
 use super::command::Command;
 
-/// What a panel asks for while it is shown.
+/// The commands that a panel asks for while it is shown.
 pub type Asks = Vec<Command>;

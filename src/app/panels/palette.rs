@@ -1,4 +1,4 @@
-//! The command palette: all that can be asked for, found by words of its name.
+//! The command palette: every command, found by words of its name.
 
 use eframe::egui::{
     Align, Align2, Area, Context, Frame, Id, Key, Layout, Margin, Modifiers, Order, Response, RichText,
@@ -16,9 +16,9 @@ use crate::settings::Preset;
 
 /// Width, and the greatest height of the list, points.
 const SIZE: [f32; 2] = [480.0, 340.0];
-/// So much of a small window is left free around it.
+/// Room left around it in a small window.
 const AROUND: f32 = 60.0;
-/// No more than so many are listed: who sees as many types another word.
+/// Greatest number of entries in the list: with more, one types another word.
 const MOST: usize = 200;
 
 /// Something to ask for.
@@ -29,14 +29,14 @@ struct Entry {
     command: Command,
 }
 
-/// What is typed, and which of the entries is chosen.
+/// The search: the text typed, and the chosen entry.
 #[derive(Debug, Clone, Default)]
 struct Search {
     text: String,
     chosen: usize,
 }
 
-/// Shows the palette, if it is asked for.
+/// Shows the palette, if it is open.
 pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
     let id = Id::unique("palette");
     if state.session.overlay != Some(Overlay::Palette) {
@@ -83,7 +83,7 @@ pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
     }
 }
 
-/// Which of `count` entries is chosen after the arrow keys.
+/// Returns which of `count` entries is chosen after the arrow keys.
 fn moved(ctx: &Context, chosen: usize, count: usize) -> usize {
     let pressed = |key| ctx.input_mut(|input| input.count_and_consume_key(Modifiers::NONE, key));
     let (up, down) = (pressed(Key::ArrowUp), pressed(Key::ArrowDown));
@@ -129,7 +129,7 @@ fn row(ui: &mut Ui, entry: &Entry, is_chosen: bool) -> Response {
     .inner
 }
 
-/// All that has every word of `text` in its name, in any order.
+/// Returns the entries that have every word of `text` in their names, in any order.
 fn found(state: &State, text: &str) -> Vec<Entry> {
     let text = text.to_lowercase();
     let words: Vec<&str> = text.split_whitespace().collect();

@@ -16,7 +16,7 @@ use crate::figures;
 use crate::flags::choices::ProjectionChoice;
 use crate::units::{Measures, Unit};
 
-/// Shows the readout.
+/// Shows the readout of the selected point.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let point = state.document.points.selected();
     ui.spacing_mut().item_spacing.y = 3.0;
@@ -42,7 +42,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| table(ui, state));
 }
 
-/// What each eye receives.
+/// Shows a table of what each eye receives.
 fn table(ui: &mut Ui, state: &State) {
     let point = state.document.points.selected();
     let received = Received {
@@ -78,11 +78,11 @@ fn table(ui: &mut Ui, state: &State) {
     );
 }
 
-/// What both eyes receive of the selected point now.
+/// Sightings of both eyes of the selected point now.
 struct Received {
-    /// As the views show it.
+    /// Sightings as the views show them.
     shown: [Option<Sighting>; 2],
-    /// What the right eye receives exactly, where that is not shown.
+    /// Exact sighting of the right eye, where that is not shown.
     exact: Option<Sighting>,
 }
 
@@ -101,14 +101,14 @@ fn exactly(value: &str) -> String {
     format!("Published; exact: {value}")
 }
 
-/// What both eyes receive of the selected point exactly, where the views show the published model.
+/// Returns the exact disparity of the selected point, where the views show the published model.
 fn exact_beside(state: &State) -> Option<Disparity> {
     let track = state.document.points.selected().track;
     let is_published = matches!(state.document.settings.shown_model(), Model::Published(_));
     is_published.then(|| state.document.settings.disparity(&track, state.document.time).ok()).flatten()
 }
 
-/// What two eyes make of both.
+/// Shows the stereo gain and position.
 fn stereo(ui: &mut Ui, state: &State) {
     const AXES: [&str; 3] = ["x", "y", "z"];
     let found = state.stereo(state.document.points.selected());
@@ -186,7 +186,7 @@ const PUBLISHED_TIP: &str = "What the views show of the selected point now: the 
 /// A row of the table.
 struct Quantity {
     symbol: &'static str,
-    /// For assistive technology.
+    /// Name for assistive technology.
     name: &'static str,
     tip: &'static str,
     decimals: u8,
@@ -295,7 +295,7 @@ impl OfHead {
     }
 }
 
-/// Of a point that turns with a wheel.
+/// A row of numbers of a point that turns with a wheel.
 struct OfWheel {
     symbol: &'static str,
     name: &'static str,

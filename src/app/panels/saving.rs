@@ -1,4 +1,4 @@
-//! How far a picture or a film has come that is being saved, and a way to stop it.
+//! Progress of a picture or a film that is being saved, with a button that stops it.
 
 use eframe::egui::{Align2, Context, ProgressBar, Window};
 

@@ -8,7 +8,7 @@ use crate::app::theme;
 /// Sizes of the writing, points: the first at which the sentence fits is taken, else the last, and the end left out.
 const SIZES: [f32; 4] = [14.0, 13.0, 12.0, theme::SMALLEST_SIZE];
 
-/// How much larger than other large writing it may be.
+/// Greatest magnification relative to other large writing.
 const LARGEST: f32 = 1.5;
 
 /// Writes it into all of the room there is.

@@ -28,7 +28,7 @@ const NAME_MARGIN: f32 = 6.0;
 const FONT: FontId = FontId::proportional(12.0);
 const SMALL_FONT: FontId = FontId::proportional(11.0);
 
-/// Shows it.
+/// Shows the strip of wavelengths.
 pub fn show(ui: &mut Ui, state: &State) {
     let moment = state.moment();
     let rect = ui.max_rect();
@@ -58,7 +58,7 @@ pub fn show(ui: &mut Ui, state: &State) {
     );
 }
 
-/// Where a wavelength lies on a scale from `left` to `right`; beyond its ends where it lies beyond.
+/// Returns the place of a wavelength on the strip; beyond its ends where it lies beyond.
 fn place(strip: Rect, wavelength_nm: f64) -> f32 {
     let [first, last] = RANGE_NM.map(math::log10);
     let fraction = (math::log10(wavelength_nm) - first) / (last - first);
@@ -73,7 +73,7 @@ fn wavelength_at(strip: Rect, x: f32) -> f64 {
 
 /// A wavelength on the scale.
 struct Mark {
-    /// What it is the wavelength of.
+    /// Name of the mark's wavelength.
     name: &'static str,
     wavelength_nm: f64,
     /// Written above the scale.
@@ -83,7 +83,7 @@ struct Mark {
 }
 
 impl Mark {
-    /// Where it stands: at an end of the strip where it lies beyond.
+    /// Returns the place of the mark: at an end of the strip where it lies beyond.
     fn x(&self, strip: Rect) -> f32 {
         place(strip, self.wavelength_nm).clamp(strip.min.x, strip.max.x.max(strip.min.x))
     }
@@ -128,7 +128,7 @@ fn paint_colours(painter: &Painter, strip: Rect, visuals: &Visuals) {
     painter.rect_stroke(strip, CornerRadius::ZERO, stroke, StrokeKind::Outside);
 }
 
-/// The ends of the scale, and what has no colour, by name; left out where a mark stands.
+/// Paints the ends of the scale, and names of bands without a colour; left out where a mark is.
 fn paint_names(painter: &Painter, strip: Rect, marks: &[Mark], visuals: &Visuals) {
     let [violet, red] = VISIBLE_NM.map(|end| place(strip, end));
     let names = [

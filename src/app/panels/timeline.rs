@@ -22,7 +22,7 @@ use crate::units::Unit;
 
 const TIME_TIP: &str = "Observation time T: when the light is received.   Keys: ← →, Home, End";
 
-/// Widths of the transport's buttons with T's name and the gaps around them, of what stands around the numbers of the rate
+/// Widths of the transport's buttons with T's name and the gaps around them, of the words around the numbers of the rate
 /// and of the range, of the menu's button, and of a number without its digits and of one of these; points.
 const TRANSPORT: f32 = 206.0;
 const AROUND_RATE: f32 = 10.0;
@@ -31,19 +31,19 @@ const MENU: f32 = 62.0;
 const AROUND_DIGITS: f32 = 16.0;
 const DIGIT: f32 = 7.2;
 
-/// What of the playback has room in the timeline; the rest is in a menu.
+/// The part of the playback controls that has room in the timeline; the rest is in a menu.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Shown {
     /// Rate, looping and range.
     All,
-    /// The rate.
+    /// The rate alone.
     Rate,
-    /// None of it.
+    /// None of them.
     Nothing,
 }
 
 impl Shown {
-    /// What has room in this `width`.
+    /// Returns the part that has room in this `width`.
     fn within(width: f32, state: &State) -> Self {
         let [rate, range] = playback_widths(state);
         let taken = TRANSPORT + time_width(state);
@@ -75,7 +75,7 @@ fn time_width(state: &State) -> f32 {
     numbers_width(&unit.text(state.document.time, unit.decimals(3))).max(usual)
 }
 
-/// Shows the timeline.
+/// Shows the timeline with its scrubber.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.spacing_mut().item_spacing.y = 3.0;
     let shown = Shown::within(ui.available_width(), state);
@@ -233,7 +233,7 @@ struct Mark {
 }
 
 impl Mark {
-    /// Those of the selected point; none at rest.
+    /// Returns the marks of the selected point; none at rest.
     fn all(state: &State, visuals: &Visuals) -> Vec<Self> {
         let point = state.document.points.selected();
         // Places in scene files are sums: what is left over of them is no time.
@@ -256,7 +256,7 @@ impl Mark {
         marks.into_iter().flatten().collect()
     }
 
-    /// What stands below the scrubber, where the mark is at this `fraction` of its way.
+    /// Returns the text below the scrubber, with the mark at this `fraction` of its way.
     fn text(&self, unit: Unit, fraction: f64) -> String {
         let time = unit.text(self.time, 2);
         match fraction {

@@ -1,4 +1,4 @@
-//! What the two eyes see, side by side: pictures, markers of the followed points, and the mouse in
+//! The views of the two eyes, side by side: pictures, markers of the followed points, and the mouse in
 //! them.
 
 use std::sync::Arc;
@@ -31,12 +31,12 @@ use crate::settings::Light;
 /// Zoom per point of scrolling.
 const ZOOM_PER_SCROLL: f64 = 0.002;
 
-/// What is painted in an eye's pane.
+/// The pictures painted in an eye's pane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Painted {
-    /// The picture.
+    /// Picture of the scene.
     pub picture: Option<Shown>,
-    /// How far it is off, if that is to be seen.
+    /// Heat map of its error, if it is shown.
     pub heat_map: Option<TextureId>,
 }
 
@@ -81,7 +81,7 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, name: &str, asks: &mu
     }
 }
 
-/// What the keys do in the view that has the keyboard.
+/// Performs the keys of the view that has the keyboard focus.
 fn keys(ui: &Ui, response: &Response, asks: &mut Asks) {
     let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
@@ -240,7 +240,7 @@ fn missed(ui: &Ui, state: &State, pane: EyePane) {
     }
 }
 
-/// What the picture is, where that is not what an eye would see, drawn exactly.
+/// Returns a note on the picture, where it is not what an eye would see, drawn exactly.
 fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) -> String {
     let geometry = match state.document.settings.geometry() {
         Geometry::Seen | Geometry::Published => None,
@@ -288,7 +288,7 @@ fn projection_note(camera: &Camera) -> Option<String> {
 /// The least stretch at which pictures of two projections look different.
 const NOTICEABLE_STRETCH: f64 = 1.15;
 
-/// What has drawn the picture, where that was set or is further off than can be seen.
+/// Returns the method that has drawn the picture, where that was set or is further off than can be seen.
 fn drawn_by(state: &State, eye: Eye, drawn: Method) -> Option<String> {
     let geometry = state.view(eye, state.frame.picture_size).geometry;
     let Some(set) = state.document.settings.quality.method() else {
@@ -304,7 +304,7 @@ fn drawn_by(state: &State, eye: Eye, drawn: Method) -> Option<String> {
     }
 }
 
-/// Errors up to this are not told of in the picture, pixels.
+/// Greatest error that is not mentioned in the picture, pixels.
 const UNSEEN_PX: f64 = 0.1;
 
 /// Returns the note on light that eyes do not see.
@@ -353,12 +353,12 @@ fn write(ui: &Ui, painter: &Painter, pane: EyePane, corner: Align2, text: String
     place
 }
 
-/// What of markers is drawn.
+/// A coat of a marker's paint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Coat {
-    /// What sets them off from the picture.
+    /// The halo that sets markers off from the picture.
     Halo,
-    /// They themselves, and the clocks.
+    /// The markers themselves, and the clocks.
     Ring,
 }
 
@@ -406,7 +406,7 @@ fn clock(ui: &Ui, state: &State, pane: EyePane, point: &Point, place: Pos2) {
     dial::show(ui, dial, drawn, &name, dial::tip(state.measures().time, point.track.spin.is_some()));
 }
 
-/// Where an eye sees a followed point.
+/// A marker at the place where an eye sees a followed point.
 struct Marker {
     pixel: [f64; 2],
     hidden: bool,
@@ -450,7 +450,7 @@ mod tests {
     use crate::scene::Scene;
     use crate::settings::Settings;
 
-    /// Where it can be seen, and where a goal is not kept.
+    /// The note appears where an error can be seen, and where a goal is not kept.
     #[test]
     fn a_view_says_what_automatic_quality_costs_it() {
         let mut state = State::new(Settings::default(), Scene::default());

@@ -13,7 +13,7 @@ use crate::settings::PlotTab;
 /// Width of the menu, points.
 const WIDTH: f32 = 230.0;
 
-/// An entry: what it says, what it does, and in a few words more.
+/// An entry: its label, its command, and its tooltip.
 type Entry = (&'static str, Command, &'static str);
 
 const OPEN: [Entry; 2] = [

@@ -14,7 +14,7 @@ use crate::figures;
 use crate::flags::{EXPOSURE_EV, Exposure, TEMPERATURE_K};
 use crate::settings::Light;
 
-/// Shows them.
+/// Shows the controls of the light.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let before = state.document.settings.light;
     let (mut light, usual) = (before, state.usual().light);
@@ -65,7 +65,7 @@ fn temperature() -> NumberRow<'static> {
     }
 }
 
-/// How much brighter light becomes: that of one wavelength by an exponent, any other as Planck's law says.
+/// Shows the exponent of the brightness: light of one wavelength follows it, any other follows Planck's law.
 fn intensity_row(ui: &mut Ui, light: &mut Light) {
     let tip = "How much brighter the Doppler factor D makes light.";
     row(ui, "Intensity", tip, |ui| match light.colour {

@@ -38,7 +38,7 @@ const SECTIONS: [(Section, Rows); 4] = [
     (Section::Light, light::show),
 ];
 
-/// Shows the controls.
+/// Shows the controls in their sections.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 3.0;
@@ -149,7 +149,7 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
 }
 
-/// How the eyes' pictures are shown together.
+/// Shows the choice of the layout.
 fn layout_row(ui: &mut Ui, picture: Picture, asks: &mut Asks) {
     let tip = "How the pictures of the two eyes are shown together.   Key: L";
     row(ui, "Layout", tip, |ui| {
@@ -202,7 +202,7 @@ const GEOMETRIES: [(Geometry, &str, &str); 3] = [
     (Geometry::Rest, "At rest", "What a camera that rides along photographs."),
 ];
 
-/// What is said where the published geometry cannot be shown.
+/// Remark where the published geometry cannot be shown.
 const UNPUBLISHED: &str = "The paper's eyes are along the motion: shown as seen.";
 
 fn light_cones_row(ui: &mut Ui, geometry: &mut Geometry, is_along_motion: bool) {
@@ -235,7 +235,7 @@ const LIGHT_CONES: [(Geometry, &str, &str); 3] = [
     ),
 ];
 
-/// What is shown besides the eyes' pictures.
+/// Shows the switches of what is shown besides the eyes' pictures.
 fn more_rows(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
     let mut window = before;
     row(ui, "Also show", "Chooses what stands beside the views, and what is drawn into them.", |ui| {
@@ -271,7 +271,7 @@ fn gaze_row(ui: &mut Ui, state: &State, look: &mut Look) {
     });
 }
 
-/// What a gaze does.
+/// The mode of a gaze.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum GazeMode {
     Whole,

@@ -14,7 +14,7 @@ const USUAL_DEPTH: f64 = 4.0;
 /// Nearest and furthest that can be typed.
 const DEPTH: RangeInclusive<f64> = 1e-3..=MAX_LENGTH;
 
-/// Shows them.
+/// Shows the controls of the projection.
 pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
     projection_row(ui, &mut look.projection);
     if state.document.settings.projection() != look.projection
@@ -51,7 +51,7 @@ const PROJECTIONS: [(ProjectionChoice, &str, &str); 3] = [
     ),
 ];
 
-/// What is at the depth of the screen.
+/// The object at the depth of the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum ScreenDepth {
     Point,

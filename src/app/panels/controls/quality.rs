@@ -10,7 +10,7 @@ use crate::flags::choices::RendererChoice;
 use crate::flags::{BUDGET_MS, ERROR_PX, Goal};
 use crate::settings::{BOUND_PX, Quality};
 
-/// Shows them.
+/// Shows the controls of the quality.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let (before, usual) = (state.document.settings.quality, state.usual().quality);
     let mut quality = before;
@@ -32,7 +32,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
 }
 
-/// What automatic quality keeps, and what it has chosen.
+/// Shows the goal of automatic quality, and its choice.
 fn goal_rows(ui: &mut Ui, state: &State, quality: &mut Quality, usual: Quality) {
     let mut is_budget = matches!(quality.goal, Goal::Budget(_));
     row(ui, "Limit", "The bound that the automatic choice stays within.", |ui| {

@@ -11,7 +11,7 @@ use crate::figures;
 use crate::flags::{SCREEN_CM, ScreenWidth};
 use crate::settings::{Motion, VIEWING_CM};
 
-/// Shows it.
+/// Shows the controls of the screen.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     meter(ui, state);
     narrow(ui, state, asks);

@@ -11,7 +11,7 @@ use crate::app::widgets::{NumberRow, choice, row};
 use crate::flags::HEAD_DEGREES;
 use crate::settings::Motion;
 
-/// Shows them.
+/// Shows the controls of the two eyes.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let (mut motion, mut look) = (state.document.settings.motion, state.document.settings.look);
     head_rows(ui, &mut motion, state.usual().motion);
@@ -25,7 +25,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
 }
 
-/// Which way the eyes are from each other: a choice of three, and how far the head is tilted and turned.
+/// Shows the direction of the eyes from each other: a choice of three, and the tilt and turn of the head.
 fn head_rows(ui: &mut Ui, motion: &mut Motion, usual: Motion) {
     row(
         ui,

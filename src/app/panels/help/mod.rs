@@ -57,7 +57,7 @@ const MOUSE: [(&str, &str); 12] = [
     ("Drag, scroll, double-click in the map", "move, zoom, fit it"),
 ];
 
-/// What keys do in a view that was reached with the tabulator.
+/// Keys in a view that was reached with the tabulator.
 const IN_A_VIEW: [(&str, &str); 4] = [
     ("Tab, Shift+Tab", "to the next control or view, or the one before"),
     ("← → ↑ ↓ in a view", "look around"),
@@ -65,7 +65,7 @@ const IN_A_VIEW: [(&str, &str); 4] = [
     ("Space on a control", "press it; arrows move a slider"),
 ];
 
-/// Shows the help, if it is asked for.
+/// Shows the help, if it is open.
 pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
     if state.session.overlay != Some(Overlay::Help) {
         return;

@@ -1,6 +1,6 @@
-//! What the help says in words: what is shown, what the terms and letters mean, and where it comes from.
+//! Words of the help: what is shown, the terms and letters, and the source.
 
-/// What one is looking at.
+/// The first paragraphs, about what is on screen.
 pub const WHAT: [&str; 7] = [
     "Gamow shows what two eyes see of something that rides past at nearly the speed of light.",
     "Light takes time: each eye sees every point where it was when its light left. So what comes nearly \
@@ -16,7 +16,7 @@ pub const WHAT: [&str; 7] = [
     take them to be.",
 ];
 
-/// What the terms and letters mean, beside the three times.
+/// Terms and letters with their meanings, beside the three times.
 pub const WORDS: [(&str, &str); 15] = [
     ("β, γ, η", "the speed in parts of that of light, v/c; γ = 1/√(1 − β²); the rapidity η = artanh β"),
     ("d", "how far apart the eyes are"),
@@ -44,7 +44,7 @@ pub const WORDS: [(&str, &str); 15] = [
     ("published", "the paper's approximate model of the right eye, beside the exact one"),
 ];
 
-/// Where it comes from.
+/// The source of it all.
 pub const PAPER: [&str; 2] = [
     "E. A. Cryer-Jenkins and P. D. Stevenson, Gamow's cyclist: a new look at relativistic measurements for a binocular \
     observer, Proc. R. Soc. A 476 (2020).",
@@ -52,7 +52,7 @@ pub const PAPER: [&str; 2] = [
     parallax. Eyes receive, Published shows that model; `gamow paper` redoes its figures beside ours.",
 ];
 
-/// The paper's address.
+/// Address of the paper.
 pub const PAPER_ADDRESS: &str = "https://doi.org/10.1098/rspa.2019.0703";
 
 /// The licence of Gamow itself.

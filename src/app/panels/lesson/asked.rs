@@ -1,4 +1,4 @@
-//! What the parts of the panel ask for.
+//! Requests of the parts of the panel.
 
 use crate::app::command::Command;
 use crate::app::panels::Asks;

@@ -19,7 +19,7 @@ const CORNER: u8 = 6;
 const BORDER: f32 = 1.5;
 const INSIDE: Margin = Margin::symmetric(9, 6);
 
-/// What stands before the text of a card.
+/// The sign before the text of a card.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sign {
     /// A ring, filled if it is chosen.
@@ -28,7 +28,7 @@ pub enum Sign {
     Letter(usize, bool),
     /// A tick: it is so.
     Right,
-    /// Nothing.
+    /// No sign.
     Nothing,
 }
 
@@ -52,7 +52,7 @@ pub fn choice(ui: &mut Ui, text: &Text, number: usize, is_chosen: bool, presente
     response
 }
 
-/// A card that only tells.
+/// Shows a card that only gives information.
 pub fn told(ui: &mut Ui, text: &Text, is_right: bool) {
     let (sign, colour) =
         if is_right { (Sign::Right, right_colour(ui)) } else { (Sign::Ring(true), quiet_line(ui)) };

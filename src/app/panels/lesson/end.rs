@@ -24,7 +24,7 @@ const PAGES: [(&str, Product, &str); 4] = [
     ),
 ];
 
-/// How much larger than other writing the sentence is.
+/// Magnification of the sentence.
 const LARGER: f32 = 1.4;
 
 /// Shows both, and where to go from here.
@@ -61,7 +61,7 @@ pub fn show(ui: &mut Ui, running: &Running, asks: &mut Asks) {
     });
 }
 
-/// The sentence, large.
+/// Shows the lesson's sentence, large.
 pub fn sentence(ui: &mut Ui, course: &Course) {
     ui.scope(|ui| {
         let size = TextStyle::Body.resolve(ui.style()).size;

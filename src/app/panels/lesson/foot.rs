@@ -13,7 +13,7 @@ use crate::lesson::{Answer, Course, Kind};
 /// Least width and height of the button that leads on.
 const MAIN_SIZE: [f32; 2] = [92.0, 30.0];
 
-/// Shows them.
+/// Shows the buttons at the foot of the panel.
 pub fn show(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
     let course = &running.course;
     ui.separator();

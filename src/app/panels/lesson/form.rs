@@ -1,4 +1,4 @@
-//! How a prediction is entered: a choice, hands that are counted, a number, a place or a curve; and how sure one is.
+//! The form in which a prediction is entered: a choice, counted hands, a number, a place or a curve; and its confidence.
 
 use eframe::egui::{Align, Event, Id, Key, Layout, RichText, TextEdit, TextStyle, Ui, vec2};
 
@@ -37,7 +37,7 @@ pub fn choices(ui: &mut Ui, state: &State, course: &Course, options: &Options, a
     }
 }
 
-/// The choices, each with how many hands were raised for it.
+/// Shows the choices, each with the number of hands raised for it.
 pub fn votes(ui: &mut Ui, state: &State, course: &Course, options: &Options, asks: &mut Asks) {
     let votes = course.votes(options.texts.len());
     let side = 1.6 * TextStyle::Body.resolve(ui.style()).size;
@@ -132,7 +132,7 @@ pub fn number(ui: &mut Ui, course: &Course, asked: &Number, asks: &mut Asks) {
     }
 }
 
-/// What is wrong with a number that is typed, and what would be right.
+/// Returns the problem with a number that is typed, and its correction.
 fn remark(text: &str) -> Option<String> {
     let is_begun = ["", "-", "−", "+"].contains(&text.trim());
     figures::parsed(text)
@@ -141,7 +141,7 @@ fn remark(text: &str) -> Option<String> {
         .map(|wrong| format!("{wrong}: type one such as 1.25 or 2e-3."))
 }
 
-/// What is to be done in a view or in a plot.
+/// Shows a hint on what to do in a view or in a plot.
 pub fn hint(ui: &mut Ui, state: &State, course: &Course) {
     let is_marked = course.draft.is_some();
     match predicted::hint(state) {
@@ -152,7 +152,7 @@ pub fn hint(ui: &mut Ui, state: &State, course: &Course) {
     };
 }
 
-/// How sure one is.
+/// Shows the choice of the confidence.
 pub fn confidence(ui: &mut Ui, course: &Course, asks: &mut Asks) {
     if course.counts_hands() {
         return;

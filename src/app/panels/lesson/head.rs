@@ -17,7 +17,7 @@ const DOT_RADIUS: f32 = 4.0;
 const DOT_STEP: f32 = 17.0;
 const DOT_HEIGHT: f32 = 18.0;
 
-/// Shows both.
+/// Shows the title and the dots.
 pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
     ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
         ui.spacing_mut().item_spacing.x = 2.0;

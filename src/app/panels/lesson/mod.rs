@@ -1,4 +1,4 @@
-//! The lesson that is gone through: where one is in it, what is said and asked there, and what comes next.
+//! The panel of the lesson under way: the present place, its text and question, and the way on.
 
 mod asked;
 mod cards;

@@ -1,4 +1,4 @@
-//! What was seen, asked after the reveal: one observation in five contradicts what was shown.
+//! The question about what was seen, after the reveal: one observation in five contradicts what was shown.
 
 use eframe::egui::{RichText, Ui};
 

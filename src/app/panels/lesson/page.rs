@@ -1,4 +1,4 @@
-//! What is said and asked at a place in a lesson.
+//! The page of a place in a lesson: its text and its question.
 
 use eframe::egui::{RichText, Ui};
 
@@ -57,7 +57,7 @@ fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &m
     }
 }
 
-/// Shows what is said to the reveal; whether there is anything.
+/// Shows the text of the reveal; returns whether there is any.
 pub fn said_to_reveal(ui: &mut Ui, step: &Step) -> bool {
     let said = step.reveal.as_ref().map(|reveal| &reveal.text).filter(|text| !text.is_empty());
     said.inspect(|said| text(ui, said)).is_some()
@@ -77,7 +77,7 @@ fn apart(ui: &mut Ui, is_between: bool) {
     }
 }
 
-/// What the page shows, as far as its height depends on it.
+/// Returns what the page shows, as far as its height depends on it.
 pub fn what_is_shown(running: &Running) -> String {
     let course = &running.course;
     let (lesson, place, record) = (course.lesson(), course.place(), course.record());

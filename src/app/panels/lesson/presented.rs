@@ -1,4 +1,4 @@
-//! What an audience is told in a lesson: the question and its choices, then what is so, then why.
+//! The lesson before an audience: the question and its choices, then the truth, then the reason.
 
 use eframe::egui::{Label, RichText, Ui};
 
@@ -9,7 +9,7 @@ use crate::app::state::State;
 use crate::figures;
 use crate::lesson::{Kind, Phase, Step};
 
-/// Shows it.
+/// Shows the lesson before an audience.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let Some(running) = &state.session.lesson else { return };
     where_it_is(ui, state, running);

@@ -1,4 +1,4 @@
-//! What was predicted beside what is so.
+//! The prediction beside the truth.
 
 use eframe::egui::{Align, Layout, Rect, RichText, Sense, TextStyle, Ui, vec2};
 
@@ -8,7 +8,7 @@ use crate::app::theme;
 use crate::app::widgets::{markdown, named_text};
 use crate::lesson::{Answer, Course, Kind, Options, Step, verdict};
 
-/// Shows what was said, before it is compared.
+/// Shows the prediction, before it is compared.
 pub fn said(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
     let told = course.record().and_then(|record| verdict(step, record, &state.sight()));
     match (kind(step), answer(course)) {
@@ -23,7 +23,7 @@ pub fn said(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
     }
 }
 
-/// Shows what was said and what is so.
+/// Shows the prediction and the truth.
 pub fn compared(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
     match (kind(step), answer(course)) {
         (Some(Kind::Choice(options)), Some(Answer::Votes(votes))) => {
@@ -102,7 +102,7 @@ fn value(ui: &mut Ui, name: &str, value: &str) {
     });
 }
 
-/// The hands that were raised for each of the options, as bars; the `right` one has a tick.
+/// Shows the hands raised for each of the options, as bars; the `right` one has a tick.
 fn bars(ui: &mut Ui, options: &Options, votes: &[u32], right: Option<usize>) {
     let all: u32 = votes.iter().sum();
     for (number, (text, &count)) in options.texts.iter().zip(votes).enumerate() {

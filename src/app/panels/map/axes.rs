@@ -12,12 +12,12 @@ use crate::units::Unit;
 /// Least distance between two lines, points.
 const SPACING: f64 = 42.0;
 
-/// What is along an axis.
+/// The quantity along an axis.
 #[derive(Debug, Clone, Copy)]
 pub struct Axis<'a> {
-    /// The symbol.
+    /// Symbol of the quantity.
     pub symbol: &'a str,
-    /// In which unit.
+    /// Unit of the quantity.
     pub unit: Unit,
     /// Whether symbol and numbers are written; else there are lines alone.
     pub is_written: bool,

@@ -1,4 +1,4 @@
-//! What both faces have in common: the mouse in a chart, places on screen, and names for assistive technology.
+//! The canvas of both faces: the mouse in a chart, places on screen, and names for assistive technology.
 
 use eframe::egui::{self, CursorIcon, Pos2, Rect, Response, Sense, Ui, Vec2, accesskit::Role, pos2};
 use relativity_core::math;
@@ -13,7 +13,7 @@ const ZOOM_PER_SCROLL: f64 = 0.002;
 /// Side of the square by which a mark is found.
 const MARK_SIDE: f32 = 8.0;
 
-/// Where a place of the chart is on screen.
+/// Returns the place on screen of a place of the chart.
 pub fn place(chart: &Chart, world: [f64; 2]) -> Pos2 {
     let [x, y] = chart.screen(world);
     pos2(x as f32, y as f32)

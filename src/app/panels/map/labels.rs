@@ -20,7 +20,7 @@ const SIDES: [Vec2; 8] = [
     vec2(0.0, -1.0),
 ];
 
-/// Where labels are and where they had better not be.
+/// The places of labels, and places that they should avoid.
 #[derive(Debug, Clone)]
 pub struct Labels {
     room: Rect,
@@ -72,7 +72,7 @@ impl Labels {
         self.taken.push(rect);
     }
 
-    /// Where a label of this `size` covers least beside a mark of this `radius` at `place`; `None` where it has no room.
+    /// Returns the place of a label of this `size` that covers least beside a mark of this `radius` at `place`; `None` where it has no room.
     fn free_beside(&self, place: Pos2, radius: f32, size: Vec2) -> Option<Rect> {
         let rects = SIDES.map(|side| beside(place, side, radius + GAP, size));
         let free = rects.into_iter().filter(|rect| self.is_free(*rect));
@@ -92,7 +92,7 @@ impl Labels {
     }
 }
 
-/// Where a label of this `size` stands at a `distance` on that `side` of `place`.
+/// Returns the place of a label of this `size` at a `distance` on that `side` of `place`.
 fn beside(place: Pos2, side: Vec2, distance: f32, size: Vec2) -> Rect {
     let is_diagonal = side.x * side.y != 0.0;
     let distance = if is_diagonal { 0.6 * distance } else { distance };

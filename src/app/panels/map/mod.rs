@@ -20,7 +20,7 @@ use crate::settings::{Face, Frame, Framing};
 /// Height of the strip.
 const STRIP_HEIGHT: f32 = 26.0;
 
-/// Shows it.
+/// Shows the map with its controls.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if state.document.settings.window.simple {
         return show_presented(ui, state, asks);

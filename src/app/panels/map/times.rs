@@ -1,4 +1,4 @@
-//! The three times of an event, as they are told on hover.
+//! The three times of an event, for hovering.
 
 use crate::app::state::State;
 use crate::caption::times::told;

@@ -1,4 +1,4 @@
-//! What the plots over T have in common: frames, ticks, what the axes are called, pointing at a T.
+//! Axes of the plots over T: frames, ticks and labels, and pointing at a T.
 
 use eframe::egui::{self, Align2, Id, PointerButton, Rect, Sense, Stroke, TextStyle, Ui, pos2, vec2};
 use egui_plot::{GridInput, GridMark, Plot, PlotBounds, PlotResponse};
@@ -21,10 +21,10 @@ const LEAST_WITH_WORDS: [f32; 2] = [170.0, 110.0];
 /// Least height of an axis as a part of the largest value, and most of what that asks for, radians.
 const LEAST_SHARE: f64 = 0.05;
 const LEAST_ANGLE: f64 = 0.01;
-/// What is left above and below the curves, as a part of their height.
+/// Room above and below the curves, as a part of their height.
 const MARGIN: f64 = 0.08;
 
-/// How much of what is behind the words at an axis they hide.
+/// Opacity of the backdrop of words at an axis.
 const BACKDROP: f32 = 0.75;
 
 /// A plot that neither scrolls nor zooms.
@@ -53,30 +53,30 @@ pub(super) fn plot_over_time<'a>(ui: &Ui, id: impl egui::AsIdSalt, unit: Unit, s
         .label_formatter(|_| None)
 }
 
-/// What the ticks of an axis are at.
+/// The ruler of an axis, which places its ticks.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ruler {
     logarithmic: bool,
     unit: Unit,
     wanted: usize,
-    /// As many as there is room for at most.
+    /// Greatest number of ticks that have room.
     most: usize,
 }
 
 impl Ruler {
-    /// Of T, shown in `unit`, along a plot of this width, its numbers included.
+    /// Returns a ruler for T, shown in `unit`, along a plot of this width, its numbers included.
     pub fn of_time(unit: Unit, width: f32) -> Self {
         let room = f64::from(width - Y_AXIS_WIDTH);
         let wanted = ticks_along(room, NUMBER_ROOM[0].into());
         Self { logarithmic: false, unit, wanted, most: MOST_TICKS }
     }
 
-    /// Of values of `quantity`, shown in `unit`, in a plot of this height.
+    /// Returns a ruler for values of `quantity`, shown in `unit`, in a plot of this height.
     pub fn of_values(quantity: Quantity, unit: Unit, height: f32) -> Self {
         Self { logarithmic: quantity.is_logarithm(), unit, ..Self::of_height(height) }
     }
 
-    /// Of powers of ten, whose exponents are plotted, in a plot of this height.
+    /// Returns a ruler for powers of ten, whose exponents are plotted, in a plot of this height.
     pub fn of_powers(height: f32) -> Self {
         Self { logarithmic: true, ..Self::of_height(height) }
     }
@@ -86,12 +86,12 @@ impl Ruler {
         Self { logarithmic: true, ..Self::of_time(Unit::OWN, width) }
     }
 
-    /// Of angles in a plot of this height.
+    /// Returns a ruler for angles in a plot of this height.
     pub fn of_angles(height: f32) -> Self {
         Self::of_values(Quantity::DeltaPhi, Unit::OWN, height)
     }
 
-    /// Of plain numbers in a plot of this height.
+    /// Returns a ruler for plain numbers in a plot of this height.
     pub fn of_height(height: f32) -> Self {
         let [wanted, most] =
             [NUMBER_ROOM[1], LEAST_NUMBER_ROOM].map(|room| ticks_along(height.into(), room.into()));
@@ -123,14 +123,14 @@ impl Ruler {
         widened(self.logarithmic, range.map(|end| self.counted(end)), self.most).map(|end| self.plotted(end))
     }
 
-    /// The same of the values of `bounds`, whose times are told by another ruler.
+    /// Widens the values of `bounds`, and its times by the ruler `times`.
     pub fn widened_bounds(self, times: Self, bounds: &PlotBounds) -> PlotBounds {
         let [[left, low], [right, high]] = [bounds.min(), bounds.max()];
         let ([left, right], [low, high]) = (times.widened([left, right]), self.widened([low, high]));
         PlotBounds::from_min_max([left, low], [right, high])
     }
 
-    /// What stands at the axis over the values of `bounds`: `what / unit`, with the power of ten that its numbers have in
+    /// Returns the label of the axis over the values of `bounds`: `what / unit`, with the power of ten that its numbers have in
     /// common.
     pub fn label(self, what: &str, bounds: &PlotBounds) -> String {
         with_factor(what, self.axis(self.widened([bounds.min()[1], bounds.max()[1]])).exponent)
@@ -170,7 +170,7 @@ impl Ruler {
     }
 }
 
-/// From where to where an axis of `quantity` goes that shows all of these plotted `values`: with a margin, and so wide that
+/// Returns the range of an axis of `quantity` that shows all of these plotted `values`: with a margin, and so wide that
 /// what hardly changes is a line in the middle. Values up to `rounding` are what that leaves of 0.
 pub(super) fn value_range(quantity: Quantity, values: impl Iterator<Item = f64>, rounding: f64) -> [f64; 2] {
     let [low, high] = extent(values).unwrap_or_default();
@@ -183,7 +183,7 @@ pub(super) fn value_range(quantity: Quantity, values: impl Iterator<Item = f64>,
     at_least(with_margin([low, high], MARGIN), least)
 }
 
-/// All `values` (angles) in the range of T, with a margin; never of no height.
+/// Returns the bounds of all `values` (angles) in the range of T, with a margin; never of no height.
 pub(super) fn bounds(values: impl Iterator<Item = f64>, [from, to]: [f64; 2]) -> PlotBounds {
     let [lowest, highest] = value_range(Quantity::DeltaPhi, values, 0.0);
     let width = (to - from).max(1e-9);
@@ -220,12 +220,12 @@ const fn words(quantity: Quantity) -> &'static str {
     }
 }
 
-/// What stands at an axis of `quantity` that is shown in `unit`: ratios have none.
+/// Returns the label of an axis of `quantity` that is shown in `unit`: ratios have none.
 pub(super) fn axis_label(quantity: Quantity, unit: Unit) -> String {
     with_unit(quantity, words(quantity), unit)
 }
 
-/// What stands before the name of a curve of `quantity` that is shown in `unit`, in short.
+/// Returns the heading of a curve of `quantity` that is shown in `unit`, in short.
 pub(super) fn column_label(quantity: Quantity, unit: Unit) -> String {
     with_unit(quantity, label(quantity), unit)
 }
@@ -237,7 +237,7 @@ fn with_unit(quantity: Quantity, words: &str, unit: Unit) -> String {
     }
 }
 
-/// What stands at an axis of T that is shown in `unit`.
+/// Returns the label of an axis of T that is shown in `unit`.
 pub(super) fn time_label(unit: Unit) -> String {
     in_unit("observer's time T", unit)
 }
@@ -300,7 +300,7 @@ pub(super) fn annotate(
     written
 }
 
-/// Names the cursors, whose lines are at these T, where nothing is `written`; and says where.
+/// Names the cursors, whose lines are at these T, where nothing is `written`; returns the places of the names.
 pub(super) fn name_cursors(
     ui: &Ui,
     response: &PlotResponse<()>,
@@ -325,7 +325,7 @@ pub(super) fn name_cursors(
     ["A", "B"].into_iter().zip(cursors).map(name).collect()
 }
 
-/// Frames the plot.
+/// Draws the frame of the plot.
 pub(super) fn frame(ui: &Ui, response: &PlotResponse<()>) {
     let stroke = Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color);
     ui.painter().rect_stroke(*response.transform.frame(), 2.0, stroke, egui::StrokeKind::Inside);

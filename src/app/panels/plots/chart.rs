@@ -1,4 +1,4 @@
-//! What a tab of plots against T shows, as plain data: the window draws it, and files hold it.
+//! A chart: the plots of a tab against T, as plain data: the window draws it, and files contain it.
 
 use eframe::egui::{Color32, Visuals};
 use egui_plot::PlotPoint;
@@ -13,7 +13,7 @@ use crate::units::Unit;
 
 /// A plot against T.
 pub(super) struct Chart<'a> {
-    /// What is plotted.
+    /// Quantity that is plotted.
     pub quantity: Quantity,
     /// The unit of its values as they are shown.
     pub unit: Unit,
@@ -21,13 +21,13 @@ pub(super) struct Chart<'a> {
     pub time_unit: Unit,
     /// First and last T, in the scene's unit.
     pub range: [f64; 2],
-    /// Lowest and highest value, as plotted, if a part is looked at.
+    /// Lowest and highest value, as plotted, if only a part is shown.
     pub zoomed: Option<[f64; 2]>,
     /// The curves, those on top last.
     pub traces: Vec<Trace<'a>>,
     /// T0, and what that is in words.
     pub equidistant: Option<(f64, &'static str)>,
-    /// T.
+    /// Present T.
     pub now: f64,
     /// T of the cursors.
     pub cursors: Vec<f64>,
@@ -39,13 +39,13 @@ pub(super) struct Chart<'a> {
 
 /// A curve of a chart.
 pub(super) struct Trace<'a> {
-    /// What it is called.
+    /// Name of the curve.
     pub name: String,
-    /// Its pieces, as plotted: logarithms of a quantity that is one.
+    /// Pieces of the curve, as plotted: logarithms of a quantity that is one.
     pub pieces: &'a [Vec<PlotPoint>],
-    /// Whose colour it has.
+    /// Owner of the curve's colour.
     pub hue: Hue,
-    /// How its line is drawn.
+    /// Dashes of the line.
     pub dash: Dash,
     /// Whether it is drawn strongly.
     pub wide: bool,
@@ -53,35 +53,35 @@ pub(super) struct Trace<'a> {
     pub pale: bool,
     /// Whether a dot shows where it is at T.
     pub dot: bool,
-    /// What it is computed from.
+    /// Source of the curve's values.
     pub source: Source,
 }
 
-/// What a curve is computed from.
+/// The source of a curve's values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Source {
-    /// Of which point, seen how.
+    /// Key of the point, and of how it is seen.
     pub key: CurvesKey,
-    /// By which model.
+    /// Model of the curve.
     pub model: Model,
-    /// Which curve.
+    /// Curve of the point.
     pub curve: Curve,
 }
 
-/// Whose colour a curve has.
+/// The owner of a curve's colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Hue {
     /// A followed point's, by its number.
     Point(usize),
-    /// An eye's.
+    /// An eye, left or right.
     Eye(Eye),
-    /// That of where two eyes take something to be.
+    /// The place where two eyes take something to be.
     Stereo,
-    /// That of what is measured at one time.
+    /// The place that is measured at one time.
     Measured,
 }
 
-/// How a line is drawn.
+/// The dashes of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Dash {
     Solid,
@@ -91,11 +91,11 @@ pub(super) enum Dash {
 }
 
 impl Dash {
-    /// Of the right eye, over the left one.
+    /// Dashes of the right eye, over the left one.
     pub const RIGHT: Self = Self::Dashed(7);
-    /// Of the published model.
+    /// Dashes of the published model.
     pub const PUBLISHED: Self = Self::Dashed(4);
-    /// Of what is pinned.
+    /// Dashes of pinned curves.
     pub const PINNED: [Self; MAX_PINS] = [Self::Dashed(12), Self::Dotted, Self::Dashed(6), Self::Dashed(24)];
 }
 
@@ -111,7 +111,7 @@ impl Hue {
     }
 }
 
-/// How much of its colour a pinned curve has.
+/// Share of its colour that a pinned curve keeps.
 const PALE: f32 = 0.7;
 
 impl Trace<'_> {
@@ -120,7 +120,7 @@ impl Trace<'_> {
         !matches!(self.hue, Hue::Point(of) if of != number)
     }
 
-    /// Its colour on such a background.
+    /// Returns the colour of the curve on such a background.
     pub fn colour(&self, visuals: &Visuals) -> Color32 {
         let colour = self.hue.colour(visuals);
         if self.pale { visuals.panel_fill.lerp_to_gamma(colour, PALE) } else { colour }
@@ -128,19 +128,19 @@ impl Trace<'_> {
 }
 
 impl Source {
-    /// Its value at `time` as plotted, of the core itself.
+    /// Returns the value at `time` as plotted, from the core itself.
     pub fn value(&self, time: f64) -> Option<f64> {
         curves::value(&self.key, self.model, self.curve, time)
     }
 }
 
 impl Chart<'_> {
-    /// What its values are measured with.
+    /// Returns the ruler of the values.
     pub fn ruler(&self) -> Ruler {
         Ruler::of_values(self.quantity, self.unit, self.height)
     }
 
-    /// What T is measured with in a plot of this width.
+    /// Returns the ruler of T in a plot of this width.
     pub fn time_ruler(&self, width: f32) -> Ruler {
         Ruler::of_time(self.time_unit, width)
     }

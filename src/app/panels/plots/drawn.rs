@@ -6,7 +6,7 @@ use egui_plot::{Line, LineStyle, PlotPoint, PlotUi, Points};
 use super::chart::{Dash, Trace};
 
 impl Dash {
-    /// As the window's plots draw it.
+    /// Returns the toolkit's style of the line.
     pub fn style(self) -> LineStyle {
         match self {
             Self::Solid => LineStyle::Solid,
@@ -31,7 +31,7 @@ impl<'a> Trace<'a> {
         }
     }
 
-    /// Where it is drawn at `time`; `None` where it is not.
+    /// Returns the value drawn at `time`; `None` where there is none.
     pub fn drawn_at(&self, time: f64) -> Option<f64> {
         self.pieces.iter().find_map(|piece| value_at(piece, time))
     }

@@ -16,7 +16,7 @@ use crate::files::csv_out::Rows;
 use crate::plot::{self, Line, Panel, Stroke};
 use crate::settings::PlotTab;
 
-/// What the shown tab plots, as SVG, its plots beside each other: the same curves with their names over the same axes, in
+/// Draws the plots of the shown tab as SVG, beside each other: the same curves with their names over the same axes, in
 /// the colours of a light window, and T and T0. The Accuracy tab is a table: see [`csv`].
 #[must_use]
 pub fn svg(state: &State, plotted: Plotted<'_>) -> String {
@@ -27,7 +27,7 @@ pub fn svg(state: &State, plotted: Plotted<'_>) -> String {
     plot::svg(&panels)
 }
 
-/// What the shown tab plots, as CSV in the units that the plots show, which the names of the columns say: T, and a column for
+/// Writes the plots of the shown tab as CSV in the units of the plots, which the names of the columns contain: T, and a column for
 /// each curve. Where disparities are plotted, the last columns are those that `gamow fit` and *Own data* read. A row stands at every T at which any of the curves is sampled, densely where they bend; every value there is
 /// computed, none interpolated. A cell is empty where a curve is not. Of the Accuracy tab it is the table, of the Fit tab the
 /// samples.

@@ -1,4 +1,4 @@
-//! What the mouse does in a plot: a click or a drag goes to that T, a shift-click sets a cursor, the wheel zooms about the
+//! Gestures of the mouse in a plot: a click or a drag goes to that T, a shift-click sets a cursor, the wheel zooms about the
 //! pointer, a drag with the right button moves the plot, a double click has the whole of it again.
 
 use eframe::egui::{self, Event, Id, MouseWheelUnit, PointerButton, Ui};
@@ -14,7 +14,7 @@ use crate::app::state::State;
 
 /// Scrolling by this much is one step of the zoom; by a line of a wheel it is that too. Points.
 const NOTCH: f32 = 40.0;
-/// Least width that can be looked at, as a part of the largest value there.
+/// Least width that can be shown, as a part of the largest value there.
 const NARROWEST: f64 = 1e-6;
 
 /// Asks for what the mouse does in the plot of `chart`.
@@ -79,7 +79,7 @@ fn steps(ui: &Ui, id: Id) -> i32 {
     })
 }
 
-/// The part that is looked at after so many `steps` about a place; `None` where that is the whole range of T.
+/// Returns the part that is shown after this number of `steps` about a place; `None` where that is the whole range of T.
 fn zoomed(chart: &Chart<'_>, shown: Ranges, whole: [f64; 2], [x, y]: [f64; 2], steps: i32) -> Option<Ranges> {
     let (time_ruler, value_ruler, inwards) = (chart.time_ruler(0.0), chart.ruler(), steps > 0);
     let mut ranges = shown;

@@ -1,4 +1,4 @@
-//! What the curves of a plot are called: beside a piece of their line, where it covers least of them. With cursors set it
+//! The legend of a plot: names beside a piece of each line, where they cover least of the curves. With cursors set it
 //! says what the curves are there.
 
 use std::sync::Arc;
@@ -17,16 +17,16 @@ use crate::app::curves::PUBLISHED;
 /// Length of a piece of line, and what is between it and its name; points.
 pub(super) const SAMPLE: f32 = 18.0;
 pub(super) const SPACE: f32 = 4.0;
-/// What is left around the names, and between columns of them; points.
+/// Room around the names, and between columns of them; points.
 const PADDING: f32 = 4.0;
 /// A legend lower than this part of the plot is low enough.
 const LOW: f32 = 0.45;
-/// How opaque its background is.
+/// Opacity of its background.
 const OPACITY: f32 = 0.8;
 
 /// A line of the legend.
 pub(super) struct Row {
-    /// Whose line it names, and that line's width; none of what is said of the cursors.
+    /// Line that the row names, and that line's width; `None` for a row about the cursors.
     line: Option<(Dash, f32)>,
     text: String,
     colour: Color32,
@@ -39,19 +39,19 @@ impl Row {
     }
 }
 
-/// How much of it there is.
+/// The amount of detail in the legend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Detail {
     Full,
     /// Points without what they are on.
     Short,
-    /// What is read at the cursors below each other.
+    /// Values at the cursors below each other.
     Stacked,
-    /// That of the selected point alone, and only names of the others.
+    /// Values of the selected point alone, and only names of the others.
     Selected,
 }
 
-/// What stands in the legend of `chart`: nothing of a single curve, and of what the title names.
+/// Returns the rows in the legend of `chart`: none for a single curve, and for curves that the title names.
 fn rows(ui: &Ui, chart: &Chart<'_>, detail: Detail) -> Vec<Row> {
     let visuals = ui.visuals();
     let plain = |text: &str| Row { line: None, text: text.to_owned(), colour: visuals.text_color() };
@@ -99,7 +99,7 @@ fn names(chart: &Chart<'_>, detail: Detail, visuals: &Visuals) -> Vec<Row> {
     named.map(row).chain(published).collect()
 }
 
-/// How the piece of line is drawn.
+/// Returns the dashes and the width of a line.
 const fn line(trace: &Trace<'_>) -> (Dash, f32) {
     (trace.dash, if trace.wide { 2.0 } else { 1.2 })
 }
@@ -113,7 +113,7 @@ fn named(name: &str, detail: Detail) -> String {
     }
 }
 
-/// Rows laid out in so many columns.
+/// A block of rows in columns.
 struct Block {
     rows: Vec<(Row, Arc<Galley>)>,
     columns: usize,
@@ -231,7 +231,7 @@ fn block(ui: &Ui, chart: &Chart<'_>, room: Vec2) -> Option<Block> {
     blocks().find(|block| block.size().y < LOW * room.y).or_else(|| blocks().next())
 }
 
-/// Where a legend of this `size` may be: along the edges.
+/// Returns the places for a legend of this `size`: along the edges.
 fn spots(area: Rect, size: Vec2) -> Vec<Rect> {
     let free = (area.size() - size).max(Vec2::ZERO);
     let shares =
@@ -239,25 +239,25 @@ fn spots(area: Rect, size: Vec2) -> Vec<Rect> {
     shares.map(|[x, y]| Rect::from_min_size(area.min + vec2(x * free.x, y * free.y), size)).to_vec()
 }
 
-/// What is in a plot already.
+/// The contents of a plot so far, which labels should not cover.
 pub(super) struct Drawn {
     points: Vec<Pos2>,
     dots: Vec<Pos2>,
-    /// Where something is written.
+    /// Places with text.
     pub written: Vec<Rect>,
-    /// Where the present is.
+    /// Place of the present.
     now: f32,
 }
 
-/// In how many places a curve is looked at.
+/// Number of places at which a curve is sampled.
 const PLACES: u32 = 80;
-/// How much more it counts to cover a dot, and something written, than a place of a curve; and the line of the present.
+/// Cost of covering a dot, and text, relative to a place of a curve; and that of covering the line of the present.
 const DOT: f32 = 12.0;
 const WRITING: f32 = 30.0;
 const NOW: f32 = 0.5;
 
 impl Drawn {
-    /// What `chart` draws.
+    /// Returns the contents that `chart` draws.
     pub fn new(response: &PlotResponse<()>, chart: &Chart<'_>) -> Self {
         let [from, to] = chart.range;
         let place = |trace: &Trace<'_>, time: f64| {
@@ -273,14 +273,14 @@ impl Drawn {
         Self { points: points.collect(), dots: dots.collect(), written: Vec::new(), now }
     }
 
-    /// What curves through these `points` (T and value) draw, T being `now`.
+    /// Returns the contents that curves through these `points` (T and value) draw, T being `now`.
     pub fn of_points(response: &PlotResponse<()>, points: &[[f64; 2]], now: f64) -> Self {
         let place = |point: &[f64; 2]| response.transform.position_from_point(&(*point).into());
         let now = response.transform.position_from_point_x(now);
         Self { points: points.iter().map(place).collect(), dots: Vec::new(), written: Vec::new(), now }
     }
 
-    /// How bad it is to cover this `spot`.
+    /// Returns the cost of covering this `spot`.
     pub fn covered_by(&self, spot: Rect) -> f32 {
         let inside = |places: &[Pos2]| places.iter().filter(|&&place| spot.contains(place)).count() as f32;
         let written = self.written.iter().filter(|written| written.intersects(spot)).count() as f32;

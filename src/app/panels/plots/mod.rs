@@ -39,7 +39,7 @@ use crate::settings::{Coordinates, PlotTab};
 /// Height of a plot's title and of the numbers along T, points.
 const ABOVE_AND_BELOW: f32 = 60.0;
 
-/// Shows the plots.
+/// Shows the plots with their tabs.
 pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
     if let Some(sketched) = state.sketched() {
         if state.shows_sketch() {

@@ -1,4 +1,4 @@
-//! What pinned curves are called, and those of the present beside them: by what differs between them.
+//! Names of pinned curves, and of the present ones beside them: by their differences.
 
 use relativity_core::Model;
 
@@ -7,7 +7,7 @@ use crate::app::points::Point;
 use crate::app::state::State;
 use crate::figures;
 
-/// What may tell curves apart, in words.
+/// The traits that may distinguish curves, in words.
 struct Traits {
     point: String,
     speed: String,
@@ -48,7 +48,7 @@ impl Traits {
         [&self.point, &self.speed].into_iter().chain(&self.others)
     }
 
-    /// Which of them are not the same in `all`.
+    /// Returns those that are not the same in `all`.
     fn that_differ(&self, all: &[Self], names_point: bool) -> String {
         let mut words: Vec<&str> = Vec::new();
         for (index, own) in self.all().enumerate() {
@@ -64,7 +64,7 @@ impl Traits {
     }
 }
 
-/// What all pinned curves are, and last those of the selected point.
+/// Returns the traits of all pinned curves, and last those of the selected point.
 fn compared(state: &State) -> Vec<Traits> {
     let selected = state.document.points.selected();
     let pins = state.scratch.plotting.pins().iter().map(|pin| Traits::of(state, &pin.point, &pin.key));
@@ -79,7 +79,7 @@ pub(super) fn names(state: &State) -> Vec<String> {
     all.iter().take(count).map(|traits| traits.that_differ(&all, several)).collect()
 }
 
-/// What `point` is called in a plot: where curves are pinned the selected one also by what differs from those.
+/// Returns the name of `point` in a plot: where curves are pinned, the selected one's also has its differences from those.
 pub(super) fn name_beside(state: &State, point: &Point) -> String {
     let is_compared =
         !state.scratch.plotting.pins().is_empty() && point.number == state.document.points.selected().number;

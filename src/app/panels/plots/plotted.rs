@@ -1,16 +1,16 @@
-//! What the plots are made of.
+//! The data of the plots.
 
 use crate::app::curves::Curves;
 use crate::app::examination::Examination;
 use crate::app::fitting::Fitting;
 
-/// What there is to plot.
+/// The data that can be plotted.
 #[derive(Clone, Copy)]
 pub struct Plotted<'a> {
-    /// Those that the state's `plotted_keys` asks for.
+    /// Curves for the state's `plotted_keys`.
     pub curves: &'a [Curves],
     /// The fit of the selected one.
     pub fitting: &'a Fitting,
-    /// What the views cost, and how far they are off.
+    /// Examination of the views' cost and error.
     pub examination: Option<&'a Examination>,
 }

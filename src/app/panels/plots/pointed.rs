@@ -1,4 +1,4 @@
-//! What the curves of a plot are at the pointer, and at the cursors.
+//! Values of a plot's curves at the pointer, and at the cursors.
 
 use eframe::egui::{RichText, Tooltip, Ui};
 use egui_plot::PlotResponse;
@@ -11,20 +11,20 @@ use crate::units::Unit;
 
 /// About how many pixels there are to an axis, where none is given.
 const PIXELS: f64 = 500.0;
-/// Most digits that are said of a number.
+/// Greatest number of digits of a number.
 const MOST_DIGITS: f64 = 12.0;
 
-/// How near to a line the pointer is at it, points.
+/// Distance from a line up to which the pointer counts as near, points.
 const NEAR: f32 = 6.0;
 
-/// As many digits of `value` as tell it from the next one so far off.
+/// Writes as many digits of `value` as distinguish it from the next one that far off.
 fn resolved(value: f64, resolution: f64) -> String {
     let decimals = (-math::log10(resolution)).ceil().clamp(0.0, MOST_DIGITS);
     figures::fixed(value, if decimals.is_finite() { decimals as u8 } else { 3 })
 }
 
 impl Chart<'_> {
-    /// A T with its unit, as precisely as the plot tells it.
+    /// Writes a T with its unit, as precisely as the plot shows it.
     pub fn time_text(&self, time: f64) -> String {
         let [from, to] = self.range;
         let resolution = self.time_unit.shown(to - from) / PIXELS;
@@ -44,7 +44,7 @@ impl Chart<'_> {
         resolved(self.shown(plotted), resolution) + &self.unit.suffix()
     }
 
-    /// Where the cursors are, and how far from each other; `None` without any.
+    /// Writes the places of the cursors, and their distance; `None` without any.
     pub fn cursors_text(&self) -> Option<String> {
         match self.cursors.as_slice() {
             [] => None,
@@ -58,7 +58,7 @@ impl Chart<'_> {
         }
     }
 
-    /// What a curve is at the cursor, or how much it changes from one to the other and how steeply; `None` without any.
+    /// Writes the value of a curve at the cursor, or its change from one to the other and its slope; `None` without any.
     pub fn at_cursors(&self, trace: &Trace<'_>) -> Option<String> {
         let value = |time: f64| trace.source.value(time);
         let [a, rest @ ..] = self.cursors.as_slice() else { return None };

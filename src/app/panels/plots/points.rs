@@ -58,7 +58,7 @@ fn entry_width(ui: &Ui, name: &str) -> f32 {
     AROUND + ui.painter().layout_no_wrap(name.to_owned(), font, Color32::WHITE).size().x
 }
 
-/// What keeps and marks something in the plots.
+/// Shows the buttons that pin and mark something in the plots.
 fn buttons(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let plotting = &state.scratch.plotting;
     let mut button = |ui: &mut Ui, name: &str, tip: &str, command: PlotCommand| {

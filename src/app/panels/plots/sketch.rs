@@ -20,14 +20,14 @@ use crate::app::theme;
 use crate::lesson::{self, Answer, difference, sketch};
 use crate::plot::with_factor;
 
-/// What is said in an empty plot.
+/// Invitation in an empty plot.
 const INVITATION: &str = "Draw the curve that you expect: press and drag.";
-/// How the lines are drawn, and what they are called.
+/// Width of the lines, and their dashes and names.
 const WIDTH: f32 = 2.0;
 const DRAWN: (Dash, &str) = (Dash::RIGHT, "your curve");
 const TRUE: (Dash, &str) = (Dash::Solid, "true curve");
 
-/// Shows it.
+/// Shows the plot to draw in.
 pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mut Asks) {
     let quantity = plotted(sketched.curve.quantity);
     let unit = shown_in(quantity, state.measures().length);
@@ -72,7 +72,7 @@ pub(super) fn switch(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
 }
 
-/// What the plots of a window call it.
+/// Returns the same quantity of the window's plots.
 const fn plotted(quantity: lesson::Quantity) -> Quantity {
     match quantity {
         lesson::Quantity::Dphi => Quantity::DeltaPhi,
@@ -82,7 +82,7 @@ const fn plotted(quantity: lesson::Quantity) -> Quantity {
     }
 }
 
-/// Whose it is: disparities are of both eyes.
+/// Returns the eyes of a quantity: disparities belong to both.
 const fn whose(quantity: Quantity) -> &'static str {
     match quantity {
         _ if quantity.is_disparity() => "",
@@ -143,7 +143,7 @@ fn colours(ui: &Ui, state: &State, quantity: lesson::Quantity) -> [Color32; 2] {
     [visuals.text_color(), truth]
 }
 
-/// Names the plot for assistive technology, and says in an empty one what to do.
+/// Names the plot for assistive technology, with the invitation if it is empty.
 fn describe(ui: &Ui, response: &PlotResponse<()>, state: &State, sketched: Sketched<'_>) {
     let [sign, _] = sketched.curve.quantity.axis();
     let point = state.name_of(state.document.points.selected());

@@ -1,4 +1,4 @@
-//! What stands above a plot: what it is of, in which unit, and what its curves are at T.
+//! The title of a plot: its quantity and unit, and the values of its curves at T.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Label, Layout, RichText, Sense, Stroke, TextStyle, Ui, WidgetInfo, pos2, vec2};
@@ -15,7 +15,7 @@ use crate::app::widgets::named_text;
 use crate::figures;
 use crate::plot::with_factor;
 
-/// Shows it.
+/// Shows the title.
 pub(super) fn show(ui: &mut Ui, state: &State, chart: &Chart<'_>) {
     let room = vec2((ui.available_width() - Y_AXIS_WIDTH).max(1.0), TextStyle::Body.resolve(ui.style()).size);
     ui.horizontal(|ui| {
@@ -79,7 +79,7 @@ const fn tip(quantity: Quantity) -> &'static str {
     }
 }
 
-/// What the selected point's curves are at T, each in its colour.
+/// Shows the values of the selected point's curves at T, each in its colour.
 fn values_now(ui: &mut Ui, state: &State, chart: &Chart<'_>, exponent: i32) {
     let number = state.document.points.selected().number;
     let own = |trace: &&Trace<'_>| !trace.pale && trace.is_of(number) && trace.dot;

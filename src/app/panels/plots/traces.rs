@@ -1,4 +1,4 @@
-//! What is plotted of a quantity, and which curves there are of it.
+//! The traces of a quantity: which curves are plotted of it.
 
 use relativity_core::Model;
 
@@ -31,7 +31,7 @@ pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity,
     }
 }
 
-/// What rounding may leave of 0 of `quantity`, as plotted: of a difference in direction a part of what the separation of the
+/// Returns the rounding error of a `quantity` that is 0, as plotted: for a difference in direction a part of what the separation of the
 /// eyes spans at the point.
 fn rounding(key: &CurvesKey, quantity: Quantity) -> f64 {
     const SHARE: f64 = 1e-14;
@@ -44,7 +44,7 @@ fn rounding(key: &CurvesKey, quantity: Quantity) -> f64 {
     }
 }
 
-/// Those of `quantity`, the ones on top last.
+/// Returns the traces of `quantity`, the ones on top last.
 fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
     let found = |key: CurvesKey| curves.iter().find(|curves| *curves.key() == key);
     let own = |point: &Point| found(state.plotted_key(point, quantity));
@@ -102,7 +102,7 @@ fn of_eyes(own: &Curves, curve: fn(usize) -> Curve) -> Vec<Trace<'_>> {
     traces.collect()
 }
 
-/// What is kept of `quantity` by a pin of this `name`: of the distances that at which two eyes take the point to be.
+/// Returns the traces of `quantity` in a pin of this `name`: of the distances that at which two eyes take the point to be.
 fn of_pin<'a>(
     curves: &'a Curves,
     name: &str,
@@ -151,7 +151,7 @@ fn models(curves: &Curves) -> impl Iterator<Item = Model> + use<> {
     [Model::Exact].into_iter().filter(move |&exact| exact != shown).chain([shown])
 }
 
-/// What curves are called that are not the exact ones, and these beside them.
+/// Names of curves that are not the exact ones, and of the exact ones beside them.
 pub(super) const ONE_CONE: &str = "one light cone";
 const TWO_CONES: &str = "two light cones (exact)";
 
@@ -222,7 +222,7 @@ pub(super) const fn distance_words(kind: DistanceKind) -> [&'static str; 2] {
     }
 }
 
-/// How the line of a distance looks.
+/// Returns the colour, the dashes and the width of a distance's line.
 pub(super) const fn distance_look(kind: DistanceKind) -> (Hue, Dash, bool) {
     match kind {
         DistanceKind::Stereo => (Hue::Stereo, Dash::Solid, true),
@@ -232,7 +232,7 @@ pub(super) const fn distance_look(kind: DistanceKind) -> (Hue, Dash, bool) {
     }
 }
 
-/// Those of the selected point: two eyes on top.
+/// Returns the traces of the selected point: two eyes on top.
 fn distances(curves: &Curves) -> Vec<Trace<'_>> {
     let model = curves.key().model;
     let kinds = [DistanceKind::Measured, DistanceKind::Seen(0), DistanceKind::Seen(1), DistanceKind::Stereo];

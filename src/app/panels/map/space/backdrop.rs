@@ -1,4 +1,4 @@
-//! What the map is drawn on: a grid, the street, the eyes' fields of view, and the line abreast of the eyes.
+//! The backdrop of the map: a grid, the street, the eyes' fields of view, and the line abreast of the eyes.
 
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Ui, Vec2, pos2, vec2};
 use glam::DVec3;
@@ -18,7 +18,7 @@ const WORDS_SIZE: f32 = theme::SMALL_SIZE;
 /// From the corner to the title, beside the symbol of the axis, points.
 const TITLE: Vec2 = vec2(44.0, 3.0);
 
-/// Draws it.
+/// Draws the backdrop.
 pub(super) fn paint(
     ui: &Ui,
     painter: &Painter,
@@ -45,7 +45,7 @@ pub(super) fn paint(
     abreast(ui, painter, instant, sheet, labels);
 }
 
-/// Writes where nothing else stands.
+/// Writes text where there is no other.
 fn write(
     painter: &Painter,
     place: Pos2,
@@ -61,7 +61,7 @@ fn write(
     }
 }
 
-/// Which axes there are. Both charts share x, whose numbers are below the lower one.
+/// Returns the axes of a chart. Both charts share x, whose numbers are below the lower one.
 fn axes_of(state: &State, projection: Projection) -> [Axis<'static>; 2] {
     let unit = state.measures().length;
     let across = if state.document.settings.map.frame == Frame::Ground { "x" } else { "x′" };
@@ -97,7 +97,7 @@ fn street(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) -> Vec<(Pos2
     lines.into_iter().map(drawn).collect()
 }
 
-/// What each eye has in view. In the frame of who rides past it, that is another angle; it is left out there.
+/// Draws the field of view of each eye. In the frame of whoever rides past it is another angle; it is left out there.
 fn fields_of_view(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet) {
     if instant.frame() == Frame::Bicycle {
         return;

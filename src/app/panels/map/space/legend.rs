@@ -1,4 +1,4 @@
-//! Which colour is which picture.
+//! The legend of the pictures' colours.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use crate::app::theme;
 use crate::map::Picture;
 use crate::settings::Frame;
 
-/// Its height, and the size of its writing.
+/// Height of the legend, and the size of its writing.
 const HEIGHT: f32 = 18.0;
 const FONT_SIZE: f32 = 12.0;
 /// Side of a square of colour, and the space after it and after each entry.

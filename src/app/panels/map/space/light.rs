@@ -1,4 +1,4 @@
-//! How light of the selected point comes to the eyes: the rays that arrive at T, the fronts that they belong to, and
+//! Light of the selected point on its way to the eyes: the rays that arrive at T, the fronts that they belong to, and
 //! fronts of light that left at regular times, which grow while time runs.
 
 use std::f32::consts::PI;
@@ -21,9 +21,9 @@ use crate::settings::Frame;
 
 /// Fronts that follow each other while light comes from where the point passes.
 const FRONTS_ON_THE_WAY: f64 = 3.0;
-/// How near the pointer has to be, points.
+/// Distance up to which the pointer counts as near, points.
 const NEAR: f32 = 5.0;
-/// The shortest way that has room for what is written beside it, points, and at which part of it that stands.
+/// Shortest ray that has room for text beside it, points, and the part of it where that is.
 const SHORTEST_NAMED: f32 = 80.0;
 const NAMED_AT: f32 = 0.35;
 /// The narrowest plan in which a front is named, points, and where on it: turned from where it is furthest from the eyes.
@@ -31,7 +31,7 @@ const NARROWEST_NAMED: f32 = 500.0;
 const TURNS: [f32; 7] = [0.0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2];
 /// Radius of the largest circle that is drawn, points.
 const LARGEST: f32 = 1e6;
-/// How far a drawn circle may be from a round one, points.
+/// Greatest distance of a drawn circle from a round one, points.
 const TOLERANCE: f32 = 0.1;
 /// Length of the arrow on a ray, points.
 const ARROW: f32 = 8.0;
@@ -46,7 +46,7 @@ pub(super) struct Light<'a> {
 }
 
 impl<'a> Light<'a> {
-    /// That at the present T; `None` outside the domain of the core.
+    /// Returns the light at the present T; `None` outside the domain of the core.
     pub(super) fn of(state: &State, sheet: &'a Sheet) -> Option<Self> {
         let (settings, time) = (&state.document.settings, state.document.time);
         let (track, frame) = (state.document.points.selected().track, settings.frame());
@@ -58,7 +58,7 @@ impl<'a> Light<'a> {
         })
     }
 
-    /// Draws it.
+    /// Draws the light.
     pub(super) fn paint(&self, ui: &Ui, painter: &Painter, state: &State) {
         let faint = ui.visuals().weak_text_color().gamma_multiply(0.28);
         for front in self.fronts(state) {
@@ -116,7 +116,7 @@ impl<'a> Light<'a> {
         }
     }
 
-    /// What is said of the light under the pointer.
+    /// Describes the light under the pointer.
     pub(super) fn told(&self, state: &State, pointer: Pos2) -> Option<String> {
         let eyes = || Eye::BOTH.into_iter().zip(self.rays);
         let told = |what: &str, received: f64, front: &Front| {
@@ -148,7 +148,7 @@ impl<'a> Light<'a> {
         fronts(&self.worldline, self.now, self.period(state))
     }
 
-    /// Where an event is whose y and z are these.
+    /// Returns the place of an event with these y and z.
     fn place(&self, event: Event, [y, z]: [f64; 2]) -> Pos2 {
         canvas::place(&self.sheet.chart, self.sheet.projection.flat(DVec3::new(event.x, y, z)))
     }
@@ -175,7 +175,7 @@ impl<'a> Light<'a> {
         self.circle(front).map_or(f32::INFINITY, |(middle, radius)| (middle.distance(pointer) - radius).abs())
     }
 
-    /// From where the light left to where it arrives.
+    /// Returns the ends of a ray: where the light left, and where it arrives.
     fn ends(&self, ray: &Ray) -> [Pos2; 2] {
         [self.place(ray.left, ray.across), self.place(ray.received, ray.eye)]
     }
@@ -198,7 +198,7 @@ impl<'a> Light<'a> {
     }
 }
 
-/// What of a circle may be seen in `room`, in pieces that are straight to a tenth of a point.
+/// Returns the part of a circle that may be seen in `room`, in pieces that are straight to a tenth of a point.
 fn arc(middle: Pos2, radius: f32, room: Rect) -> Vec<Pos2> {
     let towards = room.center() - middle;
     let corners = [room.left_top(), room.right_top(), room.left_bottom(), room.right_bottom()];

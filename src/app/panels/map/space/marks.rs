@@ -12,10 +12,10 @@ use crate::map::{Instant, Picture, Projection};
 use crate::settings::Frame;
 
 const FONT_SIZE: f32 = 12.5;
-/// How near x = 0 is abreast, points.
+/// Distance from x = 0 that counts as abreast, points.
 const ABREAST: f64 = 4.0;
 const EYE_RADIUS: f32 = 4.0;
-/// That of the selected point, and of the others.
+/// Radius of the selected point, and of the others.
 const POINT_RADII: [f32; 2] = [4.0, 3.0];
 /// A mark is at most as large as this part of a unit, but for those of a small map.
 const LARGEST: f64 = 0.13;

@@ -7,18 +7,18 @@ use crate::map::{Line, Lines, Picture};
 
 /// Thinnest line, points. What is thinner is drawn so, and fainter.
 const THINNEST: f32 = 1.0;
-/// What is thinner than this is not drawn: the spokes of a small wheel, which would fill it.
+/// Width below which nothing is drawn: the spokes of a small wheel, which would fill it.
 const LEAST_WIDTH: f32 = 0.25;
 /// Width of an edge.
 const EDGE: f32 = 1.2;
-/// Faintest of these.
+/// Opacity of the faintest of these.
 const FAINTEST: f32 = 0.35;
 /// Balls are filled as long as they are smaller than this at rest, points: the bends of what is seen of larger ones
 /// show.
 const LARGEST_FILLED: f64 = 60.0;
-/// How strongly the street is drawn, behind what the map is about.
+/// Opacity of the street, behind the subject of the map.
 const STREET: f32 = 0.45;
-/// How strongly what is seen is drawn: what one eye sees does not hide what the other sees.
+/// Opacity of what is seen: one eye's picture does not hide the other's.
 const SEEN: f32 = 0.8;
 
 /// Width at most of where two eyes place a body, points: a line that does not hide what it lies on.
@@ -27,7 +27,7 @@ const OUTLINE: f32 = 2.0;
 /// Parts of a line are drawn as one while their widths differ by no more than this, points.
 const SAME_WIDTH: f32 = 0.5;
 
-/// Draws them.
+/// Draws the pictures.
 pub(super) fn paint(ui: &Ui, painter: &Painter, lines: &Lines, sheet: &Sheet) {
     let mut shapes = Vec::with_capacity(lines.all.len());
     for line in lines.all.iter().filter(|line| line.is_in(sheet.projection)) {

@@ -1,4 +1,4 @@
-//! What is under the pointer: its name, where it is and when; a click selects it.
+//! The thing under the pointer: its name, its place and its time; a click selects it.
 
 use eframe::egui::{Painter, Pos2, Response, Stroke, Ui};
 use glam::DVec3;
@@ -16,10 +16,10 @@ use crate::map::{Instant, Lines, Nearest, Picture, Worldline};
 use crate::scene::Track;
 use crate::settings::Frame;
 
-/// How near the pointer has to be, points.
+/// Distance up to which the pointer counts as near, points.
 const REACH: f64 = 9.0;
 
-/// Reads it.
+/// Reads the pointer.
 pub(super) fn read(
     ui: &Ui,
     painter: &Painter,
@@ -54,7 +54,7 @@ fn nearest<'a>(lines: &'a Lines, sheet: &Sheet, pointer: Pos2) -> Option<Nearest
     lines.nearest((sheet.projection, &sheet.chart), pointer, REACH)
 }
 
-/// What is said of the eye at `pointer`: where it is, and when it receives light.
+/// Describes the eye at `pointer`: its place, and the time when it receives light.
 fn eye_told(state: &State, sheet: &Sheet, pointer: Pos2) -> Option<String> {
     let now = state.document.time;
     let eyes = Instant::new(&state.document.settings, now).eyes();
@@ -65,7 +65,7 @@ fn eye_told(state: &State, sheet: &Sheet, pointer: Pos2) -> Option<String> {
     Some(format!("{}\n{}\n{received}", eye.name(), told_place(state, at)))
 }
 
-/// What it is, where, and when.
+/// Describes the nearest thing: its name, its place, and its time.
 fn text(state: &State, nearest: &Nearest, track: &Track) -> String {
     let line = nearest.line;
     let name = state.document.scene.name_of(line.body);

@@ -1,4 +1,4 @@
-//! One of the two charts, and the colours on both.
+//! A sheet: one of the two charts, and the colours on both.
 
 use eframe::egui::{Color32, Rect, Visuals};
 
@@ -10,14 +10,14 @@ use crate::map::{Chart, Picture, Projection};
 /// A chart of the face.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sheet {
-    /// From where it looks.
+    /// Projection of the chart.
     pub projection: Projection,
-    /// Where things are on it.
+    /// Chart that places things.
     pub chart: Chart,
 }
 
 impl Sheet {
-    /// Its name for assistive technology.
+    /// Returns the name of the chart for assistive technology.
     pub const fn name(&self) -> &'static str {
         match self.projection {
             Projection::Plan => "Map, from above",

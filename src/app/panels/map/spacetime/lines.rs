@@ -1,4 +1,4 @@
-//! What is drawn as lines: worldlines, past light cones, light, and what is at one time.
+//! Lines of the diagram: worldlines, past light cones, light, and presents.
 
 use eframe::egui::{Color32, Pos2, Shape, Stroke, TextStyle};
 
@@ -16,7 +16,7 @@ const SPACE: f32 = 4.0;
 /// Eyes that are further apart than this have names of their own, points.
 const EYES_APART: f32 = 60.0;
 
-/// Draws them all.
+/// Draws all lines.
 pub fn paint(sheet: &Sheet<'_>, labels: &mut Labels) {
     nows(sheet, labels);
     cones(sheet, labels);
@@ -28,7 +28,7 @@ pub fn paint(sheet: &Sheet<'_>, labels: &mut Labels) {
     rays(sheet, labels);
 }
 
-/// What of a line is shown, on screen.
+/// Returns the part of a line that is shown, on screen.
 fn shown(sheet: &Sheet<'_>, line: StraightLine) -> Option<[Pos2; 2]> {
     let [low, high] = sheet.corners();
     line.within(low, high).map(|ends| ends.map(|event| sheet.place(event)))
@@ -46,7 +46,7 @@ fn dashed(sheet: &Sheet<'_>, labels: &mut Labels, ends: [Pos2; 2], stroke: Strok
     labels.avoid(&ends);
 }
 
-/// All that is at one time: of the frame that is drawn, whole; of the other one, dashed.
+/// Draws the present: of the frame that is drawn, solid; of the other one, dashed.
 fn nows(sheet: &Sheet<'_>, labels: &mut Labels) {
     let [ground, scene] = sheet.diagram.nows();
     let colours = now_colours(sheet);
@@ -62,7 +62,7 @@ fn nows(sheet: &Sheet<'_>, labels: &mut Labels) {
     }
 }
 
-/// One where both frames are the same.
+/// Returns the number of presents: one where both frames are the same.
 fn number_of_nows(sheet: &Sheet<'_>) -> usize {
     if sheet.diagram.scene.beta() == 0.0 { 1 } else { 2 }
 }
@@ -142,7 +142,7 @@ fn worldline(sheet: &Sheet<'_>, labels: &mut Labels, diagram: &Diagram, colour: 
     }
 }
 
-/// Those of the `times` that are between `from` and `to`, and these two, where they are between the first and the last.
+/// Returns those of the `times` that are between `from` and `to`, and these two, where they are between the first and the last.
 fn part(times: &[f64], from: f64, to: f64) -> impl Iterator<Item = f64> {
     let ends = times.first().copied().zip(times.last().copied());
     let ends = ends.map(|(first, last)| (from.max(first), to.min(last))).filter(|(from, to)| from < to);
@@ -162,7 +162,7 @@ fn rays(sheet: &Sheet<'_>, labels: &mut Labels) {
     }
 }
 
-/// What of the way of the light is shown, on screen.
+/// Returns the part of the light's way that is shown, on screen.
 fn shown_ray(sheet: &Sheet<'_>, ray: &Ray) -> Option<[Pos2; 2]> {
     let step = Event { x: ray.received.x - ray.left.x, t: ray.received.t - ray.left.t };
     let line = StraightLine { through: ray.left, step };
@@ -172,7 +172,7 @@ fn shown_ray(sheet: &Sheet<'_>, ray: &Ray) -> Option<[Pos2; 2]> {
     (from < to).then(|| [from, to].map(|steps| sheet.place(line.at(steps))))
 }
 
-/// Where a worldline is named, of the part that is shown.
+/// Returns the place of a worldline's name, on the part that is shown.
 fn upper([first, last]: [Pos2; 2]) -> Pos2 {
     first.lerp(last, 0.93)
 }
@@ -254,7 +254,7 @@ fn name_light(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
     }
 }
 
-/// What is said of the line under the pointer, if it is no worldline.
+/// Describes the line under the pointer, if it is no worldline.
 pub fn told(sheet: &Sheet<'_>, pointer: Pos2) -> Option<String> {
     let near = |line: StraightLine| sheet.nearest(line, pointer).1 < NEAR;
     let world = sheet.chart.world([pointer.x, pointer.y].map(f64::from));

@@ -18,19 +18,19 @@ const APART: f32 = 26.0;
 
 /// An event that is marked.
 pub struct Mark {
-    /// Where.
+    /// Place on screen.
     pub place: Pos2,
-    /// What it is called.
+    /// Name of the event.
     pub name: String,
-    /// What stands beside it.
+    /// Label beside the mark.
     label: String,
-    /// What is said of it on hover.
+    /// Description for hovering.
     pub words: String,
     colour: Color32,
     is_hollow: bool,
 }
 
-/// All that are in sight or not: of each eye, of the light that it receives, and of the point now.
+/// Returns all marks, in sight or not: each eye, the light that it receives, and the point now.
 pub fn of(sheet: &Sheet<'_>) -> Vec<Mark> {
     let diagram = &sheet.diagram;
     let [left, right] = diagram.rays;
@@ -68,7 +68,7 @@ fn clock(sheet: &Sheet<'_>, diagram: &Diagram) -> String {
     format!("clock {time}{}", sheet.state.measures().time.suffix())
 }
 
-/// Where `eye` receives light, and where that left.
+/// Returns the marks where `eye` receives light, and where that left.
 fn of_light(sheet: &Sheet<'_>, eye: Eye, ray: &Ray, label: &str) -> [Mark; 2] {
     let mark = |event, name: &str, label: &str, words| Mark {
         place: sheet.place(event),

@@ -24,7 +24,7 @@ use crate::app::state::State;
 use crate::map::{Diagram, Event, around_now, chart, home};
 use crate::settings::{Frame, Framing};
 
-/// Its name for assistive technology.
+/// Name of the diagram for assistive technology.
 const NAME: &str = "Map, x against t";
 /// From the corner to the title, beside the name of the axis, points.
 const TITLE: Vec2 = vec2(44.0, 3.0);
@@ -76,7 +76,7 @@ fn close_up(state: &State, selected: &Diagram, others: &[(&Point, Diagram)]) -> 
     around_now(&all)
 }
 
-/// What is along x and along t.
+/// Returns the axes along x and along t.
 fn axes_of(state: &State) -> [Axis<'static>; 2] {
     let measures = state.measures();
     let [x, t] = match state.document.settings.map.frame {
@@ -137,7 +137,7 @@ fn point_at(sheet: &Sheet<'_>, response: &Response, marks: &[marks::Mark], asks:
 
 /// An event of a worldline under the pointer.
 struct Aimed {
-    /// What happens there.
+    /// Description of the event.
     words: String,
     /// The T at which an eye receives light from there, or is there itself.
     time: f64,

@@ -1,4 +1,4 @@
-//! What the parts of the face share: the diagram, and where it is drawn.
+//! The sheet that the parts of the face share: the diagram, and the place where it is drawn.
 
 use eframe::egui::{Painter, Pos2, Rect, Ui};
 
@@ -7,20 +7,20 @@ use crate::app::points::Point;
 use crate::app::state::State;
 use crate::map::{Chart, Diagram, Event, StraightLine, along};
 
-/// How near the pointer has to be to a line, points.
+/// Distance from a line up to which the pointer counts as near, points.
 pub const NEAR: f32 = 7.0;
 /// Radius of the handle at the present, points.
 pub const HANDLE: f32 = 8.0;
 
 /// The diagram, and where it is drawn.
 pub struct Sheet<'a> {
-    /// What it is part of.
+    /// Interface that it is part of.
     pub ui: &'a Ui,
     /// Clipped to its room.
     pub painter: Painter,
-    /// Where events are on screen.
+    /// Chart that places events on screen.
     pub chart: Chart,
-    /// What is shown.
+    /// State that is shown.
     pub state: &'a State,
     /// The events of the selected point.
     pub diagram: Diagram,
@@ -29,7 +29,7 @@ pub struct Sheet<'a> {
 }
 
 impl Sheet<'_> {
-    /// Where an event is on screen.
+    /// Returns the place of an event on screen.
     pub fn place(&self, event: Event) -> Pos2 {
         canvas::place(&self.chart, [event.x, event.t])
     }

@@ -1,4 +1,4 @@
-//! What is said of an event: where it is, and its three times.
+//! Words for an event: its place, and its three times.
 
 use super::sheet::Sheet;
 use crate::app::eye::Eye;
@@ -10,7 +10,7 @@ use crate::settings::Frame;
 /// Decimals of a length or a time in the scene's unit.
 const DECIMALS: u8 = 3;
 
-/// Of the point at the ground's time `happened`: `what` that is, after its name.
+/// Describes the point at the ground's time `happened`; `what` follows its name.
 pub fn of_point(sheet: &Sheet<'_>, happened: f64, what: &str) -> String {
     let diagram = &sheet.diagram;
     let event = diagram.point.at(happened);
@@ -32,14 +32,14 @@ pub fn of_other(sheet: &Sheet<'_>, diagram: &Diagram, name: &str) -> String {
     format!("{}\n{}\n{}", capitalised(name), place(sheet, diagram.measured()), times(sheet.state, shown))
 }
 
-/// Of the light that `eye` receives, where it left.
+/// Describes the light that `eye` receives, at its emission.
 pub fn of_ray(sheet: &Sheet<'_>, eye: Eye, ray: &Ray) -> String {
     let times = times(sheet.state, [sheet.diagram.time, ray.happened, ray.own_time]);
     let name = eye.name().to_lowercase();
     format!("What the {name} sees now happened here\n{}\n{times}", place(sheet, ray.left))
 }
 
-/// Of the eyes at T = `received`.
+/// Describes the eyes at T = `received`.
 pub fn of_eyes(sheet: &Sheet<'_>, received: f64) -> String {
     let event = Event { x: 0.0, t: received }.in_frame(sheet.diagram.frame);
     format!(

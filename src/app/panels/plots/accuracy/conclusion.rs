@@ -1,4 +1,4 @@
-//! What the Accuracy tab's figures come to, in a sentence.
+//! The conclusion from the Accuracy tab's figures, in a sentence.
 
 use relativity_render::Method;
 

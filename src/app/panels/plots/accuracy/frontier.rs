@@ -14,7 +14,7 @@ use crate::settings::Quality;
 
 /// Errors below this, arcseconds, are drawn as this: none is measured as 0 but by chance.
 const LEAST_ERROR: f64 = 1e-12;
-/// How far from a mark a click still means it, points.
+/// Distance from a mark up to which a click means it, points.
 const REACH: f32 = 40.0;
 
 /// A method in the plot.
@@ -50,7 +50,7 @@ impl Mark {
     }
 }
 
-/// Where what automatic quality keeps is in the plot.
+/// The line of automatic quality's goal in the plot.
 #[derive(Debug, Clone, Copy)]
 struct GoalLine {
     goal: Goal,
@@ -60,7 +60,7 @@ struct GoalLine {
 }
 
 impl GoalLine {
-    /// That of `quality`, where it is automatic.
+    /// Returns the line of `quality`, where it is automatic.
     fn of(quality: Quality, examination: &Examination, visuals: &Visuals) -> Option<Self> {
         let value = match quality.goal {
             Goal::Error(px) => 3600.0 * (px / examination.px_per_radian()?).to_degrees(),
@@ -87,7 +87,7 @@ impl GoalLine {
     }
 }
 
-/// How far a name is from the middle of its mark, points.
+/// Distance of a name from the middle of its mark, points.
 const NAME_GAP: f32 = 8.0;
 
 /// Names the marks, each beside its own where no other name or mark is, nor the names of the axes.
@@ -176,12 +176,12 @@ fn clicked<'a>(marks: &'a [Mark], response: &PlotResponse<()>) -> Option<&'a Mar
     (distance(nearest) < REACH).then_some(nearest)
 }
 
-/// Of the costs and of the errors.
+/// Returns the rulers of the costs and of the errors.
 fn rulers(size: egui::Vec2) -> [Ruler; 2] {
     [Ruler::of_powers_along(size.x), Ruler::of_powers(size.y)]
 }
 
-/// All marks with a margin for their names; never of no size.
+/// Returns the bounds of all marks with a margin for their names; never of no size.
 fn bounds(marks: &[Mark], rulers: [Ruler; 2]) -> PlotBounds {
     let range = |axis: usize, margin: f64| {
         let range = extent(marks.iter().map(|mark| mark.place[axis]))

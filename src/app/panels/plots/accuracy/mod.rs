@@ -24,7 +24,7 @@ use crate::settings::Quality;
 const TABLE_WIDTH: f32 = 470.0;
 const LEAST_PLOT: f32 = 150.0;
 
-/// Shows the tab.
+/// Shows the Accuracy tab.
 pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks: &mut Asks) {
     let Some(examination) = examination else { return };
     if examination.is_blind() {

@@ -22,7 +22,7 @@ const HEADS: [(&str, &str); 5] = [
     ("missed", "Share of the rays that find no entry."),
 ];
 
-/// Shows it, once the reference has told what is exact; nothing where nothing turns.
+/// Shows the errors of rounds, once the reference has found what is exact; nothing where nothing turns.
 pub fn show(ui: &mut Ui, examination: &Examination) {
     let mut measured = examination.rows().filter_map(|row| row.measured());
     let Some(error) = measured.find_map(|figures| figures.rounds.as_ref()) else { return };

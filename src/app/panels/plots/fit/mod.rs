@@ -23,7 +23,7 @@ use crate::units::Unit;
 /// Width of the table, and least width of the plots.
 const TABLE_WIDTH: f32 = 356.0;
 const LEAST_PLOTS: f32 = 150.0;
-/// What a unit adds to the table's width.
+/// Width that a unit adds to the table.
 const UNIT_WIDTH: f32 = 26.0;
 /// Width from which on the choice of the model and the samples stand in one row.
 const WIDE: f32 = 676.0;
@@ -98,7 +98,7 @@ fn row(ui: &mut Ui, widgets: impl FnOnce(&mut Ui)) {
     });
 }
 
-/// Where the samples are from, and where the fit goes to.
+/// Shows the source of the samples, and the file that the fit is saved to.
 fn data(ui: &mut Ui, state: &State, setup: &mut FitSetup, asks: &mut Asks) {
     ui.label(RichText::new("data").weak());
     if state.session.data.is_some() {
@@ -187,7 +187,7 @@ const MODELS: [(Model, &str, &str); 3] = [
     ),
 ];
 
-/// How the samples of the Fit tab are made, as seen from a `model` that is to fit them.
+/// Describes the samples of the Fit tab, as seen from a `model` that is to fit them.
 fn told_of_data(state: &State, model: Model) -> &'static str {
     if state.session.data.is_some() {
         return "";

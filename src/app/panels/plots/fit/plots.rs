@@ -12,7 +12,7 @@ use crate::app::panels::plots::legend::Drawn;
 use crate::app::state::State;
 use crate::app::theme;
 
-/// How much of the height the residuals take, with the numbers along T.
+/// Share of the height that the residuals take, with the numbers along T.
 const RESIDUALS_SHARE: f32 = 0.44;
 /// Room for the numbers of both plots: residuals have one digit more.
 const Y_AXIS_WIDTH: f32 = 54.0;
@@ -26,7 +26,7 @@ const NARROWEST_WITH_CAPTION: f32 = 240.0;
 /// An outdated picture is drawn this faintly.
 const FAINT: f32 = 0.35;
 
-/// Narrowest plot of use: where two do not fit the first one stands alone.
+/// Narrowest plot of use: where two do not fit the first is shown alone.
 const NARROWEST: f32 = 125.0;
 
 /// Shows the plots of the fitted curves side by side; nothing where there are no samples.
@@ -133,13 +133,13 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
     }
 }
 
-/// One plot.
+/// A plot of the readings or of the residuals.
 struct Part<'h> {
     name: String,
     size: Vec2,
     /// Whether T is written along it.
     with_times: bool,
-    /// What it is of, where that stands in it.
+    /// Heading inside the plot, if it has one.
     heading: Option<&'h str>,
 }
 
@@ -174,7 +174,7 @@ impl Part<'_> {
     }
 }
 
-/// What is drawn of one curve.
+/// The drawing of one curve.
 struct Drawing<'a> {
     range: [f64; 2],
     data: &'a [PlotPoint],

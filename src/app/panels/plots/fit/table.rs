@@ -1,4 +1,4 @@
-//! What the fit says: each parameter with its uncertainty beside the truth, and a verdict.
+//! The table of a fit: each parameter with its uncertainty beside the truth, and a verdict.
 
 use eframe::egui::{Grid, RichText, Ui};
 use relativity_core::{DEFAULT_REPLICATES, Model, Parameter};
@@ -142,7 +142,7 @@ fn row(
     ui.end_row();
 }
 
-/// Symbol and meaning.
+/// Returns the symbol and the meaning of a parameter.
 fn named(parameter: Parameter) -> (&'static str, &'static str) {
     match parameter {
         Parameter::Beta => ("β", "Speed over c."),
@@ -160,7 +160,7 @@ fn deviation(estimate: &Estimate, truth: f64) -> f64 {
     (estimate.value - truth) / estimate.uncertainty
 }
 
-/// How far off an estimate is: in standard errors, or by how much if those mean nothing.
+/// Writes the error of an estimate: in standard errors, or itself if those mean nothing.
 fn off(estimate: &Estimate, truth: f64) -> String {
     if is_rounding(estimate, truth) {
         return signed(estimate.value - truth, 9);
@@ -173,7 +173,7 @@ fn signed(value: f64, decimals: u8) -> String {
     format!("{sign}{}", figures::fixed(value, decimals))
 }
 
-/// How the estimates stand to the truth; `None` where that is not known.
+/// Returns the verdict on the estimates by the truth; `None` where that is not known.
 fn verdict(fitted: &Fitted) -> Option<String> {
     let known = || {
         let all = fitted.estimates.iter();
@@ -195,7 +195,7 @@ fn verdict(fitted: &Fitted) -> Option<String> {
     })
 }
 
-/// What is taken for granted of samples, a sentence each.
+/// Returns the assumptions about the samples, a sentence each.
 fn assumptions(outcome: &FitOutcome, fitted: &Fitted) -> Vec<String> {
     let other_side = fitted.other_side.as_deref().map(sentence);
     let (file, baseline) = match &outcome.key.samples {
@@ -254,7 +254,7 @@ fn notes(ui: &mut Ui, outcome: &FitOutcome, fitted: &Fitted) {
     }
 }
 
-/// What a fit by a model that did not make the data leaves out.
+/// The neglect of a fit by a model that did not make the data.
 struct Neglect {
     doing: &'static str,
     it_does: &'static str,
@@ -262,7 +262,7 @@ struct Neglect {
 }
 
 impl Neglect {
-    /// That of `fitted`, of data that were `made` by another model.
+    /// Returns the neglect of `fitted`, for data that were `made` by another model.
     const fn of(fitted: Model, made: Option<Model>) -> Self {
         match (fitted, made) {
             (Model::Published(_), _) => Self {
