@@ -25,7 +25,7 @@ pub struct Sight<'a> {
     pub scene: &'a Scene,
     /// Scene, ready to be drawn.
     pub prepared: &'a PreparedScene,
-    /// Selected point.
+    /// Selected point of the scene.
     pub track: Track,
     /// Observation time T.
     pub time: f64,

@@ -174,7 +174,7 @@ impl Keeper {
         files.show_failure(state);
     }
 
-    /// Writes everything.
+    /// Writes all files of the window.
     ///
     /// # Errors
     /// What could not be written, and why.

@@ -1,4 +1,4 @@
-//! What is copied as text: commands that give the same picture or the same numbers, and the numbers.
+//! Text for the clipboard: commands that give the same picture or the same numbers, and the numbers.
 
 use relativity_core::{Model, Source, Speed, SpeedError, Turning, WheelPoint};
 use relativity_render::Motion;
@@ -9,7 +9,7 @@ use crate::flags::words::Shell;
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::scene::Track;
 
-/// How many T the copied command of a curve has.
+/// Number of T in the copied command of a curve.
 const SAMPLES: u32 = 201;
 
 /// Why there are no numbers of a point by a command.
@@ -19,7 +19,7 @@ const BACKWARD: &str =
 /// Why there are none of a point on a wheel that does not roll.
 const SLIPS: &str = "`gamow curve` and `gamow eval` take wheels that roll, and that of the selected point turns at a speed of its own.";
 
-/// `speed` as beta, or as rapidity where beta does not tell all of it.
+/// Returns `speed` as beta, or as rapidity where beta does not express all of it.
 fn told_speed(speed: Speed) -> Result<SpeedSetting, SpeedError> {
     let as_beta = SpeedSetting::new(SpeedParameter::Beta, speed.beta()).ok();
     let exact = as_beta.filter(|setting| setting.speed() == speed);
@@ -27,7 +27,7 @@ fn told_speed(speed: Speed) -> Result<SpeedSetting, SpeedError> {
 }
 
 impl State {
-    /// How the selected point is seen at T by `gamow curve` and `gamow eval`: the speed as it was given, and the rest.
+    /// Returns the selected point at T for `gamow curve` and `gamow eval`: the speed as it was given, and the rest.
     fn told_point(&self) -> Result<(SpeedSetting, Observation), String> {
         let velocity = self.selected_velocity();
         if velocity.is_backward {
@@ -93,7 +93,7 @@ impl State {
         Ok(format!("gamow curve{flags} --model={}{stereo}{conformal} --samples={SAMPLES}", model.name()))
     }
 
-    /// What `gamow eval --stereo` tells of the selected point at T: the names and the numbers, a line each, between tabs.
+    /// Returns the values of `gamow eval --stereo` for the selected point at T: the names and the numbers, a line each, between tabs.
     ///
     /// # Errors
     ///
@@ -128,7 +128,7 @@ impl State {
     }
 }
 
-/// Where on its wheel a point is, by the names of the columns; nothing of a point on none.
+/// Returns the place of a point on its wheel, by the names of the columns; nothing for a point on none.
 fn on_wheel(source: Source) -> Vec<(&'static str, f64)> {
     match source {
         Source::Point(_) => Vec::new(),

@@ -16,7 +16,7 @@ use crate::settings::{Daylight, Settings};
 use crate::studio::film::{FilmKind, loop_times};
 
 impl App {
-    /// Does what was ordered, and tells what became of what was ordered before.
+    /// Fulfils the orders, and reports the outcome of earlier ones.
     pub(in crate::app) fn fulfil_orders(&mut self, ui: &Ui) {
         for order in std::mem::take(&mut self.state.session.orders) {
             match order {
@@ -122,7 +122,7 @@ impl App {
         self.tell(ctx, notice.about(path));
     }
 
-    /// What the views show, to be drawn with pictures of this `size` for each eye.
+    /// Returns the scene of the views, to be drawn with pictures of this `size` for each eye.
     fn drawn(&self, ui: &Ui, size: [u32; 2]) -> Drawn {
         let document = &self.state.document;
         Drawn {

@@ -1,4 +1,4 @@
-//! What leaves the window: files, and what is copied. What takes its time is made by a thread of its own.
+//! Saving and copying. Whatever takes time is made by a worker thread.
 
 mod copied;
 mod fulfil;
@@ -16,26 +16,26 @@ use crate::platform::clock::Instant;
 use crate::studio::film::{Written, frame_count};
 
 impl State {
-    /// How many frames the film has in which T runs through its range once, as fast as it is played.
+    /// Returns the number of frames of a film in which T runs through its range once, as fast as in playback.
     #[must_use]
     pub fn film_frames(&self) -> u32 {
         frame_count(self.time_range(), self.document.settings.playback.rate)
     }
 }
 
-/// Most frames of a film.
+/// Greatest number of frames of a film.
 pub const MOST_FRAMES: u32 = 5000;
 
-/// What is made sooner than this is not announced.
+/// Time within which something is made without an announcement.
 const GRACE: Duration = Duration::from_millis(300);
 
-/// How often it is told how far it has come: each time costs a frame of the window.
+/// Interval between two reports of progress: each costs a frame of the window.
 const TOLD: Duration = Duration::from_millis(250);
 
 /// Frames from which the size of a film is estimated.
 const FEW: u32 = 5;
 
-/// What is being made.
+/// The saver, with its worker thread.
 #[derive(Default)]
 pub struct Saver {
     worker: Option<Worker<Job, Made>>,
@@ -49,14 +49,14 @@ struct Underway {
     since: Instant,
 }
 
-/// How far something has come.
+/// The progress of a product.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Progress<'a> {
-    /// What is being made.
+    /// Name of the product.
     pub name: &'a str,
-    /// What is written of it.
+    /// Part of it that is written.
     pub written: Written,
-    /// Frames of all.
+    /// Number of all its frames.
     pub frames: u32,
 }
 
@@ -71,7 +71,7 @@ impl Progress<'_> {
 }
 
 impl Saver {
-    /// Has `job` done, which makes so many pictures of what is called `name`.
+    /// Begins a `job`, which makes `frames` pictures of the product called `name`.
     fn begin(&mut self, ctx: &Context, job: Job, name: String, frames: u32) {
         *lock(&self.written) = Written::default();
         let all_written = Arc::clone(&self.written);
@@ -88,7 +88,7 @@ impl Saver {
         self.underway = Some(Underway { name, frames, since: Instant::now() });
     }
 
-    /// What was made, once.
+    /// Takes the finished product, once.
     fn made(&mut self) -> Option<Made> {
         let made = self.worker.as_ref()?.result()?;
         self.underway = None;
@@ -107,7 +107,7 @@ impl Saver {
         self.underway.is_some()
     }
 
-    /// How far it has come, if it takes long enough to be told.
+    /// Returns the progress, if it takes long enough to be shown.
     #[must_use]
     pub fn progress(&self, ctx: &Context) -> Option<Progress<'_>> {
         let underway = self.underway.as_ref()?;

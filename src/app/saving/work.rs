@@ -1,4 +1,4 @@
-//! What is made by the thread that saves: pictures, films and fits.
+//! Jobs of the thread that saves: pictures, films and fits.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -22,15 +22,15 @@ use crate::studio::film::{FRAMES_PER_SECOND, FilmKind, Stopped, Written};
 /// A scene as it is to be drawn.
 #[derive(Debug, Clone)]
 pub struct Drawn {
-    /// How.
+    /// Settings of the picture.
     pub settings: Settings,
-    /// What.
+    /// Scene in the picture.
     pub scene: Scene,
-    /// What gazes may follow.
+    /// Point that gazes may follow.
     pub tracked: Track,
 }
 
-/// Something to make.
+/// A job of the thread that saves.
 pub enum Job {
     /// A picture, as a file.
     Picture(Drawn, PathBuf),
@@ -40,17 +40,17 @@ pub enum Job {
     Film(Drawn, Vec<f64>, FilmKind, PathBuf),
     /// The numbers of a fit, as JSON.
     Fit(Box<FitKey>, PathBuf),
-    /// What was done in a lesson, whose states differ from these settings; with a fit.
+    /// Report of a lesson, whose states build on these settings; with a fit.
     Report(Box<Course>, Box<Settings>, Option<Box<FitKey>>, PathBuf),
     /// A sheet of a lesson, to print.
     Sheet(Box<Lesson>, Sheet, PathBuf),
 }
 
-/// What became of it.
+/// The outcome of a job.
 pub enum Made {
-    /// A file there, and what is said of it.
+    /// A file, and a message about it.
     File(PathBuf, String),
-    /// A film there, what is said of it, and a command that makes more of it.
+    /// A film, a message about it, and a command that makes an MP4 of it.
     Film(PathBuf, String, String),
     /// A picture to be copied.
     Picture(ColorImage),
@@ -70,7 +70,7 @@ impl Drawn {
 }
 
 impl Job {
-    /// Does it; before each frame of a film `goes_on` is asked with what is written. `None` if it was stopped.
+    /// Does the job; `goes_on` is called before each frame of a film, with what is written. `None` if it was stopped.
     pub fn made(self, goes_on: impl FnMut(Written) -> bool) -> Option<Made> {
         let path = self.path().to_owned();
         match self.try_made(goes_on) {
@@ -80,7 +80,7 @@ impl Job {
         }
     }
 
-    /// Where its file goes; nowhere if it has none.
+    /// Returns the path of its file; empty if it has none.
     fn path(&self) -> &Path {
         match self {
             Self::Picture(_, path)

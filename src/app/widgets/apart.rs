@@ -7,7 +7,7 @@ use eframe::egui::Rangef;
 pub struct Span {
     /// The place that its middle should be at.
     pub middle: f32,
-    /// How wide it is.
+    /// Width of the span.
     pub width: f32,
 }
 
@@ -32,7 +32,7 @@ pub fn apart(spans: &[Span], room: Rangef, between: f32) -> Vec<f32> {
     lefts
 }
 
-/// Moves what stands out of `room` inside, and what is in its way.
+/// Moves spans that reach out of `room` inside, and those in their way.
 fn push_inside(lefts: &mut [f32], order: &[usize], spans: &[Span], room: Rangef, between: f32) {
     let mut end = room.max;
     for &i in order.iter().rev() {

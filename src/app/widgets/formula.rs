@@ -25,7 +25,7 @@ fn family(face: Face) -> FontFamily {
 /// Pixels, as they lie on the screen.
 #[derive(Debug, Clone, Copy)]
 pub struct Pixels {
-    /// Of them in a point.
+    /// Pixels in a point.
     pub per_point: f32,
 }
 
@@ -114,7 +114,7 @@ pub fn text(
     Some(Shape::galley(pos2(left, top), galley, colour))
 }
 
-/// What is inside the polygons, by the nonzero rule: between two heights at which none has a corner, it is trapezoids.
+/// Fills the polygons, by the nonzero rule: between two heights at which none has a corner, the inside is trapezoids.
 fn filled(contours: &[Vec<Pos2>], colour: Color32) -> Mesh {
     let edges: Vec<[Pos2; 2]> = contours
         .iter()

@@ -15,23 +15,23 @@ pub enum Icon {
     Back,
     /// A large triangle to the right.
     Play,
-    /// Two bars.
+    /// Two bars, for pausing.
     Pause,
     /// A triangle to the right.
     Forward,
     /// A triangle to the right and a bar.
     End,
-    /// A circular arrow.
+    /// A circular arrow, for looping.
     Loop,
-    /// A sun.
+    /// A sun, for the light theme.
     Light,
-    /// A crescent.
+    /// A crescent, for the dark theme.
     Dark,
-    /// A cross.
+    /// A cross, for removing.
     Remove,
     /// An arrow that turns back to the left.
     Undo,
-    /// One that turns to the right.
+    /// An arrow that turns to the right.
     Redo,
     /// A circular arrow the other way round.
     Reset,
@@ -39,9 +39,9 @@ pub enum Icon {
     Done,
     /// An exclamation mark in a triangle.
     Failed,
-    /// A plus.
+    /// A plus sign.
     More,
-    /// A minus.
+    /// A minus sign.
     Fewer,
 }
 

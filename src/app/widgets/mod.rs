@@ -1,5 +1,4 @@
-//! What panels are made of: rows of controls that look alike (a name, a widget, an explanation on hover), buttons,
-//! numbers and titles.
+//! Widgets of the panels: rows of controls that look alike (a name, a widget, an explanation on hover), buttons, numbers and titles.
 
 pub mod apart;
 pub mod fitted;
@@ -28,7 +27,7 @@ const NAME_WIDTH: f32 = 88.0;
 /// Width of the numbers behind the sliders.
 const NUMBER_WIDTH: f32 = 68.0;
 
-/// A titled group of rows that can be folded away, with a button in its title that has them as usual, unless they are:
+/// Shows a titled group of rows that can be folded away, with a button in its title that resets them, unless they have their defaults:
 /// then `reset` is none, else what the button does. True if it was clicked.
 pub fn section(ui: &mut Ui, title: &str, reset: Option<&str>, rows: impl FnOnce(&mut Ui)) -> bool {
     let is_open = !folded::is_folded(ui.ctx(), title);
@@ -80,30 +79,30 @@ pub fn is_double_clicked(ui: &Ui, response: &Response) -> bool {
         && ui.input(|input| input.pointer.button_double_clicked(PointerButton::Primary))
 }
 
-/// What a double click on a slider or on its name does, in its tip.
+/// Effect of a double click on a slider or on its name, for its tooltip.
 pub const DOUBLE_CLICK: &str = "Double-click the slider or its name: as usual.";
 
-/// What was done to a number.
+/// An edit of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Edit {
-    /// Nothing.
+    /// No edit.
     Kept,
-    /// It has another value.
+    /// Another value.
     Changed,
-    /// It is to be as usual.
+    /// The default, by a double click.
     Restored,
 }
 
 /// A slider, and behind it the number, which can be typed.
 #[derive(Debug, Clone)]
 pub struct NumberRow<'a> {
-    /// Its name, on screen and for assistive technology.
+    /// Name on screen and for assistive technology.
     pub name: &'a str,
-    /// What it does.
+    /// Description for the tooltip.
     pub tip: &'a str,
-    /// What the slider spans.
+    /// Range of the slider.
     pub slider: RangeInclusive<f64>,
-    /// What may be typed.
+    /// Range that may be typed.
     pub typed: RangeInclusive<f64>,
     /// Digits behind the point at most.
     pub decimals: usize,
@@ -245,7 +244,7 @@ fn typed(text: &str) -> Option<f64> {
     figures::parsed(text).ok()
 }
 
-/// What `unit` shows of a `span` in units of the scene.
+/// Returns a `span` in units of the scene, in `unit`.
 fn shown_span(unit: Unit, span: &RangeInclusive<f64>) -> RangeInclusive<f64> {
     unit.shown(*span.start())..=unit.shown(*span.end())
 }
@@ -271,14 +270,14 @@ pub fn end_of_range(time: &mut f64, unit: Unit, [from, to]: [f64; 2], decimals: 
         .max_decimals(unit.decimals(decimals - useless).into())
 }
 
-/// Where the middle of the handle of a slider in `rect` is, at `fraction` of its way.
+/// Returns x of the middle of the handle of a slider in `rect`, at `fraction` of its way.
 pub fn handle_x(rect: egui::Rect, fraction: f64) -> f32 {
     // The theme's handles are circles of this radius.
     let radius = rect.height() / 2.5;
     egui::lerp(rect.min.x + radius..=rect.max.x - radius, fraction.clamp(0.0, 1.0) as f32)
 }
 
-/// A dot that tells what follows by its colour.
+/// Shows a dot whose colour says which thing follows.
 pub fn dot(ui: &mut Ui, colour: egui::Color32) {
     let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
     ui.painter().circle_filled(rect.center(), 4.5, colour);

@@ -21,33 +21,33 @@ use crate::lesson::Lesson;
 /// Space between cards, and around what is written in one; points.
 const BETWEEN: f32 = 14.0;
 const AROUND: f32 = 11.0;
-/// How wide pictures are drawn, in widths of the narrowest card.
+/// Width in which pictures are drawn, in widths of the narrowest card.
 const DRAWN: f32 = 1.3;
 
 /// The cards of a section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cards {
-    /// Large ones.
+    /// Large cards of lessons.
     OfLessons,
-    /// Small ones.
+    /// Small cards of presets.
     OfPresets,
 }
 
-/// A card.
+/// A card of the start page.
 pub struct Card<'a> {
-    /// What it is of.
+    /// Lesson or preset of the card.
     pub lesson: &'a Arc<Lesson>,
-    /// Its number among the others, if they come in an order.
+    /// Number among the others, if they come in an order.
     pub number: Option<usize>,
     /// In small writing below the title; may be empty.
     pub details: String,
-    /// What it is about; may be empty.
+    /// Description; may be empty.
     pub text: String,
-    /// More of that, told when the pointer rests on it.
+    /// Longer description, for the tooltip.
     pub tip: String,
-    /// That it is what is shown at present.
+    /// Remark that it is what is shown at present.
     pub state: Option<String>,
-    /// What a click on it asks for.
+    /// Command of a click on the card.
     pub command: Command,
 }
 
@@ -60,14 +60,14 @@ impl Cards {
         }
     }
 
-    /// How many stand in a row of this `width`, so that of so many cards the last row lacks as few as can be.
+    /// Returns the number of cards in a row of this `width`, so that the last row of `count` cards lacks as few as possible.
     fn columns(self, width: f32, scale: f32, count: usize) -> usize {
         let most = (width + scale * BETWEEN) / (scale * (self.narrowest() + BETWEEN));
         let most = (most as usize).max(1);
         count.div_ceil(count.div_ceil(most).max(1)).max(1)
     }
 
-    /// Shows `cards`.
+    /// Shows `cards` in rows.
     pub fn show(self, ui: &mut Ui, cards: &[Card<'_>], thumbnails: &mut Thumbnails, asks: &mut Asks) {
         let (width, scale) = (ui.available_width(), theme::text_scale(ui.style()));
         let columns = self.columns(width, scale, cards.len());
@@ -92,7 +92,7 @@ impl Cards {
 }
 
 impl Card<'_> {
-    /// What assistive technology calls it.
+    /// Returns the name of the card for assistive technology.
     fn name(&self) -> String {
         match self.number {
             Some(number) => format!("{number}. {}", self.lesson.title),
@@ -100,7 +100,7 @@ impl Card<'_> {
         }
     }
 
-    /// What is written below the picture.
+    /// Lays out the text below the picture.
     fn written(&self, ui: &Ui, cards: Cards, width: f32, scale: f32) -> Arc<Galley> {
         let (body, small) = (TextStyle::Body.resolve(ui.style()), TextStyle::Small.resolve(ui.style()));
         let visuals = ui.visuals();

@@ -23,9 +23,9 @@ use crate::settings::Preset;
 /// The widest that what is on the page becomes, and what stays free at its sides, points.
 const WIDEST: f32 = 1720.0;
 const SIDES: f32 = 32.0;
-/// How wide lines of the introduction become, points.
+/// Greatest width of lines of the introduction, points.
 const WIDEST_LINES: f32 = 680.0;
-/// From which width on what both eyes see stands beside the introduction, points, and how much of the width that takes.
+/// Width from which on the eyes' pictures are beside the introduction, points, and the share of the width that they take.
 const NARROWEST_WITH_EYES: f32 = 1000.0;
 const WORDS: f32 = 0.54;
 /// Sizes of the heading, of the headings of sections, and of what is written below the first, in those of most writing.
@@ -34,10 +34,10 @@ const SECTION: f32 = 1.4;
 const INTRODUCTION: f32 = 1.1;
 /// Maximum number of unreadable lessons listed with the reason.
 const MOST_REFUSED: usize = 20;
-/// How far the arrow keys scroll, points.
+/// Step of the arrow keys in scrolling, points.
 const LINE: f32 = 60.0;
 
-/// Whether `command`, asked for by a key, is done while the page is shown: what changes nothing that is behind it.
+/// Returns whether `command`, from a key, is performed while the page is shown: one that changes nothing behind it.
 #[must_use]
 pub const fn lets_through(command: &Command) -> bool {
     matches!(
@@ -51,7 +51,7 @@ pub const fn lets_through(command: &Command) -> bool {
     )
 }
 
-/// Shows the page.
+/// Shows the start page.
 pub fn show(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, asks: &mut Asks) {
     let scale = theme::text_scale(ui.style());
     let area = ScrollArea::vertical().auto_shrink([false, false]);
@@ -96,7 +96,7 @@ fn refused(ui: &mut Ui, refused: &[Refused]) {
     }
 }
 
-/// What this is, and, where there is room, what both eyes see in the `start`.
+/// Shows the introduction, and, where there is room, both eyes' pictures of the `start`.
 fn head(
     ui: &mut Ui,
     state: &State,
@@ -117,7 +117,7 @@ fn head(
     }
 }
 
-/// What this is, and the way in.
+/// Shows the introduction, and the way in.
 fn introduction(ui: &mut Ui, state: &State, lessons: &[&Arc<Lesson>], asks: &mut Asks) {
     let body = TextStyle::Body.resolve(ui.style()).size;
     let scale = theme::text_scale(ui.style());
@@ -142,7 +142,7 @@ fn introduction(ui: &mut Ui, state: &State, lessons: &[&Arc<Lesson>], asks: &mut
     });
 }
 
-/// What leads on: the lesson that is open, else the one that comes next.
+/// Returns the way in: the lesson that is open, else the one that comes next.
 fn way_in(state: &State, lessons: &[&Arc<Lesson>]) -> Option<(String, Command)> {
     if let Some(course) = state.course() {
         return Some((format!("Go on: {}", course.lesson().title), Command::Toggle(Overlay::Start)));

@@ -12,16 +12,16 @@ use crate::lesson::Lesson;
 
 /// Height of a picture in its widths.
 pub const ASPECT: f32 = 0.58;
-/// Most pixels of a picture to a point.
+/// Greatest number of pixels of a picture to a point.
 const FINEST: f32 = 2.0;
-/// How round corners are, points.
+/// Radius of its corners, points.
 pub const RADIUS: u8 = 9;
 /// Space between what the two eyes see, points.
 const BETWEEN: f32 = 10.0;
 /// The widest of these, points: as wide as they are drawn.
 const WIDEST: f32 = 300.0;
 
-/// What a picture `width` points wide looks like here.
+/// Returns the look of a picture `width` points wide.
 pub fn look(ui: &Ui, width: f32, eye: Eye) -> Look {
     let pixels = ui.pixels_per_point().clamp(1.0, FINEST);
     Look {

@@ -1,34 +1,34 @@
-//! What the start page says.
+//! Words of the start page.
 
 use std::sync::Arc;
 
 use crate::lesson::{Course, Lesson};
 
-/// What this is.
+/// Heading of the page.
 pub const HEADING: &str = "What do two eyes see at nearly the speed of light?";
 pub const INTRODUCTION: &str = "Gamow shows what each eye sees of a cyclist who rides past at nearly the speed of light, \
     and what two eyes make of it. A lesson asks what you expect, shows what is seen, and explains it. Begin with the \
     first, or look around.";
 
-/// What presets are for.
+/// Introduction to the presets.
 pub const PRESETS: &str = "States to look at and to change. Rest the pointer on one to read what it shows.";
 
-/// That there can be more.
+/// Invitation to write a lesson.
 pub const OWN: &str = "A lesson is a text file. Write one of your own, and drop it onto the window.";
 
-/// How many `lessons` there are, and how long they take together.
+/// Returns the number of `lessons`, and their duration together.
 pub fn extent(lessons: &[&Arc<Lesson>]) -> String {
     let minutes: u32 = lessons.iter().map(|lesson| lesson.minutes).sum();
     format!("{} lessons, {minutes} minutes in all. Later ones build on earlier ones.", lessons.len())
 }
 
-/// What `lesson` serves, and how long it takes.
+/// Returns the subject of `lesson`, and its duration.
 pub fn details(lesson: &Lesson) -> String {
     let minutes = format!("{} min", lesson.minutes);
     if lesson.concept.is_empty() { minutes } else { format!("{}  ·  {minutes}", lesson.concept) }
 }
 
-/// Where somebody is in a lesson.
+/// Returns the present place in a lesson.
 pub fn place(course: &Course) -> String {
     let steps = course.lesson().steps.len();
     match course.place().step + 1 {
@@ -37,10 +37,10 @@ pub fn place(course: &Course) -> String {
     }
 }
 
-/// How long what a card tells is at least, if there is more to tell, letters.
+/// Least length of a card's description, if there is more of it, letters.
 const ENOUGH: usize = 40;
 
-/// What `markdown` begins with, in a sentence or so, as [`plain`].
+/// Returns the beginning of `markdown`, a sentence or so, as [`plain`].
 pub fn summary(markdown: &str) -> String {
     let enough = |count: &usize| plain(markdown, *count).chars().count() >= ENOUGH;
     plain(markdown, (1..=2).find(enough).unwrap_or(2))

@@ -6,7 +6,7 @@ use pulldown_cmark::{Alignment, Event, HeadingLevel, Tag, TagEnd};
 
 use crate::formula::{Formula, Style, markdown};
 
-/// What words are.
+/// The kind of words.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Kind {
     #[default]
@@ -16,7 +16,7 @@ pub enum Kind {
     Wrong,
 }
 
-/// How words look.
+/// The look of words.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Look {
     pub is_strong: bool,
@@ -29,10 +29,10 @@ pub struct Look {
 /// A part of a paragraph.
 #[derive(Debug, Clone)]
 pub enum Piece {
-    /// What is not parted, without spaces.
+    /// A word that is not divided, without spaces.
     Word(String, Look),
     Space(Look),
-    /// Where a line may end without a space.
+    /// A place where a line may end without a space.
     Chance,
     Formula(Arc<Formula>, Look),
     /// A formula on a line of its own, or its parts on a line each.

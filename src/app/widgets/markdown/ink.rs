@@ -7,7 +7,7 @@ use eframe::egui::{
 
 use super::blocks::{Kind, Look};
 
-/// What words are written with.
+/// The fonts and colours of text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ink {
     pub font: FontId,
@@ -44,7 +44,7 @@ pub fn job(text: &str, format: TextFormat) -> LayoutJob {
     }
 }
 
-/// How far a line of text advances, points.
+/// Returns the advance of a line of text, points.
 pub fn width(fonts: &mut FontsView<'_>, text: &str, format: TextFormat) -> f32 {
     fonts.layout_job(job(text, format)).intrinsic_size().x
 }

@@ -57,7 +57,7 @@ pub fn least_room(fonts: &mut FontsView<'_>, ink: &Ink, pieces: &[Piece]) -> f32
     widest
 }
 
-/// What stands in a line.
+/// A part of a line.
 #[derive(Debug, Clone)]
 pub enum Part {
     Word { text: String, look: Look, width: f32 },
@@ -87,7 +87,7 @@ pub struct Line {
     /// Spaces that are there only if something follows.
     spaces: Vec<Part>,
     pub width: f32,
-    /// Whether it is a formula that stands alone, in the middle.
+    /// Whether it is a displayed formula, alone and in the middle.
     pub is_displayed: bool,
 }
 

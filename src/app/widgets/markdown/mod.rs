@@ -48,7 +48,7 @@ pub fn show(ui: &mut Ui, text: &str) {
     }
 }
 
-/// What that Markdown says, with its formulas in words: a name for what it stands in.
+/// Returns the words of the Markdown, with its formulas spoken: a name for assistive technology.
 #[must_use]
 pub fn said(ui: &Ui, text: &str) -> String {
     let written = written(ui.ctx(), text, &setting(ui));
@@ -97,7 +97,7 @@ struct Written {
     page: Page,
     links: Vec<String>,
     setting: Setting,
-    /// A word that the fonts gave when it was written: another one tells that they have begun anew.
+    /// A word as the fonts first laid it out: another layout of it means that they have been replaced.
     word: Arc<Galley>,
 }
 

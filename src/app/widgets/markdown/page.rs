@@ -9,7 +9,7 @@ use super::ink::Ink;
 use super::paragraph::{Paragraph, Side, lay_out};
 use crate::app::widgets::formula::Pixels;
 
-/// What a page is written with, and how wide it is.
+/// The setting of a page: its fonts, and its width.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Setting {
     pub width: f32,
@@ -30,7 +30,7 @@ pub struct Part {
     pub is_title: bool,
 }
 
-/// All parts, from the upper left corner of the page.
+/// Parts of the page, from its upper left corner.
 #[derive(Debug)]
 pub struct Page {
     pub height: f32,
@@ -51,7 +51,7 @@ pub struct Writer<'a, 'f> {
     pub pixels: Pixels,
     pub setting: &'a Setting,
     parts: Vec<Part>,
-    /// Where the next block begins.
+    /// Top of the next block.
     y: f32,
 }
 
@@ -111,7 +111,7 @@ impl Writer<'_, '_> {
         }
     }
 
-    /// Adds to the last part what says nothing.
+    /// Adds a shape without words to the last part.
     fn push_shape(&mut self, shape: Shape) {
         let rect = shape.visual_bounding_rect();
         match self.parts.last_mut() {
@@ -140,7 +140,7 @@ impl Writer<'_, '_> {
         (self.setting.width - left).max(1.0)
     }
 
-    /// Pieces in lines, with what stands before them at the same height: its text and where it ends.
+    /// Adds pieces in lines, with the text before them at the same height, if there is one, and where it ends.
     fn paragraph(&mut self, pieces: &[Piece], ink: &Ink, left: f32, before: Option<(&str, f32)>) {
         let room = self.room(left);
         let mut laid = lay_out(self.fonts, self.pixels, ink, pieces, (room, Side::Left));

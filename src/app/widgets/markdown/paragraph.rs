@@ -11,7 +11,7 @@ use crate::app::widgets::formula::{self, Pixels};
 const LEADING: f32 = 0.25;
 const DISPLAYED_GAP: f32 = 0.5;
 
-/// Where lines stand in their room.
+/// The alignment of lines in their room.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     Left,
@@ -26,9 +26,9 @@ pub struct Paragraph {
     /// Height of the first line's baseline below the top.
     pub baseline: f32,
     pub shapes: Vec<Shape>,
-    /// Where links are, and their numbers.
+    /// Places of links, and their numbers.
     pub links: Vec<(Rect, usize)>,
-    /// All that it says.
+    /// Words of the paragraph.
     pub text: String,
 }
 
@@ -44,7 +44,7 @@ pub fn lay_out(
     drawn(fonts, pixels, ink, lines, said(pieces), (room, side))
 }
 
-/// What `pieces` say.
+/// Returns the words of `pieces`.
 fn said(pieces: &[Piece]) -> String {
     let mut text = String::new();
     for piece in pieces {

@@ -1,4 +1,4 @@
-//! Tables.
+//! Tables in Markdown.
 
 use eframe::egui::vec2;
 use pulldown_cmark::Alignment;
@@ -76,7 +76,7 @@ fn column_widths(natural: &[f32], least: &[f32], room: f32) -> Vec<f32> {
     shared(&wanted, spare).iter().zip(least).map(|(more, least)| least + more).collect()
 }
 
-/// Widths of columns that want `natural` and have `room`: those that want no more than their part have it, and the
+/// Returns the widths of columns that need `natural` and have `room`: those that need no more than their part have it, and the
 /// others share what is left.
 fn shared(natural: &[f32], room: f32) -> Vec<f32> {
     let mut order: Vec<usize> = (0..natural.len()).collect();
