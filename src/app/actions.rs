@@ -59,7 +59,7 @@ pub const LOOK_STEP: f64 = 0.05;
 pub static ACTIONS: &[Action] = &[
     action("undo the last step", &[with_control(Key::Z)], Command::Undo),
     action("redo what was undone", &[with_control_and_shift(Key::Z), with_control(Key::Y)], Command::Redo),
-    action("all as usual", &[], Command::Reset),
+    action("reset to the defaults", &[], Command::Reset),
     action("open a file", &[with_control(Key::O)], Command::Choose(Purpose::Open)),
     action("play or pause", &[key(Key::Space)], Command::TogglePlaying),
     action("a step forwards in time", &[key(Key::ArrowRight)], Command::Step(1)),

@@ -70,9 +70,9 @@ impl State {
     #[must_use]
     pub fn usual_is(&self) -> String {
         match self.document.preset {
-            _ if self.session.lesson.is_some() => "as the lesson has it here".to_owned(),
-            Some(preset) => format!("as the preset “{}” has it", preset.title),
-            None => "as in a new window".to_owned(),
+            _ if self.session.lesson.is_some() => "those of the lesson here".to_owned(),
+            Some(preset) => format!("those of the preset “{}”", preset.title),
+            None => "those of a new window".to_owned(),
         }
     }
 

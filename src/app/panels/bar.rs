@@ -163,8 +163,8 @@ fn units_to_choose(ui: &mut Ui, state: &State, asks: &mut Asks) {
 fn way_back(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let history = &state.session.history;
     let reset = format!(
-        "Has all as usual, {}: speed, eyes, path, look, light, plots and points. The parts of the window, its units and \
-        colours, and the screen stay. Undo brings back what was.",
+        "Resets speed, eyes, path, look, light, plots and points to the defaults, {}. The parts of the window, its units and \
+        colours, and the screen stay. Undo restores what was.",
         state.usual_is()
     );
     let buttons = [
@@ -206,7 +206,7 @@ fn more(ui: &mut Ui, state: &State, with_parts: bool, asks: &mut Asks) {
         units_to_choose(ui, state, asks);
         ui.separator();
         ui.horizontal(|ui| {
-            ui.label(RichText::new("Light or dark").weak());
+            ui.label(RichText::new("Switches between a light and a dark window").weak());
             theme(ui, state, asks);
         });
         if with_parts {
@@ -220,7 +220,7 @@ fn more(ui: &mut Ui, state: &State, with_parts: bool, asks: &mut Asks) {
 fn theme(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let dark = ui.visuals().dark_mode;
     let (icon, other) = if dark { (Icon::Light, Theme::Light) } else { (Icon::Dark, Theme::Dark) };
-    if icons::button(ui, icon, "Theme", vec2(30.0, 22.0), false).on_hover_text("Light or dark").clicked() {
+    if icons::button(ui, icon, "Theme", vec2(30.0, 22.0), false).on_hover_text("Switches between a light and a dark window").clicked() {
         asks.push(Command::Window(Window { theme: other, ..state.document.settings.window }));
     }
 }
@@ -228,17 +228,17 @@ fn theme(ui: &mut Ui, state: &State, asks: &mut Asks) {
 /// Shows the switches of the parts of the window.
 fn parts(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut window = state.document.settings.window;
-    ui.toggle_value(&mut window.controls, "Controls").on_hover_text("Show the controls and the readout");
-    ui.toggle_value(&mut window.plots, "Plots").on_hover_text("Show the plots");
+    ui.toggle_value(&mut window.controls, "Controls").on_hover_text("Shows the controls and the readout");
+    ui.toggle_value(&mut window.plots, "Plots").on_hover_text("Shows the plots");
     let mut shows_map = state.frame.shows_map;
     if ui
         .toggle_value(&mut shows_map, "Map")
-        .on_hover_text("Show what happens, beside what is seen.   Key: M")
+        .on_hover_text("Shows what happens, beside what is seen.   Key: M")
         .changed()
     {
         asks.push(Command::ToggleMap);
     }
-    ui.toggle_value(&mut window.views, "Views").on_hover_text("Show what the eyes see");
+    ui.toggle_value(&mut window.views, "Views").on_hover_text("Shows what the eyes see");
     if window != state.document.settings.window {
         asks.push(Command::Window(window));
     }

@@ -15,7 +15,7 @@ use crate::flags::Share;
 const DOT_RADIUS: f32 = 1.1;
 const DOT_STEP: f32 = 5.0;
 
-const TIP: &str = "Drag to make room.   Double-click: as usual.";
+const TIP: &str = "Drag to make room.   Double-click to reset.";
 
 /// Shows `border`, and reads drags of it.
 pub fn show(ui: &Ui, state: &State, border: Border, asks: &mut Asks) {

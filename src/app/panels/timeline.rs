@@ -169,13 +169,13 @@ fn rate(ui: &mut Ui, state: &State, playback: &mut Playback) {
         .speed(unit.shown(0.01))
         .max_decimals(unit.decimals(3).into())
         .suffix(" / s"); // behind the unit
-    let rate = ui.add(rate).on_hover_text("How much of T passes in a second of your clock");
+    let rate = ui.add(rate).on_hover_text("Time T that passes in a second of your clock");
     rate.accessible_name("Playback rate");
 }
 
 fn looping(ui: &mut Ui, playback: &mut Playback) {
     let repeat = icons::button(ui, Icon::Loop, "Loop", vec2(28.0, 24.0), playback.looping);
-    if repeat.on_hover_text("Start again at the end").clicked() {
+    if repeat.on_hover_text("Starts again at the end").clicked() {
         playback.looping = !playback.looping;
     }
 }

@@ -80,7 +80,7 @@ pub fn is_double_clicked(ui: &Ui, response: &Response) -> bool {
 }
 
 /// Effect of a double click on a slider or on its name, for its tooltip.
-pub const DOUBLE_CLICK: &str = "Double-click the slider or its name: as usual.";
+pub const DOUBLE_CLICK: &str = "Double-click the slider or its name to reset it.";
 
 /// An edit of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -46,7 +46,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
             return few(ui, state, asks);
         }
         for (part, rows) in SECTIONS {
-            let tip = format!("Has this section as usual: {}.", state.usual_is());
+            let tip = format!("Resets this section to its defaults, {}.", state.usual_is());
             let reset = (!state.is_usual_in(part)).then_some(tip.as_str());
             if section(ui, part.title(), reset, |ui| rows(ui, state, asks)) {
                 asks.push(Command::ResetSection(part));

@@ -58,7 +58,7 @@ fn narrow(ui: &mut Ui, state: &State, asks: &mut Asks) {
             asks.push(Command::Narrow);
         }
         if let Some([wide, _]) = narrowed
-            && ui.button("As before").on_hover_text("Has the eyes as far apart as before.").clicked()
+            && ui.button("As before").on_hover_text("Restores the separation of the eyes.").clicked()
         {
             asks.push(Command::Motion(Motion { d: wide, ..motion }));
         }
@@ -93,7 +93,7 @@ fn place(ui: &mut Ui, state: &State, asks: &mut Asks) {
     row(ui, "", "", |ui| {
         let field = number(&mut screen.viewing_distance).range(VIEWING_CM).speed(1.0).max_decimals(1);
         ui.add(field.suffix(" cm away"))
-            .on_hover_text("How far from the screen you sit")
+            .on_hover_text("Your distance from the screen")
             .accessible_name("Viewing distance");
     });
     row(ui, "Audience", "What is shown to one.", |ui| {

@@ -10,7 +10,7 @@ use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::units::Measures;
 
 const TIP: &str = "Speed of the scene in units of c.\nβ = v/c,   γ = 1/√(1 − β²),   η = artanh β\n\
-    The slider is finer towards 1.   Keys: ↑ ↓\nDouble-click the slider or its name: as usual.";
+    The slider is finer towards 1.   Keys: ↑ ↓\nDouble-click the slider or its name to reset it.";
 
 /// A field in which the speed is typed: its parameter, symbol, name and tooltip.
 pub type Field = (SpeedParameter, &'static str, &'static str, &'static str);

@@ -42,11 +42,11 @@ pub fn show(ui: &mut Ui, running: &Running, asks: &mut Asks) {
         ui.add_space(if are_any { cards::APART } else { 0.0 });
     }
     ui.horizontal_wrapped(|ui| {
-        if ui.button("Again").on_hover_text("From its first step").clicked() {
+        if ui.button("Again").on_hover_text("Starts at its first step").clicked() {
             ask(asks, LessonCommand::GoTo(Place::START));
         }
         let anew = "From its first step, without the answers that were given: a report keeps these";
-        if ui.button("Begin anew").on_hover_text(anew).clicked() {
+        if ui.button("Start over").on_hover_text(anew).clicked() {
             ask(asks, LessonCommand::BeginAnew);
         }
         for (name, product, tip) in PAGES {

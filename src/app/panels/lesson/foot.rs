@@ -132,7 +132,7 @@ fn count_hands(ui: &mut Ui, course: &Course, asks: &mut Asks) {
 
 fn set_up_again(ui: &mut Ui, asks: &mut Asks) {
     let button = Button::new("Set up again").frame_when_inactive(false);
-    if ui.add(button).on_hover_text("Has everything as the lesson has it here").clicked() {
+    if ui.add(button).on_hover_text("Restores the state that the lesson has here").clicked() {
         ask(asks, LessonCommand::SetUp);
     }
 }

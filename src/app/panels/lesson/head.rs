@@ -24,7 +24,7 @@ pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
         let size = vec2(BUTTON_SIDE, BUTTON_SIDE);
         let close = icons::button(ui, Icon::Remove, "Close the lesson", size, false);
         if close
-            .on_hover_text("Close the lesson: the parts of the window are as before it. Its answers are kept")
+            .on_hover_text("Closes the lesson, and restores the parts of the window. Its answers are kept")
             .clicked()
         {
             ask(asks, LessonCommand::Close);

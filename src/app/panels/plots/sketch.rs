@@ -53,7 +53,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mu
         if sketched.is_asked {
             // It is always there: the plot stays where it is while something is drawn.
             let clear = ui.add_enabled(!sketched.points.is_empty(), Button::new("Clear"));
-            if clear.on_hover_text("Begins the curve anew.").clicked() {
+            if clear.on_hover_text("Clears the curve.").clicked() {
                 asks.push(Command::Lesson(LessonCommand::Draft(None)));
             }
         }
@@ -65,8 +65,8 @@ pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mu
 pub(super) fn switch(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let now = !state.shows_sketch();
     let mut plots = now;
-    ui.selectable_value(&mut plots, false, "Your curve").on_hover_text("What you drew, and what it is.");
-    ui.selectable_value(&mut plots, true, "All plots").on_hover_text("All that is plotted.");
+    ui.selectable_value(&mut plots, false, "Your curve").on_hover_text("Your curve and the true one.");
+    ui.selectable_value(&mut plots, true, "All plots").on_hover_text("The whole of every plot.");
     if plots != now {
         asks.push(Command::Lesson(LessonCommand::ShowPlots(plots)));
     }

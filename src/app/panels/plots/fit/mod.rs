@@ -116,7 +116,7 @@ fn data(ui: &mut Ui, state: &State, setup: &mut FitSetup, asks: &mut Asks) {
                 }
             })
             .response
-            .on_hover_text("By which model the samples are simulated.")
+            .on_hover_text("Model by which the samples are simulated.")
             .accessible_name("Data from");
     }
     let tip = "Fits measured disparities: a CSV file with the columns T, dphi or dtheta or both, optionally sigma_dphi, sigma_dtheta and d.\n\
