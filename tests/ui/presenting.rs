@@ -5,6 +5,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
+use gamow::flags::choices::Layout;
 use gamow::settings::{Motion, Preset, Screen, Window};
 
 use super::Test;
@@ -18,6 +19,7 @@ pub const TESTS: &[Test] = &[
     ("borders_are_dragged_and_a_double_click_has_them_as_usual", borders_are_dragged),
     ("a_double_click_on_a_title_has_a_part_alone", a_part_alone),
     ("the_comfortable_button_narrows_d_and_says_so", the_comfortable_button),
+    ("a_layout_to_be_fused_offers_to_narrow_d_where_it_is_hard_to", narrowing_is_offered),
     ("the_projectors_window_shows_the_views_and_goes_again", the_projectors_window),
     ("a_projector_has_the_lessons_words_and_the_lecturer_keeps_notes", a_projector_has_the_lessons_words),
     ("the_meter_knows_the_distance_and_costs_nothing_unseen", the_meter_knows_the_distance),
@@ -177,6 +179,22 @@ fn the_comfortable_button() {
     window.get_by_label("As before").click();
     window.run();
     assert_eq!(window.state().state().document.settings.motion, wide);
+}
+
+fn narrowing_is_offered() {
+    let mut window = window_of_size(cyclist(0.9), [1280.0, 800.0], 1.0);
+    let wide = Motion { d: 1.5, ..window.state().state().document.settings.motion };
+    window.state_mut().ask(Command::Motion(wide));
+    window.run();
+    let offer = "too much to fuse: narrow d";
+    assert!(window.query_by_label(offer).is_none(), "nobody fuses pictures side by side");
+    window.state_mut().ask(Command::Layout(Layout::Dubois));
+    window.run();
+    window.get_by_label(offer).click();
+    window.run();
+    assert!(window.query_by_label_contains(" to fuse: narrow d").is_none());
+    let d = window.state().state().document.settings.motion.d;
+    assert!(d > 0.0 && d < 1.5, "{d}");
 }
 
 fn the_meter_knows_the_distance() {

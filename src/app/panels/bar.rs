@@ -220,7 +220,10 @@ fn more(ui: &mut Ui, state: &State, with_parts: bool, asks: &mut Asks) {
 fn theme(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let dark = ui.visuals().dark_mode;
     let (icon, other) = if dark { (Icon::Light, Theme::Light) } else { (Icon::Dark, Theme::Dark) };
-    if icons::button(ui, icon, "Theme", vec2(30.0, 22.0), false).on_hover_text("Switches between a light and a dark window").clicked() {
+    if icons::button(ui, icon, "Theme", vec2(30.0, 22.0), false)
+        .on_hover_text("Switches between a light and a dark window")
+        .clicked()
+    {
         asks.push(Command::Window(Window { theme: other, ..state.document.settings.window }));
     }
 }

@@ -45,7 +45,7 @@ pub fn show(ui: &mut Ui, running: &Running, asks: &mut Asks) {
         if ui.button("Again").on_hover_text("Starts at its first step").clicked() {
             ask(asks, LessonCommand::GoTo(Place::START));
         }
-        let anew = "From its first step, without the answers that were given: a report keeps these";
+        let anew = "Starts at its first step without the answers so far; a report keeps them";
         if ui.button("Start over").on_hover_text(anew).clicked() {
             ask(asks, LessonCommand::BeginAnew);
         }
