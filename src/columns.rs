@@ -232,13 +232,13 @@ impl ModelArgs {
     ///
     /// Stereo columns of a model that has none.
     pub fn columns(&self, given: Given) -> Result<Vec<&'static str>, StereoError> {
-        let (usual, stereo) = COLUMNS.split_at(USUAL);
+        let (default, stereo) = COLUMNS.split_at(USUAL);
         let turned = if given.on_wheel { &TURNED[..] } else { &[] };
         let conformal = if self.conformal { &CONFORMAL[..] } else { &[] };
         match (self.stereo, self.model) {
             (true, Model::Published(_)) => Err(StereoError::Published(self.model.name())),
-            (true, _) => Ok([usual, turned, &stereo[..given.stereo()], conformal].concat()),
-            (false, _) => Ok([usual, turned, conformal].concat()),
+            (true, _) => Ok([default, turned, &stereo[..given.stereo()], conformal].concat()),
+            (false, _) => Ok([default, turned, conformal].concat()),
         }
     }
 

@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 use relativity_core::math::{atan, log10, powf};
 use relativity_render::{MaterialPoint, View};
 
-use crate::figures;
+use crate::number_text;
 use crate::scene::Scene;
 
 /// Widest range across that is comfortable, and that can be fused at all, radians.
@@ -79,8 +79,8 @@ impl Comfort {
     /// Returns the verdict and the angles behind it.
     #[must_use]
     pub fn words(self) -> String {
-        let across = figures::fixed(self.range.to_degrees(), 2);
-        let down = figures::fixed(60.0 * self.vertical.to_degrees(), 0);
+        let across = number_text::fixed(self.range.to_degrees(), 2);
+        let down = number_text::fixed(60.0 * self.vertical.to_degrees(), 0);
         format!("{}: {across}° across, {down}′ up", self.verdict().word())
     }
 

@@ -5,7 +5,7 @@ use clap::ValueEnum;
 use relativity_core::{Speed, math};
 use serde::Serialize;
 
-use crate::figures;
+use crate::number_text;
 use crate::scene::Scene;
 
 /// The speed of light, m/s.
@@ -77,7 +77,7 @@ impl Measures {
             if decimals > MOST_SPEED_DECIMALS {
                 return format!("just below {TOWN_KM_PER_HOUR} km/h");
             }
-            format!("{} km/h", figures::fixed(TOWN_KM_PER_HOUR * speed.beta(), decimals as u8))
+            format!("{} km/h", number_text::fixed(TOWN_KM_PER_HOUR * speed.beta(), decimals as u8))
         })
     }
 }
@@ -108,14 +108,14 @@ impl Unit {
     /// number.
     #[must_use]
     pub fn number(self, value: f64, decimals: u8) -> String {
-        figures::fixed(self.shown(value), self.decimals(decimals))
+        number_text::fixed(self.shown(value), self.decimals(decimals))
     }
 
     /// Writes like [`Self::number`], with the unit.
     #[must_use]
     pub fn text(self, value: f64, decimals: u8) -> String {
         let number = self.number(value, decimals);
-        if number == figures::NONE { number } else { number + &self.suffix() }
+        if number == number_text::NONE { number } else { number + &self.suffix() }
     }
 
     /// The unit after a number: ` m`; nothing for the scene's own.
@@ -186,7 +186,7 @@ mod tests {
 
     #[test]
     fn a_dash_has_no_unit() {
-        assert_eq!(Units::Metric.of(&cyclist()).time.text(f64::NAN, 3), figures::NONE);
+        assert_eq!(Units::Metric.of(&cyclist()).time.text(f64::NAN, 3), number_text::NONE);
     }
 
     #[test]

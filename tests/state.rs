@@ -353,8 +353,8 @@ fn surroundings_are_left_out_and_put_back_and_all_else_stays() {
 #[test]
 fn both_commands_know_every_setting() {
     for flags in [vec!["gamow"], vec!["gamow", "render"]] {
-        let usual = Settings::default().command(gamow::flags::words::Shell::RECORDED);
-        let given = usual.split_whitespace().skip(2).map(str::to_owned);
+        let default = Settings::default().command(gamow::flags::words::Shell::RECORDED);
+        let given = default.split_whitespace().skip(2).map(str::to_owned);
         let more = [
             "--time=2",
             "--point=0,3,2",

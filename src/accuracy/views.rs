@@ -4,7 +4,7 @@ use relativity_core::{Aperture, DomainError, SourcePoint, Speed, sighting};
 use relativity_render::{Camera, Gaze, Geometry, View};
 use serde::Serialize;
 
-use crate::passage::time_seen_at;
+use crate::time_range::time_seen_at;
 
 /// The place where the tracked point is seen. Its distance as it passes x = 0 is the unit of length here.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

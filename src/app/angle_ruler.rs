@@ -6,7 +6,7 @@ use relativity_core::math;
 use relativity_render::Camera;
 
 use super::eye::Eye;
-use crate::figures;
+use crate::number_text;
 
 /// Parts of the great circle between both ends that are drawn straight.
 pub const PARTS: u16 = 48;
@@ -86,7 +86,7 @@ impl Laid {
         let error = factor * self.error.to_degrees();
         // The error has one digit, two where the first is a 1.
         let decimals = (1.2 - math::log10(error)).floor().clamp(0.0, 6.0) as u8;
-        let [angle, error] = [factor * degrees, error].map(|value| figures::fixed(value, decimals));
+        let [angle, error] = [factor * degrees, error].map(|value| number_text::fixed(value, decimals));
         format!("{angle}{unit} ± {error}{unit}")
     }
 

@@ -7,6 +7,7 @@ use relativity_render::{Camera, Gaze, Geometry};
 use super::angle_ruler::{AngleRuler, RulerCommand};
 use super::chooser::Purpose;
 use super::clock;
+use super::defaults::Section;
 use super::eye::Eye;
 use super::notice::Notice;
 use super::orders::{Copied, Order, Saving};
@@ -18,16 +19,15 @@ use super::running::LessonCommand;
 use super::stage::{Part, next_to_show};
 use super::state::{Scratch, Session, State};
 use super::stopwatch::StopwatchCommand;
-use super::usual::Section;
 use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
 use crate::flags::choices::{GazeChoice, Layout};
 use crate::map::Viewpoint;
-use crate::passage::time_within;
 use crate::settings::{
     Daylight, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset, Quality, Screen,
     Settings, Window,
 };
+use crate::time_range::time_within;
 
 /// A command of the user.
 #[derive(Debug, Clone, PartialEq)]
@@ -217,8 +217,8 @@ impl State {
                 settings.look.projection = settings.look.projection.toggled();
             }
             Command::TogglePanorama => {
-                let usual = self.usual();
-                self.document.settings.toggle_panorama(&usual);
+                let default = self.defaults();
+                self.document.settings.toggle_panorama(&default);
             }
             Command::ToggleSimple => settings.window.simple = !settings.window.simple,
             Command::ToggleResting => settings.window.resting = !settings.window.resting,
@@ -280,7 +280,7 @@ impl State {
             Command::Choose(purpose) => self.scratch.chooser = Some(purpose),
             // Not done here, but by who goes through the steps or reads.
             Command::Undo | Command::Redo | Command::StopReading => {}
-            Command::Reset => self.show(self.as_usual()),
+            Command::Reset => self.show(self.with_defaults()),
             Command::ResetSection(section) => self.reset(section),
             Command::Simulate => self.session.data = None,
             Command::Save(saving) => {

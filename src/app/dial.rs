@@ -11,7 +11,7 @@ use relativity_render::Geometry;
 use super::eye::Eye;
 use super::points::Point;
 use super::state::State;
-use crate::figures;
+use crate::number_text;
 use crate::plot::round_step;
 use crate::units::Unit;
 
@@ -180,7 +180,7 @@ fn paint(ui: &Ui, dial: Dial, Face { centre, radius, view, colour }: Face, name:
     painter.line_segment([centre, centre + 0.8 * radius * towards(dial.turn)], hand);
     let rect = Rect::from_center_size(centre, Vec2::splat(2.0 * radius));
     let response = ui.interact(rect.intersect(view), ui.scope_id().with(name), Sense::hover());
-    let count = dial.count.map(|count| figures::fixed(count, 2));
+    let count = dial.count.map(|count| number_text::fixed(count, 2));
     let counted = count.as_ref().map_or_else(String::new, |count| format!(", {count} turns"));
     let turn = dial.turn + 0.0; // no minus before 0
     response.widget_info(|| {

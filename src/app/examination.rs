@@ -4,9 +4,9 @@
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use relativity_render::{Appearance, Gpu, GpuError, Method, PreparedScene, Renderers, View};
 
+use super::debounce::Debounce;
 use super::eye::Eye;
 use super::heat_map;
-use super::stillness::Stillness;
 use super::worker::{Wanted, Worker};
 use crate::accuracy::{
     DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, RESOLUTION_PX, RoundsError, Spread,
@@ -66,7 +66,7 @@ struct Job {
 pub struct Examination {
     worker: Worker<Job, Outcome>,
     has_gpu: bool,
-    stillness: Stillness<Sight>,
+    stillness: Debounce<Sight>,
     /// Sight that is examined; `None` while the tab is hidden.
     sight: Option<Sight>,
     /// Number of sights so far.
@@ -120,7 +120,7 @@ impl Examination {
         Self {
             worker: Worker::new(ctx.clone(), work),
             has_gpu,
-            stillness: Stillness::default(),
+            stillness: Debounce::default(),
             sight: None,
             number: 0,
             methods: Vec::new(),

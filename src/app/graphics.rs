@@ -30,7 +30,7 @@ pub fn configuration() -> WgpuConfiguration {
         required_limits: adapter.limits(),
         ..Default::default()
     });
-    let usual = WgpuConfiguration::default().on_surface_status;
+    let default = WgpuConfiguration::default().on_surface_status;
     let last = Mutex::new(None);
     WgpuConfiguration {
         wgpu_setup: WgpuSetup::CreateNew(setup),
@@ -45,7 +45,7 @@ pub fn configuration() -> WgpuConfiguration {
                     SurfaceErrorAction::SkipFrame
                 }
             }
-            other => usual(other),
+            other => default(other),
         }),
         ..WgpuConfiguration::default()
     }

@@ -10,7 +10,7 @@ use super::args::WindowArgs;
 use super::notice::Notice;
 use super::overlay::Overlay;
 use super::persistence::{Keeper, Loaded, Memory};
-use super::reopening::{self, Bequeathed, Break, Ended, Estate};
+use super::recovery::{self, Bequeathed, Break, Ended, Estate};
 use super::state::State;
 use super::{App, TITLE, graphics, icon, painting, screenshot};
 use crate::files::whole::ensure_ending;
@@ -47,7 +47,7 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     }
     begin_tables();
     let keeper = Keeper::of_user(APP_ID)?;
-    reopening::kept_open(|begin, estate| open(args, begin, estate, &keeper), Instant::elapsed).map_err(
+    recovery::kept_open(|begin, estate| open(args, begin, estate, &keeper), Instant::elapsed).map_err(
         |ended| match ended {
             Ended::Unopened(reason) => unopened(&reason.to_string()),
             Ended::Broken(reason, state) => broken(&reason, &state, &keeper),
@@ -135,7 +135,7 @@ fn open(args: &WindowArgs, begin: Option<State>, estate: &Estate, keeper: &Keepe
         let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).kept_by(keeper);
         Ok(Box::new(Bequeathed::new(app, estate)) as Box<dyn eframe::App>)
     };
-    reopening::guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))
+    recovery::guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))
 }
 
 /// Has a window that was left on a screen that is no longer there come back.
@@ -175,9 +175,9 @@ fn recall(state: &mut State, memory: &Memory, answers: &Answers, welcomes: bool)
 /// The state to start in. Where the scene that was left is no more, the usual one is shown, and why.
 fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
     let scene = left.scene.clone();
-    let usual = left.clone().with_scene(Settings::default().scene);
+    let default = left.clone().with_scene(Settings::default().scene);
     args.state(left).or_else(|error| {
-        let mut state = args.state(usual)?;
+        let mut state = args.state(default)?;
         state.scratch.notice = Some(Notice::error(error).about(Path::new(&scene)));
         Ok(state)
     })

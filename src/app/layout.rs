@@ -307,8 +307,8 @@ pub fn views(area: Rect, arranged: &Arrangement) -> Vec<Pane> {
 
 /// Returns the size of a part with this share of a `whole`, else `usual`: at least the first of `least`, and as long as there
 /// is room leaving the second.
-fn part(share: Share, whole: f32, usual: f32, [least, rest]: [f32; 2]) -> f32 {
-    let Some(share) = share.0 else { return usual };
+fn part(share: Share, whole: f32, default: f32, [least, rest]: [f32; 2]) -> f32 {
+    let Some(share) = share.0 else { return default };
     (share as f32 * whole).clamp(least, (whole - rest).max(least))
 }
 
@@ -550,8 +550,8 @@ mod tests {
                         };
                         let layout = of(size, window);
                         assert_apart(&parts(&layout), size);
-                        let usual = of(size, Window { map: Presence::On, ..Window::default() });
-                        assert!(layout.panes.is_empty() == usual.panes.is_empty(), "{size:?}");
+                        let default = of(size, Window { map: Presence::On, ..Window::default() });
+                        assert!(layout.panes.is_empty() == default.panes.is_empty(), "{size:?}");
                         for border in &layout.borders {
                             assert!(border.rect.is_finite(), "{border:?}");
                         }
@@ -584,10 +584,10 @@ mod tests {
         for size in SIZES {
             let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());
             for part in [Part::Pane(0), Part::Pane(1), Part::Map, Part::Plots, Part::Pane(9)] {
-                let usual = of(size, Window { map: Presence::On, ..Window::default() });
-                let alone = usual.clone().with_only(area, Some(part));
+                let default = of(size, Window { map: Presence::On, ..Window::default() });
+                let alone = default.clone().with_only(area, Some(part));
                 assert_apart(&parts(&alone), size);
-                if alone == usual {
+                if alone == default {
                     continue;
                 }
                 let shown = [alone.map, alone.plots]

@@ -11,7 +11,6 @@ pub mod args;
 mod automatic;
 mod awake;
 mod background_picture;
-pub mod beyond;
 pub mod border;
 pub mod chooser;
 mod choosing;
@@ -20,23 +19,26 @@ pub mod command;
 mod compared;
 pub mod corrected;
 pub mod curves;
+mod debounce;
+pub mod defaults;
 pub mod dial;
 mod digits;
 pub mod document;
 pub mod examination;
 pub mod eye;
 mod eyes;
-mod faulty;
 pub mod fitting;
 mod flicker;
 mod focus;
 mod frame;
 mod full_screen;
+mod gpu_errors;
 mod graphics;
 mod halo;
 mod heat_map;
 pub mod highlight;
 pub mod history;
+pub mod hover;
 mod icon;
 mod laid_ruler;
 pub mod launch;
@@ -46,6 +48,7 @@ pub mod lesson;
 mod looks;
 pub mod notice;
 pub mod observer;
+pub mod offscreen_arrows;
 pub mod on_texture;
 pub mod on_wheel;
 mod opening;
@@ -64,7 +67,7 @@ mod predicted;
 mod projector;
 pub mod reading;
 pub mod recent;
-mod reopening;
+mod recovery;
 pub mod running;
 mod saving;
 mod screenshot;
@@ -75,13 +78,10 @@ mod speed_slider;
 pub mod stage;
 pub mod state;
 pub mod steps;
-mod stillness;
 pub mod stopwatch;
 mod theme;
 pub mod thumbnails;
 mod timing;
-pub mod under;
-pub mod usual;
 mod views;
 mod waker;
 mod watch;
@@ -101,9 +101,9 @@ use corrected::Corrected;
 use curves::Curves;
 use examination::Examination;
 use eyes::{Chosen, EyePictures};
-use faulty::Faulty;
 use fitting::Fitting;
 use full_screen::FullScreen;
+use gpu_errors::GpuErrors;
 use layout::{Beside, Layout, LessonPart, Presentation};
 use notice::Notice;
 use other_screen::Screen;
@@ -134,7 +134,7 @@ pub struct App {
     chosen: Vec<(Geometry, Chosen)>,
     /// Whether pictures may get smoother while nothing changes.
     refines: bool,
-    faults: Faulty,
+    faults: GpuErrors,
     /// Pictures in the projector's window, once there was one.
     projected: Option<EyePictures>,
     /// On which screen the projector's window is.
@@ -171,7 +171,7 @@ impl App {
             eyes: render_state.map(EyePictures::new),
             chosen: Vec::new(),
             refines: true,
-            faults: Faulty::of(ctx, render_state),
+            faults: GpuErrors::of(ctx, render_state),
             projected: None,
             screen: Screen::default(),
             full_screen: FullScreen::default(),
@@ -403,7 +403,7 @@ impl App {
         }
         let eyes = [&mut self.eyes, &mut self.projected].into_iter().flatten();
         let refusal = eyes.filter_map(EyePictures::newly_refused).last().cloned();
-        if let Some(text) = self.faults.newly_told(refusal) {
+        if let Some(text) = self.faults.take_new(refusal) {
             self.state.scratch.notice = Some(Notice::error(text));
             ctx.request_repaint();
         }

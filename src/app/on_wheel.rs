@@ -7,7 +7,7 @@ use relativity_core::math;
 use relativity_render::{Geometry, View};
 
 use super::state::State;
-use crate::figures;
+use crate::number_text;
 use crate::scene::Track;
 
 /// The place of a point on its wheel at one time.
@@ -27,14 +27,14 @@ impl OnWheel {
     /// The share in words.
     #[must_use]
     pub fn told_share(&self) -> String {
-        format!("{} of its radius from the axle", figures::fixed(self.share, 2))
+        format!("{} of its radius from the axle", number_text::fixed(self.share, 2))
     }
 }
 
 /// The angle of a point of a wheel, in words.
 #[must_use]
 pub fn told_angle(angle: f64) -> String {
-    figures::fixed(angle.to_degrees(), 1) + "°"
+    number_text::fixed(angle.to_degrees(), 1) + "°"
 }
 
 impl State {
@@ -67,7 +67,7 @@ impl State {
     #[must_use]
     pub fn told_on_wheel(&self, track: &Track, view: &View) -> Vec<String> {
         let Some(wheel) = self.on_wheel_in(track, view) else { return Vec::new() };
-        let speed = |speed| figures::fixed(speed, 2);
+        let speed = |speed| number_text::fixed(speed, 2);
         let at = format!("on the wheel {}, at {}", wheel.told_share(), told_angle(wheel.angle));
         let turning = format!("turning at {} c", speed(wheel.turning));
         if view.geometry == Geometry::Rest {

@@ -307,11 +307,14 @@ mod tests {
     fn swapped_eyes_change_places() {
         for layout in [Layout::SideBySide, Layout::CrossEyed, Layout::OverUnder] {
             let mut one = arrangement(layout, false);
-            let as_usual = one.panes(AREA);
+            let with_defaults = one.panes(AREA);
             one.picture.swapped = Swapped::default().toggled(layout);
             let swapped = one.panes(AREA);
-            assert_eq!([as_usual[0].content, as_usual[1].content], [swapped[1].content, swapped[0].content]);
-            assert_eq!([as_usual[0].rect, as_usual[1].rect], [swapped[0].rect, swapped[1].rect]);
+            assert_eq!(
+                [with_defaults[0].content, with_defaults[1].content],
+                [swapped[1].content, swapped[0].content]
+            );
+            assert_eq!([with_defaults[0].rect, with_defaults[1].rect], [swapped[0].rect, swapped[1].rect]);
         }
     }
 

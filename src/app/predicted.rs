@@ -9,8 +9,8 @@ use relativity_render::Gaze;
 use super::eye::Eye;
 use super::panes::EyePane;
 use super::state::State;
-use crate::figures;
 use crate::lesson::{Answer, Course, Kind, PointAt, truth};
+use crate::number_text;
 
 /// Half the size of the cross, and the radius of the ring, points.
 const CROSS: f32 = 9.0;
@@ -78,7 +78,13 @@ pub(super) fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) {
     {
         // The angle is that of the left eye.
         if !pane.is_second && pane.eye == Eye::Left || state.document.settings.picture.eyes().len() == 1 {
-            told(ui, painter, [cross, ring], pane, &figures::degrees(truth::angle_between(clicked, seen)));
+            told(
+                ui,
+                painter,
+                [cross, ring],
+                pane,
+                &number_text::degrees(truth::angle_between(clicked, seen)),
+            );
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use relativity_core::math;
 
-use crate::figures;
 use crate::flags::{SpeedParameter, SpeedSetting};
+use crate::number_text;
 
 /// Rapidity at the right end of the slider: beta = 0.999 995.
 const SLIDER_MAX_RAPIDITY: f64 = 6.5;
@@ -17,10 +17,10 @@ impl SpeedSetting {
     pub fn text(&self, parameter: SpeedParameter) -> String {
         let (given, value) = self.given();
         match parameter {
-            _ if parameter == given => figures::shortest(value),
-            SpeedParameter::Beta => figures::beta(&self.speed()),
-            SpeedParameter::Gamma => figures::significant(self.speed().gamma(), 6),
-            SpeedParameter::Rapidity => figures::significant(self.speed().rapidity(), 6),
+            _ if parameter == given => number_text::shortest(value),
+            SpeedParameter::Beta => number_text::beta(&self.speed()),
+            SpeedParameter::Gamma => number_text::significant(self.speed().gamma(), 6),
+            SpeedParameter::Rapidity => number_text::significant(self.speed().rapidity(), 6),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Numbers in sentences: as short as they can be while those that differ look different.
 
-use crate::figures;
+use crate::number_text;
 
 /// Decimals that may be added so that two numbers differ.
 const MORE: u8 = 4;
@@ -11,7 +11,7 @@ pub fn decimal(value: f64, decimals: u8) -> String {
     let places = usize::from(decimals);
     let text = format!("{value:.places$}");
     if !value.is_finite() || value.abs() >= 1e6 {
-        figures::fixed(value, decimals)
+        number_text::fixed(value, decimals)
     } else if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') {
         text.trim_start_matches('-').to_owned()
     } else {

@@ -10,7 +10,7 @@ use crate::columns::{Given, ModelArgs, Observation, ObservationError, ROLL, TURN
 use crate::files::csv_out;
 use crate::files::whole::OutArgs;
 use crate::flags::{COORDINATES, HeadArgs, SpeedArgs, WheelArgs, finite_number, within};
-use crate::passage::{passage_times, time_within};
+use crate::time_range::{passage_times, time_within};
 
 /// Speed of the paper's cyclist.
 const CYCLIST_BETA: f64 = 0.9;

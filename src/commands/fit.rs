@@ -8,10 +8,10 @@ use relativity_core::{Curves, DEFAULT_REPLICATES, FitError, FitOptions, Model, P
 
 use crate::estimate::FitReport;
 use crate::estimate::data::{Data, Eyes, SEPARATION, is_separation};
-use crate::figures;
 use crate::files::csv_in;
 use crate::files::whole::ReportArgs;
 use crate::flags::{COORDINATES, HeadArgs, WheelArgs, finite_number, within};
+use crate::number_text;
 use crate::platform::interrupt::Noted;
 use crate::platform::{clock, progress, tell};
 
@@ -114,7 +114,7 @@ impl FitArgs {
                 is_told = true;
                 let left = seconds / drawn as f64 * (wanted - drawn) as f64;
                 if left > LONG {
-                    let left = figures::significant(left, 2);
+                    let left = number_text::significant(left, 2);
                     let told = format!(
                         "gamow: {wanted} replicates take about {left} s more; Ctrl-C ends with those drawn by then"
                     );

@@ -40,20 +40,20 @@ pub struct Eyes {
     /// Numbers that hold whatever the file contains.
     pub given: [Option<f64>; 3],
     /// Numbers that hold where the file has no such column.
-    pub usual: [Option<f64>; 3],
+    pub default: [Option<f64>; 3],
 }
 
 impl Eyes {
     /// Returns the eyes of all samples where given, else those of the columns d, roll and turn; of the last two 0 where there are none.
     #[must_use]
     pub const fn given(separation: Option<f64>, [roll, turn]: [Option<f64>; 2]) -> Self {
-        Self { given: [separation, roll, turn], usual: [None, Some(0.0), Some(0.0)] }
+        Self { given: [separation, roll, turn], default: [None, Some(0.0), Some(0.0)] }
     }
 
     /// Returns the eyes of the columns d, roll and turn, and of `baseline` where there are none.
     #[must_use]
     pub const fn unless_told(Baseline { separation, roll, turn }: Baseline) -> Self {
-        Self { given: [None; 3], usual: [Some(separation), Some(roll), Some(turn)] }
+        Self { given: [None; 3], default: [Some(separation), Some(roll), Some(turn)] }
     }
 }
 
@@ -140,7 +140,7 @@ impl Header {
                 return Ok(Source::Given(number));
             }
             let place = names.place(column)?.map(Source::Column);
-            let source = place.or(eyes.usual[index].map(Source::Given));
+            let source = place.or(eyes.default[index].map(Source::Given));
             source.ok_or_else(|| names.missing(column, NEEDED))
         };
         let eyes = [source(0, "d")?, source(1, ROLL)?, source(2, TURN)?];

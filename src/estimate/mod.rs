@@ -13,7 +13,7 @@ use relativity_core::{
 };
 use serde::Serialize;
 
-use crate::figures;
+use crate::number_text;
 
 /// The fit, and with both curves also the fit of each and their weighted mean.
 #[derive(Debug, Serialize)]
@@ -333,7 +333,7 @@ impl fmt::Display for FitReport {
             writeln!(f, "  {}", correlation_text(mean.correlation))?;
         }
         for (parameter, mean) in combined.iter().filter(|(_, mean)| mean.disagreement > AGREEING) {
-            let (name, sigmas) = (parameter.name(), figures::significant(mean.disagreement, 2));
+            let (name, sigmas) = (parameter.name(), number_text::significant(mean.disagreement, 2));
             writeln!(
                 f,
                 "  {name} differs by {sigmas} standard errors between dphi and dtheta: the model may be wrong"
@@ -379,7 +379,7 @@ fn write_estimate(
     uncertainty: f64,
     [low, high]: [f64; 2],
 ) -> fmt::Result {
-    let decimals = figures::decimals_of(uncertainty);
+    let decimals = number_text::decimals_of(uncertainty);
     let value = format!("{value:.decimals$} +- {uncertainty:.decimals$}");
     let interval = format!("{low:.decimals$} ... {high:.decimals$}");
     write!(f, "  {:5}{value:24} {interval:24}", parameter.name())

@@ -2,7 +2,7 @@
 
 use relativity_core::{Fit, OtherSide, Parameter};
 
-use crate::figures::{decimals_of, significant};
+use crate::number_text::{decimals_of, significant};
 
 /// Excess of chi squared up to which the other side is within the noise: three standard deviations.
 const WITHIN_NOISE: f64 = 9.0;

@@ -15,10 +15,10 @@ use super::data::{Data, Eyes};
 use crate::columns::{ROLL, TURN};
 use crate::files::csv_out::Rows;
 use crate::flags::words::Shell;
-use crate::passage::time_within;
 use crate::platform::{files, sizes};
 use crate::scene::{Scene, Track};
 use crate::settings::{FitSetup, Settings};
+use crate::time_range::time_within;
 
 /// Everything that a fit depends on.
 #[derive(Debug, Clone, PartialEq)]

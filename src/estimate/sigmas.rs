@@ -1,6 +1,6 @@
 //! Remarks of a fit on the sigmas it was given: whether the readings scatter accordingly.
 
-use crate::figures::significant;
+use crate::number_text::significant;
 
 /// Reduced chi squared below and above which sigmas do not fit the scatter.
 const FITTING: [f64; 2] = [0.5, 2.0];

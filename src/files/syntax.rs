@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use toml::de::Error;
 
-use crate::figures;
+use crate::number_text;
 use crate::platform::tell;
 
 /// Returns the problem that the TOML reader found in `text`, and its range of bytes.
@@ -38,7 +38,7 @@ fn line_at(text: &str, offset: usize) -> &str {
 fn decimal_comma(line: &str) -> Option<String> {
     let (key, value) = line.split_once('=')?;
     let value = value.split('#').next().unwrap_or(value).trim();
-    let number = figures::with_point(value);
+    let number = number_text::with_point(value);
     let is_meant = value.contains(',') && number.parse::<f64>().is_ok();
     let [key, value, number] = [key, value, &number].map(tell::excerpt);
     is_meant.then(|| format!("{value} is no number: with a decimal point it is {key} = {number}"))

@@ -10,11 +10,11 @@ use relativity_core::doppler::{
 };
 use serde::{Serialize, Serializer};
 
-use crate::figures;
+use crate::number_text;
 
 /// Parses a number, which may have a decimal comma: f64's own parser also takes `nan` and `inf`, which nobody means.
 pub fn finite_number(text: &str) -> Result<f64, String> {
-    match figures::with_point(text.trim()).parse::<f64>() {
+    match number_text::with_point(text.trim()).parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err("not a finite number".to_owned()),
         Err(_) => Err("not a number".to_owned()),

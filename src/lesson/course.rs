@@ -456,8 +456,8 @@ mod tests {
             assert!(lesson.is_a_preset());
             let course = Course::new(&lesson).expect("it can be worked out");
             assert_eq!(course.can_go(), [false, false]);
-            let usual = Settings::default();
-            assert_eq!(lesson.settings(0, false, &usual).expect("settings"), preset.settings);
+            let default = Settings::default();
+            assert_eq!(lesson.settings(0, false, &default).expect("settings"), preset.settings);
         }
     }
 

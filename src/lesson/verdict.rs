@@ -6,7 +6,7 @@ use super::answer::{Answer, Record};
 use super::plan::{Curve, Kind, Number, Options, Step};
 use super::truth::{NEAR, Sight, angle_between, rms};
 use crate::caption::decimal;
-use crate::figures;
+use crate::number_text;
 
 /// The verdict on a prediction. The texts are Markdown, without a full stop at the end.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -36,10 +36,12 @@ pub fn verdict(step: &Step, record: &Record, sight: &Sight<'_>) -> Option<Verdic
     });
     let is = match kind {
         Kind::Choice(options) => option(options, options.right),
-        Kind::Number(number) => number.truth.map_or_else(|| figures::NONE.to_owned(), |it| number.text(it)),
+        Kind::Number(number) => {
+            number.truth.map_or_else(|| number_text::NONE.to_owned(), |it| number.text(it))
+        }
         Kind::Point(point) => match (answer, sight.direction(&point.body)) {
             (Some(Answer::Direction(direction)), Some(seen)) => {
-                let off = figures::degrees(angle_between(*direction, seen));
+                let off = number_text::degrees(angle_between(*direction, seen));
                 format!("the ring: {}, {off} away", place(seen))
             }
             (_, Some(seen)) => format!("the ring: {}", place(seen)),
@@ -72,7 +74,7 @@ fn said(kind: &Kind, answer: &Answer) -> String {
 
 /// A direction in words.
 fn place(direction: Gaze) -> String {
-    let [azimuth, elevation] = [direction.azimuth, direction.elevation].map(figures::degrees);
+    let [azimuth, elevation] = [direction.azimuth, direction.elevation].map(number_text::degrees);
     format!("azimuth φ = {azimuth}, elevation θ = {elevation}")
 }
 
@@ -84,7 +86,7 @@ impl Sight<'_> {
     /// The angle between `direction` and where the left eye sees `body`, in degrees with its sign.
     #[must_use]
     pub fn degrees_to(&self, direction: Gaze, body: &str) -> Option<String> {
-        Some(figures::degrees(angle_between(direction, self.direction(body)?)))
+        Some(number_text::degrees(angle_between(direction, self.direction(body)?)))
     }
 }
 
@@ -106,6 +108,6 @@ pub fn difference(curve: &Curve, points: &[[f64; 2]], sight: &Sight<'_>) -> Opti
     let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
     let time = sight.settings.window.units.of(sight.scene).time;
     let [from, to] = [first, last].map(|[at, _]| time.number(*at, 1));
-    let off = figures::significant(off, 2).replace('-', "−");
+    let off = number_text::significant(off, 2).replace('-', "−");
     Some(format!("rms difference {off}{unit} over T = {from} to {to}{}", time.suffix()))
 }

@@ -10,9 +10,9 @@ use super::event::{Event, StraightLine};
 use super::light::{Ray, rays};
 use super::worldline::Worldline;
 use super::{Chart, Viewpoint};
-use crate::passage;
 use crate::scene::Track;
 use crate::settings::Settings;
+use crate::time_range;
 
 /// The past light cone of an eye, cut by the plane in which the point moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -222,7 +222,7 @@ fn shown_times(
     let source = settings.carrier(point);
     let distance = math::hypot(source.y, source.z).max(NEAREST);
     let passing = SourcePoint { y: distance, z: 0.0, ..source };
-    let seen = |ratio| passage::time_seen_at(ratio, &speed, passing, Aperture::pair(0.0));
+    let seen = |ratio| time_range::time_seen_at(ratio, &speed, passing, Aperture::pair(0.0));
     let abreast = seen(0.0)?.unwrap_or_default();
     let longest = longest * distance;
     let first = seen(from)?.map_or(abreast - longest, |first| first.max(abreast - longest));

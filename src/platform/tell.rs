@@ -99,8 +99,8 @@ mod tests {
     fn an_excerpt_is_short_and_on_one_line() {
         assert_eq!(excerpt(" räder 車輪\n"), "räder 車輪");
         assert_eq!(excerpt("two\nlines\u{1b}"), r"two\nlines\u{1b}");
-        let usual = "車".repeat(EXCERPT_LETTERS);
-        assert_eq!(excerpt(&usual), usual);
+        let whole = "車".repeat(EXCERPT_LETTERS);
+        assert_eq!(excerpt(&whole), whole);
         for long in ["車", "\u{1b}", "\n"] {
             let long = excerpt(&format!("a{}b", long.repeat(1_000_000)));
             assert_eq!((long.chars().count(), long.ends_with('…')), (EXCERPT_LETTERS + 1, true), "{long}");
@@ -109,8 +109,8 @@ mod tests {
 
     #[test]
     fn a_message_that_is_too_long_keeps_its_beginning_and_its_end() {
-        let usual = "車".repeat(MOST_LETTERS);
-        assert_eq!(in_short(&usual), usual);
+        let whole = "車".repeat(MOST_LETTERS);
+        assert_eq!(in_short(&whole), whole);
         let long = format!("x.toml:2: d = {}: not a number", "7".repeat(3_000_000));
         let short = in_short(&long);
         assert!(short.starts_with("x.toml:2: d = 777") && short.ends_with("777: not a number"));

@@ -115,16 +115,16 @@ impl Settings {
     /// eyes look, T, and what is done over a range of T. Speed, eyes, geometry and light stay.
     #[must_use]
     pub fn with_scene(self, scene: String) -> Self {
-        let usual = Self::default();
+        let default = Self::default();
         let motion = Motion {
-            depth_shift: usual.motion.depth_shift,
-            height_shift: usual.motion.height_shift,
+            depth_shift: default.motion.depth_shift,
+            height_shift: default.motion.height_shift,
             ..self.motion
         };
         let Look { geometry, compare, projection, .. } = self.look;
-        let look = Look { geometry, compare, projection, ..usual.look };
-        let playback = Playback { range: usual.playback.range, ..self.playback };
-        let fit = FitSetup { fit_range: usual.fit.fit_range, ..self.fit };
+        let look = Look { geometry, compare, projection, ..default.look };
+        let playback = Playback { range: default.playback.range, ..self.playback };
+        let fit = FitSetup { fit_range: default.fit.fit_range, ..self.fit };
         Self { scene, time: None, point: None, points: None, motion, look, playback, fit, ..self }
     }
 

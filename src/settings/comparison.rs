@@ -9,9 +9,9 @@ use thiserror::Error;
 use super::all::Settings;
 use super::observer::Subject;
 use super::sections::{Light, Look};
-use crate::figures;
 use crate::flags::choices::{Compare, Layout, ProjectionChoice};
 use crate::flags::{Exposure, IntensityExponent};
+use crate::number_text;
 use crate::scene::Scene;
 
 /// Reason why nothing is worked out from two pictures of one eye.
@@ -185,6 +185,6 @@ fn name_of_exponent(exponent: Option<f64>) -> String {
         Some(PAPER_INTENSITY_EXPONENT) => "D² paper".to_owned(),
         Some(SPECIFIC_INTENSITY_EXPONENT) => "D³ photons".to_owned(),
         Some(BOLOMETRIC_INTENSITY_EXPONENT) => "D⁴ surface".to_owned(),
-        Some(exponent) => format!("D to {}", figures::trimmed(exponent, 3)),
+        Some(exponent) => format!("D to {}", number_text::trimmed(exponent, 3)),
     }
 }

@@ -72,9 +72,9 @@ impl Settings {
     }
 
     fn command_line(&self, shell: Shell, command: &str, is_told: impl Fn(&str) -> bool) -> String {
-        let usual = Self::default().entries();
+        let default = Self::default().entries();
         let told =
-            self.entries().into_iter().filter(|entry| is_told(&entry.section) || !usual.contains(entry));
+            self.entries().into_iter().filter(|entry| is_told(&entry.section) || !default.contains(entry));
         told.fold(command.to_owned(), |line, Entry { key, text, .. }| {
             line + " --" + &key + "=" + &shell.quoted(&text)
         })

@@ -47,8 +47,9 @@ impl Settings {
                 tell::excerpt(&self.scene)
             ));
         }
-        let usual = Self::default().entries();
-        let told = |entry: &Entry| !OF_THE_VIEWER.contains(&entry.section.as_str()) && !usual.contains(entry);
+        let default = Self::default().entries();
+        let told =
+            |entry: &Entry| !OF_THE_VIEWER.contains(&entry.section.as_str()) && !default.contains(entry);
         let pairs = self.entries().into_iter().filter(told);
         let pairs =
             pairs.map(|Entry { key, text, .. }| format!("{key}={}", utf8_percent_encode(&text, ESCAPED)));

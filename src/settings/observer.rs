@@ -16,8 +16,8 @@ use super::all::Settings;
 use super::sections::{self, Daylight, FOV_AHEAD, Frame, Light, Look, Theme, USUAL_FOV};
 use crate::flags::choices::{GazeChoice, ProjectionChoice, ZeroParallax};
 use crate::flags::{Exposure, FieldOfView, MAX_TIME};
-use crate::passage;
 use crate::scene::{Scene, SceneError, Track};
+use crate::time_range;
 
 /// The most that one eye can be ahead of the other, in parts of their separation, for pictures ruled by the line between them:
 /// further on, what is abreast would be seen along that line.
@@ -237,7 +237,7 @@ impl Settings {
         let fitted = || {
             let velocity = self.velocity(point.motion);
             let pair = velocity.reflected_pair(self.pair());
-            let range = passage::fitted_range(&velocity.speed, self.carrier(point), pair);
+            let range = time_range::fitted_range(&velocity.speed, self.carrier(point), pair);
             range.map(|time| time.clamp(-MAX_TIME, MAX_TIME))
         };
         self.playback.range.0.unwrap_or_else(fitted)
@@ -249,7 +249,7 @@ impl Settings {
     pub fn time_of_approach(&self, point: &Track) -> f64 {
         let speed = self.velocity(point.motion).speed;
         // Settings lie inside the domain of the core.
-        passage::time_of_approach(&speed, self.carrier(point), self.pair()).unwrap_or_default()
+        time_range::time_of_approach(&speed, self.carrier(point), self.pair()).unwrap_or_default()
     }
 
     /// Returns the views of the left and the right eye at `observation_time`, `size` in pixels, as they look at `subject`.

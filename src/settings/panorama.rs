@@ -13,15 +13,15 @@ impl Settings {
             && self.picture.layout.form() == Form::Above
     }
 
-    /// Changes from any other pictures to the panorama, and from that to the defaults of `usual`.
+    /// Changes from any other pictures to the panorama, and from that to these `defaults`.
     ///
     /// The strips are not shifted for what lies in the screen, so that a point's disparity is the difference of its columns.
-    pub(crate) fn toggle_panorama(&mut self, usual: &Self) {
+    pub(crate) fn toggle_panorama(&mut self, defaults: &Self) {
         let (look, picture) = (self.look, self.picture);
         if self.is_panorama() {
             let default = Self::default();
-            let usual = if usual.is_panorama() { &default } else { usual };
-            let (Look { gaze, fov, zero_parallax, .. }, layout) = (usual.look, usual.picture.layout);
+            let default = if defaults.is_panorama() { &default } else { defaults };
+            let (Look { gaze, fov, zero_parallax, .. }, layout) = (default.look, default.picture.layout);
             self.look = Look { gaze, fov, zero_parallax, ..look };
             self.picture = Picture { layout, ..picture };
         } else {

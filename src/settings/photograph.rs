@@ -35,7 +35,7 @@ impl CameraArgs {
         &self,
         recorded: Option<Settings>,
         file_size: [u32; 2],
-        usual: Option<Layout>,
+        default: Option<Layout>,
     ) -> (Settings, Vec<&'static str>) {
         let is_recorded = recorded.is_some();
         let mut settings = recorded.unwrap_or_default();
@@ -44,7 +44,7 @@ impl CameraArgs {
             settings.look.projection = ProjectionChoice::Gaze;
             // Cameras side by side have no image shift.
             settings.look.zero_parallax = ZeroParallax::Infinity;
-            let layout = self.layout.or(usual).unwrap_or_else(|| {
+            let layout = self.layout.or(default).unwrap_or_else(|| {
                 missing.push("--layout");
                 Layout::default()
             });

@@ -384,9 +384,9 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
 /// A later file or flag decides which of the two goals is kept.
 #[test]
 fn one_goal_takes_the_place_of_the_other() {
-    let usual = Settings::default();
-    assert_eq!(usual.quality.goal, Goal::Error(0.1));
-    let hurried = usual.with_toml("[quality]\nbudget = 16", "state.toml").expect("it is right");
+    let default = Settings::default();
+    assert_eq!(default.quality.goal, Goal::Error(0.1));
+    let hurried = default.with_toml("[quality]\nbudget = 16", "state.toml").expect("it is right");
     assert_eq!(hurried.quality.goal, Goal::Budget(16.0));
     let exact = hurried.with_command("gamow --error=0.01", "x.png").expect("it is right");
     assert_eq!(exact.quality.goal, Goal::Error(0.01));

@@ -15,8 +15,8 @@ use crate::files::whole::write_whole;
 use crate::files::{gif, png};
 use crate::flags::choices::FileKind;
 use crate::flags::words::Shell;
-use crate::passage::time_within;
 use crate::platform::files;
+use crate::time_range::time_within;
 
 /// Frames a second: a whole number of hundredths of a second each, as a GIF needs.
 pub const FRAMES_PER_SECOND: u16 = 25;

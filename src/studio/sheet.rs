@@ -229,10 +229,10 @@ mod tests {
     #[test]
     fn swapped_eyes_change_places() {
         for layout in [Layout::SideBySide, Layout::CrossEyed, Layout::OverUnder, Layout::Flicker] {
-            let [as_usual, swapped] =
+            let [with_defaults, swapped] =
                 [false, true].map(|is_swapped| Sheet::new(&shown(layout, is_swapped), [48, 36], true));
-            assert_eq!(as_usual.size, swapped.size);
-            for (one, other) in as_usual.parts.iter().zip(&swapped.parts) {
+            assert_eq!(with_defaults.size, swapped.size);
+            for (one, other) in with_defaults.parts.iter().zip(&swapped.parts) {
                 assert_eq!((one.eye, one.corner, one.frame), (1 - other.eye, other.corner, other.frame));
             }
         }

@@ -166,8 +166,8 @@ fn out_keeps_links_devices_and_the_usual_permissions() {
     use std::os::unix::fs::{FileTypeExt as _, PermissionsExt as _, symlink};
     let folder = tempfile::tempdir().expect("there is a folder for temporary files");
     let (target, link) = (folder.path().join("target.csv"), folder.path().join("link.csv"));
-    let usual = folder.path().join("usual");
-    for file in [&target, &usual] {
+    let default = folder.path().join("usual");
+    for file in [&target, &default] {
         fs::write(file, "").expect("it is writable");
     }
     symlink(&target, &link).expect("links work here");
@@ -176,7 +176,7 @@ fn out_keeps_links_devices_and_the_usual_permissions() {
     let mode = |path| fs::metadata(path).expect("it is there").permissions().mode();
     assert_eq!(
         (fs::read_to_string(&target).expect("it is text").lines().count(), mode(&target)),
-        (3, mode(&usual))
+        (3, mode(&default))
     );
 
     run(gamow().args(["curve", "--out", "/dev/null"]), b"").text();

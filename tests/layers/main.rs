@@ -18,8 +18,8 @@ const ROOMS: [&[&str]; 11] = [
     &["accuracy", "estimate", "studio"],
     &["caption", "comfort.rs", "map"],
     &["settings"],
-    &["scene", "columns.rs", "passage.rs", "flags", "files", "plot", "units.rs"],
-    &["eye_colours.rs", "figures.rs", "formula"],
+    &["scene", "columns.rs", "time_range.rs", "flags", "files", "plot", "units.rs"],
+    &["eye_colours.rs", "number_text.rs", "formula"],
     &["markup.rs"],
     &["platform"],
 ];

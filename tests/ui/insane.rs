@@ -102,9 +102,9 @@ impl Random {
 
     /// A file of settings with some of all of them, each with any value.
     fn settings(&mut self) -> String {
-        let usual: toml::Table = Settings::default().to_toml().parse().expect("it is TOML");
+        let default: toml::Table = Settings::default().to_toml().parse().expect("it is TOML");
         let mut all: BTreeMap<String, Vec<String>> = BTreeMap::new();
-        for (name, value) in &usual {
+        for (name, value) in &default {
             match value.as_table() {
                 Some(section) => all.entry(name.clone()).or_default().extend(section.keys().cloned()),
                 None => all.entry(String::new()).or_default().push(name.clone()),
@@ -178,8 +178,8 @@ impl Random {
 }
 
 /// A number out of the environment.
-fn given(name: &str, usual: u64) -> u64 {
-    std::env::var(name).map_or(usual, |text| text.parse().expect("it is a number"))
+fn given(name: &str, default: u64) -> u64 {
+    std::env::var(name).map_or(default, |text| text.parse().expect("it is a number"))
 }
 
 /// The settings of a start with files of these bytes.
@@ -205,8 +205,8 @@ fn remembered(folder: &Path, settings: &[u8], memory: &[u8]) -> Settings {
 
 /// The state that `settings` open, in another scene where theirs cannot be had.
 fn opened(settings: Settings) -> State {
-    let usual = settings.clone().with_scene(Settings::default().scene);
-    State::open(settings).or_else(|_| State::open(usual)).expect("the usual scene")
+    let default = settings.clone().with_scene(Settings::default().scene);
+    State::open(settings).or_else(|_| State::open(default)).expect("the usual scene")
 }
 
 /// As many insane states as the environment says, one of `share`.

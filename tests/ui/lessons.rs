@@ -553,8 +553,8 @@ fn assert_is_as_told(window: &Harness<'_, App>, name: &str) {
     if at.step == course(window).lesson().steps.len() {
         return;
     }
-    let usual = Settings::default().in_place_of(&state.document.settings);
-    let told = course(window).lesson().settings(at.step, at.phase != Phase::Ask, &usual).expect("settings");
+    let default = Settings::default().in_place_of(&state.document.settings);
+    let told = course(window).lesson().settings(at.step, at.phase != Phase::Ask, &default).expect("settings");
     let of = |settings: &Settings| {
         let Settings { scene, motion, look, light, plots, map, fit, .. } = settings.clone();
         (scene, motion, look, light, plots, map, fit)

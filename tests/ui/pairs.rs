@@ -221,15 +221,16 @@ fn composed_views_show_both_eyes() {
     state.document.settings.picture.layout = Layout::Anaglyph;
     state.document.settings.window.dials = false;
     let mut window = window(state);
-    let as_usual = pixels(&mut window);
+    let with_defaults = pixels(&mut window);
     window.key_press(Key::X);
     window.remove_cursor();
     window.run();
     let swapped = pixels(&mut window);
-    let exchanged = as_usual.iter().zip(&swapped).filter(|([r, g, _], [s, t, _])| r == t && g == s).count();
-    let differing = as_usual.iter().filter(|[r, g, _]| r.abs_diff(*g) > 40).count();
+    let exchanged =
+        with_defaults.iter().zip(&swapped).filter(|([r, g, _], [s, t, _])| r == t && g == s).count();
+    let differing = with_defaults.iter().filter(|[r, g, _]| r.abs_diff(*g) > 40).count();
     // All but the markers and the words.
-    assert!(exchanged as f64 > 0.97 * as_usual.len() as f64, "{exchanged} of {}", as_usual.len());
+    assert!(exchanged as f64 > 0.97 * with_defaults.len() as f64, "{exchanged} of {}", with_defaults.len());
     assert!(differing > 500, "{differing} pixels differ between the eyes");
 }
 

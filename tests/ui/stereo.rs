@@ -128,11 +128,11 @@ fn eyes_above_and_behind_each_other() {
 /// Whatever the tab, the geometry and the map, and with both eyes in one place.
 fn a_turned_head_and_no_separation() {
     let mut window = window(cyclist(0.9));
-    let usual = window.state().state().document.settings.clone();
+    let default = window.state().state().document.settings.clone();
     for (roll, turn) in [(90.0, 0.0), (0.0, 90.0), (180.0, 0.0), (-30.0, 60.0)] {
         for (d, geometry) in [(0.1, Geometry::Seen), (0.0, Geometry::OneCone), (0.1, Geometry::Published)] {
             for plot in [PlotTab::Disparity, PlotTab::Stereo, PlotTab::Angles] {
-                let mut settings = usual.clone();
+                let mut settings = default.clone();
                 (settings.motion.roll, settings.motion.turn, settings.motion.d) = (roll, turn, d);
                 (settings.look.geometry, settings.plots.plot) = (geometry, plot);
                 window.state_mut().ask(Command::Motion(settings.motion));

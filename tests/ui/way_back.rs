@@ -159,12 +159,12 @@ fn reset_has_all_as_usual() {
     let before = window.state().state().clone();
     window.get_by_label("Reset").click();
     window.run();
-    let usual = Settings {
+    let default = Settings {
         window: before.document.settings.window,
         ..Settings::clone(&cyclist(0.9).document.settings)
     };
-    assert_eq!(*settings(&window), usual);
-    assert_ne!(usual.window, Settings::default().window, "the theme is another");
+    assert_eq!(*settings(&window), default);
+    assert_ne!(default.window, Settings::default().window, "the theme is another");
     assert_eq!(window.state().state().document.points, cyclist(0.9).document.points);
     assert!(!is_enabled(&window, "Reset"));
     press(&mut window, Modifiers::COMMAND, Key::Z);

@@ -335,7 +335,7 @@ fn the_pointer_tells_where_on_the_wheel() {
         state.apply(Command::Time(if geometry == Geometry::Seen { 4.5 } else { 0.0 }));
         let size = [480, 360];
         let pixel = pixel_of(&state, Eye::Left, size, "tyre");
-        let under = state.under(Eye::Left, pixel, size).expect("something is there");
+        let under = state.hovered(Eye::Left, pixel, size).expect("something is there");
         assert!(under.lines[0].starts_with(first), "{:?}", under.lines);
         let on_wheel: Vec<_> = under.lines.iter().rev().take(2).collect();
         assert!(

@@ -4,8 +4,8 @@ use std::fmt;
 
 use relativity_render::Method;
 
-use crate::figures;
 use crate::flags::Goal;
+use crate::number_text;
 
 /// An automatic choice, and the reason for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,14 +30,14 @@ pub fn method_name(method: Method) -> String {
     match method {
         Method::Rays => "rays".to_owned(),
         Method::Packets => "packets".to_owned(),
-        Method::Mesh { bound_px } => format!("mesh {} px", figures::trimmed(bound_px, 3)),
+        Method::Mesh { bound_px } => format!("mesh {} px", number_text::trimmed(bound_px, 3)),
         Method::Reference => "reference".to_owned(),
     }
 }
 
 /// A number in the fewest digits that say enough of it.
 fn short(number: f64) -> String {
-    figures::trimmed(number, 6)
+    number_text::trimmed(number, 6)
 }
 
 /// Formats a choice like `packets, 4 ms, within 0.002 px`.
@@ -49,8 +49,11 @@ impl fmt::Display for Choice {
         };
         f.write_str(&name)?;
         if self.is_measured {
-            let ms =
-                if self.ms < 99.5 { figures::significant(self.ms, 2) } else { figures::fixed(self.ms, 0) };
+            let ms = if self.ms < 99.5 {
+                number_text::significant(self.ms, 2)
+            } else {
+                number_text::fixed(self.ms, 0)
+            };
             write!(f, ", {ms} ms")?;
             if let (Goal::Budget(budget), true) = (self.goal, self.holds) {
                 write!(f, " of {}", short(budget))?;

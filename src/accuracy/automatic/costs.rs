@@ -144,9 +144,9 @@ impl Costs {
                 .filter(beside)
                 .filter_map(|record| Some((record, record.median()?)))
                 .max_by(|(a, _), (b, _)| a.at_ms.total_cmp(&b.at_ms));
-            let usual = |method| usual_ms(self.machine, self.samples, method);
-            let scale = newest.map_or(1.0, |(record, ms)| ms / usual(record.method));
-            scale * usual(method) * pixels / MEGAPIXEL
+            let default = |method| usual_ms(self.machine, self.samples, method);
+            let scale = newest.map_or(1.0, |(record, ms)| ms / default(record.method));
+            scale * default(method) * pixels / MEGAPIXEL
         })
     }
 }

@@ -7,7 +7,7 @@ use relativity_core::{
     Aperture, Source, Speed, WheelPoint, equidistance_time, observation_time_when_seen_at, sighting,
 };
 
-use crate::passage::time_within;
+use crate::time_range::time_within;
 
 /// Number of parts of the range, in which less than a quarter of a turn is seen where turns can be told apart: there a turn is two pixels of a
 /// plot wide, or wider.

@@ -1,7 +1,7 @@
 //! Sampling of curves: even steps, ladders towards the times around which they bend, and halves where chords are off.
 
 use super::Bends;
-use crate::passage::time_within;
+use crate::time_range::time_within;
 
 /// Largest distance of a drawn chord from the curve, as a fraction of the curve's height: a third of a
 /// pixel in a plot 600 pixels high.

@@ -7,7 +7,7 @@ use relativity_core::Turning;
 use relativity_render::Spin;
 
 use super::*;
-use crate::passage::{fitted_range, time_within};
+use crate::time_range::{fitted_range, time_within};
 
 fn key(beta: f64, point: [f64; 3]) -> CurvesKey {
     let velocity = Velocity::from_beta(beta).expect("in range");

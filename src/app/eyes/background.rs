@@ -6,7 +6,7 @@ use relativity_render::Picture;
 
 use super::request::Request;
 use crate::accuracy::REFERENCE_SAMPLES;
-use crate::app::stillness::Stillness;
+use crate::app::debounce::Debounce;
 use crate::app::worker::{Wanted, Worker};
 use crate::platform::threads;
 
@@ -27,7 +27,7 @@ pub struct Made {
 /// The background drawing of one eye.
 pub struct Background {
     worker: Worker<(Request, u32), Made>,
-    stillness: Stillness<Request>,
+    stillness: Debounce<Request>,
     requested: Option<(Request, u32)>,
     /// Newest picture.
     done: Option<Made>,
@@ -49,7 +49,7 @@ impl Background {
         };
         Self {
             worker: Worker::new(ctx.clone(), work),
-            stillness: Stillness::default(),
+            stillness: Debounce::default(),
             requested: None,
             done: None,
             is_awaited: false,

@@ -165,12 +165,12 @@ fn way_back(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let reset = format!(
         "Resets speed, eyes, path, look, light, plots and points to the defaults, {}. The parts of the window, its units and \
         colours, and the screen stay. Undo restores what was.",
-        state.usual_is()
+        state.defaults_source()
     );
     let buttons = [
         (Icon::Undo, "Undo", "Undoes the last step.   Keys: Ctrl+Z", history.can_undo(), Command::Undo),
         (Icon::Redo, "Redo", "Redoes it.   Keys: Ctrl+Shift+Z, Ctrl+Y", history.can_redo(), Command::Redo),
-        (Icon::Reset, "Reset", &reset, !state.is_usual(), Command::Reset),
+        (Icon::Reset, "Reset", &reset, !state.is_default(), Command::Reset),
     ];
     let apart = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 3.0);
     for (icon, name, tip, is_there, command) in buttons {

@@ -6,13 +6,13 @@ use eframe::egui::{
 
 use crate::app::observer::Correction;
 use crate::app::widgets::pane_title;
-use crate::figures;
+use crate::number_text;
 
 /// Draws the pane in `rect`.
 pub fn show(ui: &Ui, rect: Rect, correction: &Correction, picture: Option<&TextureHandle>) {
     let colour = ui.visuals().text_color();
     let by = if correction.is_fitted { "fitted" } else { "set" };
-    let text = format!("Corrected by the {by} β {}", figures::beta(&correction.speed));
+    let text = format!("Corrected by the {by} β {}", number_text::beta(&correction.speed));
     pane_title(ui, rect, &text, colour);
     let painter = ui.painter();
     painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);

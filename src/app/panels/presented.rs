@@ -9,7 +9,7 @@ use crate::app::layout::Beside;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::fitted;
-use crate::figures;
+use crate::number_text;
 
 /// Least size of writing before an audience, as a part of the window's height.
 pub const LEAST_SHARE: f32 = 0.03;
@@ -118,7 +118,7 @@ fn id(ctx: &Context) -> Id {
 pub fn preset(ui: &mut Ui, state: &State, beside: Beside) {
     let size = TextStyle::Body.resolve(ui.style()).size;
     let speed = state.speed();
-    let beta = figures::beta(&speed);
+    let beta = number_text::beta(&speed);
     let text = match state.measures().speed(&speed) {
         Some(speed) => format!("β = {beta}   {speed}"),
         None => format!("β = {beta}"),

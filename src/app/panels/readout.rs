@@ -12,8 +12,8 @@ use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::{dot, named_text};
 use crate::caption::times::{HAPPENED, OWN_CLOCK, RECEIVED, TimeName};
-use crate::figures;
 use crate::flags::choices::ProjectionChoice;
+use crate::number_text;
 use crate::units::{Measures, Unit};
 
 /// Shows the readout of the selected point.
@@ -30,7 +30,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let Velocity { speed, is_backward } = state.velocity(point);
             let sign = if is_backward { "−" } else { "" };
-            ui.label(RichText::new(format!("β {sign}{}", figures::beta(&speed))).weak());
+            ui.label(RichText::new(format!("β {sign}{}", number_text::beta(&speed))).weak());
         });
     });
     differences(ui, state);
@@ -124,7 +124,7 @@ fn stereo(ui: &mut Ui, state: &State) {
         let is_published = matches!(state.document.settings.shown_model(), Model::Published(_));
         let gain = if is_published { "exact stereo gain" } else { "stereo gain" };
         ui.label(RichText::new(gain).color(colour)).on_hover_text(GAIN_TIP);
-        let gain = figures::fixed_or_none(found.map(|found| found.gain), 3);
+        let gain = number_text::fixed_or_none(found.map(|found| found.gain), 3);
         named_text(ui, gain.as_str(), format!("Stereo gain: {gain}")).on_hover_text(GAIN_TIP);
         ui.add_space(6.0);
         ui.label(RichText::new(unit.label("stereo at")).color(colour)).on_hover_text(STEREO_TIP);
@@ -315,7 +315,7 @@ const TURNING: [OfWheel; 2] = [
         name: "Speed on the ground",
         tip: "How fast the point moved on the ground as the light left it, turning and carried along: between 0 at the bottom \
             and 2β/(1 + β²) at the top of a wheel that rolls. D has this motion in it.",
-        text: |wheel| figures::fixed(wheel.on_ground, 4) + " c",
+        text: |wheel| number_text::fixed(wheel.on_ground, 4) + " c",
     },
 ];
 
@@ -327,7 +327,7 @@ impl OfWheel {
             state.on_wheel(&track, seen.own_time).map_or_else(String::new, |wheel| (self.text)(&wheel))
         };
         for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
-            let shown = seen.as_ref().map_or_else(|| figures::fixed_or_none(None, 0), text);
+            let shown = seen.as_ref().map_or_else(|| number_text::fixed_or_none(None, 0), text);
             let tip = received.tip(eye, self.tip, text);
             named_text(ui, shown.as_str(), format!("{}, {}: {shown}", eye.name(), self.name))
                 .on_hover_text(tip);
@@ -355,15 +355,18 @@ fn wavelengths(ui: &mut Ui, received: &Received, rest_wavelength: Option<f64>) {
     let tip = rest_wavelength.map_or_else(
         || "White light has every wavelength.".to_owned(),
         |nm| {
-            format!("Received wavelength; at rest {} nm.\nλ received = λ at rest / D", figures::fixed(nm, 0))
+            format!(
+                "Received wavelength; at rest {} nm.\nλ received = λ at rest / D",
+                number_text::fixed(nm, 0)
+            )
         },
     );
     ui.label(RichText::new("λ / nm").weak()).on_hover_text(&tip);
     let of = |seen: &Sighting| rest_wavelength.map(|nm| received_wavelength(nm, seen.doppler_factor));
     for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
         let wavelength = seen.as_ref().and_then(of);
-        let text = figures::fixed_or_none(wavelength, 1);
-        let tip = received.tip(eye, &tip, |exact| figures::fixed_or_none(of(exact), 1) + " nm");
+        let text = number_text::fixed_or_none(wavelength, 1);
+        let tip = received.tip(eye, &tip, |exact| number_text::fixed_or_none(of(exact), 1) + " nm");
         let name = format!("{}, Received wavelength: {text} nm", eye.name());
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 5.0;
@@ -400,11 +403,11 @@ fn differences(ui: &mut Ui, state: &State) {
         ui.label(RichText::new("disparity").weak()).on_hover_text("How differently the eyes see the point.");
         for (symbol, [value, exact], tip) in parts {
             ui.label(RichText::new(symbol).weak()).on_hover_text(tip);
-            let text = figures::fixed_or_none(value, 5);
+            let text = number_text::fixed_or_none(value, 5);
             let name = format!("Disparity {symbol}: {text} rad");
-            let degrees = value.map_or_else(String::new, figures::degrees);
+            let degrees = value.map_or_else(String::new, number_text::degrees);
             let shown = RichText::new(format!("{text} rad")).strong();
-            let exact = exact.map(|exact| exactly(&format!("{} rad", figures::fixed(exact, 5))));
+            let exact = exact.map(|exact| exactly(&format!("{} rad", number_text::fixed(exact, 5))));
             let beside = exact.map_or_else(String::new, |exact| format!("\n{exact}"));
             named_text(ui, shown, name).on_hover_text(format!("{tip} = {degrees}{beside}"));
             ui.add_space(8.0);

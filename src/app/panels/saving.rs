@@ -5,7 +5,7 @@ use eframe::egui::{Align2, Context, ProgressBar, Window};
 use super::Asks;
 use crate::app::command::Command;
 use crate::app::saving::{Progress, Saver};
-use crate::figures;
+use crate::number_text;
 
 const WIDTH: f32 = 300.0;
 /// Above the lower edge of the window, points.
@@ -21,7 +21,7 @@ pub fn show(ctx: &Context, saver: &Saver, asks: &mut Asks) {
         .resizable(false)
         .show(ctx, |ui| {
             ui.set_width(WIDTH);
-            let size = progress.expected_bytes().map(|bytes| figures::bytes(bytes, 2));
+            let size = progress.expected_bytes().map(|bytes| number_text::bytes(bytes, 2));
             let size =
                 size.map_or_else(String::new, |size| format!(", about {size} in all by the frames so far"));
             ui.label(format!("Saving {name}{size}"));

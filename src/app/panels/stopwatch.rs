@@ -12,7 +12,7 @@ use crate::app::panes::EyePane;
 use crate::app::state::State;
 use crate::app::stopwatch::{Stopwatch, StopwatchCommand};
 use crate::app::theme;
-use crate::figures;
+use crate::number_text;
 
 /// Room around its words, and its width, points.
 const MARGIN: f32 = 6.0;
@@ -87,7 +87,7 @@ fn lines(state: &State) -> Vec<String> {
         format!("{} ± {error}{}", unit.number(value, 3), unit.suffix())
     };
     let elapsed = state.elapsed();
-    let time = elapsed.map_or_else(|| figures::NONE.to_owned(), |elapsed| told(elapsed.time));
+    let time = elapsed.map_or_else(|| number_text::NONE.to_owned(), |elapsed| told(elapsed.time));
     let clock = elapsed.and_then(|elapsed| elapsed.clock).map(|clock| {
         let name = state.name_of(state.document.points.selected());
         format!("clock of {name}: {}", told(clock))
@@ -95,7 +95,7 @@ fn lines(state: &State) -> Vec<String> {
     let rate = elapsed.and_then(|elapsed| elapsed.mean_rate());
     let rate = rate.map(|rate| {
         let eye = state.timed_eye().name().to_lowercase();
-        format!("{eye}’s mean D = {}", figures::fixed(rate, 3))
+        format!("{eye}’s mean D = {}", number_text::fixed(rate, 3))
     });
     [format!("T: {time}")].into_iter().chain(clock).chain(rate).collect()
 }

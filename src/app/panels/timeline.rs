@@ -71,8 +71,8 @@ fn playback_widths(state: &State) -> [f32; 2] {
 /// Width of the number of T.
 fn time_width(state: &State) -> f32 {
     let unit = state.measures().time;
-    let usual = if unit.name.is_empty() { 76.0 } else { 100.0 };
-    numbers_width(&unit.text(state.document.time, unit.decimals(3))).max(usual)
+    let default = if unit.name.is_empty() { 76.0 } else { 100.0 };
+    numbers_width(&unit.text(state.document.time, unit.decimals(3))).max(default)
 }
 
 /// Shows the timeline with its scrubber.

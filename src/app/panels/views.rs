@@ -22,10 +22,10 @@ use crate::app::pointer::{Pick, Turn, Zoom};
 use crate::app::points::Point;
 use crate::app::state::State;
 use crate::app::widgets::pane_title;
-use crate::app::{awake, beyond, highlight, laid_ruler, layouts, predicted, slide, theme, under};
+use crate::app::{awake, highlight, hover, laid_ruler, layouts, offscreen_arrows, predicted, slide, theme};
 use crate::caption;
-use crate::figures;
 use crate::flags::choices::Form;
+use crate::number_text;
 use crate::settings::Light;
 
 /// Zoom per point of scrolling.
@@ -191,7 +191,7 @@ pub fn paint_both(
     ui.painter().rect_stroke(rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
     // Where both are in one place, the left eye tells what is under the pointer, as it takes the clicks.
     let told = |pane: &EyePane| if pane.is_shared { EyePane { eye: Eye::Left, ..*pane } } else { *pane };
-    let pointed = panes.iter().find(|pane| under::pointer(ui, state, pane.rect).is_some());
+    let pointed = panes.iter().find(|pane| hover::pointer(ui, state, pane.rect).is_some());
     if let Some(pane) = pointed.map(told) {
         hover(ui, state, pane);
     }
@@ -207,7 +207,7 @@ fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let inside = ui.painter().with_clip_rect(pane.rect);
     let ruler = slide::paint(ui, &inside, state, pane);
     let pane = EyePane { rect: pane.rect.with_max_y(pane.rect.max.y - ruler), ..pane };
-    beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
+    offscreen_arrows::paint(ui, &inside, pane.rect, &state.offscreen_arrows(pane.eye, pane.size));
     let note = write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
     let unseen = write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
     let hint =
@@ -222,12 +222,13 @@ fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
 
 /// Tells what is under the pointer in `pane`.
 fn hover(ui: &Ui, state: &State, pane: EyePane) {
-    let pointer = under::pointer(ui, state, pane.rect);
-    let under = pointer.and_then(|place| Some((place, state.under(pane.eye, pane.pixel(place), pane.size)?)));
-    if let Some((place, under)) = under {
-        let outline = state.outline_of(under.body, pane.eye, under.pixel, pane.size);
+    let pointer = hover::pointer(ui, state, pane.rect);
+    let hovered =
+        pointer.and_then(|place| Some((place, state.hovered(pane.eye, pane.pixel(place), pane.size)?)));
+    if let Some((place, hovered)) = hovered {
+        let outline = state.outline_of(hovered.body, pane.eye, hovered.pixel, pane.size);
         highlight::paint(&ui.painter().with_clip_rect(pane.rect), pane, &outline);
-        under::show(ui, pane.rect, place, &under);
+        hover::show(ui, pane.rect, place, &hovered);
     }
 }
 
@@ -236,7 +237,7 @@ fn missed(ui: &Ui, state: &State, pane: EyePane) {
     if let Some(missed) =
         state.scratch.missed.filter(|missed| (missed.eye, missed.is_second) == (pane.eye, pane.is_second))
     {
-        under::show_nothing(ui, pane.rect, pane.place(missed.pixel));
+        hover::show_nothing(ui, pane.rect, pane.place(missed.pixel));
     }
 }
 
@@ -275,7 +276,7 @@ fn colour_note(light: &Light, geometry: Geometry) -> Option<&'static str> {
 /// Names the projection where a picture of another one would look different.
 fn projection_note(camera: &Camera) -> Option<String> {
     let stretch = camera.stretch();
-    let times = figures::trimmed(stretch, 1);
+    let times = number_text::trimmed(stretch, 1);
     let note = match camera.projection {
         Projection::Mercator { .. } => "conformal".to_owned(),
         Projection::Gaze => format!("camera: stretched up to {times} times at the corners"),
@@ -299,7 +300,7 @@ fn drawn_by(state: &State, eye: Eye, drawn: Method) -> Option<String> {
         Method::Rays if set == Method::Rays => None,
         Method::Rays => Some("rays, until the reference is done".to_owned()),
         Method::Packets => Some("packets".to_owned()),
-        Method::Mesh { bound_px } => Some(format!("mesh within {} px", figures::trimmed(bound_px, 3))),
+        Method::Mesh { bound_px } => Some(format!("mesh within {} px", number_text::trimmed(bound_px, 3))),
         Method::Reference => Some("reference".to_owned()),
     }
 }

@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
 use super::folded;
+use crate::app::defaults::Section;
 use crate::app::recent::Recent;
 use crate::app::state::State;
-use crate::app::usual::Section;
 
 /// Smallest and largest zoom factor: those of the keys that change it.
 const ZOOM: [f32; 2] = [0.2, 5.0];
@@ -64,13 +64,13 @@ impl Memory {
     pub fn of_text(text: &str) -> Result<(Self, Vec<String>), String> {
         let mut table: Table = text.parse().map_err(|error: toml::de::Error| error.message().to_owned())?;
         let mut problems = Vec::new();
-        let usual = Self::default();
+        let default = Self::default();
         let memory = Self {
             clicked: taken(&mut table, "clicked", |_| true, &mut problems).unwrap_or_default(),
             lesson: taken(&mut table, "lesson", |_| true, &mut problems),
             zoom: taken(&mut table, "zoom", |zoom| (ZOOM[0]..=ZOOM[1]).contains(zoom), &mut problems)
-                .unwrap_or(usual.zoom),
-            folded: taken(&mut table, "folded", |_| true, &mut problems).unwrap_or(usual.folded),
+                .unwrap_or(default.zoom),
+            folded: taken(&mut table, "folded", |_| true, &mut problems).unwrap_or(default.folded),
             recent: taken(&mut table, "recent", |_| true, &mut problems).unwrap_or_default(),
             place: taken(&mut table, "place", Place::can_be, &mut problems),
         };
@@ -97,12 +97,12 @@ impl Memory {
     }
 
     /// Notes the zoom and the folded sections of the window, and its place if it `is_usual`.
-    pub fn note_window(&mut self, ctx: &Context, is_usual: bool) {
+    pub fn note_window(&mut self, ctx: &Context, is_default: bool) {
         self.zoom = ctx.zoom_factor().clamp(ZOOM[0], ZOOM[1]);
         if let Some(folded) = folded::noted(ctx).filter(|folded| *folded != self.folded) {
             self.folded = folded;
         }
-        if is_usual {
+        if is_default {
             let place = Place::of(ctx, self.place);
             self.place = place.filter(Place::can_be).or(self.place);
         }

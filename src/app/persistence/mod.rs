@@ -157,8 +157,8 @@ impl Keeper {
     /// Writes what is due: now and then everything, and what is half entered once nobody goes on with it.
     pub fn keep_on(&self, state: &mut State, ctx: &Context) {
         let mut files = self.0.borrow_mut();
-        let is_usual = files.is_usual_place;
-        files.memory.note_window(ctx, is_usual);
+        let is_default = files.is_usual_place;
+        files.memory.note_window(ctx, is_default);
         let is_rested = files.is_entry_rested(&state.session.answers, ctx);
         if files.saved.elapsed() >= INTERVAL {
             files.keep(state);
@@ -327,6 +327,6 @@ fn reset(file: &mut KeptFile, text: &str, problems: &[String]) -> String {
 
 /// The settings of a user's first window.
 fn of_the_first_window() -> Settings {
-    let usual = Settings::default();
-    Settings { window: Window { simple: true, ..usual.window }, ..usual }
+    let default = Settings::default();
+    Settings { window: Window { simple: true, ..default.window }, ..default }
 }

@@ -8,12 +8,12 @@ use relativity_core::DEFAULT_REPLICATES;
 
 use crate::estimate::FitReport;
 use crate::estimate::samples::{FitKey, Fittable};
-use crate::figures;
 use crate::files::whole::{write_json, write_whole};
 use crate::flags::choices::FileKind;
 use crate::flags::words::Shell;
 use crate::lesson::worksheet::{self, Sheet};
 use crate::lesson::{Course, Lesson, report};
+use crate::number_text;
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 use crate::studio::Studio;
@@ -112,7 +112,7 @@ impl Job {
             Self::Film(drawn, times, kind, path) => {
                 let bytes = drawn.studio()?.make_film(&times, kind, &path, goes_on)?;
                 let seconds = times.len() as f64 / f64::from(FRAMES_PER_SECOND);
-                let size = figures::bytes(bytes, 2);
+                let size = number_text::bytes(bytes, 2);
                 let text =
                     format!("Saved {}: {} frames, {seconds:.1} s, {size}.", name_of(&path), times.len());
                 let command = kind.mp4_command(&path, Shell::here());

@@ -8,8 +8,8 @@ use relativity_render::{Body, GroupView, MaterialPoint, Motion, Shape, shape::sa
 use super::sliding_view::{SlidingView, points_per_px};
 use crate::app::panes::EyePane;
 use crate::app::state::State;
-use crate::figures;
 use crate::map::strokes;
+use crate::number_text;
 
 /// At most this many bodies are outlined; larger scenes are strided.
 const MOST_BODIES: usize = 600;
@@ -40,8 +40,8 @@ pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &SlidingVie
         if let Some(from) = anchor.and_then(|point| seen.place(seen.group.place_when_shown(point))) {
             let name = format!(
                 "{} = artanh {}",
-                figures::fixed(velocity.speed.rapidity(), 3),
-                figures::beta(&velocity.speed)
+                number_text::fixed(velocity.speed.rapidity(), 3),
+                number_text::beta(&velocity.speed)
             );
             // Names of arrows that lie together stand on both sides.
             named_above = !named_above;

@@ -10,7 +10,7 @@ use super::sliding_view::SlidingView;
 use super::spectrum;
 use crate::app::panes::EyePane;
 use crate::app::state::State;
-use crate::figures;
+use crate::number_text;
 
 /// Lower views have none.
 pub const LEAST_VIEW: f32 = 110.0;
@@ -89,8 +89,11 @@ fn paint_named_ticks(painter: &Painter, ruler: Rect, columns: &Columns, own: f64
             if !ruler.x_range().contains(x) || (beta == 0.0 && side > 0.0) {
                 continue;
             }
-            let text =
-                if beta == 0.0 { "abreast".to_owned() } else { format!("{} c", figures::trimmed(beta, 6)) };
+            let text = if beta == 0.0 {
+                "abreast".to_owned()
+            } else {
+                format!("{} c", number_text::trimmed(beta, 6))
+            };
             let is_own = number == 0 && side < 0.0;
             let colour = if is_own { Color32::WHITE } else { Color32::from_gray(200) };
             let galley =

@@ -13,7 +13,7 @@ use super::sliding_view::SlidingView;
 use crate::app::state::State;
 use crate::app::wavelength_colour::{paint_strip, places, visible_colour};
 use crate::caption::{Source, in_words};
-use crate::figures;
+use crate::number_text;
 
 /// Between the lines of a hatch, points.
 const HATCH: f32 = 6.0;
@@ -99,7 +99,7 @@ fn paint_factors(painter: &Painter, columns: &Columns, strip: Rect, speed: &Spee
     let mut taken: Vec<Rect> = Vec::new();
     for factor in NAMED {
         let Some(x) = column_of(speed, factor).map(|u| columns.x(u)) else { continue };
-        let text = format!("D = {}", figures::trimmed(factor, 2));
+        let text = format!("D = {}", number_text::trimmed(factor, 2));
         let galley = painter.layout_no_wrap(text, font.clone(), Color32::WHITE);
         let place = Align2::LEFT_CENTER.anchor_size(pos2(x + 3.0, strip.center().y), galley.size());
         if strip.x_range().contains(x) && !taken.iter().any(|other| other.expand(6.0).intersects(place)) {

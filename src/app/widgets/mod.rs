@@ -18,8 +18,8 @@ use relativity_core::math;
 use self::icons::Icon;
 use crate::app::persistence::folded;
 use crate::app::theme;
-use crate::figures;
 use crate::flags::MAX_TIME;
+use crate::number_text;
 use crate::units::Unit;
 
 /// Width of the names in front of the widgets.
@@ -112,19 +112,19 @@ pub struct NumberRow<'a> {
 
 impl NumberRow<'_> {
     /// Shows it; true if `value` changed, or is as `usual` again.
-    pub fn show(&self, ui: &mut Ui, value: &mut f64, usual: f64) -> bool {
+    pub fn show(&self, ui: &mut Ui, value: &mut f64, default: f64) -> bool {
         let edit = self.edit(ui, value);
         if edit == Edit::Restored {
-            *value = usual;
+            *value = default;
         }
         edit != Edit::Kept
     }
 
     /// The same where `value`, as what it spans, is in units of the scene: shows it in `unit`.
-    pub fn show_in(&self, ui: &mut Ui, unit: Unit, value: &mut f64, usual: f64) -> bool {
+    pub fn show_in(&self, ui: &mut Ui, unit: Unit, value: &mut f64, default: f64) -> bool {
         let edit = self.edit_in(ui, unit, value);
         if edit == Edit::Restored {
-            *value = usual;
+            *value = default;
         }
         edit != Edit::Kept
     }
@@ -231,7 +231,7 @@ pub fn exact_number(
         return None;
     }
     ui.data_mut(|data| data.remove::<String>(id));
-    (response.lost_focus() && text != shown).then(|| figures::parsed(&text))
+    (response.lost_focus() && text != shown).then(|| number_text::parsed(&text))
 }
 
 /// A number to drag or type.
@@ -241,7 +241,7 @@ pub fn number<N: Numeric>(value: &mut N) -> DragValue<'_> {
 
 /// A number as it is typed anywhere in the window: with a decimal point or comma.
 fn typed(text: &str) -> Option<f64> {
-    figures::parsed(text).ok()
+    number_text::parsed(text).ok()
 }
 
 /// Returns a `span` in units of the scene, in `unit`.

@@ -141,8 +141,8 @@ impl Measurement {
     }
 
     fn formula(&self, formula: Formula) -> anyhow::Result<FormulaReport> {
-        let usual = self.views.iter().map(|(circumstances, view)| (*circumstances, view.speed));
-        let mut cases: Vec<_> = usual.collect();
+        let default = self.views.iter().map(|(circumstances, view)| (*circumstances, view.speed));
+        let mut cases: Vec<_> = default.collect();
         for gamma in EXTREME_GAMMAS {
             let speed = Speed::from_gamma(gamma)?;
             cases.extend(Place::ALL.map(|place| (circumstances(&speed, place), speed)));

@@ -24,10 +24,10 @@ use crate::files::png::PngFile;
 use crate::files::whole::OutArgs;
 use crate::flags::choices::{FileKind, Layout};
 use crate::flags::{COORDINATES, coordinates, within};
-use crate::passage::time_within;
 use crate::platform::{self, files, tell};
 use crate::settings::{CameraArgs, MAX_LENGTH, NO_PAIR, Picture, Settings};
 use crate::studio::Sheet;
+use crate::time_range::time_within;
 
 /// Follows a point through a stereo sequence and measures its angles, as CSV.
 ///

@@ -10,8 +10,8 @@ use relativity_core::{
 use super::curves::{APPENDIX_A, Setup, title};
 use super::figures;
 use crate::estimate::FitReport;
-use crate::passage::passage_times;
 use crate::plot::{BLACK, Line, Panel, Stroke, VERMILION};
+use crate::time_range::passage_times;
 
 const SAMPLES: usize = 240;
 /// Noise of the second set of fits, as a share of each curve's range.

@@ -6,13 +6,13 @@ use anyhow::Context as _;
 use clap::Args;
 
 use super::vr180;
-use crate::figures;
 use crate::flags::choices::FileKind;
 use crate::flags::finite_number;
-use crate::passage::{passage_times, time_within};
+use crate::number_text;
 use crate::platform::{files, progress, tell};
 use crate::studio::Studio;
 use crate::studio::film::{FilmKind, frame_path};
+use crate::time_range::{passage_times, time_within};
 
 /// Flags of a sequence.
 #[derive(Debug, Clone, Args)]
@@ -64,7 +64,7 @@ pub fn run_film(studio: &mut Studio, times: &TimeArgs, kind: FilmKind, path: &Pa
         true
     })?;
     progress.finish_and_clear();
-    tell::remark(format_args!("{frames} frames in {}: {}", files::shown(path), figures::bytes(bytes, 3)));
+    tell::remark(format_args!("{frames} frames in {}: {}", files::shown(path), number_text::bytes(bytes, 3)));
     Ok(())
 }
 
@@ -98,7 +98,7 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
         bytes += files::size(&path).with_context(|| files::shown(&path))?;
         progress.inc(1);
         if made == probes.len() && made < frames as usize {
-            let estimate = figures::bytes(bytes * u64::from(frames) / made as u64, 2);
+            let estimate = number_text::bytes(bytes * u64::from(frames) / made as u64, 2);
             let size = studio.settings().picture.size;
             progress.suspend(|| {
                 tell::remark(format_args!(
@@ -108,7 +108,7 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
         }
     }
     progress.finish_and_clear();
-    let (drawn, total) = (frames - kept, figures::bytes(bytes, 3));
+    let (drawn, total) = (frames - kept, number_text::bytes(bytes, 3));
     tell::remark(format_args!("{drawn} frames drawn and {kept} kept in {}: {total}", files::shown(folder)));
     Ok(())
 }

@@ -112,8 +112,8 @@ fn a_lesson_is_read_as_other_editors_write_it() {
 #[test]
 fn a_step_differs_from_the_last_one_as_it_was_revealed() {
     let lesson = read(&LESSON.replace("motion.beta = 0.9", "[motion]\nbeta = 0.9")).expect("a lesson");
-    let usual = crate::settings::Settings::default();
-    let settings = |step, is_revealed| lesson.settings(step, is_revealed, &usual).expect("settings");
+    let default = crate::settings::Settings::default();
+    let settings = |step, is_revealed| lesson.settings(step, is_revealed, &default).expect("settings");
     assert_eq!((settings(0, false).time, settings(0, true).time), (Some(3.0), Some(5.0)));
     assert_eq!((settings(1, false).time, settings(1, false).scene.as_str()), (Some(5.0), "rods"));
     assert_eq!([false, true].map(|shown| settings(1, shown).speed().beta()), [0.7, 0.9]);

@@ -120,10 +120,10 @@ impl Lesson {
     /// A setting, a scene or a value that cannot be had, with its line.
     pub fn worked_out(&self) -> Result<Self, LessonError> {
         let mut lesson = self.clone();
-        let usual = Settings::default();
-        lesson.introduction = self.filled(&self.introduction, &self.state(0, false, &usual)?)?;
+        let default = Settings::default();
+        lesson.introduction = self.filled(&self.introduction, &self.state(0, false, &default)?)?;
         for (number, step) in lesson.steps.iter_mut().enumerate() {
-            let [before, after] = [self.state(number, false, &usual)?, self.state(number, true, &usual)?];
+            let [before, after] = [self.state(number, false, &default)?, self.state(number, true, &default)?];
             step.text = self.filled(&step.text, &before)?;
             if let Some(Prediction { question, kind }) = &mut step.prediction {
                 *question = self.filled(question, &before)?;
@@ -150,10 +150,10 @@ impl Lesson {
             step.explanation = self.filled(&step.explanation, &after)?;
             step.teaching = self.filled(&step.teaching, &after)?;
         }
-        let last = self.state(self.steps.len().saturating_sub(1), true, &usual)?;
+        let last = self.state(self.steps.len().saturating_sub(1), true, &default)?;
         lesson.sentence = self.filled(&self.sentence, &last)?;
         if let Some(lab) = &mut lesson.lab {
-            let settings = self.lab_settings(&usual)?;
+            let settings = self.lab_settings(&default)?;
             let last = self.told_until(self.steps.len().saturating_sub(1), true);
             let scene = self.scene(&settings, lab.state.iter().chain(last))?;
             lab.text = self.filled(&lab.text, &(settings, scene))?;

@@ -10,20 +10,20 @@ use crate::app::command::Command;
 use crate::app::panels::Asks;
 use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, row};
-use crate::figures;
 use crate::flags::{EXPOSURE_EV, Exposure, TEMPERATURE_K};
+use crate::number_text;
 use crate::settings::Light;
 
 /// Shows the controls of the light.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let before = state.document.settings.light;
-    let (mut light, usual) = (before, state.usual().light);
+    let (mut light, default) = (before, state.defaults().light);
     row(ui, "Light", "What light the bodies send, and how it becomes a colour.", |ui| {
         choice(ui, &mut light.colour, &COLOURS[..3]);
     });
     row(ui, "", "", |ui| _ = choice(ui, &mut light.colour, &COLOURS[3..]));
     if light.colour == Colour::Glowing {
-        temperature().show(ui, &mut light.temperature, usual.temperature);
+        temperature().show(ui, &mut light.temperature, default.temperature);
     }
     row(ui, "Doppler", "Whether motion shifts the wavelength.\nλ received = λ at rest / D", |ui| {
         choice(ui, &mut light.doppler_shift, &SHIFTS);
@@ -39,7 +39,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         ui,
         state.document.settings.automatic_ev(&state.document.scene),
         &mut light.exposure,
-        usual.exposure,
+        default.exposure,
     );
     row(ui, "Background", "What rests with the eyes.", |ui| {
         ui.checkbox(&mut light.sky, "Sky").on_hover_text("A sky behind the scene.");
@@ -80,10 +80,10 @@ fn intensity_row(ui: &mut Ui, light: &mut Light) {
 }
 
 /// Whether the exposure is automatic, and the number.
-fn exposure_rows(ui: &mut Ui, automatic_ev: f64, exposure: &mut Exposure, usual: Exposure) {
+fn exposure_rows(ui: &mut Ui, automatic_ev: f64, exposure: &mut Exposure, default: Exposure) {
     let tip = "Brightness of the picture: light × 2^EV, with a shoulder instead of clipping.";
     row(ui, "Exposure", tip, |ui| {
-        let automatic = format!("auto ({} EV)", figures::fixed(automatic_ev, 1));
+        let automatic = format!("auto ({} EV)", number_text::fixed(automatic_ev, 1));
         let tip = "Found from the speeds and the lights of the scene, so it is steady while time runs: \
             midway between the light at rest and the brightest that can be seen.";
         ui.selectable_value(&mut exposure.0, None, automatic).on_hover_text(tip);
@@ -95,7 +95,7 @@ fn exposure_rows(ui: &mut Ui, automatic_ev: f64, exposure: &mut Exposure, usual:
         let row =
             NumberRow { name: "EV", tip, slider: -8.0..=8.0, typed: EXPOSURE_EV, decimals: 2, suffix: " EV" };
         if row.edit(ui, ev) == Edit::Restored {
-            *exposure = usual;
+            *exposure = default;
         }
     }
 }

@@ -14,11 +14,11 @@ use relativity_render::Geometry;
 
 use super::Asks;
 use crate::app::command::Command;
+use crate::app::defaults::Section;
 use crate::app::dial;
 use crate::app::layouts::{self, LAYOUTS};
 use crate::app::state::State;
 use crate::app::theme;
-use crate::app::usual::Section;
 use crate::app::widgets::{Edit, NumberRow, choice, row, section};
 use crate::flags::FieldOfView;
 use crate::flags::choices::GazeChoice;
@@ -46,8 +46,8 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
             return few(ui, state, asks);
         }
         for (part, rows) in SECTIONS {
-            let tip = format!("Resets this section to its defaults, {}.", state.usual_is());
-            let reset = (!state.is_usual_in(part)).then_some(tip.as_str());
+            let tip = format!("Resets this section to its defaults, {}.", state.defaults_source());
+            let reset = (!state.is_default_in(part)).then_some(tip.as_str());
             if section(ui, part.title(), reset, |ui| rows(ui, state, asks)) {
                 asks.push(Command::ResetSection(part));
             }
@@ -68,22 +68,22 @@ fn few(ui: &mut Ui, state: &State, asks: &mut Asks) {
 fn motion(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut motion = state.document.settings.motion;
     let measures = state.measures();
-    let usual = state.usual().motion;
+    let default = state.defaults().motion;
     let is_simple = state.document.settings.window.simple;
     let fields = if is_simple { &speed::FIELDS[..1] } else { &speed::FIELDS };
-    if let Some(speed) = speed::show(ui, motion.speed, usual.speed, &measures, fields) {
+    if let Some(speed) = speed::show(ui, motion.speed, default.speed, &measures, fields) {
         motion.speed = speed;
     }
-    separation_row(ui, measures.length, &mut motion, usual);
+    separation_row(ui, measures.length, &mut motion, default);
     if !is_simple {
-        path_rows(ui, measures.length, state.document.scene.tracked, &mut motion, usual);
+        path_rows(ui, measures.length, state.document.scene.tracked, &mut motion, default);
     }
     if motion != state.document.settings.motion {
         asks.push(Command::Motion(motion));
     }
 }
 
-fn separation_row(ui: &mut Ui, unit: Unit, motion: &mut Motion, usual: Motion) {
+fn separation_row(ui: &mut Ui, unit: Unit, motion: &mut Motion, default: Motion) {
     let row = NumberRow {
         name: "Eyes apart d",
         tip: "Separation of the eyes' apertures. With the head held straight they rest at x = −d/2 (left) and x = +d/2 (right).",
@@ -92,7 +92,7 @@ fn separation_row(ui: &mut Ui, unit: Unit, motion: &mut Motion, usual: Motion) {
         decimals: 6,
         suffix: "",
     };
-    row.show_in(ui, unit, &mut motion.d, usual.d);
+    row.show_in(ui, unit, &mut motion.d, default.d);
 }
 
 fn path_rows(
@@ -100,7 +100,7 @@ fn path_rows(
     unit: Unit,
     [_, scene_depth, scene_height]: [f64; 3],
     motion: &mut Motion,
-    usual: Motion,
+    default: Motion,
 ) {
     let distance = NumberRow {
         name: "Distance y",
@@ -119,11 +119,11 @@ fn path_rows(
         ..distance.clone()
     };
     let mut depth = scene_depth + motion.depth_shift;
-    if distance.show_in(ui, unit, &mut depth, scene_depth + usual.depth_shift) {
+    if distance.show_in(ui, unit, &mut depth, scene_depth + default.depth_shift) {
         motion.depth_shift = shift(depth - scene_depth);
     }
     let mut altitude = scene_height + motion.height_shift;
-    if height.show_in(ui, unit, &mut altitude, scene_height + usual.height_shift) {
+    if height.show_in(ui, unit, &mut altitude, scene_height + default.height_shift) {
         motion.height_shift = shift(altitude - scene_height);
     }
 }
@@ -333,7 +333,7 @@ fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, asks: &mut As
     match row_of_number.edit(ui, &mut fov) {
         Edit::Kept => {}
         Edit::Changed => look.fov = FieldOfView(Some(fov)),
-        Edit::Restored => look.fov = state.usual().look.fov,
+        Edit::Restored => look.fov = state.defaults().look.fov,
     }
     row(ui, "", "", |ui| {
         let mut is_auto = look.fov.0.is_none();

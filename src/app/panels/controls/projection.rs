@@ -107,7 +107,7 @@ fn zero_parallax_rows(ui: &mut Ui, state: &State, look: &mut Look) {
             suffix: "",
         };
         if row_of_number.edit_in(ui, state.measures().length, distance) == Edit::Restored {
-            look.zero_parallax = state.usual().look.zero_parallax;
+            look.zero_parallax = state.defaults().look.zero_parallax;
         }
     }
 }

@@ -12,14 +12,14 @@ use crate::settings::{BOUND_PX, Quality};
 
 /// Shows the controls of the quality.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let (before, usual) = (state.document.settings.quality, state.usual().quality);
+    let (before, default) = (state.document.settings.quality, state.defaults().quality);
     let mut quality = before;
     let tip = "What draws the views.   The Accuracy tab shows what each costs, and how far it is off.";
     row(ui, "Quality", tip, |ui| _ = choice(ui, &mut quality.renderer, &RENDERERS[..2]));
     row(ui, "", "", |ui| _ = choice(ui, &mut quality.renderer, &RENDERERS[2..]));
     match quality.renderer {
-        RendererChoice::Auto => goal_rows(ui, state, &mut quality, usual),
-        RendererChoice::Mesh => _ = bound().show(ui, &mut quality.bound_px, usual.bound_px),
+        RendererChoice::Auto => goal_rows(ui, state, &mut quality, default),
+        RendererChoice::Mesh => _ = bound().show(ui, &mut quality.bound_px, default.bound_px),
         RendererChoice::Rays | RendererChoice::Packets | RendererChoice::Reference => {}
     }
     row(ui, "", "", |ui| {
@@ -33,7 +33,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 }
 
 /// Shows the goal of automatic quality, and its choice.
-fn goal_rows(ui: &mut Ui, state: &State, quality: &mut Quality, usual: Quality) {
+fn goal_rows(ui: &mut Ui, state: &State, quality: &mut Quality, default: Quality) {
     let mut is_budget = matches!(quality.goal, Goal::Budget(_));
     row(ui, "Limit", "The bound that the automatic choice stays within.", |ui| {
         if choice(ui, &mut is_budget, &GOALS) {
@@ -45,7 +45,7 @@ fn goal_rows(ui: &mut Ui, state: &State, quality: &mut Quality, usual: Quality) 
         Goal::Budget(ms) => budget().edit(ui, ms),
     };
     if edit == Edit::Restored {
-        quality.goal = usual.goal;
+        quality.goal = default.goal;
     }
     if let Some((_, choice)) = state.frame.choices.first() {
         row(ui, "", "", |ui| {

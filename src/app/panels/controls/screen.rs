@@ -7,8 +7,8 @@ use crate::app::panels::Asks;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::{dot, named_text, number, row};
-use crate::figures;
 use crate::flags::{SCREEN_CM, ScreenWidth};
+use crate::number_text;
 use crate::settings::{Motion, VIEWING_CM};
 
 /// Shows the controls of the screen.
@@ -37,7 +37,7 @@ fn meter(ui: &mut Ui, state: &State) {
             !state.document.settings.window.views || !ui.is_rect_visible(ui.available_rect_before_wrap());
         let comfort = if is_hidden { None } else { state.comfort(state.document.settings.motion.d) };
         let Some(comfort) = comfort else {
-            named_text(ui, figures::NONE, "Fusing: nothing to fuse").on_hover_text(TIP);
+            named_text(ui, number_text::NONE, "Fusing: nothing to fuse").on_hover_text(TIP);
             return;
         };
         dot(ui, theme::verdict_colour(comfort.verdict(), ui.visuals()));
@@ -65,7 +65,8 @@ fn narrow(ui: &mut Ui, state: &State, asks: &mut Asks) {
     });
     if let Some([wide, d]) = narrowed {
         let unit = state.measures().length;
-        let [wide, d] = [wide, d].map(|d| figures::trimmed(unit.shown(d), unit.decimals(4)) + &unit.suffix());
+        let [wide, d] =
+            [wide, d].map(|d| number_text::trimmed(unit.shown(d), unit.decimals(4)) + &unit.suffix());
         ui.label(format!("d narrowed from {wide} to {d}: measured disparities shrink with it."));
     }
 }

@@ -5,8 +5,8 @@ use eframe::egui::{
 };
 
 use crate::app::widgets;
-use crate::figures;
 use crate::flags::{SpeedParameter, SpeedSetting};
+use crate::number_text;
 use crate::units::Measures;
 
 const TIP: &str = "Speed of the scene in units of c.\nβ = v/c,   γ = 1/√(1 − β²),   η = artanh β\n\
@@ -27,14 +27,14 @@ pub const FIELDS: [Field; 3] = [
 pub fn show(
     ui: &mut Ui,
     current: SpeedSetting,
-    usual: SpeedSetting,
+    default: SpeedSetting,
     measures: &Measures,
     shown: &[Field],
 ) -> Option<SpeedSetting> {
     let title = ui.horizontal(|ui| {
         let name = ui.add(Label::new("Speed").selectable(false)).on_hover_text(TIP);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let text = format!("β = {}", figures::beta(&current.speed()));
+            let text = format!("β = {}", number_text::beta(&current.speed()));
             ui.label(RichText::new(text).heading().strong()).on_hover_text(TIP);
             if let Some(speed) = measures.speed(&current.speed()) {
                 ui.label(speed)
@@ -43,8 +43,8 @@ pub fn show(
         });
         name
     });
-    let restored = widgets::is_double_clicked(ui, &title.inner).then_some(usual);
-    let slid = slider(ui, current, usual, shown.len() == FIELDS.len());
+    let restored = widgets::is_double_clicked(ui, &title.inner).then_some(default);
+    let slid = slider(ui, current, default, shown.len() == FIELDS.len());
     let typed = fields(ui, current, shown);
     restored.or(typed).or(slid)
 }
@@ -52,7 +52,7 @@ pub fn show(
 fn slider(
     ui: &mut Ui,
     current: SpeedSetting,
-    usual: SpeedSetting,
+    default: SpeedSetting,
     takes_clicks: bool,
 ) -> Option<SpeedSetting> {
     let mut position = current.slider_position();
@@ -62,11 +62,11 @@ fn slider(
     ui.ctx().accesskit_node_builder(response.id, |node| {
         // The slider's own number is a place along it.
         node.clear_numeric_value();
-        node.set_value(figures::beta(&current.speed()));
+        node.set_value(number_text::beta(&current.speed()));
     });
     let marked = marks(ui, response.rect, takes_clicks);
     if widgets::is_double_clicked(ui, &response) {
-        return Some(usual);
+        return Some(default);
     }
     let slid = response.changed().then(|| SpeedSetting::at_slider_position(position));
     slid.or(marked)

@@ -14,7 +14,7 @@ use crate::settings::Motion;
 /// Shows the controls of the two eyes.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let (mut motion, mut look) = (state.document.settings.motion, state.document.settings.look);
-    head_rows(ui, &mut motion, state.usual().motion);
+    head_rows(ui, &mut motion, state.defaults().motion);
     projection::show(ui, state, &mut look);
     screen::show(ui, state, asks);
     if motion != state.document.settings.motion {
@@ -26,7 +26,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 }
 
 /// Shows the direction of the eyes from each other: a choice of three, and the tilt and turn of the head.
-fn head_rows(ui: &mut Ui, motion: &mut Motion, usual: Motion) {
+fn head_rows(ui: &mut Ui, motion: &mut Motion, default: Motion) {
     row(
         ui,
         "Eyes",
@@ -54,8 +54,8 @@ fn head_rows(ui: &mut Ui, motion: &mut Motion, usual: Motion) {
             Lines of sight then need not meet.",
         ..tilted.clone()
     };
-    tilted.show(ui, &mut motion.roll, usual.roll);
-    turned.show(ui, &mut motion.turn, usual.turn);
+    tilted.show(ui, &mut motion.roll, default.roll);
+    turned.show(ui, &mut motion.turn, default.turn);
 }
 
 /// Tilt and turn of eyes that are along and across the motion.

@@ -10,8 +10,8 @@ use crate::app::running::LessonCommand;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::markdown;
-use crate::figures;
 use crate::lesson::{Answer, Confidence, Course, Kind, Number, Options, Prediction};
+use crate::number_text;
 
 /// Shows the form of `prediction`.
 pub fn show(ui: &mut Ui, state: &State, course: &Course, prediction: &Prediction, asks: &mut Asks) {
@@ -101,7 +101,7 @@ pub fn number(ui: &mut Ui, course: &Course, asked: &Number, asks: &mut Asks) {
     let id = Id::unique(("number predicted", ui.layer_id(), &course.lesson().name, course.place().step));
     ui.horizontal(|ui| {
         let drafted = match course.draft {
-            Some(Answer::Number(number)) => figures::shortest(number),
+            Some(Answer::Number(number)) => number_text::shortest(number),
             _ => String::new(),
         };
         let is_edited = ui.memory(|memory| memory.has_focus(id));
@@ -117,7 +117,7 @@ pub fn number(ui: &mut Ui, course: &Course, asked: &Number, asks: &mut Asks) {
         if !asked.unit.is_empty() {
             ui.label(&asked.unit);
         }
-        let answer = figures::parsed(&text).ok().map(Answer::Number);
+        let answer = number_text::parsed(&text).ok().map(Answer::Number);
         if response.changed() && answer != course.draft {
             draft(asks, answer.clone());
         }
@@ -135,7 +135,7 @@ pub fn number(ui: &mut Ui, course: &Course, asked: &Number, asks: &mut Asks) {
 /// Returns the problem with a number that is typed, and its correction.
 fn remark(text: &str) -> Option<String> {
     let is_begun = ["", "-", "−", "+"].contains(&text.trim());
-    figures::parsed(text)
+    number_text::parsed(text)
         .err()
         .filter(|_| !is_begun)
         .map(|wrong| format!("{wrong}: type one such as 1.25 or 2e-3."))

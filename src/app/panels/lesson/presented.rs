@@ -6,8 +6,8 @@ use super::{cards, end, form, observed, page, shown};
 use crate::app::panels::Asks;
 use crate::app::running::Running;
 use crate::app::state::State;
-use crate::figures;
 use crate::lesson::{Kind, Phase, Step};
+use crate::number_text;
 
 /// Shows the lesson before an audience.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
@@ -25,7 +25,7 @@ fn where_it_is(ui: &mut Ui, state: &State, running: &Running) {
     let (lesson, place) = (course.lesson(), course.place().step);
     let count = lesson.steps.len();
     let step = if count > 1 && place < count { format!("{} of {count}", place + 1) } else { String::new() };
-    let beta = format!("β\u{a0}=\u{a0}{}", figures::beta(&state.speed()));
+    let beta = format!("β\u{a0}=\u{a0}{}", number_text::beta(&state.speed()));
     let parts = [lesson.title.as_str(), &step, &beta];
     let told = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("  ·  ");
     ui.add(Label::new(RichText::new(told).weak()).truncate());

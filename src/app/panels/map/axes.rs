@@ -5,8 +5,8 @@ use eframe::egui::{Align2, Painter, Pos2, Stroke, TextStyle, Ui, pos2, vec2};
 use super::canvas;
 use super::labels::Labels;
 use crate::app::theme;
-use crate::figures;
 use crate::map::{Chart, ticks};
+use crate::number_text;
 use crate::units::Unit;
 
 /// Least distance between two lines, points.
@@ -57,7 +57,7 @@ fn numbers(range: [f64; 2], unit: Unit, scale: f64) -> Vec<(f64, String)> {
     let (shown, decimals) = ticks(range.map(|value| unit.shown(value)), unit.shown(SPACING / scale));
     shown
         .into_iter()
-        .map(|shown| (unit.in_scene(shown), figures::fixed(shown, decimals).replace(".00e", "e")))
+        .map(|shown| (unit.in_scene(shown), number_text::fixed(shown, decimals).replace(".00e", "e")))
         .collect()
 }
 

@@ -5,7 +5,7 @@ use relativity_core::Model;
 use crate::app::curves::CurvesKey;
 use crate::app::points::Point;
 use crate::app::state::State;
-use crate::figures;
+use crate::number_text;
 
 /// The traits that may distinguish curves, in words.
 struct Traits {
@@ -17,10 +17,10 @@ struct Traits {
 
 impl Traits {
     fn of(state: &State, point: &Point, key: &CurvesKey) -> Self {
-        let number = |name: &str, value: f64| format!("{name} {}", figures::trimmed(value, 3));
+        let number = |name: &str, value: f64| format!("{name} {}", number_text::trimmed(value, 3));
         let [x, y, z] = key.point.rest.to_array();
         let baseline = key.baseline;
-        let beta = figures::beta(&key.velocity.speed);
+        let beta = number_text::beta(&key.velocity.speed);
         // As many digits as there are: no zeros behind the point.
         let beta = if beta.contains('e') { &beta } else { beta.trim_end_matches('0').trim_end_matches('.') };
         Self {

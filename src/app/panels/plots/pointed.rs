@@ -6,7 +6,7 @@ use relativity_core::math;
 
 use super::axes::label;
 use super::chart::{Chart, Trace};
-use crate::figures;
+use crate::number_text;
 use crate::units::Unit;
 
 /// About how many pixels there are to an axis, where none is given.
@@ -20,7 +20,7 @@ const NEAR: f32 = 6.0;
 /// Writes as many digits of `value` as distinguish it from the next one that far off.
 fn resolved(value: f64, resolution: f64) -> String {
     let decimals = (-math::log10(resolution)).ceil().clamp(0.0, MOST_DIGITS);
-    figures::fixed(value, if decimals.is_finite() { decimals as u8 } else { 3 })
+    number_text::fixed(value, if decimals.is_finite() { decimals as u8 } else { 3 })
 }
 
 impl Chart<'_> {
@@ -63,12 +63,14 @@ impl Chart<'_> {
         let value = |time: f64| trace.source.value(time);
         let [a, rest @ ..] = self.cursors.as_slice() else { return None };
         let Some(b) = rest.first() else {
-            return Some(value(*a).map_or_else(|| figures::NONE.to_owned(), |value| self.value_text(value)));
+            return Some(
+                value(*a).map_or_else(|| number_text::NONE.to_owned(), |value| self.value_text(value)),
+            );
         };
-        let Some(values) = value(*a).zip(value(*b)) else { return Some(figures::NONE.to_owned()) };
+        let Some(values) = value(*a).zip(value(*b)) else { return Some(number_text::NONE.to_owned()) };
         let difference = self.shown(values.1) - self.shown(values.0);
         let time = self.time_unit.shown(b - a);
-        let slope = if time == 0.0 { figures::NONE.to_owned() } else { significant(difference / time) };
+        let slope = if time == 0.0 { number_text::NONE.to_owned() } else { significant(difference / time) };
         let per = |unit: Unit| if unit.name.is_empty() { "unit" } else { unit.name };
         let unit = self.unit.suffix();
         let difference = significant(difference);
@@ -77,7 +79,7 @@ impl Chart<'_> {
 }
 
 fn significant(value: f64) -> String {
-    figures::significant(value, 3).replace('-', "−")
+    number_text::significant(value, 3).replace('-', "−")
 }
 
 /// Says beside the pointer which T it is at, and what each curve is there.
@@ -102,7 +104,7 @@ pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &Chart<'_>) {
         // As they stand in the legend, which has those on top last.
         for trace in &chart.traces {
             let value = trace.source.value(time);
-            let value = value.map_or_else(|| figures::NONE.to_owned(), |value| chart.value_text(value));
+            let value = value.map_or_else(|| number_text::NONE.to_owned(), |value| chart.value_text(value));
             let text = format!("{}: {} = {value}", trace.name, label(chart.quantity));
             ui.label(RichText::new(text).small().color(trace.colour(ui.visuals())));
         }

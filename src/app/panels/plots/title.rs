@@ -12,7 +12,7 @@ use crate::app::curves::{Curve, DistanceKind, PUBLISHED, Quantity};
 use crate::app::eye::Eye;
 use crate::app::state::State;
 use crate::app::widgets::named_text;
-use crate::figures;
+use crate::number_text;
 use crate::plot::with_factor;
 
 /// Shows the title.
@@ -98,9 +98,9 @@ fn values_now(ui: &mut Ui, state: &State, chart: &Chart<'_>, exponent: i32) {
             Quantity::LogGain => 4,
             _ => 5,
         };
-        let written = if chart.quantity.is_logarithm() { figures::fixed } else { figures::rounded };
+        let written = if chart.quantity.is_logarithm() { number_text::fixed } else { number_text::rounded };
         let shown = |value| written(chart.shown(value), chart.unit.decimals(decimals));
-        let value = plotted.map_or_else(|| figures::NONE.to_owned(), shown);
+        let value = plotted.map_or_else(|| number_text::NONE.to_owned(), shown);
         // The heading has the unit, unless that has a factor.
         let suffix =
             if exponent == 0 && chart.quantity != Quantity::DeltaPhi { "" } else { &chart.unit.suffix() };

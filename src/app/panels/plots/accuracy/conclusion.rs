@@ -3,7 +3,7 @@
 use relativity_render::Method;
 
 use crate::app::examination::{Examination, Figures, Row};
-use crate::figures;
+use crate::number_text;
 
 /// The sentence; `None` before there is something to compare.
 pub fn sentence(examination: &Examination) -> Option<String> {
@@ -20,10 +20,10 @@ pub fn sentence(examination: &Examination) -> Option<String> {
         "{}: error {}, cheapest here ({} ms)",
         capitalised(&cheapest.name()),
         if cheapest.method == Method::Reference { "none".to_owned() } else { px(cost.error_px) },
-        figures::significant(cost.frame_ms, 2)
+        number_text::significant(cost.frame_ms, 2)
     );
     let more = others.iter().map(|(row, other)| {
-        let times = figures::significant(other.frame_ms / cost.frame_ms, 2);
+        let times = number_text::significant(other.frame_ms / cost.frame_ms, 2);
         if row.method == Method::Reference {
             return format!("the reference has none, in {times} times the time");
         }
@@ -53,7 +53,7 @@ fn px(error: f64) -> String {
         return "none".to_owned();
     }
     if error > 0.05 {
-        return format!("{} px", figures::significant(error, 2));
+        return format!("{} px", number_text::significant(error, 2));
     }
     let parts = 1.0 / error;
     // One digit says enough of how small it is.

@@ -16,8 +16,8 @@ use crate::app::examination::Examination;
 use crate::app::heat_map;
 use crate::app::panels::Asks;
 use crate::app::state::State;
-use crate::figures;
 use crate::flags::choices::RendererChoice;
+use crate::number_text;
 use crate::settings::Quality;
 
 /// Width of the table.
@@ -85,7 +85,7 @@ pub fn caption(ui: &mut Ui, state: &State, examination: &Examination, asks: &mut
 /// The colours of the heat map.
 fn scale(ui: &mut Ui) {
     let (first, last) = heat_map::DECADES.into_inner();
-    let text = |exponent: f64| RichText::new(format!("{} px", figures::power_of_ten(exponent))).small();
+    let text = |exponent: f64| RichText::new(format!("{} px", number_text::power_of_ten(exponent))).small();
     ui.label(text(first));
     let (rect, _) = ui.allocate_exact_size(vec2(90.0, 10.0), Sense::hover());
     let width = rect.width() as usize;

@@ -6,7 +6,7 @@ use super::table::cell;
 use crate::accuracy::RoundsError;
 use crate::app::examination::Examination;
 use crate::app::widgets::named_text;
-use crate::figures;
+use crate::number_text;
 
 const HEADS: [(&str, &str); 5] = [
     (
@@ -40,8 +40,8 @@ fn rows(ui: &mut Ui, error: &RoundsError) {
     for after in &error.after {
         let name = if after.rounds == 1 { "1 round".to_owned() } else { format!("{} rounds", after.rounds) };
         ui.label(&name);
-        let ns = (figures::fixed(after.ray_ns, 0), String::new());
-        let missed = (format!("{} %", figures::fixed(100.0 * after.missed_share, 2)), String::new());
+        let ns = (number_text::fixed(after.ray_ns, 0), String::new());
+        let missed = (format!("{} %", number_text::fixed(100.0 * after.missed_share, 2)), String::new());
         let [along, outlines] = [after.along_radii, after.outlines_px].map(|spread| cell(spread, 0.0));
         for ((text, tip), (head, _)) in [ns, along, outlines, missed].into_iter().zip(&HEADS[1..]) {
             let label = named_text(ui, RichText::new(&text), format!("{name}, {head}: {text}"));
@@ -52,7 +52,7 @@ fn rows(ui: &mut Ui, error: &RoundsError) {
         ui.end_row();
     }
     ui.label("exact");
-    let ns = figures::fixed(error.exact_ns, 0);
+    let ns = number_text::fixed(error.exact_ns, 0);
     named_text(ui, RichText::new(&ns), format!("exact, {}: {ns}", HEADS[1].0));
     ui.end_row();
 }

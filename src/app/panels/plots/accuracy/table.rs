@@ -7,8 +7,8 @@ use relativity_render::Method;
 use crate::accuracy::{RESOLUTION_PX, Spread, method_name};
 use crate::app::examination::{Examination, Row};
 use crate::app::widgets::named_text;
-use crate::figures;
 use crate::files::csv_out::Rows;
+use crate::number_text;
 use crate::settings::Quality;
 
 const HEADS: [(&str, &str); 6] = [
@@ -64,7 +64,7 @@ fn table_row(ui: &mut Ui, row: &Row<'_>, better: Option<Method>, chosen: Method,
     ];
     let [outlines, directions, dopplers] = spreads.map(|(spread, resolution)| cell(spread, resolution));
     let [ms, wrong] = [(figures.frame_ms, 1), (100.0 * figures.wrong_share, 2)]
-        .map(|(value, decimals)| figures::fixed(value, decimals));
+        .map(|(value, decimals)| number_text::fixed(value, decimals));
     let cells = [(ms, String::new()), outlines, directions, dopplers, (format!("{wrong} %"), String::new())];
     for ((text, tip), (head, _)) in cells.into_iter().zip(&HEADS[1..]) {
         let shown = RichText::new(&text);
@@ -79,7 +79,7 @@ fn table_row(ui: &mut Ui, row: &Row<'_>, better: Option<Method>, chosen: Method,
 /// Writes a spread's 99 %, and the rest of it. Nothing below the `resolution` was told apart.
 pub(super) fn cell(spread: Option<Spread>, resolution: f64) -> (String, String) {
     let Some(Spread { median, p99, worst, count }) = spread else {
-        return (figures::NONE.to_owned(), String::new());
+        return (number_text::NONE.to_owned(), String::new());
     };
     let [median, p99, worst] = [median, p99, worst].map(|error| {
         if error <= resolution && resolution > 0.0 {
@@ -93,7 +93,7 @@ pub(super) fn cell(spread: Option<Spread>, resolution: f64) -> (String, String) 
 
 /// Two digits of an error.
 fn small(error: f64) -> String {
-    figures::significant(error, 2).replace('-', "−")
+    number_text::significant(error, 2).replace('-', "−")
 }
 
 /// The table as CSV: errors in full, and whether they were measured in the present views.

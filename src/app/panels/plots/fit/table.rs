@@ -9,7 +9,7 @@ use crate::app::widgets::named_text;
 use crate::caption::capitalised;
 use crate::estimate::samples::Samples;
 use crate::estimate::{Estimate, sigmas};
-use crate::figures;
+use crate::number_text;
 use crate::units::Unit;
 
 /// Estimates further off than this many standard errors are not chance.
@@ -123,8 +123,8 @@ fn row(
 ) {
     let (symbol, tip) = named(parameter);
     let Estimate { value, uncertainty, ci95: [low, high], .. } = *estimate;
-    let places = figures::decimals_of(uncertainty) as u8;
-    let number = |value| figures::fixed(value, places);
+    let places = number_text::decimals_of(uncertainty) as u8;
+    let number = |value| number_text::fixed(value, places);
     ui.label(unit.label(symbol)).on_hover_text(tip);
     let value_text = RichText::new(number(value)).strong();
     named_text(ui, value_text, format!("Fitted {symbol}: {}", number(value)));
@@ -134,7 +134,7 @@ fn row(
         named_text(ui, interval.as_str(), format!("95 % interval of {symbol}: {interval}"));
     }
     if let Some(truth) = truth {
-        let truth_text = figures::trimmed(truth, 4);
+        let truth_text = number_text::trimmed(truth, 4);
         named_text(ui, truth_text.as_str(), format!("True {symbol}: {truth_text}"));
         let off = off(estimate, truth);
         named_text(ui, off.as_str(), format!("{symbol} off by {off}"));
@@ -170,7 +170,7 @@ fn off(estimate: &Estimate, truth: f64) -> String {
 
 fn signed(value: f64, decimals: u8) -> String {
     let sign = if value > 0.0 { "+" } else { "" };
-    format!("{sign}{}", figures::fixed(value, decimals))
+    format!("{sign}{}", number_text::fixed(value, decimals))
 }
 
 /// Returns the verdict on the estimates by the truth; `None` where that is not known.
@@ -185,9 +185,9 @@ fn verdict(fitted: &Fitted) -> Option<String> {
         .map(|(parameter, estimate, truth)| (parameter, deviation(estimate, truth).abs()));
     let Some((parameter, worst)) = deviations.max_by(|a, b| a.1.total_cmp(&b.1)) else {
         let errors = known().map(|(_, estimate, truth)| (estimate.value - truth).abs());
-        return Some(format!("Recovered to {}.", figures::fixed(errors.fold(0.0, f64::max), 9)));
+        return Some(format!("Recovered to {}.", number_text::fixed(errors.fold(0.0, f64::max), 9)));
     };
-    let errors = figures::fixed(worst, 1);
+    let errors = number_text::fixed(worst, 1);
     Some(if worst <= CHANCE {
         format!("Agrees with the truth: at most {errors} σ off.")
     } else {
@@ -207,12 +207,12 @@ fn assumptions(outcome: &FitOutcome, fitted: &Fitted) -> Vec<String> {
     };
     let mut told = Vec::new();
     if !file.has_separation {
-        let d = figures::trimmed(baseline.separation, 4);
+        let d = number_text::trimmed(baseline.separation, 4);
         told.push(format!("The file has no column d: the eyes are d = {d} apart, as set."));
     }
     match fitted.reduced_chi_squared {
         Some(chi) => {
-            told.push(format!("χ² per degree of freedom: {}", figures::fixed(chi, 2)));
+            told.push(format!("χ² per degree of freedom: {}", number_text::fixed(chi, 2)));
             let parameters = fitted.estimates.len();
             let remark = sigmas::remark(Some(chi), fitted.readings, parameters);
             told.extend(remark.as_deref().map(sentence));
@@ -236,8 +236,8 @@ const ON_A_WHEEL: &str = "The point is on a wheel that rolls: y, z and x₀ are 
     is taken for known.";
 
 fn notes(ui: &mut Ui, outcome: &FitOutcome, fitted: &Fitted) {
-    let milliseconds = figures::fixed(1e3 * outcome.elapsed.as_secs_f64(), 0);
-    let rms = figures::significant(fitted.rms, 3).replace('-', "−");
+    let milliseconds = number_text::fixed(1e3 * outcome.elapsed.as_secs_f64(), 0);
+    let rms = number_text::significant(fitted.rms, 3).replace('-', "−");
     let uncertainties = match &fitted.no_bootstrap {
         None => format!("{DEFAULT_REPLICATES} replicates"),
         Some(_) => "no bootstrap".to_owned(),

@@ -10,8 +10,8 @@ use super::eye::Eye;
 use super::state::State;
 use super::{awake, clock, theme};
 use crate::caption::times::told;
-use crate::figures;
 use crate::flags::choices::ProjectionChoice;
+use crate::number_text;
 
 /// From the pointer to the tag, and around its words; points.
 const AWAY: Vec2 = vec2(16.0, 14.0);
@@ -19,7 +19,7 @@ const MARGIN: Vec2 = vec2(7.0, 5.0);
 
 /// The thing under the pointer.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Under {
+pub struct Hovered {
     /// Number of the body.
     pub body: usize,
     /// Place in the picture, at the pointer or very near.
@@ -32,11 +32,11 @@ pub struct Under {
     pub lines: Vec<String>,
 }
 
-impl Under {
+impl Hovered {
     /// Returns its name, with the shift of its light.
     #[must_use]
     pub fn title(&self) -> String {
-        let shift = self.doppler_factor.map(|factor| format!("   D = {}", figures::fixed(factor, 3)));
+        let shift = self.doppler_factor.map(|factor| format!("   D = {}", number_text::fixed(factor, 3)));
         format!("{}{}", self.name, shift.unwrap_or_default())
     }
 }
@@ -45,7 +45,7 @@ impl State {
     /// Returns the thing at a `pixel` of the picture of `eye`, which has this `size`, or very near; `None` where nothing is, and where no ray
     /// leads to it.
     #[must_use]
-    pub fn under(&self, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Option<Under> {
+    pub fn hovered(&self, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Option<Hovered> {
         let pixel = self.meant(eye, pixel, size)?;
         let (track, body) = self.point_at(eye, pixel, size)?;
         let name = self.document.scene.name_of(body).to_owned();
@@ -68,7 +68,7 @@ impl State {
             }
         };
         lines.extend(self.told_on_wheel(&track, &view));
-        Some(Under { body, pixel, name, doppler_factor, lines })
+        Some(Hovered { body, pixel, name, doppler_factor, lines })
     }
 
     /// Returns the place where a point is seen that an eye receives light of, and its times.
@@ -83,7 +83,7 @@ impl State {
         let is_conformal = self.document.settings.projection() == ProjectionChoice::Mercator;
         let axes = self.document.settings.baseline().axes();
         let Conformal { u, v } = axes.conformal(seen.position).filter(|_| is_conformal)?;
-        Some(format!("u = {}, v = {} rad", figures::fixed(u, 3), figures::fixed(v, 3)))
+        Some(format!("u = {}, v = {} rad", number_text::fixed(u, 3), number_text::fixed(v, 3)))
     }
 
     /// A place in words.
@@ -113,10 +113,10 @@ pub fn pointer(ui: &Ui, state: &State, rect: Rect) -> Option<Pos2> {
 
 /// Writes what is `under` a `pointer` beside it, inside `view`: its name and D, and the rest once it was clicked. Assistive
 /// technology has all of it.
-pub fn show(ui: &Ui, view: Rect, pointer: Pos2, under: &Under) {
-    let name = format!("Under the pointer: {}; {}", under.title(), under.lines.join("; "));
-    let lines = if awake::is_opened(ui.ctx()) { under.lines.as_slice() } else { &[] };
-    tag(ui, view, pointer, &under.title(), lines, &name);
+pub fn show(ui: &Ui, view: Rect, pointer: Pos2, hovered: &Hovered) {
+    let name = format!("Under the pointer: {}; {}", hovered.title(), hovered.lines.join("; "));
+    let lines = if awake::is_opened(ui.ctx()) { hovered.lines.as_slice() } else { &[] };
+    tag(ui, view, pointer, &hovered.title(), lines, &name);
 }
 
 /// Says at `place` in `view` that nothing is there that could be followed.

@@ -32,8 +32,8 @@ impl Section {
     }
 
     /// `settings` with what is set in this section as in `usual`.
-    fn as_in(self, usual: &Settings, settings: &Settings) -> Settings {
-        let (kept, all) = (settings.clone(), usual);
+    fn as_in(self, default: &Settings, settings: &Settings) -> Settings {
+        let (kept, all) = (settings.clone(), default);
         match self {
             Self::Motion => {
                 let motion = Motion { roll: kept.motion.roll, turn: kept.motion.turn, ..all.motion };
@@ -60,7 +60,7 @@ impl Section {
 impl State {
     /// Returns the defaults: those of the lesson or the shown preset, else those of a window that starts.
     #[must_use]
-    pub fn usual(&self) -> Settings {
+    pub fn defaults(&self) -> Settings {
         let of_preset =
             || self.document.preset.map_or_else(Settings::default, |preset| preset.settings.clone());
         self.lesson_settings().cloned().unwrap_or_else(of_preset)
@@ -68,7 +68,7 @@ impl State {
 
     /// Returns the source of the defaults, in words.
     #[must_use]
-    pub fn usual_is(&self) -> String {
+    pub fn defaults_source(&self) -> String {
         match self.document.preset {
             _ if self.session.lesson.is_some() => "those of the lesson here".to_owned(),
             Some(preset) => format!("those of the preset “{}”", preset.title),
@@ -95,28 +95,28 @@ impl State {
 
     /// Returns the defaults with the present scene, the parts of the window, its units and colours, and the screen.
     #[must_use]
-    pub(super) fn as_usual(&self) -> Settings {
+    pub(super) fn with_defaults(&self) -> Settings {
         let Settings { ref scene, screen, window, .. } = *self.document.settings;
-        Settings { scene: scene.clone(), screen, window, ..self.usual() }
+        Settings { scene: scene.clone(), screen, window, ..self.defaults() }
     }
 
     /// Returns whether everything has its default.
     #[must_use]
-    pub fn is_usual(&self) -> bool {
-        let as_usual = Settings { time: None, point: None, points: None, ..self.as_usual() };
+    pub fn is_default(&self) -> bool {
+        let with_defaults = Settings { time: None, point: None, points: None, ..self.with_defaults() };
         let has_own_point = self.document.points == Points::tracked(self.document.scene.track(None));
-        as_usual == *self.document.settings && has_own_point
+        with_defaults == *self.document.settings && has_own_point
     }
 
     /// Returns whether the settings in `section` have their defaults.
     #[must_use]
-    pub fn is_usual_in(&self, section: Section) -> bool {
-        section.as_in(&self.usual(), &self.document.settings) == *self.document.settings
+    pub fn is_default_in(&self, section: Section) -> bool {
+        section.as_in(&self.defaults(), &self.document.settings) == *self.document.settings
     }
 
     /// Resets the settings in `section` to their defaults.
     pub(super) fn reset(&mut self, section: Section) {
-        if let Err(error) = self.set(section.as_in(&self.usual(), &self.document.settings)) {
+        if let Err(error) = self.set(section.as_in(&self.defaults(), &self.document.settings)) {
             self.scratch.notice = Some(Notice::error(error));
         }
     }

@@ -11,17 +11,17 @@ const REST: Duration = Duration::from_millis(150);
 
 /// When something last changed.
 #[derive(Debug)]
-pub struct Stillness<K> {
+pub struct Debounce<K> {
     last: Option<(K, Instant)>,
 }
 
-impl<K> Default for Stillness<K> {
+impl<K> Default for Debounce<K> {
     fn default() -> Self {
         Self { last: None }
     }
 }
 
-impl<K: Clone + PartialEq> Stillness<K> {
+impl<K: Clone + PartialEq> Debounce<K> {
     /// Returns whether `key` is unchanged, and has been for a while. If not, a frame is requested in which
     /// it may be.
     pub fn is_still(&mut self, ctx: &Context, key: &K) -> bool {

@@ -9,14 +9,14 @@ use crate::caption::capitalised;
 
 /// The errors that the device has reported, and the number of those that were shown.
 #[derive(Debug, Default)]
-pub struct Faulty {
+pub struct GpuErrors {
     faults: Faults,
     is_told: bool,
     /// The window that a fault wakes: the device, which it owns, must not own it in turn.
     _woken: Option<Woken>,
 }
 
-impl Faulty {
+impl GpuErrors {
     /// Collects the errors of the window's device, if it has one, from now on; each is followed by a frame.
     pub fn of(ctx: &Context, render_state: Option<&RenderState>) -> Self {
         let Some(state) = render_state else { return Self::default() };
@@ -31,7 +31,7 @@ impl Faulty {
     }
 
     /// Takes the message for errors that have not been shown yet; `newly`, the device has refused to draw the views.
-    pub fn newly_told(&mut self, newly: Option<GpuError>) -> Option<String> {
+    pub fn take_new(&mut self, newly: Option<GpuError>) -> Option<String> {
         let text = if let Some(error) = newly {
             format!("{}. The views are drawn on the CPU from now on.", capitalised(&error.to_string()))
         } else {

@@ -150,8 +150,8 @@ impl Break {
 /// # Errors
 /// What ended it.
 pub fn guarded(run: impl FnOnce() -> eframe::Result) -> Result<(), Break> {
-    let usual = Arc::new(panic::take_hook());
-    let (found, hook) = (Arc::new(Mutex::new(None)), Arc::clone(&usual));
+    let default = Arc::new(panic::take_hook());
+    let (found, hook) = (Arc::new(Mutex::new(None)), Arc::clone(&default));
     let noted = Arc::clone(&found);
     panic::set_hook(Box::new(move |info| match broken(info) {
         Some(reason) => {
@@ -160,7 +160,7 @@ pub fn guarded(run: impl FnOnce() -> eframe::Result) -> Result<(), Break> {
         None => hook(info),
     }));
     let outcome = panic::catch_unwind(AssertUnwindSafe(run));
-    panic::set_hook(Box::new(move |info| usual(info)));
+    panic::set_hook(Box::new(move |info| default(info)));
     let found = found.lock().unwrap_or_else(PoisonError::into_inner).take();
     match (outcome, found) {
         (Ok(result), _) => result.map_err(|error| Break::Window(error.to_string())),

@@ -10,7 +10,7 @@ use super::theme;
 
 /// Something out of a view.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Beyond {
+pub struct OffscreenArrow {
     /// Name of the thing.
     pub name: String,
     /// From the middle of the view, degrees, 0 to 180.
@@ -21,7 +21,7 @@ pub struct Beyond {
     pub point: Option<usize>,
 }
 
-impl Beyond {
+impl OffscreenArrow {
     /// Returns the arrow to something along `direction` (any length above 0).
     fn new(name: String, camera: &Camera, direction: DVec3, point: Option<usize>) -> Self {
         let axes = camera.axes();
@@ -52,27 +52,27 @@ impl Beyond {
 impl State {
     /// Returns the arrows to what is out of the view of `eye`, `size` in pixels: everything that moves, or else the selected point.
     #[must_use]
-    pub fn beyond(&self, eye: Eye, size: [u32; 2]) -> Vec<Beyond> {
+    pub fn offscreen_arrows(&self, eye: Eye, size: [u32; 2]) -> Vec<OffscreenArrow> {
         let camera = self.view(eye, size).camera;
-        let scene = self.subject_beyond(&camera);
+        let scene = self.subject_arrow(&camera);
         let point = self.document.points.selected();
         let is_told = scene.is_some() && point.track.motion == Motion::Scene;
         let point = self.direction(point, eye).filter(|&direction| !is_told && !camera.shows(direction)).map(
             |direction| {
                 let name = self.name_of(point);
-                Beyond::new(name, &camera, direction, Some(point.number))
+                OffscreenArrow::new(name, &camera, direction, Some(point.number))
             },
         );
         scene.into_iter().chain(point).collect()
     }
 
-    fn subject_beyond(&self, camera: &Camera) -> Option<Beyond> {
+    fn subject_arrow(&self, camera: &Camera) -> Option<OffscreenArrow> {
         let outline = self.outline();
         let framing = outline.framing().filter(|_| outline.is_out_of(camera))?;
         let first = self.document.prepared.subject().next()?.bodies.start;
         let group = self.document.prepared.group_of(first);
         let name = self.document.scene.groups.get(group)?.name.clone();
-        Some(Beyond::new(name, camera, framing.gaze.axes().forward, None))
+        Some(OffscreenArrow::new(name, camera, framing.gaze.axes().forward, None))
     }
 }
 
@@ -81,7 +81,7 @@ const ARROW: f32 = 11.0;
 const INSET: f32 = 7.0;
 
 /// Draws an arrow at the edge of `rect`, where a view is, for each of `all`.
-pub fn paint(ui: &Ui, painter: &Painter, rect: Rect, all: &[Beyond]) {
+pub fn paint(ui: &Ui, painter: &Painter, rect: Rect, all: &[OffscreenArrow]) {
     for beyond in all {
         let towards = beyond.towards;
         let tip = edge_of(rect.shrink(INSET), towards);
@@ -94,7 +94,7 @@ pub fn paint(ui: &Ui, painter: &Painter, rect: Rect, all: &[Beyond]) {
     }
 }
 
-fn label(ui: &Ui, painter: &Painter, rect: Rect, beyond: &Beyond, tip: Pos2) {
+fn label(ui: &Ui, painter: &Painter, rect: Rect, beyond: &OffscreenArrow, tip: Pos2) {
     let font = TextStyle::Small.resolve(ui.style());
     let galley = painter.layout_no_wrap(beyond.text(), font, Color32::WHITE);
     let half = 0.5 * galley.size() + vec2(5.0, 2.0);
@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn what_the_start_shows_needs_no_arrow() {
         let state = State::open(Settings::default()).expect("the start");
-        assert_eq!(Eye::BOTH.map(|eye| state.beyond(eye, SIZE)), [vec![], vec![]]);
+        assert_eq!(Eye::BOTH.map(|eye| state.offscreen_arrows(eye, SIZE)), [vec![], vec![]]);
     }
 
     #[test]
@@ -153,7 +153,7 @@ mod tests {
             };
             let azimuth = whole.azimuth.to_degrees() + turned;
             state.document.settings.look.gaze = GazeChoice::Fixed([azimuth, whole.elevation.to_degrees()]);
-            let [beyond] = state.beyond(Eye::Left, SIZE).try_into().expect("one arrow");
+            let [beyond] = state.offscreen_arrows(Eye::Left, SIZE).try_into().expect("one arrow");
             // On the circle of that elevation, haversine of the angle.
             let half = (0.5 * turned.to_radians()).sin().abs() * whole.elevation.cos();
             assert!((beyond.degrees - (2.0 * half.asin()).to_degrees()).abs() < 1e-9, "{beyond:?}");
@@ -169,7 +169,7 @@ mod tests {
         let mut state = looking([90.0, 0.0], 1.1);
         state.document.settings.look.gaze = GazeChoice::Whole;
         state.document.settings.look.fov = FieldOfView(Some(8.0));
-        let [beyond] = state.beyond(Eye::Left, SIZE).try_into().expect("one arrow");
+        let [beyond] = state.offscreen_arrows(Eye::Left, SIZE).try_into().expect("one arrow");
         assert_eq!(beyond.point, Some(1));
         assert!(beyond.text().starts_with("front tyre "), "{}", beyond.text());
     }
