@@ -11,7 +11,8 @@ use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuConfiguration, WgpuSet
 use eframe::wgpu;
 use gamow::app::command::Command;
 use gamow::app::state::State;
-use gamow::app::{App, on_texture, painting};
+use gamow::app::views::offscreen;
+use gamow::app::{App, painting};
 use gamow::scene::Scene;
 use gamow::settings::{Presence, Settings, Window};
 
@@ -123,8 +124,8 @@ impl Shown {
         };
         let app = &mut self.app;
         let mut output = self.ctx.run_ui(input, |ui| app.show(ui));
-        on_texture::load(&self.render_state, &mut output);
-        on_texture::paint(&self.render_state, &self.ctx, output, &self.target, SIZE);
+        offscreen::load(&self.render_state, &mut output);
+        offscreen::paint(&self.render_state, &self.ctx, output, &self.target, SIZE);
     }
 }
 

@@ -4,17 +4,17 @@ use eframe::egui::text_selection::LabelSelectionState;
 use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
 use relativity_render::Geometry;
 
-use super::angle_ruler::RulerCommand;
-use super::chooser::{Product, Purpose};
-use super::command::Command;
-use super::digits;
-use super::focus;
-use super::orders::Copied;
-use super::overlay::Overlay;
-use super::plotting::PlotCommand;
-use super::running::LessonCommand;
-use super::state::State;
-use super::stopwatch::StopwatchCommand;
+use crate::app::command::Command;
+use crate::app::digits;
+use crate::app::file_dialog::purpose::{Product, Purpose};
+use crate::app::focus;
+use crate::app::lesson::session::LessonCommand;
+use crate::app::measuring::angle_ruler::RulerCommand;
+use crate::app::measuring::stopwatch::StopwatchCommand;
+use crate::app::orders::Copied;
+use crate::app::overlay::Overlay;
+use crate::app::plots::look::PlotCommand;
+use crate::app::state::State;
 
 /// An action, by name or by key.
 #[derive(Debug)]

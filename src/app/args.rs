@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use clap::{Arg, Args};
 
-use super::stage::Stage;
-use super::state::State;
+use crate::app::screens::stage::Stage;
+use crate::app::state::State;
 use crate::flags::choices::sides;
 use crate::lesson::{LessonError, Library};
 use crate::scene::Scene;

@@ -4,21 +4,21 @@ use std::path::{Path, PathBuf};
 
 use relativity_render::{Camera, Gaze, Geometry};
 
-use super::angle_ruler::{AngleRuler, RulerCommand};
-use super::chooser::Purpose;
-use super::clock;
-use super::defaults::Section;
-use super::eye::Eye;
-use super::notice::Notice;
-use super::orders::{Copied, Order, Saving};
-use super::overlay::Overlay;
-use super::plotting::PlotCommand;
-use super::pointer::{Pick, Select, Turn, Zoom};
-use super::reading::ReadFile;
-use super::running::LessonCommand;
-use super::stage::{Part, next_to_show};
-use super::state::{Scratch, Session, State};
-use super::stopwatch::StopwatchCommand;
+use crate::app::clock;
+use crate::app::file_dialog::purpose::Purpose;
+use crate::app::files::reader::ReadFile;
+use crate::app::lesson::session::LessonCommand;
+use crate::app::measuring::angle_ruler::{AngleRuler, RulerCommand};
+use crate::app::measuring::stopwatch::StopwatchCommand;
+use crate::app::notice::Notice;
+use crate::app::orders::{Copied, Order, Saving};
+use crate::app::overlay::Overlay;
+use crate::app::plots::look::PlotCommand;
+use crate::app::pointer::{Pick, Select, Turn, Zoom};
+use crate::app::screens::stage::{Part, next_to_show};
+use crate::app::state::defaults::Section;
+use crate::app::state::{Scratch, Session, State};
+use crate::app::views::eye::Eye;
 use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
 use crate::flags::choices::{GazeChoice, Layout};
@@ -96,7 +96,7 @@ pub enum Command {
     Magnify(f64),
     /// Hold the whole scene in the views.
     Frame,
-    /// Frames the whole scene after a double click, whose first click may have picked a point: [`super::steps`] takes that back.
+    /// Frames the whole scene after a double click, whose first click may have picked a point: [`crate::app::undo`] takes that back.
     FollowAgain,
     /// Select the point of the scene at a pixel of an eye's picture.
     Pick(Pick),

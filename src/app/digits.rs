@@ -2,9 +2,9 @@
 
 use eframe::egui::{Event, Key};
 
-use super::command::Command;
-use super::running::LessonCommand;
-use super::state::State;
+use crate::app::command::Command;
+use crate::app::lesson::session::LessonCommand;
+use crate::app::state::State;
 use crate::lesson::{Answer, Kind, Phase};
 
 /// The keys of the choices, in their order.

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Context, Key, KeyboardShortcut, Memory, StrokeKind};
 
-use super::theme;
+use crate::app::theme;
 
 /// Whether what is focused takes the `keys` for itself: a field all that can be typed and what edits it, any other
 /// widget what presses and moves it.

@@ -4,7 +4,7 @@ use eframe::egui::Context;
 use eframe::egui_wgpu::RenderState;
 use relativity_render::{Faults, GpuError};
 
-use super::waker::Woken;
+use crate::app::waker::Woken;
 use crate::caption::capitalised;
 
 /// The errors that the device has reported, and the number of those that were shown.

@@ -6,13 +6,14 @@ use eframe::egui::ViewportBuilder;
 use eframe::{CreationContext, NativeOptions};
 use relativity_render::{colour, planck};
 
-use super::args::WindowArgs;
-use super::notice::Notice;
-use super::overlay::Overlay;
-use super::persistence::{Keeper, Loaded, Memory};
-use super::recovery::{self, Bequeathed, Break, Ended, Estate};
-use super::state::State;
-use super::{App, TITLE, graphics, icon, painting, screenshot};
+use crate::app::args::WindowArgs;
+use crate::app::notice::Notice;
+use crate::app::overlay::Overlay;
+use crate::app::persistence::{Keeper, Loaded, Memory};
+use crate::app::recovery::{self, Bequeathed, Break, Ended, Estate};
+use crate::app::screens::screenshot;
+use crate::app::state::State;
+use crate::app::{App, TITLE, graphics, icon, painting};
 use crate::files::whole::ensure_ending;
 use crate::flags::words::Shell;
 use crate::lesson::Answers;
@@ -187,7 +188,7 @@ fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
 mod tests {
     use super::*;
     use crate::app::command::Command;
-    use crate::app::running::LessonCommand;
+    use crate::app::lesson::session::LessonCommand;
     use crate::lesson::{Library, Record};
 
     /// A window over what is kept in a folder, and what it did there.

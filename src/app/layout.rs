@@ -3,10 +3,10 @@
 
 use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
 
-use super::border::{Border, Split};
-use super::panes::{Arrangement, Content, Pane};
-use super::stage::Part;
-use super::theme::{GAP, TITLE_HEIGHT};
+use crate::app::border::{Border, Split};
+use crate::app::screens::stage::Part;
+use crate::app::theme::{GAP, TITLE_HEIGHT};
+use crate::app::views::panes::{Arrangement, Content, Pane};
 use crate::flags::Share;
 use crate::settings::{PlotTab, Presence, Window};
 

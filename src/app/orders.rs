@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::chooser::Product;
+use crate::app::file_dialog::purpose::Product;
 
 /// An order.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,9 +10,9 @@ use std::time::Duration;
 
 use eframe::egui::{Context, Ui};
 
-use super::App;
-use super::notice::Notice;
-use super::state::{Scratch, State};
+use crate::app::App;
+use crate::app::notice::Notice;
+use crate::app::state::{Scratch, State};
 use crate::caption::capitalised;
 use crate::platform::clock::Instant;
 

@@ -7,9 +7,9 @@ use eframe::egui::{
     style::{ScrollFadeStyle, ScrollStyle},
 };
 
-use super::eye::Eye;
-use super::points::MAX_POINTS;
-use super::widgets::formula;
+use crate::app::state::points::MAX_POINTS;
+use crate::app::views::eye::Eye;
+use crate::app::widgets::formula;
 use crate::comfort::Verdict;
 use crate::eye_colours;
 use crate::settings::Theme;

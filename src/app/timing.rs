@@ -1,9 +1,9 @@
 //! The stopwatch in the window: what is noted at a press.
 
-use super::eye::Eye;
-use super::points::Point;
-use super::state::State;
-use super::stopwatch::{Clock, Elapsed, Mark, Stopwatch, StopwatchCommand, Timed};
+use crate::app::measuring::stopwatch::{Clock, Elapsed, Mark, Stopwatch, StopwatchCommand, Timed};
+use crate::app::state::State;
+use crate::app::state::points::Point;
+use crate::app::views::eye::Eye;
 
 impl State {
     /// Applies a command about the stopwatch.

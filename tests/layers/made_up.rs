@@ -80,6 +80,15 @@ fn an_import_upwards_is_found() {
 }
 
 #[test]
+fn a_limit_of_visibility_is_no_import() {
+    let files = [
+        ("app/mod.rs", "mod a; fn f() { a::g(); }"),
+        ("app/a.rs", "pub struct A { pub(in crate::app) b: u8 } pub(in crate::app) fn g() {}"),
+    ];
+    assert_eq!(faults_of(&files), Vec::<String>::new());
+}
+
+#[test]
 fn commands_and_the_window_stand_apart() {
     let commands = "pub mod eval; pub mod fit;";
     let eval = "pub fn eval() {}";

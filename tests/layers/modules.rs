@@ -117,6 +117,11 @@ impl Reader {
                     self.import(&Path::new(), &rest[..length]);
                     at += 1 + length;
                 }
+                // The path in `pub(in path)` is no import.
+                TokenTree::Ident(word) if word == "pub" => {
+                    let is_limit = |token: &&TokenTree| matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis);
+                    at += 1 + usize::from(tokens.get(at + 1).filter(is_limit).is_some());
+                }
                 TokenTree::Ident(_) => {
                     let (path, length) = leading_path(&tokens[at..]);
                     if path.len() > 1 {

@@ -8,8 +8,8 @@ use eframe::egui::{Key, Modifiers, ViewportId};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
-use gamow::app::chooser::Purpose;
 use gamow::app::command::Command;
+use gamow::app::file_dialog::purpose::Purpose;
 use gamow::app::persistence::Keeper;
 use gamow::app::state::State;
 

@@ -6,7 +6,7 @@ use egui_kittest::kittest::Queryable as _;
 use egui_kittest::{Harness, SnapshotOptions};
 use gamow::app::App;
 use gamow::app::command::Command;
-use gamow::app::running::LessonCommand;
+use gamow::app::lesson::session::LessonCommand;
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::lesson::Library;

@@ -6,7 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::App;
 use gamow::app::command::Command;
-use gamow::app::running::LessonCommand;
+use gamow::app::lesson::session::LessonCommand;
 use gamow::app::state::State;
 use gamow::lesson::{Answer, Confidence, Course, Kind, Lesson, Library, Outcome, Phase, Place};
 use gamow::settings::{Presence, Settings, Theme, Window};
@@ -163,7 +163,13 @@ fn made(answer: Answer, confidence: Option<Confidence>) -> Outcome {
 }
 
 fn is_running(window: &Harness<'_, App>) -> bool {
-    window.state().state().session.lesson.as_ref().is_some_and(gamow::app::running::Running::is_running)
+    window
+        .state()
+        .state()
+        .session
+        .lesson
+        .as_ref()
+        .is_some_and(gamow::app::lesson::session::Running::is_running)
 }
 
 fn time(window: &Harness<'_, App>) -> f64 {

@@ -188,8 +188,8 @@ fn what_is_under_the_pointer_is_told() {
     let state = window.state().state();
     let size = [pane(&window, 0).width() as u32, pane(&window, 0).height() as u32];
     // Where the left eye sees the tracked point, a little inside of its tyre.
-    let view = state.view(gamow::app::eye::Eye::Left, size);
-    let direction = state.direction(state.document.points.selected(), gamow::app::eye::Eye::Left);
+    let view = state.view(gamow::app::views::eye::Eye::Left, size);
+    let direction = state.direction(state.document.points.selected(), gamow::app::views::eye::Eye::Left);
     let [u, v] = view.camera.pixel(direction.expect("it is seen")).expect("in front");
     let part = [(u as f32 - 2.0) / size[0] as f32, v as f32 / size[1] as f32];
     let time = state.document.time;

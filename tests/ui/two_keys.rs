@@ -5,7 +5,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::NodeT as _;
 use gamow::app::App;
 use gamow::app::command::Command;
-use gamow::app::running::LessonCommand;
+use gamow::app::lesson::session::LessonCommand;
 use gamow::app::state::State;
 use gamow::lesson::{Course, Library, Phase};
 use gamow::settings::{Face, PlotTab, Presence, Preset, Settings};
@@ -142,7 +142,8 @@ fn expected(state: &State) -> &'static [&'static str] {
 fn texts(state: &State) -> Vec<String> {
     let Some(course) = state.course() else { return Vec::new() };
     let Some(step) = course.step() else { return vec![course.lesson().sentence.markdown.clone()] };
-    let is_running = state.session.lesson.as_ref().is_some_and(gamow::app::running::Running::is_running);
+    let is_running =
+        state.session.lesson.as_ref().is_some_and(gamow::app::lesson::session::Running::is_running);
     let mut texts = match course.place().phase {
         Phase::Ask => vec![step.text.markdown.clone()],
         Phase::Shown => step.reveal.iter().map(|reveal| reveal.text.markdown.clone()).collect(),

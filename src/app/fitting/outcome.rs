@@ -10,7 +10,7 @@ use relativity_core::{
     Sample as Measured, Source, SourcePoint, Speed, Turning, WheelPoint, bootstrap_unless, fit,
 };
 
-use crate::app::curves::{Bends, Sample, sampled};
+use crate::app::plots::curves::{Bends, Sample, sampled};
 use crate::estimate::samples::{FitKey, Fittable, Samples, Simulated};
 use crate::estimate::{Estimate, estimate, other_side};
 use crate::platform::clock::Instant;

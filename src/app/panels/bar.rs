@@ -7,10 +7,10 @@ use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText, TextStyle, Ui, vec2};
 
 use super::Asks;
-use crate::app::chooser::Purpose;
 use crate::app::command::Command;
+use crate::app::file_dialog::purpose::Purpose;
+use crate::app::files::recent::file_name;
 use crate::app::overlay::Overlay;
-use crate::app::recent::file_name;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::platform::files;

@@ -7,7 +7,7 @@ use eframe::egui::{self, CursorIcon, Sense, Stroke, Ui, Vec2, vec2};
 use super::Asks;
 use crate::app::border::Border;
 use crate::app::command::Command;
-use crate::app::stage::Part;
+use crate::app::screens::stage::Part;
 use crate::app::state::State;
 use crate::flags::Share;
 

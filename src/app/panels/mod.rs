@@ -3,9 +3,9 @@
 
 pub mod bar;
 pub mod borders;
-pub mod chooser;
 pub mod controls;
 pub mod corrected;
+pub mod file_dialog;
 pub mod fusing;
 pub mod help;
 pub mod lesson;

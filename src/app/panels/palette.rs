@@ -8,9 +8,9 @@ use eframe::egui::{
 use super::Asks;
 use crate::app::actions::ACTIONS;
 use crate::app::command::Command;
+use crate::app::lesson::session::LessonCommand;
 use crate::app::overlay::Overlay;
 use crate::app::pointer::Select;
-use crate::app::running::LessonCommand;
 use crate::app::state::State;
 use crate::settings::Preset;
 

@@ -4,7 +4,7 @@ use eframe::egui::{Align2, Context, Spinner, Window};
 
 use super::Asks;
 use crate::app::command::Command;
-use crate::app::reading::Reader;
+use crate::app::files::reader::Reader;
 use crate::platform::files;
 
 /// Above the lower edge of the window, points: above what is being saved.

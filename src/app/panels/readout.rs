@@ -6,10 +6,10 @@ use relativity_render::{Velocity, colour};
 
 use super::Asks;
 use crate::app::command::Command;
-use crate::app::eye::Eye;
-use crate::app::on_wheel::{OnWheel, told_angle};
 use crate::app::state::State;
 use crate::app::theme;
+use crate::app::views::eye::Eye;
+use crate::app::views::on_wheel::{OnWheel, told_angle};
 use crate::app::widgets::{dot, named_text};
 use crate::caption::times::{HAPPENED, OWN_CLOCK, RECEIVED, TimeName};
 use crate::flags::choices::ProjectionChoice;

@@ -7,9 +7,9 @@ use eframe::egui::{
 use relativity_core::math;
 use relativity_render::spectrum::VISIBLE_NM;
 
-use crate::app::eye::Eye;
 use crate::app::state::State;
 use crate::app::theme;
+use crate::app::views::eye::Eye;
 use crate::app::wavelength_colour::{paint_strip, places, visible_colour};
 use crate::app::widgets::apart::{Span, apart};
 use crate::caption::{Moment, Source, in_words};

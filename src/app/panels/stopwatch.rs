@@ -8,10 +8,10 @@ use eframe::egui::{
 
 use super::Asks;
 use crate::app::command::Command;
-use crate::app::panes::EyePane;
+use crate::app::measuring::stopwatch::{Stopwatch, StopwatchCommand};
 use crate::app::state::State;
-use crate::app::stopwatch::{Stopwatch, StopwatchCommand};
 use crate::app::theme;
+use crate::app::views::panes::EyePane;
 use crate::number_text;
 
 /// Room around its words, and its width, points.

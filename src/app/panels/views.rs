@@ -12,17 +12,24 @@ use relativity_render::{Camera, Colour, Geometry, Method, PreparedScene, Project
 
 use super::Asks;
 use crate::app::actions::LOOK_STEP;
-use crate::app::angle_ruler::{Lay, RulerCommand};
 use crate::app::command::Command;
-use crate::app::dial::{self, Drawn};
-use crate::app::eye::Eye;
-use crate::app::eyes::Shown;
-use crate::app::panes::EyePane;
+use crate::app::lesson::predicted_place;
+use crate::app::measuring::angle_ruler::{Lay, RulerCommand};
+use crate::app::measuring::laid_ruler;
 use crate::app::pointer::{Pick, Turn, Zoom};
-use crate::app::points::Point;
 use crate::app::state::State;
+use crate::app::state::points::Point;
+use crate::app::views::dial::{self, Drawn};
+use crate::app::views::eye::Eye;
+use crate::app::views::eyes::Shown;
+use crate::app::views::highlight;
+use crate::app::views::hover;
+use crate::app::views::layouts;
+use crate::app::views::offscreen_arrows;
+use crate::app::views::panes::EyePane;
+use crate::app::views::slide;
 use crate::app::widgets::pane_title;
-use crate::app::{awake, highlight, hover, laid_ruler, layouts, offscreen_arrows, predicted, slide, theme};
+use crate::app::{awake, theme};
 use crate::caption;
 use crate::flags::choices::Form;
 use crate::number_text;
@@ -142,7 +149,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, title: &str, painted: Painte
     for coat in [Coat::Halo, Coat::Ring] {
         markers(ui, &inside, state, pane, coat);
     }
-    predicted::paint(ui, &inside, state, pane);
+    predicted_place::paint(ui, &inside, state, pane);
     laid_ruler::paint(ui, &inside, state, pane);
     words(ui, state, pane, note(state, pane.eye, picture, heat_map.is_some()));
     ui.painter().rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
@@ -179,7 +186,7 @@ pub fn paint_both(
     }
     for &pane in panes {
         let inside = ui.painter().with_clip_rect(pane.rect);
-        predicted::paint(ui, &inside, state, pane);
+        predicted_place::paint(ui, &inside, state, pane);
         laid_ruler::paint(ui, &inside, state, pane);
     }
     for (&pane, heat_map) in panes.iter().zip(heat_maps) {
@@ -210,8 +217,9 @@ fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     offscreen_arrows::paint(ui, &inside, pane.rect, &state.offscreen_arrows(pane.eye, pane.size));
     let note = write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
     let unseen = write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
-    let hint =
-        predicted::hint(state).or_else(|| laid_ruler::hint(state)).or_else(|| newcomers_hint(ui, state));
+    let hint = predicted_place::hint(state)
+        .or_else(|| laid_ruler::hint(state))
+        .or_else(|| newcomers_hint(ui, state));
     if let Some(hint) = hint.filter(|_| pane.takes_the_mouse()) {
         let corner = free_corner(ui, &inside, pane, &hint, [note, unseen]);
         let place = write(ui, &inside, pane, corner, hint.clone());

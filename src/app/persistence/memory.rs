@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
 use super::folded;
-use crate::app::defaults::Section;
-use crate::app::recent::Recent;
+use crate::app::files::recent::Recent;
 use crate::app::state::State;
+use crate::app::state::defaults::Section;
 
 /// Smallest and largest zoom factor: those of the keys that change it.
 const ZOOM: [f32; 2] = [0.2, 5.0];

@@ -7,7 +7,7 @@ use eframe::egui;
 use super::*;
 use crate::app::App;
 use crate::app::command::Command;
-use crate::app::running::LessonCommand;
+use crate::app::lesson::session::LessonCommand;
 use crate::lesson::{Answer, Library, Outcome};
 use crate::platform::sizes::TEXT_BYTES;
 

@@ -5,7 +5,7 @@ use eframe::egui::{Context, Ui};
 use super::MOST_FRAMES;
 use super::work::{Drawn, Job, Made, name_of};
 use crate::app::App;
-use crate::app::chooser::Product;
+use crate::app::file_dialog::purpose::Product;
 use crate::app::notice::Notice;
 use crate::app::orders::{Copied, Order, Saving};
 use crate::files::whole::write_whole;

@@ -3,8 +3,8 @@
 use eframe::egui::{Button, Ui};
 
 use crate::app::actions::{ACTIONS, Action};
-use crate::app::chooser::{Product, Purpose};
 use crate::app::command::Command;
+use crate::app::file_dialog::purpose::{Product, Purpose};
 use crate::app::orders::Copied;
 use crate::app::panels::Asks;
 use crate::app::state::State;

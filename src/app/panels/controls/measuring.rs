@@ -2,11 +2,11 @@
 
 use eframe::egui::{Checkbox, Ui};
 
-use crate::app::angle_ruler::{AngleRuler, RulerCommand};
 use crate::app::command::Command;
+use crate::app::measuring::angle_ruler::{AngleRuler, RulerCommand};
+use crate::app::measuring::stopwatch::{Stopwatch, StopwatchCommand};
 use crate::app::panels::Asks;
 use crate::app::state::State;
-use crate::app::stopwatch::{Stopwatch, StopwatchCommand};
 use crate::app::widgets::row;
 
 const RULER: &str = "The next drag in a view lays a ruler: it shows the angle between the lines of sight to its ends, and stays until it \

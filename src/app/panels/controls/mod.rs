@@ -14,11 +14,11 @@ use relativity_render::Geometry;
 
 use super::Asks;
 use crate::app::command::Command;
-use crate::app::defaults::Section;
-use crate::app::dial;
-use crate::app::layouts::{self, LAYOUTS};
 use crate::app::state::State;
+use crate::app::state::defaults::Section;
 use crate::app::theme;
+use crate::app::views::dial;
+use crate::app::views::layouts::{self, LAYOUTS};
 use crate::app::widgets::{Edit, NumberRow, choice, row, section};
 use crate::flags::FieldOfView;
 use crate::flags::choices::GazeChoice;

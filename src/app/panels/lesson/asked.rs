@@ -1,8 +1,8 @@
 //! Requests of the parts of the panel.
 
 use crate::app::command::Command;
+use crate::app::lesson::session::LessonCommand;
 use crate::app::panels::Asks;
-use crate::app::running::LessonCommand;
 
 /// Asks for something in the lesson.
 pub fn ask(asks: &mut Asks, command: LessonCommand) {

@@ -4,11 +4,11 @@ use eframe::egui::{TextStyle, Ui};
 
 use super::asked::ask;
 use super::cards;
-use crate::app::chooser::{Product, Purpose};
 use crate::app::command::Command;
+use crate::app::file_dialog::purpose::{Product, Purpose};
+use crate::app::lesson::session::{LessonCommand, Running};
 use crate::app::overlay::Overlay;
 use crate::app::panels::Asks;
-use crate::app::running::{LessonCommand, Running};
 use crate::app::theme;
 use crate::lesson::{Course, Place, Score};
 

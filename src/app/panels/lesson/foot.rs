@@ -4,9 +4,9 @@ use eframe::egui::{Align, Button, Layout, RichText, Ui, vec2};
 
 use super::asked::ask;
 use crate::app::command::Command;
+use crate::app::lesson::session::{LessonCommand, Running};
 use crate::app::overlay::Overlay;
 use crate::app::panels::Asks;
-use crate::app::running::{LessonCommand, Running};
 use crate::app::state::State;
 use crate::lesson::{Answer, Course, Kind};
 

@@ -4,9 +4,9 @@ use eframe::egui::{Align, Event, Id, Key, Layout, RichText, TextEdit, TextStyle,
 
 use super::asked::ask;
 use super::cards;
+use crate::app::lesson::predicted_place;
+use crate::app::lesson::session::LessonCommand;
 use crate::app::panels::Asks;
-use crate::app::predicted;
-use crate::app::running::LessonCommand;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::markdown;
@@ -144,7 +144,7 @@ fn remark(text: &str) -> Option<String> {
 /// Shows a hint on what to do in a view or in a plot.
 pub fn hint(ui: &mut Ui, state: &State, course: &Course) {
     let is_marked = course.draft.is_some();
-    match predicted::hint(state) {
+    match predicted_place::hint(state) {
         Some(_) if is_marked => ui.label("It has a cross in the views. Another click moves it."),
         Some(hint) => ui.label(hint),
         None if is_marked => ui.label("It is drawn in the plot. Draw over it to change it."),

@@ -4,8 +4,8 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Label, Layout, Response, RichText, Sense, Stroke, Ui, WidgetInfo, vec2};
 
 use super::asked::ask;
+use crate::app::lesson::session::LessonCommand;
 use crate::app::panels::Asks;
-use crate::app::running::LessonCommand;
 use crate::app::theme;
 use crate::app::widgets::icons::{self, Icon};
 use crate::lesson::{Course, Phase, Place};

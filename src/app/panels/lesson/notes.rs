@@ -4,7 +4,7 @@ use eframe::egui::{RichText, Ui};
 
 use super::cards;
 use super::page;
-use crate::app::running::Running;
+use crate::app::lesson::session::Running;
 use crate::lesson::{Course, Kind, Options, Phase};
 
 /// Shows the notes for the present place.

@@ -4,8 +4,8 @@ use eframe::egui::{RichText, Ui};
 
 use super::asked::ask;
 use super::cards;
+use crate::app::lesson::session::LessonCommand;
 use crate::app::panels::Asks;
-use crate::app::running::LessonCommand;
 use crate::app::state::State;
 use crate::lesson::{Choices, Course, Record};
 

@@ -3,8 +3,8 @@
 use eframe::egui::{RichText, Ui};
 
 use super::{cards, end, form, observed, shown};
+use crate::app::lesson::session::Running;
 use crate::app::panels::Asks;
-use crate::app::running::Running;
 use crate::app::state::State;
 use crate::app::widgets::markdown;
 use crate::lesson::{Course, Phase, Step, Text};

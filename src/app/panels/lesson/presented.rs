@@ -3,8 +3,8 @@
 use eframe::egui::{Label, RichText, Ui};
 
 use super::{cards, end, form, observed, page, shown};
+use crate::app::lesson::session::Running;
 use crate::app::panels::Asks;
-use crate::app::running::Running;
 use crate::app::state::State;
 use crate::lesson::{Kind, Phase, Step};
 use crate::number_text;

@@ -4,7 +4,7 @@ use eframe::egui::{self, Align2, Id, PointerButton, Rect, Sense, Stroke, TextSty
 use egui_plot::{GridInput, GridMark, Plot, PlotBounds, PlotResponse};
 use relativity_core::math;
 
-use crate::app::curves::Quantity;
+use crate::app::plots::curves::Quantity;
 use crate::plot::{
     Axis, MOST_TICKS, at_least, extent, ticks_along, widened, with_factor, with_margin, zoom_step,
 };

@@ -5,10 +5,10 @@ use egui_plot::PlotPoint;
 use relativity_core::{Model, math};
 
 use super::axes::{Ruler, value_range};
-use crate::app::curves::{self, Curve, CurvesKey, Quantity};
-use crate::app::eye::Eye;
-use crate::app::plotting::MAX_PINS;
+use crate::app::plots::curves::{self, Curve, CurvesKey, Quantity};
+use crate::app::plots::look::MAX_PINS;
 use crate::app::theme;
+use crate::app::views::eye::Eye;
 use crate::units::Unit;
 
 /// A plot against T.

@@ -9,7 +9,7 @@ use super::axes::time_at_pointer;
 use super::chart::Chart;
 use crate::app::command::Command;
 use crate::app::panels::Asks;
-use crate::app::plotting::{PlotCommand, Ranges};
+use crate::app::plots::look::{PlotCommand, Ranges};
 use crate::app::state::State;
 
 /// Scrolling by this much is one step of the zoom; by a line of a wheel it is that too. Points.

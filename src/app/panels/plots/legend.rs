@@ -12,7 +12,7 @@ use egui_plot::PlotResponse;
 
 use super::axes::label;
 use super::chart::{Chart, Dash, Trace};
-use crate::app::curves::PUBLISHED;
+use crate::app::plots::curves::PUBLISHED;
 
 /// Length of a piece of line, and what is between it and its name; points.
 pub(super) const SAMPLE: f32 = 18.0;

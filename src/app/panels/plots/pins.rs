@@ -2,9 +2,9 @@
 
 use relativity_core::Model;
 
-use crate::app::curves::CurvesKey;
-use crate::app::points::Point;
+use crate::app::plots::curves::CurvesKey;
 use crate::app::state::State;
+use crate::app::state::points::Point;
 use crate::number_text;
 
 /// The traits that may distinguish curves, in words.

@@ -1,8 +1,8 @@
 //! The data of the plots.
 
-use crate::app::curves::Curves;
-use crate::app::examination::Examination;
 use crate::app::fitting::Fitting;
+use crate::app::plots::curves::Curves;
+use crate::app::views::examination::Examination;
 
 /// The data that can be plotted.
 #[derive(Clone, Copy)]

@@ -4,7 +4,7 @@ use eframe::egui::{Color32, TextStyle, Ui, vec2};
 
 use crate::app::command::Command;
 use crate::app::panels::Asks;
-use crate::app::plotting::{self, PlotCommand};
+use crate::app::plots::look::{self, PlotCommand};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::dot;
@@ -46,7 +46,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         }
         ui.add_space(6.0);
     }
-    if !plotting::quantities(&state.document.settings.plots).is_empty() {
+    if !look::quantities(&state.document.settings.plots).is_empty() {
         buttons(ui, state, asks);
     }
 }

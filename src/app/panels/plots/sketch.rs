@@ -10,13 +10,13 @@ use super::axes::{Ruler, Y_AXIS_WIDTH, annotate, axis_label, plot_over_time, sho
 use super::chart::Dash;
 use super::legend::{self, Drawn, Row};
 use crate::app::command::Command;
-use crate::app::curves::Quantity;
-use crate::app::eye::Eye;
+use crate::app::lesson::drawn_curve::Sketched;
+use crate::app::lesson::session::LessonCommand;
 use crate::app::panels::Asks;
-use crate::app::running::LessonCommand;
-use crate::app::sketched::Sketched;
+use crate::app::plots::curves::Quantity;
 use crate::app::state::State;
 use crate::app::theme;
+use crate::app::views::eye::Eye;
 use crate::lesson::{self, Answer, difference, sketch};
 use crate::plot::with_factor;
 

@@ -5,10 +5,10 @@ use relativity_core::Model;
 use super::axes::shown_in;
 use super::chart::{Chart, Dash, Hue, Source, Trace};
 use super::pins;
-use crate::app::curves::{Curve, Curves, CurvesKey, DistanceKind, PUBLISHED, Quantity};
-use crate::app::eye::Eye;
-use crate::app::points::Point;
+use crate::app::plots::curves::{Curve, Curves, CurvesKey, DistanceKind, PUBLISHED, Quantity};
 use crate::app::state::State;
+use crate::app::state::points::Point;
+use crate::app::views::eye::Eye;
 
 /// The chart of `quantity`: of every point for a disparity, of each eye of the selected one else; and of what is pinned.
 /// `curves` are those that [`State::plotted_keys`] asks for; it is drawn about so high (points).

@@ -13,9 +13,9 @@ use eframe::egui::{
 use super::Asks;
 use super::picture::{self, ASPECT, RADIUS};
 use crate::app::command::Command;
-use crate::app::eye::Eye;
 use crate::app::theme;
-use crate::app::thumbnails::{Look, Thumbnails};
+use crate::app::views::eye::Eye;
+use crate::app::views::thumbnails::{Look, Thumbnails};
 use crate::lesson::Lesson;
 
 /// Space between cards, and around what is written in one; points.

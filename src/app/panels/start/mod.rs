@@ -11,11 +11,11 @@ use eframe::egui::{Button, Key, Memory, RichText, ScrollArea, TextStyle, Ui, UiB
 use self::card::{Card, Cards};
 use super::Asks;
 use crate::app::command::Command;
+use crate::app::lesson::session::LessonCommand;
 use crate::app::overlay::Overlay;
-use crate::app::running::LessonCommand;
 use crate::app::state::State;
 use crate::app::theme;
-use crate::app::thumbnails::Thumbnails;
+use crate::app::views::thumbnails::Thumbnails;
 use crate::lesson::{Lesson, Refused};
 use crate::platform::tell;
 use crate::settings::Preset;

@@ -4,12 +4,12 @@ use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Ui, Ve
 use glam::DVec3;
 
 use super::sheet::Sheet;
-use crate::app::eye::Eye;
 use crate::app::panels::map::axes::{self, Axis};
 use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::Labels;
 use crate::app::state::State;
 use crate::app::theme;
+use crate::app::views::eye::Eye;
 use crate::map::{Instant, Projection, field_of_view};
 use crate::settings::{Frame, Motion};
 

@@ -8,12 +8,12 @@ use glam::DVec3;
 use relativity_core::math;
 
 use super::sheet::Sheet;
-use crate::app::eye::Eye;
 use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::Labels;
 use crate::app::panels::map::times::{labelled, times};
 use crate::app::state::State;
 use crate::app::theme;
+use crate::app::views::eye::Eye;
 use crate::caption::times::{HAPPENED, OWN_CLOCK};
 use crate::map::{Event, Front, Projection, Ray, Worldline, along, fronts, rays};
 use crate::plot::round_step;

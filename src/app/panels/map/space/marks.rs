@@ -3,11 +3,11 @@
 use eframe::egui::{Align2, Painter, Stroke, Ui, vec2};
 
 use super::sheet::{Sheet, colour};
-use crate::app::eye::Eye;
 use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::Labels;
 use crate::app::state::State;
 use crate::app::theme;
+use crate::app::views::eye::Eye;
 use crate::map::{Instant, Picture, Projection};
 use crate::settings::Frame;
 

@@ -3,9 +3,9 @@
 use eframe::egui::{Color32, Pos2, Shape, Stroke, TextStyle};
 
 use super::sheet::{NEAR, Sheet};
-use crate::app::eye::Eye;
 use crate::app::panels::map::labels::Labels;
 use crate::app::theme;
+use crate::app::views::eye::Eye;
 use crate::caption::times::HAPPENED;
 use crate::map::{Diagram, Event, Ray, StraightLine};
 use crate::settings::Frame;

@@ -4,10 +4,10 @@ use eframe::egui::{Color32, Pos2, Stroke, TextStyle, vec2};
 
 use super::sheet::{HANDLE, Sheet};
 use super::{lines, words};
-use crate::app::eye::Eye;
 use crate::app::panels::map::labels::Labels;
 use crate::app::panels::map::times::labelled;
 use crate::app::theme;
+use crate::app::views::eye::Eye;
 use crate::caption::times::RECEIVED;
 use crate::map::{Diagram, Ray};
 

@@ -19,8 +19,8 @@ use super::canvas;
 use super::labels::Labels;
 use crate::app::command::Command;
 use crate::app::panels::Asks;
-use crate::app::points::Point;
 use crate::app::state::State;
+use crate::app::state::points::Point;
 use crate::map::{Diagram, Event, around_now, chart, home};
 use crate::settings::{Frame, Framing};
 

@@ -3,8 +3,8 @@
 use eframe::egui::{Painter, Pos2, Rect, Ui};
 
 use crate::app::panels::map::canvas;
-use crate::app::points::Point;
 use crate::app::state::State;
+use crate::app::state::points::Point;
 use crate::map::{Chart, Diagram, Event, StraightLine, along};
 
 /// Distance from a line up to which the pointer counts as near, points.

@@ -1,8 +1,8 @@
 //! Words for an event: its place, and its three times.
 
 use super::sheet::Sheet;
-use crate::app::eye::Eye;
 use crate::app::panels::map::times::times;
+use crate::app::views::eye::Eye;
 use crate::caption::capitalised;
 use crate::map::{Diagram, Event, Ray};
 use crate::settings::Frame;

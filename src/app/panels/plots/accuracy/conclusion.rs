@@ -2,7 +2,7 @@
 
 use relativity_render::Method;
 
-use crate::app::examination::{Examination, Figures, Row};
+use crate::app::views::examination::{Examination, Figures, Row};
 use crate::number_text;
 
 /// The sentence; `None` before there is something to compare.

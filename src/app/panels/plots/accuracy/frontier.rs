@@ -5,9 +5,9 @@ use egui_plot::{HLine, LineStyle, PlotBounds, PlotPoint, PlotResponse, PlotUi, P
 use relativity_core::math;
 use relativity_render::Method;
 
-use crate::app::examination::{Examination, Row};
 use crate::app::panels::plots::axes::{Ruler, frame, still_plot};
 use crate::app::theme;
+use crate::app::views::examination::{Examination, Row};
 use crate::flags::Goal;
 use crate::plot::extent;
 use crate::settings::Quality;

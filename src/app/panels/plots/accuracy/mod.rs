@@ -12,10 +12,10 @@ use eframe::egui::{Checkbox, Label, Rect, RichText, ScrollArea, Sense, Ui, pos2,
 
 use super::split::{part, table_and_plots};
 use crate::app::command::Command;
-use crate::app::examination::Examination;
-use crate::app::heat_map;
 use crate::app::panels::Asks;
 use crate::app::state::State;
+use crate::app::views::examination::Examination;
+use crate::app::views::heat_map;
 use crate::flags::choices::RendererChoice;
 use crate::number_text;
 use crate::settings::Quality;

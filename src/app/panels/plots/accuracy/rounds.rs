@@ -4,7 +4,7 @@ use eframe::egui::{Grid, RichText, Ui};
 
 use super::table::cell;
 use crate::accuracy::RoundsError;
-use crate::app::examination::Examination;
+use crate::app::views::examination::Examination;
 use crate::app::widgets::named_text;
 use crate::number_text;
 

@@ -5,7 +5,7 @@ use eframe::egui::{Grid, RichText, Ui};
 use relativity_render::Method;
 
 use crate::accuracy::{RESOLUTION_PX, Spread, method_name};
-use crate::app::examination::{Examination, Row};
+use crate::app::views::examination::{Examination, Row};
 use crate::app::widgets::named_text;
 use crate::files::csv_out::Rows;
 use crate::number_text;

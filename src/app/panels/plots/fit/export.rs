@@ -2,9 +2,9 @@
 
 use csv::ByteRecord;
 
-use crate::app::curves::Quantity;
 use crate::app::fitting::{FitOutcome, Fitting};
 use crate::app::panels::plots::axes::{axis_label, time_label};
+use crate::app::plots::curves::Quantity;
 use crate::app::state::State;
 use crate::estimate::samples::{Samples, eye_columns};
 use crate::files::csv_out::Rows;

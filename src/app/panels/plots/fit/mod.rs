@@ -9,8 +9,8 @@ use relativity_core::{Curves, Model, PublishedVariant};
 
 pub(super) use self::export::{csv, panels};
 use super::split::{part, table_and_plots};
-use crate::app::chooser::{Product, Purpose};
 use crate::app::command::Command;
+use crate::app::file_dialog::purpose::{Product, Purpose};
 use crate::app::fitting::Fitting;
 use crate::app::panels::Asks;
 use crate::app::state::State;

@@ -4,11 +4,11 @@ use eframe::egui::{self, Align, Align2, Color32, Layout, RichText, TextStyle, Ui
 use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
 
 use crate::app::command::Command;
-use crate::app::curves::Quantity;
 use crate::app::fitting::{FitOutcome, FittedCurve, Fitting};
 use crate::app::panels::Asks;
 use crate::app::panels::plots::axes::{Ruler, annotate, bounds, label, plot_over_time, time_at_pointer};
 use crate::app::panels::plots::legend::Drawn;
+use crate::app::plots::curves::Quantity;
 use crate::app::state::State;
 use crate::app::theme;
 

@@ -1,0 +1,280 @@
+//! The file dialog: the file to open or to write is chosen in a dialog of the system, or typed.
+
+pub mod purpose;
+
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::time::Duration;
+
+use eframe::egui::Context;
+
+use crate::app::command::Command;
+use crate::app::file_dialog::purpose::{Product, Purpose};
+use crate::app::orders::Saving;
+use crate::app::state::State;
+use crate::app::waker::Woken;
+use crate::flags::choices::Size;
+use crate::platform::clock::Instant;
+use crate::platform::{files, threads};
+use crate::settings::is_link;
+use crate::studio::film::FilmKind;
+
+/// The file that is being chosen: what is typed, and the dialog of the system.
+#[derive(Default)]
+pub struct Chooser {
+    purpose: Option<Purpose>,
+    /// Text typed for the path.
+    pub path: String,
+    /// Text typed for the size of an eye's picture.
+    pub size: String,
+    /// Whether the keyboard should be given to the path.
+    pub wants_focus: bool,
+    /// Problem with the text typed, or reason why there is no dialog.
+    pub remark: Option<String>,
+    /// A file that is there already, and would be replaced.
+    pub replaced: Option<PathBuf>,
+    /// Folder in which a file was last chosen.
+    folder: Option<PathBuf>,
+    dialog: Option<Dialog>,
+}
+
+impl Chooser {
+    /// Returns the purpose of the choice.
+    #[must_use]
+    pub const fn purpose(&self) -> Option<Purpose> {
+        self.purpose
+    }
+
+    /// Opens or closes as `state` says, and reads the answer of the system's dialog.
+    pub fn update(&mut self, state: &State, asks: &mut Vec<Command>) {
+        if self.purpose != state.scratch.chooser {
+            self.begin(state);
+        }
+        match self.dialog.as_ref().and_then(Dialog::answer) {
+            None => return,
+            Some(Answer::Path(path)) => {
+                self.path = path.display().to_string();
+                // The dialog has asked whether it may be replaced.
+                asks.extend(self.confirmed(Some(&path)));
+            }
+            Some(Answer::None) => {}
+            Some(Answer::NoDialog) => {
+                self.remark = Some(
+                    "The system has no file dialog to offer (it takes a desktop portal): type the path."
+                        .to_owned(),
+                );
+                self.wants_focus = true;
+            }
+        }
+        self.dialog = None;
+    }
+
+    fn begin(&mut self, state: &State) {
+        let folder = self.folder.take().or_else(|| files::canonical(Path::new(".")).ok()).unwrap_or_default();
+        self.purpose = state.scratch.chooser;
+        self.path = match self.purpose {
+            Some(Purpose::Save(product)) => {
+                let scene = Path::new(&state.document.settings.scene).file_stem().unwrap_or_default();
+                let lesson =
+                    state.course().filter(|_| product == Product::Report || product.sheet().is_some());
+                let subject = lesson.map_or_else(
+                    || scene.to_string_lossy().into_owned(),
+                    |course| course.lesson().name.clone(),
+                );
+                folder.join(product.file_name(&subject)).display().to_string()
+            }
+            _ => folder.join("").display().to_string(),
+        };
+        self.folder = Some(folder);
+        self.size = Size(match self.purpose {
+            Some(Purpose::Save(Product::Film)) => within(FILM_WIDTH, state.frame.picture_size),
+            _ => state.frame.picture_size,
+        })
+        .to_string();
+        self.wants_focus = true;
+        (self.remark, self.replaced, self.dialog) = (None, None, None);
+    }
+
+    /// Asks the system for a dialog.
+    pub fn browse(&mut self, ctx: &Context) {
+        if let Some(purpose) = self.purpose {
+            self.dialog = Some(Dialog::open(ctx, purpose, Path::new(&self.path)));
+        }
+    }
+
+    /// Whether the system's dialog is open.
+    #[must_use]
+    pub const fn is_browsing(&self) -> bool {
+        self.dialog.is_some()
+    }
+
+    /// Returns the beginning of the file's name in its path, and that of its ending; characters.
+    #[must_use]
+    pub fn stem(&self) -> [usize; 2] {
+        let letters = |text: &str| text.chars().count();
+        let name = self.path.rfind(std::path::is_separator).map_or(0, |slash| slash + 1);
+        let ending = self.path[name..].rfind('.').map_or(self.path.len(), |dot| name + dot);
+        [letters(&self.path[..name]), letters(&self.path[..ending])]
+    }
+
+    /// Clears the remark on the text typed before.
+    pub fn edited(&mut self) {
+        (self.remark, self.replaced) = (None, None);
+    }
+
+    /// Returns the command for the text typed; `None`, with a remark or a question, if it cannot be done yet. The file at
+    /// `may_replace` may be there already.
+    pub fn confirmed(&mut self, may_replace: Option<&Path>) -> Option<Command> {
+        self.edited();
+        match self.command(may_replace) {
+            Ok(command) => command,
+            Err(remark) => {
+                self.remark = Some(remark);
+                None
+            }
+        }
+    }
+
+    fn command(&mut self, may_replace: Option<&Path>) -> Result<Option<Command>, String> {
+        let Some(purpose) = self.purpose else { return Ok(None) };
+        let link = Path::new(self.path.trim());
+        if purpose == Purpose::Open && is_link(link) {
+            return Ok(Some(Command::Open(link.to_owned())));
+        }
+        let path = typed_path(&self.path)?;
+        if let Some(folder) = path.parent().filter(|folder| *folder != Path::new("")) {
+            if !files::is_folder(folder) {
+                return Err(format!("There is no folder {}.", folder.display()));
+            }
+            self.folder = Some(folder.to_owned());
+        }
+        let Purpose::Save(product) = purpose else {
+            if !files::is_there(&path) || files::is_folder(&path) {
+                return Err(format!("There is no file {}.", path.display()));
+            }
+            let is_data = purpose == Purpose::OpenData;
+            return Ok(Some(if is_data { Command::OpenData(path) } else { Command::Open(path) }));
+        };
+        let path = product.with_ending(&path)?;
+        let is_folder = product.can_be_a_folder() && FilmKind::of(&path) == Some(FilmKind::Folder);
+        if files::is_folder(&path) && !is_folder {
+            return Err(format!("{} is a folder.", path.display()));
+        }
+        let size = if product.has_size() { self.size.trim().parse::<Size>()?.0 } else { [1, 1] };
+        if files::is_there(&path) && may_replace != Some(path.as_path()) {
+            self.replaced = Some(path);
+            return Ok(None);
+        }
+        Ok(Some(Command::Save(Saving { product, path, size })))
+    }
+}
+
+/// Width of a film that is proposed, pixels: it has hundreds of frames, and one as large as the window would take 100 MB.
+const FILM_WIDTH: u32 = 480;
+
+/// `size` made so small that it is no wider than this, in the same shape.
+fn within(width: u32, size: [u32; 2]) -> [u32; 2] {
+    let factor = f64::from(width.min(size[0])) / f64::from(size[0].max(1));
+    size.map(|side| ((f64::from(side) * factor).round() as u32).max(1))
+}
+
+/// Parses a typed path, in which `~/` is the home folder. A full path typed behind the prefilled folder starts
+/// afresh: `/home/me//tmp/a.csv` is `/tmp/a.csv`.
+fn typed_path(text: &str) -> Result<PathBuf, String> {
+    let text = text.trim();
+    let again = ["//", "/~/"].into_iter().filter_map(|begin| text.rfind(begin)).max();
+    let text = again.map_or(text, |at| &text[at + 1..]);
+    if text.is_empty() {
+        return Err("A path is needed.".to_owned());
+    }
+    let home = || std::env::var_os("HOME").map(PathBuf::from);
+    Ok(match text.strip_prefix("~/").zip(home()) {
+        Some((rest, home)) => home.join(rest),
+        None => PathBuf::from(text),
+    })
+}
+
+/// A dialog of the system. A thread waits for it, as that may take as long as the user likes.
+struct Dialog {
+    answer: Receiver<Answer>,
+    _woken: Woken,
+}
+
+/// The answer of a system dialog.
+enum Answer {
+    Path(PathBuf),
+    /// The dialog was closed.
+    None,
+    /// There is no dialog.
+    NoDialog,
+}
+
+/// A dialog that is closed sooner than this was never there: nobody is so quick.
+const QUICKEST: Duration = Duration::from_millis(300);
+
+impl Dialog {
+    fn open(ctx: &Context, purpose: Purpose, at: &Path) -> Self {
+        let folder = if files::is_folder(at) { Some(at) } else { at.parent() };
+        let name = at.file_name().unwrap_or_default().to_string_lossy();
+        let mut dialog = rfd::FileDialog::new().set_title(purpose.title());
+        if let Some(folder) = folder {
+            dialog = dialog.set_directory(folder);
+        }
+        if let Purpose::Save(product) = purpose {
+            dialog = dialog.set_file_name(name).add_filter(product.name(), product.endings());
+        }
+        let (answered, answer) = channel();
+        let woken = Woken::new(ctx.clone());
+        let waker = woken.waker();
+        threads::spawn(move || {
+            let start = Instant::now();
+            let path = match purpose {
+                Purpose::Save(_) => dialog.save_file(),
+                Purpose::Open | Purpose::OpenData => dialog.pick_file(),
+            };
+            let is_there = start.elapsed() >= QUICKEST;
+            let none = if is_there { Answer::None } else { Answer::NoDialog };
+            // Nobody may wait for it any more.
+            let _ = answered.send(path.map_or(none, Answer::Path));
+            waker.wake();
+        });
+        Self { answer, _woken: woken }
+    }
+
+    /// Returns the answer of the dialog, once there is one.
+    fn answer(&self) -> Option<Answer> {
+        match self.answer.try_recv() {
+            Ok(answer) => Some(answer),
+            Err(TryRecvError::Empty) => None,
+            Err(TryRecvError::Disconnected) => Some(Answer::NoDialog),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn a_path_typed_behind_a_folder_begins_anew() {
+        let home = PathBuf::from(std::env::var_os("HOME").expect("there is a home"));
+        for (typed, meant) in [
+            ("/home/me/a.csv", PathBuf::from("/home/me/a.csv")),
+            (" /home/me//tmp/a.csv", PathBuf::from("/tmp/a.csv")),
+            ("/home/me/~/a.csv", home.join("a.csv")),
+            ("~/a.csv", home.join("a.csv")),
+            ("a.csv", PathBuf::from("a.csv")),
+        ] {
+            assert_eq!(typed_path(typed), Ok(meant), "{typed}");
+        }
+        assert!(typed_path(" ").is_err());
+    }
+
+    #[test]
+    fn a_film_is_proposed_in_the_shape_of_the_window() {
+        assert_eq!(within(480, [1560, 508]), [480, 156]);
+        assert_eq!(within(480, [300, 200]), [300, 200]);
+        assert_eq!(within(480, [5000, 1]), [480, 1]);
+    }
+}

@@ -1,0 +1,103 @@
+//! The lesson that is under way in the window, and its commands.
+
+use crate::flags::{SpeedParameter, SpeedSetting};
+use crate::lesson::{Animated, Animation, Answer, Confidence, Course, Place, Score};
+use crate::settings::{Settings, Window};
+
+/// A command of a lesson.
+#[derive(Debug, Clone, PartialEq)]
+pub enum LessonCommand {
+    /// Begin the lesson of this name.
+    Open(String),
+    /// Enter this for the prediction.
+    Draft(Option<Answer>),
+    /// Be this sure of it.
+    Confidence(Option<Confidence>),
+    /// Make the prediction that was entered.
+    Predict,
+    /// Goes on without an answer.
+    Skip,
+    /// Tell what was seen: the answer of this number.
+    Observe(usize),
+    /// Go on; what is predicted and not entered is skipped.
+    Forward,
+    /// Goes back to the place before.
+    Back,
+    /// Go there, or as far as one can.
+    GoTo(Place),
+    /// Restores the state that the lesson has at this place, and plays its reveal again.
+    SetUp,
+    /// Starts or ends counting hands.
+    ToggleClass,
+    /// Show the usual plots beside a curve that was predicted, or the curve again.
+    ShowPlots(bool),
+    /// Fold its panel to a strip, or have all of it.
+    ToggleFolded,
+    /// Starts the lesson again: its answers are forgotten.
+    BeginAnew,
+    /// End the lesson: its answers are kept, and opening it again takes it up where it was.
+    Close,
+}
+
+/// A lesson that is gone through.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Running {
+    /// Course through the lesson.
+    pub course: Course,
+    /// Whether its panel is folded to a strip.
+    pub is_folded: bool,
+    /// The parts of the window before it began.
+    pub(in crate::app) before: Window,
+    /// The number of the step whose predicted curve gave its place to the usual plots.
+    pub(in crate::app) plots_in: Option<usize>,
+    /// Animation that is playing.
+    pub(in crate::app) run: Option<Run>,
+    /// The settings that it has at its present place.
+    pub(in crate::app) told: Option<Told>,
+    /// The score of the predictions, once the end is reached.
+    pub score: Option<Score>,
+}
+
+/// The settings that a lesson has at a place, in somebody's window.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::app) struct Told {
+    pub place: Place,
+    pub base: Settings,
+    pub settings: Settings,
+}
+
+/// An animation that runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::app) struct Run {
+    pub from: Animated,
+    pub animation: Animation,
+    /// Seconds since it began.
+    pub passed: f64,
+}
+
+impl Run {
+    /// Returns the present value, and whether it is the last. Speeds change by equal rapidities in equal times.
+    pub fn now(&self) -> (Animated, bool) {
+        let part = self.passed / self.animation.seconds;
+        let between = |from: f64, to: f64| from + part * (to - from);
+        let now = match (self.from, self.animation.to) {
+            _ if part >= 1.0 => return (self.animation.to, true),
+            (Animated::Time(from), Animated::Time(to)) => Animated::Time(between(from, to)),
+            (Animated::Speed(from), Animated::Speed(to)) => {
+                let [from, to] = [from, to].map(|speed| speed.speed().rapidity());
+                let speed = SpeedSetting::new(SpeedParameter::Rapidity, between(from, to));
+                speed.map_or(self.animation.to, Animated::Speed)
+            }
+            _ => return (self.animation.to, true),
+        };
+        (now, false)
+    }
+}
+
+impl Running {
+    /// Whether a reveal runs.
+    #[must_use]
+    pub const fn is_running(&self) -> bool {
+        self.run.is_some()
+    }
+}

@@ -1,0 +1,5 @@
+//! Measuring in the views: a ruler for angles, and a stopwatch.
+
+pub mod angle_ruler;
+pub(super) mod laid_ruler;
+pub mod stopwatch;

@@ -1,0 +1,136 @@
+//! The small window that asks which file to open or to write.
+
+use eframe::egui::text::{CCursor, CCursorRange};
+use eframe::egui::{Align2, Context, Key, RichText, TextEdit, Ui, Window};
+
+use super::Asks;
+use crate::app::command::Command;
+use crate::app::file_dialog::Chooser;
+use crate::app::file_dialog::purpose::{Product, Purpose};
+use crate::app::state::State;
+use crate::studio::film::FRAMES_PER_SECOND;
+
+/// Width of the path, and room beside it, points.
+const PATH_WIDTH: f32 = 440.0;
+const MARGIN: f32 = 60.0;
+/// Width of the size of a picture, points.
+const SIZE_WIDTH: f32 = 90.0;
+
+/// Shows it while a file is being chosen.
+pub fn show(ctx: &Context, state: &State, chooser: &mut Chooser, asks: &mut Asks) {
+    let Some(purpose) = chooser.purpose() else { return };
+    let width = PATH_WIDTH.min(ctx.content_rect().width() - MARGIN);
+    Window::new(purpose.title())
+        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
+        .collapsible(false)
+        .resizable(false)
+        .show(ctx, |ui| {
+            ui.set_width(width);
+            let is_entered = path(ui, chooser);
+            if let Purpose::Save(product) = purpose {
+                told(ui, state, product, chooser);
+            }
+            if let Some(remark) = &chooser.remark {
+                ui.colored_label(ui.visuals().error_fg_color, remark);
+            }
+            ui.add_space(4.0);
+            if chooser.replaced.is_some() {
+                replace(ui, chooser, asks);
+            } else {
+                buttons(ui, purpose, chooser, is_entered, asks);
+            }
+        });
+}
+
+/// The path that is typed; whether Enter was pressed in it.
+fn path(ui: &mut Ui, chooser: &mut Chooser) -> bool {
+    let [from, to] = chooser.stem();
+    let mut output = TextEdit::singleline(&mut chooser.path).desired_width(f32::INFINITY).show(ui);
+    let response = output.response.response.clone().accessible_name("Path");
+    if std::mem::take(&mut chooser.wants_focus) {
+        response.request_focus();
+        // What is typed takes the place of the name, not of the folder or the ending.
+        let name = CCursorRange::two(CCursor::new(from), CCursor::new(to));
+        output.state.cursor.set_char_range(Some(name));
+        output.state.store(ui.ctx(), response.id);
+    }
+    if response.changed() {
+        chooser.edited();
+    }
+    response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
+}
+
+/// Shows settings and remarks for the product that is saved.
+fn told(ui: &mut Ui, state: &State, product: Product, chooser: &mut Chooser) {
+    if product.has_size() {
+        ui.horizontal(|ui| {
+            let tip = "Width x height of each eye's picture. At first as large as in the window.";
+            ui.label("Size of a picture").on_hover_text(tip);
+            let field = TextEdit::singleline(&mut chooser.size).desired_width(SIZE_WIDTH);
+            if ui.add(field).on_hover_text(tip).accessible_name("Size of a picture").changed() {
+                chooser.edited();
+            }
+            ui.label("pixels");
+        });
+    }
+    let text = match product {
+        Product::Film => {
+            let frames = state.film_frames();
+            let seconds = f64::from(frames) / f64::from(FRAMES_PER_SECOND);
+            format!(
+                "T runs through its range once: {frames} frames, {seconds:.1} s. A name in .gif or .png is an animation, \
+                a name without an ending a folder of pictures."
+            )
+        }
+        Product::Picture => "The picture remembers its state: it can be opened again.".to_owned(),
+        Product::PlotsSvg => "What the shown tab plots, as a drawing.".to_owned(),
+        Product::PlotsCsv => "What the shown tab plots, as a table.".to_owned(),
+        Product::State => "All that is set, T and the selected point. It can be opened again.".to_owned(),
+        Product::Report => {
+            "What was predicted and seen in each step of the lesson, as a page for a browser, which can be printed."
+                .to_owned()
+        }
+        Product::Worksheet | Product::LabSheet | Product::TeachersPage => {
+            "A page for a browser, which prints it; as `gamow lesson` writes it.".to_owned()
+        }
+        Product::Fit => "The numbers of the Fit tab, as `gamow fit --json` writes them.".to_owned(),
+    };
+    ui.label(RichText::new(text).weak());
+}
+
+fn buttons(ui: &mut Ui, purpose: Purpose, chooser: &mut Chooser, is_entered: bool, asks: &mut Asks) {
+    ui.horizontal(|ui| {
+        let name = if matches!(purpose, Purpose::Save(_)) { "Save" } else { "Open" };
+        if ui.button(RichText::new(name).strong()).clicked() || is_entered {
+            asks.extend(chooser.confirmed(None));
+            chooser.wants_focus = chooser.remark.is_some();
+        }
+        ui.add_enabled_ui(!chooser.is_browsing(), |ui| {
+            if ui.button("Browse…").on_hover_text("Choose in a dialog of the system.").clicked() {
+                chooser.browse(ui.ctx());
+            }
+        });
+        if ui.button("Cancel").clicked() {
+            asks.push(Command::Close);
+        }
+    });
+}
+
+/// Asks whether what is there already may be replaced.
+fn replace(ui: &mut Ui, chooser: &mut Chooser, asks: &mut Asks) {
+    let Some(path) = chooser.replaced.clone() else { return };
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    ui.label(format!("{name} is there already."));
+    ui.horizontal(|ui| {
+        let replace = ui.button(RichText::new("Replace it").strong());
+        if ui.memory(|memory| memory.focused().is_none()) {
+            replace.request_focus();
+        }
+        if replace.clicked() {
+            asks.extend(chooser.confirmed(Some(&path)));
+        }
+        if ui.button("Cancel").clicked() {
+            asks.push(Command::Close);
+        }
+    });
+}

@@ -1,0 +1,75 @@
+//! The frame: everything that is measured, chosen and worked out once for each picture of the window.
+
+use std::sync::Arc;
+
+use relativity_render::{Geometry, Outline, PreparedScene};
+
+use crate::accuracy::Choice;
+use crate::app::state::document::Document;
+use crate::app::state::shared::Shared;
+use crate::scene::Track;
+use crate::settings::{Look, Settings, Subject};
+
+/// The measurements and choices of a frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
+    pub picture_size: [u32; 2],
+    /// The size of a pixel of the screen, cm.
+    pub cm_per_pixel: f64,
+    /// Automatic choice for views of each geometry that is shown.
+    pub choices: Vec<(Geometry, Choice)>,
+    /// Whether the map is shown.
+    pub shows_map: bool,
+    /// Step of T; 0 while it stands still.
+    pub step: f64,
+    /// Looks of the eyes, in the first picture of one eye and in the second.
+    pub(in crate::app) looks: [Option<Looked>; 2],
+}
+
+/// The look of both eyes at a document.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::app) struct Looked {
+    pub(in crate::app) settings: Shared<Settings>,
+    prepared: PreparedScene,
+    time: f64,
+    tracked: Track,
+    size: [u32; 2],
+    pub(in crate::app) look: Look,
+    pub(in crate::app) outline: Arc<Outline>,
+}
+
+impl Looked {
+    pub(in crate::app) fn new(document: &Document, settings: &Shared<Settings>, size: [u32; 2]) -> Self {
+        let (prepared, tracked) = (document.prepared.clone(), document.points.selected().track);
+        let subject = Subject { scene: &prepared, tracked };
+        let look = settings.fixed_look(subject, document.time, size);
+        let outline = Arc::new(settings.outline(&prepared, document.time));
+        Self { settings: settings.clone(), prepared, time: document.time, tracked, size, look, outline }
+    }
+
+    pub(in crate::app) fn is_of(&self, document: &Document, size: [u32; 2]) -> bool {
+        self.settings.is_same(&document.settings)
+            && self.prepared == document.prepared
+            && (self.time, self.size) == (document.time, size)
+            && self.tracked == document.points.selected().track
+    }
+}
+
+impl Frame {
+    /// Returns the frame before the first: pictures are as large as `settings` have those of files.
+    pub(in crate::app) fn before_the_first(settings: &Settings) -> Self {
+        Self {
+            picture_size: settings.picture.size.0,
+            cm_per_pixel: settings.screen.cm_per_point(None),
+            choices: Vec::new(),
+            shows_map: false,
+            step: 0.0,
+            looks: [None, None],
+        }
+    }
+
+    pub(in crate::app) fn looked(&self, document: &Document) -> Option<&Looked> {
+        self.looks.iter().flatten().find(|looked| looked.is_of(document, self.picture_size))
+    }
+}

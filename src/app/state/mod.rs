@@ -1,0 +1,239 @@
+//! The state of the window, in parts by how long each lasts.
+
+pub mod defaults;
+pub mod document;
+pub(super) mod frame;
+pub(super) mod looks;
+pub mod points;
+pub(super) mod shared;
+
+use std::path::Path;
+use std::sync::Arc;
+
+use relativity_core::Speed;
+use relativity_render::{Appearance, Emission, Geometry, Method, View};
+
+use crate::accuracy::Choice;
+use crate::app::file_dialog::purpose::Purpose;
+use crate::app::files::reader::ReadyScene;
+use crate::app::files::recent::Recent;
+use crate::app::lesson::session::Running;
+use crate::app::measuring::angle_ruler::AngleRuler;
+use crate::app::measuring::stopwatch::Stopwatch;
+use crate::app::notice::Notice;
+use crate::app::orders::Order;
+use crate::app::overlay::Overlay;
+use crate::app::plots::look::Plotting;
+use crate::app::pointer::Pick;
+use crate::app::screens::stage::Stage;
+use crate::app::state::document::Document;
+use crate::app::state::frame::Frame;
+use crate::app::state::points::Point;
+use crate::app::state::shared::Shared;
+use crate::app::undo::history::History;
+use crate::estimate::samples::DataFile;
+use crate::lesson::{Answers, Library};
+use crate::map::Viewpoint;
+use crate::scene::{Scene, SceneError};
+use crate::settings::Settings;
+use crate::units::Measures;
+
+/// Everything the panels read, each part by how long it lasts. Only [`crate::app::command`] changes it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    /// Document that is shown: undone, saved and compared.
+    pub document: Document,
+    /// Scratch of the document, until another is shown.
+    pub scratch: Scratch,
+    /// Session of the window.
+    pub session: Session,
+    /// Frame with its measurements and choices.
+    pub frame: Frame,
+}
+
+/// The scratch of a document: what is tried on it, and forgotten when another is shown.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Scratch {
+    /// Whether playback runs.
+    pub playing: bool,
+    /// The ruler for angles in the views.
+    pub angle_ruler: AngleRuler,
+    /// The stopwatch in the first view.
+    pub stopwatch: Stopwatch,
+    /// The click into a view that hit nothing, until something else is done.
+    pub missed: Option<Pick>,
+    /// The separation of the eyes before it was narrowed to be comfortable, and after.
+    pub narrowed: Option<[f64; 2]>,
+    /// The user's look at the map.
+    pub map_view: Viewpoint,
+    /// Zoomed parts, cursors and pins of the plots.
+    pub plotting: Plotting,
+    /// The message about the last thing that was done, or could not be.
+    pub notice: Option<Notice>,
+    /// The purpose for which a file is being chosen.
+    pub chooser: Option<Purpose>,
+}
+
+/// The session: everything that lasts as long as the window.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Session {
+    /// Overlay over the window.
+    pub overlay: Option<Overlay>,
+    /// Whether the views say what a click does: until the first.
+    pub hint: bool,
+    /// Temporary modes of the window.
+    pub stage: Stage,
+    /// Undo history.
+    pub history: History,
+    /// The measured disparities that are fitted in place of simulated ones.
+    pub data: Option<Arc<DataFile>>,
+    /// Requests that need more than the state.
+    pub orders: Vec<Order>,
+    /// The files that were opened.
+    pub recent: Recent,
+    /// The lesson that is gone through.
+    pub lesson: Option<Running>,
+    /// The name of the lesson to go on with: the last that was begun, or the one after it once that is over.
+    pub next_lesson: Option<String>,
+    /// Everything that was entered in lessons, in the open one too.
+    pub answers: Answers,
+    /// The lessons that there are, where they are not the program's own alone.
+    pub library: Option<Arc<Library>>,
+}
+
+impl State {
+    /// Returns the state that shows `scene` as `settings` have it. By default its own point is selected, and T is shortly before
+    /// that passes.
+    #[must_use]
+    pub fn new(settings: Settings, scene: Scene) -> Self {
+        Self::in_scene(settings, scene.into())
+    }
+
+    /// The same of a scene that is ready to be drawn.
+    pub(in crate::app) fn in_scene(settings: Settings, scene: ReadyScene) -> Self {
+        let (document, notice) = Document::new(settings, scene);
+        let frame = Frame::before_the_first(&document.settings);
+        let scratch = Scratch { notice, ..Scratch::default() };
+        Self { document, scratch, session: Session::default(), frame }
+    }
+
+    /// Shows what `settings` say, in their `scene`. T runs on unless they give one.
+    pub(in crate::app) fn show_in(&mut self, settings: Settings, scene: ReadyScene) {
+        let playing = self.scratch.playing && settings.time.is_none();
+        let (document, notice) = Document::new(settings, scene);
+        self.document = document;
+        self.scratch = Scratch { playing, notice, ..Scratch::default() };
+    }
+
+    /// Opens the scene that `settings` name.
+    ///
+    /// # Errors
+    /// A scene that cannot be had.
+    pub fn open(settings: Settings) -> Result<Self, SceneError> {
+        let scene = settings.opened_scene()?;
+        Ok(Self::new(settings, scene))
+    }
+
+    /// Has these settings, which name a scene that can be had: T stays, and so do the points that are still there.
+    ///
+    /// # Errors
+    /// A scene that cannot be had; then nothing changes.
+    pub fn set(&mut self, settings: impl Into<Shared<Settings>>) -> Result<(), SceneError> {
+        let settings = settings.into();
+        let is_same = settings.scene == self.document.settings.scene;
+        if !is_same || settings.light.surroundings != self.document.settings.light.surroundings {
+            self.show_scene(settings.opened_scene()?.into());
+        }
+        self.document.settings = settings;
+        Ok(())
+    }
+
+    /// Shows `scene` in place of another version of it, with the points that are still there.
+    pub(in crate::app) fn show_scene(&mut self, scene: ReadyScene) {
+        let ReadyScene { scene, prepared } = scene;
+        self.document.prepared = prepared;
+        self.document.points = self.document.points.carried(&self.document.scene, &scene);
+        self.document.scene = scene;
+    }
+
+    /// The file of the scene, if it is in one.
+    #[must_use]
+    pub fn scene_file(&self) -> Option<&Path> {
+        Scene::preset(&self.document.settings.scene)
+            .is_none()
+            .then(|| Path::new(&self.document.settings.scene))
+    }
+
+    /// Returns everything that is shown, as settings with T and points.
+    #[must_use]
+    pub fn shown(&self) -> Settings {
+        let points = &self.document.points;
+        Settings {
+            time: Some(self.document.time),
+            point: (points.selected_index() != 0).then_some(points.selected().track.rest),
+            points: points.followed(),
+            ..Settings::clone(&self.document.settings)
+        }
+    }
+
+    /// Returns the name of `point` in lists and plots: the body that it is on, with its number where another is on that too.
+    #[must_use]
+    pub fn name_of(&self, point: &Point) -> String {
+        let what = point.what(&self.document.scene);
+        let is_on_it = |other: &&Point| other.what(&self.document.scene) == what;
+        match self.document.points.all().iter().filter(is_on_it).count() {
+            0 | 1 => what.to_owned(),
+            _ => format!("{what} ({})", point.number),
+        }
+    }
+
+    /// The speed of the scene.
+    #[must_use]
+    pub fn speed(&self) -> Speed {
+        self.document.settings.speed()
+    }
+
+    /// The units that lengths and times are shown and typed in.
+    #[must_use]
+    pub fn measures(&self) -> Measures {
+        self.document.settings.window.units.of(&self.document.scene)
+    }
+
+    /// First and last T of the scrubber and the plots.
+    #[must_use]
+    pub fn time_range(&self) -> [f64; 2] {
+        self.document.settings.time_range(&self.document.points.selected().track)
+    }
+
+    /// The light of `point`: of the body it was picked on, else of the one that it lies on, else of the first.
+    #[must_use]
+    pub fn emission(&self, point: &Point) -> Emission {
+        let body = point.body.or_else(|| self.document.scene.body_at(point.track.rest)).unwrap_or(0);
+        self.document.prepared.bodies().get(body).map_or(Emission::White, |body| body.emission)
+    }
+
+    /// Wavelength of that light at rest, nm; white light has none.
+    #[must_use]
+    pub fn rest_wavelength_nm(&self, point: &Point) -> Option<f64> {
+        self.emission(point).wavelength_nm()
+    }
+
+    /// Returns the method that draws `view`: the one set, else the automatic choice.
+    #[must_use]
+    pub fn method(&self, view: &View) -> Method {
+        let chosen = || self.choice(view.geometry).map(|choice| choice.method);
+        self.document.settings.quality.method().or_else(chosen).unwrap_or(Method::Rays)
+    }
+
+    /// Returns the automatic choice for views of this `geometry`.
+    #[must_use]
+    pub fn choice(&self, geometry: Geometry) -> Option<&Choice> {
+        self.frame.choices.iter().find_map(|(of, choice)| (*of == geometry).then_some(choice))
+    }
+
+    /// Returns the appearance of its light, in a light window or a dark one.
+    #[must_use]
+    pub fn appearance(&self, light_window: bool) -> Appearance {
+        self.document.settings.appearance(&self.document.scene, light_window)
+    }
+}

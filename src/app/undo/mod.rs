@@ -1,0 +1,78 @@
+//! Undo and redo: commands are applied as steps.
+
+pub mod history;
+
+use std::path::PathBuf;
+
+use crate::app::command::Command;
+use crate::app::notice::Notice;
+use crate::app::state::State;
+use crate::app::undo::history::{Direction, Kept, Run};
+use crate::lesson::Course;
+
+impl State {
+    /// Applies a command, so that it can be undone.
+    pub fn apply(&mut self, command: Command) {
+        let before = self.course().cloned();
+        match command {
+            Command::Undo => self.travel(Direction::Back),
+            Command::Redo => self.travel(Direction::Forwards),
+            // A scene that is written anew is no setting: who writes it has a way back of their own.
+            command if self.renews_the_scene(&command) => self.perform(command),
+            command => self.step(command),
+        }
+        self.follow_lesson();
+        if let Some(before) = before {
+            self.note_answers(&before);
+        }
+    }
+
+    fn step(&mut self, command: Command) {
+        if command == Command::FollowAgain
+            && let Some(before) = self.session.history.taken_pick()
+        {
+            self.document.points = before.points;
+        }
+        let (kept, is_pick, time) = (self.kept(), matches!(command, Command::Pick(_)), self.document.time);
+        let run = self.session.history.run(nudge(&command));
+        self.perform(command);
+        let kept = Kept { time: Some(time).filter(|time| *time != self.document.time), ..kept };
+        let now = self.kept();
+        self.session.history.note(run, is_pick, kept, &now);
+    }
+
+    fn kept(&self) -> Kept {
+        let preset = self.document.preset;
+        let (settings, points) = (self.document.settings.clone(), self.document.points.clone());
+        Kept { settings, points, preset, place: self.course().map(Course::place), time: None }
+    }
+
+    fn travel(&mut self, direction: Direction) {
+        let Some(kept) = self.session.history.next(direction) else { return };
+        let scene = PathBuf::from(&kept.settings.scene);
+        let left = Kept { time: kept.time.map(|_| self.document.time), ..self.kept() };
+        if let Err(error) = self.set(kept.settings) {
+            self.scratch.notice = Some(Notice::error(error).about(&scene));
+            return;
+        }
+        self.document.points = kept.points.of(&self.document.scene);
+        self.document.preset = kept.preset;
+        if let Some((running, place)) = self.session.lesson.as_mut().zip(kept.place) {
+            running.course.go_to(place);
+        }
+        self.stop_run();
+        if let Some(time) = kept.time {
+            (self.document.time, self.document.opened) = (time, None);
+        }
+        self.session.history.leave(direction, left);
+    }
+}
+
+/// The kind of nudge that it is, if it is one.
+const fn nudge(command: &Command) -> Option<Run> {
+    match command {
+        Command::NudgeSpeed(_) => Some(Run::Speed),
+        Command::Zoom(_) | Command::Magnify(_) => Some(Run::Zoom),
+        _ => None,
+    }
+}

@@ -1,0 +1,73 @@
+//! The left eye's picture, corrected to what a camera riding along would have taken: made by a thread of its
+//! own from the speed that the fit found.
+
+use eframe::egui::Context;
+use relativity_core::{Speed, math};
+use relativity_render::backdrop::Backdrop;
+use relativity_render::rectified_hits::Blank;
+use relativity_render::rectify::Rectification;
+use relativity_render::{Appearance, Camera, Picture, PreparedScene, Projection, Velocity, View};
+
+use crate::app::views::background_picture::BackgroundPicture;
+
+/// Greatest number of pixels of a corrected picture: enough to judge it by, and drawn in a blink on the CPU.
+const MAX_PIXELS: f64 = 200_000.0;
+/// Resolution of the eye's picture relative to the corrected one, along each side: parts of it come out enlarged.
+const FINENESS: u32 = 2;
+/// Brightness outside the eye's picture, relative to the background inside it.
+const OUTSIDE: f64 = 0.6;
+
+/// The key of a corrected picture: everything it depends on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Job {
+    /// The eye's view, as seen.
+    pub view: View,
+    /// Speed by which it is corrected.
+    pub speed: Speed,
+    /// Appearance of its light.
+    pub appearance: Appearance,
+    /// Scene that is drawn.
+    pub scene: PreparedScene,
+}
+
+/// The corrected picture that is shown, and the one that is being made.
+pub type Corrected = BackgroundPicture<Job>;
+
+impl Corrected {
+    /// Returns a correction of the left eye's picture, without a picture yet.
+    #[must_use]
+    pub fn of_left_eye(ctx: &Context) -> Self {
+        Self::new(ctx, "corrected", picture)
+    }
+}
+
+/// The corrected picture of `job`.
+fn picture(job: &Job) -> Picture {
+    let size = size(job.view.camera.size);
+    let camera = Camera { size: size.map(|side| FINENESS * side), ..job.view.camera };
+    let view = View { camera, ..job.view };
+    let velocity = Velocity::forward(job.speed);
+    let ground = if camera.projection.is_conformal() { camera } else { across_gaze(&camera) };
+    let rest = Camera { size, ..Rectification::rest_camera(&ground, &velocity) };
+    let rectification = Rectification::new(view.camera, rest, velocity);
+    let hits = job.scene.hit_image(&view);
+    let plain = Appearance { sky: false, ground_z: None, ..job.appearance };
+    let background = Backdrop::new(&view.camera, &plain).sky(view.camera.gaze.axes().forward);
+    let blank = Blank { background, outside: background.map(|part| OUTSIDE * part) };
+    rectification.picture_of_hits(&hits, &job.scene, &job.appearance, blank)
+}
+
+/// The camera that has what `camera` has in its middle in its own, as high there, and its picture across the gaze.
+fn across_gaze(camera: &Camera) -> Camera {
+    // A sheared picture is further from the eye in its middle than on its axis.
+    let further = (camera.px_per_radian() / camera.focal_length_px()).sqrt();
+    let half_width = math::tan(0.5 * camera.horizontal_fov) / further;
+    Camera { projection: Projection::Gaze, horizontal_fov: 2.0 * math::atan(half_width), ..*camera }
+}
+
+/// `size`, scaled down to what is made in time.
+fn size(size: [u32; 2]) -> [u32; 2] {
+    let pixels = size.map(f64::from).iter().product::<f64>();
+    let scale = (MAX_PIXELS / pixels).sqrt().min(1.0);
+    size.map(|side| ((f64::from(side) * scale).round() as u32).max(1))
+}

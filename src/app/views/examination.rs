@@ -1,0 +1,320 @@
+//! Examination of the present views: the cost of each way to draw them, and its error, measured by a thread of its own, one method after
+//! the other, while the Accuracy tab is shown and nothing moves.
+
+use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use relativity_render::{Appearance, Gpu, GpuError, Method, PreparedScene, Renderers, View};
+
+use crate::accuracy::{
+    DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, RESOLUTION_PX, RoundsError, Spread,
+    expected_error, method_name,
+};
+use crate::app::debounce::Debounce;
+use crate::app::views::eye::Eye;
+use crate::app::views::heat_map;
+use crate::app::worker::{Wanted, Worker};
+
+/// The present views, which are examined.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sight {
+    /// Views of the eyes through their own light cones.
+    pub views: Vec<(Eye, View)>,
+    /// Appearance of their light.
+    pub appearance: Appearance,
+    /// Scene that is seen.
+    pub scene: PreparedScene,
+}
+
+/// The cost of one method, and the error of its pictures: the worse of the eyes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figures {
+    /// Milliseconds for the pictures of all eyes.
+    pub frame_ms: f64,
+    /// Displacement of outlines, pixels. `None` without outlines, and for the reference itself.
+    pub outlines_px: Option<Spread>,
+    /// Between where a point is drawn and where it is seen, arcseconds.
+    pub line_of_sight_arcseconds: Option<Spread>,
+    /// Relative error of the Doppler factor.
+    pub doppler: Option<Spread>,
+    /// Share of the covered pixels that show another body.
+    pub wrong_share: f64,
+    /// Total error, pixels: 99 % of the outlines that can be told apart, and of the directions, are nearer.
+    pub error_px: f64,
+    /// Errors of rounds, for the reference where it shows bodies that turn.
+    pub rounds: Option<RoundsError>,
+}
+
+/// The error of each eye's picture, pixel by pixel.
+type HeatMaps = Vec<(Eye, ColorImage)>;
+
+/// The outcome of one method.
+struct Outcome {
+    method: Method,
+    /// Number of the sight in which it was measured.
+    sight: u64,
+    figures: Result<Figures, String>,
+    maps: HeatMaps,
+}
+
+/// A job: one method to measure.
+struct Job {
+    sight: Sight,
+    number: u64,
+    method: Method,
+}
+
+/// The figures of all methods, and what measures them.
+pub struct Examination {
+    worker: Worker<Job, Outcome>,
+    has_gpu: bool,
+    stillness: Debounce<Sight>,
+    /// Sight that is examined; `None` while the tab is hidden.
+    sight: Option<Sight>,
+    /// Number of sights so far.
+    number: u64,
+    methods: Vec<Method>,
+    /// Method that draws the views.
+    chosen: Method,
+    outcomes: Vec<Outcome>,
+    shown_maps: Option<ShownMaps>,
+}
+
+/// The heat maps that are on screen, and what they are of.
+struct ShownMaps {
+    method: Method,
+    sight: u64,
+    textures: Vec<(Eye, TextureHandle)>,
+}
+
+/// A method, and what is known about it.
+#[derive(Debug, Clone, Copy)]
+pub struct Row<'a> {
+    /// Method of the row.
+    pub method: Method,
+    /// Figures, or the reason why there are none; `None` before the first.
+    pub figures: Option<&'a Result<Figures, String>>,
+    /// Whether they were measured in the present views.
+    pub is_current: bool,
+}
+
+impl<'a> Row<'a> {
+    /// Returns the figures, if they were measured in the present views.
+    #[must_use]
+    pub fn measured(&self) -> Option<&'a Figures> {
+        self.figures.filter(|_| self.is_current)?.as_ref().ok()
+    }
+
+    /// Returns the name of the method.
+    #[must_use]
+    pub fn name(&self) -> String {
+        method_name(self.method)
+    }
+}
+
+impl Examination {
+    /// Nothing is known yet. Without a `gpu` there is only the reference to measure.
+    #[must_use]
+    pub fn new(ctx: &Context, gpu: Option<Gpu>) -> Self {
+        let has_gpu = gpu.is_some();
+        let mut renderers = Renderers::new(gpu);
+        let work = move |job: Job, wanted: &Wanted| outcome(&mut renderers, &job, &|| !wanted.holds());
+        Self {
+            worker: Worker::new(ctx.clone(), work),
+            has_gpu,
+            stillness: Debounce::default(),
+            sight: None,
+            number: 0,
+            methods: Vec::new(),
+            chosen: Method::Reference,
+            outcomes: Vec::new(),
+            shown_maps: None,
+        }
+    }
+
+    /// Examines `sight` by all methods, the `chosen` one first. What was begun for another sight is given up.
+    pub fn update(&mut self, ctx: &Context, sight: &Sight, chosen: Method) {
+        let chosen = sight.views.first().map_or(chosen, |(_, view)| chosen.of_view(view));
+        self.methods = methods(self.has_gpu, chosen, sight);
+        self.chosen = chosen;
+        if self.sight.as_ref() != Some(sight) {
+            self.worker.stop();
+            self.sight = Some(sight.clone());
+            self.number += 1;
+        }
+        self.receive();
+        if !self.stillness.is_still(ctx, sight) || self.worker.is_pending() {
+            return;
+        }
+        let next = std::iter::once(chosen).chain(self.methods.iter().copied());
+        if let Some(method) = next.into_iter().find(|&method| self.is_wanted(method)) {
+            self.worker.request(Job { sight: sight.clone(), number: self.number, method });
+        }
+    }
+
+    fn receive(&mut self) {
+        let methods = &self.methods;
+        self.outcomes.retain(|outcome| methods.contains(&outcome.method));
+        let Some(new) = self.worker.result().filter(|outcome| outcome.sight == self.number) else { return };
+        self.outcomes.retain(|outcome| outcome.method != new.method);
+        self.outcomes.push(new);
+    }
+
+    fn outcome(&self, method: Method) -> Option<&Outcome> {
+        self.outcomes.iter().find(|outcome| outcome.method == method)
+    }
+
+    /// Whether `method` has yet to be measured in the present sight.
+    fn is_wanted(&self, method: Method) -> bool {
+        let is_seen = self.sight.as_ref().is_some_and(|sight| !sight.views.is_empty());
+        is_seen && self.outcome(method).is_none_or(|outcome| outcome.sight != self.number)
+    }
+
+    /// Returns the pixels of a picture per radian; `None` while the tab is hidden.
+    #[must_use]
+    pub fn px_per_radian(&self) -> Option<f64> {
+        let views = &self.sight.as_ref()?.views;
+        views.iter().map(|(_, view)| view.camera.px_per_radian()).reduce(f64::max)
+    }
+
+    /// Gives up what is being measured, as nobody looks.
+    pub fn rest(&mut self) {
+        if self.sight.take().is_some() {
+            self.worker.stop();
+        }
+    }
+
+    /// Returns the method that draws the views.
+    #[must_use]
+    pub const fn chosen(&self) -> Method {
+        self.chosen
+    }
+
+    /// Whether there is more to measure.
+    #[must_use]
+    pub fn is_pending(&self) -> bool {
+        self.methods.iter().any(|&method| self.is_wanted(method))
+    }
+
+    /// Whether there is nothing to see, and so nothing to measure.
+    #[must_use]
+    pub fn is_blind(&self) -> bool {
+        self.sight.as_ref().is_none_or(|sight| sight.views.is_empty())
+    }
+
+    /// Returns the rows of all methods: rays, packets, meshes from fine to coarse, reference.
+    pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+        self.methods.iter().map(|&method| {
+            let outcome = self.outcome(method);
+            let is_current = outcome.is_some_and(|outcome| outcome.sight == self.number);
+            Row { method, figures: outcome.map(|outcome| &outcome.figures), is_current }
+        })
+    }
+
+    /// The method that costs less than that of `row` and is no further off, or costs no more and is nearer; `None` of
+    /// what is worth its time, and before that is known.
+    #[must_use]
+    pub fn better_than(&self, row: &Row<'_>) -> Option<Method> {
+        let own = row.measured()?;
+        let is_better = |other: &Figures| {
+            other.frame_ms <= own.frame_ms
+                && other.error_px <= own.error_px
+                && (other.frame_ms < own.frame_ms || other.error_px < own.error_px)
+        };
+        self.rows().find_map(|other| is_better(other.measured()?).then_some(other.method))
+    }
+
+    /// Returns the error of the picture of `eye` by `method`, pixel by pixel, once it is known and while the tab is shown.
+    pub fn heat_map(&mut self, ctx: &Context, eye: Eye, method: Method) -> Option<&TextureHandle> {
+        self.sight.as_ref()?;
+        let sight = self.number;
+        if !self.shown_maps.as_ref().is_some_and(|maps| (maps.method, maps.sight) == (method, sight)) {
+            let outcome = self.outcome(method).filter(|outcome| outcome.sight == sight)?;
+            let texture = |(eye, image): &(Eye, ColorImage)| {
+                (*eye, ctx.load_texture("heat map", image.clone(), TextureOptions::NEAREST))
+            };
+            let textures = outcome.maps.iter().map(texture).collect();
+            self.shown_maps = Some(ShownMaps { method, sight, textures });
+        }
+        let maps = self.shown_maps.as_ref()?;
+        maps.textures.iter().find_map(|(of, texture)| (*of == eye).then_some(texture))
+    }
+}
+
+/// Returns the methods that can be measured: not those that another one stands in for.
+fn methods(has_gpu: bool, chosen: Method, sight: &Sight) -> Vec<Method> {
+    if !has_gpu {
+        return vec![Method::Packets, Method::Reference];
+    }
+    let mut bounds = MESH_BOUNDS_PX.to_vec();
+    if let Method::Mesh { bound_px } = chosen {
+        bounds.push(bound_px);
+    }
+    bounds.sort_by(f64::total_cmp);
+    bounds.dedup();
+    let meshes = bounds.into_iter().map(|bound_px| Method::Mesh { bound_px });
+    let draws = |method: &Method| sight.views.iter().all(|(_, view)| method.of_view(view) == *method);
+    [Method::Rays, Method::Packets]
+        .into_iter()
+        .chain(meshes)
+        .chain([Method::Reference])
+        .filter(draws)
+        .collect()
+}
+
+fn outcome(renderers: &mut Renderers, job: &Job, is_cancelled: &dyn Fn() -> bool) -> Option<Outcome> {
+    let (figures, maps) = match examined(renderers, job, is_cancelled) {
+        Ok(found) => found.map(|(figures, maps)| (Ok(figures), maps))?,
+        Err(error) => (Err(error.to_string()), Vec::new()),
+    };
+    Some(Outcome { method: job.method, sight: job.number, figures, maps })
+}
+
+/// The figures and the heat maps; `None` if cancelled.
+fn examined(
+    renderers: &mut Renderers,
+    job: &Job,
+    is_cancelled: &dyn Fn() -> bool,
+) -> Result<Option<(Figures, HeatMaps)>, GpuError> {
+    let Sight { views, appearance, scene } = &job.sight;
+    let mut found = Vec::new();
+    for (_, view) in views {
+        let (method, effort) = (job.method, Effort::GLANCE);
+        let error = expected_error(renderers, scene, method, view, appearance, effort, is_cancelled)?;
+        let Some(error) = error else { return Ok(None) };
+        found.push(error);
+    }
+    let map = |((eye, view), error): (&(Eye, View), &ExpectedError)| {
+        (*eye, heat_map::image(&error.difference, view.camera.px_per_radian()))
+    };
+    let maps = views.iter().zip(&found).map(map).collect();
+    let px_per_radian = views.iter().map(|(_, view)| view.camera.px_per_radian()).fold(0.0, f64::max);
+    Ok(Some((Figures::of(&found, px_per_radian), maps)))
+}
+
+impl Figures {
+    /// Returns the figures for the errors found in the eyes' views, in which a radian is this many pixels.
+    fn of(found: &[ExpectedError], px_per_radian: f64) -> Self {
+        let worse = |spread: fn(&ExpectedError) -> Option<Spread>| {
+            found.iter().filter_map(spread).reduce(Spread::worse)
+        };
+        let sum = |count: fn(&DifferenceFigures) -> usize| -> usize {
+            found.iter().map(|error| count(&error.difference.figures)).sum()
+        };
+        let rounds = found.iter().filter_map(|error| error.rounds.clone());
+        let rounds = rounds.reduce(|worst, other| worst.worse(&other));
+        let covered = sum(|figures| figures.covered_pixels).max(1);
+        let outlines_px = worse(|error| error.outlines_px);
+        let line_of_sight_arcseconds = worse(|error| error.difference.figures.line_of_sight_arcseconds);
+        let outlines = outlines_px.map_or(0.0, |spread| spread.p99);
+        let directions = line_of_sight_arcseconds.map_or(0.0, |spread| spread.p99);
+        let told_apart = if outlines > RESOLUTION_PX { outlines } else { 0.0 };
+        Self {
+            error_px: told_apart.max((directions / 3600.0).to_radians() * px_per_radian),
+            frame_ms: found.iter().map(|error| error.frame_ms).sum(),
+            outlines_px,
+            line_of_sight_arcseconds,
+            doppler: worse(|error| error.difference.figures.doppler_relative),
+            rounds,
+            wrong_share: sum(|figures| figures.wrong_pixels) as f64 / covered as f64,
+        }
+    }
+}

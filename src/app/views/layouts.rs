@@ -1,0 +1,106 @@
+//! Names of the layouts of the eyes' pictures in the window, and colours that assign their parts to the eyes.
+
+use eframe::egui::{Color32, Visuals};
+
+use crate::app::state::State;
+use crate::app::theme;
+use crate::app::views::eye::Eye;
+use crate::flags::choices::Layout;
+use crate::settings::Picture;
+
+/// All layouts, with their names and uses.
+pub const LAYOUTS: [(Layout, &str, &str); 13] = [
+    (Layout::SideBySide, "Side by side", "The left eye's picture on the left, the right eye's on the right."),
+    (
+        Layout::FreeViewing,
+        "Free viewing",
+        "For eyes that look in parallel, through the screen: no further apart than pupils are (--picture-distance), as \
+        far as the screen's density is known (--screen-width).",
+    ),
+    (
+        Layout::CrossEyed,
+        "Cross-eyed",
+        "The other way round, for eyes that look at a point in front of the screen.",
+    ),
+    (Layout::Left, "Left eye", "The left eye only."),
+    (Layout::Right, "Right eye", "The right eye only."),
+    (
+        Layout::Anaglyph,
+        "Anaglyph",
+        "For red-cyan glasses: the left eye's brightness in red, the right eye's in cyan. No colour is lost.",
+    ),
+    (
+        Layout::Dubois,
+        "Anaglyph, colours",
+        "For red-cyan glasses: as near to the colours as can be (Dubois). Pure red is dark to the right eye.",
+    ),
+    (Layout::Overlay, "Overlay", "The left eye in blue and the right eye in orange, added."),
+    (Layout::OverUnder, "Over-under", "The left eye's picture above the right eye's."),
+    (
+        Layout::HalfSideBySide,
+        "Half side by side",
+        "Each picture at half its width, as 3-D televisions and projectors take it.",
+    ),
+    (
+        Layout::HalfOverUnder,
+        "Half over-under",
+        "Each picture at half its height, as 3-D televisions and projectors take it.",
+    ),
+    (
+        Layout::Rows,
+        "Interleaved rows",
+        "Rows of the screen in turn, the topmost the left eye's, for screens that are polarised so.",
+    ),
+    (Layout::Flicker, "Flicker", "One after the other, three times a second: depth shows without glasses."),
+];
+
+/// Returns the name of `layout`.
+#[must_use]
+pub fn name(layout: Layout) -> &'static str {
+    LAYOUTS.iter().find(|(of, ..)| *of == layout).map_or("", |(_, name, _)| name)
+}
+
+/// The title of a picture that both eyes share.
+#[must_use]
+pub fn title(picture: &Picture) -> String {
+    let swapped = if picture.swapped.has(picture.layout) { ", eyes swapped" } else { "" };
+    let is_shared = !matches!(picture.layout, Layout::HalfSideBySide | Layout::HalfOverUnder);
+    let clicks = if is_shared { "  ·  clicks are the left eye's" } else { "" };
+    format!("Both eyes: {}{swapped}{clicks}", name(picture.layout))
+}
+
+/// The colours of the ring and the dot that mark where `eye` sees a point, whose `own` colour is given, in a picture that both
+/// share: the eye's, and the point's. Behind red-cyan glasses each eye sees its own marker alone, also where both are in one
+/// place, as their light is added.
+#[must_use]
+pub fn marker_colours(state: &State, eye: Eye, own: Color32, visuals: &Visuals) -> [Color32; 2] {
+    const RED_CYAN: [Color32; 2] =
+        [Color32::from_rgba_premultiplied(255, 0, 0, 0), Color32::from_rgba_premultiplied(0, 255, 255, 0)];
+    let picture = &state.document.settings.picture;
+    let is_first = picture.eyes().first() == Some(&eye.index());
+    match picture.layout {
+        Layout::Anaglyph | Layout::Dubois => [RED_CYAN[usize::from(!is_first)]; 2],
+        Layout::Overlay => [theme::eye_colour(Eye::BOTH[usize::from(!is_first)], &Visuals::dark()), own],
+        _ => [theme::eye_colour(eye, visuals), own],
+    }
+}
+
+/// Returns the colour that sets a marker off: light is added to what is dark.
+#[must_use]
+pub fn halo_colour(state: &State, visuals: &Visuals) -> Color32 {
+    let is_added = matches!(state.document.settings.picture.layout, Layout::Anaglyph | Layout::Dubois);
+    if is_added { Color32::from_black_alpha(210) } else { theme::halo_colour(visuals) }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::ValueEnum as _;
+
+    use super::*;
+
+    #[test]
+    fn every_layout_has_a_name_in_the_order_of_the_flags() {
+        let named: Vec<_> = LAYOUTS.iter().map(|(layout, ..)| *layout).collect();
+        assert_eq!(named, Layout::value_variants());
+    }
+}

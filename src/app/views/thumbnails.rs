@@ -1,0 +1,146 @@
+//! Small pictures of what lessons and presets show: each is drawn once, by the reference renderer in the background, while
+//! somebody looks at them.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use relativity_render::Picture;
+
+use crate::accuracy::REFERENCE_SAMPLES;
+use crate::app::state::State;
+use crate::app::views::eye::Eye;
+use crate::app::worker::{Wanted, Worker};
+use crate::lesson::Lesson;
+use crate::settings::Settings;
+
+/// The look of a thumbnail, which it depends on beside its lesson.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Look {
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+    /// Whether it is in a light window.
+    pub in_light_window: bool,
+    /// Eye that sees it.
+    pub eye: Eye,
+}
+
+/// A thumbnail to draw.
+#[derive(Debug)]
+struct Job {
+    lesson: Arc<Lesson>,
+    look: Look,
+}
+
+/// The key of a thumbnail: a preset may be called like a lesson.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Key {
+    name: String,
+    is_of_a_preset: bool,
+    eye: Eye,
+    size: [u32; 2],
+}
+
+impl Key {
+    fn of(lesson: &Lesson, Look { size, eye, .. }: Look) -> Self {
+        Self { name: lesson.name.clone(), is_of_a_preset: lesson.is_a_preset(), eye, size }
+    }
+}
+
+/// A drawn thumbnail; empty where there is nothing to draw.
+struct Drawn {
+    key: Key,
+    in_light_window: bool,
+    image: Option<ColorImage>,
+}
+
+/// A kept thumbnail. In a window that has since changed its theme, it stays until the other is drawn.
+struct Kept {
+    in_light_window: bool,
+    texture: Option<TextureHandle>,
+}
+
+/// The thumbnails that were drawn, the one that is drawn now, and the one that comes next.
+#[derive(Default)]
+pub struct Thumbnails {
+    worker: Option<Worker<Job, Drawn>>,
+    kept: HashMap<Key, Kept>,
+    /// The first that is missing, and whether it is in view.
+    missing: Option<(Job, bool)>,
+    /// Number of thumbnails drawn.
+    count: usize,
+}
+
+impl Thumbnails {
+    /// Returns the number of thumbnails drawn since the window opened.
+    #[must_use]
+    pub const fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Whether none is being drawn.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        !self.worker.as_ref().is_some_and(Worker::is_pending)
+    }
+
+    /// Takes in what was drawn.
+    pub fn receive(&mut self, ctx: &Context) {
+        let Some(drawn) = self.worker.as_ref().and_then(Worker::result) else { return };
+        let Drawn { key, in_light_window, image } = drawn;
+        let texture = image.map(|image| ctx.load_texture(&key.name, image, TextureOptions::LINEAR));
+        self.kept.insert(key, Kept { in_light_window, texture });
+        self.count += 1;
+    }
+
+    /// Returns the thumbnail of `lesson`, once there is one; until it has this `look` it is noted as missing. Those in view come first.
+    pub fn of(&mut self, lesson: &Arc<Lesson>, look: Look, is_in_view: bool) -> Option<&TextureHandle> {
+        let kept = self.kept.get(&Key::of(lesson, look));
+        let is_missing = kept.is_none_or(|kept| kept.in_light_window != look.in_light_window);
+        if is_missing && self.missing.as_ref().is_none_or(|(_, other)| is_in_view && !other) {
+            self.missing = Some((Job { lesson: Arc::clone(lesson), look }, is_in_view));
+        }
+        kept.and_then(|kept| kept.texture.as_ref())
+    }
+
+    /// Has the first of those drawn that were noted as missing, unless another is being drawn.
+    pub fn go_on(&mut self, ctx: &Context) {
+        let missing = self.missing.take();
+        let Some((job, _)) = missing.filter(|_| self.is_settled()) else { return };
+        self.worker.get_or_insert_with(|| Worker::new(ctx.clone(), work)).request(job);
+    }
+}
+
+#[expect(clippy::unnecessary_wraps, reason = "work that is never given up")]
+fn work(Job { lesson, look }: Job, _: &Wanted) -> Option<Drawn> {
+    let image = picture(&lesson, look).map(|Picture { size, rgba }| {
+        ColorImage::from_rgba_unmultiplied(size.map(|side| side as usize), rgba.as_flattened())
+    });
+    Some(Drawn { key: Key::of(&lesson, look), in_light_window: look.in_light_window, image })
+}
+
+/// Draws the first step of `lesson`, after its reveal; `None` where it cannot be shown.
+fn picture(lesson: &Lesson, Look { size, in_light_window, eye }: Look) -> Option<Picture> {
+    let settings = lesson.settings(0, true, &Settings::default()).ok()?;
+    let mut state = State::open(settings).ok()?;
+    state.frame.picture_size = size;
+    let (view, appearance) = (state.view(eye, size), state.appearance(in_light_window));
+    Some(state.document.prepared.picture(&view, &appearance, REFERENCE_SAMPLES))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lesson::Library;
+
+    #[test]
+    fn every_lesson_and_preset_has_a_picture_of_its_own_size() {
+        let look = Look { size: [22, 13], in_light_window: false, eye: Eye::Left };
+        for lesson in Library::own().all() {
+            let picture = picture(lesson, look).expect("it can be shown");
+            assert_eq!(picture.size, look.size, "{}", lesson.name);
+            let first = picture.rgba[0];
+            assert!(picture.rgba.iter().any(|pixel| *pixel != first), "{} shows nothing", lesson.name);
+        }
+    }
+}
