@@ -119,8 +119,11 @@ impl Reader {
                 }
                 // The path in `pub(in path)` is no import.
                 TokenTree::Ident(word) if word == "pub" => {
-                    let is_limit = |token: &&TokenTree| matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis);
-                    at += 1 + usize::from(tokens.get(at + 1).filter(is_limit).is_some());
+                    let is_limit = matches!(
+                        tokens.get(at + 1),
+                        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis
+                    );
+                    at += 1 + usize::from(is_limit);
                 }
                 TokenTree::Ident(_) => {
                     let (path, length) = leading_path(&tokens[at..]);
