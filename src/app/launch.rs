@@ -93,7 +93,7 @@ fn in_one_line(message: &str) -> String {
     reason.split_whitespace().collect::<Vec<_>>().join(" ").trim_end_matches('.').to_owned()
 }
 
-/// Opens a window in the state `begin`, or else as the flags and the last one have it, and leaves its own state to the
+/// Opens a window in the state `begin`, or by default in that of the flags and the last window, and leaves its own state to the
 /// `estate`; returns when it is closed.
 fn open(args: &WindowArgs, begin: Option<State>, estate: &Estate, keeper: &Keeper) -> Result<(), Break> {
     // Another window in place of a broken one begins in the state of that.

@@ -243,7 +243,7 @@ pub struct Presentation {
 pub enum Beside {
     /// Nothing: they have all the room.
     Nothing,
-    /// One plot alone.
+    /// A single plot.
     Plot,
     /// The map alone.
     Map,

@@ -235,8 +235,8 @@ mod tests {
         State::open(Settings { time: Some(time), ..Settings::default() }).expect("a preset")
     }
 
-    /// Opens windows that end one after the other as `ends` have it, each after this time; returns how they ended, and the times that they
-    /// began with.
+    /// Opens windows that end one after the other with the results `ends`, each after its time; returns the final result, and the times at
+    /// which they began.
     fn opened(ends: &[(Result<(), Break>, Option<&str>, Duration)]) -> (Result<(), Ended>, Vec<Option<f64>>) {
         let (mut began, lasted) = (Vec::new(), Cell::new(Duration::ZERO));
         let mut ends = ends.iter().cloned();

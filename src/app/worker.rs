@@ -11,8 +11,8 @@ use eframe::egui::Context;
 use crate::platform::clock::Instant;
 use crate::platform::threads::{self, JoinHandle};
 
-/// Time after which a job gives way to a newer one. A shorter one is finished, so that
-/// something is seen while a control is dragged.
+/// Time after which a job is given up for a newer one. A shorter one is finished, so that
+/// the view follows while a control is dragged.
 const PATIENCE: Duration = Duration::from_millis(250);
 
 /// The thread; it waits without using the processor, and ends with this.

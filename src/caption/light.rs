@@ -24,7 +24,7 @@ pub enum Source {
 }
 
 impl Source {
-    /// Returns the light of a body with this `emission`, as `light` has it.
+    /// Returns the light of a body with this `emission`, shown with the settings `light`.
     #[must_use]
     pub fn new(emission: Emission, light: &Light) -> Self {
         match (light.colour, emission) {

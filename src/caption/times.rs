@@ -37,7 +37,7 @@ pub const OWN_CLOCK: TimeName = TimeName {
         Of a point that turns with a wheel it is the clock of the axle.",
 };
 
-/// All three times, in the order in which they are shown.
+/// The three times, in the order in which they are shown.
 pub const TIMES: [TimeName; 3] = [RECEIVED, HAPPENED, OWN_CLOCK];
 
 /// When light is received, when it left, and what the own clock showed then, units of the scene, each by its name in this

@@ -185,7 +185,7 @@ impl RectifyArgs {
         Ok(grounds.map(|ground| Rectification::new(ground, rest, velocity)))
     }
 
-    /// Returns the settings with which the picture was taken, one eye's unless a flag says that there are more.
+    /// Returns the settings with which the picture was taken: one eye's, unless a flag names more.
     fn settings(&self, recorded: Option<Settings>, size: [u32; 2]) -> anyhow::Result<Settings> {
         let (settings, missing) = self.camera.settings(recorded, size, Some(Layout::Left));
         anyhow::ensure!(missing.is_empty(), self.not_recorded(&missing.join(", ")));

@@ -366,7 +366,7 @@ impl fmt::Display for CurvesFit {
     }
 }
 
-/// Returns the correlation; a dash stands for none: parameters that no replicate moves, as without noise.
+/// Returns the correlation; a dash for parameters that no replicate moves, as without noise.
 fn correlation_text(correlation: f64) -> String {
     if correlation.is_finite() { format!("{correlation:.3}") } else { "-".to_owned() }
 }

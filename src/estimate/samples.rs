@@ -53,7 +53,7 @@ pub struct Simulated {
     pub model: Model,
 }
 
-/// Simulates what both eyes measure of the selected point of `scene`, as `settings` have it.
+/// Simulates a measurement of the selected point of `scene` by both eyes, with `settings`.
 ///
 /// # Errors
 ///
@@ -208,7 +208,7 @@ impl FitKey {
 }
 
 impl Simulated {
-    /// Simulates `point`, as `settings` have it.
+    /// Simulates a measurement of `point` with `settings`.
     #[must_use]
     pub fn of(settings: &Settings, point: &Track) -> Self {
         Self {

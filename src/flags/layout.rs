@@ -46,7 +46,7 @@ pub enum Layout {
 /// The form in which the pictures share the place where they are shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
-    /// One eye's picture alone (0 left, 1 right).
+    /// A single eye's picture (0 left, 1 right).
     One(usize),
     /// Pictures beside each other.
     Beside,

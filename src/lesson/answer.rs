@@ -10,7 +10,7 @@ use super::plan::{Kind, Number};
 pub enum Answer {
     /// The choice of this number.
     Choice(usize),
-    /// Number of hands raised for each choice.
+    /// Number of raised hands for each choice.
     Votes(Vec<u32>),
     /// A predicted number.
     Number(f64),

@@ -18,7 +18,7 @@ pub struct Course {
     pub draft: Option<Answer>,
     /// Confidence in the draft, if chosen.
     pub confidence: Option<Confidence>,
-    /// Whether hands are counted.
+    /// Whether raised hands are counted.
     is_class: bool,
     /// Whether the question of what was seen was passed over at the present place.
     is_passed_over: bool,
@@ -61,7 +61,7 @@ impl Course {
         Ok(renewed)
     }
 
-    /// Restores the `kept` way: the answers to questions that are still asked, and the place, if it still exists.
+    /// Restores the `kept` way: the answers to questions that the lesson still has, and the place, if it still exists.
     pub fn take_up(&mut self, kept: &Way) {
         for (number, record) in self.records.iter_mut().enumerate() {
             *record = kept.record(&self.lesson, number);
@@ -138,13 +138,13 @@ impl Course {
         self.record().is_some_and(|record| record.answer().is_some())
     }
 
-    /// Returns whether hands are counted.
+    /// Returns whether raised hands are counted.
     #[must_use]
     pub const fn is_class(&self) -> bool {
         self.is_class
     }
 
-    /// Starts or ends counting hands.
+    /// Starts or ends counting raised hands.
     pub fn toggle_class(&mut self) {
         (self.is_class, self.draft) = (!self.is_class, None);
     }

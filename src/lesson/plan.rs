@@ -84,7 +84,7 @@ pub struct Step {
     pub state: Option<Told>,
     /// Text before the prediction.
     pub text: Text,
-    /// Prediction that is asked for.
+    /// The prediction that the step requests.
     pub prediction: Option<Prediction>,
     /// Reveal after the prediction.
     pub reveal: Option<Reveal>,
@@ -96,7 +96,7 @@ pub struct Step {
     pub teaching: Text,
 }
 
-/// A prediction that is asked for.
+/// A requested prediction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prediction {
     /// Question in words.
@@ -108,7 +108,7 @@ pub struct Prediction {
 /// The kind of an answer.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Kind {
-    /// One choice of several.
+    /// A choice among several.
     Choice(Options),
     /// A number with a tolerance.
     Number(Number),

@@ -11,7 +11,7 @@ use crate::number_text;
 /// The verdict on a prediction. The texts are Markdown, without a full stop at the end.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Verdict {
-    /// Whether the prediction is right; `None` for curves and counted hands.
+    /// Whether the prediction is right; `None` for curves and raised hands.
     pub right: Option<bool>,
     /// Answer that was given.
     pub said: String,

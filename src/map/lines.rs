@@ -12,7 +12,7 @@ use super::{Chart, Projection};
 use crate::scene::{Scene, SceneGroup};
 use crate::settings::Frame;
 
-/// Greatest distance of a line from the curve it stands for, points.
+/// Greatest distance of a line from its curve, points.
 const TOLERANCE: f64 = 0.25;
 /// A part of a line is halved so often at most.
 const DEEPEST: u32 = 12;
@@ -112,7 +112,7 @@ impl Lines {
         lines
     }
 
-    /// Adds the outlines of a group's bodies: neither of those too small to be seen, nor of more than can be told apart.
+    /// Adds the outlines of a group's bodies, leaving out those too small to be seen and more than can be distinguished.
     fn add_group(&mut self, sampler: &Sampler, scene: &Scene, group: &SceneGroup) {
         for body in group.bodies().step_by(group.count.div_ceil(MOST_BODIES).max(1)) {
             let reach = scene.bodies[body].shape.ball_around().1;

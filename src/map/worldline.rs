@@ -103,7 +103,7 @@ impl Worldline {
         t + math::hypot(x, math::hypot(place.y, place.z))
     }
 
-    /// Returns the axle's worldline as the ground has it: from t = 0 on, a step for each unit of time.
+    /// Returns the axle's worldline on the ground: from t = 0 on, a step for each unit of time.
     fn axle_on_ground(&self) -> StraightLine {
         let through = Event { x: self.axle.x / self.velocity.speed.gamma(), t: 0.0 };
         StraightLine { through, step: Event { x: self.velocity.beta(), t: 1.0 } }

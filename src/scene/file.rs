@@ -155,7 +155,7 @@ fn included(include: &Table, told_apart: &Rc<str>, changes: Changes) -> Result<V
     Ok(objects.map(moved).collect())
 }
 
-/// Returns an object, and further ones like it as its table says, a step from each to the next, with numbers in their names.
+/// Returns an object, and its repetitions if it has such a table, a step from each to the next, with numbers in their names.
 fn repeated(table: Table) -> Result<Vec<Object>, Located> {
     let (count, step) = (table.count("repeat")?, table.point("step")?);
     let first = object(table)?;

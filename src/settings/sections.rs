@@ -601,7 +601,7 @@ pub struct Window {
     /// since the step of a lesson began, else since it showed 0.
     #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
     pub resting_clock: OnOff,
-    /// Ruler of rapidity along the lower edge of conformal views, with the spectrum that stands still above it.
+    /// Ruler of rapidity along the lower edge of conformal views, with the standing spectrum above it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub ruler: OnOff,
     /// In conformal views, the outline of what moves where it would be seen at rest, and the arrow by which motion slides it.

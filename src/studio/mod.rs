@@ -56,7 +56,7 @@ impl Studio {
         Self::of_scene(settings, scene, tracked)
     }
 
-    /// Returns a studio for this `scene` as `settings` have it, with this point `tracked`, and the renderer that they choose.
+    /// Returns a studio for this `scene` with `settings`, with this point `tracked`, and the renderer that they choose.
     ///
     /// # Errors
     ///

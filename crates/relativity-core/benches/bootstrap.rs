@@ -1,4 +1,4 @@
-//! What a fit with 1,000 bootstrap replicates costs, and what that is against a naive bootstrap.
+//! The cost of a fit with 1,000 bootstrap replicates, against a naive bootstrap.
 //!
 //! ```text
 //! cargo bench -p relativity-core --bench bootstrap

@@ -1,4 +1,4 @@
-//! What the stable forms gain: errors of the printed formulas (naive) and of this crate's, on the same inputs.
+//! Errors of the printed formulas (naive) and of this crate's stable forms, on the same inputs.
 //!
 //! `cargo run --release -p relativity-core --example accuracy -- [cases]`. Errors are in units of
 //! `2^-53 (|f| + sum |x_i df/dx_i|)`, against 115-digit arithmetic, for inputs drawn towards trouble.

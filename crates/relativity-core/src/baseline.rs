@@ -54,7 +54,7 @@ impl Baseline {
         }
     }
 
-    /// Returns whether the baseline lies along x, as published models have it.
+    /// Returns whether the baseline lies along x, as in published models.
     #[must_use]
     pub fn is_along_motion(&self) -> bool {
         let [_, y, z] = self.direction();

@@ -1,5 +1,4 @@
-//! One light cone for both apertures: the pair as if both received the same events, those that the middle between them
-//! receives.
+//! One light cone for both apertures: both receive the same events, those that the middle between them receives.
 //!
 //! This is not what two apertures see ([`crate::disparity()`] is), but the part of it that is not due to their having two light
 //! cones: both see the point in one place, from two sides.

@@ -43,7 +43,7 @@ fn motion_slides_a_point_back_by_its_rapidity() {
     }
 }
 
-/// The point that is objectively abreast is seen the rapidity behind: 0.9 c is 1.4722, as a ruler on the picture has it.
+/// The point that is objectively abreast is seen the rapidity behind: 1.4722 at 0.9 c, as read from a ruler on the picture.
 #[test]
 fn what_is_abreast_is_seen_behind_by_the_rapidity() {
     let point = SourcePoint { x0: 0.0, ..POINT };

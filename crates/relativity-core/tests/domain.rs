@@ -21,7 +21,7 @@ fn speeds() -> Vec<Speed> {
 const CORNERS: [f64; 9] =
     [0.0, -0.0, f64::MIN_POSITIVE, -1e-200, 1e-100, 1.0, -1.0, MAX_COORDINATE, -MAX_COORDINATE];
 
-/// All combinations of corners for `N` numbers, thinned by `stride`.
+/// Returns the combinations of corners for `N` numbers, thinned by `stride`.
 fn corners<const N: usize>(stride: usize) -> impl Iterator<Item = [f64; N]> {
     let count = CORNERS.len().pow(N as u32);
     (0..count).step_by(stride).map(|mut index| {

@@ -228,7 +228,7 @@ fn a_slow_object_seen_only_in_azimuth_does_not_tell_its_height() {
     fit(&slow.observations(Model::Exact, 1), &both).expect("both curves tell it");
 }
 
-/// Delta-phi has no slope at z = 0, where the noise often puts the best fit: z is then told by a bound.
+/// Delta-phi has no slope at z = 0, where the noise often puts the best fit: z then has a bound only.
 #[test]
 fn a_height_that_fits_best_as_zero_is_a_bound() {
     let low = Case { beta: 0.5, y: 8.0, z: 0.05, noise: 0.01, ..PAPER };
@@ -383,7 +383,7 @@ fn noisy_curves_of_wheels_give_their_hubs_back() {
     assert!(tally.right as f64 >= 0.95 * tally.cases as f64, "{tally} {:?}", tally.complaints);
 }
 
-/// Delta-phi alone of a wheel's point with the passage unknown: the two sides of z = 0 are told apart by the wheel alone, and
+/// Delta-phi alone of a wheel's point with the passage unknown: only the wheel distinguishes the two sides of z = 0, and
 /// the search found a minimum on the wrong one.
 #[test]
 fn a_wheel_seen_in_azimuth_alone_is_looked_for_on_both_sides_of_the_level_of_the_eyes() {

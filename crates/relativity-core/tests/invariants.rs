@@ -1,4 +1,4 @@
-//! What must hold whatever the numbers: identities, limits and symmetries of the exact model.
+//! Identities, limits and symmetries of the exact model, which hold whatever the numbers.
 
 use proptest::prelude::*;
 use relativity_core::aberration::{doppler_factor, ground_from_rest, rest_from_ground};
@@ -176,7 +176,7 @@ proptest! {
         prop_assert!(close(both.primary.distance, both.secondary.distance, 1e-13, scale));
     }
 
-    /// Of eyes close together; what is new in two light cones is the gain less 1 of it.
+    /// For eyes close together, two light cones multiply disparities by the gain.
     #[test]
     fn two_light_cones_make_the_gain_times_the_disparities_of_one(
         rapidity in 0.0..3.0_f64, point in point(), time in -30.0..30.0,

@@ -1,4 +1,4 @@
-//! What flags and files call the models and the curves.
+//! The names of the models and the curves in flags and files.
 #![cfg(all(feature = "clap", feature = "serde"))]
 
 use clap::ValueEnum;

@@ -1,4 +1,4 @@
-//! What two eyes make of a moving body: each derived claim, against sightings and lines of sight crossed here.
+//! The stereo position of a moving body: each derived claim, against sightings and lines of sight crossed here.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use relativity_core::aberration::rest_from_ground;
@@ -9,11 +9,11 @@ use relativity_core::{
 
 type Vector = Vector3<f64>;
 
-/// Separation that stands for a small one where none of 0 can be had.
+/// Small separation for functions that admit no 0.
 const SMALL: f64 = 1e-4;
 /// Half the length of a small body.
 const STEP: f64 = 1e-3;
-/// Where a body is at t = 0 (in its rest frame), and when it is seen: ahead, abreast, behind, aside, and high up.
+/// Places of a body at t = 0 (in its rest frame), and times of reception: ahead, abreast, behind, aside, and high up.
 const EVENTS: [([f64; 3], f64); 5] = [
     ([-4.0, 3.0, 2.0], -3.0),
     ([0.5, 3.0, 2.0], 3.5),
@@ -35,7 +35,7 @@ fn source(speed: &Speed, rest: Vector) -> SourcePoint {
     SourcePoint::from_rest(rest.into(), speed)
 }
 
-/// Where one eye in the middle sees the point at `rest`.
+/// Returns where one eye in the middle sees the point at `rest`.
 fn seen(speed: &Speed, rest: Vector, time: f64) -> Vector {
     let seen = sighting(speed, source(speed, rest), Aperture::default(), time).expect("inside the domain");
     seen.position.into()
@@ -45,7 +45,7 @@ fn doppler_factor(speed: &Speed, rest: Vector, time: f64) -> f64 {
     sighting(speed, source(speed, rest), Aperture::default(), time).expect("inside the domain").doppler_factor
 }
 
-/// What eyes of this separation along the motion make of it.
+/// Returns the stereo position for eyes of this separation along the motion.
 fn fused(speed: &Speed, rest: Vector, separation: f64, time: f64) -> Stereo {
     stereo(speed, source(speed, rest), Aperture::pair(separation), time).expect("inside the domain")
 }
@@ -65,7 +65,7 @@ fn crossing(speed: &Speed, rest: Vector, baseline: Vector, time: f64) -> (Vector
     (0.5 * (places[0] + along[0] * u + places[1] + along[1] * v), along)
 }
 
-/// How the `image` of a small body at `rest` changes with each of its coordinates.
+/// Returns how the `image` of a small body at `rest` changes with each of its coordinates.
 fn jacobian(rest: Vector, image: impl Fn(Vector) -> Vector) -> Matrix3<f64> {
     let column = |axis: usize| {
         let step = Vector::ith(axis, STEP);
@@ -202,7 +202,7 @@ fn with_one_light_cone_two_eyes_take_a_point_to_be_where_the_middle_sees_it() {
     }
 }
 
-/// What any two eyes make of it.
+/// Returns the stereo position for any two eyes.
 fn fused_by(speed: &Speed, rest: Vector, baseline: Vector, time: f64) -> Result<Stereo, StereoError> {
     let [x, y, z] = (0.5 * baseline).into();
     let pair = [Aperture { x: -x, y: -y, z: -z }, Aperture { x, y, z }];

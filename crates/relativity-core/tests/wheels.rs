@@ -148,7 +148,7 @@ fn the_doppler_factor_is_how_fast_its_own_clock_is_seen_to_run() {
     }
 }
 
-/// Where a point is on the ground at time `t`, and its angle.
+/// Returns the place on the ground and the angle of a point at time `t`.
 fn measured(speed: &Speed, point: &WheelPoint, t: f64) -> ([f64; 2], f64) {
     let hub_time = t / speed.gamma() - speed.beta() * speed.gamma() * point.hub.x0;
     let (r, omega) = (point.rho * point.radius, point.omega(speed));

@@ -1,4 +1,4 @@
-//! What the rays cost, against a loop over all bodies per pixel, packets of rays on the CPU, and triangles.
+//! The cost of rays, against a loop over all bodies per pixel, packets of rays on the CPU, and triangles.
 //!
 //! `cargo bench -p relativity-render --bench gpu` prints, for up to 100,000 bodies that ride past at
 //! beta = 0.9, milliseconds per frame of two eyes of 480 x 540 pixels (median of rounds taken in turns) and

@@ -1,4 +1,4 @@
-//! What boxes within boxes and tiles save: the reference renderer against its own loop over all bodies.
+//! The gain from boxes within boxes and tiles: the reference renderer against its own loop over all bodies.
 //!
 //! `cargo bench -p relativity-render --bench reference` prints, for 64, 640 and 6,400 bodies in a crowd that
 //! rides past at beta = 0.9, the time per image of both and their ratio, measured in turns in one run; then, for up to a million tubes, how long

@@ -1,4 +1,4 @@
-//! What it costs that wheels roll: a street by which the wheels of a bicycle go, beside wheels that only slide.
+//! The cost of rolling wheels: a street with the wheels of a bicycle, against wheels that only slide.
 //!
 //! `cargo bench -p relativity-render --bench rolling` prints, for several speeds and times, milliseconds per frame of two
 //! eyes of 480 x 540 pixels (median of rounds taken in turns) and their ratio.
@@ -28,7 +28,7 @@ fn main() -> Result<(), GpuError> {
     Ok(())
 }
 
-/// Prints what a frame of wheels that slide or roll costs, looked at from the near side of the street.
+/// Prints the cost of a frame of wheels that slide or roll, seen from the near side of the street.
 fn compare(gpu: &Gpu, beta: f64, time: f64) -> Result<(), GpuError> {
     let mut renderers = Renderers::new(Some(gpu.clone()));
     let rolling = wheels();
@@ -70,7 +70,7 @@ fn compare(gpu: &Gpu, beta: f64, time: f64) -> Result<(), GpuError> {
     Ok(())
 }
 
-/// Where the axles of a bicycle are.
+/// Places of a bicycle's axles.
 const HUBS: [[f64; 3]; 2] = [[-0.525, 4.0, -1.975], [-2.105, 4.0, -1.975]];
 
 /// The wheels of a bicycle as they roll: of each tyre, rim, hub, valve and 14 crossed spokes.

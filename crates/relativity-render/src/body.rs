@@ -67,7 +67,7 @@ pub struct Body {
     pub brightness: f64,
     /// Pattern on its surface.
     pub pattern: Pattern,
-    /// Turning of the body within its group; `None` if it stands still there.
+    /// Turning of the body within its group; `None` if it does not turn there.
     pub spin: Option<Spin>,
 }
 

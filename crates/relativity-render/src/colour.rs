@@ -100,7 +100,7 @@ pub fn srgb_encoded(linear: f64) -> f64 {
     if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * powf(linear, 1.0 / 2.4) - 0.055 }
 }
 
-/// Returns the byte, 0 to 255, that stands for a linear value in sRGB: the one nearest to its encoding.
+/// Returns the byte, 0 to 255, of a linear value in sRGB: the one nearest to its encoding.
 #[must_use]
 pub fn srgb_level(linear: f64) -> u8 {
     LEAST.partition_point(|least| *least <= linear) as u8

@@ -22,7 +22,7 @@ use crate::picture::{Picture, encoded};
 /// A way to compose two pictures of one size, the first and the second, into one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Composition {
-    /// Anaglyph: the largest component of the first in red, of the second in green and blue. It stands for brightness where one
+    /// Anaglyph: the largest component of the first in red, of the second in green and blue. This measures brightness where one
     /// wavelength fills the picture, and so no colour is lost behind the glasses.
     Anaglyph,
     /// For red-cyan glasses, by least squares: what the eyes see behind them is as near to the colours as can be.

@@ -27,7 +27,7 @@ const LOG2_DARK: f64 = -1e4;
 /// A body's light as a picture takes it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Light {
-    /// One wavelength, nm.
+    /// A single wavelength, nm.
     Line(f64),
     /// A black body, K.
     Glow(f64),

@@ -22,7 +22,7 @@ const WIDEST: f64 = 150.0 * DEGREE;
 /// The same in conformal pictures: u from -5.4 to 5.4.
 const WIDEST_CONFORMAL: f64 = 179.5 * DEGREE;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
-/// Tangent that stands for all larger ones.
+/// Tangent that replaces all larger ones.
 const FAR_OUT: f64 = 1e6;
 
 /// The outline of a scene's subject ([`PreparedScene::subject`](crate::PreparedScene::subject)), from one or several parallel apertures.

@@ -71,7 +71,7 @@ impl AmongOthers {
 }
 
 impl Output {
-    /// Returns the key for `view` of bodies that turn in this way: a picture that looks as `appearance` says, or numbers.
+    /// Returns the key for `view` of bodies that turn in this way: a picture with `appearance`, or numbers.
     pub fn new(
         view: &GroupView,
         turns: Turns,

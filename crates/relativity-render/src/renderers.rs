@@ -98,8 +98,8 @@ impl Method {
         }
     }
 
-    /// Returns the method that draws `view` on the GPU where this one is chosen: an exact one stands in for the reference. Half of the sky
-    /// is drawn by none there: it stays with the reference.
+    /// Returns the method that draws `view` on the GPU where this one is chosen: an exact one replaces the reference. No method draws
+    /// half of the sky there: that stays with the reference.
     #[must_use]
     pub fn on_gpu(self, view: &View) -> Self {
         let on_gpu = if self == Self::Reference { Self::Rays } else { self };
@@ -141,7 +141,7 @@ impl fmt::Display for Method {
     }
 }
 
-/// All renderers, each made when it is first needed.
+/// The renderers, each made when it is first needed.
 #[derive(Debug, Default)]
 pub struct Renderers {
     gpu: Option<Gpu>,

@@ -41,7 +41,7 @@ impl PreparedScene {
     }
 }
 
-/// One group, as one view sees it; everything is reflected so that the group moves along +x.
+/// A group, as one view sees it; everything is reflected so that the group moves along +x.
 struct Sight<'a> {
     /// The number of the view.
     eye: usize,

@@ -48,8 +48,8 @@ fn motion_slides_the_picture_and_nothing_else() {
     assert!(packets.differing as f64 <= 0.02 * wrong_percent * packets.shown as f64, "{packets:?}");
 }
 
-/// What the left eye sees in a row, the right eye sees in the same row of its picture, as far off it as resting eyes gamma
-/// times as far apart would; says the core's light cone, as well.
+/// The left and the right eye see a point in the same row of their pictures, as far apart as for resting eyes gamma
+/// times as far apart; so does the core's light cone.
 #[test]
 fn both_eyes_see_a_point_in_one_row() {
     let scene = PreparedScene::moving(&still_life());

@@ -33,7 +33,7 @@ fn allocate_nothing_per_body(renderers: &mut Renderers, method: Method) {
     assert!(many <= few + 16, "{method}: {few} allocations for 64 bodies, {many} for 640");
 }
 
-/// How often memory is asked for by a frame with another speed than the one before, of `count` bodies.
+/// Returns the number of allocations of a frame with another speed than the one before, of `count` bodies.
 ///
 /// Both speeds were drawn before: what is made once (pipelines, templates, buffers large enough) is there.
 fn allocations(renderers: &mut Renderers, method: Method, count: u32) -> u64 {

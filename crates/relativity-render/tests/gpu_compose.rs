@@ -1,4 +1,4 @@
-//! What the GPU composes of two eyes' pictures, against the same on the CPU.
+//! Both eyes' pictures composed by the GPU, against the same on the CPU.
 
 #[expect(dead_code, reason = "shared with tests of the hits")]
 mod gpu_support;

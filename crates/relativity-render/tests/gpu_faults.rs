@@ -1,4 +1,4 @@
-//! What a device refuses is an error to whoever draws, and none of it ends the program. Each test has a device of its own,
+//! A refusal of the device is an error for the caller, and none ends the program. Each test has a device of its own,
 //! which it may break.
 
 use std::sync::Arc;

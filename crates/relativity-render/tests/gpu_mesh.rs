@@ -106,7 +106,7 @@ fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
     }
 }
 
-/// What is drawn of `scene`, which consists of `bodies`, keeps each of the bounds.
+/// Checks that the drawing of `scene`, which consists of `bodies`, keeps each of the bounds.
 fn keep_bounds(
     renderers: &mut Renderers,
     bounds_px: &[f64],
@@ -191,7 +191,7 @@ fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
     }
 }
 
-/// Of eyes close together and of eyes as far apart as the bodies are wide, alone and among other groups.
+/// Eyes close together and eyes as far apart as the bodies are wide, alone and among other groups.
 fn with_one_light_cone_pictures_keep_the_bound(renderers: &mut Renderers) {
     let alone = (PreparedScene::moving(&still_life()), still_life());
     for (scene, bodies) in [alone, groups()] {
@@ -207,7 +207,7 @@ fn with_one_light_cone_pictures_keep_the_bound(renderers: &mut Renderers) {
     }
 }
 
-/// So it is for every group; what rests appears where the left eye sees it.
+/// The published model places the right eye's view of every group where the core does; a resting point appears where the left eye sees it.
 fn the_published_right_eye_is_the_cores(renderers: &mut Renderers) {
     let separation = 0.1;
     let [left, _] = Aperture::pair(separation);
@@ -233,7 +233,7 @@ fn the_published_right_eye_is_the_cores(renderers: &mut Renderers) {
     assert!(seen.iter().all(|&seen| seen > 10_000), "{seen:?} pixels are too few to judge by");
 }
 
-/// Where the core's published model has the right eye see what was hit.
+/// Returns the direction in which the published model of the core sees the event of the `hit` with the right eye.
 fn published_right(velocity: Velocity, hit: &Hit, separation: f64, view: &View) -> DVec3 {
     let model = Model::Published(PublishedVariant::AppendixA);
     let both = velocity.disparity(

@@ -62,7 +62,7 @@ fn views_across_gaze() -> impl Iterator<Item = View> {
 /// On the GPU, and on the CPU.
 const METHODS: [Method; 2] = [Method::Rays, Method::Packets];
 
-/// What the documentation of the rays promises.
+/// The documented bounds of the rays.
 struct Promise {
     wrong_percent: f64,
     outline_px: f64,
@@ -213,7 +213,7 @@ fn pixel(image: &HitImage, i: usize) -> [f64; 2] {
     [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5]
 }
 
-/// What is seen as far from `place` as an outline may be off, and there.
+/// Returns the bodies at `place`, and around it as far away as an outline may be off.
 fn bodies_around(scene: &PreparedScene, view: &View, place: [f64; 2]) -> [Option<usize>; 17] {
     let places = around(place);
     std::array::from_fn(|k| {

@@ -52,7 +52,7 @@ fn projected(mut view: View, projection: Projection) -> View {
     view
 }
 
-/// What the documentation of the rays promises of what turns.
+/// The documented bounds of the rays for turning bodies.
 struct Promise {
     wrong_percent: f64,
     outline_px: f64,
@@ -151,7 +151,7 @@ fn all_numbers(hit: &Hit) -> Vec<f64> {
     vectors.into_iter().flat_map(|vector| vector.to_array()).chain(numbers).collect()
 }
 
-/// How far from `place` the reference shows what `hit` is on, px, in steps; `None` if it is not near.
+/// Returns the distance from `place` at which the reference shows the body of `hit`, px, in steps; `None` if it is not near.
 fn outline_distance(scene: &PreparedScene, view: &View, [u, v]: [f64; 2], hit: Option<Hit>) -> Option<f64> {
     let body = hit.map(|hit| hit.body);
     [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.35].into_iter().find(|reach| {
@@ -218,7 +218,7 @@ fn the_mesh_keeps_its_bound(renderers: &mut Renderers) {
     }
 }
 
-/// What the reference shows up to `reach` from there, px.
+/// Returns the bodies that the reference shows up to `reach` from there, px.
 fn bodies_around(
     scene: &PreparedScene,
     view: &View,
@@ -268,7 +268,7 @@ fn the_mesh_shows_points_where_they_are_seen(renderers: &mut Renderers) {
     println!("at most {most_of_bound} of the bound");
 }
 
-/// Where the bound is kept. In the wheel's plane the published model shows some points of a wheel at such a distance from
+/// Returns whether the bound is kept. In the wheel's plane the published model shows some points of a wheel at such a distance from
 /// their neighbours, and the fastest wheel that recedes there is seen so near to where it came from, that no division is
 /// fine enough (a ring that stands still there is not, either).
 ///

@@ -191,7 +191,7 @@ fn a_resting_group_is_traced_as_it_stands() {
     }
 }
 
-/// What rests is seen the same through one light cone as through two; what moves is not. And a hit lies where it appears,
+/// A resting body is seen the same through one light cone as through two; a moving one is not. And a hit lies where it appears,
 /// its light leaving in time to reach the middle.
 #[test]
 fn one_light_cone_changes_only_what_moves() {

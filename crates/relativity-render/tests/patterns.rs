@@ -1,4 +1,4 @@
-//! What patterns show: how bodies are turned, and lengths on them. From pictures alone, without the formulas behind them.
+//! Turning of bodies and lengths on them, read from patterns in pictures alone, without the formulas behind them.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -24,7 +24,7 @@ fn appearance() -> Appearance {
     }
 }
 
-/// What is seen of what is far away straight ahead, in light that left it there.
+/// Returns the view of distant bodies straight ahead, in light that left them there.
 fn abeam(beta: f64) -> View {
     View {
         camera: Camera::new(Aperture::default(), Gaze::STRAIGHT_AHEAD, 2.6 / FAR, [SIDE; 2]),
@@ -91,7 +91,7 @@ fn die() -> Body {
     Body::white(shape).with_pattern(Pattern::Faces)
 }
 
-/// How many spots the size of a pip are dark and surrounded by light.
+/// Returns the number of spots the size of a pip that are dark and surrounded by light.
 fn pips(picture: &Picture) -> usize {
     let side = SIDE as usize;
     let is_dark = |i: usize| (90..190).contains(&picture.rgba[i][1]);
@@ -126,7 +126,7 @@ fn opposite_faces_sum_to_seven() {
     assert_eq!([from(90.0), from(-90.0)], [6, 1]);
 }
 
-/// How far off `place` (a column, pixels) light and dark meet in the middle row: by how much of what is there is light.
+/// Returns the distance of `place` (a column, pixels) from the boundary of light and dark in the middle row, from the share of light there.
 fn edge_off(picture: &Picture, place: f64) -> f64 {
     const REACH: usize = 8;
     let [width, height] = picture.size;

@@ -1,4 +1,4 @@
-//! Where pictures of each projection show things, against formulas of their own.
+//! Places in pictures of each projection, against formulas of their own.
 
 mod support;
 
@@ -38,13 +38,13 @@ fn camera(i: u32, off_middle: DVec3, right: DVec3, shift: f64) -> Camera {
     Camera { off_middle, projection: Projection::Parallel { right, shift }, ..camera }
 }
 
-/// How far a gaze is from the plane across `baseline`.
+/// Returns the angle of a gaze to the plane across `baseline`.
 fn slant(gaze: Gaze, baseline: DVec3) -> f64 {
     FRAC_PI_2
         - gaze.axes().forward.angle_between(baseline).min(PI - gaze.axes().forward.angle_between(baseline))
 }
 
-/// What both eyes see lies in one row of both pictures, at any speed and time, wherever it is and wherever they look but
+/// Both eyes see a point in the same row of their pictures, at any speed and time, wherever it is and wherever they look but
 /// along the line between them.
 #[test]
 fn a_straight_pair_has_no_vertical_parallax() {
@@ -129,7 +129,7 @@ fn far_aside_pictures_turn_with_the_gaze() {
     }
 }
 
-/// What lies at depth s has one place in both pictures where the shifts are -+ d/(2 s); without shifts what is far does.
+/// A point at depth s has one place in both pictures where the shifts are -+ d/(2 s); without shifts a distant one has.
 #[test]
 fn the_image_shift_brings_a_depth_onto_the_screen() {
     let (d, s) = (0.3, 4.0);
@@ -363,7 +363,7 @@ fn half_of_the_sky_is_drawn_by_the_reference_alone() {
     assert!(refused.to_string().contains("published model"), "{refused}");
 }
 
-/// How far apart the pixels of a ground are tells what of its grid is drawn; a step to the next is what `pixel` finds.
+/// The distance between the pixels of a ground decides what is drawn of its grid; a step to the next is what `pixel` finds.
 #[test]
 fn a_magnified_part_shows_what_is_about_its_pixel() {
     for projection in projections() {

@@ -68,7 +68,7 @@ fn views() -> Vec<View> {
     views
 }
 
-/// Where the bodies' middle appears from the origin, by bisection on its light cone.
+/// Returns the direction of the bodies' middle from the origin, by bisection on its light cone.
 fn apparent_middle(beta: f64, observation_time: f64) -> DVec3 {
     let place = |t: f64| DVec3::new(beta * t, 3.0, 1.0);
     let emission = retarded_time(place, DVec3::ZERO, observation_time);
@@ -94,7 +94,7 @@ fn aperture(view: &View) -> DVec3 {
     DVec3::new(x, y, z)
 }
 
-/// Whose light cone a view shows: the aperture's, or that of the middle between two.
+/// Returns the place whose light cone a view shows: the aperture's, or the middle between two.
 fn receiver(view: &View) -> DVec3 {
     let off_middle = if view.geometry == Geometry::OneCone { view.camera.off_middle } else { DVec3::ZERO };
     aperture(view) - off_middle
@@ -450,7 +450,7 @@ fn where_surfaces_coincide_the_first_body_is_seen() {
     }
 }
 
-/// In the limit all light comes along the motion: the nearest body must still be told from those behind.
+/// In the limit all light comes along the motion: the nearest body must still be distinguished from those behind.
 #[test]
 fn from_a_gamma_of_a_million_on_the_picture_changes_no_more() {
     let bodies = bodies();

@@ -1,5 +1,5 @@
-//! What turns about an axle, as the reference sees it: against marching along the line of sight on the ground, which
-//! shares nothing with it, and against what is known of a rolling wheel.
+//! Bodies that turn about an axle, drawn by the reference: against marching along the line of sight on the ground, which
+//! shares nothing with it, and against known properties of a rolling wheel.
 
 mod support;
 
@@ -147,7 +147,7 @@ impl Case {
         self.spin.turning.rim_speed(self.beta) / self.spin.radius
     }
 
-    /// How far the event at this `distance` is outside the body.
+    /// Returns the distance of the event at this `distance` from the body's surface.
     fn outside(&self, distance: f64) -> f64 {
         let (time, place) = self.event(distance);
         let (sine, cosine) = (self.omega() * time).sin_cos();
@@ -214,7 +214,7 @@ impl Case {
         0.5 * (low + high)
     }
 
-    /// Where it enters between a place `outside` and one `inside`.
+    /// Returns where the line enters between a place `outside` and one `inside`.
     fn entry(&self, mut outside: f64, mut inside: f64) -> f64 {
         for _ in 0..80 {
             let middle = 0.5 * (outside + inside);

@@ -78,7 +78,7 @@ fn agrees_with_a_loop(count: u32) {
     }
 }
 
-/// Of a million bodies a loop over all is slow: fewer pixels are asked.
+/// Returns the step between compared pixels: a loop over all of a million bodies is slow.
 fn step(count: u32) -> usize {
     if count > 100_000 { 8 } else { 1 }
 }

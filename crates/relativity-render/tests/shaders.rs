@@ -122,7 +122,7 @@ fn collect_conditions(block: &Block, conditions: &mut Vec<Handle<Expression>>) {
     }
 }
 
-/// Where a value comes from, constants aside.
+/// The origins of a value, constants aside.
 #[derive(Clone, Copy, Default)]
 struct Sources {
     uniforms: bool,

@@ -14,7 +14,7 @@ const F32_ERROR_RADIANS: f64 = 1e-6;
 const MEASURED_GAMMA: f64 = 1000.0;
 /// Error in f32 from there to [`GROUPS_GAMMA`], pixels: where another body is shown, an outline is no further.
 const F32_FAST_ERROR_PX: f64 = 0.05;
-/// Greatest gamma up to which groups that fly apart are told apart in f32.
+/// Greatest gamma up to which f32 distinguishes groups that fly apart.
 const GROUPS_GAMMA: f64 = 1e5;
 
 /// A method, and what is stated of it.

@@ -45,7 +45,7 @@ impl Chooser {
         self.purpose
     }
 
-    /// Opens or closes as `state` says, and reads the answer of the system's dialog.
+    /// Opens or closes as `state` requires, and reads the answer of the system's dialog.
     pub fn update(&mut self, state: &State, asks: &mut Vec<Command>) {
         if self.purpose != state.scratch.chooser {
             self.begin(state);

@@ -7,7 +7,7 @@ use crate::settings::{Presence, Window};
 /// A curve that is drawn, or was.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sketched<'a> {
-    /// Curve that is asked for.
+    /// The requested curve.
     pub curve: Curve,
     /// T and value of its points, T rising; none where it was skipped.
     pub points: &'a [[f64; 2]],
@@ -41,7 +41,7 @@ impl State {
         sketched.is_asked || !gave_way || self.session.stage.is_presented()
     }
 
-    /// Returns the parts of the window: there is a place to draw in while a curve is asked for, and to compare it.
+    /// Returns the parts of the window: there is a place to draw in while a curve is requested, and to compare it.
     #[must_use]
     pub fn shown_window(&self) -> Window {
         let window = self.document.settings.window;

@@ -28,7 +28,7 @@ fn body(state: &State) -> Option<&str> {
     }
 }
 
-/// Returns the hint in the views while it is asked for.
+/// Returns the hint in the views while a place is requested.
 pub(in crate::app) fn hint(state: &State) -> Option<String> {
     let body = body(state).filter(|_| state.course().is_some_and(|course| course.asked().is_some()))?;
     Some(format!("Click where you expect the {body} to be seen."))

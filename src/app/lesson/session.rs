@@ -27,7 +27,7 @@ pub enum LessonCommand {
     GoTo(Place),
     /// Restores the state that the lesson has at this place, and plays its reveal again.
     SetUp,
-    /// Starts or ends counting hands.
+    /// Starts or ends counting raised hands.
     ToggleClass,
     /// Show the usual plots beside a curve that was predicted, or the curve again.
     ShowPlots(bool),

@@ -215,7 +215,7 @@ impl Files {
         (!problems.is_empty()).then(|| reset(&mut self.memory_file, &self.memory.to_text(), &problems))
     }
 
-    /// Takes the lock of windows. Returns a message if another window has it, or if nothing can be written there.
+    /// Takes the lock of windows. Returns a message if another window holds it, or if nothing can be written there.
     fn greeting(&mut self) -> Option<Notice> {
         let locked =
             files::create_folder(&self.folder).and_then(|()| locks::try_lock(&self.folder.join(WINDOW_LOCK)));

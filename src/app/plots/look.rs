@@ -4,7 +4,7 @@ use crate::app::plots::curves::{CurvesKey, Quantity};
 use crate::app::state::points::Point;
 use crate::settings::{PlotTab, Plots};
 
-/// Greatest number of pinned curves: as many as there are dashes to tell them apart.
+/// Greatest number of pinned curves: as many as there are dashes to distinguish them.
 pub const MAX_PINS: usize = 4;
 
 /// The state of the plots: the parts that are shown, cursors and pins.

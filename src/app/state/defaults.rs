@@ -76,7 +76,7 @@ impl State {
         }
     }
 
-    /// Returns whether everything is as the lesson has it at its present place.
+    /// Returns whether the settings are those of the lesson's current step.
     #[must_use]
     pub fn is_as_in_lesson(&self) -> bool {
         let Some(mut told) = self.lesson_settings().cloned() else { return true };

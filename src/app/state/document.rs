@@ -41,7 +41,7 @@ fn without_headset(look: &mut Look) -> Option<Notice> {
 }
 
 impl Document {
-    /// Returns `scene` as `settings` have it, and the message that is due, if there is one. By default the
+    /// Returns the document that shows `scene` with `settings`, and the message that is due, if there is one. By default the
     /// scene's own point is selected, and T is shortly before that passes.
     pub(in crate::app) fn new(mut settings: Settings, scene: ReadyScene) -> (Self, Option<Notice>) {
         let ReadyScene { scene, prepared } = scene;

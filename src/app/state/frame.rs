@@ -21,7 +21,7 @@ pub struct Frame {
     pub choices: Vec<(Geometry, Choice)>,
     /// Whether the map is shown.
     pub shows_map: bool,
-    /// Step of T; 0 while it stands still.
+    /// Step of T; 0 while T is paused.
     pub step: f64,
     /// Looks of the eyes, in the first picture of one eye and in the second.
     pub(in crate::app) looks: [Option<Looked>; 2],

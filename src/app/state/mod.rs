@@ -102,7 +102,7 @@ pub struct Session {
 }
 
 impl State {
-    /// Returns the state that shows `scene` as `settings` have it. By default its own point is selected, and T is shortly before
+    /// Returns the state that shows `scene` with `settings`. By default the scene's own point is selected, and T is shortly before
     /// that passes.
     #[must_use]
     pub fn new(settings: Settings, scene: Scene) -> Self {

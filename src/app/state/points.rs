@@ -56,7 +56,7 @@ pub struct Points {
     last_number: usize,
 }
 
-/// Greatest number of points that can be compared: as many as there are colours to tell them apart.
+/// Greatest number of points that can be compared: as many as there are colours to distinguish them.
 pub const MAX_POINTS: usize = 5;
 
 /// Place of the scene's own tracked point among all.

@@ -37,7 +37,7 @@ pub struct Figures {
     pub doppler: Option<Spread>,
     /// Share of the covered pixels that show another body.
     pub wrong_share: f64,
-    /// Total error, pixels: 99 % of the outlines that can be told apart, and of the directions, are nearer.
+    /// Total error, pixels: 99 % of the outlines that can be distinguished, and of the directions, are nearer.
     pub error_px: f64,
     /// Errors of rounds, for the reference where it shows bodies that turn.
     pub rounds: Option<RoundsError>,
@@ -239,7 +239,7 @@ impl Examination {
     }
 }
 
-/// Returns the methods that can be measured: not those that another one stands in for.
+/// Returns the methods that can be measured, without those that another one replaces.
 fn methods(has_gpu: bool, chosen: Method, sight: &Sight) -> Vec<Method> {
     if !has_gpu {
         return vec![Method::Packets, Method::Reference];

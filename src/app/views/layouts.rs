@@ -8,7 +8,7 @@ use crate::app::views::eye::Eye;
 use crate::flags::choices::Layout;
 use crate::settings::Picture;
 
-/// All layouts, with their names and uses.
+/// The layouts, with their names and uses.
 pub const LAYOUTS: [(Layout, &str, &str); 13] = [
     (Layout::SideBySide, "Side by side", "The left eye's picture on the left, the right eye's on the right."),
     (

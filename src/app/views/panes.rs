@@ -178,7 +178,7 @@ impl EyePane {
         Self { is_second: true, ..Self::new(Eye::Left, rect, pixels_per_point, largest) }
     }
 
-    /// Returns the panes of both eyes in a `rect` that they share as `picture` says, in the order of the layout.
+    /// Returns the panes of both eyes in the `rect` that they share in this `picture`, in the order of the layout.
     #[must_use]
     pub fn both(picture: &Picture, rect: Rect, pixels_per_point: f32, largest: u32) -> [Self; 2] {
         let form = picture.layout.form();

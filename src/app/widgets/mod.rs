@@ -277,7 +277,7 @@ pub fn handle_x(rect: egui::Rect, fraction: f64) -> f32 {
     egui::lerp(rect.min.x + radius..=rect.max.x - radius, fraction.clamp(0.0, 1.0) as f32)
 }
 
-/// Shows a dot whose colour says which thing follows.
+/// Shows a dot whose colour identifies the thing that follows.
 pub fn dot(ui: &mut Ui, colour: egui::Color32) {
     let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
     ui.painter().circle_filled(rect.center(), 4.5, colour);

@@ -281,7 +281,7 @@ fn row(settings: &Settings, cameras: &[Camera; 2], [left, right]: [Place; 2]) ->
     ]
 }
 
-/// Returns the sheet of a file of this `size` that shows both eyes as `picture` says.
+/// Returns the sheet of a file of this `size` that shows both eyes in this `picture`.
 fn sheet(picture: &Picture, size: [u32; 2]) -> anyhow::Result<Sheet> {
     let layout = picture.layout;
     let has_both = layout.loses_nothing() && picture.eyes().len() == 2;

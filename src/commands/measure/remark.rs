@@ -110,7 +110,7 @@ pub fn of_places(settings: &Settings, cameras: &[Camera; 2], places: [Place; 2])
     (diverging_px > most).then_some(Remark::Diverging)
 }
 
-/// All remarks, each with the first file that it is about and the number of files.
+/// The remarks, each with the first file that it is about and the number of files.
 #[derive(Debug, Default)]
 pub struct Remarks(BTreeMap<u8, (String, usize)>);
 

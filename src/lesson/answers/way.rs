@@ -27,7 +27,7 @@ pub(super) struct Draft {
     pub(super) confidence: Option<Confidence>,
 }
 
-/// A step's answers, with the questions that were asked: a lesson may be rewritten in the meantime.
+/// A step's answers, with their questions: a lesson may be rewritten in the meantime.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct KeptStep {
     number: usize,

@@ -83,7 +83,7 @@ pub fn check(text: &str) -> Result<(), String> {
     Asked::of(text)?.value().map(|_| ())
 }
 
-/// Returns the value that `text` requests, in `scene` as `settings` have it.
+/// Returns the value that `text` requests, in `scene` with `settings`.
 ///
 /// # Errors
 /// Why there is none.

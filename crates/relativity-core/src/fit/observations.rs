@@ -6,7 +6,7 @@ use crate::aperture::Aperture;
 use crate::domain::check;
 use crate::fit::error::FitError;
 
-/// One measured angle, with its uncertainty.
+/// A measured angle, with its uncertainty.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reading {
     /// Measured angle, radians.

@@ -1,4 +1,4 @@
-//! The verdict on a minimum: whether it says anything about an object.
+//! The verdict on a minimum: whether it determines an object.
 
 use nalgebra::Matrix4;
 

@@ -125,7 +125,7 @@ impl WheelPoint {
         SeenPair::new(speed, &circle, each, Step { baseline, later: 0.0 })
     }
 
-    /// Returns the point as the published model has it: by the left aperture of a `pair` along x, and again later by the second number.
+    /// Returns the point in the published model: seen by the left aperture of a `pair` along x, and again later by the second number.
     pub(crate) fn seen_as_published(
         &self,
         speed: &Speed,

@@ -55,7 +55,7 @@ pub fn measured_later<F: Elementary>(beta: F, r: F, phase: F, omega: F) -> F {
     })
 }
 
-/// Returns sine and cosine of `phase` - `omega` later; only the small part is rounded anew each time.
+/// Returns sine and cosine of `phase` - `omega` later; only the small part is rounded afresh each time.
 fn turning_from<F: Elementary>(phase: F, omega: F) -> impl Fn(F) -> (F, F) {
     let (sine, cosine) = math::sin_cos(phase);
     move |later| {

@@ -82,8 +82,8 @@ pub(crate) struct Seen<F> {
 }
 
 impl<F: Elementary> Seen<F> {
-    /// Solves for the time: that of the root from the hub, improved until it agrees with what the point's own place says, which knows it as
-    /// well as that of any resting point, also where the hub is far from there for the aperture.
+    /// Solves for the time: the root from the hub, improved until it agrees with the one from the point's own place, which is as accurate as
+    /// for any resting point, even where the hub is then far from the aperture.
     pub fn new(coefficients: &Coefficients<F>, circle: &Circle<F>, hub: &Hub<F>) -> Self {
         let [s, y, z] = hub.from;
         let gamma = coefficients.gamma;

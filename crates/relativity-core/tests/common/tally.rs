@@ -17,17 +17,17 @@ pub struct Tally {
     pub cases: usize,
     /// Fits in the minimum that a fit started at the truth finds, or in a lower one.
     pub right: usize,
-    /// Fits that said in words that there is no result, as does a fit from the truth.
+    /// Fits that reported no result, as does a fit from the truth.
     pub refused: usize,
     /// Fits in another minimum, and refusals where a fit from the truth has a result.
     pub wrong: usize,
-    /// Right fits too uncertain for a bootstrap, which said so.
+    /// Right fits that reported to be too uncertain for a bootstrap.
     pub unsteady: usize,
     /// Fits, and those whose bootstrap interval holds the truth, by parameter.
     pub fitted: usize,
     pub within_error: [usize; 4],
     pub within_interval: [usize; 4],
-    /// What was said of each fit that is not right.
+    /// Messages about fits that are not right.
     pub complaints: Vec<String>,
 }
 

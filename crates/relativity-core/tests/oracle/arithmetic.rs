@@ -40,7 +40,7 @@ struct Truth {
 }
 
 impl Truth {
-    /// How many units `computed` is off.
+    /// Returns the error of `computed`, in units.
     fn error_units(&self, computed: f64) -> f64 {
         if !computed.is_finite() {
             return f64::INFINITY;

@@ -108,7 +108,7 @@ fn columns_of_wheels_over_time_equal_the_scalar_function() {
     assert_eq!(error.expect_err("short").to_string(), "column apparent_x has 0 rows instead of 1");
 }
 
-/// One f32 number, as the f64 that it is.
+/// Returns the f64 of a single f32 number.
 fn single(value: f64) -> f64 {
     f64::from(value as f32)
 }

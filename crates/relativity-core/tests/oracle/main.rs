@@ -186,7 +186,7 @@ fn disparities_of_apertures_anywhere_keep_their_digits() {
     .assert_as_documented(include_str!("../../src/disparity.rs"), &["general dphi", "general dtheta"]);
 }
 
-/// Those of [`pair_inputs`], and also apertures that coincide, and points that pass through an aperture.
+/// Returns the inputs of [`pair_inputs`], and also apertures that coincide, and points that pass through an aperture.
 fn stereo_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Speed, Vec<f64>) {
     let (parameter, speed, mut inputs) = pair_inputs(rng);
     match rng.random_range(0..6) {

@@ -2,7 +2,7 @@
 
 use crate::arithmetic::{Big, atan2, big, sqrt, square};
 
-/// How the speed was given: the parameter is the input, everything else follows from it.
+/// The parameter that gives the speed: it is the input, everything else follows from it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Parameter {
     Beta,
@@ -31,7 +31,7 @@ pub fn accessors(parameter: Parameter, value: &Big) -> [Big; 7] {
     [beta.clone(), gamma, gamma_minus_one, big(1.0) - &beta, big(1.0) - square(&beta), rapidity, sqrt(&ratio)]
 }
 
-/// One aperture's view, from the definition of the light cone.
+/// The view of an aperture, from the definition of the light cone.
 #[derive(Clone)]
 pub struct View {
     pub x: Big,

@@ -7,10 +7,10 @@ use dashu_float::ops::Abs;
 use crate::arithmetic::{Big, big, sqrt, square};
 use crate::model::{Parameter, View, angle_differences, difference, speed};
 
-/// Where an equation was solved last: a start for the next one.
+/// The last root of an equation: a start for the next one.
 pub type Start = RefCell<Option<Big>>;
 
-/// What is seen, and when by the clocks of the rest frame.
+/// A seen event: its place, and its time by the clocks of the rest frame.
 pub struct Sight {
     pub view: View,
     pub own_time: Big,
@@ -43,7 +43,7 @@ impl Wheel {
         }
     }
 
-    /// What an aperture sees: the root of T - t - |P - a| along the worldline, by the time of the rest frame.
+    /// Returns the event that an aperture sees: the root of T - t - |P - a| along the worldline, by the time of the rest frame.
     pub fn seen(&self, aperture: &[Big], time: &Big, start: &Start) -> Sight {
         let (beta, gamma) = &self.speed;
         let [x0, y, z] = &self.hub;

@@ -5,7 +5,7 @@ use crate::lanes::{F, Mask, Quaternion, Simd, V3, all, select};
 use crate::prepared_body::Placement;
 use crate::view::Geometry;
 
-/// The view of a group, as the shaders have it.
+/// The view of a group, in the units of the shaders.
 #[derive(Debug, Clone, Copy)]
 pub struct Group<'a> {
     pub frame: &'a Frame,

@@ -27,11 +27,11 @@ pub struct Look<'a> {
     reference: usize,
     /// Bodies that turn, with their numbers, which ascend.
     turning: Vec<(usize, Turns, Shown)>,
-    /// Light of each emission of the scene as the shaders have it, without and with a Doppler effect.
+    /// Light of each emission of the scene in the units of the shaders, without and with a Doppler effect.
     lights: Vec<[OnceLock<[f32; 4]>; 2]>,
 }
 
-/// A body, as one view has it.
+/// A body in one view.
 #[derive(Debug, Clone, Copy)]
 pub struct Seen<'a> {
     pub body: &'a PreparedBody,
@@ -41,7 +41,7 @@ pub struct Seen<'a> {
 }
 
 impl<'a> Look<'a> {
-    /// Returns the look of a picture as `appearance` says, or of numbers.
+    /// Returns the look of a picture with `appearance`, or of numbers.
     pub fn new(scene: &'a PreparedScene, view: &View, appearance: Option<&Appearance>) -> Self {
         let views = scene.group_views(view);
         let plain = Appearance::default();

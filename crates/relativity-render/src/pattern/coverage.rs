@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 use relativity_core::math::hypot;
 
-/// Least and greatest coverage of a pixel that is told apart, in steps: f32 has no more digits, and beyond a few
+/// Least and greatest coverage of a pixel that is distinguished, in steps: f32 has no more digits, and beyond a few
 /// steps there is only an average.
 pub const COVERED: [f64; 2] = [1e-4, 1e3];
 /// Least cosine between a ray and the normal: at the outline itself a pixel covers without end.

@@ -55,8 +55,8 @@ pub struct Piece {
     pub rim: [f32; 2],
 }
 
-/// The pieces of a view, solid before thin, group by group, kind by kind, plain before patterned, what stands
-/// still before what turns, else in the order of the bodies: where
+/// The pieces of a view, solid before thin, group by group, kind by kind, plain before patterned, bodies that do not
+/// turn before turning ones, else in the order of the bodies: where
 /// surfaces of two coincide, the first that is drawn stays. Kept from view to view, for its memory.
 #[derive(Debug, Default)]
 pub struct Pieces {

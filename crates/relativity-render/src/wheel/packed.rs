@@ -1,4 +1,4 @@
-//! The turning of a body as the shaders have it: the pipelines it needs, and its start in one view.
+//! The turning of a body for the shaders: the pipelines it needs, and its start in one view.
 
 use glam::{DQuat, DVec3};
 use relativity_core::Turning;
@@ -15,7 +15,7 @@ use crate::wheel::spin::{MaterialPoint, Spin};
 /// turn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Turns {
-    /// The body stands still.
+    /// The body does not turn.
     Not,
     /// The body turns, but its surface stays where it is.
     InPlace,

@@ -11,7 +11,7 @@ pub fn still_life() -> Vec<Body> {
     [round_still_life(), flat_still_life()].concat()
 }
 
-/// Those of it without flat faces.
+/// Returns the bodies of the still life without flat faces.
 pub fn round_still_life() -> Vec<Body> {
     let ring = |center, axis: [f64; 3], radius, tube_radius| Shape::Ring {
         center,

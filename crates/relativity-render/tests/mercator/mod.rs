@@ -231,8 +231,8 @@ pub struct Slid {
     pub farthest: f64,
 }
 
-/// Of the scene in motion, and at rest from the same event, as `method` draws it; whether a differing pixel is within `reach_px`
-/// of an outline says the reference.
+/// Compares the scene in motion with the scene at rest from the same event, as `method` draws it; the reference decides whether
+/// a differing pixel is within `reach_px` of an outline.
 pub fn slid(renderers: &mut Renderers, method: Method, reach_px: f64) -> Slid {
     let scene = PreparedScene::moving(&still_life());
     let mut all = Slid::default();

@@ -1,4 +1,4 @@
-//! What several tests share: spread numbers, signed distances, and the figures of the documentation.
+//! Helpers that several tests share: spread numbers, signed distances, and the figures of the documentation.
 
 #![allow(dead_code, reason = "each program that includes this module uses its own part")]
 #![allow(clippy::allow_attributes, reason = "an expectation would fail in the programs that use every part")]

@@ -10,12 +10,12 @@ use relativity_render::{
     Body, Camera, Gaze, Geometry, Group, MaterialPoint, Motion, Pattern, PreparedScene, Shape, Spin, View,
 };
 
-/// Where the axle is, and the radius on which the wheel rolls.
+/// The place of the axle, and the radius on which the wheel rolls.
 pub const HUB: [f64; 3] = [-0.3, 3.0, 0.1];
 pub const RADIUS: f64 = 0.5;
 const SPOKES: u32 = 20;
 
-/// How it turns.
+/// The turning of the wheel.
 pub const SPIN: Spin = Spin { hub: HUB, radius: RADIUS, turning: Turning::Rolling };
 
 /// Tyre, rim and hub; a valve and crossed spokes to both sides of the hub.
@@ -48,12 +48,12 @@ pub fn wheel() -> Vec<Body> {
     bodies.enumerate().map(|(i, body)| if i == 0 { body.with_pattern(tyre) } else { body }).collect()
 }
 
-/// Where a camera is, in the wheel's rest frame.
+/// The place of a camera, in the wheel's rest frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum From {
     /// Abreast of the wheel.
     Side,
-    /// Where it goes, and where it comes from, more aside than along.
+    /// Ahead of the wheel and behind it, more aside than along.
     Before,
     Behind,
     /// Nearly in its plane.

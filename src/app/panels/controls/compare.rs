@@ -10,7 +10,7 @@ use crate::settings::{ComparisonError, Look};
 const TIP: &str = "Shows the left eye twice, in place of both eyes: the first picture as all else is set, the second as chosen here. \
     A gaze that follows does so in each; both have one field of view.   Key: B";
 
-/// All choices with their names, and tooltips about the picture that each shows second.
+/// The choices with their names, and tooltips about the picture that each shows second.
 const CHOICES: [(Compare, &str, &str); 5] = [
     (Compare::Off, "nothing: two eyes", "The pictures of two eyes."),
     (Compare::Seen, "as seen", "The second picture is as seen."),

@@ -1,4 +1,4 @@
-//! The form in which a prediction is entered: a choice, counted hands, a number, a place or a curve; and its confidence.
+//! The form in which a prediction is entered: a choice, a count of raised hands, a number, a place or a curve; and its confidence.
 
 use eframe::egui::{Align, Event, Id, Key, Layout, RichText, TextEdit, TextStyle, Ui, vec2};
 

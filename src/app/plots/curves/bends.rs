@@ -9,8 +9,8 @@ use relativity_core::{
 
 use crate::time_range::time_within;
 
-/// Number of parts of the range, in which less than a quarter of a turn is seen where turns can be told apart: there a turn is two pixels of a
-/// plot wide, or wider.
+/// Number of parts of the range, in which less than a quarter of a turn is seen where turns can be distinguished: there a turn is two pixels of
+/// a plot wide, or wider.
 const CELLS: u32 = 512;
 /// Steps of a turn, at each of which there is a sample: from pi/2 on they fall by pi/4.
 const STEPS: f64 = 8.0;
@@ -23,7 +23,7 @@ pub struct Bends {
     /// When the point of a wheel has turned by eighths of a turn from its lowest place, as each eye and the middle between them
     /// sees it and as it is measured.
     pub turns: Vec<f64>,
-    /// End of the range in which it turns too fast for turns to be told apart: there it is drawn only where it is lowest, highest, or moves
+    /// End of the range in which it turns too fast for turns to be distinguished: there it is drawn only where it is lowest, highest, or moves
     /// along the line of sight, now on one side and now on the other, and the line fills what it moves in.
     pub blurred_until: Option<f64>,
 }
@@ -83,7 +83,7 @@ fn later(a: Option<f64>, b: Option<f64>) -> Option<f64> {
     if a > b { a } else { b }
 }
 
-/// Returns the whole numbers from `first` to `last`; the first of them if they are more than can be told apart.
+/// Returns the whole numbers from `first` to `last`; only the first if they are too many to be distinguished.
 fn whole([first, last]: [f64; 2]) -> impl Iterator<Item = f64> {
     let most = f64::from(CELLS) * STEPS;
     let count = (last.floor() - first.ceil() + 1.0).clamp(0.0, most) as u32;

@@ -76,7 +76,7 @@ fn table_row(ui: &mut Ui, row: &Row<'_>, better: Option<Method>, chosen: Method,
     }
 }
 
-/// Writes a spread's 99 %, and the rest of it. Nothing below the `resolution` was told apart.
+/// Writes a spread's 99 %, and the rest of it. Nothing below the `resolution` was distinguished.
 pub(super) fn cell(spread: Option<Spread>, resolution: f64) -> (String, String) {
     let Some(Spread { median, p99, worst, count }) = spread else {
         return (number_text::NONE.to_owned(), String::new());
