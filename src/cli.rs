@@ -8,7 +8,7 @@ use clap::{CommandFactory as _, Parser, Subcommand};
 
 use crate::app::{self, args::WindowArgs};
 use crate::commands;
-use crate::platform::{environment, tell};
+use crate::platform::{environment, messages};
 
 /// Interactive stereo viewer of special relativity: what each eye sees, exactly.
 ///
@@ -84,7 +84,7 @@ pub fn explain(error: &clap::Error) -> anyhow::Result<ExitCode> {
         return Ok(ExitCode::SUCCESS);
     }
     match quoted(std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect()) {
-        Some(text) => tell::remark_lines(&text),
+        Some(text) => messages::remark_lines(&text),
         // Where that cannot be written to, nobody is told.
         None => drop(error.print()),
     }
@@ -98,7 +98,7 @@ const USAGE: u8 = 2;
 /// these are what a terminal obeys too.
 fn quoted(words: Vec<String>) -> Option<String> {
     let mut odd = words.clone();
-    odd.retain(|word| tell::shown(word) != *word);
+    odd.retain(|word| messages::shown(word) != *word);
     if odd.is_empty() {
         return None;
     }
@@ -107,10 +107,10 @@ fn quoted(words: Vec<String>) -> Option<String> {
     for word in odd {
         let value = word.split_once('=').map_or(word.as_str(), |(_, value)| value);
         for part in [word.as_str(), value].into_iter().filter(|part| !part.trim().is_empty()) {
-            text = text.replace(part, &tell::shown(part));
+            text = text.replace(part, &messages::shown(part));
         }
     }
-    Some(tell::shown_lines(&text))
+    Some(messages::shown_lines(&text))
 }
 
 impl Cli {

@@ -113,14 +113,14 @@ pub struct ModelArgs {
 
 /// The inputs that are given, which decide the columns of the output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Given {
+pub struct GivenInputs {
     /// A head that is tilted or turned.
     pub is_turned: bool,
     /// Whether points are on wheels.
     pub on_wheel: bool,
 }
 
-impl Given {
+impl GivenInputs {
     /// Returns the number of columns that `--stereo` adds.
     const fn stereo(self) -> usize {
         COLUMNS.len() - USUAL - !(self.is_turned || self.on_wheel) as usize
@@ -231,7 +231,7 @@ impl ModelArgs {
     /// # Errors
     ///
     /// Stereo columns of a model that has none.
-    pub fn columns(&self, given: Given) -> Result<Vec<&'static str>, StereoError> {
+    pub fn columns(&self, given: GivenInputs) -> Result<Vec<&'static str>, StereoError> {
         let (default, stereo) = COLUMNS.split_at(USUAL);
         let turned = if given.on_wheel { &TURNED[..] } else { &[] };
         let conformal = if self.conformal { &CONFORMAL[..] } else { &[] };
@@ -248,7 +248,11 @@ impl ModelArgs {
     /// # Errors
     ///
     /// An input outside its domain, or an intensity that overflows. (One that underflows is 0.)
-    pub fn values(&self, observation: &Observation, given: Given) -> Result<Vec<f64>, ObservationError> {
+    pub fn values(
+        &self,
+        observation: &Observation,
+        given: GivenInputs,
+    ) -> Result<Vec<f64>, ObservationError> {
         let both = self.disparity(observation)?;
         let mut values = self.sightings(&both).to_vec();
         if let Some(index) = values.iter().position(|value| !value.is_finite()) {

@@ -49,7 +49,7 @@ impl Comfort {
     /// Returns the comfort of the `views` (left, right) of `scene`, seen from a distance of this number of their pixels, above 0.
     /// `None` where no body lies in both pictures.
     #[must_use]
-    pub fn of(scene: &Scene, views: &[View; 2], distance_px: f64) -> Option<Self> {
+    pub fn new(scene: &Scene, views: &[View; 2], distance_px: f64) -> Option<Self> {
         let stride = scene.bodies.len().div_ceil(MOST_BODIES).max(1);
         let (mut across, mut down) = ([f64::INFINITY, f64::NEG_INFINITY], 0.0_f64);
         for group in &scene.groups {
@@ -171,7 +171,7 @@ mod tests {
         let subject = Subject { scene: &prepared, tracked: scene.track(None) };
         let views = settings.views(subject, time, [1000, 1000]);
         // Seen from where the camera was.
-        Comfort::of(&scene, &views, views[0].camera.focal_length_px())
+        Comfort::new(&scene, &views, views[0].camera.focal_length_px())
     }
 
     /// Returns x where an eye at (`eye`, 0, 0) sees a place at rest along x, by the light cone's quadratic equation.

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Parser as _;
 use gamow::cli::{self, Cli};
-use gamow::platform::{limits, tell};
+use gamow::platform::{limits, messages};
 
 fn main() -> ExitCode {
     limits::fail_beyond_file_size();
@@ -14,7 +14,7 @@ fn main() -> ExitCode {
     env_logger::Builder::from_env(quiet)
         .format(|out, record| {
             let (time, level, text) = (out.timestamp(), record.level(), record.args().to_string());
-            writeln!(out, "[{time} {level} {}] {}", record.target(), tell::shown(&text))
+            writeln!(out, "[{time} {level} {}] {}", record.target(), messages::shown(&text))
         })
         .init();
     let outcome = match Cli::try_parse() {
@@ -24,7 +24,7 @@ fn main() -> ExitCode {
     match outcome {
         Ok(code) => code,
         Err(error) if reader_has_gone(&error) => ExitCode::SUCCESS,
-        Err(error) => ExitCode::from(tell::failure(&error)),
+        Err(error) => ExitCode::from(messages::failure(&error)),
     }
 }
 

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use relativity_core::Speed;
 use relativity_core::math;
 
-use crate::platform::tell;
+use crate::platform::messages;
 
 /// Sign for a number that does not exist.
 pub const NONE: &str = "–";
@@ -138,7 +138,7 @@ pub fn parsed(text: &str) -> Result<f64, String> {
     let plain = with_point(&plain);
     match plain.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
-        _ => Err(format!("“{}” is not a number", tell::excerpt(text))),
+        _ => Err(format!("“{}” is not a number", messages::excerpt(text))),
     }
 }
 

@@ -117,7 +117,7 @@ fn figures(reference: &HitImage, pixels: &[PixelDifference]) -> DifferenceFigure
             PixelDifference::SameBody { arcseconds, doppler } => Some(value(arcseconds, doppler)),
             _ => None,
         });
-        Spread::of(errors.collect())
+        Spread::from_errors(errors.collect())
     };
     DifferenceFigures {
         covered_pixels: reference.hits.iter().flatten().count(),

@@ -72,7 +72,7 @@ pub fn expected_error(
     let rounds =
         is_reference.then(|| RoundsError::new(scene, view, &reference, effort.outline_places)).flatten();
     let frame_ms = frame_ms(renderers, method, scene, view, appearance, effort.rounds)?;
-    let outlines_px = Spread::of(displacements);
+    let outlines_px = Spread::from_errors(displacements);
     Ok((!is_cancelled()).then_some(ExpectedError { frame_ms, outlines_px, difference, rounds }))
 }
 

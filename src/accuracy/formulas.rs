@@ -182,8 +182,8 @@ impl Batch {
             |i: usize| or_worst((seen.doppler_factor[i] / truth.doppler_factor[i] - 1.0).abs(), f64::MAX);
         FormulaError {
             point_ns,
-            line_of_sight_arcseconds: Spread::of((0..POINTS).map(sight).collect()),
-            doppler_relative: Spread::of((0..POINTS).map(doppler).collect()),
+            line_of_sight_arcseconds: Spread::from_errors((0..POINTS).map(sight).collect()),
+            doppler_relative: Spread::from_errors((0..POINTS).map(doppler).collect()),
         }
     }
 }

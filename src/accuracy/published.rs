@@ -54,8 +54,10 @@ pub fn published_error(
     Ok(PublishedError {
         published_ns,
         exact_ns,
-        line_of_sight_arcseconds: Spread::of(pairs.iter().map(|&(a, b)| ARCSECONDS * angle(a, b)).collect()),
-        pixels: Spread::of(pairs.iter().filter_map(pixels).collect()),
+        line_of_sight_arcseconds: Spread::from_errors(
+            pairs.iter().map(|&(a, b)| ARCSECONDS * angle(a, b)).collect(),
+        ),
+        pixels: Spread::from_errors(pairs.iter().filter_map(pixels).collect()),
     })
 }
 

@@ -88,8 +88,8 @@ impl RoundsError {
             AfterRounds {
                 rounds,
                 ray_ns,
-                along_radii: Spread::of(along.collect()),
-                outlines_px: Spread::of(
+                along_radii: Spread::from_errors(along.collect()),
+                outlines_px: Spread::from_errors(
                     outlines.iter().map(|edge| edges.displacement(edge, search)).collect(),
                 ),
                 missed_share: missed as f64 / rays.len().max(1) as f64,

@@ -18,7 +18,7 @@ pub struct Spread {
 impl Spread {
     /// The spread of `errors`, `None` of none.
     #[must_use]
-    pub fn of(mut errors: Vec<f64>) -> Option<Self> {
+    pub fn from_errors(mut errors: Vec<f64>) -> Option<Self> {
         errors.sort_by(f64::total_cmp);
         let count = errors.len();
         let at_most = |percent: usize| errors[(count * percent).div_ceil(100).max(1) - 1];
@@ -45,12 +45,18 @@ mod tests {
     #[test]
     fn a_hundred_errors_have_the_99th_as_their_99th_percentile() {
         let errors = (1..=100).rev().map(f64::from).collect();
-        assert_eq!(Spread::of(errors), Some(Spread { median: 50.0, p99: 99.0, worst: 100.0, count: 100 }));
+        assert_eq!(
+            Spread::from_errors(errors),
+            Some(Spread { median: 50.0, p99: 99.0, worst: 100.0, count: 100 })
+        );
     }
 
     #[test]
     fn one_error_is_all_of_its_spread_and_none_has_no_spread() {
-        assert_eq!(Spread::of(vec![3.0]), Some(Spread { median: 3.0, p99: 3.0, worst: 3.0, count: 1 }));
-        assert_eq!(Spread::of(vec![]), None);
+        assert_eq!(
+            Spread::from_errors(vec![3.0]),
+            Some(Spread { median: 3.0, p99: 3.0, worst: 3.0, count: 1 })
+        );
+        assert_eq!(Spread::from_errors(vec![]), None);
     }
 }

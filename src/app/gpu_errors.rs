@@ -2,7 +2,7 @@
 
 use eframe::egui::Context;
 use eframe::egui_wgpu::RenderState;
-use relativity_render::{Faults, GpuError};
+use relativity_render::{DeviceErrors, GpuError};
 
 use crate::app::waker::Woken;
 use crate::caption::capitalised;
@@ -10,24 +10,28 @@ use crate::caption::capitalised;
 /// The errors that the device has reported, and the number of those that were shown.
 #[derive(Debug, Default)]
 pub struct GpuErrors {
-    faults: Faults,
-    is_told: bool,
+    errors: DeviceErrors,
+    is_reported: bool,
     /// The window that a fault wakes: the device, which it owns, must not own it in turn.
     _woken: Option<Woken>,
 }
 
 impl GpuErrors {
     /// Collects the errors of the window's device, if it has one, from now on; each is followed by a frame.
-    pub fn of(ctx: &Context, render_state: Option<&RenderState>) -> Self {
+    pub fn new(ctx: &Context, render_state: Option<&RenderState>) -> Self {
         let Some(state) = render_state else { return Self::default() };
         let woken = Woken::new(ctx.clone());
         let waker = woken.waker();
-        Self { faults: Faults::of(&state.device, move || waker.wake()), is_told: false, _woken: Some(woken) }
+        Self {
+            errors: DeviceErrors::collect(&state.device, move || waker.wake()),
+            is_reported: false,
+            _woken: Some(woken),
+        }
     }
 
     /// Why the device is lost, if it is: then the window cannot be drawn.
     pub fn loss(&self) -> Option<String> {
-        self.faults.loss()
+        self.errors.loss()
     }
 
     /// Takes the message for errors that have not been shown yet; `newly`, the device has refused to draw the views.
@@ -35,8 +39,8 @@ impl GpuErrors {
         let text = if let Some(error) = newly {
             format!("{}. The views are drawn on the CPU from now on.", capitalised(&error.to_string()))
         } else {
-            let error = self.faults.first().filter(|_| !self.is_told)?;
-            self.is_told = true;
+            let error = self.errors.first().filter(|_| !self.is_reported)?;
+            self.is_reported = true;
             format!("The graphics device reported an error, which was passed over: {error}")
         };
         log::warn!("{text}");

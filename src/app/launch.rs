@@ -10,7 +10,7 @@ use crate::app::args::WindowArgs;
 use crate::app::notice::Notice;
 use crate::app::overlay::Overlay;
 use crate::app::persistence::{Keeper, Loaded, Memory};
-use crate::app::recovery::{self, Bequeathed, Break, Ended, Estate};
+use crate::app::recovery::{self, Break, Ended, RecoverableApp, StateSlot};
 use crate::app::screens::screenshot;
 use crate::app::state::State;
 use crate::app::{App, TITLE, graphics, icon, painting};
@@ -19,7 +19,7 @@ use crate::flags::words::Shell;
 use crate::lesson::Answers;
 use crate::platform::clock::Instant;
 use crate::platform::last_word::LastWord;
-use crate::platform::{tell, threads};
+use crate::platform::{messages, threads};
 use crate::settings::Settings;
 
 /// Name of the window for the system, and of the folder of its settings.
@@ -38,7 +38,7 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
         ensure_ending("--screenshot", path, "png")?;
         let state = args.state(Settings::default())?;
         let provenance =
-            state.document.scene.provenance(state.shown().as_told_in(path).window_command(Shell::RECORDED));
+            state.document.scene.provenance(state.shown().relative_to(path).window_command(Shell::RECORDED));
         return screenshot::save(state, args.window_size_or_default(), &provenance.texts(), path);
     }
     // Flags are judged before a window appears; the saved settings are only known once it has.
@@ -48,12 +48,11 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     }
     begin_tables();
     let keeper = Keeper::of_user(APP_ID)?;
-    recovery::kept_open(|begin, estate| open(args, begin, estate, &keeper), Instant::elapsed).map_err(
-        |ended| match ended {
+    recovery::kept_open(|begin, state_slot| open(args, begin, state_slot, &keeper), Instant::elapsed)
+        .map_err(|ended| match ended {
             Ended::Unopened(reason) => unopened(&reason.to_string()),
             Ended::Broken(reason, state) => broken(&reason, &state, &keeper),
-        },
-    )?;
+        })?;
     keeper.end()
 }
 
@@ -94,8 +93,13 @@ fn in_one_line(message: &str) -> String {
 }
 
 /// Opens a window in the state `begin`, or by default in that of the flags and the last window, and leaves its own state to the
-/// `estate`; returns when it is closed.
-fn open(args: &WindowArgs, begin: Option<State>, estate: &Estate, keeper: &Keeper) -> Result<(), Break> {
+/// `state_slot`; returns when it is closed.
+fn open(
+    args: &WindowArgs,
+    begin: Option<State>,
+    state_slot: &StateSlot,
+    keeper: &Keeper,
+) -> Result<(), Break> {
     // Another window in place of a broken one begins in the state of that.
     let loaded = if begin.is_none() { keeper.load() } else { Loaded::default() };
     let viewport = ViewportBuilder::default()
@@ -113,14 +117,14 @@ fn open(args: &WindowArgs, begin: Option<State>, estate: &Estate, keeper: &Keepe
     };
     let options =
         NativeOptions { viewport, wgpu_options: graphics::configuration(), ..NativeOptions::default() };
-    let (left, left_to) = (estate.clone(), keeper.clone());
+    let (left, left_to) = (state_slot.clone(), keeper.clone());
     let _last_word = LastWord::new(move || {
-        tell::failure(&match left.take() {
+        messages::failure(&match left.take() {
             Some(left) => broken(&Break::Exit, &left.state, &left_to),
             None => unopened(&Break::Exit.to_string()),
         })
     });
-    let (args, estate, keeper) = (args.clone(), estate.clone(), keeper.clone());
+    let (args, state_slot, keeper) = (args.clone(), state_slot.clone(), keeper.clone());
     let create = move |cc: &CreationContext<'_>| {
         let state = match begin {
             Some(state) => state,
@@ -134,7 +138,7 @@ fn open(args: &WindowArgs, begin: Option<State>, estate: &Estate, keeper: &Keepe
             painting::install(&cc.egui_ctx, render_state);
         }
         let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).kept_by(keeper);
-        Ok(Box::new(Bequeathed::new(app, estate)) as Box<dyn eframe::App>)
+        Ok(Box::new(RecoverableApp::new(app, state_slot)) as Box<dyn eframe::App>)
     };
     recovery::guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))
 }

@@ -116,7 +116,13 @@ impl Layout {
     /// The layout of a window with the inner area `whole` and as much of a `lesson`, whose views are `arranged` and whose plots
     /// are those of `tab`.
     #[must_use]
-    pub fn of(whole: Rect, lesson: LessonPart, window: Window, arranged: &Arrangement, tab: PlotTab) -> Self {
+    pub fn new(
+        whole: Rect,
+        lesson: LessonPart,
+        window: Window,
+        arranged: &Arrangement,
+        tab: PlotTab,
+    ) -> Self {
         let (bar, below) = below_bar(whole);
         let narrowest = lesson.narrowest_with_controls();
         let with_side = window.controls && whole.width() >= narrowest;
@@ -133,7 +139,7 @@ impl Layout {
         let strip_height = part(window.strip_share, free, usual_height, [LOWEST; 2]);
         // What stands in a strip does not change while its border is dragged, unless it becomes too low for any of it.
         let room = if strip_height >= 1.5 * LOWEST { strip_height.max(usual_height) } else { strip_height };
-        let below = Below::of(vec2(centre.width(), room), window, tab);
+        let below = Below::new(vec2(centre.width(), room), window, tab);
         let map_above = !window.views && window.map != Presence::Off;
         let upper_height = match (window.views || map_above, below) {
             (true, Below::Nothing) => free,
@@ -276,7 +282,7 @@ impl Presentation {
     /// Lays out a window with this inner `area`, its views as `arranged`. The words take as much of the height as they
     /// `need`, if that is known, and the views the rest; an infinite need means that the words are too small.
     #[must_use]
-    pub fn of(area: Rect, arranged: &Arrangement, beside: Beside, need: Option<f32>) -> Self {
+    pub fn new(area: Rect, arranged: &Arrangement, beside: Beside, need: Option<f32>) -> Self {
         if let Some(panes) = arranged.whole_screen(area) {
             return Self { panes, words: None, plot: None };
         }
@@ -346,7 +352,7 @@ enum Below {
 impl Below {
     /// Returns the contents of a strip of this `size`. Beside a table and plots there is a map where they have room too, or where
     /// it is asked for.
-    fn of(size: Vec2, window: Window, tab: PlotTab) -> Self {
+    fn new(size: Vec2, window: Window, tab: PlotTab) -> Self {
         let has_room = |least: Vec2| size.x >= least.x && size.y >= least.y;
         let has_table = matches!(tab, PlotTab::Fit | PlotTab::Accuracy);
         let suits = !has_table || (1.0 - MAP_SHARE) * size.x >= TABLE_AND_PLOTS_WIDTH;
@@ -431,7 +437,7 @@ mod tests {
     use crate::settings::Settings;
 
     fn layout(width: f32, height: f32) -> Layout {
-        of([width, height], Window::default())
+        sized([width, height], Window::default())
     }
 
     #[test]
@@ -446,25 +452,25 @@ mod tests {
             let part = part.expect("shown");
             assert!(part.width() >= 320.0 && part.height() >= least, "{part:?}");
         }
-        let taller = of([1024.0, 700.0], Window::default());
+        let taller = sized([1024.0, 700.0], Window::default());
         assert!(taller.spectrum.is_some() && taller.sentence.is_some());
     }
 
     fn layout_of(area: Rect, window: Window, tab: PlotTab) -> Layout {
         let settings = Settings { window, ..Settings::default() };
-        let arranged = Arrangement::of(&settings, 2.54 / 96.0, 1.0);
-        Layout::of(area, LessonPart::Nothing, window, &arranged, tab)
+        let arranged = Arrangement::new(&settings, 2.54 / 96.0, 1.0);
+        Layout::new(area, LessonPart::Nothing, window, &arranged, tab)
     }
 
-    fn of(size: [f32; 2], window: Window) -> Layout {
+    fn sized(size: [f32; 2], window: Window) -> Layout {
         layout_of(Rect::from_min_size(pos2(0.0, 0.0), size.into()), window, PlotTab::Disparity)
     }
 
     #[test]
     fn the_map_stands_beside_the_plots_where_there_is_room_and_leaves_the_views_as_large() {
         for size in [[1280.0, 800.0], [1920.0, 1080.0], [3840.0, 2160.0]] {
-            let with_map = of(size, Window::default());
-            let without = of(size, Window { map: Presence::Off, ..Window::default() });
+            let with_map = sized(size, Window::default());
+            let without = sized(size, Window { map: Presence::Off, ..Window::default() });
             let (map, plots) = (with_map.map.expect("shown"), with_map.plots.expect("shown"));
             assert!(map.width() >= 380.0 && map.height() >= 270.0 && plots.width() >= 530.0, "{size:?}");
             assert_eq!((with_map.panes, without.map), (without.panes, None));
@@ -481,18 +487,18 @@ mod tests {
     #[test]
     fn a_small_window_has_a_map_in_place_of_the_plots_when_asked() {
         let size = [1024.0, 600.0];
-        let unasked = of(size, Window::default());
+        let unasked = sized(size, Window::default());
         assert!(unasked.map.is_none() && unasked.plots.is_some());
-        let asked = of(size, Window { map: Presence::On, ..Window::default() });
+        let asked = sized(size, Window { map: Presence::On, ..Window::default() });
         assert_eq!((asked.map, asked.plots), (unasked.plots, None));
     }
 
     #[test]
     fn without_views_the_map_has_their_place_and_alone_all_of_it() {
         let no_views = Window { views: false, ..Window::default() };
-        let with_plots = of([800.0, 600.0], no_views);
+        let with_plots = sized([800.0, 600.0], no_views);
         assert!(with_plots.map.is_some() && with_plots.plots.is_some());
-        let alone = of([800.0, 600.0], Window { plots: false, controls: false, ..no_views });
+        let alone = sized([800.0, 600.0], Window { plots: false, controls: false, ..no_views });
         let map = alone.map.expect("shown");
         assert!(map.width() >= 780.0 && map.height() >= 470.0, "{map:?}");
     }
@@ -548,9 +554,9 @@ mod tests {
                             map: Presence::On,
                             ..Window::default()
                         };
-                        let layout = of(size, window);
+                        let layout = sized(size, window);
                         assert_apart(&parts(&layout), size);
-                        let default = of(size, Window { map: Presence::On, ..Window::default() });
+                        let default = sized(size, Window { map: Presence::On, ..Window::default() });
                         assert!(layout.panes.is_empty() == default.panes.is_empty(), "{size:?}");
                         for border in &layout.borders {
                             assert!(border.rect.is_finite(), "{border:?}");
@@ -564,14 +570,14 @@ mod tests {
     #[test]
     fn a_border_that_is_dragged_stands_at_the_pointer() {
         let size = [1600.0, 1000.0];
-        let all = of(size, Window::default()).borders;
+        let all = sized(size, Window::default()).borders;
         assert_eq!(
             all.iter().map(|border| border.split).collect::<Vec<_>>(),
             [Split::Side, Split::Strip, Split::Map]
         );
         for border in all {
             let there = border.rect.center() + vec2(-40.0, 30.0);
-            let dragged = of(size, border.split.with(Window::default(), border.share_at(there)));
+            let dragged = sized(size, border.split.with(Window::default(), border.share_at(there)));
             let now = dragged.borders.into_iter().find(|now| now.split == border.split).expect("still there");
             let off = now.rect.center() - there;
             let off = if border.split.is_upright() { off.x } else { off.y };
@@ -584,7 +590,7 @@ mod tests {
         for size in SIZES {
             let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());
             for part in [Part::Pane(0), Part::Pane(1), Part::Map, Part::Plots, Part::Pane(9)] {
-                let default = of(size, Window { map: Presence::On, ..Window::default() });
+                let default = sized(size, Window { map: Presence::On, ..Window::default() });
                 let alone = default.clone().with_only(area, Some(part));
                 assert_apart(&parts(&alone), size);
                 if alone == default {
@@ -611,11 +617,11 @@ mod tests {
     #[test]
     fn an_audience_has_all_parts_apart_and_large() {
         for size in SIZES {
-            let arranged = Arrangement::of(&Settings::default(), 2.54 / 96.0, 1.6);
+            let arranged = Arrangement::new(&Settings::default(), 2.54 / 96.0, 1.6);
             let area = Rect::from_min_size(Pos2::ZERO, size.into());
             for beside in [Beside::Nothing, Beside::Plot, Beside::Map, Beside::Fit] {
                 for need in [None, Some(0.0), Some(0.3 * size[1]), Some(f32::INFINITY)] {
-                    let shown = Presentation::of(area, &arranged, beside, need);
+                    let shown = Presentation::new(area, &arranged, beside, need);
                     let parts = shown.words.into_iter().chain(shown.plot);
                     let all: Vec<Rect> = parts.chain(shown.panes.iter().map(|pane| pane.rect)).collect();
                     assert_apart(&all, size);
@@ -635,11 +641,11 @@ mod tests {
 
     #[test]
     fn pictures_grow_where_the_words_need_less() {
-        let arranged = Arrangement::of(&Settings::default(), 2.54 / 96.0, 1.6);
+        let arranged = Arrangement::new(&Settings::default(), 2.54 / 96.0, 1.6);
         let area = Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 800.0));
         for beside in [Beside::Nothing, Beside::Plot, Beside::Map, Beside::Fit] {
             let heights = [0.0, 300.0, 1000.0, f32::INFINITY].map(|need| {
-                let shown = Presentation::of(area, &arranged, beside, Some(need));
+                let shown = Presentation::new(area, &arranged, beside, Some(need));
                 shown.panes[0].rect.height()
             });
             assert!(heights.is_sorted_by(|a, b| a >= b) && heights[0] > heights[3], "{beside:?} {heights:?}");

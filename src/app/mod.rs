@@ -62,7 +62,7 @@ use layout::{Beside, Layout, LessonPart, Presentation};
 use lesson::session::Running;
 use notice::Notice;
 use overlay::Overlay;
-use panels::{Asks, plots::Plotted, presented::Words};
+use panels::{Commands, plots::Plotted, presented::Words};
 use persistence::Keeper;
 use plots::curves::Curves;
 use saving::Saver;
@@ -91,7 +91,7 @@ pub struct App {
     chosen: Vec<(Geometry, Chosen)>,
     /// Whether pictures may get smoother while nothing changes.
     refines: bool,
-    faults: GpuErrors,
+    gpu_errors: GpuErrors,
     /// Pictures in the projector's window, once there was one.
     projected: Option<EyePictures>,
     /// On which screen the projector's window is.
@@ -128,7 +128,7 @@ impl App {
             eyes: render_state.map(EyePictures::new),
             chosen: Vec::new(),
             refines: true,
-            faults: GpuErrors::of(ctx, render_state),
+            gpu_errors: GpuErrors::new(ctx, render_state),
             projected: None,
             screen: Screen::default(),
             full_screen: FullScreen::default(),
@@ -252,22 +252,28 @@ impl App {
     }
 
     /// Runs `panel` inside `rect` and does what it asks for.
-    fn panel(&mut self, ui: &mut Ui, name: &str, rect: Rect, panel: impl FnOnce(&mut Ui, &State, &mut Asks)) {
-        let mut asks = Asks::new();
+    fn panel(
+        &mut self,
+        ui: &mut Ui,
+        name: &str,
+        rect: Rect,
+        panel: impl FnOnce(&mut Ui, &State, &mut Commands),
+    ) {
+        let mut commands = Commands::new();
         ui.scope_builder(UiBuilder::new().id_salt(name).max_rect(rect), |ui| {
             ui.set_clip_rect(rect.expand(2.0).intersect(ui.clip_rect()));
-            panel(ui, &self.state, &mut asks);
+            panel(ui, &self.state, &mut commands);
         });
-        self.apply(ui.ctx(), asks);
+        self.apply(ui.ctx(), commands);
     }
 
-    fn apply(&mut self, ctx: &egui::Context, asks: Asks) {
+    fn apply(&mut self, ctx: &egui::Context, commands: Commands) {
         ctx.input(|input| self.state.session.history.hear(input));
-        if !asks.is_empty() {
+        if !commands.is_empty() {
             // Panels that were shown before this one show the change in the next frame.
             ctx.request_repaint();
         }
-        for command in asks {
+        for command in commands {
             self.ask(command);
         }
         self.state.renew_looks();
@@ -309,18 +315,18 @@ impl App {
         let ctx = ui.ctx().clone();
         widgets::name_window(&ctx, TITLE);
         ctx.set_theme(theme::preference(self.state.document.settings.window.theme));
-        let mut asks = actions::asked(&ctx, &self.state);
+        let mut commands = actions::asked(&ctx, &self.state);
         if self.shows_start() {
-            asks.retain(panels::start::lets_through);
+            commands.retain(panels::start::lets_through);
         }
-        asks.extend(dropped_file(&ctx));
-        panels::palette::show(&ctx, &self.state, &mut asks);
-        panels::help::show(&ctx, &self.state, &mut asks);
-        self.chooser.update(&self.state, &mut asks);
-        panels::file_dialog::show(&ctx, &self.state, &mut self.chooser, &mut asks);
-        panels::saving::show(&ctx, &self.saver, &mut asks);
-        panels::reading::show(&ctx, &self.reader, &mut asks);
-        self.apply(&ctx, asks);
+        commands.extend(dropped_file(&ctx));
+        panels::palette::show(&ctx, &self.state, &mut commands);
+        panels::help::show(&ctx, &self.state, &mut commands);
+        self.chooser.update(&self.state, &mut commands);
+        panels::file_dialog::show(&ctx, &self.state, &mut self.chooser, &mut commands);
+        panels::saving::show(&ctx, &self.saver, &mut commands);
+        panels::reading::show(&ctx, &self.reader, &mut commands);
+        self.apply(&ctx, commands);
         // A file that the user has just given up is not among these.
         let read = self.reader.finished().into_iter().map(|file| Command::ShowFile(Box::new(file)));
         let changed = self.changed_files(&ctx).into_iter().map(Command::Reload);
@@ -339,7 +345,7 @@ impl App {
         }
         focus::paint(&ctx);
         self.update_projector(&ctx);
-        self.tell_faults(&ctx);
+        self.report_gpu_errors(&ctx);
         self.fulfil_orders(ui);
         if self.state.scratch.playing || self.state.session.lesson.as_ref().is_some_and(Running::is_running) {
             ctx.request_repaint();
@@ -349,18 +355,18 @@ impl App {
     /// Why the graphics device is lost, if it is: then the window cannot be drawn.
     #[must_use]
     pub fn loss(&self) -> Option<String> {
-        self.faults.loss()
+        self.gpu_errors.loss()
     }
 
     /// Says once what the graphics device could not do; closes the window that has lost it.
-    fn tell_faults(&mut self, ctx: &egui::Context) {
+    fn report_gpu_errors(&mut self, ctx: &egui::Context) {
         if self.loss().is_some() {
             ctx.send_viewport_cmd(egui::ViewportCommand::Close);
             return;
         }
         let eyes = [&mut self.eyes, &mut self.projected].into_iter().flatten();
-        let refusal = eyes.filter_map(EyePictures::newly_refused).last().cloned();
-        if let Some(text) = self.faults.take_new(refusal) {
+        let refusal = eyes.filter_map(EyePictures::take_refusal).last().cloned();
+        if let Some(text) = self.gpu_errors.take_new(refusal) {
             self.state.scratch.notice = Some(Notice::error(text));
             ctx.request_repaint();
         }
@@ -403,8 +409,8 @@ impl App {
             self.panel(ui, "bar", bar.shrink2(INSET), panels::bar::show);
         }
         let mut thumbnails = std::mem::take(&mut self.thumbnails);
-        self.panel(ui, "start", page, |ui, state, asks| {
-            panels::start::show(ui, state, &mut thumbnails, asks);
+        self.panel(ui, "start", page, |ui, state, commands| {
+            panels::start::show(ui, state, &mut thumbnails, commands);
         });
         thumbnails.go_on(ui.ctx());
         self.thumbnails = thumbnails;
@@ -425,7 +431,7 @@ impl App {
         let ctx = ui.ctx().clone();
         let (window, plots) = (self.state.shown_window(), self.state.document.settings.plots);
         let lesson = self.lesson_part();
-        let layout = Layout::of(area, lesson, window, &self.arranged(ui), plots.plot);
+        let layout = Layout::new(area, lesson, window, &self.arranged(ui), plots.plot);
         let layout = layout.with_only(area, self.state.session.stage.maximised);
         // Its numbers would tell what is being predicted.
         let is_asked = self.state.course().and_then(Course::asked).is_some();
@@ -460,7 +466,9 @@ impl App {
             let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
             let examination = self.examination.take();
             let plotted = Plotted { curves: &curves, fitting: &fitting, examination: examination.as_ref() };
-            self.panel(ui, "plots", rect, |ui, state, asks| panels::plots::show(ui, state, plotted, asks));
+            self.panel(ui, "plots", rect, |ui, state, commands| {
+                panels::plots::show(ui, state, plotted, commands);
+            });
             (self.curves, self.fitting, self.examination) = (curves, fitting, examination);
         }
         if let Some(rect) = layout.readout {
@@ -474,7 +482,9 @@ impl App {
             self.panel(ui, "sentence", rect, |ui, state, _| panels::sentence::show(ui, state));
         }
         for &border in &layout.borders {
-            self.panel(ui, "borders", area, |ui, state, asks| panels::borders::show(ui, state, border, asks));
+            self.panel(ui, "borders", area, |ui, state, commands| {
+                panels::borders::show(ui, state, border, commands);
+            });
         }
         self.message(&ctx, layout.message_room(area), area);
         self.corrected.take_if(|_| !layout.shows(Content::Corrected));
@@ -502,7 +512,7 @@ impl App {
         let beside = self.beside_words();
         let what = self.words();
         let words = Words { what: &what, area, beside };
-        let presentation = Presentation::of(area, &self.arranged(ui), beside, words.needed(ui.ctx()));
+        let presentation = Presentation::new(area, &self.arranged(ui), beside, words.needed(ui.ctx()));
         self.measure_pictures(ui, &presentation.panes);
         self.choose_methods(ui, &presentation.panes);
         self.update_fit(ui.ctx(), beside == Beside::Fit);
@@ -533,9 +543,9 @@ impl App {
 
     /// Shows an audience the `words` of the lesson, else those of the preset.
     fn show_words(&mut self, ui: &mut Ui, rect: Rect, words: Words<'_>) {
-        self.panel(ui, "words", rect, |ui, state, asks| {
+        self.panel(ui, "words", rect, |ui, state, commands| {
             words.show(ui, |ui| match state.session.lesson {
-                Some(_) => panels::lesson::presented::show(ui, state, asks),
+                Some(_) => panels::lesson::presented::show(ui, state, commands),
                 None => panels::presented::preset(ui, state, words.beside),
             });
         });
@@ -552,22 +562,24 @@ impl App {
         }
         let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
         let plotted = Plotted { curves: &curves, fitting: &fitting, examination: None };
-        self.panel(ui, "plots", rect, |ui, state, asks| panels::plots::show_one(ui, state, plotted, asks));
+        self.panel(ui, "plots", rect, |ui, state, commands| {
+            panels::plots::show_one(ui, state, plotted, commands);
+        });
         (self.curves, self.fitting) = (curves, fitting);
     }
 
     /// Shows the message, if there is one, at the top of `room`.
     fn message(&mut self, ctx: &egui::Context, room: Rect, area: Rect) {
-        let mut asks = Asks::new();
-        panels::message::show(ctx, &self.state, room, area, &mut asks);
-        self.apply(ctx, asks);
+        let mut commands = Commands::new();
+        panels::message::show(ctx, &self.state, room, area, &mut commands);
+        self.apply(ctx, commands);
     }
 
     /// Returns the arrangement of the views' area.
     fn arranged(&self, ui: &Ui) -> Arrangement {
         let State { document, frame, .. } = &self.state;
         let cm_per_point = frame.cm_per_pixel * f64::from(ui.pixels_per_point());
-        Arrangement::of(&document.settings, cm_per_point, self.text_scale)
+        Arrangement::new(&document.settings, cm_per_point, self.text_scale)
     }
 
     /// Maximises the part of the window whose title is double-clicked, or restores all others. Widgets in a title are above
@@ -584,7 +596,7 @@ impl App {
         let map = layout.map.map(|rect| (Part::Map, strip(rect)));
         let plots = layout.plots.map(|rect| (Part::Plots, strip(rect)));
         for (part, title) in panes.chain(map).chain(plots).collect::<Vec<_>>() {
-            self.panel(ui, "titles", title, |ui, _, asks| panels::borders::title(ui, part, asks));
+            self.panel(ui, "titles", title, |ui, _, commands| panels::borders::title(ui, part, commands));
         }
     }
 }

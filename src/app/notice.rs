@@ -1,6 +1,6 @@
 //! Messages to the user about the last thing that was done, or could not be.
 
-use crate::platform::{files, tell};
+use crate::platform::{files, messages};
 use std::path::Path;
 
 /// A message. It stays until it is closed or another takes its place.
@@ -17,7 +17,7 @@ pub struct Notice {
 impl Notice {
     /// Returns a message that something was done.
     pub fn done(text: impl Into<String>) -> Self {
-        Self { text: tell::in_short(&tell::shown(&text.into())), is_error: false, path: None }
+        Self { text: messages::in_short(&messages::shown(&text.into())), is_error: false, path: None }
     }
 
     /// Returns a message that something could not be done, with the reason.

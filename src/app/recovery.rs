@@ -21,57 +21,57 @@ const SOON: Duration = Duration::from_mins(1);
 
 /// The state that a window leaves when it ends, however it does.
 #[derive(Debug)]
-pub struct Left {
+pub struct LastState {
     /// State that it showed.
     pub state: State,
     /// Why its device was lost, if it was.
     pub loss: Option<String>,
 }
 
-impl Left {
+impl LastState {
     /// Returns the state that `app` would leave now.
-    fn of(app: &App) -> Self {
+    fn from_app(app: &App) -> Self {
         Self { state: app.state().clone(), loss: app.loss() }
     }
 }
 
 /// The place where a window leaves its state, and where it is found until then.
 #[derive(Clone, Default)]
-pub struct Estate {
+pub struct StateSlot {
     window: Rc<RefCell<Weak<RefCell<App>>>>,
-    left: Rc<RefCell<Option<Left>>>,
+    left: Rc<RefCell<Option<LastState>>>,
 }
 
-impl Estate {
-    fn leave(&self, left: Left) {
+impl StateSlot {
+    fn leave(&self, left: LastState) {
         self.left.replace(Some(left));
     }
 
     /// Returns the state that the window has left, or would leave now; `None` if there never was one.
-    pub fn take(&self) -> Option<Left> {
+    pub fn take(&self) -> Option<LastState> {
         self.left.take().or_else(|| {
             let app = self.window.borrow().upgrade()?;
-            app.try_borrow().ok().map(|app| Left::of(&app))
+            app.try_borrow().ok().map(|app| LastState::from_app(&app))
         })
     }
 }
 
 /// The window, whose state outlives it.
-pub struct Bequeathed {
+pub struct RecoverableApp {
     app: Rc<RefCell<App>>,
-    estate: Estate,
+    state_slot: StateSlot,
 }
 
-impl Bequeathed {
-    /// `app`, which leaves its state to the `estate`.
-    pub fn new(app: App, estate: Estate) -> Self {
+impl RecoverableApp {
+    /// `app`, which leaves its state to the `state_slot`.
+    pub fn new(app: App, state_slot: StateSlot) -> Self {
         let app = Rc::new(RefCell::new(app));
-        estate.window.replace(Rc::downgrade(&app));
-        Self { app, estate }
+        state_slot.window.replace(Rc::downgrade(&app));
+        Self { app, state_slot }
     }
 }
 
-impl eframe::App for Bequeathed {
+impl eframe::App for RecoverableApp {
     fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
         self.app.borrow_mut().logic(ctx, frame);
     }
@@ -85,9 +85,9 @@ impl eframe::App for Bequeathed {
     }
 }
 
-impl Drop for Bequeathed {
+impl Drop for RecoverableApp {
     fn drop(&mut self) {
-        self.estate.leave(Left::of(&self.app.borrow()));
+        self.state_slot.leave(LastState::from_app(&self.app.borrow()));
     }
 }
 
@@ -120,7 +120,7 @@ impl fmt::Display for Break {
 impl Break {
     /// Returns the reason behind a panic of one of the libraries below the window, if it is none of its defects: a `message` from the source
     /// `file`. Any other panic is a defect of this program or of theirs.
-    fn of(message: &str, file: &str) -> Option<Self> {
+    fn parse(message: &str, file: &str) -> Option<Self> {
         let is_from = |library: &str| file.replace('\\', "/").contains(&format!("/{library}-"));
         if message.contains("could not be loaded") {
             return Some(Self::Window(message.to_owned()));
@@ -171,7 +171,7 @@ pub fn guarded(run: impl FnOnce() -> eframe::Result) -> Result<(), Break> {
 
 fn broken(info: &PanicHookInfo<'_>) -> Option<Break> {
     let file = info.location().map_or("", |place| place.file());
-    Break::of(info.payload_as_str().unwrap_or_default(), file)
+    Break::parse(info.payload_as_str().unwrap_or_default(), file)
 }
 
 /// The end of a window that was not ended by its user.
@@ -189,16 +189,16 @@ pub enum Ended {
 /// # Errors
 /// The window that was not to be had, or did not go on.
 pub fn kept_open(
-    mut open: impl FnMut(Option<State>, &Estate) -> Result<(), Break>,
+    mut open: impl FnMut(Option<State>, &StateSlot) -> Result<(), Break>,
     mut since: impl FnMut(&Instant) -> Duration,
 ) -> Result<(), Ended> {
     let mut begin: Option<State> = None;
     loop {
         let opened = Instant::now();
-        let estate = Estate::default();
-        let result = open(begin.clone(), &estate);
-        let (state, loss) = match (estate.take(), &begin) {
-            (Some(Left { state, loss }), _) => (state, loss),
+        let state_slot = StateSlot::default();
+        let result = open(begin.clone(), &state_slot);
+        let (state, loss) = match (state_slot.take(), &begin) {
+            (Some(LastState { state, loss }), _) => (state, loss),
             (None, Some(state)) => (state.clone(), None),
             (None, None) => return result.map_err(Ended::Unopened),
         };
@@ -241,7 +241,7 @@ mod tests {
         let (mut began, lasted) = (Vec::new(), Cell::new(Duration::ZERO));
         let mut ends = ends.iter().cloned();
         let ended = kept_open(
-            |begin, estate| {
+            |begin, state_slot| {
                 let (result, loss, time) = ends.next().expect("no further window");
                 began.push(begin.as_ref().map(|state| state.document.time));
                 lasted.set(time);
@@ -249,8 +249,8 @@ mod tests {
                 if !matches!(&result, Err(Break::Window(_))) {
                     let mut left = begin.unwrap_or_else(|| state(1.0));
                     left.document.time += 1.0;
-                    let left = Left { state: left, loss: loss.map(str::to_owned) };
-                    estate.leave(left);
+                    let left = LastState { state: left, loss: loss.map(str::to_owned) };
+                    state_slot.leave(left);
                 }
                 result
             },
@@ -297,14 +297,14 @@ mod tests {
         let winit = "/home/x/.cargo/registry/src/index/winit-0.30.13/src/platform_impl/linux/x11/window.rs";
         let connection =
             "called `Result::unwrap()` on an `Err` value: Connection(IoError(Custom { kind: Other }))";
-        assert_eq!(Break::of(connection, winit), Some(Break::Display));
-        assert_eq!(Break::of(connection, "src/app/mod.rs"), None);
-        assert_eq!(Break::of("index out of bounds", winit), None);
+        assert_eq!(Break::parse(connection, winit), Some(Break::Display));
+        assert_eq!(Break::parse(connection, "src/app/mod.rs"), None);
+        assert_eq!(Break::parse("index out of bounds", winit), None);
         let painter = "C:\\registry\\src\\egui-wgpu-0.37.0\\src\\renderer.rs";
         let staging = "Failed to create staging buffer for index data.";
-        assert!(matches!(Break::of(staging, painter), Some(Break::Device(_))));
-        assert_eq!(Break::of(staging, "src/app/eyes.rs"), None);
-        assert_eq!(Break::of("called `Option::unwrap()` on a `None` value", painter), None);
-        assert!(matches!(Break::of("libX11 could not be loaded", "xlib.rs"), Some(Break::Window(_))));
+        assert!(matches!(Break::parse(staging, painter), Some(Break::Device(_))));
+        assert_eq!(Break::parse(staging, "src/app/eyes.rs"), None);
+        assert_eq!(Break::parse("called `Option::unwrap()` on a `None` value", painter), None);
+        assert!(matches!(Break::parse("libX11 could not be loaded", "xlib.rs"), Some(Break::Window(_))));
     }
 }

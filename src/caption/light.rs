@@ -4,7 +4,7 @@ use relativity_core::doppler::received_wavelength;
 use relativity_render::spectrum::{self, Band};
 use relativity_render::{Colour, Emission};
 
-use super::numbers::told_apart;
+use super::numbers::distinct_texts;
 use crate::settings::Light;
 
 /// From this wavelength on, nm, micrometres are easier to read.
@@ -61,21 +61,21 @@ pub fn in_words(wavelengths_nm: &[f64]) -> String {
         _ => 3,
     };
     let scaled: Vec<f64> = wavelengths_nm.iter().map(|wavelength| scale * wavelength).collect();
-    format!("{} {unit}", told_apart(&scaled, decimals).join(" and "))
+    format!("{} {unit}", distinct_texts(&scaled, decimals).join(" and "))
 }
 
 /// `606 and 567 nm, orange and yellow`.
 fn line(wavelengths_nm: &[f64]) -> String {
     let mut names: Vec<_> = wavelengths_nm.iter().map(|wavelength| spectrum::name(*wavelength)).collect();
     names.dedup();
-    let unseen = unseen(wavelengths_nm.iter().map(|wavelength| Band::of(*wavelength)));
+    let unseen = unseen(wavelengths_nm.iter().map(|wavelength| Band::from_wavelength(*wavelength)));
     format!("{}, {}{unseen}", in_words(wavelengths_nm), names.join(" and "))
 }
 
 /// `a glow of 1273 K, received as of 1476 and 1578 K`.
 fn glow(kelvin: f64, received: &[f64]) -> String {
     let unseen = unseen(received.iter().map(|kelvin| Band::of_glow(*kelvin)));
-    let [kelvin, received] = [&[kelvin], received].map(|values| told_apart(values, 0).join(" and "));
+    let [kelvin, received] = [&[kelvin], received].map(|values| distinct_texts(values, 0).join(" and "));
     format!("a glow of {kelvin} K, received as of {received} K{unseen}")
 }
 
@@ -91,7 +91,7 @@ fn unseen(bands: impl Iterator<Item = Band>) -> &'static str {
 
 /// `many wavelengths, all divided by D = 1.16 and 1.24: bluer than at rest`.
 fn shift(doppler_factors: &[f64]) -> String {
-    let texts = told_apart(doppler_factors, DOPPLER_DECIMALS);
+    let texts = distinct_texts(doppler_factors, DOPPLER_DECIMALS);
     let word = |factor: &f64| if *factor > 1.0 { "bluer" } else { "redder" };
     let mut words: Vec<_> = doppler_factors.iter().filter(|factor| **factor != 1.0).map(word).collect();
     words.dedup();

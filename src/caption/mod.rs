@@ -18,7 +18,7 @@ use relativity_render::{Colour, Emission, Geometry, View};
 
 pub use self::light::{Source, in_words};
 pub use self::numbers::decimal;
-use self::numbers::told_apart;
+use self::numbers::distinct_texts;
 pub use self::unseen::notice;
 use crate::scene::Track;
 use crate::settings::{Light, Settings};
@@ -40,12 +40,12 @@ pub struct Moment {
     measures: Measures,
     /// Remark on colours that are not drawn as they are received.
     drawn: &'static str,
-    shown: Shown,
+    shown: ShownPoint,
 }
 
 /// The point in the shown geometry.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Shown {
+enum ShownPoint {
     /// Light at each eye; at both in one place the same.
     Received([Sighting; 2], Eyes, Clock),
     /// Light at the middle between the eyes, as if both received it.
@@ -70,7 +70,7 @@ enum Clock {
 
 impl Clock {
     /// Returns the clock of the point at `track`.
-    fn of(settings: &Settings, track: &Track) -> Self {
+    fn from_settings(settings: &Settings, track: &Track) -> Self {
         let velocity = settings.velocity(track.motion);
         match track.spin {
             Some(spin) if spin.omega(velocity.beta()) != 0.0 => Self::Axle,
@@ -92,7 +92,7 @@ impl Moment {
     /// scene's own units.
     #[must_use]
     pub fn new(settings: &Settings, track: &Track, name: String, emission: Emission, time: f64) -> Self {
-        let shown = Shown::new(settings, track, time).unwrap_or(Shown::Unknown);
+        let shown = ShownPoint::new(settings, track, time).unwrap_or(ShownPoint::Unknown);
         Self {
             name,
             source: Source::new(emission, &settings.light),
@@ -105,7 +105,7 @@ impl Moment {
 
     /// Returns the moment with lengths and times in these units.
     #[must_use]
-    pub fn told_in(self, measures: Measures) -> Self {
+    pub fn with_measures(self, measures: Measures) -> Self {
         Self { measures, ..self }
     }
 
@@ -114,10 +114,12 @@ impl Moment {
     #[must_use]
     pub fn doppler_factors(&self) -> [Option<f64>; 2] {
         match self.shown {
-            Shown::Received(seen, ..) | Shown::Published(seen) => seen.map(|seen| Some(seen.doppler_factor)),
-            Shown::OneCone(seen, _) => [Some(seen.doppler_factor); 2],
-            Shown::RidingAlong(factors) => factors.map(Some),
-            Shown::Contracted(_) | Shown::Unknown => [None; 2],
+            ShownPoint::Received(seen, ..) | ShownPoint::Published(seen) => {
+                seen.map(|seen| Some(seen.doppler_factor))
+            }
+            ShownPoint::OneCone(seen, _) => [Some(seen.doppler_factor); 2],
+            ShownPoint::RidingAlong(factors) => factors.map(Some),
+            ShownPoint::Contracted(_) | ShownPoint::Unknown => [None; 2],
         }
     }
 
@@ -139,22 +141,22 @@ impl Moment {
     #[must_use]
     pub fn sentence(&self) -> String {
         let Measures { length, time: unit, .. } = self.measures;
-        let (name, now) = (&self.name, told(unit, self.time));
+        let (name, now) = (&self.name, value_text(unit, self.time));
         match self.shown {
-            Shown::Received(seen, eyes, clock) => {
+            ShownPoint::Received(seen, eyes, clock) => {
                 let left = departure(&seen, eyes, unit);
                 let shown = own_time(clock, &seen, unit);
                 self.with_light(&format!("Light received now (T = {now}) left {name} {left}{shown}"))
             }
-            Shown::OneCone(seen, clock) => {
+            ShownPoint::OneCone(seen, clock) => {
                 let both = [seen, seen];
                 let left = departure(&both, Eyes::Together, unit) + &own_time(clock, &both, unit);
                 let start =
                     "As if both eyes received the same events: light received midway between them now";
                 self.with_light(&format!("{start} (T = {now}) left {name} {left}"))
             }
-            Shown::Published(seen) => {
-                let [left, right] = seen.map(|seen| told(unit, seen.retarded_time));
+            ShownPoint::Published(seen) => {
+                let [left, right] = seen.map(|seen| value_text(unit, seen.retarded_time));
                 let start = format!(
                     "Light received now (T = {now}) left {name} at t = {left} for the left eye and, as published, at \
                      t = {right} for the right eye"
@@ -162,17 +164,17 @@ impl Moment {
                 let model = "The right view is the paper's model: the left eye's picture at T − ΔT.";
                 format!("{} {model}", self.with_light(&start))
             }
-            Shown::Contracted(x) => format!(
+            ShownPoint::Contracted(x) => format!(
                 "{} is drawn where it is now (t = {now}, x = {}), as measured on the ground: nobody sees this.",
                 capitalised(name),
-                told(length, x)
+                value_text(length, x)
             ),
-            Shown::RidingAlong(_) => {
+            ShownPoint::RidingAlong(_) => {
                 let start =
                     format!("Cameras riding along, as they pass the eyes (T = {now}), receive from {name}");
                 self.with_light(&start)
             }
-            Shown::Unknown => format!("Of {name} nothing can be worked out at T = {now}."),
+            ShownPoint::Unknown => format!("Of {name} nothing can be worked out at T = {now}."),
         }
     }
 
@@ -186,7 +188,7 @@ impl Moment {
 }
 
 /// `value`, which is in units of the scene, in this unit.
-fn told(unit: Unit, value: f64) -> String {
+fn value_text(unit: Unit, value: f64) -> String {
     decimal(unit.shown(value), unit.decimals(DECIMALS)) + &tied(unit)
 }
 
@@ -196,14 +198,14 @@ fn tied(unit: Unit) -> String {
 }
 
 /// Returns the distinct texts of `values` in this unit, or the one that both share.
-fn told_of_both(unit: Unit, values: [f64; 2]) -> Vec<String> {
-    let texts = told_apart(&values.map(|value| unit.shown(value)), unit.decimals(DECIMALS));
+fn both_texts(unit: Unit, values: [f64; 2]) -> Vec<String> {
+    let texts = distinct_texts(&values.map(|value| unit.shown(value)), unit.decimals(DECIMALS));
     texts.into_iter().map(|text| text + &tied(unit)).collect()
 }
 
 /// When the light left that is received by the eyes.
 fn departure(seen: &[Sighting; 2], eyes: Eyes, unit: Unit) -> String {
-    let times = told_of_both(unit, seen.map(|seen| seen.retarded_time));
+    let times = both_texts(unit, seen.map(|seen| seen.retarded_time));
     match (&times[..], eyes) {
         ([left, right], Eyes::Apart) => format!("at t = {left} for the left eye, {right} for the right"),
         (_, Eyes::Apart) => format!("at t = {} for both eyes", times[0]),
@@ -218,7 +220,7 @@ fn own_time(clock: Clock, seen: &[Sighting; 2], unit: Unit) -> String {
         Clock::Axle => "axle's",
         Clock::Ground => return String::new(),
     };
-    let times = told_of_both(unit, seen.map(|seen| seen.own_time)).join(" and ");
+    let times = both_texts(unit, seen.map(|seen| seen.own_time)).join(" and ");
     format!(", by its {whose} clock at τ = {times}")
 }
 
@@ -231,10 +233,10 @@ const fn drawn(light: &Light) -> &'static str {
     }
 }
 
-impl Shown {
+impl ShownPoint {
     /// Returns the point at `track` at `time` as `settings` show it; `None` outside the domain of the core.
     fn new(settings: &Settings, track: &Track, time: f64) -> Option<Self> {
-        let clock = Clock::of(settings, track);
+        let clock = Clock::from_settings(settings, track);
         let is_moving = clock != Clock::Ground;
         let seen = || settings.disparity(track, time).ok();
         match settings.geometry() {

@@ -20,7 +20,7 @@ pub fn decimal(value: f64, decimals: u8) -> String {
 }
 
 /// `values` with `decimals`, or with as many as it takes until two of them differ; a single text where nothing does.
-pub fn told_apart(values: &[f64], decimals: u8) -> Vec<String> {
+pub fn distinct_texts(values: &[f64], decimals: u8) -> Vec<String> {
     let texts = |decimals| values.iter().map(|&value| decimal(value, decimals)).collect::<Vec<_>>();
     let differ = |texts: &Vec<String>| texts.iter().any(|text| *text != texts[0]);
     let apart = (decimals..=decimals + MORE).map(texts).find(differ);
@@ -33,11 +33,11 @@ mod tests {
 
     #[test]
     fn what_differs_looks_different() {
-        assert_eq!(told_apart(&[-3.891, -4.092], 2), ["−3.89", "−4.09"]);
-        assert_eq!(told_apart(&[-3.891, -3.892], 2), ["−3.891", "−3.892"]);
-        assert_eq!(told_apart(&[2.5, 2.5], 2), ["2.50"]);
-        assert_eq!(told_apart(&[2.5, 2.5 + 1e-12], 2), ["2.50"]);
-        assert_eq!(told_apart(&[606.2], 0), ["606"]);
+        assert_eq!(distinct_texts(&[-3.891, -4.092], 2), ["−3.89", "−4.09"]);
+        assert_eq!(distinct_texts(&[-3.891, -3.892], 2), ["−3.891", "−3.892"]);
+        assert_eq!(distinct_texts(&[2.5, 2.5], 2), ["2.50"]);
+        assert_eq!(distinct_texts(&[2.5, 2.5 + 1e-12], 2), ["2.50"]);
+        assert_eq!(distinct_texts(&[606.2], 0), ["606"]);
     }
 
     #[test]

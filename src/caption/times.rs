@@ -43,6 +43,6 @@ pub const TIMES: [TimeName; 3] = [RECEIVED, HAPPENED, OWN_CLOCK];
 /// When light is received, when it left, and what the own clock showed then, units of the scene, each by its name in this
 /// `unit` with as much as `decimals` are of the scene's.
 #[must_use]
-pub fn told(times: [f64; 3], unit: Unit, decimals: u8) -> [String; 3] {
+pub fn texts(times: [f64; 3], unit: Unit, decimals: u8) -> [String; 3] {
     [0, 1, 2].map(|i| format!("{} = {}", TIMES[i].name, unit.text(times[i], decimals)))
 }

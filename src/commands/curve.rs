@@ -6,7 +6,7 @@ use clap::Args;
 use csv::ByteRecord;
 use relativity_core::{Baseline, SourcePoint};
 
-use crate::columns::{Given, ModelArgs, Observation, ObservationError, ROLL, TURN, WHEEL, help_with};
+use crate::columns::{GivenInputs, ModelArgs, Observation, ObservationError, ROLL, TURN, WHEEL, help_with};
 use crate::files::csv_out;
 use crate::files::whole::OutArgs;
 use crate::flags::{COORDINATES, HeadArgs, SpeedArgs, WheelArgs, finite_number, within};
@@ -69,7 +69,7 @@ Examples:
 /// Runs the command `gamow curve`.
 pub fn run(args: &CurveArgs) -> anyhow::Result<()> {
     let first = args.observation(0.0)?;
-    args.model.values(&first, args.told())?; // so that a bad flag leaves no header behind on standard output
+    args.model.values(&first, args.given_inputs())?; // so that a bad flag leaves no header behind on standard output
     let [from, to] = args.time_range(&first)?;
     if from >= to {
         anyhow::bail!("--from {from} is not before --to {to}");
@@ -87,7 +87,7 @@ fn write_curve(
     let mut output = csv_out::Rows::new(out);
     let mut row = ByteRecord::from(vec![parameter.name(), "d"]);
     let Baseline { roll, turn, .. } = first.baseline;
-    let told = args.told();
+    let told = args.given_inputs();
     let head: &[f64] = if told.is_turned { &[roll, turn] } else { &[] };
     row.extend(&[ROLL, TURN][..head.len()]);
     let wheel = args.wheel.given();
@@ -114,9 +114,9 @@ impl CurveArgs {
     }
 
     /// Returns what the flags determine.
-    fn told(&self) -> Given {
+    fn given_inputs(&self) -> GivenInputs {
         let is_turned = self.head.radians().into_iter().flatten().any(|angle| angle != 0.0);
-        Given { is_turned, on_wheel: self.wheel.given().is_some() }
+        GivenInputs { is_turned, on_wheel: self.wheel.given().is_some() }
     }
 
     /// The observation times to start and end at.

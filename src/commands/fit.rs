@@ -13,7 +13,7 @@ use crate::files::whole::ReportArgs;
 use crate::flags::{COORDINATES, HeadArgs, WheelArgs, finite_number, within};
 use crate::number_text;
 use crate::platform::interrupt::Noted;
-use crate::platform::{clock, progress, tell};
+use crate::platform::{clock, messages, progress};
 
 /// Fits speed and distance of a point to the disparities that two eyes measured.
 ///
@@ -118,7 +118,7 @@ impl FitArgs {
                     let told = format!(
                         "gamow: {wanted} replicates take about {left} s more; Ctrl-C ends with those drawn by then"
                     );
-                    progress.suspend(|| tell::remark(told));
+                    progress.suspend(|| messages::remark(told));
                 }
             }
             !noted.is_interrupted()
@@ -127,7 +127,7 @@ impl FitArgs {
         let report = report?;
         if noted.is_interrupted() {
             let drawn = report.bootstrap.as_ref().map_or(0, |bootstrap| bootstrap.replicates);
-            tell::remark(format_args!("gamow: interrupted after {drawn} of {wanted} replicates"));
+            messages::remark(format_args!("gamow: interrupted after {drawn} of {wanted} replicates"));
         }
         Ok(report)
     }

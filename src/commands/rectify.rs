@@ -77,7 +77,8 @@ Examples:
 /// Runs the command `gamow rectify`.
 pub fn run(args: &RectifyArgs) -> anyhow::Result<()> {
     let kind = |path: &Path| {
-        FileKind::of(path).with_context(|| format!("{}: it should end in .png or .exr", files::shown(path)))
+        FileKind::from_path(path)
+            .with_context(|| format!("{}: it should end in .png or .exr", files::shown(path)))
     };
     let (from, to) = (kind(&args.image)?, kind(&args.out)?);
     anyhow::ensure!(
@@ -136,7 +137,7 @@ impl RectifyArgs {
         let (sources, light) = (rectifications.each_ref().map(sources), self.light(recorded.as_ref()));
         let corrected = measured.map(measured.size, |name, values| {
             let eye = usize::from(name.starts_with(EYES[1]));
-            let channel = Channel::of(name);
+            let channel = Channel::from_name(name);
             let nothing = channel.map_or(0.0, Channel::nothing);
             let factor = |doppler| channel.map_or(1.0, |channel| channel.factor(doppler, light));
             let value = |source: &Option<Source>| {

@@ -58,15 +58,15 @@ pub struct Simulated {
 /// # Errors
 ///
 /// Why nothing is measured.
-pub fn samples_of(settings: &Settings, scene: &Scene) -> Result<Taken, String> {
-    let simulated = Simulated::of(settings, &settings.track(scene));
+pub fn samples_of(settings: &Settings, scene: &Scene) -> Result<SamplesWithTruth, String> {
+    let simulated = Simulated::new(settings, &settings.track(scene));
     let fittable = FitKey { samples: Samples::Simulated(simulated), setup: settings.fit }.fittable()?;
-    Ok(Taken { fittable, simulated, baseline: settings.baseline() })
+    Ok(SamplesWithTruth { fittable, simulated, baseline: settings.baseline() })
 }
 
 /// Samples of a point, and the truth.
 #[derive(Debug, Clone)]
-pub struct Taken {
+pub struct SamplesWithTruth {
     /// The samples, and how they are fitted.
     pub fittable: Fittable,
     /// The point that they are of.
@@ -75,7 +75,7 @@ pub struct Taken {
     pub baseline: Baseline,
 }
 
-impl Taken {
+impl SamplesWithTruth {
     /// Returns the value of `parameter` that a fit should find.
     #[must_use]
     pub fn true_value(&self, parameter: Parameter) -> f64 {
@@ -210,7 +210,7 @@ impl FitKey {
 impl Simulated {
     /// Simulates a measurement of `point` with `settings`.
     #[must_use]
-    pub fn of(settings: &Settings, point: &Track) -> Self {
+    pub fn new(settings: &Settings, point: &Track) -> Self {
         Self {
             velocity: settings.velocity(point.motion),
             source: settings.source(point),

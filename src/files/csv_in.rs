@@ -14,7 +14,7 @@ use csv::ByteRecord;
 use thiserror::Error;
 
 use super::csv_out::io_error;
-use crate::platform::{files, sizes, tell};
+use crate::platform::{files, messages, sizes};
 
 const BUFFER_BYTES: usize = 1 << 16;
 
@@ -249,7 +249,7 @@ impl Names {
     /// Returns the error for a missing column `name`, one of those `needed`.
     pub fn missing(&self, name: &'static str, needed: &'static str) -> HeaderError {
         let found = self.0.iter().map(legible).collect::<Vec<_>>().join(", ");
-        HeaderError::Missing { name, needed, found: tell::excerpt(&found) }
+        HeaderError::Missing { name, needed, found: messages::excerpt(&found) }
     }
 
     /// Refuses a row that has not as many fields as there are names.
@@ -373,5 +373,5 @@ pub enum RowError {
 
 /// `field` as it can stand in a message.
 fn legible(field: &[u8]) -> String {
-    tell::excerpt(&String::from_utf8_lossy(field.trim_ascii()).escape_debug().to_string())
+    messages::excerpt(&String::from_utf8_lossy(field.trim_ascii()).escape_debug().to_string())
 }

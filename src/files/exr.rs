@@ -131,7 +131,7 @@ impl Channel {
     /// The channel that is called `name` in a file, whichever layer it is in. Colours, as other programs write
     /// them, are intensities.
     #[must_use]
-    pub fn of(name: &str) -> Option<Self> {
+    pub fn from_name(name: &str) -> Option<Self> {
         match name.rsplit('.').next()? {
             "R" | "G" | "B" | "Y" => Some(Self::Intensity),
             name => Self::ALL.into_iter().find(|channel| channel.name() == name),
@@ -381,15 +381,15 @@ mod tests {
     #[test]
     fn channels_are_found_by_their_whole_name_in_any_layer() {
         for channel in Channel::ALL {
-            assert_eq!(Channel::of(channel.name()), Some(channel));
-            assert_eq!(Channel::of(&format!("left.{}", channel.name())), Some(channel));
+            assert_eq!(Channel::from_name(channel.name()), Some(channel));
+            assert_eq!(Channel::from_name(&format!("left.{}", channel.name())), Some(channel));
         }
-        assert_eq!(["left.grid", "grid", "left", "Id"].map(Channel::of), [None; 4]);
+        assert_eq!(["left.grid", "grid", "left", "Id"].map(Channel::from_name), [None; 4]);
     }
 
     #[test]
     fn light_from_ahead_is_corrected_to_longer_fainter_and_nearer() {
-        let factor = |name: &str| Channel::of(name).map(|channel| channel.factor(2.0, LIGHT));
+        let factor = |name: &str| Channel::from_name(name).map(|channel| channel.factor(2.0, LIGHT));
         assert_eq!(factor("left.wavelength_nm"), Some(2.0));
         assert_eq!([factor("intensity"), factor("R")], [Some(0.125); 2]);
         assert_eq!([factor("distance"), factor("doppler")], [Some(0.5); 2]);

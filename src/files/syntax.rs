@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::de::Error;
 
 use crate::number_text;
-use crate::platform::tell;
+use crate::platform::messages;
 
 /// Returns the problem that the TOML reader found in `text`, and its range of bytes.
 #[must_use]
@@ -21,7 +21,7 @@ fn with_short_quotations(message: &str) -> String {
     let parts = message.split('`').enumerate();
     let short = parts.map(|(number, part)| match number % 2 {
         0 => part.to_owned(),
-        _ => tell::excerpt(part),
+        _ => messages::excerpt(part),
     });
     short.collect::<Vec<_>>().join("`")
 }
@@ -40,7 +40,7 @@ fn decimal_comma(line: &str) -> Option<String> {
     let value = value.split('#').next().unwrap_or(value).trim();
     let number = number_text::with_point(value);
     let is_meant = value.contains(',') && number.parse::<f64>().is_ok();
-    let [key, value, number] = [key, value, &number].map(tell::excerpt);
+    let [key, value, number] = [key, value, &number].map(messages::excerpt);
     is_meant.then(|| format!("{value} is no number: with a decimal point it is {key} = {number}"))
 }
 

@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use super::watched::{Named, write_named};
 use crate::platform::files::{self, File, Rights, TempPath};
-use crate::platform::{closed, interrupt, tell};
+use crate::platform::{closed, interrupt, messages};
 
 /// The output of a command.
 #[derive(Debug, Clone, Args)]
@@ -44,7 +44,7 @@ impl OutArgs {
 /// Those of `write`, and of standard output, which keeps what reached it before. One that is closed is remarked on.
 pub fn write_out(write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>) -> anyhow::Result<()> {
     if closed::is_stdout_closed() {
-        tell::remark(format_args!("gamow: {STDOUT} is closed, or thrown away: nothing of this is kept"));
+        messages::remark(format_args!("gamow: {STDOUT} is closed, or thrown away: nothing of this is kept"));
     }
     say(write)
 }
@@ -55,7 +55,7 @@ pub fn write_out(write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>) -> an
 ///
 /// Those of `write`, and of standard output.
 pub fn say(write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>) -> anyhow::Result<()> {
-    write_named(tell::stdout(), || STDOUT.to_owned(), |out| write(out)).map(drop)
+    write_named(messages::stdout(), || STDOUT.to_owned(), |out| write(out)).map(drop)
 }
 
 /// Name of standard output in messages.
@@ -159,7 +159,7 @@ impl Unfinished {
     /// Returns a temporary file to take the place of `target`.
     fn beside(target: &Path) -> io::Result<(File, Self)> {
         interrupt::end_after(remove_unfinished);
-        let rights = Rights::of(target)?;
+        let rights = Rights::from_file(target)?;
         // Interrupts wait for the lock: there is no moment at which it is there and they do not know it.
         let mut all = unfinished();
         let (file, path) = files::temporary_in(files::folder_of(target), rights.as_ref())?.into_parts();

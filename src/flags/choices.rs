@@ -51,7 +51,7 @@ impl FileKind {
 
     /// The kind of file that `path` names.
     #[must_use]
-    pub fn of(path: &Path) -> Option<Self> {
+    pub fn from_path(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?;
         match extension.to_ascii_lowercase().as_str() {
             "png" => Some(Self::Png),

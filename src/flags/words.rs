@@ -1,6 +1,6 @@
 //! Command lines as text: how a shell is given words, and which words a POSIX shell would make of a line.
 
-use crate::platform::tell;
+use crate::platform::messages;
 
 /// A shell that a command line is written for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,7 +30,7 @@ impl Shell {
             return value.to_owned();
         }
         match self {
-            Self::Posix if tell::shown(value) == value => format!("'{}'", value.replace('\'', r"'\''")),
+            Self::Posix if messages::shown(value) == value => format!("'{}'", value.replace('\'', r"'\''")),
             Self::Posix => escaped(value),
             Self::Cmd => quoted_for_cmd(value),
         }
@@ -55,7 +55,7 @@ fn escaped(value: &str) -> String {
     for letter in value.chars() {
         let mut bytes = [0; 4];
         let text = letter.encode_utf8(&mut bytes);
-        if matches!(letter, '\'' | '\\') || tell::shown(text) != *text {
+        if matches!(letter, '\'' | '\\') || messages::shown(text) != *text {
             word.extend(text.bytes().map(|byte| format!("\\{byte:03o}")));
         } else {
             word.push(letter);
@@ -158,7 +158,7 @@ mod tests {
         for value in HOSTILE {
             let line = format!("gamow --scene={} --x", Shell::Posix.quoted(value));
             assert_eq!(words(&line)[1], format!("--scene={value}"));
-            assert_eq!(tell::shown(&line), line, "it can be pasted");
+            assert_eq!(messages::shown(&line), line, "it can be pasted");
         }
     }
 
@@ -167,7 +167,8 @@ mod tests {
     #[test]
     fn a_shell_makes_the_same_word_of_it() {
         for shell in ["sh", "bash"] {
-            for value in HOSTILE.into_iter().filter(|value| shell == "bash" || tell::shown(value) == **value)
+            for value in
+                HOSTILE.into_iter().filter(|value| shell == "bash" || messages::shown(value) == **value)
             {
                 let line = format!("printf %s {}", Shell::Posix.quoted(value));
                 let run = std::process::Command::new(shell).args(["-c", &line]).output();

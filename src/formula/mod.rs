@@ -17,7 +17,7 @@ use ratex_types::display_item::DisplayItem;
 use ratex_types::path_command::PathCommand;
 
 pub use self::faces::Face;
-use crate::platform::{sizes, tell};
+use crate::platform::{messages, sizes};
 
 /// Size of a formula's em in that of the text around it: TeX's letters are small beside those of screens.
 pub const EM: f32 = 1.1;
@@ -87,7 +87,7 @@ impl Formula {
     /// What `tex` has that is no TeX, or is not among the fonts.
     pub fn new(tex: &str, style: Style) -> Result<Self, FormulaError> {
         let nodes = nodes(tex)?;
-        Self::of(&nodes, tex, style).map_err(|reason| FormulaError::new(tex, &reason))
+        Self::from_nodes(&nodes, tex, style).map_err(|reason| FormulaError::new(tex, &reason))
     }
 
     /// Returns the formulas between the wide spaces (`\quad`, `\qquad`) in `tex`, which are put below each other if there is no room
@@ -103,11 +103,11 @@ impl Formula {
             _ => false,
         };
         let parts = nodes.split(is_wide).filter(|part| !part.is_empty());
-        let parts: Result<_, _> = parts.map(|part| Self::of(part, tex, style)).collect();
+        let parts: Result<_, _> = parts.map(|part| Self::from_nodes(part, tex, style)).collect();
         parts.map_err(|reason| FormulaError::new(tex, &reason))
     }
 
-    fn of(nodes: &[ParseNode], tex: &str, style: Style) -> Result<Self, String> {
+    fn from_nodes(nodes: &[ParseNode], tex: &str, style: Style) -> Result<Self, String> {
         let style = match style {
             Style::Inline => MathStyle::Text,
             Style::Displayed => MathStyle::Display,
@@ -151,7 +151,7 @@ fn nodes(tex: &str) -> Result<Vec<ParseNode>, FormulaError> {
 
 impl FormulaError {
     fn new(tex: &str, reason: &str) -> Self {
-        Self { tex: tell::excerpt(&on_one_line(tex)), reason: tell::excerpt(&on_one_line(reason)) }
+        Self { tex: messages::excerpt(&on_one_line(tex)), reason: messages::excerpt(&on_one_line(reason)) }
     }
 }
 

@@ -23,7 +23,7 @@ pub enum Answer {
 impl Answer {
     /// Returns whether anything has been entered.
     #[must_use]
-    pub fn is_told(&self) -> bool {
+    pub fn is_entered(&self) -> bool {
         match self {
             Self::Choice(_) | Self::Direction(_) => true,
             Self::Votes(votes) => votes.iter().any(|votes| *votes > 0),

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::answer::{Answer, Confidence, Outcome, Record};
-use super::answers::Way;
+use super::answers::LessonProgress;
 use super::error::LessonError;
 use super::place::{Phase, Place};
 use super::plan::{Kind, Lesson, Prediction, Step};
@@ -62,7 +62,7 @@ impl Course {
     }
 
     /// Restores the `kept` way: the answers to questions that the lesson still has, and the place, if it still exists.
-    pub fn take_up(&mut self, kept: &Way) {
+    pub fn take_up(&mut self, kept: &LessonProgress) {
         for (number, record) in self.records.iter_mut().enumerate() {
             *record = kept.record(&self.lesson, number);
         }
@@ -158,7 +158,7 @@ impl Course {
     /// Returns whether the truth is shown beside the prediction: after the reveal, once the question of what was
     /// seen is answered or passed over.
     #[must_use]
-    pub fn tells_truth(&self) -> bool {
+    pub fn shows_truth(&self) -> bool {
         self.is_revealed() && !self.waits_for_observation()
     }
 
@@ -180,7 +180,7 @@ impl Course {
     /// Takes the answer that is being entered for the present step, if there is one, with its confidence; and
     /// goes on to the reveal.
     pub fn predict(&mut self) {
-        let Some(answer) = self.draft.take().filter(Answer::is_told) else { return };
+        let Some(answer) = self.draft.take().filter(Answer::is_entered) else { return };
         self.settle(Outcome::Made { answer, confidence: self.confidence });
     }
 
@@ -210,7 +210,7 @@ impl Course {
     /// The next place: what is predicted is predicted first, or skipped.
     pub fn forward(&mut self) {
         match self.asked() {
-            Some(_) if self.draft.as_ref().is_some_and(Answer::is_told) => self.predict(),
+            Some(_) if self.draft.as_ref().is_some_and(Answer::is_entered) => self.predict(),
             Some(_) => self.skip(),
             None if self.waits_for_observation() => self.is_passed_over = true,
             None => self.go_to(self.next(self.place).unwrap_or(self.place)),
@@ -412,23 +412,23 @@ mod tests {
         let text = ASKED.replace("### Explain", "### Observe\n\nSeen?\n\n- [x] yes\n- [ ] no\n\n### Explain");
         let mut course = course(&text);
         course.go_to(at(1, Phase::Ask));
-        assert!(!course.tells_truth());
+        assert!(!course.shows_truth());
         course.draft = Some(Answer::Choice(0));
         course.predict();
-        assert_eq!((course.place(), course.tells_truth()), (at(1, Phase::Shown), false));
+        assert_eq!((course.place(), course.shows_truth()), (at(1, Phase::Shown), false));
         // Passed over, the truth comes at the same place.
         course.forward();
-        assert_eq!((course.place(), course.tells_truth()), (at(1, Phase::Shown), true));
+        assert_eq!((course.place(), course.shows_truth()), (at(1, Phase::Shown), true));
         course.forward();
-        assert_eq!((course.place(), course.tells_truth()), (at(1, Phase::Explained), true));
+        assert_eq!((course.place(), course.shows_truth()), (at(1, Phase::Explained), true));
         course.back();
-        assert!(course.tells_truth());
+        assert!(course.shows_truth());
         // Shown again from the question on, it waits again; until what was seen is said.
         course.back();
         course.forward();
-        assert_eq!((course.place(), course.tells_truth()), (at(1, Phase::Shown), false));
+        assert_eq!((course.place(), course.shows_truth()), (at(1, Phase::Shown), false));
         course.observe(1);
-        assert!(course.tells_truth());
+        assert!(course.shows_truth());
         course.forward();
         assert_eq!(course.place(), at(1, Phase::Explained));
     }

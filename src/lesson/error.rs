@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::platform::tell;
+use crate::platform::messages;
 
 /// A lesson that cannot be had.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -18,7 +18,7 @@ pub enum LessonError {
     /// Neither the name of a lesson nor a path.
     #[error(
         "no lesson is called `{}`: there are {known}; for a file, give its name with its ending",
-        tell::excerpt(name)
+        messages::excerpt(name)
     )]
     Unknown {
         /// Name that was given.

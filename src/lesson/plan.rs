@@ -26,14 +26,14 @@ impl Text {
 
 /// Settings that differ, as TOML, and the line in the file at which that begins.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Told {
+pub struct StateBlock {
     /// Text in TOML.
     pub toml: String,
     /// Number of its first line in the file, from 1.
     pub line: usize,
 }
 
-impl Told {
+impl StateBlock {
     /// The line of the file in which it gives `key`, if it does.
     #[must_use]
     pub fn line_of(&self, key: &str) -> Option<usize> {
@@ -81,7 +81,7 @@ pub struct Step {
     /// Title of the step.
     pub title: String,
     /// Changes of the state from the step before.
-    pub state: Option<Told>,
+    pub state: Option<StateBlock>,
     /// Text before the prediction.
     pub text: Text,
     /// The prediction that the step requests.
@@ -188,7 +188,7 @@ pub struct Curve {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reveal {
     /// Changes of the state from the step's.
-    pub state: Option<Told>,
+    pub state: Option<StateBlock>,
     /// Animation that plays.
     pub animation: Option<Animation>,
     /// Text of the reveal.
@@ -219,7 +219,7 @@ pub struct Lab {
     /// Task in words.
     pub text: Text,
     /// Changes of the state from that of the last step.
-    pub state: Option<Told>,
+    pub state: Option<StateBlock>,
 }
 
 impl Lesson {
@@ -229,7 +229,7 @@ impl Lesson {
         let text = |markdown: &str| Text { markdown: markdown.to_owned(), line: 1 };
         let step = Step {
             title: preset.title.clone(),
-            state: Some(Told { toml: preset.toml.to_owned(), line: 1 }),
+            state: Some(StateBlock { toml: preset.toml.to_owned(), line: 1 }),
             text: text(&preset.caption),
             prediction: None,
             reveal: None,
@@ -294,9 +294,13 @@ impl Lesson {
     }
 
     /// Returns `settings` with those in `told` on top. Settings that belong to a scene do not go over to another.
-    pub(super) fn with(&self, settings: Settings, told: Option<&Told>) -> Result<Settings, LessonError> {
+    pub(super) fn with(
+        &self,
+        settings: Settings,
+        told: Option<&StateBlock>,
+    ) -> Result<Settings, LessonError> {
         let Some(told) = told else { return Ok(settings) };
-        let Told { toml, line } = told;
+        let StateBlock { toml, line } = told;
         // Empty lines before it make the errors name the lines of the file.
         let text = "\n".repeat(line - 1) + toml;
         let read = |settings: Settings| {

@@ -51,7 +51,7 @@ fn step(page: &mut Page, step: &Step, record: &Record, settings: &Settings) -> a
     if let Some(Prediction { question, kind }) = &step.prediction {
         page.text(&question.markdown)?;
         if let Some(verdict) = verdict(step, record, &sight) {
-            page.text(&told(&verdict, record))?;
+            page.text(&outcome_text(&verdict, record))?;
         }
         if let Kind::Curve(curve) = kind {
             page.html(&format!("<figure>\n{}</figure>\n", curves(curve, record, &sight)));
@@ -75,7 +75,7 @@ fn step(page: &mut Page, step: &Step, record: &Record, settings: &Settings) -> a
 }
 
 /// Returns the prediction, its confidence, the truth, and whether they agree.
-fn told(verdict: &Verdict, record: &Record) -> String {
+fn outcome_text(verdict: &Verdict, record: &Record) -> String {
     let Verdict { right, said, is } = verdict;
     let (who, sure) = match &record.outcome {
         Some(Outcome::Made { answer: Answer::Votes(_), .. }) => ("Hands raised", String::new()),

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use super::{names, sizes, tell};
+use super::{messages, names, sizes};
 
 pub use std::fs::File;
 pub use tempfile::TempPath;
@@ -18,7 +18,7 @@ pub use tempfile::TempPath;
 pub fn shown(path: &Path) -> String {
     let mut shown = String::new();
     for chunk in path.as_os_str().as_encoded_bytes().utf8_chunks() {
-        shown.push_str(&tell::shown(chunk.valid()));
+        shown.push_str(&messages::shown(chunk.valid()));
         shown.extend(chunk.invalid().iter().map(|byte| format!("\\x{byte:02x}")));
     }
     shown
@@ -255,7 +255,7 @@ impl Rights {
     /// # Errors
     ///
     /// A file that may not be written to.
-    pub fn of(path: &Path) -> io::Result<Option<Self>> {
+    pub fn from_file(path: &Path) -> io::Result<Option<Self>> {
         match at_once().write(true).open(path) {
             Ok(file) => Ok(Some(Self(file.metadata()?))),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),

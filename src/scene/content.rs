@@ -6,7 +6,7 @@ use std::ops::Range;
 use relativity_render::{Body, Group, MaterialPoint, Motion, PreparedScene, Spin, Velocity};
 
 use super::table::coincide;
-use crate::platform::{sizes, tell};
+use crate::platform::{messages, sizes};
 
 /// Distance from a body's surface up to which a point is taken to be on it: coordinates may be rounded to three decimals.
 const ON_BODY: f64 = 1e-3;
@@ -144,11 +144,12 @@ impl Scene {
 
     /// The error message for a `name` by which each of these bodies could be meant.
     fn several_named(&self, name: &str, meant: &[usize]) -> String {
-        let each = meant.iter().take(CHOICES).map(|&body| format!("`{}`", tell::excerpt(self.name_of(body))));
+        let each =
+            meant.iter().take(CHOICES).map(|&body| format!("`{}`", messages::excerpt(self.name_of(body))));
         let more = if meant.len() > CHOICES { ", ..." } else { "" };
         format!(
             "`{}` could be any of {} bodies: write {}{more}",
-            tell::excerpt(name),
+            messages::excerpt(name),
             meant.len(),
             each.collect::<Vec<_>>().join(" or ")
         )
@@ -170,8 +171,8 @@ impl Scene {
             .collect();
         nearest.sort();
         let nearest: Vec<String> =
-            nearest.iter().take(NEAREST).map(|(_, known)| tell::excerpt(known)).collect();
-        let (scene, name) = (tell::excerpt(&self.name), tell::excerpt(name));
+            nearest.iter().take(NEAREST).map(|(_, known)| messages::excerpt(known)).collect();
+        let (scene, name) = (messages::excerpt(&self.name), messages::excerpt(name));
         let nearest = nearest.join(", ");
         match known.len() {
             ..=NEAREST => format!("{scene} has no body called `{name}`: there are {nearest}"),

@@ -6,7 +6,7 @@ use thiserror::Error;
 
 use super::presets::PRESETS;
 use crate::files::syntax;
-use crate::platform::{sizes, tell};
+use crate::platform::{messages, sizes};
 
 /// A scene that cannot be had.
 #[derive(Debug, Error)]
@@ -20,7 +20,7 @@ pub enum SceneError {
         reason: std::io::Error,
     },
     /// Neither a preset nor a path.
-    #[error("no scene is called `{name}`: there are {list}; for a file, give a name ending in .toml", name = tell::excerpt(.0), list = PRESETS.join(", "))]
+    #[error("no scene is called `{name}`: there are {list}; for a file, give a name ending in .toml", name = messages::excerpt(.0), list = PRESETS.join(", "))]
     UnknownPreset(String),
     /// A file with wrong contents.
     #[error("{source_name}:{line}: {problem}")]
@@ -46,7 +46,7 @@ pub enum Problem {
         message: String,
     },
     /// A key that means nothing here.
-    #[error("unknown key `{key}`: {owner} has {known}", key = tell::excerpt(key))]
+    #[error("unknown key `{key}`: {owner} has {known}", key = messages::excerpt(key))]
     UnknownKey {
         /// Name of the key.
         key: String,
@@ -82,7 +82,7 @@ pub enum Problem {
         value: String,
     },
     /// Two bodies of one name in one group.
-    #[error("`{name}` is the name of another body too: give each, or its group, a `name` of its own", name = tell::excerpt(.0))]
+    #[error("`{name}` is the name of another body too: give each, or its group, a `name` of its own", name = messages::excerpt(.0))]
     SameName(String),
     /// A scene of more groups than one may have.
     #[error("a scene has at most {most} groups, and this one has {0}", most = sizes::GROUPS)]

@@ -105,7 +105,7 @@ fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
     let mut objects = Vec::new();
     let includes = group.tables("include", "an include")?;
     for (number, include) in includes.iter().enumerate() {
-        objects.extend(included(include, &told_apart(&includes, number), changes)?);
+        objects.extend(included(include, &label(&includes, number), changes)?);
     }
     for table in group.tables("wheel", "a wheel")? {
         objects.extend(wheel(&table, changes)?);
@@ -121,7 +121,7 @@ fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
 }
 
 /// The preset that the include of this `number` asks for, numbered if another of `includes` asks for the same.
-fn told_apart(includes: &[Table], number: usize) -> Rc<str> {
+fn label(includes: &[Table], number: usize) -> Rc<str> {
     let scene = |include: &Table| include.string("scene").ok().flatten().unwrap_or_default().to_owned();
     let own = scene(&includes[number]);
     let like_it = |includes: &[Table]| includes.iter().filter(|include| scene(include) == own).count();
@@ -132,12 +132,14 @@ fn told_apart(includes: &[Table], number: usize) -> Rc<str> {
 }
 
 /// Returns the objects of a preset, moved; they move like the group that includes them, and are distinguished from others of the
-/// same name by `told_apart`.
-fn included(include: &Table, told_apart: &Rc<str>, changes: Changes) -> Result<Vec<Object>, Located> {
+/// same name by `label`.
+fn included(include: &Table, label: &Rc<str>, changes: Changes) -> Result<Vec<Object>, Located> {
     include.check_keys(&["scene", "offset", "wheels"])?;
     let name = include.needed_string("scene")?;
-    let own =
-        include.table("wheels", "`wheels` of an include")?.map(|wheels| Changes::of(&wheels)).transpose()?;
+    let own = include
+        .table("wheels", "`wheels` of an include")?
+        .map(|wheels| Changes::from_table(&wheels))
+        .transpose()?;
     let Some(preset) = changed_preset(name, changes.or(own.unwrap_or_default())) else {
         return Err(include.problem_at("scene", Problem::UnknownInclude));
     };
@@ -149,7 +151,7 @@ fn included(include: &Table, told_apart: &Rc<str>, changes: Changes) -> Result<V
     let moved = |(body, name): (Body, String)| Object {
         body: body.moved(offset),
         name: Some(name),
-        include: Some(told_apart.clone()),
+        include: Some(label.clone()),
         span: include.span.clone(),
     };
     Ok(objects.map(moved).collect())

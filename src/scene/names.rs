@@ -21,7 +21,7 @@ pub(super) fn names(objects: &[Object], groups: &[SceneGroup], rider: &str) -> R
         for body in group.bodies() {
             let Some(include) = objects[body].include.as_deref() else { continue };
             if times[&plain[body]] > 1 {
-                names[body] = told_apart(&plain[body], include);
+                names[body] = qualified_name(&plain[body], include);
             }
         }
     }
@@ -30,7 +30,7 @@ pub(super) fn names(objects: &[Object], groups: &[SceneGroup], rider: &str) -> R
         let owner = if number == 0 { rider } else { &group.name };
         for name in &mut names[group.bodies()] {
             if times[name.as_str()] > 1 {
-                *name = told_apart(name, owner);
+                *name = qualified_name(name, owner);
             }
         }
     }
@@ -44,7 +44,7 @@ pub(super) fn names(objects: &[Object], groups: &[SceneGroup], rider: &str) -> R
     }
 }
 
-fn told_apart(name: &str, owner: &str) -> String {
+fn qualified_name(name: &str, owner: &str) -> String {
     format!("{name} ({owner})")
 }
 

@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::{Located, Problem};
-use crate::platform::{sizes, tell};
+use crate::platform::{messages, sizes};
 
 /// Largest magnitude of a coordinate: beyond it, f32 has steps of more than 1/16.
 const MAX_COORDINATE: f64 = 1e6;
@@ -242,7 +242,7 @@ impl<'a> Table<'a> {
     fn quoted(&self, span: &Range<usize>) -> String {
         // A value may be as long as the file.
         let begin: String = self.text[span.clone()].chars().take(1000).collect();
-        tell::excerpt(&begin.split_whitespace().collect::<Vec<_>>().join(" "))
+        messages::excerpt(&begin.split_whitespace().collect::<Vec<_>>().join(" "))
     }
 }
 

@@ -36,7 +36,7 @@ impl Changes {
     const KEYS: [&str; 4] = ["rolls", "rim_speed", "tread", "valve"];
 
     /// Parses the changes in a table of an include.
-    pub fn of(wheels: &Table) -> Result<Self, Located> {
+    pub fn from_table(wheels: &Table) -> Result<Self, Located> {
         wheels.check_keys(&Self::KEYS)?;
         Self::read(wheels)
     }

@@ -71,10 +71,10 @@ impl Settings {
         self.command_line(shell, WINDOW, |section| OF_VIEWS.contains(&section))
     }
 
-    fn command_line(&self, shell: Shell, command: &str, is_told: impl Fn(&str) -> bool) -> String {
+    fn command_line(&self, shell: Shell, command: &str, is_written: impl Fn(&str) -> bool) -> String {
         let default = Self::default().entries();
         let told =
-            self.entries().into_iter().filter(|entry| is_told(&entry.section) || !default.contains(entry));
+            self.entries().into_iter().filter(|entry| is_written(&entry.section) || !default.contains(entry));
         told.fold(command.to_owned(), |line, Entry { key, text, .. }| {
             line + " --" + &key + "=" + &shell.quoted(&text)
         })

@@ -4,7 +4,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use std::error::Error as _;
 use thiserror::Error;
 
-use crate::platform::tell;
+use crate::platform::messages;
 
 /// Settings that cannot be had.
 #[derive(Debug, Error)]
@@ -20,7 +20,7 @@ pub enum SettingsError {
     /// Neither a preset nor a path.
     #[error(
         "no preset is called `{}`: there are {known}; for a file, give its name with its ending",
-        tell::excerpt(name)
+        messages::excerpt(name)
     )]
     UnknownPreset {
         /// Name that was given.
@@ -51,8 +51,8 @@ impl Problem {
     /// Returns the problem that `clap` finds, in one line.
     pub fn new(error: &clap::Error) -> Self {
         let key = context(error, ContextKind::InvalidArg).map(name);
-        let value = tell::excerpt(context(error, ContextKind::InvalidValue).unwrap_or_default());
-        let shown = tell::excerpt(key.as_deref().unwrap_or_default());
+        let value = messages::excerpt(context(error, ContextKind::InvalidValue).unwrap_or_default());
+        let shown = messages::excerpt(key.as_deref().unwrap_or_default());
         let text = match (error.kind(), error.source()) {
             (ErrorKind::ValueValidation, Some(reason)) => format!("{shown} = {value}: {reason}"),
             (ErrorKind::InvalidValue, _) => format!("{shown} = {value}: must be {}", choices(error)),

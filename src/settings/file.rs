@@ -13,7 +13,7 @@ use super::link::is_link;
 use crate::files::{exr, png, syntax};
 use crate::flags::choices::FileKind;
 use crate::platform::names::problem_in_a_file;
-use crate::platform::{files, tell};
+use crate::platform::{files, messages};
 use crate::scene::{Scene, SceneError, looks_like_a_name};
 
 impl Settings {
@@ -32,10 +32,10 @@ impl Settings {
         let place = |span: Range<usize>| place(text, source_name, &span);
         let given = given(text).and_then(|all| all.into_iter().collect::<Result<Vec<_>, _>>());
         let given = given.map_err(|(span, text)| Problem { key: None, text }.at(place(span)))?;
-        let flags = given.iter().map(Given::flag).collect();
+        let flags = given.iter().map(FileSetting::flag).collect();
         self.set(flags).map_err(|problem| {
             // An error that names no setting begins with it.
-            let is_meant = |given: &&Given| {
+            let is_meant = |given: &&FileSetting| {
                 problem.key.as_deref().map_or(problem.text.starts_with(&given.key), |key| key == given.key)
             };
             let span = given.iter().find(is_meant).map_or(0..0, |given| given.span.clone());
@@ -49,7 +49,7 @@ impl Settings {
     pub fn as_far_as_told(text: &str) -> (Self, Vec<String>) {
         let mut settings = Self::default();
         let given = given(text).unwrap_or_else(|problem| vec![Err(problem)]);
-        let set = |given: Result<Given, Located>| match given {
+        let set = |given: Result<FileSetting, Located>| match given {
             Ok(given) => settings.set(vec![given.flag()]).err().map(|problem| problem.text),
             Err((_, problem)) => Some(problem),
         };
@@ -69,7 +69,7 @@ impl Settings {
         }
         let source_name = files::shown(path);
         let unreadable = |reason: String| SettingsError::Read { source_name: source_name.clone(), reason };
-        if let Some(kind) = FileKind::of(path) {
+        if let Some(kind) = FileKind::from_path(path) {
             let command = match kind {
                 FileKind::Png => png::command(path),
                 FileKind::Exr => exr::command(path),
@@ -83,7 +83,7 @@ impl Settings {
         let text = files::read_to_string(path).map_err(|reason| unreadable(reason.to_string()))?;
         let mut settings = self.with_toml(&text, &source_name)?;
         let given = given(&text).unwrap_or_default().into_iter().flatten().find(|given| given.key == SCENE);
-        let Some(Given { span, .. }) = given else { return Ok(settings) };
+        let Some(FileSetting { span, .. }) = given else { return Ok(settings) };
         let found = settings.find_scene_beside(path);
         found.and_then(|()| settings.check_scene()).map_err(|problem| {
             let place = place(&text, &source_name, &span);
@@ -110,7 +110,7 @@ impl Settings {
             return Ok(());
         }
         if let Some(problem) = problem_in_a_file(&self.scene).filter(|_| cfg!(windows)) {
-            return Err(format!("{SCENE} = {}: {problem}", tell::excerpt(&self.scene)));
+            return Err(format!("{SCENE} = {}: {problem}", messages::excerpt(&self.scene)));
         }
         let beside = files::folder_of(path).join(&self.scene);
         let is_nowhere = || !looks_like_a_name(&self.scene) && !files::is_there(Path::new(&self.scene));
@@ -125,15 +125,15 @@ impl Settings {
     /// Returns these settings as the file at `path` should contain them: with the name of their scene's file relative to it. They are
     /// found again wherever both files go, and do not reveal where they lay.
     #[must_use]
-    pub fn as_told_in(&self, path: &Path) -> Self {
-        let mut told = self.clone();
+    pub fn relative_to(&self, path: &Path) -> Self {
+        let mut relative = self.clone();
         if Scene::preset(&self.scene).is_none()
             && let Some(name) = files::name_from(files::folder_of(path), Path::new(&self.scene))
         {
             // What looks like the name of a preset is taken for one.
-            told.scene = if looks_like_a_name(&name) { format!("./{name}") } else { name };
+            relative.scene = if looks_like_a_name(&name) { format!("./{name}") } else { name };
         }
-        told
+        relative
     }
 }
 
@@ -147,7 +147,7 @@ pub fn looks_like_settings(text: &str) -> bool {
 }
 
 /// The contents of a settings file besides the settings.
-pub(super) struct Told {
+pub(super) struct Heading {
     /// Title of the state.
     pub title: String,
     /// A sentence or two.
@@ -155,26 +155,26 @@ pub(super) struct Told {
 }
 
 /// The keys of that.
-const TOLD: [&str; 2] = ["title", "caption"];
+const HEADING_KEYS: [&str; 2] = ["title", "caption"];
 
-impl Told {
+impl Heading {
     /// Parses these contents in a file's text; `None` where a part is missing.
     pub fn in_toml(text: &str) -> Option<Self> {
         let top = DeTable::parse(text).ok()?;
         let [title, caption] =
-            TOLD.map(|key| top.get_ref().get(key).and_then(|value| value.get_ref().as_str()));
+            HEADING_KEYS.map(|key| top.get_ref().get(key).and_then(|value| value.get_ref().as_str()));
         Some(Self { title: title?.to_owned(), caption: caption?.to_owned() })
     }
 }
 
 /// A setting in a file.
-struct Given {
+struct FileSetting {
     key: String,
     text: String,
     span: Range<usize>,
 }
 
-impl Given {
+impl FileSetting {
     fn flag(&self) -> String {
         format!("--{}={}", self.key, self.text)
     }
@@ -190,7 +190,7 @@ fn place(text: &str, source_name: &str, span: &Range<usize>) -> String {
 }
 
 /// The settings that a file's text gives, and what in it is none.
-fn given(text: &str) -> Result<Vec<Result<Given, Located>>, Located> {
+fn given(text: &str) -> Result<Vec<Result<FileSetting, Located>>, Located> {
     let top = DeTable::parse(text).map_err(|error| syntax::problem(text, &error))?;
     let mut all = Vec::new();
     for (key, value) in top.get_ref() {
@@ -201,7 +201,7 @@ fn given(text: &str) -> Result<Vec<Result<Given, Located>>, Located> {
                 }
                 Err(problem) => all.push(Err(problem)),
             },
-            DeValue::String(_) if TOLD.contains(&key.get_ref().as_ref()) => {}
+            DeValue::String(_) if HEADING_KEYS.contains(&key.get_ref().as_ref()) => {}
             _ => all.push(setting("", key, value)),
         }
     }
@@ -217,16 +217,17 @@ fn check_section(section: &Spanned<DeString>) -> Result<(), Located> {
     }
     Err((
         section.span(),
-        format!("unknown section [{}]: there are {}", tell::excerpt(section.get_ref()), known.join(", ")),
+        format!("unknown section [{}]: there are {}", messages::excerpt(section.get_ref()), known.join(", ")),
     ))
 }
 
-fn setting(section: &str, key: &Spanned<DeString>, value: &Spanned<DeValue>) -> Result<Given, Located> {
+fn setting(section: &str, key: &Spanned<DeString>, value: &Spanned<DeValue>) -> Result<FileSetting, Located> {
     let known: Vec<&str> = names().filter(|(name, _)| name == section).map(|(_, key)| key).collect();
     let name = key.get_ref();
     if !known.contains(&name.as_ref()) {
         let owner = if section.is_empty() { "before the first section" } else { section };
-        let problem = format!("unknown setting `{}`: {owner} has {}", tell::excerpt(name), known.join(", "));
+        let problem =
+            format!("unknown setting `{}`: {owner} has {}", messages::excerpt(name), known.join(", "));
         return Err((key.span(), problem));
     }
     if (section, name.as_ref()) == ("", SCENE) && value.get_ref().as_str().is_none() {
@@ -236,7 +237,7 @@ fn setting(section: &str, key: &Spanned<DeString>, value: &Spanned<DeValue>) -> 
     let text = text_of(value.get_ref());
     let text =
         text.ok_or_else(|| (value.span(), format!("{name}: must be a number, a word or a list of them")))?;
-    Ok(Given { key: name.to_string(), text, span: value.span() })
+    Ok(FileSetting { key: name.to_string(), text, span: value.span() })
 }
 
 /// Writes a value in the spelling of a flag.

@@ -8,7 +8,7 @@ use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_perc
 use super::all::Settings;
 use super::entries::{Entry, SCENE};
 use super::error::SettingsError;
-use crate::platform::tell;
+use crate::platform::messages;
 use crate::scene::Scene;
 
 const SCHEME: &str = "gamow:";
@@ -44,7 +44,7 @@ impl Settings {
         if Scene::preset(&self.scene).is_none() {
             return Err(format!(
                 "The scene is in a file, {}, which a link cannot carry: save the state beside it and send both.",
-                tell::excerpt(&self.scene)
+                messages::excerpt(&self.scene)
             ));
         }
         let default = Self::default().entries();
@@ -73,16 +73,16 @@ impl Settings {
         let pairs = pairs.strip_prefix('?').unwrap_or(pairs).split('&').filter(|pair| !pair.is_empty());
         let flags = pairs.map(|pair| {
             let (key, value) = pair.split_once('=').ok_or_else(|| {
-                wrong(format!("{} has no value; it should be as in beta=0.9", tell::excerpt(pair)))
+                wrong(format!("{} has no value; it should be as in beta=0.9", messages::excerpt(pair)))
             })?;
             let value = percent_decode_str(value).decode_utf8();
-            let value = value.map_err(|_| wrong(format!("{} is no text", tell::excerpt(pair))))?;
+            let value = value.map_err(|_| wrong(format!("{} is no text", messages::excerpt(pair))))?;
             Ok(format!("--{key}={value}"))
         });
         let flags = flags.collect::<Result<Vec<_>, _>>()?;
         self.set(flags).map_err(|problem| problem.at("the link".to_owned()))?;
         if Scene::preset(&self.scene).is_none() {
-            let scene = tell::excerpt(&self.scene);
+            let scene = messages::excerpt(&self.scene);
             return Err(wrong(format!(
                 "{SCENE} = {scene}: a link names a scene that comes with the program"
             )));

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use super::all::Settings;
-use super::file::Told;
+use super::file::Heading;
 
 /// A state that has something to show.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,7 +77,7 @@ impl Preset {
     /// The one with these settings, whatever the parts of the window, the screen and the layout are. One that gives no T has
     /// them at any.
     #[must_use]
-    pub fn of(settings: &Settings) -> Option<&'static Self> {
+    pub fn matching(settings: &Settings) -> Option<&'static Self> {
         let with = |settings: &Settings| {
             ALL.iter().find(|preset| preset.settings.clone().in_place_of(settings) == *settings)
         };
@@ -85,7 +85,7 @@ impl Preset {
     }
 
     fn read(name: &'static str, text: &'static str) -> Option<Self> {
-        let Told { title, caption } = Told::in_toml(text)?;
+        let Heading { title, caption } = Heading::in_toml(text)?;
         let settings = Settings::default().with_toml(text, name).ok()?;
         Some(Self { name, title, caption, settings, toml: text })
     }

@@ -32,7 +32,7 @@ impl StartArgs {
     #[must_use]
     pub fn file(&self) -> Option<&Path> {
         let path = self.state.as_deref().filter(|state| preset(state).is_none())?;
-        (FileKind::of(path).is_none() && !is_link(path)).then_some(path)
+        (FileKind::from_path(path).is_none() && !is_link(path)).then_some(path)
     }
 
     /// The scene that a flag gives.

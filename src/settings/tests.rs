@@ -486,7 +486,7 @@ fn files_tell_a_scene_by_its_way_from_them_and_no_folder_beyond() {
         let given = at(scene).to_str().expect("it is text").to_owned();
         let settings = Settings { scene: given, ..Settings::default() };
         let picture = at("user/pictures/seen.png");
-        let told = settings.as_told_in(&picture);
+        let told = settings.relative_to(&picture);
         assert_eq!(told.scene, expected, "{scene}");
         assert_eq!(Settings { scene: settings.scene.clone(), ..told.clone() }, settings);
         let mut found = told;
@@ -496,9 +496,9 @@ fn files_tell_a_scene_by_its_way_from_them_and_no_folder_beyond() {
         assert_eq!(found == std::fs::canonicalize(at(scene)).ok(), !is_far, "{scene}");
     }
     let gone = Settings { scene: at("user/gone/gone.toml").display().to_string(), ..Settings::default() };
-    assert_eq!(gone.as_told_in(&at("user/pictures/seen.png")).scene, "gone.toml");
+    assert_eq!(gone.relative_to(&at("user/pictures/seen.png")).scene, "gone.toml");
     let preset = Settings { scene: "street".to_owned(), ..Settings::default() };
-    assert_eq!(preset.as_told_in(&at("street/seen.png")), preset);
+    assert_eq!(preset.relative_to(&at("street/seen.png")), preset);
 }
 
 #[test]

@@ -69,7 +69,7 @@ pub struct Stopped;
 impl FilmKind {
     /// Returns the kind that `path` names by its ending; a folder if it has none.
     #[must_use]
-    pub fn of(path: &Path) -> Option<Self> {
+    pub fn from_path(path: &Path) -> Option<Self> {
         let Some(extension) = path.extension() else { return Some(Self::Folder) };
         match extension.to_str()?.to_ascii_lowercase().as_str() {
             "gif" => Some(Self::Gif),
@@ -225,7 +225,7 @@ mod tests {
     #[test]
     fn the_command_of_an_mp4_quotes_what_a_shell_would_split() {
         let files = |path: &str| {
-            let kind = FilmKind::of(Path::new(path)).expect("a film");
+            let kind = FilmKind::from_path(Path::new(path)).expect("a film");
             let mut words = words(&kind.mp4_command(Path::new(path), Shell::Posix));
             let input = words.iter().position(|word| word == "-i").expect("it has an input");
             [words.remove(input + 1), words.pop().expect("it has an output")]
@@ -238,7 +238,7 @@ mod tests {
             command.contains(r#" -i "50"^%""^%"&c"#) && command.contains(r#"frame_"^%"05d.png" "#),
             "{command}"
         );
-        assert_eq!(FilmKind::of(Path::new("ride.avi")), None);
-        assert_eq!(FilmKind::of(Path::new("a/ride")), Some(FilmKind::Folder));
+        assert_eq!(FilmKind::from_path(Path::new("ride.avi")), None);
+        assert_eq!(FilmKind::from_path(Path::new("a/ride")), Some(FilmKind::Folder));
     }
 }

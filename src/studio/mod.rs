@@ -108,7 +108,7 @@ impl Studio {
 
     /// Returns the provenance that the file of `frame` at `path` records.
     fn provenance(&self, frame: &Frame, path: &Path) -> Provenance {
-        self.scene.provenance(frame.settings.as_told_in(path).command(Shell::RECORDED))
+        self.scene.provenance(frame.settings.relative_to(path).command(Shell::RECORDED))
     }
 
     /// Whether `path` is a whole file of this `kind` and of just this `frame`.

@@ -8,7 +8,7 @@ use relativity_render::{
 use crate::accuracy::{Automatic, Choice, Machine, Sight};
 use crate::flags::choices::{ProjectionChoice, RendererChoice};
 use crate::platform::clock::Instant;
-use crate::platform::{tell, threads};
+use crate::platform::{messages, threads};
 use crate::settings::{Quality, Settings};
 
 /// A method, and the renderers that draw by it.
@@ -80,11 +80,11 @@ impl Painter {
                 return Err(error).context("the mesh renderer");
             }
             Err(error) => {
-                tell::remark(format_args!("gamow: drawing on the CPU: {error}"));
+                messages::remark(format_args!("gamow: drawing on the CPU: {error}"));
                 None
             }
         };
-        let machine = Machine::of(gpu.as_ref());
+        let machine = Machine::from_gpu(gpu.as_ref());
         let automatic = Automatic::with_samples(machine, settings.picture.samples);
         let automatic = Some(Choosing { automatic, choice: None, is_measured: false, is_settled: false });
         Ok(Self { automatic, ..Self::of_method(settings, Method::Reference, gpu) })
@@ -99,7 +99,7 @@ impl Painter {
         match settings.quality.renderer {
             RendererChoice::Reference => {}
             RendererChoice::Auto => {
-                tell::remark(
+                messages::remark(
                     "gamow: drawing with the reference renderer on the CPU, the one that knows vr180",
                 );
             }

@@ -498,7 +498,7 @@ fn a_file_is_opened_by_its_path() {
         first.state().state().document.settings.motion
     );
     assert!(window.query_by_label("Path").is_none());
-    assert_eq!(FileKind::of(&path), None);
+    assert_eq!(FileKind::from_path(&path), None);
 }
 
 fn opening_and_saving_can_be_left() {

@@ -155,7 +155,7 @@ fn texts(state: &State) -> Vec<String> {
         Phase::Ask => texts.extend(question),
         // The truth is told once it was asked what was seen.
         Phase::Shown if !is_running => {
-            texts.extend(question.filter(|_| course.tells_truth()).into_iter().chain(seen));
+            texts.extend(question.filter(|_| course.shows_truth()).into_iter().chain(seen));
         }
         _ => {}
     }

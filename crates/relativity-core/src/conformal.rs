@@ -44,13 +44,13 @@ impl Conformal {
     /// ```
     /// use relativity_core::Conformal;
     ///
-    /// let seen = Conformal::of([-3.0, 4.0, 0.0]).ok_or("on the baseline")?;
+    /// let seen = Conformal::from_direction([-3.0, 4.0, 0.0]).ok_or("on the baseline")?;
     /// assert!((seen.u + 2.0_f64.ln()).abs() < 1e-15 && seen.v == 0.0);
-    /// assert_eq!(Conformal::of([1.0, 0.0, 0.0]), None);
+    /// assert_eq!(Conformal::from_direction([1.0, 0.0, 0.0]), None);
     /// # Ok::<(), &str>(())
     /// ```
     #[must_use]
-    pub fn of([x, y, z]: [f64; 3]) -> Option<Self> {
+    pub fn from_direction([x, y, z]: [f64; 3]) -> Option<Self> {
         let rho = math::hypot(y, z);
         let is_seen = rho > 0.0 && rho.is_finite() && x.is_finite();
         is_seen.then(|| Self { u: arsinh_of_ratio(x, rho), v: math::atan2(z, y) })
@@ -71,7 +71,7 @@ impl HeadAxes {
     /// Returns the conformal coordinates of what is seen at `position` from an aperture; `None` on the baseline.
     #[must_use]
     pub fn conformal(&self, position: [f64; 3]) -> Option<Conformal> {
-        Conformal::of(self.along(position))
+        Conformal::from_direction(self.along(position))
     }
 }
 
@@ -102,7 +102,8 @@ impl ConformalDisparity {
     fn new(axes: &HeadAxes, lines: &LinesOfSight<f64>) -> Option<Self> {
         let HeadAxes { right, ahead, up } = *axes;
         let [left_place, right_place] = lines.each.map(|place| axes.along(place));
-        let (primary, secondary) = (Conformal::of(left_place)?, Conformal::of(right_place)?);
+        let (primary, secondary) =
+            (Conformal::from_direction(left_place)?, Conformal::from_direction(right_place)?);
         let [rho_left, rho_right] = [left_place, right_place].map(|[_, y, z]| math::hypot(y, z));
         let normal = |a, b| dot(lines.normal, cross(a, b)) / rho_left / rho_right;
         let ([xl, yl, zl], [xr, yr, zr]) = (unit(left_place), unit(right_place));

@@ -205,7 +205,7 @@ impl Model {
             }
             Self::Published(variant) => {
                 // The paper puts the origin midway between both apertures.
-                let point = point.told_from(middle(pair));
+                let point = point.relative_to(middle(pair));
                 published::cone_pair(speed, point, secondary.x - primary.x, observation_time, variant)
             }
         }
@@ -222,7 +222,7 @@ fn published_of_pair(
 ) -> Result<Disparity, DomainError> {
     let middle = middle([left, right]);
     let separation = right.x - left.x;
-    let both = published_disparity(speed, point.told_from(middle), separation, observation_time, variant)?;
+    let both = published_disparity(speed, point.relative_to(middle), separation, observation_time, variant)?;
     // The clock's zero stays with the ground's origin.
     let shift = speed.beta() * speed.gamma() * middle.x;
     let own_time = |seen: Sighting| Sighting { own_time: seen.own_time - shift, ..seen };

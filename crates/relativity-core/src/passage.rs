@@ -59,7 +59,7 @@ pub fn observation_time_when_seen_at(
 
 /// The same of inputs that have been checked, for a point that moves.
 fn time_when_seen_at(speed: &Speed, point: SourcePoint, x: f64, pair: [Aperture; 2]) -> Option<f64> {
-    let (point, half) = (point.told_from(middle(pair)), baseline(pair).map(|along| along / 2.0));
+    let (point, half) = (point.relative_to(middle(pair)), baseline(pair).map(|along| along / 2.0));
     let half_squared = half[0] * half[0] + half[1] * half[1] + half[2] * half[2];
     let nearest = (half_squared + point.y * point.y + point.z * point.z).sqrt();
     let (beta, distance) = (speed.beta(), diagonal(x.abs(), nearest));
@@ -128,7 +128,7 @@ pub fn equidistance_time(
     if is_along {
         return observation_time_when_seen_at(speed, point, 0.0, pair);
     }
-    let SourcePoint { y, z, .. } = point.told_from(middle(pair));
+    let SourcePoint { y, z, .. } = point.relative_to(middle(pair));
     let x = -(by * y + bz * z) / bx;
     let exists = speed.beta() != 0.0 && x.abs() <= MAX_COORDINATE;
     Ok(if exists { time_when_seen_at(speed, point, x, pair) } else { None })

@@ -17,7 +17,7 @@ pub struct SourcePoint {
 
 impl SourcePoint {
     /// Returns the same point with its coordinates measured from `aperture`.
-    pub(crate) fn told_from(self, aperture: Aperture) -> Self {
+    pub(crate) fn relative_to(self, aperture: Aperture) -> Self {
         Self { x0: self.x0 - aperture.x, y: self.y - aperture.y, z: self.z - aperture.z }
     }
 

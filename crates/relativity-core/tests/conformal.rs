@@ -174,11 +174,11 @@ fn nothing_is_infinite_at_the_ends_of_the_domain() {
 #[test]
 fn what_is_on_the_baseline_has_no_coordinates() {
     for x in [-1.0, 0.0, 2.0] {
-        assert_eq!(Conformal::of([x, 0.0, 0.0]), None);
+        assert_eq!(Conformal::from_direction([x, 0.0, 0.0]), None);
     }
-    assert_eq!(Conformal::of([f64::NAN, 1.0, 0.0]), None);
-    assert_eq!(Conformal::of([1.0, f64::INFINITY, 0.0]), None);
+    assert_eq!(Conformal::from_direction([f64::NAN, 1.0, 0.0]), None);
+    assert_eq!(Conformal::from_direction([1.0, f64::INFINITY, 0.0]), None);
     // The quotient overflows, and u does not: arsinh(1e300/1e-300) = ln 2 + 600 ln 10.
-    let aside = Conformal::of([-1e300, 1e-300, 0.0]).expect("off the baseline");
+    let aside = Conformal::from_direction([-1e300, 1e-300, 0.0]).expect("off the baseline");
     assert!((aside.u + 2.0_f64.ln() + 600.0 * 10.0_f64.ln()).abs() < 1e-12);
 }

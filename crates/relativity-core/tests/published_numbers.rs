@@ -38,7 +38,7 @@ struct Curve {
 }
 
 impl Curve {
-    fn of(f: impl Fn(f64) -> f64) -> Self {
+    fn sample(f: impl Fn(f64) -> f64) -> Self {
         let values: Vec<f64> = times().map(&f).collect();
         let crossings = times().zip(values.windows(2)).filter(|(_, w)| w[0] * w[1] < 0.0);
         Self {
@@ -62,23 +62,23 @@ impl Curve {
 #[test]
 fn appendix_a_has_its_extremes_and_zeros() {
     let variant = PublishedVariant::AppendixA;
-    Curve::of(|t| published(t, variant).dphi).assert(-0.3295, 0.0712, &[0.723]);
-    Curve::of(|t| published(t, variant).dtheta).assert(-0.0032, 0.2240, &[0.567, 0.723]);
+    Curve::sample(|t| published(t, variant).dphi).assert(-0.3295, 0.0712, &[0.723]);
+    Curve::sample(|t| published(t, variant).dtheta).assert(-0.0032, 0.2240, &[0.567, 0.723]);
 }
 
 #[test]
 fn the_texts_sign_turns_the_curves_over() {
     let variant = PublishedVariant::TextSign;
-    Curve::of(|t| published(t, variant).dphi).assert(-0.0858, 0.4394, &[0.723]);
-    Curve::of(|t| published(t, variant).dtheta).assert(-0.2694, 0.0045, &[0.504, 0.723]);
+    Curve::sample(|t| published(t, variant).dphi).assert(-0.0858, 0.4394, &[0.723]);
+    Curve::sample(|t| published(t, variant).dtheta).assert(-0.2694, 0.0045, &[0.504, 0.723]);
 }
 
 #[test]
 fn exactly_dphi_never_crosses_zero_and_dtheta_does_at_equidistance() {
-    let dphi = Curve::of(|t| exact(t).dphi);
+    let dphi = Curve::sample(|t| exact(t).dphi);
     assert!((dphi.min + 0.6678).abs() < 6e-5, "minimum {}", dphi.min);
     assert!(dphi.max < 0.0 && dphi.zeros.is_empty());
-    Curve::of(|t| exact(t).dtheta).assert(-0.0973, 0.3219, &[0.723]);
+    Curve::sample(|t| exact(t).dtheta).assert(-0.0973, 0.3219, &[0.723]);
 }
 
 #[test]

@@ -14,7 +14,7 @@ use crate::pipelines::{Key, Output, Pipelines};
 use crate::prepared_body::PreparedBody;
 use crate::scene::PreparedScene;
 use crate::view::Appearance;
-use crate::wheel::packed::{Shown, Turns};
+use crate::wheel::packed::{TurningStart, Turns};
 
 /// A request for a drawing.
 #[derive(Debug, Clone, Copy)]
@@ -77,7 +77,7 @@ pub struct Trait<T> {
 
 impl Shot<'_> {
     /// `body` as its group's view shows it, for the shaders.
-    pub fn shown(&self, body: &PreparedBody) -> Shown {
+    pub fn shown(&self, body: &PreparedBody) -> TurningStart {
         self.views[body.group].shown(body, self.scene.groups()[body.group].extent.middle)
     }
 

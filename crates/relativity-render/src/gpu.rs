@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::faults::ErrorScopes;
+use crate::device_errors::ErrorScopes;
 use crate::gpu_error::GpuError;
 
 /// Returns the part of an adapter's name that the environment asks for, in lower case; `None` if it asks for none.
@@ -100,7 +100,7 @@ impl Gpu {
     }
 
     /// Begins to wait for what the device refuses of what this thread asks of it. What is refused without it is a
-    /// [`Faults`](crate::Faults)' to tell, or ends the program.
+    /// [`DeviceErrors`](crate::Faults)' to tell, or ends the program.
     #[must_use]
     pub fn error_scopes(&self) -> ErrorScopes {
         ErrorScopes::open(&self.device)

@@ -50,7 +50,7 @@ kinds! {
 
 impl Kind {
     /// The kind of `shape`.
-    pub const fn of(shape: &Shape) -> Self {
+    pub const fn from_shape(shape: &Shape) -> Self {
         match shape {
             Shape::Sphere { .. } | Shape::Tube { .. } => Self::Tube,
             Shape::Ring { .. } => Self::Ring,

@@ -39,7 +39,7 @@ pub enum Light {
 
 /// Light as a screen shows it: what eyes see of it, and how much of the hatch lies over that.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shown {
+pub struct ScreenLight {
     /// Linear sRGB, in [0, 1].
     pub colour: [f64; 3],
     /// The unseen share, with the sign of [`crate::hatch`].
@@ -70,7 +70,7 @@ impl Light {
     pub fn band(self, appearance: &Appearance, doppler_factor: f64) -> Band {
         let shift = if appearance.doppler_shift { doppler_factor } else { 1.0 };
         match self {
-            Self::Line(nm) => Band::of(nm / shift),
+            Self::Line(nm) => Band::from_wavelength(nm / shift),
             Self::Glow(kelvin) => Band::of_glow(kelvin * shift),
             Self::Daylight(_) => Band::of_glow(DAYLIGHT_KELVIN * shift),
             // False colours leave nothing dark.
@@ -79,14 +79,14 @@ impl Light {
     }
 
     /// Returns the colour and the unseen share at `doppler_factor`, for a surface that faces the light.
-    pub fn shown(self, appearance: &Appearance, doppler_factor: f64) -> Shown {
+    pub fn shown(self, appearance: &Appearance, doppler_factor: f64) -> ScreenLight {
         self.shown_in_parts(appearance, doppler_factor, &[Part::OWN])
     }
 
     /// The same where daylight is received in these `parts`, the hottest first.
-    pub fn shown_in_parts(self, appearance: &Appearance, doppler_factor: f64, parts: &[Part]) -> Shown {
+    pub fn shown_in_parts(self, appearance: &Appearance, doppler_factor: f64, parts: &[Part]) -> ScreenLight {
         if self == Self::Map {
-            return Shown { colour: false_colour(log2(doppler_factor)), unseen: 0.0 };
+            return ScreenLight { colour: false_colour(log2(doppler_factor)), unseen: 0.0 };
         }
         let shift = if appearance.doppler_shift { log2(doppler_factor) } else { 0.0 };
         // A product that overflows is as bright as can be, not infinite: black times infinity is no number.
@@ -94,7 +94,7 @@ impl Light {
         let received = self.received(shift, self.log2_intensity(appearance, doppler_factor), parts);
         let colour = toned(received.map(exposed));
         let unseen = if appearance.invisible { left_dark(colour) * self.unseen(shift, parts) } else { 0.0 };
-        Shown { colour, unseen }
+        ScreenLight { colour, unseen }
     }
 
     /// Returns log2 of the part of the received intensity that its colour does not contain: D^n of one wavelength, and of all where
@@ -151,7 +151,7 @@ impl Light {
         let (exponent, exposure) = (self.exponent(appearance), appearance.exposure_ev);
         match (effects.spectrum(), self) {
             (Spectrum::AtRest, _) => {
-                let Shown { colour: [red, green, blue], unseen } = self.shown(appearance, 1.0);
+                let ScreenLight { colour: [red, green, blue], unseen } = self.shown(appearance, 1.0);
                 [red, green, blue, unseen]
             }
             (_, Self::Line(nm)) => {

@@ -66,7 +66,8 @@ impl Mercator {
     #[must_use]
     pub fn coordinates(&self, direction: DVec3) -> Option<DVec2> {
         let Axes { right, up, forward } = self.axes;
-        let Conformal { u, v } = Conformal::of([right, forward, up].map(|axis| direction.dot(axis)))?;
+        let Conformal { u, v } =
+            Conformal::from_direction([right, forward, up].map(|axis| direction.dot(axis)))?;
         (u.abs() <= MOST_DRAWN).then(|| DVec2::new(u, v))
     }
 

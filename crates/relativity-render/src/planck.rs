@@ -44,7 +44,7 @@ impl Broad {
 
     /// Returns the stimulus of a spectrum whose natural logarithm at a wavelength (nm) is `ln_power`: summed relative to the largest, so that
     /// nothing overflows or is lost.
-    fn of(ln_power: impl Fn(f64) -> f64) -> Self {
+    fn new(ln_power: impl Fn(f64) -> f64) -> Self {
         let powers = || SUMMED_NM.map(f64::from).map(|nm| (nm, ln_power(nm)));
         let largest = powers().map(|(_, power)| power).fold(f64::NEG_INFINITY, f64::max);
         let xyz = powers().fold([0.0; 3], |sum: [f64; 3], (nm, power)| {
@@ -93,7 +93,7 @@ pub fn black_body(log2_kelvin: f64) -> Broad {
 
 fn glowing(log2_kelvin: f64) -> Broad {
     let kelvin = exp2(log2_kelvin);
-    Broad::of(|nm| {
+    Broad::new(|nm| {
         let x = SECOND_RADIATION_NM_K / (nm * kelvin);
         // ln(nm^-5/(e^x - 1)), where e^x would overflow as well as where it is near 1.
         let ln_denominator = if x > 30.0 { x } else { ln(exp_m1(x)) };
@@ -109,7 +109,7 @@ pub fn band(log2_nm: f64) -> Broad {
 }
 
 fn about(log2_nm: f64) -> Broad {
-    Broad::of(|nm| {
+    Broad::new(|nm| {
         let off = (log2(nm) - log2_nm) * std::f64::consts::LN_2 / BAND_WIDTH;
         -0.5 * off * off
     })

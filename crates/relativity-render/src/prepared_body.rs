@@ -142,7 +142,7 @@ impl PreparedBody {
             emission: body.emission,
             emission_number: 0,
             brightness: body.brightness,
-            kind: Kind::of(&body.shape),
+            kind: Kind::from_shape(&body.shape),
             shape: body.shape,
             turn,
             placement: Placement::new(&body.shape, turn, extent.middle),

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::daylight::Facing;
 use crate::effects::Constant;
 use crate::hatch::Hatch;
-use crate::light::{Light, Shown};
+use crate::light::{Light, ScreenLight};
 use crate::prepared_body::PreparedBody;
 use crate::view::{Appearance, Shading};
 
@@ -57,7 +57,7 @@ pub fn surface_colour(
         Shading::Form => form(rest_normal),
     };
     let light = Light::new(body.emission, appearance);
-    let Shown { colour, unseen } = match facing {
+    let ScreenLight { colour, unseen } = match facing {
         Some(facing) => light.shown_in_parts(appearance, doppler_factor, &facing.parts()),
         None => light.shown(appearance, doppler_factor),
     };

@@ -35,7 +35,7 @@ impl Band {
 
     /// The band that holds this wavelength (above 0); both ends of the visible range belong to it.
     #[must_use]
-    pub fn of(wavelength_nm: f64) -> Self {
+    pub fn from_wavelength(wavelength_nm: f64) -> Self {
         let [shortest, longest] = VISIBLE_NM;
         if wavelength_nm < shortest {
             Self::Ultraviolet
@@ -74,7 +74,7 @@ impl Band {
 /// ```
 #[must_use]
 pub fn name(wavelength_nm: f64) -> &'static str {
-    let band = Band::of(wavelength_nm);
+    let band = Band::from_wavelength(wavelength_nm);
     let colour = COLOURS.iter().find(|(end, _)| band == Band::Visible && wavelength_nm <= *end);
     colour.map_or(band.name(), |(_, colour)| colour)
 }

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use relativity_core::{Aperture, Speed};
 use relativity_render::{
-    Appearance, Body, Camera, EyeTarget, Faults, Gaze, Geometry, Gpu, GpuError, Method, PreparedScene,
+    Appearance, Body, Camera, DeviceErrors, EyeTarget, Gaze, Geometry, Gpu, GpuError, Method, PreparedScene,
     Renderers, Shape, View, named_adapter,
 };
 
@@ -64,7 +64,7 @@ fn errors_that_nobody_waits_for_are_counted_and_the_first_is_told() {
     let Some((_, device, _queue)) = device(|_| {}) else { return };
     let frames = Arc::new(AtomicU64::new(0));
     let counted = Arc::clone(&frames);
-    let faults = Faults::of(&device, move || {
+    let faults = DeviceErrors::collect(&device, move || {
         counted.fetch_add(1, Ordering::Relaxed);
     });
     assert_eq!((faults.errors(), faults.first(), faults.loss()), (0, None, None));
@@ -90,7 +90,7 @@ fn errors_that_nobody_waits_for_are_counted_and_the_first_is_told() {
 #[test]
 fn memory_that_is_not_there_is_no_panic() {
     let Some((adapter, device, queue)) = device(|_| {}) else { return };
-    let faults = Faults::of(&device, || {});
+    let faults = DeviceErrors::collect(&device, || {});
     let gpu = Gpu::from_device(&adapter, device.clone(), queue);
     let huge = || {
         device.create_buffer(&wgpu::BufferDescriptor {
@@ -115,7 +115,7 @@ fn memory_that_is_not_there_is_no_panic() {
 #[test]
 fn a_lost_device_is_told_and_draws_nothing() {
     let Some((adapter, device, queue)) = device(|_| {}) else { return };
-    let faults = Faults::of(&device, || {});
+    let faults = DeviceErrors::collect(&device, || {});
     let gpu = Gpu::from_device(&adapter, device.clone(), queue);
     let mut renderers = Renderers::new(Some(gpu.clone()));
     let mut draw = |method| renderers.picture(method, &scene(), &view(), &Appearance::default(), 1);

@@ -16,7 +16,7 @@ pub enum Machine {
 impl Machine {
     /// Returns the machine with this `gpu`, or without any.
     #[must_use]
-    pub fn of(gpu: Option<&Gpu>) -> Self {
+    pub fn from_gpu(gpu: Option<&Gpu>) -> Self {
         match gpu {
             None => Self::Cpu,
             Some(gpu) if gpu.is_software() => Self::SoftwareGpu,

@@ -46,7 +46,7 @@ impl Chooser {
     }
 
     /// Opens or closes as `state` requires, and reads the answer of the system's dialog.
-    pub fn update(&mut self, state: &State, asks: &mut Vec<Command>) {
+    pub fn update(&mut self, state: &State, commands: &mut Vec<Command>) {
         if self.purpose != state.scratch.chooser {
             self.begin(state);
         }
@@ -55,7 +55,7 @@ impl Chooser {
             Some(Answer::Path(path)) => {
                 self.path = path.display().to_string();
                 // The dialog has asked whether it may be replaced.
-                asks.extend(self.confirmed(Some(&path)));
+                commands.extend(self.confirmed(Some(&path)));
             }
             Some(Answer::None) => {}
             Some(Answer::NoDialog) => {
@@ -156,7 +156,7 @@ impl Chooser {
             return Ok(Some(if is_data { Command::OpenData(path) } else { Command::Open(path) }));
         };
         let path = product.with_ending(&path)?;
-        let is_folder = product.can_be_a_folder() && FilmKind::of(&path) == Some(FilmKind::Folder);
+        let is_folder = product.can_be_a_folder() && FilmKind::from_path(&path) == Some(FilmKind::Folder);
         if files::is_folder(&path) && !is_folder {
             return Err(format!("{} is a folder.", path.display()));
         }

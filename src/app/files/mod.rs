@@ -76,7 +76,7 @@ impl State {
                     return;
                 }
                 self.session.recent.add(&path);
-                self.document.opened = (!is_scene && FileKind::of(&path).is_none()).then_some(path);
+                self.document.opened = (!is_scene && FileKind::from_path(&path).is_none()).then_some(path);
             }
             Ok(Contents::Scene(scene, surroundings)) => {
                 let is_current = surroundings == self.document.settings.light.surroundings;

@@ -151,7 +151,7 @@ impl Errand {
 
 /// Whether the file at `path` is a scene's, and none of settings.
 fn is_scene(path: &Path) -> bool {
-    FileKind::of(path).is_none()
+    FileKind::from_path(path).is_none()
         && !is_link(path)
         && !files::read_to_string(path).is_ok_and(|text| looks_like_settings(&text))
 }

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use relativity_render::Gaze;
 
 use crate::app::clock;
-use crate::app::lesson::session::{LessonCommand, Run, Running, Told};
+use crate::app::lesson::session::{LessonCommand, LessonSettings, Run, Running};
 use crate::app::notice::Notice;
 use crate::app::pointer::Pick;
 use crate::app::state::State;
@@ -227,7 +227,7 @@ impl State {
         let count = lesson.steps.len();
         let step = place.step.min(count.saturating_sub(1));
         let is_revealed = running.course.is_revealed() || place.step > step;
-        let told = lesson.settings(step, is_revealed, &base).map(|settings| Told {
+        let told = lesson.settings(step, is_revealed, &base).map(|settings| LessonSettings {
             place,
             base: base.clone(),
             settings,
@@ -288,15 +288,15 @@ impl State {
 
     /// Whether a click into a view answers the lesson; then it does.
     pub(in crate::app) fn predicts_by(&mut self, pick: &Pick) -> bool {
-        let asks =
+        let commands =
             matches!(self.course().and_then(Course::asked), Some(Prediction { kind: Kind::Point(_), .. }));
-        if asks {
+        if commands {
             let direction = self.view(pick.eye, pick.size).camera.line_of_sight(pick.pixel);
             let answer = Answer::Direction(Gaze::along(direction.into()));
             if let Some(running) = &mut self.session.lesson {
                 running.course.draft = Some(answer);
             }
         }
-        asks
+        commands
     }
 }

@@ -78,7 +78,7 @@ pub(in crate::app) fn paint(ui: &Ui, painter: &Painter, state: &State, pane: Eye
     {
         // The angle is that of the left eye.
         if !pane.is_second && pane.eye == Eye::Left || state.document.settings.picture.eyes().len() == 1 {
-            told(
+            draw_label(
                 ui,
                 painter,
                 [cross, ring],
@@ -97,7 +97,7 @@ fn between(cross: Pos2, ring: Pos2) -> Option<(Pos2, Pos2)> {
 }
 
 /// Tells the angle beside the middle of what of the line is in sight.
-fn told(ui: &Ui, painter: &Painter, [cross, ring]: [Pos2; 2], pane: EyePane, text: &str) {
+fn draw_label(ui: &Ui, painter: &Painter, [cross, ring]: [Pos2; 2], pane: EyePane, text: &str) {
     let font = TextStyle::Small.resolve(ui.style());
     let galley = painter.layout_no_wrap(text.to_owned(), font, Color32::WHITE);
     let mut parts = (1..=LOOKS).rev().map(|part| ring + f32::from(part) / f32::from(LOOKS) * (cross - ring));

@@ -53,14 +53,14 @@ pub struct Running {
     /// Animation that is playing.
     pub(in crate::app) run: Option<Run>,
     /// The settings that it has at its present place.
-    pub(in crate::app) told: Option<Told>,
+    pub(in crate::app) told: Option<LessonSettings>,
     /// The score of the predictions, once the end is reached.
     pub score: Option<Score>,
 }
 
 /// The settings that a lesson has at a place, in somebody's window.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::app) struct Told {
+pub(in crate::app) struct LessonSettings {
     pub place: Place,
     pub base: Settings,
     pub settings: Settings,

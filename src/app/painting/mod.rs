@@ -2,8 +2,8 @@
 //! shader as plain as can be. The toolkit's own paints all of it in each frame, and each pixel costs it ten times as much.
 
 mod changes;
-mod kept;
 mod pipelines;
+mod window_picture;
 
 use std::collections::HashSet;
 
@@ -15,8 +15,8 @@ use eframe::egui::{
 use eframe::egui_wgpu::{Callback, RenderState};
 use relativity_render::Gpu;
 
-use kept::{Kept, Shown};
 use pipelines::Pipelines;
+use window_picture::{PictureCallback, WindowPicture};
 
 /// Has the window that `ctx` runs painted so, where its device is software; only from its first frame on.
 pub fn install(ctx: &Context, render_state: &RenderState) {
@@ -49,7 +49,7 @@ struct Painting {
 struct Painted {
     /// Size of the window as last reported, points.
     size: Option<Vec2>,
-    kept: Option<Kept>,
+    kept: Option<WindowPicture>,
     /// Shapes painted there.
     shapes: Vec<ClippedShape>,
     pixels_per_point: f32,
@@ -109,7 +109,7 @@ impl Painted {
         shapes: Vec<ClippedShape>,
         size: Vec2,
         pixels_per_point: f32,
-    ) -> Shown {
+    ) -> PictureCallback {
         let Painting { render_state, pipelines, .. } = painting;
         let News { pictures, is_all } = std::mem::take(&mut self.news);
         let whole = Rect::from_min_size(Pos2::ZERO, size);
@@ -122,7 +122,7 @@ impl Painted {
             changes::areas(&self.shapes, &shapes, &pictures, whole, pixels_per_point)
         };
         let kept = self.kept.take_if(|_| is_of_size);
-        let mut kept = kept.unwrap_or_else(|| Kept::new(render_state, pipelines, pixels));
+        let mut kept = kept.unwrap_or_else(|| WindowPicture::new(render_state, pipelines, pixels));
         let (ground, above) = ground(&shapes, whole);
         let mut primitives = Vec::new();
         for area in areas {

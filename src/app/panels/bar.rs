@@ -6,7 +6,7 @@ use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText, TextStyle, Ui, vec2};
 
-use super::Asks;
+use super::Commands;
 use crate::app::command::Command;
 use crate::app::file_dialog::purpose::Purpose;
 use crate::app::files::recent::file_name;
@@ -29,34 +29,34 @@ const NARROWEST_WITH_PARTS: f32 = 700.0;
 const NARROWEST_CAPTION: f32 = 180.0;
 
 /// Shows the bar with its menus.
-pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let width = ui.available_width();
     ui.horizontal_centered(|ui| {
         if width >= NARROWEST_WITH_NAME {
             ui.label(RichText::new("Gamow").heading().strong());
         }
-        file_menu::show(ui, state, asks);
-        scene(ui, state, asks);
-        lessons(ui, state, asks);
+        file_menu::show(ui, state, commands);
+        scene(ui, state, commands);
+        lessons(ui, state, commands);
         let is_simple = state.document.settings.window.simple;
         if width >= NARROWEST_WITH_ALL && !is_simple {
-            units(ui, state, asks);
+            units(ui, state, commands);
         }
-        way_back(ui, state, asks);
+        way_back(ui, state, commands);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if ui.button("Help").on_hover_text("What this is, words, keys, mouse.   Keys: ? or F1").clicked()
             {
-                asks.push(Command::Toggle(Overlay::Help));
+                commands.push(Command::Toggle(Overlay::Help));
             }
             if !is_simple {
                 if width >= NARROWEST_WITH_ALL {
-                    theme(ui, state, asks);
+                    theme(ui, state, commands);
                     ui.separator();
                 } else {
-                    more(ui, state, width < NARROWEST_WITH_PARTS, asks);
+                    more(ui, state, width < NARROWEST_WITH_PARTS, commands);
                 }
                 if width >= NARROWEST_WITH_PARTS {
-                    parts(ui, state, asks);
+                    parts(ui, state, commands);
                 }
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| caption(ui, state));
@@ -65,11 +65,11 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 }
 
 /// The way to the start page and back.
-fn lessons(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn lessons(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let is_open = state.session.overlay == Some(Overlay::Start);
     let button = ui.add(Button::new("Lessons").selected(is_open));
     if button.on_hover_text("The start page: lessons, and presets to look at.   Key: S").clicked() {
-        asks.push(Command::Toggle(Overlay::Start));
+        commands.push(Command::Toggle(Overlay::Start));
     }
 }
 
@@ -96,7 +96,7 @@ fn sentences(text: &str) -> Vec<&str> {
     ends.chain([text]).collect()
 }
 
-fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn scene(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ComboBox::from_id_salt("scene")
         .selected_text(&state.document.scene.name)
         .width(140.0)
@@ -105,10 +105,10 @@ fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {
             for (preset, scene) in PRESETS.into_iter().filter_map(|name| Some((name, Scene::preset(name)?))) {
                 let shown = scene.name == state.document.scene.name;
                 if ui.selectable_label(shown, scene.name).clicked() {
-                    asks.push(Command::Preset(preset));
+                    commands.push(Command::Preset(preset));
                 }
             }
-            files(ui, state, asks);
+            files(ui, state, commands);
         })
         .response
         .on_hover_text(
@@ -118,40 +118,40 @@ fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {
 }
 
 /// The files that were opened, and the way to another.
-fn files(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn files(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.separator();
     let shown = state.shown_files();
     for path in state.session.recent.all() {
         let choice = ui.selectable_label(shown.contains(path), file_name(path));
         if choice.on_hover_text(files::shown(path)).clicked() {
-            asks.push(Command::Open(path.clone()));
+            commands.push(Command::Open(path.clone()));
         }
     }
     let tip = "Opens a scene, settings, or a picture with which settings it was made.   Keys: Ctrl+O";
     if ui.button("Open…").on_hover_text(tip).clicked() {
-        asks.push(Command::Choose(Purpose::Open));
+        commands.push(Command::Choose(Purpose::Open));
     }
 }
 
 /// Shows the choice of units for lengths and times in the whole window.
-fn units(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn units(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ComboBox::from_id_salt("units")
         .selected_text(UNITS[state.measures().units as usize].1)
         .width(92.0)
-        .show_ui(ui, |ui| units_to_choose(ui, state, asks))
+        .show_ui(ui, |ui| units_to_choose(ui, state, commands))
         .response
         .on_hover_text(UNITS_TIP)
         .accessible_name("Units");
 }
 
-fn units_to_choose(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn units_to_choose(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let (window, shown) = (state.document.settings.window, state.measures().units);
     let has_metres = state.document.scene.metres.is_some();
     for (choice, name, tip) in UNITS {
         let is_there = has_metres || choice == Units::Natural;
         let response = ui.add_enabled(is_there, Button::selectable(shown == choice, name));
         if response.on_hover_text(tip).on_disabled_hover_text(NO_METRES).clicked() {
-            asks.push(Command::Window(Window { units: choice, ..window }));
+            commands.push(Command::Window(Window { units: choice, ..window }));
         }
     }
     if !has_metres {
@@ -160,7 +160,7 @@ fn units_to_choose(ui: &mut Ui, state: &State, asks: &mut Asks) {
 }
 
 /// Shows the buttons that undo, redo and reset.
-fn way_back(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn way_back(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let history = &state.session.history;
     let reset = format!(
         "Resets speed, eyes, path, look, light, plots and points to the defaults, {}. The parts of the window, its units and \
@@ -176,7 +176,7 @@ fn way_back(ui: &mut Ui, state: &State, asks: &mut Asks) {
     for (icon, name, tip, is_there, command) in buttons {
         let button = ui.add_enabled_ui(is_there, |ui| icons::button(ui, icon, name, vec2(26.0, 22.0), false));
         if button.inner.on_hover_text(tip).on_disabled_hover_text(tip).clicked() {
-            asks.push(command);
+            commands.push(command);
         }
     }
     ui.spacing_mut().item_spacing.x = apart;
@@ -199,37 +199,37 @@ const UNITS_TIP: &str = "In which units the window shows and takes lengths and t
 const NO_METRES: &str = "This scene does not say how many metres its unit is.";
 
 /// Shows the menu of a narrow bar: the units, the theme, and `with_parts` the parts that are shown.
-fn more(ui: &mut Ui, state: &State, with_parts: bool, asks: &mut Asks) {
+fn more(ui: &mut Ui, state: &State, with_parts: bool, commands: &mut Commands) {
     let stays_open = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let menu = MenuButton::new("More").config(stays_open).ui(ui, |ui| {
         ui.label(RichText::new("Units").weak()).on_hover_text(UNITS_TIP);
-        units_to_choose(ui, state, asks);
+        units_to_choose(ui, state, commands);
         ui.separator();
         ui.horizontal(|ui| {
             ui.label(RichText::new("Switches between a light and a dark window").weak());
-            theme(ui, state, asks);
+            theme(ui, state, commands);
         });
         if with_parts {
             ui.separator();
-            parts(ui, state, asks);
+            parts(ui, state, commands);
         }
     });
     menu.0.on_hover_text("Units, theme");
 }
 
-fn theme(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn theme(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let dark = ui.visuals().dark_mode;
     let (icon, other) = if dark { (Icon::Light, Theme::Light) } else { (Icon::Dark, Theme::Dark) };
     if icons::button(ui, icon, "Theme", vec2(30.0, 22.0), false)
         .on_hover_text("Switches between a light and a dark window")
         .clicked()
     {
-        asks.push(Command::Window(Window { theme: other, ..state.document.settings.window }));
+        commands.push(Command::Window(Window { theme: other, ..state.document.settings.window }));
     }
 }
 
 /// Shows the switches of the parts of the window.
-fn parts(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn parts(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut window = state.document.settings.window;
     ui.toggle_value(&mut window.controls, "Controls").on_hover_text("Shows the controls and the readout");
     ui.toggle_value(&mut window.plots, "Plots").on_hover_text("Shows the plots");
@@ -239,10 +239,10 @@ fn parts(ui: &mut Ui, state: &State, asks: &mut Asks) {
         .on_hover_text("Shows what happens, beside what is seen.   Key: M")
         .changed()
     {
-        asks.push(Command::ToggleMap);
+        commands.push(Command::ToggleMap);
     }
     ui.toggle_value(&mut window.views, "Views").on_hover_text("Shows what the eyes see");
     if window != state.document.settings.window {
-        asks.push(Command::Window(window));
+        commands.push(Command::Window(window));
     }
 }

@@ -4,7 +4,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, CursorIcon, Sense, Stroke, Ui, Vec2, vec2};
 
-use super::Asks;
+use super::Commands;
 use crate::app::border::Border;
 use crate::app::command::Command;
 use crate::app::screens::stage::Part;
@@ -18,7 +18,7 @@ const DOT_STEP: f32 = 5.0;
 const TIP: &str = "Drag to make room.   Double-click to reset.";
 
 /// Shows `border`, and reads drags of it.
-pub fn show(ui: &Ui, state: &State, border: Border, asks: &mut Asks) {
+pub fn show(ui: &Ui, state: &State, border: Border, commands: &mut Commands) {
     let Border { split, rect, .. } = border;
     let response = ui.interact(rect, ui.scope_id().with(split.name()), Sense::click_and_drag());
     response.widget_info(|| egui::WidgetInfo::labeled(Role::Splitter, true, split.name()));
@@ -35,12 +35,12 @@ pub fn show(ui: &Ui, state: &State, border: Border, asks: &mut Asks) {
     response.on_hover_cursor(cursor).on_hover_text(TIP);
     let changed = share.map_or(window, |share| split.with(window, share));
     if changed != window {
-        asks.push(Command::Window(changed));
+        commands.push(Command::Window(changed));
     }
 }
 
 /// Maximises `part` after a double click on its title, which is all that is in `ui`.
-pub fn title(ui: &Ui, part: Part, asks: &mut Asks) {
+pub fn title(ui: &Ui, part: Part, commands: &mut Commands) {
     let name = match part {
         Part::Pane(number) => format!("Title of view {}", number + 1),
         Part::Map => "Title of the map".to_owned(),
@@ -49,7 +49,7 @@ pub fn title(ui: &Ui, part: Part, asks: &mut Asks) {
     let response = ui.interact(ui.max_rect(), ui.scope_id().with(part), Sense::click());
     response.widget_info(|| egui::WidgetInfo::labeled(Role::TitleBar, true, &name));
     if response.double_clicked() {
-        asks.push(Command::ToggleMaximised(part));
+        commands.push(Command::ToggleMaximised(part));
     }
     response.on_hover_text("Double-click: this alone in the window, or all again.");
 }

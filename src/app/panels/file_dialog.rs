@@ -3,7 +3,7 @@
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{Align2, Context, Key, RichText, TextEdit, Ui, Window};
 
-use super::Asks;
+use super::Commands;
 use crate::app::command::Command;
 use crate::app::file_dialog::Chooser;
 use crate::app::file_dialog::purpose::{Product, Purpose};
@@ -17,7 +17,7 @@ const MARGIN: f32 = 60.0;
 const SIZE_WIDTH: f32 = 90.0;
 
 /// Shows it while a file is being chosen.
-pub fn show(ctx: &Context, state: &State, chooser: &mut Chooser, asks: &mut Asks) {
+pub fn show(ctx: &Context, state: &State, chooser: &mut Chooser, commands: &mut Commands) {
     let Some(purpose) = chooser.purpose() else { return };
     let width = PATH_WIDTH.min(ctx.content_rect().width() - MARGIN);
     Window::new(purpose.title())
@@ -28,16 +28,16 @@ pub fn show(ctx: &Context, state: &State, chooser: &mut Chooser, asks: &mut Asks
             ui.set_width(width);
             let is_entered = path(ui, chooser);
             if let Purpose::Save(product) = purpose {
-                told(ui, state, product, chooser);
+                product_settings(ui, state, product, chooser);
             }
             if let Some(remark) = &chooser.remark {
                 ui.colored_label(ui.visuals().error_fg_color, remark);
             }
             ui.add_space(4.0);
             if chooser.replaced.is_some() {
-                replace(ui, chooser, asks);
+                replace(ui, chooser, commands);
             } else {
-                buttons(ui, purpose, chooser, is_entered, asks);
+                buttons(ui, purpose, chooser, is_entered, commands);
             }
         });
 }
@@ -61,7 +61,7 @@ fn path(ui: &mut Ui, chooser: &mut Chooser) -> bool {
 }
 
 /// Shows settings and remarks for the product that is saved.
-fn told(ui: &mut Ui, state: &State, product: Product, chooser: &mut Chooser) {
+fn product_settings(ui: &mut Ui, state: &State, product: Product, chooser: &mut Chooser) {
     if product.has_size() {
         ui.horizontal(|ui| {
             let tip = "Width x height of each eye's picture. At first as large as in the window.";
@@ -98,11 +98,11 @@ fn told(ui: &mut Ui, state: &State, product: Product, chooser: &mut Chooser) {
     ui.label(RichText::new(text).weak());
 }
 
-fn buttons(ui: &mut Ui, purpose: Purpose, chooser: &mut Chooser, is_entered: bool, asks: &mut Asks) {
+fn buttons(ui: &mut Ui, purpose: Purpose, chooser: &mut Chooser, is_entered: bool, commands: &mut Commands) {
     ui.horizontal(|ui| {
         let name = if matches!(purpose, Purpose::Save(_)) { "Save" } else { "Open" };
         if ui.button(RichText::new(name).strong()).clicked() || is_entered {
-            asks.extend(chooser.confirmed(None));
+            commands.extend(chooser.confirmed(None));
             chooser.wants_focus = chooser.remark.is_some();
         }
         ui.add_enabled_ui(!chooser.is_browsing(), |ui| {
@@ -111,13 +111,13 @@ fn buttons(ui: &mut Ui, purpose: Purpose, chooser: &mut Chooser, is_entered: boo
             }
         });
         if ui.button("Cancel").clicked() {
-            asks.push(Command::Close);
+            commands.push(Command::Close);
         }
     });
 }
 
 /// Asks whether what is there already may be replaced.
-fn replace(ui: &mut Ui, chooser: &mut Chooser, asks: &mut Asks) {
+fn replace(ui: &mut Ui, chooser: &mut Chooser, commands: &mut Commands) {
     let Some(path) = chooser.replaced.clone() else { return };
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     ui.label(format!("{name} is there already."));
@@ -127,10 +127,10 @@ fn replace(ui: &mut Ui, chooser: &mut Chooser, asks: &mut Asks) {
             replace.request_focus();
         }
         if replace.clicked() {
-            asks.extend(chooser.confirmed(Some(&path)));
+            commands.extend(chooser.confirmed(Some(&path)));
         }
         if ui.button("Cancel").clicked() {
-            asks.push(Command::Close);
+            commands.push(Command::Close);
         }
     });
 }

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Align, Rect, Ui};
 
-use super::Asks;
+use super::Commands;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::widgets::strip_button;
@@ -10,7 +10,7 @@ use crate::comfort::Verdict;
 
 /// Shows at the right of the title strip `strip` that the views are hard to fuse, in a layout that is made to be fused;
 /// a click brings the eyes together.
-pub fn offer(ui: &mut Ui, state: &State, strip: Rect, asks: &mut Asks) {
+pub fn offer(ui: &mut Ui, state: &State, strip: Rect, commands: &mut Commands) {
     let settings = &state.document.settings;
     if !settings.picture.layout.is_fused() || settings.is_comparing() {
         return;
@@ -27,6 +27,6 @@ pub fn offer(ui: &mut Ui, state: &State, strip: Rect, asks: &mut Asks) {
         comfort.words()
     );
     if strip_button(ui, strip, Align::Max, &text).on_hover_text(tip).clicked() {
-        asks.push(Command::Narrow);
+        commands.push(Command::Narrow);
     }
 }

@@ -5,7 +5,7 @@ use eframe::egui::{
     Ui, pos2, vec2,
 };
 
-use super::Asks;
+use super::Commands;
 use crate::app::command::Command;
 use crate::app::notice::Notice;
 use crate::app::state::State;
@@ -18,7 +18,7 @@ const LOWEST: f32 = 60.0;
 const AROUND: f32 = 10.0;
 
 /// Shows the message at the top of `room`, inside `window`, if there is one.
-pub fn show(ctx: &Context, state: &State, room: Rect, window: Rect, asks: &mut Asks) {
+pub fn show(ctx: &Context, state: &State, room: Rect, window: Rect, commands: &mut Commands) {
     let Some(notice) = &state.scratch.notice else { return };
     let scale = theme::text_scale(&ctx.global_style());
     let width = (scale * WIDEST).min(room.width() - 2.0 * theme::GAP).max(1.0);
@@ -35,7 +35,7 @@ pub fn show(ctx: &Context, state: &State, room: Rect, window: Rect, asks: &mut A
             ui.horizontal_top(|ui| {
                 sign(ui, notice);
                 ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-                    buttons(ui, notice, asks);
+                    buttons(ui, notice, commands);
                     ui.with_layout(Layout::top_down(Align::Min), |ui| text(ui, notice, height));
                 });
             });
@@ -61,10 +61,10 @@ fn text(ui: &mut Ui, notice: &Notice, height: f32) {
     });
 }
 
-fn buttons(ui: &mut Ui, notice: &Notice, asks: &mut Asks) {
+fn buttons(ui: &mut Ui, notice: &Notice, commands: &mut Commands) {
     let close = icons::button(ui, Icon::Remove, "Close message", vec2(22.0, 22.0), false);
     if close.on_hover_text("Close.   Key: Esc").clicked() {
-        asks.push(Command::CloseNotice);
+        commands.push(Command::CloseNotice);
     }
     if ui.button("Copy").on_hover_text("Copies the message").accessible_name("Copy message").clicked() {
         ui.ctx().copy_text(notice.text.clone());

@@ -27,4 +27,4 @@ pub mod views;
 use super::command::Command;
 
 /// The commands that a panel asks for while it is shown.
-pub type Asks = Vec<Command>;
+pub type Commands = Vec<Command>;

@@ -5,7 +5,7 @@ use eframe::egui::{
     ScrollArea, TextEdit, TextStyle, Ui, vec2,
 };
 
-use super::Asks;
+use super::Commands;
 use crate::app::actions::ACTIONS;
 use crate::app::command::Command;
 use crate::app::lesson::session::LessonCommand;
@@ -37,7 +37,7 @@ struct Search {
 }
 
 /// Shows the palette, if it is open.
-pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
+pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
     let id = Id::unique("palette");
     if state.session.overlay != Some(Overlay::Palette) {
         return ctx.data_mut(|data| data.remove::<Search>(id));
@@ -76,10 +76,10 @@ pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
         // The first time it is only measured.
         ctx.request_repaint();
     } else if shown.response.clicked_elsewhere() {
-        asks.push(Command::Toggle(Overlay::Palette));
+        commands.push(Command::Toggle(Overlay::Palette));
     }
     if let Some(entry) = asked {
-        asks.extend([Command::Toggle(Overlay::Palette), entry.command]);
+        commands.extend([Command::Toggle(Overlay::Palette), entry.command]);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Align2, Context, Spinner, Window};
 
-use super::Asks;
+use super::Commands;
 use crate::app::command::Command;
 use crate::app::files::reader::Reader;
 use crate::platform::files;
@@ -11,7 +11,7 @@ use crate::platform::files;
 const ABOVE: f32 = 130.0;
 
 /// Shows it while something takes long.
-pub fn show(ctx: &Context, reader: &Reader, asks: &mut Asks) {
+pub fn show(ctx: &Context, reader: &Reader, commands: &mut Commands) {
     let Some(path) = reader.awaited() else { return };
     Window::new("Reading")
         .anchor(Align2::CENTER_BOTTOM, [0.0, -ABOVE])
@@ -22,7 +22,7 @@ pub fn show(ctx: &Context, reader: &Reader, asks: &mut Asks) {
                 ui.add(Spinner::new());
                 ui.label(format!("Reading {}", files::shown(path)));
                 if ui.button("Stop").clicked() {
-                    asks.push(Command::StopReading);
+                    commands.push(Command::StopReading);
                 }
             });
         });

@@ -4,12 +4,12 @@ use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, ScrollArea, Sen
 use relativity_core::{Conformal, Disparity, Model, Sighting, StereoError, doppler::received_wavelength};
 use relativity_render::{Velocity, colour};
 
-use super::Asks;
+use super::Commands;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::views::eye::Eye;
-use crate::app::views::on_wheel::{OnWheel, told_angle};
+use crate::app::views::on_wheel::{OnWheel, angle_text};
 use crate::app::widgets::{dot, named_text};
 use crate::caption::times::{HAPPENED, OWN_CLOCK, RECEIVED, TimeName};
 use crate::flags::choices::ProjectionChoice;
@@ -17,12 +17,12 @@ use crate::number_text;
 use crate::units::{Measures, Unit};
 
 /// Shows the readout of the selected point.
-pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let point = state.document.points.selected();
     ui.spacing_mut().item_spacing.y = 3.0;
     ui.horizontal(|ui| {
         if !state.document.settings.window.simple {
-            fold(ui, state, asks);
+            fold(ui, state, commands);
         }
         let colour = theme::point_colour(point.number, ui.visuals());
         dot(ui, colour);
@@ -158,7 +158,7 @@ const STEREO_TIP: &str = "Where the lines of sight of both eyes meet: where who 
     y, z from the middle between the eyes. Two eyes see the contraction, as depth.";
 
 /// The title, which folds the table away.
-fn fold(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn fold(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut window = state.document.settings.window;
     let sign = if window.readout { "▾" } else { "▸" };
     let (name, tip) = match state.document.settings.shown_model() {
@@ -175,7 +175,7 @@ fn fold(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let title = egui::Button::new(RichText::new(format!("{sign} {name}")).strong()).frame(false);
     if ui.add(title).on_hover_text(tip).accessible_name("Readout").clicked() {
         window.readout = !window.readout;
-        asks.push(Command::Window(window));
+        commands.push(Command::Window(window));
     }
 }
 
@@ -308,7 +308,7 @@ const TURNING: [OfWheel; 2] = [
         symbol: "on wheel at",
         name: "Angle on the wheel",
         tip: "Where on its wheel the point was as the light left it: from +x (0°) over the top (90°).",
-        text: |wheel| told_angle(wheel.angle),
+        text: |wheel| angle_text(wheel.angle),
     },
     OfWheel {
         symbol: "moved at",

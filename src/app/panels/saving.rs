@@ -2,7 +2,7 @@
 
 use eframe::egui::{Align2, Context, ProgressBar, Window};
 
-use super::Asks;
+use super::Commands;
 use crate::app::command::Command;
 use crate::app::saving::{Progress, Saver};
 use crate::number_text;
@@ -12,7 +12,7 @@ const WIDTH: f32 = 300.0;
 const ABOVE: f32 = 60.0;
 
 /// Shows it while something takes long.
-pub fn show(ctx: &Context, saver: &Saver, asks: &mut Asks) {
+pub fn show(ctx: &Context, saver: &Saver, commands: &mut Commands) {
     let Some(progress) = saver.progress(ctx) else { return };
     let Progress { name, written, frames } = progress;
     Window::new("Saving")
@@ -30,7 +30,7 @@ pub fn show(ctx: &Context, saver: &Saver, asks: &mut Asks) {
                     .desired_width(WIDTH - 70.0);
                 ui.add(bar.text(format!("{} of {frames}", written.frames)));
                 if ui.button("Stop").clicked() {
-                    asks.push(Command::StopSaving);
+                    commands.push(Command::StopSaving);
                 }
             });
         });

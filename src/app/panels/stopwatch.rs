@@ -6,7 +6,7 @@ use eframe::egui::{
     Visuals, WidgetInfo, pos2, vec2,
 };
 
-use super::Asks;
+use super::Commands;
 use crate::app::command::Command;
 use crate::app::measuring::stopwatch::{Stopwatch, StopwatchCommand};
 use crate::app::state::State;
@@ -25,7 +25,7 @@ const TIP: &str = "Measures T between two presses, and what the selected point's
     noted in the next frame: the error is the step that T takes in one.   Keys: T starts and stops, Shift+T takes it away";
 
 /// Shows it in the corner of `pane`.
-pub fn show(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, pane: EyePane, commands: &mut Commands) {
     let scale = theme::text_scale(ui.style());
     let width = scale * WIDTH;
     if state.scratch.stopwatch == Stopwatch::Hidden || pane.rect.width() < scale * NARROWEST_VIEW {
@@ -47,13 +47,13 @@ pub fn show(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
             .inner_margin(Margin::same(MARGIN as i8));
         let shown = frame.show(ui, |ui| {
             ui.set_width(width - 2.0 * MARGIN);
-            contents(ui, state, asks);
+            contents(ui, state, commands);
         });
         ui.ctx().data_mut(|data| data.insert_temp(id, shown.response.rect));
     });
 }
 
-fn contents(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn contents(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.spacing_mut().item_spacing.y = 2.0;
     ui.horizontal(|ui| {
         let is_running = matches!(state.scratch.stopwatch, Stopwatch::Running(_));
@@ -67,7 +67,7 @@ fn contents(ui: &mut Ui, state: &State, asks: &mut Asks) {
             let response = ui.add(Button::new(RichText::new(shown).small())).on_hover_text(TIP);
             response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
             if response.clicked() {
-                asks.push(Command::Stopwatch(command));
+                commands.push(Command::Stopwatch(command));
             }
         }
     });

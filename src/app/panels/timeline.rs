@@ -9,7 +9,7 @@ use eframe::egui::{
     Sense, Slider, SliderClamping, Stroke, TextStyle, Ui, Visuals, WidgetInfo, pos2, vec2,
 };
 
-use super::Asks;
+use super::Commands;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::theme;
@@ -33,7 +33,7 @@ const DIGIT: f32 = 7.2;
 
 /// The part of the playback controls that has room in the timeline; the rest is in a menu.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Shown {
+enum PlaybackControls {
     /// Rate, looping and range.
     All,
     /// The rate alone.
@@ -42,7 +42,7 @@ enum Shown {
     Nothing,
 }
 
-impl Shown {
+impl PlaybackControls {
     /// Returns the part that has room in this `width`.
     fn within(width: f32, state: &State) -> Self {
         let [rate, range] = playback_widths(state);
@@ -76,21 +76,21 @@ fn time_width(state: &State) -> f32 {
 }
 
 /// Shows the timeline with its scrubber.
-pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.spacing_mut().item_spacing.y = 3.0;
-    let shown = Shown::within(ui.available_width(), state);
+    let shown = PlaybackControls::within(ui.available_width(), state);
     ui.horizontal(|ui| {
-        transport(ui, state, asks);
+        transport(ui, state, commands);
         ui.separator();
-        time(ui, state, asks);
+        time(ui, state, commands);
         if !state.document.settings.window.simple {
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| playback(ui, state, shown, asks));
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| playback(ui, state, shown, commands));
         }
     });
-    scrubber(ui, state, asks);
+    scrubber(ui, state, commands);
 }
 
-fn transport(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn transport(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.spacing_mut().item_spacing.x = 4.0;
     let buttons = [
         (Icon::Start, "To the start", "Key: Home", 28.0, Command::TimeInRange(0.0)),
@@ -111,12 +111,12 @@ fn transport(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let pressed = icon == Icon::Pause;
         let response = icons::button(ui, icon, name, egui::vec2(width, 26.0), pressed);
         if response.on_hover_text(format!("{name}\n{key}")).clicked() {
-            asks.push(command);
+            commands.push(command);
         }
     }
 }
 
-fn time(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn time(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.label("T").on_hover_text(TIME_TIP);
     let mut time = state.document.time;
     let [from, to] = state.time_range();
@@ -129,14 +129,14 @@ fn time(ui: &mut Ui, state: &State, asks: &mut Asks) {
         .max_decimals(unit.decimals(most).into());
     let response = ui.add_sized([time_width(state), ui.spacing().interact_size.y], number);
     if widgets::explained(response, TIME_TIP).accessible_name("T, typed").changed() {
-        asks.push(Command::Time(time));
+        commands.push(Command::Time(time));
     }
 }
 
 /// Rate, looping and range, from the right; what is not `shown` of them is in a menu.
-fn playback(ui: &mut Ui, state: &State, shown: Shown, asks: &mut Asks) {
+fn playback(ui: &mut Ui, state: &State, shown: PlaybackControls, commands: &mut Commands) {
     let mut playback = state.document.settings.playback;
-    if shown == Shown::All {
+    if shown == PlaybackControls::All {
         range(ui, state, &mut playback);
         ui.separator();
         looping(ui, &mut playback);
@@ -148,18 +148,18 @@ fn playback(ui: &mut Ui, state: &State, shown: Shown, asks: &mut Asks) {
             ui.allocate_ui_with_layout(size, in_a_row, |ui| {
                 range(ui, state, &mut playback);
                 looping(ui, &mut playback);
-                if shown == Shown::Nothing {
+                if shown == PlaybackControls::Nothing {
                     rate(ui, state, &mut playback);
                 }
             });
         });
         menu.0.on_hover_text("First and last T, and how it runs from one to the other");
     }
-    if shown != Shown::Nothing {
+    if shown != PlaybackControls::Nothing {
         rate(ui, state, &mut playback);
     }
     if playback != state.document.settings.playback {
-        asks.push(Command::Playback(playback));
+        commands.push(Command::Playback(playback));
     }
 }
 
@@ -204,7 +204,7 @@ fn range(ui: &mut Ui, state: &State, playback: &mut Playback) {
     ui.label("from");
 }
 
-fn scrubber(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn scrubber(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let [from, to] = state.time_range();
     let mut time = state.document.time;
     ui.spacing_mut().slider_width = ui.available_width();
@@ -212,9 +212,9 @@ fn scrubber(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let slider = Slider::new(&mut time, from..=to).show_value(false).clamping(SliderClamping::Never);
     let response = widgets::explained(ui.add(slider), TIME_TIP).accessible_name("Observation time T");
     if response.changed() {
-        asks.push(Command::Time(time));
+        commands.push(Command::Time(time));
     }
-    marks(ui, state, response.rect, asks);
+    marks(ui, state, response.rect, commands);
 }
 
 /// Height of the names of the marks below the scrubber.
@@ -286,7 +286,7 @@ const TURNING_TIPS: [&str; 2] = [
 ];
 
 /// Ticks on the scrubber, and below it their names, to click, none of which covers another.
-fn marks(ui: &mut Ui, state: &State, slider: Rect, asks: &mut Asks) {
+fn marks(ui: &mut Ui, state: &State, slider: Rect, commands: &mut Commands) {
     let (marks, unit, [from, to]) =
         (Mark::all(state, ui.visuals()), state.measures().time, state.time_range());
     let font = TextStyle::Small.resolve(ui.style());
@@ -310,7 +310,7 @@ fn marks(ui: &mut Ui, state: &State, slider: Rect, asks: &mut Asks) {
             tick(ui, slider, span.middle, place, mark.colour);
         }
         if name(ui, mark, place, galley).clicked() {
-            asks.push(Command::Time(mark.time));
+            commands.push(Command::Time(mark.time));
         }
     }
 }

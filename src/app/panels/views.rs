@@ -10,7 +10,7 @@ use eframe::egui::{
 use relativity_core::math;
 use relativity_render::{Camera, Colour, Geometry, Method, PreparedScene, Projection, View};
 
-use super::Asks;
+use super::Commands;
 use crate::app::actions::LOOK_STEP;
 use crate::app::command::Command;
 use crate::app::lesson::predicted_place;
@@ -19,9 +19,9 @@ use crate::app::measuring::laid_ruler;
 use crate::app::pointer::{Pick, Turn, Zoom};
 use crate::app::state::State;
 use crate::app::state::points::Point;
-use crate::app::views::dial::{self, Drawn};
+use crate::app::views::dial::{self, DialPlacement};
 use crate::app::views::eye::Eye;
-use crate::app::views::eyes::Shown;
+use crate::app::views::eyes::ShownPicture;
 use crate::app::views::highlight;
 use crate::app::views::hover;
 use crate::app::views::layouts;
@@ -42,34 +42,34 @@ const ZOOM_PER_SCROLL: f64 = 0.002;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Painted {
     /// Picture of the scene.
-    pub picture: Option<Shown>,
+    pub picture: Option<ShownPicture>,
     /// Heat map of its error, if it is shown.
     pub heat_map: Option<TextureId>,
 }
 
 /// Reads the mouse in `pane`, which assistive technology calls by this `name`.
-pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, name: &str, asks: &mut Asks) {
+pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, name: &str, commands: &mut Commands) {
     let id = ui.scope_id().with(("view", pane.eye.index()));
     let response = ui.interact(pane.rect, id, Sense::click_and_drag()).on_hover_cursor(CursorIcon::Crosshair);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, name));
     let describe = |node: &mut egui::accesskit::Node| node.set_description(state.moment().sentence());
     ui.ctx().accesskit_node_builder(response.id, describe);
     if response.double_clicked() {
-        asks.push(Command::FollowAgain);
+        commands.push(Command::FollowAgain);
     } else if response.triple_clicked() {
         // It is a double click that went on.
     } else if let (true, Some(place)) = (response.clicked(), response.interact_pointer_pos()) {
         let add = ui.input(|input| input.modifiers.shift);
         let EyePane { eye, is_second, size, .. } = pane;
-        asks.push(Command::Pick(Pick { eye, is_second, pixel: pane.pixel(place), size, add }));
+        commands.push(Command::Pick(Pick { eye, is_second, pixel: pane.pixel(place), size, add }));
     }
     if response.has_focus() {
-        keys(ui, &response, asks);
+        keys(ui, &response, commands);
     }
     if state.scratch.angle_ruler.takes_drags() {
-        measure(ui, &response, pane, asks);
+        measure(ui, &response, pane, commands);
     } else {
-        turn(&response, pane, asks);
+        turn(&response, pane, commands);
     }
     if response.hovered() {
         let scroll = f64::from(ui.input(|input| input.smooth_scroll_delta().y));
@@ -77,7 +77,7 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, name: &str, asks: &mu
         let factor = math::exp(-scroll * ZOOM_PER_SCROLL) / pinch;
         if factor != 1.0 && factor.is_finite() {
             let place = response.hover_pos().unwrap_or(pane.rect.center());
-            asks.push(Command::Zoom(Zoom {
+            commands.push(Command::Zoom(Zoom {
                 eye: pane.eye,
                 is_second: pane.is_second,
                 pixel: pane.pixel(place),
@@ -89,14 +89,14 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, name: &str, asks: &mu
 }
 
 /// Performs the keys of the view that has the keyboard focus.
-fn keys(ui: &Ui, response: &Response, asks: &mut Asks) {
+fn keys(ui: &Ui, response: &Response, commands: &mut Commands) {
     let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
     let pressed = |event: &Event| match event {
         Event::Key { key, pressed: true, modifiers, .. } => command_of(*key, modifiers.shift),
         _ => None,
     };
-    asks.extend(ui.input(|input| input.events.iter().filter_map(pressed).collect::<Vec<_>>()));
+    commands.extend(ui.input(|input| input.events.iter().filter_map(pressed).collect::<Vec<_>>()));
 }
 
 fn command_of(key: Key, with_shift: bool) -> Option<Command> {
@@ -112,27 +112,27 @@ fn command_of(key: Key, with_shift: bool) -> Option<Command> {
 }
 
 /// The scene follows the pointer: what is under it when a drag starts stays there.
-fn turn(response: &Response, pane: EyePane, asks: &mut Asks) {
+fn turn(response: &Response, pane: EyePane, commands: &mut Commands) {
     let moved = response.drag_delta();
     let Some(place) = response.interact_pointer_pos().filter(|_| response.dragged()) else { return };
     if moved != egui::Vec2::ZERO {
         let [from, to] = [place - moved, place].map(|place| pane.pixel(place));
         let EyePane { eye, is_second, size, .. } = pane;
-        asks.push(Command::Turn(Turn { eye, is_second, from, to, size }));
+        commands.push(Command::Turn(Turn { eye, is_second, from, to, size }));
     }
 }
 
 /// A drag lays a ruler.
-fn measure(ui: &Ui, response: &Response, pane: EyePane, asks: &mut Asks) {
+fn measure(ui: &Ui, response: &Response, pane: EyePane, commands: &mut Commands) {
     let from = ui.input(|input| input.pointer.press_origin());
     let to = response.interact_pointer_pos();
     if let Some((from, to)) = from.zip(to).filter(|_| response.dragged()) {
         let EyePane { eye, is_second, size, .. } = pane;
         let ends = [from, to].map(|place| pane.pixel(place));
-        asks.push(Command::Ruler(RulerCommand::Lay(Lay { eye, is_second, ends, size })));
+        commands.push(Command::Ruler(RulerCommand::Lay(Lay { eye, is_second, ends, size })));
     }
     if response.drag_stopped() {
-        asks.push(Command::Ruler(RulerCommand::Settle));
+        commands.push(Command::Ruler(RulerCommand::Settle));
     }
 }
 
@@ -163,14 +163,14 @@ pub fn paint_both(
     ui: &Ui,
     state: &State,
     panes: &[EyePane],
-    picture: Option<Shown>,
+    picture: Option<ShownPicture>,
     heat_maps: &[Option<TextureId>],
 ) {
     let colour = ui.visuals().text_color();
     let rect = panes.iter().map(|pane| pane.rect).reduce(Rect::union).unwrap_or(Rect::NOTHING);
     pane_title(ui, rect, &layouts::title(&state.document.settings.picture), colour);
     ui.painter().rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
-    if let Some(Shown { texture, .. }) = picture {
+    if let Some(ShownPicture { texture, .. }) = picture {
         image(ui, rect, texture);
     }
     for (pane, heat_map) in panes.iter().zip(heat_maps) {
@@ -250,7 +250,7 @@ fn missed(ui: &Ui, state: &State, pane: EyePane) {
 }
 
 /// Returns a note on the picture, where it is not what an eye would see, drawn exactly.
-fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) -> String {
+fn note(state: &State, eye: Eye, picture: Option<ShownPicture>, with_heat_map: bool) -> String {
     let geometry = match state.document.settings.geometry() {
         Geometry::Seen | Geometry::Published => None,
         Geometry::OneCone => Some("one light cone for both eyes".to_owned()),
@@ -329,8 +329,8 @@ const HINT_TIME: f64 = 12.0;
 
 /// Returns the hint for a newcomer who has not clicked yet: for a while, and never before an audience.
 fn newcomers_hint(ui: &Ui, state: &State) -> Option<String> {
-    let is_told = state.session.hint && !state.session.stage.is_presented();
-    (is_told && awake::is_new(ui.ctx(), HINT, HINT_TIME)).then(|| HINT.to_owned())
+    let is_shown = state.session.hint && !state.session.stage.is_presented();
+    (is_shown && awake::is_new(ui.ctx(), HINT, HINT_TIME)).then(|| HINT.to_owned())
 }
 
 /// The first corner in which `text` covers none of the `others`.
@@ -375,7 +375,7 @@ fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, coat: Coat)
     let view = state.view(pane.eye, pane.size);
     let (scene, visuals) = (&state.document.prepared, ui.visuals());
     for (index, point) in state.document.points.all().iter().enumerate() {
-        let Some(marker) = Marker::of(state, point, &view, scene, pane.eye) else { continue };
+        let Some(marker) = Marker::new(state, point, &view, scene, pane.eye) else { continue };
         let radius = if index == state.document.points.selected_index() { 6.0 } else { 4.5 };
         let place = pane.place(marker.pixel);
         if coat == Coat::Halo {
@@ -410,7 +410,7 @@ fn is_in_turn(state: &State) -> bool {
 fn clock(ui: &Ui, state: &State, pane: EyePane, point: &Point, place: Pos2) {
     let Some(dial) = state.dial(point, pane.eye) else { return };
     let colour = theme::point_colour(point.number, ui.visuals());
-    let drawn = Drawn { marker: place, view: pane.rect, colour };
+    let drawn = DialPlacement { marker: place, view: pane.rect, colour };
     let name = format!("Clock of {}, {}", state.name_of(point), pane.eye.name());
     dial::show(ui, dial, drawn, &name, dial::tip(state.measures().time, point.track.spin.is_some()));
 }
@@ -426,7 +426,7 @@ struct Marker {
 const HIDING_MARGIN: f64 = 1e-4;
 
 impl Marker {
-    fn of(state: &State, point: &Point, view: &View, scene: &PreparedScene, eye: Eye) -> Option<Self> {
+    fn new(state: &State, point: &Point, view: &View, scene: &PreparedScene, eye: Eye) -> Option<Self> {
         let direction = state.direction(point, eye)?;
         let pixel = view.camera.pixel(direction)?;
         // In the published model no ray leads back from the right eye, so nothing is known to hide it.

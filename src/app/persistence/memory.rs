@@ -103,7 +103,7 @@ impl Memory {
             self.folded = folded;
         }
         if is_default {
-            let place = Place::of(ctx, self.place);
+            let place = Place::from_context(ctx, self.place);
             self.place = place.filter(Place::can_be).or(self.place);
         }
     }
@@ -148,7 +148,7 @@ impl Memory {
 
 impl Place {
     /// The place of the window; while it is maximised or has the whole screen, its size is the `last` one.
-    fn of(ctx: &Context, last: Option<Self>) -> Option<Self> {
+    fn from_context(ctx: &Context, last: Option<Self>) -> Option<Self> {
         let zoom = ctx.zoom_factor();
         ctx.input(|input| {
             let viewport = input.viewport();

@@ -4,7 +4,7 @@ use relativity_core::{Model, Source, Speed, SpeedError, Turning, WheelPoint};
 use relativity_render::Motion;
 
 use crate::app::state::State;
-use crate::columns::{Given, ModelArgs, Observation, ROLL, TURN, WHEEL};
+use crate::columns::{GivenInputs, ModelArgs, Observation, ROLL, TURN, WHEEL};
 use crate::flags::words::Shell;
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::scene::Track;
@@ -20,7 +20,7 @@ const BACKWARD: &str =
 const SLIPS: &str = "`gamow curve` and `gamow eval` take wheels that roll, and that of the selected point turns at a speed of its own.";
 
 /// Returns `speed` as beta, or as rapidity where beta does not express all of it.
-fn told_speed(speed: Speed) -> Result<SpeedSetting, SpeedError> {
+fn speed_setting(speed: Speed) -> Result<SpeedSetting, SpeedError> {
     let as_beta = SpeedSetting::new(SpeedParameter::Beta, speed.beta()).ok();
     let exact = as_beta.filter(|setting| setting.speed() == speed);
     exact.map_or_else(|| SpeedSetting::new(SpeedParameter::Rapidity, speed.rapidity()), Ok)
@@ -28,7 +28,7 @@ fn told_speed(speed: Speed) -> Result<SpeedSetting, SpeedError> {
 
 impl State {
     /// Returns the selected point at T for `gamow curve` and `gamow eval`: the speed as it was given, and the rest.
-    fn told_point(&self) -> Result<(SpeedSetting, Observation), String> {
+    fn observation_for_command(&self) -> Result<(SpeedSetting, Observation), String> {
         let velocity = self.selected_velocity();
         if velocity.is_backward {
             return Err(BACKWARD.to_owned());
@@ -36,7 +36,7 @@ impl State {
         let Track { motion, .. } = self.document.points.selected().track;
         let speed = match motion {
             Motion::Scene => self.document.settings.motion.speed,
-            Motion::Own(own) => told_speed(own.speed).map_err(|error| error.to_string())?,
+            Motion::Own(own) => speed_setting(own.speed).map_err(|error| error.to_string())?,
         };
         let observation = Observation {
             speed: speed.speed(),
@@ -50,7 +50,7 @@ impl State {
         }
     }
 
-    fn told_model(&self) -> ModelArgs {
+    fn model_args(&self) -> ModelArgs {
         let intensity_exponent = self.document.settings.light.intensity_exponent.0.unwrap_or_default();
         let model = self.document.settings.shown_model();
         // The paper's lines of sight meet nowhere.
@@ -65,8 +65,8 @@ impl State {
     ///
     /// Why there is none.
     pub fn curve_command(&self) -> Result<String, String> {
-        let (speed, observation) = self.told_point()?;
-        let ModelArgs { model, intensity_exponent, stereo, conformal } = self.told_model();
+        let (speed, observation) = self.observation_for_command()?;
+        let ModelArgs { model, intensity_exponent, stereo, conformal } = self.model_args();
         let stereo = if stereo { " --stereo" } else { "" };
         let conformal = if conformal { " --conformal" } else { "" };
         let motion = self.document.settings.motion;
@@ -99,11 +99,11 @@ impl State {
     ///
     /// Why there are none.
     pub fn values_as_table(&self) -> Result<String, String> {
-        let (speed, observation) = self.told_point()?;
-        let model = self.told_model();
+        let (speed, observation) = self.observation_for_command()?;
+        let model = self.model_args();
         let told = |error: &dyn std::fmt::Display| error.to_string();
         let wheel = on_wheel(observation.source);
-        let given = Given { is_turned: true, on_wheel: !wheel.is_empty() };
+        let given = GivenInputs { is_turned: true, on_wheel: !wheel.is_empty() };
         let columns = model.columns(given).map_err(|error| told(&error))?;
         let values = model.values(&observation, given).map_err(|error| told(&error))?;
         let (point, baseline) = (observation.source.place(), observation.baseline);

@@ -3,7 +3,7 @@
 use eframe::egui::{Context, Ui};
 
 use super::MOST_FRAMES;
-use super::work::{Drawn, Job, Made, name_of};
+use super::work::{Job, Made, SceneSnapshot, name_of};
 use crate::app::App;
 use crate::app::file_dialog::purpose::Product;
 use crate::app::notice::Notice;
@@ -71,7 +71,7 @@ impl App {
             }
             Product::Film => {
                 let frames = self.state.film_frames();
-                let Some(kind) = FilmKind::of(&path).filter(|_| frames <= MOST_FRAMES) else {
+                let Some(kind) = FilmKind::from_path(&path).filter(|_| frames <= MOST_FRAMES) else {
                     let text = format!(
                         "A film has {MOST_FRAMES} frames at most, and this would have {frames}: play it faster, or shorten the range of T."
                     );
@@ -107,7 +107,7 @@ impl App {
                 self.write_text(ui.ctx(), &path, &text);
             }
             Product::State => {
-                let told = self.state.shown().as_told_in(&path);
+                let told = self.state.shown().relative_to(&path);
                 self.write_text(ui.ctx(), &path, &told.to_toml());
             }
         }
@@ -123,9 +123,9 @@ impl App {
     }
 
     /// Returns the scene of the views, to be drawn with pictures of this `size` for each eye.
-    fn drawn(&self, ui: &Ui, size: [u32; 2]) -> Drawn {
+    fn drawn(&self, ui: &Ui, size: [u32; 2]) -> SceneSnapshot {
         let document = &self.state.document;
-        Drawn {
+        SceneSnapshot {
             settings: self.settings_of_picture(ui, size),
             scene: document.scene.clone(),
             tracked: document.points.selected().track,

@@ -21,7 +21,7 @@ use crate::studio::film::{FRAMES_PER_SECOND, FilmKind, Stopped, Written};
 
 /// A scene as it is to be drawn.
 #[derive(Debug, Clone)]
-pub struct Drawn {
+pub struct SceneSnapshot {
     /// Settings of the picture.
     pub settings: Settings,
     /// Scene in the picture.
@@ -33,11 +33,11 @@ pub struct Drawn {
 /// A job of the thread that saves.
 pub enum Job {
     /// A picture, as a file.
-    Picture(Drawn, PathBuf),
+    Picture(SceneSnapshot, PathBuf),
     /// A picture, to be copied.
-    Clipboard(Drawn),
+    Clipboard(SceneSnapshot),
     /// A film of the frames at these T.
-    Film(Drawn, Vec<f64>, FilmKind, PathBuf),
+    Film(SceneSnapshot, Vec<f64>, FilmKind, PathBuf),
     /// The numbers of a fit, as JSON.
     Fit(Box<FitKey>, PathBuf),
     /// Report of a lesson, whose states build on these settings; with a fit.
@@ -63,7 +63,7 @@ pub fn name_of(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-impl Drawn {
+impl SceneSnapshot {
     fn studio(self) -> anyhow::Result<Studio> {
         Studio::of_scene(self.settings, self.scene, self.tracked)
     }

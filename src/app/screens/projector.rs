@@ -83,8 +83,8 @@ impl App {
 
     /// Has the keys work in a window of its own, too.
     fn read_projector_keys(&mut self, ctx: &Context) {
-        let asks = actions::asked(ctx, &self.state).into_iter().filter(|command| !takes(ctx, command));
-        self.apply(ctx, asks.collect());
+        let commands = actions::asked(ctx, &self.state).into_iter().filter(|command| !takes(ctx, command));
+        self.apply(ctx, commands.collect());
     }
 
     /// Shows the views, and a lesson's words with the panel beside them, in the window of this `ui`.
@@ -100,7 +100,7 @@ impl App {
         let what = self.words();
         let lesson = beside.map(|beside| {
             let words = Words { what: &what, area, beside };
-            (words, Presentation::of(area, &arranged, beside, words.needed(ui.ctx())))
+            (words, Presentation::new(area, &arranged, beside, words.needed(ui.ctx())))
         });
         let panes = match &lesson {
             Some((_, lesson)) => lesson.panes.clone(),

@@ -46,7 +46,7 @@ impl Document {
     pub(in crate::app) fn new(mut settings: Settings, scene: ReadyScene) -> (Self, Option<Notice>) {
         let ReadyScene { scene, prepared } = scene;
         let notice = without_headset(&mut settings.look);
-        let preset = Preset::of(&settings);
+        let preset = Preset::matching(&settings);
         let tracked = settings.track(&scene);
         let points = Points::tracked(scene.track(None));
         let points = points.with_followed(&scene, settings.points.take()).with_selected(tracked);

@@ -15,7 +15,7 @@ const MAX_STEPS: usize = 200;
 
 /// A kept state: the user's settings at one time.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Kept {
+pub struct UndoStep {
     /// Settings at that time.
     pub settings: Shared<Settings>,
     /// Followed points at that time.
@@ -28,7 +28,7 @@ pub struct Kept {
     pub time: Option<f64>,
 }
 
-impl Kept {
+impl UndoStep {
     /// Whether the user set nothing in between.
     #[must_use]
     pub fn is_as(&self, other: &Self) -> bool {
@@ -52,8 +52,8 @@ pub enum Run {
 /// The steps that were made, and those that were undone.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct History {
-    past: Vec<Kept>,
-    future: Vec<Kept>,
+    past: Vec<UndoStep>,
+    future: Vec<UndoStep>,
     /// Run that the last step belongs to.
     run: Option<Run>,
     /// Whether the last command was a pick that made a step.
@@ -105,7 +105,7 @@ impl History {
     }
 
     /// Notes that something was done in this `run`, a pick or not, before which all was as `kept`, and is now as `now`.
-    pub fn note(&mut self, run: Option<Run>, is_pick: bool, kept: Kept, now: &Kept) {
+    pub fn note(&mut self, run: Option<Run>, is_pick: bool, kept: UndoStep, now: &UndoStep) {
         let goes_on = run.is_some() && run == self.run;
         self.run = run;
         self.was_pick = is_pick && !kept.is_as(now);
@@ -128,12 +128,12 @@ impl History {
     }
 
     /// Takes back the step of the last command, if that was a pick.
-    pub fn taken_pick(&mut self) -> Option<Kept> {
+    pub fn taken_pick(&mut self) -> Option<UndoStep> {
         if std::mem::take(&mut self.was_pick) { self.past.pop() } else { None }
     }
 
     /// Returns the state before the last step, or after the one that was undone last.
-    pub fn next(&mut self, direction: Direction) -> Option<Kept> {
+    pub fn next(&mut self, direction: Direction) -> Option<UndoStep> {
         (self.run, self.was_pick) = (None, false);
         match direction {
             Direction::Back => self.past.pop(),
@@ -142,7 +142,7 @@ impl History {
     }
 
     /// Keeps what was `left` by a step in this `direction`.
-    pub fn leave(&mut self, direction: Direction, left: Kept) {
+    pub fn leave(&mut self, direction: Direction, left: UndoStep) {
         match direction {
             Direction::Back => self.future.push(left),
             Direction::Forwards => self.past.push(left),

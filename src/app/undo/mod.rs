@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use crate::app::command::Command;
 use crate::app::notice::Notice;
 use crate::app::state::State;
-use crate::app::undo::history::{Direction, Kept, Run};
+use crate::app::undo::history::{Direction, Run, UndoStep};
 use crate::lesson::Course;
 
 impl State {
@@ -36,21 +36,21 @@ impl State {
         let (kept, is_pick, time) = (self.kept(), matches!(command, Command::Pick(_)), self.document.time);
         let run = self.session.history.run(nudge(&command));
         self.perform(command);
-        let kept = Kept { time: Some(time).filter(|time| *time != self.document.time), ..kept };
+        let kept = UndoStep { time: Some(time).filter(|time| *time != self.document.time), ..kept };
         let now = self.kept();
         self.session.history.note(run, is_pick, kept, &now);
     }
 
-    fn kept(&self) -> Kept {
+    fn kept(&self) -> UndoStep {
         let preset = self.document.preset;
         let (settings, points) = (self.document.settings.clone(), self.document.points.clone());
-        Kept { settings, points, preset, place: self.course().map(Course::place), time: None }
+        UndoStep { settings, points, preset, place: self.course().map(Course::place), time: None }
     }
 
     fn travel(&mut self, direction: Direction) {
         let Some(kept) = self.session.history.next(direction) else { return };
         let scene = PathBuf::from(&kept.settings.scene);
-        let left = Kept { time: kept.time.map(|_| self.document.time), ..self.kept() };
+        let left = UndoStep { time: kept.time.map(|_| self.document.time), ..self.kept() };
         if let Err(error) = self.set(kept.settings) {
             self.scratch.notice = Some(Notice::error(error).about(&scene));
             return;

@@ -125,7 +125,7 @@ impl State {
 
 /// The place and colour of a dial beside a marker.
 #[derive(Debug, Clone, Copy)]
-pub struct Drawn {
+pub struct DialPlacement {
     /// Position of the marker beside the dial.
     pub marker: Pos2,
     /// The view that contains the dial.
@@ -135,7 +135,7 @@ pub struct Drawn {
 }
 
 /// Draws `dial`, with its `name` for assistive technology and its `tip` for hovering.
-pub fn show(ui: &Ui, dial: Dial, drawn: Drawn, name: &str, tip: String) {
+pub fn show(ui: &Ui, dial: Dial, drawn: DialPlacement, name: &str, tip: String) {
     let (centre, radius) = face(drawn.marker, drawn.view);
     let outwards = (centre - drawn.marker).normalized();
     let [near, far] = [drawn.marker + 7.0 * outwards, centre - radius * outwards];

@@ -287,12 +287,12 @@ fn examined(
     };
     let maps = views.iter().zip(&found).map(map).collect();
     let px_per_radian = views.iter().map(|(_, view)| view.camera.px_per_radian()).fold(0.0, f64::max);
-    Ok(Some((Figures::of(&found, px_per_radian), maps)))
+    Ok(Some((Figures::from_errors(&found, px_per_radian), maps)))
 }
 
 impl Figures {
     /// Returns the figures for the errors found in the eyes' views, in which a radian is this many pixels.
-    fn of(found: &[ExpectedError], px_per_radian: f64) -> Self {
+    fn from_errors(found: &[ExpectedError], px_per_radian: f64) -> Self {
         let worse = |spread: fn(&ExpectedError) -> Option<Spread>| {
             found.iter().filter_map(spread).reduce(Spread::worse)
         };
@@ -306,9 +306,9 @@ impl Figures {
         let line_of_sight_arcseconds = worse(|error| error.difference.figures.line_of_sight_arcseconds);
         let outlines = outlines_px.map_or(0.0, |spread| spread.p99);
         let directions = line_of_sight_arcseconds.map_or(0.0, |spread| spread.p99);
-        let told_apart = if outlines > RESOLUTION_PX { outlines } else { 0.0 };
+        let distinct_texts = if outlines > RESOLUTION_PX { outlines } else { 0.0 };
         Self {
-            error_px: told_apart.max((directions / 3600.0).to_radians() * px_per_radian),
+            error_px: distinct_texts.max((directions / 3600.0).to_radians() * px_per_radian),
             frame_ms: found.iter().map(|error| error.frame_ms).sum(),
             outlines_px,
             line_of_sight_arcseconds,

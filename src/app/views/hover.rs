@@ -9,7 +9,7 @@ use relativity_render::Geometry;
 use crate::app::state::State;
 use crate::app::views::eye::Eye;
 use crate::app::{awake, clock, theme};
-use crate::caption::times::told;
+use crate::caption::times;
 use crate::flags::choices::ProjectionChoice;
 use crate::number_text;
 
@@ -67,7 +67,7 @@ impl State {
                 (Some(seen.doppler_factor), self.received(&seen))
             }
         };
-        lines.extend(self.told_on_wheel(&track, &view));
+        lines.extend(self.wheel_texts(&track, &view));
         Some(Hovered { body, pixel, name, doppler_factor, lines })
     }
 
@@ -75,7 +75,10 @@ impl State {
     fn received(&self, seen: &Sighting) -> Vec<String> {
         let at = format!("seen at {}", self.place(seen.position));
         let times = [self.document.time, seen.retarded_time, seen.own_time];
-        [at].into_iter().chain(self.conformal(seen)).chain(told(times, self.measures().time, 2)).collect()
+        [at].into_iter()
+            .chain(self.conformal(seen))
+            .chain(times::texts(times, self.measures().time, 2))
+            .collect()
     }
 
     /// The coordinates in a conformal picture of what is seen; none in another picture, and along the line between the eyes.

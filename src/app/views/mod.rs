@@ -69,8 +69,8 @@ impl App {
     pub(in crate::app) fn interact(&mut self, ui: &mut Ui, pane: Pane) {
         for pane in self.eye_panes(ui, &pane).into_iter().filter(EyePane::takes_the_mouse) {
             let name = self.state.name_of_view(pane);
-            self.panel(ui, pane_id(pane), pane.rect, |ui, state, asks| {
-                panels::views::interact(ui, state, pane, &name, asks);
+            self.panel(ui, pane_id(pane), pane.rect, |ui, state, commands| {
+                panels::views::interact(ui, state, pane, &name, commands);
             });
         }
     }
@@ -84,8 +84,8 @@ impl App {
             .first()
             .and_then(|pane| self.eye_panes(ui, pane).into_iter().find(EyePane::takes_the_mouse));
         if let Some(pane) = first.filter(|_| self.state.scratch.stopwatch != Stopwatch::Hidden) {
-            self.panel(ui, "stopwatch", pane.rect, |ui, state, asks| {
-                panels::stopwatch::show(ui, state, pane, asks);
+            self.panel(ui, "stopwatch", pane.rect, |ui, state, commands| {
+                panels::stopwatch::show(ui, state, pane, commands);
             });
         }
         if self.state.document.settings.is_panorama() && !self.state.document.settings.is_comparing() {
@@ -98,9 +98,13 @@ impl App {
         let height = theme::text_scale(ui.style()) * theme::TITLE_HEIGHT;
         let strip = Rect::from_min_max(area.min - vec2(0.0, height), area.right_top());
         if panorama::is_offered(&self.state, area) {
-            self.panel(ui, "panorama", strip, |ui, state, asks| panorama::offer(ui, state, strip, asks));
+            self.panel(ui, "panorama", strip, |ui, state, commands| {
+                panorama::offer(ui, state, strip, commands);
+            });
         }
-        self.panel(ui, "fusing", strip, |ui, state, asks| panels::fusing::offer(ui, state, strip, asks));
+        self.panel(ui, "fusing", strip, |ui, state, commands| {
+            panels::fusing::offer(ui, state, strip, commands);
+        });
     }
 
     /// Draws the contents of `pane`.

@@ -93,7 +93,7 @@ impl State {
             self.emission(point),
             self.document.time,
         );
-        moment.told_in(self.measures())
+        moment.with_measures(self.measures())
     }
 
     /// The disparity of `point` now, in the binocular model of what the views show.
@@ -193,7 +193,7 @@ impl State {
         let setup = self.document.settings.fit;
         let samples = match &self.session.data {
             Some(file) => Samples::Measured(file.clone(), self.document.settings.baseline()),
-            None => Samples::Simulated(Simulated::of(
+            None => Samples::Simulated(Simulated::new(
                 &self.document.settings,
                 &self.document.points.selected().track,
             )),
@@ -240,7 +240,7 @@ impl State {
             settings.motion.d = separation;
             self.views_of(&settings, *picture_size)
         };
-        Comfort::of(scene, &views, settings.screen.viewing_distance / cm_per_pixel)
+        Comfort::new(scene, &views, settings.screen.viewing_distance / cm_per_pixel)
     }
 
     /// The views that other `settings` would show now.

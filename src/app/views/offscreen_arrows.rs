@@ -56,13 +56,14 @@ impl State {
         let camera = self.view(eye, size).camera;
         let scene = self.subject_arrow(&camera);
         let point = self.document.points.selected();
-        let is_told = scene.is_some() && point.track.motion == Motion::Scene;
-        let point = self.direction(point, eye).filter(|&direction| !is_told && !camera.shows(direction)).map(
-            |direction| {
+        let has_arrow = scene.is_some() && point.track.motion == Motion::Scene;
+        let point = self
+            .direction(point, eye)
+            .filter(|&direction| !has_arrow && !camera.shows(direction))
+            .map(|direction| {
                 let name = self.name_of(point);
                 OffscreenArrow::new(name, &camera, direction, Some(point.number))
-            },
-        );
+            });
         scene.into_iter().chain(point).collect()
     }
 

@@ -26,14 +26,14 @@ pub struct OnWheel {
 impl OnWheel {
     /// The share in words.
     #[must_use]
-    pub fn told_share(&self) -> String {
+    pub fn share_text(&self) -> String {
         format!("{} of its radius from the axle", number_text::fixed(self.share, 2))
     }
 }
 
 /// The angle of a point of a wheel, in words.
 #[must_use]
-pub fn told_angle(angle: f64) -> String {
+pub fn angle_text(angle: f64) -> String {
     number_text::fixed(angle.to_degrees(), 1) + "°"
 }
 
@@ -65,10 +65,10 @@ impl State {
 
     /// Describes the point at `track` where `view` shows it, if it turns: a line for each remark.
     #[must_use]
-    pub fn told_on_wheel(&self, track: &Track, view: &View) -> Vec<String> {
+    pub fn wheel_texts(&self, track: &Track, view: &View) -> Vec<String> {
         let Some(wheel) = self.on_wheel_in(track, view) else { return Vec::new() };
         let speed = |speed| number_text::fixed(speed, 2);
-        let at = format!("on the wheel {}, at {}", wheel.told_share(), told_angle(wheel.angle));
+        let at = format!("on the wheel {}, at {}", wheel.share_text(), angle_text(wheel.angle));
         let turning = format!("turning at {} c", speed(wheel.turning));
         if view.geometry == Geometry::Rest {
             return vec![at, turning];

@@ -50,7 +50,7 @@ impl Arrangement {
     /// Returns the arrangement of `settings`, where a point of the window has this size on the screen (above 0), with titles magnified
     /// by `scale`.
     #[must_use]
-    pub fn of(settings: &Settings, cm_per_point: f64, scale: f32) -> Self {
+    pub fn new(settings: &Settings, cm_per_point: f64, scale: f32) -> Self {
         let Settings { picture, window, screen, .. } = settings;
         let apart = (0.1 * screen.picture_distance / cm_per_point) as f32;
         let (is_comparing, title) = (settings.is_comparing(), scale * TITLE_HEIGHT);

@@ -42,20 +42,20 @@ struct Key {
 }
 
 impl Key {
-    fn of(lesson: &Lesson, Look { size, eye, .. }: Look) -> Self {
+    fn new(lesson: &Lesson, Look { size, eye, .. }: Look) -> Self {
         Self { name: lesson.name.clone(), is_of_a_preset: lesson.is_a_preset(), eye, size }
     }
 }
 
 /// A drawn thumbnail; empty where there is nothing to draw.
-struct Drawn {
+struct DrawnThumbnail {
     key: Key,
     in_light_window: bool,
     image: Option<ColorImage>,
 }
 
 /// A kept thumbnail. In a window that has since changed its theme, it stays until the other is drawn.
-struct Kept {
+struct KeptThumbnail {
     in_light_window: bool,
     texture: Option<TextureHandle>,
 }
@@ -63,8 +63,8 @@ struct Kept {
 /// The thumbnails that were drawn, the one that is drawn now, and the one that comes next.
 #[derive(Default)]
 pub struct Thumbnails {
-    worker: Option<Worker<Job, Drawn>>,
-    kept: HashMap<Key, Kept>,
+    worker: Option<Worker<Job, DrawnThumbnail>>,
+    kept: HashMap<Key, KeptThumbnail>,
     /// The first that is missing, and whether it is in view.
     missing: Option<(Job, bool)>,
     /// Number of thumbnails drawn.
@@ -87,15 +87,15 @@ impl Thumbnails {
     /// Takes in what was drawn.
     pub fn receive(&mut self, ctx: &Context) {
         let Some(drawn) = self.worker.as_ref().and_then(Worker::result) else { return };
-        let Drawn { key, in_light_window, image } = drawn;
+        let DrawnThumbnail { key, in_light_window, image } = drawn;
         let texture = image.map(|image| ctx.load_texture(&key.name, image, TextureOptions::LINEAR));
-        self.kept.insert(key, Kept { in_light_window, texture });
+        self.kept.insert(key, KeptThumbnail { in_light_window, texture });
         self.count += 1;
     }
 
     /// Returns the thumbnail of `lesson`, once there is one; until it has this `look` it is noted as missing. Those in view come first.
     pub fn of(&mut self, lesson: &Arc<Lesson>, look: Look, is_in_view: bool) -> Option<&TextureHandle> {
-        let kept = self.kept.get(&Key::of(lesson, look));
+        let kept = self.kept.get(&Key::new(lesson, look));
         let is_missing = kept.is_none_or(|kept| kept.in_light_window != look.in_light_window);
         if is_missing && self.missing.as_ref().is_none_or(|(_, other)| is_in_view && !other) {
             self.missing = Some((Job { lesson: Arc::clone(lesson), look }, is_in_view));
@@ -112,11 +112,11 @@ impl Thumbnails {
 }
 
 #[expect(clippy::unnecessary_wraps, reason = "work that is never given up")]
-fn work(Job { lesson, look }: Job, _: &Wanted) -> Option<Drawn> {
+fn work(Job { lesson, look }: Job, _: &Wanted) -> Option<DrawnThumbnail> {
     let image = picture(&lesson, look).map(|Picture { size, rgba }| {
         ColorImage::from_rgba_unmultiplied(size.map(|side| side as usize), rgba.as_flattened())
     });
-    Some(Drawn { key: Key::of(&lesson, look), in_light_window: look.in_light_window, image })
+    Some(DrawnThumbnail { key: Key::new(&lesson, look), in_light_window: look.in_light_window, image })
 }
 
 /// Draws the first step of `lesson`, after its reveal; `None` where it cannot be shown.

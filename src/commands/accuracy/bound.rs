@@ -33,9 +33,9 @@ fn chosen(scene: &Scene, view: &View, px: f64, favourite: Method) -> Method {
 /// The worst of what is off, pixels.
 fn worst_px(error: &ExpectedError, view: &View) -> f64 {
     let outlines = error.outlines_px.map_or(0.0, |spread| spread.worst);
-    let told_apart = if outlines > RESOLUTION_PX { outlines } else { 0.0 };
+    let distinct_texts = if outlines > RESOLUTION_PX { outlines } else { 0.0 };
     let directions = error.difference.figures.line_of_sight_arcseconds.map_or(0.0, |spread| spread.worst);
-    told_apart.max((directions / 3600.0).to_radians() * view.camera.px_per_radian())
+    distinct_texts.max((directions / 3600.0).to_radians() * view.camera.px_per_radian())
 }
 
 #[test]

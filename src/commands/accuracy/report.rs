@@ -223,5 +223,5 @@ pub struct EffectRow {
 /// The median of some numbers, 0 of none.
 #[must_use]
 pub fn median(numbers: impl Iterator<Item = f64>) -> f64 {
-    Spread::of(numbers.collect()).map_or(0.0, |spread| spread.median)
+    Spread::from_errors(numbers.collect()).map_or(0.0, |spread| spread.median)
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::report::{AccuracyReport, Circumstances, FormulaRow, PictureErrors, PictureRow, RendererReport};
 use crate::accuracy::{RESOLUTION_PX, RoundsError, Spread};
-use crate::platform::tell;
+use crate::platform::messages;
 
 impl fmt::Display for AccuracyReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -27,7 +27,7 @@ impl AccuracyReport {
             f,
             "{}: {}, {} bodies, {width}x{height} per eye, {} degrees wide",
             setting.program,
-            tell::shown(&setting.scene),
+            messages::shown(&setting.scene),
             setting.bodies,
             setting.fov_degrees
         )?;

@@ -4,7 +4,7 @@ use csv::ByteRecord;
 use relativity_core::{Baseline, SourcePoint, StereoError};
 use thiserror::Error;
 
-use crate::columns::{Given, Observation, ObservationError, ROLL, TURN, WHEEL};
+use crate::columns::{GivenInputs, Observation, ObservationError, ROLL, TURN, WHEEL};
 use crate::files::csv_in::{self, Names};
 use crate::flags::{SpeedParameter, rolling};
 
@@ -65,7 +65,7 @@ impl Header {
     /// Finds the inputs by the names in the first row, to which the columns in `appended` will be added.
     pub fn new(
         row: ByteRecord,
-        appended: impl Fn(Given) -> Result<Vec<&'static str>, StereoError>,
+        appended: impl Fn(GivenInputs) -> Result<Vec<&'static str>, StereoError>,
     ) -> Result<Self, InputError> {
         let names = Names::new(row)?;
         let head = head_places(&names)?;
@@ -107,7 +107,7 @@ impl Header {
     }
 
     /// Returns what the columns determine.
-    pub fn given(&self) -> Given {
+    pub fn given(&self) -> GivenInputs {
         given(self.head, self.wheel)
     }
 }
@@ -133,8 +133,8 @@ fn wheel_places(names: &Names) -> Result<Option<[usize; 3]>, InputError> {
     }
 }
 
-fn given(head: [Option<usize>; 2], wheel: Option<[usize; 3]>) -> Given {
-    Given { is_turned: head.iter().any(Option::is_some), on_wheel: wheel.is_some() }
+fn given(head: [Option<usize>; 2], wheel: Option<[usize; 3]>) -> GivenInputs {
+    GivenInputs { is_turned: head.iter().any(Option::is_some), on_wheel: wheel.is_some() }
 }
 
 fn speed_place(names: &Names) -> Result<(SpeedParameter, usize), InputError> {

@@ -10,7 +10,7 @@ use clap::Args;
 use csv::ByteRecord;
 
 use self::header::{Header, InputError};
-use crate::columns::{Given, ModelArgs, help_with};
+use crate::columns::{GivenInputs, ModelArgs, help_with};
 use crate::files::whole::OutArgs;
 use crate::files::{csv_in, csv_out};
 
@@ -50,7 +50,7 @@ pub fn run(args: &EvalArgs) -> anyhow::Result<()> {
 
 /// Reads rows of `input`, called `name` in errors, and writes each with the columns appended.
 fn evaluate(name: &str, input: impl Read, model: ModelArgs, out: &mut dyn Write) -> anyhow::Result<()> {
-    let plain = Given { is_turned: false, on_wheel: false };
+    let plain = GivenInputs { is_turned: false, on_wheel: false };
     model.columns(plain)?; // what has no such columns is no matter of a row
     let mut input = csv_in::Rows::new(input).with_context(|| name.to_owned())?;
     let mut output = csv_out::Rows::new(out);

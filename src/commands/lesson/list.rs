@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::files::whole::write_out;
 use crate::lesson::{Lesson, Library, Refused};
-use crate::platform::tell;
+use crate::platform::messages;
 use crate::scene::Scene;
 
 /// Writes all of `library`, a line each: its name, how long it takes, the concept that it serves, its title; and for each
@@ -24,7 +24,7 @@ pub fn list(library: &Library) -> anyhow::Result<()> {
 /// Those of standard output.
 pub fn list_bodies(scene: &Scene) -> anyhow::Result<()> {
     let names = scene.body_names();
-    write_out(|out| Ok(names.iter().try_for_each(|name| writeln!(out, "{}", tell::shown(name)))?))
+    write_out(|out| Ok(names.iter().try_for_each(|name| writeln!(out, "{}", messages::shown(name)))?))
 }
 
 /// Lessons in rows, in columns as wide as they need.
@@ -46,10 +46,10 @@ impl fmt::Display for Table<'_> {
 /// The row of a lesson that cannot be read, with the reason in place of a title.
 fn refused_row(Refused { name, error }: &Refused) -> [String; 4] {
     [
-        tell::shown(name),
+        messages::shown(name),
         String::new(),
         "(refused)".to_owned(),
-        tell::in_short(&tell::shown(&error.to_string())),
+        messages::in_short(&messages::shown(&error.to_string())),
     ]
 }
 
@@ -60,5 +60,5 @@ fn row(lesson: &Lesson) -> [String; 4] {
         (format!("{} min", lesson.minutes), lesson.concept.clone())
     };
     // They may be those of a file of one's own.
-    [&lesson.name, &time, &concept, &lesson.title].map(|text| tell::shown(text))
+    [&lesson.name, &time, &concept, &lesson.title].map(|text| messages::shown(text))
 }

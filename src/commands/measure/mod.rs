@@ -24,7 +24,7 @@ use crate::files::png::PngFile;
 use crate::files::whole::OutArgs;
 use crate::flags::choices::{FileKind, Layout};
 use crate::flags::{COORDINATES, coordinates, within};
-use crate::platform::{self, files, tell};
+use crate::platform::{self, files, messages};
 use crate::settings::{CameraArgs, MAX_LENGTH, NO_PAIR, Picture, Settings};
 use crate::studio::Sheet;
 use crate::time_range::time_within;
@@ -120,9 +120,13 @@ pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
     anyhow::ensure!(!rows.is_empty(), "none of {} files shows the target to both eyes", files.len());
     rows.sort_by(|a, b| a[0].total_cmp(&b[0]));
     if rows.len() < files.len() {
-        tell::remark(format_args!("{} of {} files show the target to both eyes", rows.len(), files.len()));
+        messages::remark(format_args!(
+            "{} of {} files show the target to both eyes",
+            rows.len(),
+            files.len()
+        ));
     }
-    remarks.lines(files.len()).for_each(tell::remark);
+    remarks.lines(files.len()).for_each(messages::remark);
     args.out.write(|out| {
         let mut csv = csv_out::Rows::new(out);
         let names = [&["T", "d", ROLL, TURN], ANGLES, &["sigma_dphi", "sigma_dtheta"]].concat();
@@ -155,10 +159,10 @@ fn files(inputs: &[PathBuf], target: Target<'_>) -> anyhow::Result<Vec<PathBuf>>
         let name = || files::shown(input);
         if platform::files::is_folder(input) {
             let inside = platform::files::list_folder(input).with_context(name)?;
-            files.extend(inside.into_iter().filter(|path| FileKind::of(path) == Some(kind)));
+            files.extend(inside.into_iter().filter(|path| FileKind::from_path(path) == Some(kind)));
         } else {
             anyhow::ensure!(
-                FileKind::of(input) == Some(kind),
+                FileKind::from_path(input) == Some(kind),
                 "{}: it should end in .{}",
                 name(),
                 kind.extension()

@@ -10,7 +10,7 @@ use clap::{Arg, Args};
 use self::sequence::TimeArgs;
 use crate::files::whole::say;
 use crate::flags::choices::FileKind;
-use crate::platform::{files, tell};
+use crate::platform::{files, messages};
 use crate::settings::{Settings, StartArgs};
 use crate::studio::Studio;
 use crate::studio::film::FilmKind;
@@ -78,7 +78,10 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
         studio.make_file(&frame, kind, &out)?;
     }
     if out != args.out {
-        tell::remark(format_args!("gamow: the picture is {}, a name that headsets know", files::shown(&out)));
+        messages::remark(format_args!(
+            "gamow: the picture is {}, a name that headsets know",
+            files::shown(&out)
+        ));
     }
     if args.timings {
         say(|out| Ok(writeln!(out, "{}", studio.report())?))?;
@@ -96,7 +99,7 @@ enum Output {
 impl RenderArgs {
     fn output(&self) -> anyhow::Result<Output> {
         let out = files::shown(&self.out);
-        match (FileKind::of(&self.out), FilmKind::of(&self.out), self.times.frames) {
+        match (FileKind::from_path(&self.out), FilmKind::from_path(&self.out), self.times.frames) {
             (Some(FileKind::Exr), _, Some(_)) => {
                 anyhow::bail!("--out {out}: a sequence of measurements needs a folder, not a file")
             }

@@ -9,7 +9,7 @@ use super::vr180;
 use crate::flags::choices::FileKind;
 use crate::flags::finite_number;
 use crate::number_text;
-use crate::platform::{files, progress, tell};
+use crate::platform::{files, messages, progress};
 use crate::studio::Studio;
 use crate::studio::film::{FilmKind, frame_path};
 use crate::time_range::{passage_times, time_within};
@@ -64,7 +64,11 @@ pub fn run_film(studio: &mut Studio, times: &TimeArgs, kind: FilmKind, path: &Pa
         true
     })?;
     progress.finish_and_clear();
-    tell::remark(format_args!("{frames} frames in {}: {}", files::shown(path), number_text::bytes(bytes, 3)));
+    messages::remark(format_args!(
+        "{frames} frames in {}: {}",
+        files::shown(path),
+        number_text::bytes(bytes, 3)
+    ));
     Ok(())
 }
 
@@ -101,7 +105,7 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
             let estimate = number_text::bytes(bytes * u64::from(frames) / made as u64, 2);
             let size = studio.settings().picture.size;
             progress.suspend(|| {
-                tell::remark(format_args!(
+                messages::remark(format_args!(
                     "{frames} frames, {size} per eye: about {estimate}, estimated from {made} of them"
                 ));
             });
@@ -109,7 +113,10 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
     }
     progress.finish_and_clear();
     let (drawn, total) = (frames - kept, number_text::bytes(bytes, 3));
-    tell::remark(format_args!("{drawn} frames drawn and {kept} kept in {}: {total}", files::shown(folder)));
+    messages::remark(format_args!(
+        "{drawn} frames drawn and {kept} kept in {}: {total}",
+        files::shown(folder)
+    ));
     Ok(())
 }
 

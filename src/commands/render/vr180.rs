@@ -43,7 +43,7 @@ pub fn fitted(mut settings: Settings) -> anyhow::Result<Settings> {
 #[must_use]
 pub fn named(settings: &Settings, path: &Path) -> PathBuf {
     let stem = path.file_stem().unwrap_or_default();
-    let is_picture = FileKind::of(path) == Some(FileKind::Png);
+    let is_picture = FileKind::from_path(path) == Some(FileKind::Png);
     if !is_asked_for(settings) || !is_picture || stem.to_string_lossy().ends_with(MARK) {
         return path.to_owned();
     }

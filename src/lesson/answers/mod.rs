@@ -2,7 +2,7 @@
 //! without losing any: merging is commutative, associative and idempotent.
 
 mod dated;
-mod way;
+mod progress;
 
 use std::collections::BTreeMap;
 
@@ -12,10 +12,10 @@ use super::course::Course;
 use super::plan::Lesson;
 use crate::platform::sizes::TEXT_BYTES;
 use dated::{Dated, LAST};
-use way::{Draft, named};
+use progress::{Draft, named};
 
 pub use dated::Moment;
-pub use way::Way;
+pub use progress::LessonProgress;
 
 /// At most this many ways through lessons are stored, the latest ones.
 const MOST_WAYS: usize = 64;
@@ -23,12 +23,12 @@ const MOST_WAYS: usize = 64;
 /// The ways through all lessons, by the lesson's name, or by its file if it was read from one.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
-pub struct Answers(BTreeMap<String, Way>);
+pub struct Answers(BTreeMap<String, LessonProgress>);
 
 impl Answers {
     /// Returns the way through `lesson`, if anything was done in it.
     #[must_use]
-    pub fn of(&self, lesson: &Lesson) -> Option<&Way> {
+    pub fn of(&self, lesson: &Lesson) -> Option<&LessonProgress> {
         self.0.get(&named(lesson)).filter(|way| way.is_begun())
     }
 
@@ -96,13 +96,13 @@ impl Answers {
     /// Returns the date of the latest change; without drafts, which change with every stroke of a key.
     #[must_use]
     pub fn latest_answer(&self) -> Moment {
-        self.0.values().map(Way::latest_answer).max().unwrap_or(0)
+        self.0.values().map(LessonProgress::latest_answer).max().unwrap_or(0)
     }
 
     /// Returns the date of the latest change, drafts included.
     #[must_use]
     pub fn latest(&self) -> Moment {
-        self.0.values().map(Way::latest).max().unwrap_or(0)
+        self.0.values().map(LessonProgress::latest).max().unwrap_or(0)
     }
 
     /// Returns the date of what is entered `now`: later than everything that is known.

@@ -2,7 +2,7 @@
 
 use super::limits::check_name;
 use super::wrong::Wrong;
-use crate::platform::tell;
+use crate::platform::messages;
 
 /// The front matter of a lesson.
 pub struct Front {
@@ -20,7 +20,7 @@ const LAST: u32 = 1000;
 
 impl Front {
     /// Parses the front matter of a lesson's `text`, and returns the number of its lines, too.
-    pub fn of(text: &str) -> Result<(Self, usize), Wrong> {
+    pub fn parse(text: &str) -> Result<(Self, usize), Wrong> {
         let begin = format!("a lesson begins with a line `{FENCE}`, then `title: …`, and again `{FENCE}`");
         let mut lines = text.lines().enumerate();
         if lines.next().is_none_or(|(_, line)| line.trim_end() != FENCE) {
@@ -44,7 +44,7 @@ impl Front {
                     number,
                     format!(
                         "`{}`: must be `key: value`, with one of {}",
-                        tell::excerpt(line),
+                        messages::excerpt(line),
                         KEYS.join(", ")
                     ),
                 ));
@@ -58,7 +58,7 @@ impl Front {
         let whole = |value: &str| {
             let number = value.parse::<u32>().ok().filter(|number| *number < LAST);
             number.ok_or_else(|| {
-                format!("{key} = {}: must be a whole number below {LAST}", tell::excerpt(value))
+                format!("{key} = {}: must be a whole number below {LAST}", messages::excerpt(value))
             })
         };
         check_name(key, value)?;
@@ -67,7 +67,13 @@ impl Front {
             "concept" => value.clone_into(&mut self.concept),
             "order" => self.order = whole(value)?,
             "minutes" => self.minutes = whole(value)?,
-            _ => return Err(format!("unknown key `{}`: there are {}", tell::excerpt(key), KEYS.join(", "))),
+            _ => {
+                return Err(format!(
+                    "unknown key `{}`: there are {}",
+                    messages::excerpt(key),
+                    KEYS.join(", ")
+                ));
+            }
         }
         Ok(())
     }

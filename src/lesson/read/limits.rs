@@ -2,7 +2,7 @@
 
 use super::wrong::Wrong;
 use crate::lesson::plan::{Choices, Kind, Lesson, Options, Prediction, Step, Text};
-use crate::platform::{sizes, tell};
+use crate::platform::{messages, sizes};
 
 /// Whether a lesson's `text` is short enough to be read.
 ///
@@ -21,7 +21,7 @@ pub fn check_length(text: &str) -> Result<(), Wrong> {
 /// What is wrong with it.
 pub fn check_name(key: &str, name: &str) -> Result<(), String> {
     if sizes::is_too_long_for_a_name(name) {
-        let (name, most) = (tell::excerpt(name), sizes::NAME_LETTERS);
+        let (name, most) = (messages::excerpt(name), sizes::NAME_LETTERS);
         return Err(format!("{key} = {name}: must have at most {most} letters"));
     }
     Ok(())

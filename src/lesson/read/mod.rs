@@ -14,12 +14,12 @@ use self::wrong::Wrong;
 use super::error::LessonError;
 use super::plan::{
     Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, PointAt, Prediction, Quantity, Reveal,
-    Step, Text, Told, line_giving,
+    StateBlock, Step, Text, line_giving,
 };
 use super::values;
 use crate::files::syntax;
 use crate::flags::{SpeedParameter, SpeedSetting};
-use crate::platform::{files, sizes, tell};
+use crate::platform::{files, messages, sizes};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
@@ -85,7 +85,7 @@ impl Lesson {
 
 fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
     limits::check_length(text)?;
-    let (front, first) = Front::of(text)?;
+    let (front, first) = Front::parse(text)?;
     check_blocks(text, first)?;
     check_slips(text, first, &[SENTENCE, LAB], &BLOCKS)?;
     let mut sections = parts(text, first, "## ");
@@ -98,7 +98,7 @@ fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
             SENTENCE => sentence = section.only_text(&BLOCKS, "in the sentence to take away")?,
             LAB => {
                 let (mut blocks, text) = section.blocks(&["state"], &BLOCKS)?;
-                lab = Some(Lab { text, state: told(&mut blocks) });
+                lab = Some(Lab { text, state: state_block(&mut blocks) });
             }
             title if sizes::is_too_long_for_a_name(title) => {
                 let most = sizes::NAME_LETTERS;
@@ -138,7 +138,7 @@ fn step(section: &Part) -> Result<Step, Wrong> {
     let (mut blocks, text) = said.blocks(&["state"], &BLOCKS)?;
     let mut step = Step {
         title: section.title.clone(),
-        state: told(&mut blocks),
+        state: state_block(&mut blocks),
         text,
         prediction: None,
         reveal: None,
@@ -162,7 +162,7 @@ fn step(section: &Part) -> Result<Step, Wrong> {
                 let known = PARTS.join(", ");
                 return Err((
                     part.heading_line(),
-                    format!("unknown part `{}` of a step: there are {known}", tell::excerpt(other)),
+                    format!("unknown part `{}` of a step: there are {known}", messages::excerpt(other)),
                 ));
             }
         }
@@ -176,9 +176,9 @@ fn step(section: &Part) -> Result<Step, Wrong> {
 }
 
 /// The settings that differ, taken out of `blocks`.
-fn told(blocks: &mut Vec<Block>) -> Option<Told> {
+fn state_block(blocks: &mut Vec<Block>) -> Option<StateBlock> {
     let Block { text: toml, line, .. } = take(blocks, "state")?;
-    Some(Told { toml, line })
+    Some(StateBlock { toml, line })
 }
 
 fn take(blocks: &mut Vec<Block>, kind: &str) -> Option<Block> {
@@ -258,7 +258,10 @@ fn curve(block: &Block) -> Result<Curve, Wrong> {
     let CurveTable { of, from, to } = block.table(CURVE)?;
     let Some(quantity) = Quantity::named(&of) else {
         let known = Quantity::ALL.map(Quantity::name).join(", ");
-        return Err((block.line_of("of"), format!("of = {}: must be one of {known}", tell::excerpt(&of))));
+        return Err((
+            block.line_of("of"),
+            format!("of = {}: must be one of {known}", messages::excerpt(&of)),
+        ));
     };
     if !(from.is_finite() && to.is_finite() && from < to) {
         return Err((
@@ -281,7 +284,7 @@ struct PlayTable {
 
 fn reveal(part: &Part) -> Result<Reveal, Wrong> {
     let (mut blocks, text) = part.blocks(&["state", "play"], &BLOCKS)?;
-    let state = told(&mut blocks);
+    let state = state_block(&mut blocks);
     let animation = take(&mut blocks, "play").map(|block| animation(&block)).transpose()?;
     Ok(Reveal { state, animation, text })
 }

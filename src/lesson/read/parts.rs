@@ -2,7 +2,7 @@
 
 use super::wrong::Wrong;
 use crate::lesson::plan::{Options, Text};
-use crate::platform::tell;
+use crate::platform::messages;
 
 /// A part: the text below a heading.
 #[derive(Debug)]
@@ -63,7 +63,7 @@ pub fn check_slips(text: &str, first: usize, titles: &[&str], known: &[&str]) ->
             let kind = kind.trim();
             if is_block && !kind.is_empty() && !known.contains(&kind) {
                 let known = known.join(", ```");
-                let kind = tell::excerpt(kind);
+                let kind = messages::excerpt(kind);
                 return wrong(format!(
                     "unknown block ```{kind}: there are ```{known}, and ``` alone for text"
                 ));
@@ -75,17 +75,17 @@ pub fn check_slips(text: &str, first: usize, titles: &[&str], known: &[&str]) ->
             continue;
         }
         let after = &line.trim_start()[marks..];
-        let right = format!("{} {}", "#".repeat(marks.clamp(2, 3)), tell::excerpt(after));
+        let right = format!("{} {}", "#".repeat(marks.clamp(2, 3)), messages::excerpt(after));
         if !after.is_empty() && !after.starts_with([' ', '\t']) {
             return wrong(format!(
                 "`{}`: a heading has a space behind its marks: `{right}`",
-                tell::excerpt(line)
+                messages::excerpt(line)
             ));
         }
         if line.starts_with([' ', '\t']) || !(2..=3).contains(&marks) {
             return wrong(format!(
                 "`{}`: a heading begins its line, with `## ` for a step or `### ` for a part of it: `{right}`",
-                tell::excerpt(line)
+                messages::excerpt(line)
             ));
         }
         let title = after.trim();
@@ -96,7 +96,7 @@ pub fn check_slips(text: &str, first: usize, titles: &[&str], known: &[&str]) ->
         if let Some(near) = near.filter(|_| marks == 2) {
             return wrong(format!(
                 "a heading `## {}`: it would be a step; write `## {near}`",
-                tell::excerpt(title)
+                messages::excerpt(title)
             ));
         }
     }
@@ -104,7 +104,7 @@ pub fn check_slips(text: &str, first: usize, titles: &[&str], known: &[&str]) ->
 }
 
 fn endless(kind: &str, place: &str) -> String {
-    format!("the block ```{} has no end: a line ```{place}", tell::excerpt(kind))
+    format!("the block ```{} has no end: a line ```{place}", messages::excerpt(kind))
 }
 
 /// Returns the parts of `text` below the headings that begin like `mark`; the first has no heading, and begins after `first` lines.
@@ -211,9 +211,9 @@ fn is_indented(line: &str) -> bool {
 
 /// These lines without those that are empty at both ends.
 fn text(lines: &[(usize, &str)]) -> Text {
-    let is_told = |(_, line): &(usize, &str)| !line.trim().is_empty();
-    let Some(first) = lines.iter().position(is_told) else { return Text::default() };
-    let last = lines.iter().rposition(is_told).unwrap_or(first);
+    let is_written = |(_, line): &(usize, &str)| !line.trim().is_empty();
+    let Some(first) = lines.iter().position(is_written) else { return Text::default() };
+    let last = lines.iter().rposition(is_written).unwrap_or(first);
     let told = &lines[first..=last];
     let markdown = told.iter().map(|(_, line)| *line).collect::<Vec<_>>().join("\n");
     Text { markdown, line: told[0].0 }

@@ -20,9 +20,9 @@ use self::fitted::Fit;
 use self::here::{Here, Value};
 use self::places::{filled, line_of_lone_dollar};
 use super::error::LessonError;
-use super::plan::{Choices, Kind, Lesson, Prediction, Text, Told};
+use super::plan::{Choices, Kind, Lesson, Prediction, StateBlock, Text};
 use crate::formula::markdown::{OPTIONS, first_fault};
-use crate::platform::{sizes, tell};
+use crate::platform::{messages, sizes};
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
@@ -38,19 +38,22 @@ pub fn all() -> impl Iterator<Item = &'static Value> {
 
 /// A value as a text asks for it.
 #[derive(Debug, PartialEq)]
-struct Asked<'a> {
+struct ValueRequest<'a> {
     name: &'a str,
     body: Option<&'a str>,
     time: Option<f64>,
 }
 
-impl<'a> Asked<'a> {
+impl<'a> ValueRequest<'a> {
     /// Parses a request: `NAME`, `NAME of BODY`, `NAME at T`, or both.
-    fn of(text: &'a str) -> Result<Self, String> {
+    fn parse(text: &'a str) -> Result<Self, String> {
         let (rest, time) = match text.rsplit_once(" at ") {
             Some((rest, time)) => {
                 let number = time.trim().parse::<f64>().ok().filter(|time| time.is_finite());
-                (rest, Some(number.ok_or_else(|| format!("at {}: must be a number", tell::excerpt(time)))?))
+                (
+                    rest,
+                    Some(number.ok_or_else(|| format!("at {}: must be a number", messages::excerpt(time)))?),
+                )
             }
             None => (text, None),
         };
@@ -69,7 +72,7 @@ impl<'a> Asked<'a> {
             let (count, nearest) = (known.len(), known[..NEAREST.min(known.len())].join(", "));
             format!(
                 "no value is called `{}`: there are {count}, most like it {nearest}; `assets/lessons/README.md` lists all",
-                tell::excerpt(self.name)
+                messages::excerpt(self.name)
             )
         })
     }
@@ -80,7 +83,7 @@ impl<'a> Asked<'a> {
 /// # Errors
 /// What is wrong, and which there are.
 pub fn check(text: &str) -> Result<(), String> {
-    Asked::of(text)?.value().map(|_| ())
+    ValueRequest::parse(text)?.value().map(|_| ())
 }
 
 /// Returns the value that `text` requests, in `scene` with `settings`.
@@ -93,7 +96,7 @@ pub fn value(text: &str, settings: &Settings, scene: &Scene) -> Result<f64, Stri
 
 /// The same with a `fit` of it, which is made at most once.
 fn value_with(text: &str, settings: &Settings, scene: &Scene, fit: &Fit) -> Result<f64, String> {
-    let asked = Asked::of(text)?;
+    let asked = ValueRequest::parse(text)?;
     let value = asked.value()?;
     let own = || {
         let track = settings.track(scene);
@@ -103,7 +106,7 @@ fn value_with(text: &str, settings: &Settings, scene: &Scene, fit: &Fit) -> Resu
     let time = asked.time.or(settings.time).unwrap_or_else(|| settings.time_of_approach(&track));
     let here = Here { settings, scene, track, body, time, fit };
     let worked_out = (value.work_out)(&here).filter(|value| value.is_finite());
-    worked_out.ok_or_else(|| format!("`{}` does not exist in this state", tell::excerpt(text)))
+    worked_out.ok_or_else(|| format!("`{}` does not exist in this state", messages::excerpt(text)))
 }
 
 /// The point that is followed on the body called `name`, and the number of that.
@@ -154,7 +157,7 @@ impl Lesson {
         lesson.sentence = self.filled(&self.sentence, &last)?;
         if let Some(lab) = &mut lesson.lab {
             let settings = self.lab_settings(&default)?;
-            let last = self.told_until(self.steps.len().saturating_sub(1), true);
+            let last = self.state_blocks_until(self.steps.len().saturating_sub(1), true);
             let scene = self.scene(&settings, lab.state.iter().chain(last))?;
             lab.text = self.filled(&lab.text, &(settings, scene))?;
         }
@@ -168,12 +171,12 @@ impl Lesson {
         base: &Settings,
     ) -> Result<(Settings, Scene), LessonError> {
         let settings = self.settings(step, is_revealed, base)?;
-        let scene = self.scene(&settings, self.told_until(step, is_revealed))?;
+        let scene = self.scene(&settings, self.state_blocks_until(step, is_revealed))?;
         Ok((settings, scene))
     }
 
     /// Returns all settings given up to the step of this number, after its reveal if it `is_revealed`, last first.
-    fn told_until(&self, step: usize, is_revealed: bool) -> impl Iterator<Item = &Told> {
+    fn state_blocks_until(&self, step: usize, is_revealed: bool) -> impl Iterator<Item = &StateBlock> {
         let passed = self.steps.iter().enumerate().take(step + 1);
         let told = passed.flat_map(move |(number, passed)| {
             let reveal = passed.reveal.as_ref().filter(|_| number < step || is_revealed);
@@ -186,7 +189,7 @@ impl Lesson {
     fn scene<'a>(
         &self,
         settings: &Settings,
-        mut told: impl Iterator<Item = &'a Told>,
+        mut told: impl Iterator<Item = &'a StateBlock>,
     ) -> Result<Scene, LessonError> {
         settings.opened_scene().map_err(|error| {
             let line = told.find_map(|told| told.line_of("scene")).unwrap_or(1);

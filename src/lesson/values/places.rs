@@ -6,7 +6,7 @@ use pulldown_cmark::{Event, Parser};
 
 use crate::caption::decimal;
 use crate::formula::markdown::OPTIONS;
-use crate::platform::tell;
+use crate::platform::messages;
 
 /// Letters of the shortest name that is no sign of a formula, where braces are TeX's.
 const SHORTEST: usize = 3;
@@ -78,7 +78,7 @@ fn broken_place(markdown: &str, is_value: impl Fn(&str) -> bool) -> Option<(usiz
         let example = if is_value { asked } else { "gamma" };
         let problem = format!(
             "`{{{}}}` is no place for a value: `{{{example}:.2}}` is one, with two decimals (0 to 9); `\\{{` is a brace",
-            tell::excerpt(inside)
+            messages::excerpt(inside)
         );
         Some((begin, problem))
     })

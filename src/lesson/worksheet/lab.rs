@@ -6,7 +6,7 @@ use relativity_core::{DEFAULT_REPLICATES, bootstrap, fit, math};
 
 use super::common::{head, name_and_date};
 use crate::caption::decimal;
-use crate::estimate::samples::{Taken, samples_of};
+use crate::estimate::samples::{SamplesWithTruth, samples_of};
 use crate::estimate::{Estimate, estimate};
 use crate::files::html::{Page, answer_lines, data_uri, escaped};
 use crate::lesson::picture;
@@ -53,7 +53,7 @@ fn has_readings(settings: &Settings) -> bool {
     settings.fit != Settings::default().fit
 }
 
-fn taken(settings: &Settings) -> anyhow::Result<Taken> {
+fn taken(settings: &Settings) -> anyhow::Result<SamplesWithTruth> {
     samples_of(settings, &settings.opened_scene()?).map_err(anyhow::Error::msg)
 }
 
@@ -62,7 +62,7 @@ fn taken(settings: &Settings) -> anyhow::Result<Taken> {
 fn results(
     lesson: &Lesson,
     settings: &Settings,
-    taken: &Taken,
+    taken: &SamplesWithTruth,
     with_answers: bool,
 ) -> anyhow::Result<String> {
     let found = fit(&taken.fittable.observations, &taken.fittable.options)?;

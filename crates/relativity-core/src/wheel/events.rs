@@ -54,7 +54,7 @@ impl WheelPoint {
     ) -> Option<SourcePoint> {
         let [nx, ny, nz] = normal;
         let (r, omega, beta) = (self.rho * self.radius, self.omega(speed), speed.beta());
-        let SourcePoint { x0, y, z } = self.hub.told_from(middle);
+        let SourcePoint { x0, y, z } = self.hub.relative_to(middle);
         let [y_share, z_share] = [ny / nx, nz / nx];
         let hub_passes = -(x0 + y_share * y + z_share * z) / beta;
         // From then on by the rest frame's clocks, with q from the hub: beta later + q_x + z_share q_z/gamma = 0.

@@ -58,7 +58,7 @@ impl Lines {
             }
             put(&mut lines.axis, i, ray.direction.as_vec3());
         }
-        lines.rows = [0, 1].map(|side| RowSide::of(&lines.across[side], count));
+        lines.rows = [0, 1].map(|side| RowSide::from_side(&lines.across[side], count));
         lines
     }
 
@@ -98,7 +98,7 @@ impl Side {
 
 impl RowSide {
     /// Returns the rows of the rays in `side`; the last of all stand in for those that are missing.
-    fn of(side: &Side, count: usize) -> Self {
+    fn from_side(side: &Side, count: usize) -> Self {
         let mut rows = Self::default();
         let ray = |i: usize| (Vec3::from(side.normal.map(|part| part[i])), side.offset[i]);
         for row in 0..count.div_ceil(LANES) {

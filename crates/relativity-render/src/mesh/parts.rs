@@ -15,7 +15,7 @@ use crate::group_view::GroupView;
 use crate::intersect::Solid;
 use crate::prepared_body::{Joint, Placement, PreparedBody};
 use crate::view::Geometry;
-use crate::wheel::packed::{Shown, Turns};
+use crate::wheel::packed::{TurningStart, Turns};
 use crate::wheel::spin::{MaterialPoint, Spin};
 
 /// Mirror of the shaders' `Instance`.
@@ -168,7 +168,7 @@ impl Instance {
     };
 
     fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
-        let Shown { placement: Placement { place_radius, form, turn }, spin, rim } = shot.shown(body);
+        let TurningStart { placement: Placement { place_radius, form, turn }, spin, rim } = shot.shown(body);
         Self {
             place_radius,
             form,

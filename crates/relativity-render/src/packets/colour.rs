@@ -5,7 +5,7 @@ use std::array::from_fn;
 use super::daylight::{Facing, of_street_daylight};
 use super::logarithm::{MOST_POWER, log2, power_of_two};
 use super::places::pixel_of_lane;
-use super::tables::{BAND_ROW, GLOW_ROW, LINE_ROW, MAP_ROW, Shown, Tables, shown};
+use super::tables::{BAND_ROW, GLOW_ROW, LINE_ROW, MAP_ROW, ScreenLight, Tables, shown};
 use crate::effects::{Effects, Spectrum};
 use crate::hatch::Hatch;
 use crate::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all};
@@ -18,7 +18,7 @@ fn of_one_place<S: Simd>(
     light: [f32; 4],
     octaves: F<S>,
     shift: F<S>,
-) -> Shown<S> {
+) -> ScreenLight<S> {
     let [at_rest, per_octave, exponent, exposure] = light;
     let row = if per_octave < 0.0 { LINE_ROW } else { GLOW_ROW };
     let place = shift * per_octave + at_rest;
@@ -34,7 +34,7 @@ fn of_daylight<S: Simd>(
     light: [f32; 4],
     octaves: F<S>,
     shift: F<S>,
-) -> Shown<S> {
+) -> ScreenLight<S> {
     let [band, band_exposure, exposure, band_exponent] = light;
     let place = shift * tables.glow_per_octave + tables.daylight_place;
     let (white, white_level) = tables.looked_up(GLOW_ROW, place);
@@ -56,10 +56,10 @@ fn colour_of<S: Simd>(
     light: [f32; 4],
     doppler: F<S>,
     facing: Option<Facing<S>>,
-) -> Shown<S> {
+) -> ScreenLight<S> {
     if effects.spectrum() == Spectrum::AtRest {
         let unseen = (light[3] != 0.0).then(|| all(simd, light[3]));
-        return Shown { colour: V3::of_four(simd, light), unseen };
+        return ScreenLight { colour: V3::of_four(simd, light), unseen };
     }
     let octaves = log2(doppler);
     let shift = if effects.doppler_shift { octaves } else { all(simd, 0.0) };
@@ -72,7 +72,7 @@ fn colour_of<S: Simd>(
         }
         Spectrum::Map => {
             let place = octaves * tables.map_per_octave + tables.map_middle;
-            Shown { colour: tables.looked_up(MAP_ROW, place).0, unseen: None }
+            ScreenLight { colour: tables.looked_up(MAP_ROW, place).0, unseen: None }
         }
     }
 }
@@ -111,7 +111,7 @@ pub fn received_colour<S: Simd>(
     hatched: Hatched<'_>,
 ) -> V3<S> {
     let simd = doppler.simd;
-    let Shown { mut colour, unseen } = colour_of(simd, effects, tables, light, doppler, facing);
+    let ScreenLight { mut colour, unseen } = colour_of(simd, effects, tables, light, doppler, facing);
     if let Some(unseen) = unseen {
         let grey = hatched.grey(unseen);
         colour += V3::new(grey, grey, grey);
@@ -140,7 +140,7 @@ mod tests {
     const CORNER: [u32; 2] = [40, 14];
 
     /// The reference's colour in the pixel of this lane.
-    fn expected(shown: light::Shown, hatch: &Hatch, lane: usize) -> [f64; 3] {
+    fn expected(shown: light::ScreenLight, hatch: &Hatch, lane: usize) -> [f64; 3] {
         let grey = hatch.grey(shown.unseen, pixel_of_lane(CORNER, lane).map(f64::from));
         shown.colour.map(|part| part + grey)
     }

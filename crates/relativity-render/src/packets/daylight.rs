@@ -6,7 +6,7 @@ use super::body::{Body, Group};
 use super::logarithm::{MOST_POWER, log2, power_of_two};
 use super::shape::middle;
 use super::spin::{Spin, velocity_at};
-use super::tables::{BAND_ROW, GLOW_ROW, LAST, Shown, Tables, shown};
+use super::tables::{BAND_ROW, GLOW_ROW, LAST, ScreenLight, Tables, shown};
 use crate::daylight::{LEAST_BETA, MOST_RAPID, PARTS};
 use crate::effects::Effects;
 use crate::kind::Kind;
@@ -141,7 +141,7 @@ pub fn of_street_daylight<S: Simd>(
     light: [f32; 4],
     shift: F<S>,
     facing: Facing<S>,
-) -> Shown<S> {
+) -> ScreenLight<S> {
     let simd = shift.simd;
     let [band, band_exposure, exposure, band_exponent] = light;
     let course = Course::new(simd, facing);

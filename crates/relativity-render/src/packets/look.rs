@@ -11,7 +11,7 @@ use crate::pipelines::AmongOthers;
 use crate::prepared_body::PreparedBody;
 use crate::scene::PreparedScene;
 use crate::view::{Appearance, View};
-use crate::wheel::packed::{Shown, Turns};
+use crate::wheel::packed::{TurningStart, Turns};
 
 use super::body::Group;
 
@@ -26,7 +26,7 @@ pub struct Look<'a> {
     /// Number of the group in which the depths of all are compared.
     reference: usize,
     /// Bodies that turn, with their numbers, which ascend.
-    turning: Vec<(usize, Turns, Shown)>,
+    turning: Vec<(usize, Turns, TurningStart)>,
     /// Light of each emission of the scene in the units of the shaders, without and with a Doppler effect.
     lights: Vec<[OnceLock<[f32; 4]>; 2]>,
 }
@@ -37,7 +37,7 @@ pub struct Seen<'a> {
     pub body: &'a PreparedBody,
     pub number: usize,
     pub turns: Turns,
-    pub shown: Shown,
+    pub shown: TurningStart,
 }
 
 impl<'a> Look<'a> {
@@ -87,7 +87,7 @@ impl<'a> Look<'a> {
         let place = self.turning.binary_search_by_key(&number, |(number, ..)| *number);
         let (turns, shown) = match place {
             Ok(place) => (self.turning[place].1, self.turning[place].2),
-            Err(_) => (Turns::Not, Shown { placement: body.placement, spin: [0.0; 4], rim: [0.0; 2] }),
+            Err(_) => (Turns::Not, TurningStart { placement: body.placement, spin: [0.0; 4], rim: [0.0; 2] }),
         };
         Seen { body, number, turns, shown }
     }

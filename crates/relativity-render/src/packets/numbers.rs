@@ -3,7 +3,7 @@
 use super::look::Look;
 use super::met::Met;
 use super::places::{packet_places, write_one};
-use super::tile::{Drawn, Packet};
+use super::tile::{Packet, TileContents};
 use super::turning::place_of_hit;
 use crate::candidates::Rows;
 use crate::lanes::{LANES, Simd, SimdFloat};
@@ -12,7 +12,7 @@ use crate::tiles::Tile;
 /// The numbers of a pixel, as the shaders write them.
 pub type Numbers = ([f32; 4], [f32; 4]);
 
-impl<S: Simd> Drawn<S, 1> {
+impl<S: Simd> TileContents<S, 1> {
     /// Writes what the pixels of `tile` show into `rows`.
     #[inline(always)]
     pub fn measure(&self, simd: S, look: &Look<'_>, tile: &Tile, rows: &mut Rows<'_, Numbers>) {

@@ -10,7 +10,7 @@ use super::pattern::mark;
 use super::places::{PACKETS, packet_places, write_one};
 use super::ray::TileSights;
 use super::tables::Tables;
-use super::tile::{Drawn, Owner, Packet};
+use super::tile::{Owner, Packet, TileContents};
 use super::turning::standing;
 use crate::backdrop::Part;
 use crate::candidates::Rows;
@@ -42,7 +42,7 @@ fn write(tile: &Tile, corner: [u32; 2], rows: &mut Rows<'_, [u8; 4]>, pixels: [[
     }
 }
 
-impl<S: Simd> Drawn<S, 4> {
+impl<S: Simd> TileContents<S, 4> {
     /// Writes the pixels of `tile` into `rows`.
     #[inline(always)]
     pub fn shade(

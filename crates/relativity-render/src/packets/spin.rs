@@ -3,7 +3,7 @@
 use super::body::Group;
 use crate::lanes::{F, Simd, SimdFloat, V3, all, select};
 use crate::view::Geometry;
-use crate::wheel::packed::Shown;
+use crate::wheel::packed::TurningStart;
 
 /// The axle of a turning body, and its speed.
 #[derive(Debug, Clone, Copy)]
@@ -35,8 +35,8 @@ pub struct Turn<S: Simd> {
 impl<S: Simd> Spin<S> {
     /// Unpacks the uniforms of the shaders.
     #[inline(always)]
-    pub fn new(simd: S, shown: &Shown) -> Self {
-        let Shown { spin, rim: [below_light, lag], .. } = *shown;
+    pub fn new(simd: S, shown: &TurningStart) -> Self {
+        let TurningStart { spin, rim: [below_light, lag], .. } = *shown;
         Self {
             hub: V3::of_four(simd, spin),
             omega: all(simd, spin[3]),

@@ -86,7 +86,7 @@ impl Tables {
 
 /// Light as a screen shows it, as [`crate::light::Shown`].
 #[derive(Debug, Clone, Copy)]
-pub struct Shown<S: Simd> {
+pub struct ScreenLight<S: Simd> {
     pub colour: V3<S>,
     /// The unseen share; `None` where it is 0 everywhere.
     pub unseen: Option<F<S>>,
@@ -109,14 +109,20 @@ fn shoulder<S: Simd>(x: F<S>) -> F<S> {
 
 /// `light` as a screen shows it, with its unseen share, where it is all but black.
 #[inline(always)]
-pub fn shown<S: Simd>(effects: Effects, tables: &Tables, light: V3<S>, row: usize, place: F<S>) -> Shown<S> {
+pub fn shown<S: Simd>(
+    effects: Effects,
+    tables: &Tables,
+    light: V3<S>,
+    row: usize,
+    place: F<S>,
+) -> ScreenLight<S> {
     let largest = light.x.max(light.y).max(light.z);
     let toned = shoulder(largest);
     let colour = light * (toned / largest.max(1e-30));
     if !effects.invisible {
-        return Shown { colour, unseen: None };
+        return ScreenLight { colour, unseen: None };
     }
     let left = 1.0 - toned;
     let square = left * left;
-    Shown { colour, unseen: Some(tables.unseen(row, place) * (square * square)) }
+    ScreenLight { colour, unseen: Some(tables.unseen(row, place) * (square * square)) }
 }

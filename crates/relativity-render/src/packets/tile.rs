@@ -54,7 +54,7 @@ pub struct Packet<S: Simd, const N: usize> {
 }
 
 /// The bodies that are seen in a tile.
-pub struct Drawn<S: Simd, const N: usize> {
+pub struct TileContents<S: Simd, const N: usize> {
     /// The packets that were looked into, group by group.
     pub packets: Vec<Packet<S, N>>,
     /// The bodies of which something is seen, or was before something nearer was found.
@@ -69,7 +69,7 @@ struct OfGroup<'a, S: Simd, const N: usize> {
     number: usize,
     samples: &'a [[f32; 2]; N],
     sights: TileSights<'a, S>,
-    drawn: &'a mut Drawn<S, N>,
+    drawn: &'a mut TileContents<S, N>,
     /// Places of this group's packets among all, for those that were tested.
     places: [Option<usize>; PACKETS],
     middles: Middles<S>,
@@ -101,8 +101,8 @@ impl Look<'_> {
         samples: &[[f32; 2]; N],
         tile: &TileLook<'_>,
         cap: &Cap,
-    ) -> Drawn<S, N> {
-        let mut drawn = Drawn { packets: Vec::with_capacity(PACKETS), owners: Vec::new() };
+    ) -> TileContents<S, N> {
+        let mut drawn = TileContents { packets: Vec::with_capacity(PACKETS), owners: Vec::new() };
         let mut others = tile.others;
         for number in tile.groups.iter().map(|&number| number as usize) {
             let view = &self.views[number];
@@ -147,7 +147,7 @@ impl Look<'_> {
             }
         }
         if self.views.len() > 1 {
-            drawn.tell_depths(simd, self);
+            drawn.compare_depths(simd, self);
         }
         drawn
     }
@@ -300,7 +300,7 @@ impl<S: Simd, const N: usize> Packet<S, N> {
 
     /// Replaces distances beyond the middle of a group by depths among all.
     #[inline(always)]
-    fn tell_depths(&mut self, group: &Group<'_>, among_others: Option<AmongOthers>) {
+    fn compare_depths(&mut self, group: &Group<'_>, among_others: Option<AmongOthers>) {
         for nearest in self.solid.iter_mut().chain(&mut self.thin) {
             let depth = depth(group, among_others, &self.ray, nearest.beyond);
             nearest.beyond = select(nearest.owner.simd_lt(0.0), nearest.beyond, -depth);
@@ -325,14 +325,14 @@ impl<S: Simd, const N: usize> Packet<S, N> {
     }
 }
 
-impl<S: Simd, const N: usize> Drawn<S, N> {
+impl<S: Simd, const N: usize> TileContents<S, N> {
     /// Tells the nearest of several groups, of equally near ones the first, and forgets the rest.
     #[inline(always)]
-    fn tell_depths(&mut self, simd: S, look: &Look<'_>) {
+    fn compare_depths(&mut self, simd: S, look: &Look<'_>) {
         let mut nearest = [[[all(simd, f32::INFINITY); N]; 2]; PACKETS];
         for packet in &mut self.packets {
             let group = self.owners.get(packet.owners[0]).map_or(0, |owner| owner.group);
-            packet.tell_depths(&look.group(group), look.among_others(group));
+            packet.compare_depths(&look.group(group), look.among_others(group));
             for (nearest, layer) in nearest[packet.place].iter_mut().zip(packet.layers()) {
                 for (nearest, own) in nearest.iter_mut().zip(layer) {
                     *nearest = select(own.beyond.simd_lt(*nearest), own.beyond, *nearest);

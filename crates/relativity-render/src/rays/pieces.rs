@@ -20,7 +20,7 @@ use crate::prepared_body::{Placement, PreparedBody};
 use crate::scene::PreparedScene;
 use crate::tiles::Tile;
 use crate::view::Geometry;
-use crate::wheel::packed::{Shown, Turns};
+use crate::wheel::packed::{TurningStart, Turns};
 
 /// Number of halvings after which the bound of a piece is taken as it is: 32 rectangles follow the most bent of tubes, and
 /// a looser bound only costs time.
@@ -207,7 +207,7 @@ impl Piece {
 
     /// Returns the piece of `body`, without a rectangle.
     fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
-        let Shown { placement: Placement { place_radius, form, turn }, spin, rim } = shot.shown(body);
+        let TurningStart { placement: Placement { place_radius, form, turn }, spin, rim } = shot.shown(body);
         Self {
             place: [0.0; 4],
             second_axis_index_brightness: [0.0, 0.0, body.index(), body.brightness as f32],

@@ -25,7 +25,7 @@ pub enum Turns {
 
 /// A body as one view has the shaders begin with it: as it is when the view shows the middle of its axle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shown {
+pub struct TurningStart {
     /// Placement of the body at that time.
     pub placement: Placement,
     /// The middle of its axle, from the middle of its group; and omega, about +y.
@@ -83,9 +83,9 @@ impl GroupView {
     }
 
     /// `body`, one of the group, whose middle is `middle`, for the shaders.
-    pub(crate) fn shown(&self, body: &PreparedBody, middle: DVec3) -> Shown {
+    pub(crate) fn shown(&self, body: &PreparedBody, middle: DVec3) -> TurningStart {
         let Some(spin) = body.spin.filter(|_| self.turns(body) != Turns::Not) else {
-            return Shown { placement: body.placement, spin: [0.0; 4], rim: [0.0; 2] };
+            return TurningStart { placement: body.placement, spin: [0.0; 4], rim: [0.0; 2] };
         };
         let hub = DVec3::from(spin.hub);
         let omega = spin.omega(self.on_ground.beta());
@@ -97,7 +97,7 @@ impl GroupView {
             _ => spin.radius,
         };
         let lag = direction * omega * (spin.radius - outermost);
-        Shown {
+        TurningStart {
             placement: Placement::new(&body.shape.turned(&spin, angle), turn, middle),
             spin: (hub - middle).as_vec3().extend(omega as f32).to_array(),
             rim: [below_light(&spin, &self.on_ground, direction), lag].map(|v| v as f32),

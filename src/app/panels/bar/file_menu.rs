@@ -6,7 +6,7 @@ use crate::app::actions::{ACTIONS, Action};
 use crate::app::command::Command;
 use crate::app::file_dialog::purpose::{Product, Purpose};
 use crate::app::orders::Copied;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::settings::PlotTab;
 
@@ -84,7 +84,7 @@ const fn save(product: Product) -> Command {
 }
 
 /// Shows the menu's button.
-pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let menu = ui.menu_button("File", |ui| {
         ui.set_min_width(WIDTH);
         for (number, entries) in [&OPEN[..], &SAVE, &COPY].into_iter().enumerate() {
@@ -92,7 +92,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
                 ui.separator();
             }
             for one in entries {
-                entry(ui, state, one, asks);
+                entry(ui, state, one, commands);
             }
         }
     });
@@ -100,14 +100,14 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 }
 
 /// An entry of the menu, with the keys that do the same.
-fn entry(ui: &mut Ui, state: &State, (name, command, tip): &Entry, asks: &mut Asks) {
+fn entry(ui: &mut Ui, state: &State, (name, command, tip): &Entry, commands: &mut Commands) {
     let keys = ACTIONS.iter().find(|action| action.command == *command).map(Action::keys_text);
     let button = Button::new(*name).shortcut_text(keys.unwrap_or_default());
     let obstacle = obstacle(state, command);
     let response = ui.add_enabled(obstacle.is_none(), button).on_hover_text(*tip);
     let response = response.on_disabled_hover_text(obstacle.unwrap_or_default());
     if response.accessible_name(*name).clicked() {
-        asks.push(command.clone());
+        commands.push(command.clone());
     }
 }
 

@@ -29,7 +29,7 @@ const CHOICES: [(Compare, &str, &str); 5] = [
 ];
 
 /// Returns the reason why a choice cannot be had, in the words of the controls.
-const fn told(problem: &ComparisonError) -> &'static str {
+const fn problem_text(problem: &ComparisonError) -> &'static str {
     match problem {
         ComparisonError::Layout(_) => "Needs the layout side by side or over-under.",
         ComparisonError::Headset => "A headset shows two eyes.",
@@ -46,7 +46,7 @@ pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
     let problem = settings.check_comparison().err();
     let name = |of| CHOICES.iter().find(|(choice, ..)| *choice == of).map_or("", |(_, name, _)| name);
     row(ui, "Compare with", TIP, |ui| {
-        let reason = refused.as_ref().map_or("", told);
+        let reason = refused.as_ref().map_or("", problem_text);
         ui.add_enabled_ui(refused.is_none(), |ui| {
             let list = ComboBox::from_id_salt("compare").selected_text(name(look.compare)).width(150.0);
             let list = list.show_ui(ui, |ui| choices(ui, state, look));
@@ -57,7 +57,7 @@ pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
         });
     });
     if let Some(problem) = problem {
-        row(ui, "", "", |ui| _ = ui.label(RichText::new(told(&problem)).small()));
+        row(ui, "", "", |ui| _ = ui.label(RichText::new(problem_text(&problem)).small()));
     }
 }
 
@@ -66,7 +66,7 @@ fn choices(ui: &mut Ui, state: &State, look: &mut Look) {
     for (choice, name, tip) in CHOICES {
         let refused = state.document.settings.check_compared_with(choice).err();
         let button = ui.add_enabled(refused.is_none(), Button::selectable(choice == look.compare, name));
-        let reason = refused.as_ref().map_or("", told);
+        let reason = refused.as_ref().map_or("", problem_text);
         if button.on_hover_text(tip).on_disabled_hover_text(reason).clicked() {
             look.compare = choice;
         }

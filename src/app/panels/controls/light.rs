@@ -7,7 +7,7 @@ use relativity_core::doppler::{
 use relativity_render::{Colour, Shading};
 
 use crate::app::command::Command;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, row};
 use crate::flags::{EXPOSURE_EV, Exposure, TEMPERATURE_K};
@@ -15,7 +15,7 @@ use crate::number_text;
 use crate::settings::Light;
 
 /// Shows the controls of the light.
-pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let before = state.document.settings.light;
     let (mut light, default) = (before, state.defaults().light);
     row(ui, "Light", "What light the bodies send, and how it becomes a colour.", |ui| {
@@ -50,7 +50,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         ui.checkbox(&mut light.surroundings, "Street").on_hover_text(tip);
     });
     if light != before {
-        asks.push(Command::Light(light));
+        commands.push(Command::Light(light));
     }
 }
 

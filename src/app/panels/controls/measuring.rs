@@ -5,7 +5,7 @@ use eframe::egui::{Checkbox, Ui};
 use crate::app::command::Command;
 use crate::app::measuring::angle_ruler::{AngleRuler, RulerCommand};
 use crate::app::measuring::stopwatch::{Stopwatch, StopwatchCommand};
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::row;
 
@@ -16,16 +16,16 @@ const STOPWATCH: &str = "Measures T between two presses, and what the selected p
 const CLOCK: &str = "Shows in each view a clock that rests beside you, to compare the others with, and counts the turns of every clock.";
 
 /// Shows the row of measuring tools.
-pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     row(ui, "Measure", "What is measured with in the views.", |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let is_on = state.scratch.angle_ruler != AngleRuler::Off;
         if ui.selectable_label(is_on, "Angle").on_hover_text(RULER).clicked() {
-            asks.push(Command::Ruler(RulerCommand::Toggle));
+            commands.push(Command::Ruler(RulerCommand::Toggle));
         }
         let is_on = state.scratch.stopwatch != Stopwatch::Hidden;
         if ui.selectable_label(is_on, "Stopwatch").on_hover_text(STOPWATCH).clicked() {
-            asks.push(Command::Stopwatch(StopwatchCommand::Toggle));
+            commands.push(Command::Stopwatch(StopwatchCommand::Toggle));
         }
         let mut window = state.document.settings.window;
         let clock = Checkbox::new(&mut window.resting_clock, "clock");
@@ -33,7 +33,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let response =
             ui.add_enabled(window.dials, clock).on_hover_text(CLOCK).on_disabled_hover_text(reason);
         if response.accessible_name("clock beside you").changed() {
-            asks.push(Command::Window(window));
+            commands.push(Command::Window(window));
         }
     });
 }

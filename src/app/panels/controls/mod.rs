@@ -12,7 +12,7 @@ mod two_eyes;
 use eframe::egui::{self, ComboBox, RichText, ScrollArea, Ui};
 use relativity_render::Geometry;
 
-use super::Asks;
+use super::Commands;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::state::defaults::Section;
@@ -29,7 +29,7 @@ use crate::units::Unit;
 const LAYOUTS_HEIGHT: f32 = 340.0;
 
 /// Shows the rows of a section.
-type Rows = fn(&mut Ui, &State, &mut Asks);
+type Rows = fn(&mut Ui, &State, &mut Commands);
 
 const SECTIONS: [(Section, Rows); 4] = [
     (Section::Motion, motion),
@@ -39,33 +39,33 @@ const SECTIONS: [(Section, Rows); 4] = [
 ];
 
 /// Shows the controls in their sections.
-pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 3.0;
         if state.document.settings.window.simple {
-            return few(ui, state, asks);
+            return few(ui, state, commands);
         }
         for (part, rows) in SECTIONS {
             let tip = format!("Resets this section to its defaults, {}.", state.defaults_source());
             let reset = (!state.is_default_in(part)).then_some(tip.as_str());
-            if section(ui, part.title(), reset, |ui| rows(ui, state, asks)) {
-                asks.push(Command::ResetSection(part));
+            if section(ui, part.title(), reset, |ui| rows(ui, state, commands)) {
+                commands.push(Command::ResetSection(part));
             }
         }
     });
 }
 
 /// The controls of who sees the window for the first time, and the way to all others.
-fn few(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    motion(ui, state, asks);
+fn few(ui: &mut Ui, state: &State, commands: &mut Commands) {
+    motion(ui, state, commands);
     ui.add_space(theme::GAP);
     let tip = "Shows all controls, of path, look, light and quality, and all plots. The palette (Ctrl+P) leads back.";
     if ui.button("More controls").on_hover_text(tip).clicked() {
-        asks.push(Command::ToggleSimple);
+        commands.push(Command::ToggleSimple);
     }
 }
 
-fn motion(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn motion(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut motion = state.document.settings.motion;
     let measures = state.measures();
     let default = state.defaults().motion;
@@ -79,7 +79,7 @@ fn motion(ui: &mut Ui, state: &State, asks: &mut Asks) {
         path_rows(ui, measures.length, state.document.scene.tracked, &mut motion, default);
     }
     if motion != state.document.settings.motion {
-        asks.push(Command::Motion(motion));
+        commands.push(Command::Motion(motion));
     }
 }
 
@@ -133,24 +133,24 @@ fn shift(distance: f64) -> f64 {
     distance.clamp(-MAX_LENGTH, MAX_LENGTH)
 }
 
-fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn look(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut look = state.document.settings.look;
-    layout_row(ui, state.document.settings.picture, asks);
+    layout_row(ui, state.document.settings.picture, commands);
     geometry_row(ui, &mut look.geometry);
     light_cones_row(ui, &mut look.geometry, state.document.settings.baseline().is_along_motion());
     compare::show(ui, state, &mut look);
     gaze_row(ui, state, &mut look);
-    field_of_view_rows(ui, state, &mut look, asks);
-    more_rows(ui, state.document.settings.window, state.measures().time, asks);
-    quality::show(ui, state, asks);
-    measuring::show(ui, state, asks);
+    field_of_view_rows(ui, state, &mut look, commands);
+    more_rows(ui, state.document.settings.window, state.measures().time, commands);
+    quality::show(ui, state, commands);
+    measuring::show(ui, state, commands);
     if look != state.document.settings.look {
-        asks.push(Command::Look(look));
+        commands.push(Command::Look(look));
     }
 }
 
 /// Shows the choice of the layout.
-fn layout_row(ui: &mut Ui, picture: Picture, asks: &mut Asks) {
+fn layout_row(ui: &mut Ui, picture: Picture, commands: &mut Commands) {
     let tip = "How the pictures of the two eyes are shown together.   Key: L";
     row(ui, "Layout", tip, |ui| {
         ComboBox::from_id_salt("layout")
@@ -161,7 +161,7 @@ fn layout_row(ui: &mut Ui, picture: Picture, asks: &mut Asks) {
                 for (layout, name, tip) in LAYOUTS {
                     let choice = ui.selectable_label(layout == picture.layout, name);
                     if choice.on_hover_text(tip).clicked() {
-                        asks.push(Command::Layout(layout));
+                        commands.push(Command::Layout(layout));
                     }
                 }
             })
@@ -173,7 +173,7 @@ fn layout_row(ui: &mut Ui, picture: Picture, asks: &mut Asks) {
         let response = ui.add_enabled(picture.layout.has_both(), swap);
         let tip = "Exchanges the two pictures in this layout, which is remembered for each.   Key: X";
         if response.on_hover_text(tip).on_disabled_hover_text("It shows one eye.").changed() {
-            asks.push(Command::SwapEyes);
+            commands.push(Command::SwapEyes);
         }
     });
 }
@@ -236,7 +236,7 @@ const LIGHT_CONES: [(Geometry, &str, &str); 3] = [
 ];
 
 /// Shows the switches of what is shown besides the eyes' pictures.
-fn more_rows(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
+fn more_rows(ui: &mut Ui, before: Window, unit: Unit, commands: &mut Commands) {
     let mut window = before;
     row(ui, "Also show", "Chooses what stands beside the views, and what is drawn into them.", |ui| {
         let corrected = "Shows the left eye's picture with the distortion undone, beside the two: by the fitted β \
@@ -257,13 +257,13 @@ fn more_rows(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
         ui.checkbox(&mut window.ruler, "ruler").on_hover_text(ruler);
     });
     if window != before {
-        asks.push(Command::Window(window));
+        commands.push(Command::Window(window));
     }
 }
 
 fn gaze_row(ui: &mut Ui, state: &State, look: &mut Look) {
     let tip = "Where both eyes look, in parallel.   Drag in a view to look around.";
-    let mut mode = GazeMode::of(look.gaze);
+    let mut mode = GazeMode::from_choice(look.gaze);
     row(ui, "Gaze", tip, |ui| {
         if choice(ui, &mut mode, &GAZES) {
             *look = mode.chosen(state);
@@ -294,7 +294,7 @@ const GAZES: [(GazeMode, &str, &str); 4] = [
 ];
 
 impl GazeMode {
-    const fn of(gaze: GazeChoice) -> Self {
+    const fn from_choice(gaze: GazeChoice) -> Self {
         match gaze {
             GazeChoice::Whole => Self::Whole,
             GazeChoice::Point => Self::Point,
@@ -318,7 +318,7 @@ impl GazeMode {
     }
 }
 
-fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, asks: &mut Asks) {
+fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, commands: &mut Commands) {
     let row_of_number = NumberRow {
         name: "Field of view",
         tip: "Angle from the left to the right edge of each view.   Scroll over a view to zoom there.",
@@ -345,7 +345,7 @@ fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, asks: &mut As
         let tip = "Holds the whole scene in the views, with an automatic field of view.   Key: F\n\
             Double-click in a view does the same.";
         if ui.button("Frame").on_hover_text(tip).clicked() {
-            asks.push(Command::Frame);
+            commands.push(Command::Frame);
         }
     });
 }

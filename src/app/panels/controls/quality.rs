@@ -3,7 +3,7 @@
 use eframe::egui::{RichText, Ui};
 
 use crate::app::command::Command;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, named_text, row};
 use crate::flags::choices::RendererChoice;
@@ -11,7 +11,7 @@ use crate::flags::{BUDGET_MS, ERROR_PX, Goal};
 use crate::settings::{BOUND_PX, Quality};
 
 /// Shows the controls of the quality.
-pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let (before, default) = (state.document.settings.quality, state.defaults().quality);
     let mut quality = before;
     let tip = "What draws the views.   The Accuracy tab shows what each costs, and how far it is off.";
@@ -28,7 +28,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         ui.checkbox(&mut quality.refine, "smoother when still").on_hover_text(tip);
     });
     if quality != before {
-        asks.push(Command::Quality(quality));
+        commands.push(Command::Quality(quality));
     }
 }
 

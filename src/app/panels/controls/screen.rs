@@ -3,7 +3,7 @@
 use eframe::egui::{Button, Ui};
 
 use crate::app::command::Command;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::{dot, named_text, number, row};
@@ -12,10 +12,10 @@ use crate::number_text;
 use crate::settings::{Motion, VIEWING_CM};
 
 /// Shows the controls of the screen.
-pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     meter(ui, state);
-    narrow(ui, state, asks);
-    place(ui, state, asks);
+    narrow(ui, state, commands);
+    place(ui, state, commands);
 }
 
 const TIP: &str = "The disparities of all bodies in both views, as angles where you sit: from the least to the greatest across, \
@@ -46,7 +46,7 @@ fn meter(ui: &mut Ui, state: &State) {
     });
 }
 
-fn narrow(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn narrow(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let tip = "Brings the eyes nearer to each other until the range across is at most 1°, at the present T. It changes what is \
         measured: all disparities shrink with d.";
     let motion = state.document.settings.motion;
@@ -55,12 +55,12 @@ fn narrow(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let is_pair = !state.document.settings.is_comparing();
         let button = ui.add_enabled(is_pair, Button::new("Comfortable"));
         if button.on_hover_text(tip).on_disabled_hover_text(NO_PAIR).clicked() {
-            asks.push(Command::Narrow);
+            commands.push(Command::Narrow);
         }
         if let Some([wide, _]) = narrowed
             && ui.button("As before").on_hover_text("Restores the separation of the eyes.").clicked()
         {
-            asks.push(Command::Motion(Motion { d: wide, ..motion }));
+            commands.push(Command::Motion(Motion { d: wide, ..motion }));
         }
     });
     if let Some([wide, d]) = narrowed {
@@ -71,7 +71,7 @@ fn narrow(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
 }
 
-fn place(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn place(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut screen = state.document.settings.screen;
     row(
         ui,
@@ -100,15 +100,15 @@ fn place(ui: &mut Ui, state: &State, asks: &mut Asks) {
     row(ui, "Audience", "What is shown to one.", |ui| {
         let tip = "Views, one plot and words, large, on the whole screen. Esc leaves.   Key: P";
         if ui.button("Present").on_hover_text(tip).clicked() {
-            asks.push(Command::TogglePresenting);
+            commands.push(Command::TogglePresenting);
         }
         let mut is_open = state.session.stage.projector;
         if ui.checkbox(&mut is_open, "second window").on_hover_text(PROJECTOR_TIP).changed() {
-            asks.push(Command::ToggleProjector);
+            commands.push(Command::ToggleProjector);
         }
     });
     if screen != state.document.settings.screen {
-        asks.push(Command::Screen(screen));
+        commands.push(Command::Screen(screen));
     }
 }
 

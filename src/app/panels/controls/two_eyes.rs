@@ -5,23 +5,23 @@ use eframe::egui::Ui;
 
 use super::{projection, screen};
 use crate::app::command::Command;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::{NumberRow, choice, row};
 use crate::flags::HEAD_DEGREES;
 use crate::settings::Motion;
 
 /// Shows the controls of the two eyes.
-pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let (mut motion, mut look) = (state.document.settings.motion, state.document.settings.look);
     head_rows(ui, &mut motion, state.defaults().motion);
     projection::show(ui, state, &mut look);
-    screen::show(ui, state, asks);
+    screen::show(ui, state, commands);
     if motion != state.document.settings.motion {
-        asks.push(Command::Motion(motion));
+        commands.push(Command::Motion(motion));
     }
     if look != state.document.settings.look {
-        asks.push(Command::Look(look));
+        commands.push(Command::Look(look));
     }
 }
 
@@ -30,7 +30,7 @@ fn head_rows(ui: &mut Ui, motion: &mut Motion, default: Motion) {
     row(
         ui,
         "Eyes",
-        "Which way the right eye is from the left one. Is a body really turned? One eye cannot tell, and two \
+        "Which way the right eye is from the left one. Is a body really turned? One eye cannot messages, and two \
         eyes each in their own way.",
         |ui| {
             let mut held = [motion.roll, motion.turn];

@@ -8,7 +8,7 @@ use eframe::egui::{
     Align2, Context, Grid, Id, RichText, ScrollArea, TextStyle, TextWrapMode, Ui, Window, vec2,
 };
 
-use super::Asks;
+use super::Commands;
 use crate::app::actions::ACTIONS;
 use crate::app::command::Command;
 use crate::app::overlay::Overlay;
@@ -66,7 +66,7 @@ const IN_A_VIEW: [(&str, &str); 4] = [
 ];
 
 /// Shows the help, if it is open.
-pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
+pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
     if state.session.overlay != Some(Overlay::Help) {
         return;
     }
@@ -98,7 +98,7 @@ pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
         });
     ctx.data_mut(|data| data.insert_temp(id, shown));
     if !open {
-        asks.push(Command::Toggle(Overlay::Help));
+        commands.push(Command::Toggle(Overlay::Help));
     }
 }
 

@@ -2,9 +2,9 @@
 
 use crate::app::command::Command;
 use crate::app::lesson::session::LessonCommand;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 
 /// Asks for something in the lesson.
-pub fn ask(asks: &mut Asks, command: LessonCommand) {
-    asks.push(Command::Lesson(command));
+pub fn ask(commands: &mut Commands, command: LessonCommand) {
+    commands.push(Command::Lesson(command));
 }

@@ -53,7 +53,7 @@ pub fn choice(ui: &mut Ui, text: &Text, number: usize, is_chosen: bool, presente
 }
 
 /// Shows a card that only gives information.
-pub fn told(ui: &mut Ui, text: &Text, is_right: bool) {
+pub fn show(ui: &mut Ui, text: &Text, is_right: bool) {
     let (sign, colour) =
         if is_right { (Sign::Right, right_colour(ui)) } else { (Sign::Ring(true), quiet_line(ui)) };
     card(ui, text, sign, colour);

@@ -8,7 +8,7 @@ use crate::app::command::Command;
 use crate::app::file_dialog::purpose::{Product, Purpose};
 use crate::app::lesson::session::{LessonCommand, Running};
 use crate::app::overlay::Overlay;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::theme;
 use crate::lesson::{Course, Place, Score};
 
@@ -28,13 +28,13 @@ const PAGES: [(&str, Product, &str); 4] = [
 const LARGER: f32 = 1.4;
 
 /// Shows both, and where to go from here.
-pub fn show(ui: &mut Ui, running: &Running, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, running: &Running, commands: &mut Commands) {
     let course = &running.course;
     cards::quiet(ui, "In a sentence");
     sentence(ui, course);
     ui.add_space(cards::APART);
     if let Some(score) = &running.score {
-        let lines = told(score);
+        let lines = score_lines(score);
         let are_any = !lines.is_empty();
         for line in lines {
             ui.label(line);
@@ -43,20 +43,20 @@ pub fn show(ui: &mut Ui, running: &Running, asks: &mut Asks) {
     }
     ui.horizontal_wrapped(|ui| {
         if ui.button("Again").on_hover_text("Starts at its first step").clicked() {
-            ask(asks, LessonCommand::GoTo(Place::START));
+            ask(commands, LessonCommand::GoTo(Place::START));
         }
         let anew = "Starts at its first step without the answers so far; a report keeps them";
         if ui.button("Start over").on_hover_text(anew).clicked() {
-            ask(asks, LessonCommand::BeginAnew);
+            ask(commands, LessonCommand::BeginAnew);
         }
         for (name, product, tip) in PAGES {
             let is_there = product != Product::LabSheet || course.lesson().lab.is_some();
             if is_there && ui.button(name).on_hover_text(tip).clicked() {
-                asks.push(Command::Choose(Purpose::Save(product)));
+                commands.push(Command::Choose(Purpose::Save(product)));
             }
         }
         if ui.button("All lessons").clicked() {
-            asks.push(Command::Toggle(Overlay::Start));
+            commands.push(Command::Toggle(Overlay::Start));
         }
     });
 }
@@ -71,7 +71,7 @@ pub fn sentence(ui: &mut Ui, course: &Course) {
 }
 
 /// Sums up the score in lines; none if nothing was predicted or skipped.
-pub fn told(score: &Score) -> Vec<String> {
+pub fn score_lines(score: &Score) -> Vec<String> {
     let Score { asked, right, skipped, others } = score;
     let skipped = if *skipped == 0 { String::new() } else { format!(", {skipped} skipped") };
     let counted = (*asked > 0).then(|| format!("Predicted: {right} of {asked} right{skipped}."));

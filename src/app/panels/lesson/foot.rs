@@ -6,7 +6,7 @@ use super::asked::ask;
 use crate::app::command::Command;
 use crate::app::lesson::session::{LessonCommand, Running};
 use crate::app::overlay::Overlay;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::lesson::{Answer, Course, Kind};
 
@@ -14,7 +14,7 @@ use crate::lesson::{Answer, Course, Kind};
 const MAIN_SIZE: [f32; 2] = [92.0, 30.0];
 
 /// Shows the buttons at the foot of the panel.
-pub fn show(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, running: &Running, commands: &mut Commands) {
     let course = &running.course;
     ui.separator();
     ui.with_layout(Layout::top_down(Align::Min), |ui| {
@@ -22,66 +22,66 @@ pub fn show(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
             let [can_go_back, _] = course.can_go();
             let back = Button::new("Back").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false);
             if ui.add_enabled(can_go_back, back).on_hover_text("Key: PageUp").clicked() {
-                ask(asks, LessonCommand::Back);
+                ask(commands, LessonCommand::Back);
             }
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| lead_on(ui, state, running, asks));
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| lead_on(ui, state, running, commands));
         });
         ui.horizontal(|ui| {
             if course.lesson().steps.iter().any(|step| {
                 let kind = step.prediction.as_ref().map(|prediction| &prediction.kind);
                 matches!(kind, Some(Kind::Choice(_)))
             }) {
-                count_hands(ui, course, asks);
+                count_hands(ui, course, commands);
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let can_be_set_up = !running.is_running() && course.step().is_some();
                 if can_be_set_up && !state.is_as_in_lesson() {
-                    set_up_again(ui, asks);
+                    set_up_again(ui, commands);
                 }
             });
         });
     });
 }
 
-fn lead_on(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
+fn lead_on(ui: &mut Ui, state: &State, running: &Running, commands: &mut Commands) {
     let course = &running.course;
     let [_, can_go_on] = course.can_go();
     if running.is_running() {
         if main(ui, "Finish", true).on_hover_text("Shows the end of it at once").clicked() {
-            ask(asks, LessonCommand::Forward);
+            ask(commands, LessonCommand::Forward);
         }
     } else if course.asked().is_some() {
-        let is_told = course.draft.as_ref().is_some_and(Answer::is_told);
-        if main(ui, "Predict", is_told).clicked() {
-            ask(asks, LessonCommand::Predict);
+        let is_entered = course.draft.as_ref().is_some_and(Answer::is_entered);
+        if main(ui, "Predict", is_entered).clicked() {
+            ask(commands, LessonCommand::Predict);
         }
         if course.is_answered() {
             return;
         }
         let skip = Button::new("Skip").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false);
         if ui.add(skip).on_hover_text("Goes on without a prediction").clicked() {
-            ask(asks, LessonCommand::Skip);
+            ask(commands, LessonCommand::Skip);
         }
     } else if can_go_on {
         if main(ui, "Next", true).on_hover_text("Key: PageDown").clicked() {
-            ask(asks, LessonCommand::Forward);
+            ask(commands, LessonCommand::Forward);
         }
     } else {
-        leave(ui, state, asks);
+        leave(ui, state, commands);
     }
     let is_a_state_alone = course.step().is_some() && !can_go_on;
     if is_a_state_alone && ui.button("All lessons").clicked() {
-        asks.push(Command::Toggle(Overlay::Start));
+        commands.push(Command::Toggle(Overlay::Start));
     }
 }
 
 /// The ways out of a lesson that is over: to the next one, or to none.
-fn leave(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn leave(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let next = state.lesson_after();
     if let Some(next) = &next {
         let begin = main(ui, &next_name(ui, &next.title), true);
         if begin.on_hover_text(format!("Begins the next lesson: {}", next.title)).clicked() {
-            ask(asks, LessonCommand::Open(next.name.clone()));
+            ask(commands, LessonCommand::Open(next.name.clone()));
         }
     }
     let is_main = next.is_none();
@@ -91,7 +91,7 @@ fn leave(ui: &mut Ui, state: &State, asks: &mut Asks) {
         ui.add(Button::new("Close").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false)).clicked()
     };
     if is_closed {
-        ask(asks, LessonCommand::Close);
+        ask(commands, LessonCommand::Close);
     }
 }
 
@@ -122,17 +122,17 @@ fn main(ui: &mut Ui, text: &str, is_enabled: bool) -> eframe::egui::Response {
     ui.add_enabled(is_enabled, button)
 }
 
-fn count_hands(ui: &mut Ui, course: &Course, asks: &mut Asks) {
+fn count_hands(ui: &mut Ui, course: &Course, commands: &mut Commands) {
     let mut is_class = course.is_class();
     let tip = "For a class: how many raise their hands for each choice";
     if ui.checkbox(&mut is_class, "Count hands").on_hover_text(tip).changed() {
-        ask(asks, LessonCommand::ToggleClass);
+        ask(commands, LessonCommand::ToggleClass);
     }
 }
 
-fn set_up_again(ui: &mut Ui, asks: &mut Asks) {
+fn set_up_again(ui: &mut Ui, commands: &mut Commands) {
     let button = Button::new("Set up again").frame_when_inactive(false);
     if ui.add(button).on_hover_text("Restores the state that the lesson has here").clicked() {
-        ask(asks, LessonCommand::SetUp);
+        ask(commands, LessonCommand::SetUp);
     }
 }

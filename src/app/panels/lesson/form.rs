@@ -6,7 +6,7 @@ use super::asked::ask;
 use super::cards;
 use crate::app::lesson::predicted_place;
 use crate::app::lesson::session::LessonCommand;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::markdown;
@@ -14,31 +14,31 @@ use crate::lesson::{Answer, Confidence, Course, Kind, Number, Options, Predictio
 use crate::number_text;
 
 /// Shows the form of `prediction`.
-pub fn show(ui: &mut Ui, state: &State, course: &Course, prediction: &Prediction, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, course: &Course, prediction: &Prediction, commands: &mut Commands) {
     match &prediction.kind {
-        Kind::Choice(options) if course.counts_hands() => votes(ui, state, course, options, asks),
-        Kind::Choice(options) => choices(ui, state, course, options, asks),
-        Kind::Number(asked) => number(ui, course, asked, asks),
+        Kind::Choice(options) if course.counts_hands() => votes(ui, state, course, options, commands),
+        Kind::Choice(options) => choices(ui, state, course, options, commands),
+        Kind::Number(asked) => number(ui, course, asked, commands),
         Kind::Point(_) | Kind::Curve(_) => hint(ui, state, course),
     }
 }
 
-fn draft(asks: &mut Asks, answer: Option<Answer>) {
-    ask(asks, LessonCommand::Draft(answer));
+fn draft(commands: &mut Commands, answer: Option<Answer>) {
+    ask(commands, LessonCommand::Draft(answer));
 }
 
 /// The choices, one of which can be taken.
-pub fn choices(ui: &mut Ui, state: &State, course: &Course, options: &Options, asks: &mut Asks) {
+pub fn choices(ui: &mut Ui, state: &State, course: &Course, options: &Options, commands: &mut Commands) {
     for (number, text) in options.texts.iter().enumerate() {
         let is_chosen = course.draft == Some(Answer::Choice(number));
         if cards::choice(ui, text, number, is_chosen, state.session.stage.is_presented()).clicked() {
-            draft(asks, Some(Answer::Choice(number)));
+            draft(commands, Some(Answer::Choice(number)));
         }
     }
 }
 
 /// Shows the choices, each with the number of hands raised for it.
-pub fn votes(ui: &mut Ui, state: &State, course: &Course, options: &Options, asks: &mut Asks) {
+pub fn votes(ui: &mut Ui, state: &State, course: &Course, options: &Options, commands: &mut Commands) {
     let votes = course.votes(options.texts.len());
     let side = 1.6 * TextStyle::Body.resolve(ui.style()).size;
     for (number, text) in options.texts.iter().enumerate() {
@@ -52,16 +52,16 @@ pub fn votes(ui: &mut Ui, state: &State, course: &Course, options: &Options, ask
             };
             let size = vec2(side, side);
             if icons::button(ui, Icon::More, &format!("One more for {name}"), size, false).clicked() {
-                draft(asks, changed(1));
+                draft(commands, changed(1));
             }
             let count = hands(ui, course, number, (votes[number], &name), 1.7 * side);
             if let Some(count) = count {
                 let mut votes = votes.clone();
                 votes[number] = count;
-                draft(asks, Some(Answer::Votes(votes)));
+                draft(commands, Some(Answer::Votes(votes)));
             }
             if icons::button(ui, Icon::Fewer, &format!("One fewer for {name}"), size, false).clicked() {
-                draft(asks, changed(-1));
+                draft(commands, changed(-1));
             }
             ui.add_space(6.0);
             ui.with_layout(Layout::top_down(Align::Min), |ui| {
@@ -97,7 +97,7 @@ fn hands(ui: &mut Ui, course: &Course, number: usize, (count, name): (u32, &str)
 }
 
 /// The field in which a number is typed. Enter predicts it.
-pub fn number(ui: &mut Ui, course: &Course, asked: &Number, asks: &mut Asks) {
+pub fn number(ui: &mut Ui, course: &Course, asked: &Number, commands: &mut Commands) {
     let id = Id::unique(("number predicted", ui.layer_id(), &course.lesson().name, course.place().step));
     ui.horizontal(|ui| {
         let drafted = match course.draft {
@@ -119,12 +119,12 @@ pub fn number(ui: &mut Ui, course: &Course, asked: &Number, asks: &mut Asks) {
         }
         let answer = number_text::parsed(&text).ok().map(Answer::Number);
         if response.changed() && answer != course.draft {
-            draft(asks, answer.clone());
+            draft(commands, answer.clone());
         }
         ui.data_mut(|data| data.insert_temp(id, text));
         let is_entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-        if is_entered && answer.is_some_and(|answer| answer.is_told()) {
-            ask(asks, LessonCommand::Predict);
+        if is_entered && answer.is_some_and(|answer| answer.is_entered()) {
+            ask(commands, LessonCommand::Predict);
         }
     });
     if let Some(remark) = ui.data(|data| data.get_temp::<String>(id)).and_then(|text| remark(&text)) {
@@ -153,7 +153,7 @@ pub fn hint(ui: &mut Ui, state: &State, course: &Course) {
 }
 
 /// Shows the choice of the confidence.
-pub fn confidence(ui: &mut Ui, course: &Course, asks: &mut Asks) {
+pub fn confidence(ui: &mut Ui, course: &Course, commands: &mut Commands) {
     if course.counts_hands() {
         return;
     }
@@ -167,7 +167,7 @@ pub fn confidence(ui: &mut Ui, course: &Course, asks: &mut Asks) {
             let name = level.name();
             let button = ui.selectable_label(is_chosen, format!(" {name} "));
             if button.accessible_name(format!("How sure: {name}")).clicked() {
-                ask(asks, LessonCommand::Confidence(Some(level).filter(|_| !is_chosen)));
+                ask(commands, LessonCommand::Confidence(Some(level).filter(|_| !is_chosen)));
             }
         }
     });

@@ -5,7 +5,7 @@ use eframe::egui::{Align, Label, Layout, Response, RichText, Sense, Stroke, Ui, 
 
 use super::asked::ask;
 use crate::app::lesson::session::LessonCommand;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::theme;
 use crate::app::widgets::icons::{self, Icon};
 use crate::lesson::{Course, Phase, Place};
@@ -18,7 +18,7 @@ const DOT_STEP: f32 = 17.0;
 const DOT_HEIGHT: f32 = 18.0;
 
 /// Shows the title and the dots.
-pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, course: &Course, commands: &mut Commands) {
     ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
         let size = vec2(BUTTON_SIDE, BUTTON_SIDE);
@@ -27,9 +27,9 @@ pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
             .on_hover_text("Closes the lesson, and restores the parts of the window. Its answers are kept")
             .clicked()
         {
-            ask(asks, LessonCommand::Close);
+            ask(commands, LessonCommand::Close);
         }
-        fold(ui, Icon::Back, "Fold the lesson", asks);
+        fold(ui, Icon::Back, "Fold the lesson", commands);
         ui.with_layout(Layout::top_down(Align::Min), |ui| {
             ui.add_space(2.0);
             ui.add(Label::new(&course.lesson().title).wrap());
@@ -45,7 +45,7 @@ pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
         ui.spacing_mut().item_spacing.x = 0.0;
         let step = DOT_STEP.min((ui.available_width() - 50.0) / count as f32).max(0.0);
         for number in 0..count {
-            dot(ui, course, number, vec2(step, DOT_HEIGHT), asks);
+            dot(ui, course, number, vec2(step, DOT_HEIGHT), commands);
         }
         ui.add_space(theme::GAP);
         ui.label(RichText::new(text).weak());
@@ -53,26 +53,26 @@ pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
 }
 
 /// Shows the strip of a lesson that is folded.
-pub fn folded(ui: &mut Ui, course: &Course, asks: &mut Asks) {
+pub fn folded(ui: &mut Ui, course: &Course, commands: &mut Commands) {
     ui.with_layout(Layout::top_down(Align::Center), |ui| {
-        fold(ui, Icon::Forward, "Unfold the lesson", asks);
+        fold(ui, Icon::Forward, "Unfold the lesson", commands);
         ui.add_space(theme::GAP);
         let count = course.lesson().steps.len();
         for number in 0..if count < 2 { 0 } else { count } {
-            dot(ui, course, number, vec2(BUTTON_SIDE, DOT_STEP), asks);
+            dot(ui, course, number, vec2(BUTTON_SIDE, DOT_STEP), commands);
         }
     });
 }
 
-fn fold(ui: &mut Ui, icon: Icon, name: &str, asks: &mut Asks) {
+fn fold(ui: &mut Ui, icon: Icon, name: &str, commands: &mut Commands) {
     let button = icons::button(ui, icon, name, vec2(BUTTON_SIDE, BUTTON_SIDE), false);
     if button.on_hover_text(name).clicked() {
-        ask(asks, LessonCommand::ToggleFolded);
+        ask(commands, LessonCommand::ToggleFolded);
     }
 }
 
 /// The dot of the step of this `number`, which goes there.
-fn dot(ui: &mut Ui, course: &Course, number: usize, size: eframe::egui::Vec2, asks: &mut Asks) {
+fn dot(ui: &mut Ui, course: &Course, number: usize, size: eframe::egui::Vec2, commands: &mut Commands) {
     let (place, can_reach) = (course.place().step, course.can_reach(number));
     let title = &course.lesson().steps[number].title;
     let sense = if can_reach { Sense::click() } else { Sense::hover() };
@@ -82,7 +82,7 @@ fn dot(ui: &mut Ui, course: &Course, number: usize, size: eframe::egui::Vec2, as
     response.widget_info(|| WidgetInfo::selected(Role::Button, can_reach, is_here, &name));
     paint(ui, &response, rect.center(), [is_here, number < place, can_reach]);
     if response.on_hover_text(&name).clicked() {
-        ask(asks, LessonCommand::GoTo(Place { step: number, phase: Phase::Ask }));
+        ask(commands, LessonCommand::GoTo(Place { step: number, phase: Phase::Ask }));
     }
 }
 

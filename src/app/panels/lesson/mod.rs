@@ -16,7 +16,7 @@ use eframe::egui::{self, StrokeKind, Ui, UiBuilder, vec2};
 
 pub use page::what_is_shown;
 
-use super::Asks;
+use super::Commands;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::fitted;
@@ -31,7 +31,7 @@ const NOTES_SHARE: f32 = 0.45;
 const FOOT_HEIGHT: f32 = 74.0;
 
 /// Shows the panel, or the strip that it is folded to.
-pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let Some(running) = &state.session.lesson else { return };
     let rect = ui.max_rect();
     let visuals = ui.visuals();
@@ -39,12 +39,12 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.painter().rect(rect, 8.0, visuals.window_fill, line, StrokeKind::Inside);
     if running.is_folded {
         let inside = rect.shrink2(vec2(4.0, AROUND.y));
-        ui.scope_builder(UiBuilder::new().max_rect(inside), |ui| head::folded(ui, &running.course, asks));
+        ui.scope_builder(UiBuilder::new().max_rect(inside), |ui| head::folded(ui, &running.course, commands));
         return;
     }
     let inside = rect.shrink2(AROUND.min(0.1 * rect.size()));
     ui.scope_builder(UiBuilder::new().max_rect(inside), |ui| {
-        head::show(ui, &running.course, asks);
+        head::show(ui, &running.course, commands);
         ui.add_space(8.0);
         let page = ui.available_rect_before_wrap();
         let foot_height = FOOT_HEIGHT.min(0.5 * page.height()).max(0.0);
@@ -54,7 +54,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let notes = page.with_min_y(page.max.y - if has_notes { NOTES_SHARE * page.height() } else { 0.0 });
         let page = page.with_max_y(notes.min.y);
         ui.scope_builder(UiBuilder::new().id_salt("page").max_rect(page), |ui| {
-            fitted::show(ui, what_is_shown(running), SIZES, |ui| page::show(ui, state, running, asks));
+            fitted::show(ui, what_is_shown(running), SIZES, |ui| page::show(ui, state, running, commands));
         });
         if has_notes {
             ui.scope_builder(UiBuilder::new().id_salt("notes").max_rect(notes), |ui| {
@@ -62,7 +62,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
             });
         }
         ui.scope_builder(UiBuilder::new().id_salt("foot").max_rect(foot), |ui| {
-            foot::show(ui, state, running, asks);
+            foot::show(ui, state, running, commands);
         });
     });
 }

@@ -34,7 +34,7 @@ fn answers(ui: &mut Ui, options: &Options) {
     for (number, text) in options.texts.iter().enumerate() {
         if number == options.right {
             cards::quiet(ui, "Answer");
-            cards::told(ui, text, true);
+            cards::show(ui, text, true);
         }
     }
     cards::quiet(ui, "Wrong");

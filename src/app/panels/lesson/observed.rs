@@ -5,19 +5,19 @@ use eframe::egui::{RichText, Ui};
 use super::asked::ask;
 use super::cards;
 use crate::app::lesson::session::LessonCommand;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::lesson::{Choices, Course, Record};
 
 /// Shows the question, and what is to say to its answer.
-pub fn show(ui: &mut Ui, state: &State, course: &Course, asked: &Choices, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, course: &Course, asked: &Choices, commands: &mut Commands) {
     cards::question(ui, &asked.question);
     let is_presented = state.session.stage.is_presented();
     let observed = course.record().and_then(|record: &Record| record.observed);
     for (number, text) in asked.options.texts.iter().enumerate() {
         let is_chosen = observed == Some(number);
         if cards::choice(ui, text, number, is_chosen, is_presented).clicked() {
-            ask(asks, LessonCommand::Observe(number));
+            ask(commands, LessonCommand::Observe(number));
         }
     }
     match observed {
@@ -30,7 +30,7 @@ pub fn show(ui: &mut Ui, state: &State, course: &Course, asked: &Choices, asks: 
             if !is_presented
                 && ui.button("Look again").on_hover_text("Shows it again from the beginning").clicked()
             {
-                ask(asks, LessonCommand::SetUp);
+                ask(commands, LessonCommand::SetUp);
             }
         }
         None => {}

@@ -4,40 +4,40 @@ use eframe::egui::{RichText, Ui};
 
 use super::{cards, end, form, observed, shown};
 use crate::app::lesson::session::Running;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::markdown;
 use crate::lesson::{Course, Phase, Step, Text};
 
 /// Shows the page of the present place.
-pub fn show(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, running: &Running, commands: &mut Commands) {
     let course = &running.course;
-    let Some(step) = course.step() else { return end::show(ui, running, asks) };
+    let Some(step) = course.step() else { return end::show(ui, running, commands) };
     ui.spacing_mut().item_spacing.y = 6.0;
     if step.title != course.lesson().title {
         ui.label(RichText::new(&step.title).heading().strong());
         ui.add_space(4.0);
     }
     match course.place().phase {
-        Phase::Ask => asked(ui, state, course, step, asks),
-        Phase::Shown => revealed(ui, state, running, step, asks),
+        Phase::Ask => asked(ui, state, course, step, commands),
+        Phase::Shown => revealed(ui, state, running, step, commands),
         Phase::Explained => text(ui, &step.explanation),
     }
 }
 
-fn asked(ui: &mut Ui, state: &State, course: &Course, step: &Step, asks: &mut Asks) {
+fn asked(ui: &mut Ui, state: &State, course: &Course, step: &Step, commands: &mut Commands) {
     text(ui, &step.text);
     let Some(prediction) = &step.prediction else { return };
     apart(ui, !step.text.is_empty());
     cards::question(ui, &prediction.question);
-    form::show(ui, state, course, prediction, asks);
-    form::confidence(ui, course, asks);
+    form::show(ui, state, course, prediction, commands);
+    form::confidence(ui, course, commands);
     if course.is_answered() {
         cards::quiet(ui, "This is what you said. You can change it.");
     }
 }
 
-fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut Asks) {
+fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, commands: &mut Commands) {
     let has_text = said_to_reveal(ui, step);
     if running.is_running() {
         if !has_text {
@@ -48,9 +48,9 @@ fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &m
     // What was seen comes first: with the truth beside it, that question would only be copied from.
     if let Some(observation) = &step.observation {
         apart(ui, has_text);
-        observed::show(ui, state, &running.course, observation, asks);
+        observed::show(ui, state, &running.course, observation, commands);
     }
-    if let Some(prediction) = step.prediction.as_ref().filter(|_| running.course.tells_truth()) {
+    if let Some(prediction) = step.prediction.as_ref().filter(|_| running.course.shows_truth()) {
         apart(ui, step.observation.is_some() || has_text);
         cards::question(ui, &prediction.question);
         shown::compared(ui, state, step, &running.course);
@@ -82,6 +82,6 @@ pub fn what_is_shown(running: &Running) -> String {
     let course = &running.course;
     let (lesson, place, record) = (course.lesson(), course.place(), course.record());
     let is_running = running.is_running();
-    let (is_class, tells_truth) = (course.counts_hands(), course.tells_truth());
-    format!("{} {place:?} {record:?} {is_class} {tells_truth} {is_running} {:?}", lesson.name, course.step())
+    let (is_class, shows_truth) = (course.counts_hands(), course.shows_truth());
+    format!("{} {place:?} {record:?} {is_class} {shows_truth} {is_running} {:?}", lesson.name, course.step())
 }

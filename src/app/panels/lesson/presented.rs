@@ -4,17 +4,17 @@ use eframe::egui::{Label, RichText, Ui};
 
 use super::{cards, end, form, observed, page, shown};
 use crate::app::lesson::session::Running;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::lesson::{Kind, Phase, Step};
 use crate::number_text;
 
 /// Shows the lesson before an audience.
-pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let Some(running) = &state.session.lesson else { return };
     where_it_is(ui, state, running);
     match running.course.step() {
-        Some(step) => words(ui, state, running, step, asks),
+        Some(step) => words(ui, state, running, step, commands),
         None => end::sentence(ui, &running.course),
     }
 }
@@ -31,7 +31,7 @@ fn where_it_is(ui: &mut Ui, state: &State, running: &Running) {
     ui.add(Label::new(RichText::new(told).weak()).truncate());
 }
 
-fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut Asks) {
+fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, commands: &mut Commands) {
     let course = &running.course;
     let prediction = step.prediction.as_ref();
     match (course.place().phase, prediction) {
@@ -41,11 +41,11 @@ fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut 
             match &prediction.kind {
                 Kind::Number(_) if course.is_answered() => shown::said(ui, state, step, course),
                 Kind::Number(_) => {}
-                _ => form::show(ui, state, course, prediction, asks),
+                _ => form::show(ui, state, course, prediction, commands),
             }
         }
         (Phase::Ask, None) => page::text(ui, &step.text),
-        (Phase::Shown, _) => revealed(ui, state, running, step, asks),
+        (Phase::Shown, _) => revealed(ui, state, running, step, commands),
         (Phase::Explained, _) => page::text(ui, &step.explanation),
     }
 }
@@ -55,25 +55,25 @@ const TWO_COLUMNS: f32 = 0.8;
 
 /// Shows the words of the reveal and the question of what was seen, side by side if they fit. The truth appears once
 /// that question is answered.
-fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut Asks) {
+fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, commands: &mut Commands) {
     let observation = step.observation.as_ref().filter(|_| !running.is_running());
     let is_wide = ui.available_width() > TWO_COLUMNS * ui.ctx().content_rect().width();
     match observation {
         Some(observation) if is_wide => ui.columns_const(|[left, right]| {
             compared(left, state, running, step);
-            observed::show(right, state, &running.course, observation, asks);
+            observed::show(right, state, &running.course, observation, commands);
         }),
         Some(observation) => {
             compared(ui, state, running, step);
-            observed::show(ui, state, &running.course, observation, asks);
+            observed::show(ui, state, &running.course, observation, commands);
         }
         None => compared(ui, state, running, step),
     }
 }
 
 fn compared(ui: &mut Ui, state: &State, running: &Running, step: &Step) {
-    let tells_truth = !running.is_running() && running.course.tells_truth();
-    if let Some(prediction) = step.prediction.as_ref().filter(|_| tells_truth) {
+    let shows_truth = !running.is_running() && running.course.shows_truth();
+    if let Some(prediction) = step.prediction.as_ref().filter(|_| shows_truth) {
         cards::question(ui, &prediction.question);
         shown::compared(ui, state, step, &running.course);
     }

@@ -16,7 +16,7 @@ pub fn said(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
         (Some(Kind::Choice(options)), Some(Answer::Votes(votes))) => bars(ui, options, votes, None),
         (Some(Kind::Choice(options)), Some(Answer::Choice(choice))) => {
             cards::quiet(ui, "You said");
-            options.texts.get(*choice).into_iter().for_each(|text| cards::told(ui, text, false));
+            options.texts.get(*choice).into_iter().for_each(|text| cards::show(ui, text, false));
         }
         (Some(Kind::Number(_)), _) => told.into_iter().for_each(|told| value(ui, "You said", &told.said)),
         _ => told.into_iter().for_each(|told| markdown::show(ui, &format!("You said {}.", told.said))),
@@ -31,13 +31,13 @@ pub fn compared(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
         }
         (Some(Kind::Choice(options)), Some(Answer::Choice(choice))) if *choice != options.right => {
             cards::quiet(ui, "You said");
-            options.texts.get(*choice).into_iter().for_each(|text| cards::told(ui, text, false));
+            options.texts.get(*choice).into_iter().for_each(|text| cards::show(ui, text, false));
             cards::quiet(ui, "It is");
-            cards::told(ui, &options.texts[options.right], true);
+            cards::show(ui, &options.texts[options.right], true);
         }
         (Some(Kind::Choice(options)), answer) => {
             cards::quiet(ui, if answer.is_some() { "You said, rightly," } else { "It is" });
-            cards::told(ui, &options.texts[options.right], true);
+            cards::show(ui, &options.texts[options.right], true);
         }
         (Some(kind), answer) => {
             let told = course.record().and_then(|record| verdict(step, record, &state.sight()));

@@ -4,7 +4,7 @@ use eframe::egui::{self, CursorIcon, Pos2, Rect, Response, Sense, Ui, Vec2, acce
 use relativity_core::math;
 
 use crate::app::command::Command;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::map::{Chart, Viewpoint};
 
@@ -34,7 +34,7 @@ pub fn look_around(
     name: &str,
     chart: &Chart,
     axes: [usize; 2],
-    asks: &mut Asks,
+    commands: &mut Commands,
 ) -> Response {
     let id = ui.scope_id().with(name);
     let response =
@@ -53,7 +53,7 @@ pub fn look_around(
         viewpoint = zoomed(ui, viewpoint, chart, axes, pointer);
     }
     if viewpoint != before {
-        asks.push(Command::MapView(viewpoint));
+        commands.push(Command::MapView(viewpoint));
     }
     response
 }

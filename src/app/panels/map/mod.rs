@@ -10,7 +10,7 @@ mod times;
 
 use eframe::egui::{Rect, RichText, Ui, UiBuilder, vec2};
 
-use super::Asks;
+use super::Commands;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::widgets::choice;
@@ -21,32 +21,32 @@ use crate::settings::{Face, Frame, Framing};
 const STRIP_HEIGHT: f32 = 26.0;
 
 /// Shows the map with its controls.
-pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     if state.document.settings.window.simple {
-        return show_presented(ui, state, asks);
+        return show_presented(ui, state, commands);
     }
     let rect = ui.max_rect();
     let height = STRIP_HEIGHT.min(rect.height());
     let above = Rect::from_min_size(rect.min, vec2(rect.width(), height));
-    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| strip(ui, state, asks));
-    face(ui, state, Rect::from_min_max(above.left_bottom(), rect.max), asks);
+    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| strip(ui, state, commands));
+    face(ui, state, Rect::from_min_max(above.left_bottom(), rect.max), commands);
 }
 
 /// Shows it before an audience or among few controls: the frame is named, and nothing is chosen.
-pub fn show_presented(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub fn show_presented(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let whose = match state.document.settings.map.frame {
         Frame::Ground => "the ground".to_owned(),
         Frame::Bicycle => format!("the {}", state.document.scene.rider),
     };
     let told = ui.label(RichText::new(format!("Map, in the frame of {whose}")).small().strong());
     let below = ui.max_rect().with_min_y(told.rect.max.y);
-    face(ui, state, below, asks);
+    face(ui, state, below, commands);
 }
 
-fn face(ui: &mut Ui, state: &State, below: Rect, asks: &mut Asks) {
+fn face(ui: &mut Ui, state: &State, below: Rect, commands: &mut Commands) {
     match state.document.settings.map.face {
-        Face::Space => space::show(ui, state, below, asks),
-        Face::Spacetime => spacetime::show(ui, state, below, asks),
+        Face::Space => space::show(ui, state, below, commands),
+        Face::Spacetime => spacetime::show(ui, state, below, commands),
     }
 }
 
@@ -58,7 +58,7 @@ const FACES: [(Face, &str, &str); 2] = [
 const CLOSE_UP: &str = "Follows the selected body: in space where it is seen and where two eyes place it, with the length of a \
                         rod; in spacetime where the followed points are now, with their clocks.";
 
-fn strip(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn strip(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut map = state.document.settings.map;
     let rider = capitalised(&state.document.scene.rider);
     let frames = [
@@ -75,6 +75,6 @@ fn strip(ui: &mut Ui, state: &State, asks: &mut Asks) {
         map.framing = if is_close_up { Framing::CloseUp } else { Framing::Passage };
     });
     if map != state.document.settings.map {
-        asks.push(Command::Map(map));
+        commands.push(Command::Map(map));
     }
 }

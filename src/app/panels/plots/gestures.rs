@@ -8,7 +8,7 @@ use relativity_core::math;
 use super::axes::time_at_pointer;
 use super::chart::Chart;
 use crate::app::command::Command;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::plots::look::{PlotCommand, Ranges};
 use crate::app::state::State;
 
@@ -18,7 +18,13 @@ const NOTCH: f32 = 40.0;
 const NARROWEST: f64 = 1e-6;
 
 /// Asks for what the mouse does in the plot of `chart`.
-pub(super) fn read(ui: &Ui, state: &State, response: &PlotResponse<()>, chart: &Chart<'_>, asks: &mut Asks) {
+pub(super) fn read(
+    ui: &Ui,
+    state: &State,
+    response: &PlotResponse<()>,
+    chart: &Chart<'_>,
+    commands: &mut Commands,
+) {
     let quantity = chart.quantity;
     let look = |ranges| Command::Plotting(PlotCommand::Look(quantity, ranges));
     let (mouse, modifiers) = (&response.response, ui.input(|input| input.modifiers));
@@ -27,7 +33,7 @@ pub(super) fn read(ui: &Ui, state: &State, response: &PlotResponse<()>, chart: &
         || (mouse.dragged_by(PointerButton::Primary) && modifiers.command);
     if mouse.double_clicked() {
         if chart.zoomed.is_some() {
-            asks.push(look(None));
+            commands.push(look(None));
         }
     } else if is_moved {
         let delta = mouse.drag_delta();
@@ -36,22 +42,22 @@ pub(super) fn read(ui: &Ui, state: &State, response: &PlotResponse<()>, chart: &
         let times = moved(shown.times, f64::from(delta.x) / x);
         let values = moved(shown.values, f64::from(delta.y) / y);
         if delta != egui::Vec2::ZERO {
-            asks.push(look(Some(Ranges { times, values })));
+            commands.push(look(Some(Ranges { times, values })));
         }
     } else if let Some(time) = time_at_pointer(response) {
         if modifiers.shift {
             if mouse.clicked() {
-                asks.push(Command::Plotting(PlotCommand::Cursor(Some(time))));
+                commands.push(Command::Plotting(PlotCommand::Cursor(Some(time))));
             }
         } else if !modifiers.command {
-            asks.push(Command::Time(time));
+            commands.push(Command::Time(time));
         }
     }
     let Some(pointer) = mouse.hover_pos().filter(|_| mouse.contains_pointer()) else { return };
     let steps = steps(ui, mouse.id);
     if steps != 0 {
         let at = response.transform.value_from_position(pointer);
-        asks.push(look(zoomed(chart, shown, state.whole_times(), [at.x, at.y], steps)));
+        commands.push(look(zoomed(chart, shown, state.whole_times(), [at.x, at.y], steps)));
     }
 }
 

@@ -29,7 +29,7 @@ use self::legend::Drawn;
 pub use self::plotted::Plotted;
 use self::traces::chart;
 use crate::app::command::Command;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::plots::curves::{Curves, Quantity};
 use crate::app::plots::look::quantities;
 use crate::app::state::State;
@@ -40,46 +40,46 @@ use crate::settings::{Coordinates, PlotTab};
 const ABOVE_AND_BELOW: f32 = 60.0;
 
 /// Shows the plots with their tabs.
-pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, commands: &mut Commands) {
     if let Some(sketched) = state.sketched() {
         if state.shows_sketch() {
-            return sketch::show(ui, state, sketched, asks);
+            return sketch::show(ui, state, sketched, commands);
         }
-        ui.horizontal(|ui| sketch::switch(ui, state, asks));
+        ui.horizontal(|ui| sketch::switch(ui, state, commands));
     }
     if state.document.settings.window.simple && !quantities(&state.document.settings.plots).is_empty() {
-        return over_time(ui, state, plotted.curves, asks);
+        return over_time(ui, state, plotted.curves, commands);
     }
     let examination = plotted.examination.filter(|_| state.document.settings.plots.plot == PlotTab::Accuracy);
     ui.horizontal_wrapped(|ui| {
-        tabs(ui, state, asks);
+        tabs(ui, state, commands);
         ui.separator();
         match examination {
-            Some(examination) => accuracy::caption(ui, state, examination, asks),
-            None => points::show(ui, state, asks),
+            Some(examination) => accuracy::caption(ui, state, examination, commands),
+            None => points::show(ui, state, commands),
         }
     });
     match state.document.settings.plots.plot {
-        PlotTab::Fit => fit::show(ui, state, plotted.fitting, asks),
-        PlotTab::Accuracy => accuracy::show(ui, state, plotted.examination, asks),
-        _ => over_time(ui, state, plotted.curves, asks),
+        PlotTab::Fit => fit::show(ui, state, plotted.fitting, commands),
+        PlotTab::Accuracy => accuracy::show(ui, state, plotted.examination, commands),
+        _ => over_time(ui, state, plotted.curves, commands),
     }
 }
 
 /// Shows, before an audience, the first of the plots of what is chosen and nothing else; of the Fit tab the readings with their
 /// residuals and the table. A curve that a lesson has drawn goes before.
-pub fn show_one(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
+pub fn show_one(ui: &mut Ui, state: &State, plotted: Plotted<'_>, commands: &mut Commands) {
     if let Some(sketched) = state.sketched() {
-        return sketch::show(ui, state, sketched, asks);
+        return sketch::show(ui, state, sketched, commands);
     }
     match state.document.settings.plots.plot {
-        PlotTab::Fit => fit::show_presented(ui, state, plotted.fitting, asks),
-        _ => over_time(ui, state, plotted.curves, asks),
+        PlotTab::Fit => fit::show_presented(ui, state, plotted.fitting, commands),
+        _ => over_time(ui, state, plotted.curves, commands),
     }
 }
 
 /// Plots over T side by side, each below what it is called and what it is now.
-fn over_time(ui: &mut Ui, state: &State, curves: &[Curves], asks: &mut Asks) {
+fn over_time(ui: &mut Ui, state: &State, curves: &[Curves], commands: &mut Commands) {
     let high = ui.available_height() - ABOVE_AND_BELOW;
     let charts: Vec<Chart<'_>> =
         state.plotted_quantities().iter().map(|&quantity| chart(state, curves, quantity, high)).collect();
@@ -100,12 +100,12 @@ fn over_time(ui: &mut Ui, state: &State, curves: &[Curves], asks: &mut Asks) {
     let height = ui.available_height().max(20.0);
     ui.horizontal(|ui| {
         for chart in &charts {
-            plot(ui, vec2(width(chart), height), state, chart, asks);
+            plot(ui, vec2(width(chart), height), state, chart, commands);
         }
     });
 }
 
-fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn tabs(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut plots = state.document.settings.plots;
     for &tab in PlotTab::value_variants() {
         let (name, tip) = match tab {
@@ -131,7 +131,7 @@ fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
         coordinates(ui, &mut plots.coordinates);
     }
     if plots != state.document.settings.plots {
-        asks.push(Command::Plots(plots));
+        commands.push(Command::Plots(plots));
     }
 }
 
@@ -157,7 +157,7 @@ fn coordinates(ui: &mut Ui, chosen: &mut Coordinates) {
     shown.response.on_hover_text(tip).accessible_name("Coordinates of the disparities");
 }
 
-fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &Chart<'_>, asks: &mut Asks) {
+fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &Chart<'_>, commands: &mut Commands) {
     let quantity = chart.quantity;
     let ([from, to], [low, high]) = (chart.range, chart.value_range());
     let plot = plot_over_time(ui, ("plot", label(quantity)), chart.time_unit, size);
@@ -177,7 +177,7 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &Chart<'_>, asks: &
     legend::show(ui, &response, chart, &drawn);
     describe(&response, state, quantity);
     pointed::show(ui, &response, chart);
-    gestures::read(ui, state, &response, chart, asks);
+    gestures::read(ui, state, &response, chart, commands);
 }
 
 /// The times that are marked.

@@ -16,7 +16,7 @@ struct Traits {
 }
 
 impl Traits {
-    fn of(state: &State, point: &Point, key: &CurvesKey) -> Self {
+    fn new(state: &State, point: &Point, key: &CurvesKey) -> Self {
         let number = |name: &str, value: f64| format!("{name} {}", number_text::trimmed(value, 3));
         let [x, y, z] = key.point.rest.to_array();
         let baseline = key.baseline;
@@ -67,8 +67,8 @@ impl Traits {
 /// Returns the traits of all pinned curves, and last those of the selected point.
 fn compared(state: &State) -> Vec<Traits> {
     let selected = state.document.points.selected();
-    let pins = state.scratch.plotting.pins().iter().map(|pin| Traits::of(state, &pin.point, &pin.key));
-    pins.chain([Traits::of(state, selected, &state.curve_key(selected))]).collect()
+    let pins = state.scratch.plotting.pins().iter().map(|pin| Traits::new(state, &pin.point, &pin.key));
+    pins.chain([Traits::new(state, selected, &state.curve_key(selected))]).collect()
 }
 
 /// The names of the pinned curves, in order.

@@ -3,7 +3,7 @@
 use eframe::egui::{Color32, TextStyle, Ui, vec2};
 
 use crate::app::command::Command;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::plots::look::{self, PlotCommand};
 use crate::app::state::State;
 use crate::app::theme;
@@ -11,7 +11,7 @@ use crate::app::widgets::dot;
 use crate::app::widgets::icons::{self, Icon};
 
 /// The followed points: a click selects one, a cross removes it.
-pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.spacing_mut().item_spacing.x = 3.0;
     let points = &state.document.points;
     let all = points.all();
@@ -31,23 +31,23 @@ pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let place = format!("({x}, {y}, {z}){}", unit.suffix());
         let is = match state.on_wheel(&point.track, 0.0) {
             None => format!("At rest at {place}."),
-            Some(wheel) => format!("Turns with its wheel, {}. At {place} when τ = 0.", wheel.told_share()),
+            Some(wheel) => format!("Turns with its wheel, {}. At {place} when τ = 0.", wheel.share_text()),
         };
         let tip = format!("{is}\nClick in a view to move it, shift-click to add one.");
         if ui.selectable_label(chosen, &name).on_hover_text(tip).clicked() {
-            asks.push(Command::SelectPoint(index));
+            commands.push(Command::SelectPoint(index));
         }
         if points.is_removable(index) {
             let name = format!("Remove {name}");
             if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
             {
-                asks.push(Command::RemovePoint(index));
+                commands.push(Command::RemovePoint(index));
             }
         }
         ui.add_space(6.0);
     }
     if !look::quantities(&state.document.settings.plots).is_empty() {
-        buttons(ui, state, asks);
+        buttons(ui, state, commands);
     }
 }
 
@@ -59,11 +59,11 @@ fn entry_width(ui: &Ui, name: &str) -> f32 {
 }
 
 /// Shows the buttons that pin and mark something in the plots.
-fn buttons(ui: &mut Ui, state: &State, asks: &mut Asks) {
+fn buttons(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let plotting = &state.scratch.plotting;
     let mut button = |ui: &mut Ui, name: &str, tip: &str, command: PlotCommand| {
         if ui.small_button(name).on_hover_text(tip).clicked() {
-            asks.push(Command::Plotting(command));
+            commands.push(Command::Plotting(command));
         }
     };
     let tip = "Keeps the curves of the selected point as they are now, whatever changes: to compare speeds, say. (K)";

@@ -12,7 +12,7 @@ use super::legend::{self, Drawn, Row};
 use crate::app::command::Command;
 use crate::app::lesson::drawn_curve::Sketched;
 use crate::app::lesson::session::LessonCommand;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::plots::curves::Quantity;
 use crate::app::state::State;
 use crate::app::theme;
@@ -28,14 +28,14 @@ const DRAWN: (Dash, &str) = (Dash::RIGHT, "your curve");
 const TRUE: (Dash, &str) = (Dash::Solid, "true curve");
 
 /// Shows the plot to draw in.
-pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mut Asks) {
+pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands: &mut Commands) {
     let quantity = plotted(sketched.curve.quantity);
     let unit = shown_in(quantity, state.measures().length);
     ui.spacing_mut().item_spacing.y = 2.0;
     // Before an audience the words of the lesson tell it.
     if !sketched.is_asked && !state.session.stage.is_presented() {
         ui.horizontal_wrapped(|ui| {
-            switch(ui, state, asks);
+            switch(ui, state, commands);
             let off =
                 sketched.is_revealed.then(|| difference(&sketched.curve, sketched.points, &state.sight()));
             if let Some(text) = off.flatten() {
@@ -54,21 +54,21 @@ pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mu
             // It is always there: the plot stays where it is while something is drawn.
             let clear = ui.add_enabled(!sketched.points.is_empty(), Button::new("Clear"));
             if clear.on_hover_text("Clears the curve.").clicked() {
-                asks.push(Command::Lesson(LessonCommand::Draft(None)));
+                commands.push(Command::Lesson(LessonCommand::Draft(None)));
             }
         }
     });
-    plot(ui, state, sketched, asks);
+    plot(ui, state, sketched, commands);
 }
 
 /// The small switch between the curve and the usual plots.
-pub(super) fn switch(ui: &mut Ui, state: &State, asks: &mut Asks) {
+pub(super) fn switch(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let now = !state.shows_sketch();
     let mut plots = now;
     ui.selectable_value(&mut plots, false, "Your curve").on_hover_text("Your curve and the true one.");
     ui.selectable_value(&mut plots, true, "All plots").on_hover_text("The whole of every plot.");
     if plots != now {
-        asks.push(Command::Lesson(LessonCommand::ShowPlots(plots)));
+        commands.push(Command::Lesson(LessonCommand::ShowPlots(plots)));
     }
 }
 
@@ -90,7 +90,7 @@ const fn whose(quantity: Quantity) -> &'static str {
     }
 }
 
-fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mut Asks) {
+fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands: &mut Commands) {
     let lesson::Curve { quantity, range: values } = sketched.curve;
     let (times, time_unit) = (state.whole_times(), state.measures().time);
     let size = ui.available_size().max(Vec2::splat(20.0));
@@ -127,7 +127,7 @@ fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mut Asks) {
     legend::show_rows(ui, &response, "the sketch", is_there.map(row).collect(), &covered);
     describe(ui, &response, state, sketched);
     if sketched.is_asked {
-        read(ui, &response, sketched, [times, values], asks);
+        read(ui, &response, sketched, [times, values], commands);
     }
 }
 
@@ -165,7 +165,13 @@ fn describe(ui: &Ui, response: &PlotResponse<()>, state: &State, sketched: Sketc
 }
 
 /// Asks for what the mouse draws: a straight stroke from where it was to where it is.
-fn read(ui: &Ui, response: &PlotResponse<()>, sketched: Sketched<'_>, area: [[f64; 2]; 2], asks: &mut Asks) {
+fn read(
+    ui: &Ui,
+    response: &PlotResponse<()>,
+    sketched: Sketched<'_>,
+    area: [[f64; 2]; 2],
+    commands: &mut Commands,
+) {
     let mouse = &response.response;
     let is_drawing =
         mouse.dragged_by(PointerButton::Primary) || mouse.drag_stopped_by(PointerButton::Primary);
@@ -178,6 +184,6 @@ fn read(ui: &Ui, response: &PlotResponse<()>, sketched: Sketched<'_>, area: [[f6
     });
     let points = sketch::drawn(sketched.points, area, stroke);
     if points != sketched.points {
-        asks.push(Command::Lesson(LessonCommand::Draft(Some(Answer::Curve(points)))));
+        commands.push(Command::Lesson(LessonCommand::Draft(Some(Answer::Curve(points)))));
     }
 }

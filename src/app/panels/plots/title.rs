@@ -90,7 +90,7 @@ fn values_now(ui: &mut Ui, state: &State, chart: &Chart<'_>, exponent: i32) {
         _ => None,
     };
     traces.sort_by_key(|trace| order(trace));
-    let is_told_apart = traces.len() > 1;
+    let is_one_of_several = traces.len() > 1;
     for trace in traces {
         let plotted = trace.source.value(chart.now);
         let decimals = match chart.quantity {
@@ -110,7 +110,7 @@ fn values_now(ui: &mut Ui, state: &State, chart: &Chart<'_>, exponent: i32) {
                 let tip = "The same by the paper's approximate binocular model, drawn dashed.";
                 entry(ui, trace, &text, &format!("Published {symbol} at T: {value}{suffix}"), tip);
             }
-            curve if curve.is_disparity() && is_told_apart => {
+            curve if curve.is_disparity() && is_one_of_several => {
                 let text = format!("{value}{suffix}");
                 let tip =
                     "As two eyes see it, each by its own light cone, or by the one that the views show.";

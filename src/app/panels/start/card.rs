@@ -10,7 +10,7 @@ use eframe::egui::{
     TextureHandle, Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::Asks;
+use super::Commands;
 use super::picture::{self, ASPECT, RADIUS};
 use crate::app::command::Command;
 use crate::app::theme;
@@ -68,7 +68,7 @@ impl Cards {
     }
 
     /// Shows `cards` in rows.
-    pub fn show(self, ui: &mut Ui, cards: &[Card<'_>], thumbnails: &mut Thumbnails, asks: &mut Asks) {
+    pub fn show(self, ui: &mut Ui, cards: &[Card<'_>], thumbnails: &mut Thumbnails, commands: &mut Commands) {
         let (width, scale) = (ui.available_width(), theme::text_scale(ui.style()));
         let columns = self.columns(width, scale, cards.len());
         let between = scale * BETWEEN;
@@ -83,7 +83,7 @@ impl Cards {
                 let left = room.min.x + number as f32 * (card_width + between);
                 let rect = Rect::from_min_size(pos2(left, room.min.y), vec2(card_width, height));
                 if card.show(ui, rect, written, look, thumbnails).clicked() {
-                    asks.push(card.command.clone());
+                    commands.push(card.command.clone());
                 }
             }
             ui.add_space(between - ui.spacing().item_spacing.y);

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use eframe::egui::{Button, Key, Memory, RichText, ScrollArea, TextStyle, Ui, UiBuilder, Vec2, vec2};
 
 use self::card::{Card, Cards};
-use super::Asks;
+use super::Commands;
 use crate::app::command::Command;
 use crate::app::lesson::session::LessonCommand;
 use crate::app::overlay::Overlay;
@@ -17,7 +17,7 @@ use crate::app::state::State;
 use crate::app::theme;
 use crate::app::views::thumbnails::Thumbnails;
 use crate::lesson::{Lesson, Refused};
-use crate::platform::tell;
+use crate::platform::messages;
 use crate::settings::Preset;
 
 /// The widest that what is on the page becomes, and what stays free at its sides, points.
@@ -52,7 +52,7 @@ pub const fn lets_through(command: &Command) -> bool {
 }
 
 /// Shows the start page.
-pub fn show(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, commands: &mut Commands) {
     let scale = theme::text_scale(ui.style());
     let area = ScrollArea::vertical().auto_shrink([false, false]);
     area.show(ui, |ui| {
@@ -66,15 +66,15 @@ pub fn show(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, asks: &mut 
             let library = state.library();
             let (presets, lessons): (Vec<_>, Vec<_>) =
                 library.all().iter().partition(|lesson| lesson.is_a_preset());
-            head(ui, state, &lessons, presets.first().copied(), thumbnails, asks);
+            head(ui, state, &lessons, presets.first().copied(), thumbnails, commands);
             section(ui, "Lessons", &words::extent(&lessons));
             let numbered = lessons.iter().enumerate();
             let cards: Vec<_> = numbered.map(|(number, lesson)| of_lesson(state, number, lesson)).collect();
-            Cards::OfLessons.show(ui, &cards, thumbnails, asks);
+            Cards::OfLessons.show(ui, &cards, thumbnails, commands);
             refused(ui, library.refused());
             section(ui, "Presets", words::PRESETS);
             let cards: Vec<_> = presets.iter().filter_map(|lesson| of_preset(state, lesson)).collect();
-            Cards::OfPresets.show(ui, &cards, thumbnails, asks);
+            Cards::OfPresets.show(ui, &cards, thumbnails, commands);
             ui.add_space(scale * 12.0);
             ui.label(RichText::new(words::OWN).weak());
             ui.add_space(scale * 24.0);
@@ -86,7 +86,7 @@ pub fn show(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, asks: &mut 
 fn refused(ui: &mut Ui, refused: &[Refused]) {
     let colour = ui.visuals().error_fg_color;
     for Refused { error, .. } in refused.iter().take(MOST_REFUSED) {
-        ui.colored_label(colour, tell::in_short(&tell::shown(&error.to_string())));
+        ui.colored_label(colour, messages::in_short(&messages::shown(&error.to_string())));
     }
     if let Some(more) = refused.len().checked_sub(MOST_REFUSED).filter(|more| *more > 0) {
         ui.colored_label(
@@ -103,13 +103,13 @@ fn head(
     lessons: &[&Arc<Lesson>],
     start: Option<&Arc<Lesson>>,
     thumbnails: &mut Thumbnails,
-    asks: &mut Asks,
+    commands: &mut Commands,
 ) {
     let room = ui.available_rect_before_wrap();
     let is_wide = room.width() >= theme::text_scale(ui.style()) * NARROWEST_WITH_EYES;
     let end = if is_wide { room.min.x + WORDS * room.width() } else { room.max.x };
     let words = UiBuilder::new().max_rect(room.with_max_x(end));
-    let words = ui.scope_builder(words, |ui| introduction(ui, state, lessons, asks)).response.rect;
+    let words = ui.scope_builder(words, |ui| introduction(ui, state, lessons, commands)).response.rect;
     if let Some(start) = start.filter(|_| is_wide) {
         let beside = words.with_min_x(end + SIDES).with_max_x(room.max.x);
         let pictures = picture::both_eyes(ui, beside, start, thumbnails);
@@ -118,7 +118,7 @@ fn head(
 }
 
 /// Shows the introduction, and the way in.
-fn introduction(ui: &mut Ui, state: &State, lessons: &[&Arc<Lesson>], asks: &mut Asks) {
+fn introduction(ui: &mut Ui, state: &State, lessons: &[&Arc<Lesson>], commands: &mut Commands) {
     let body = TextStyle::Body.resolve(ui.style()).size;
     let scale = theme::text_scale(ui.style());
     ui.set_max_width(ui.available_width().min(scale * WIDEST_LINES));
@@ -131,13 +131,13 @@ fn introduction(ui: &mut Ui, state: &State, lessons: &[&Arc<Lesson>], asks: &mut
             let [ground, ink] = theme::primary_colours(ui.visuals());
             let words = RichText::new(words).size(INTRODUCTION * body).strong().color(ink);
             if ui.add(Button::new(words).fill(ground)).clicked() {
-                asks.push(command);
+                commands.push(command);
             }
         }
         let around = Button::new(RichText::new("Look around").size(INTRODUCTION * body));
         let tip = "Closes this page.   Key: Esc. It comes back with S, or Lessons above.";
         if ui.add(around).on_hover_text(tip).clicked() {
-            asks.push(Command::Toggle(Overlay::Start));
+            commands.push(Command::Toggle(Overlay::Start));
         }
     });
 }

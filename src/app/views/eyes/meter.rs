@@ -42,7 +42,7 @@ impl Chosen {
 impl Meter {
     /// Nothing is known yet of what `gpu` costs.
     pub fn new(gpu: &Gpu) -> Self {
-        let automatic = Automatic::new(Machine::of(Some(gpu)));
+        let automatic = Automatic::new(Machine::from_gpu(Some(gpu)));
         Self { automatic, clock: Instant::now(), is_on: false, drawings: 0, frames: 0 }
     }
 

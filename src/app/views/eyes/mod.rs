@@ -11,11 +11,11 @@ use eframe::egui_wgpu::RenderState;
 use relativity_render::{Composer, Composition, Gpu, GpuError, Method, Renderers};
 
 pub use meter::Chosen;
-pub use request::{Request, Shown};
+pub use request::{Request, ShownPicture};
 
 use self::background::{Background, Made};
 use self::meter::Meter;
-use self::slot::{ComposedPicture, Drawn, EyePicture, fitting, fitting_composed};
+use self::slot::{ComposedPicture, DrawnBy, EyePicture, fitting, fitting_composed};
 use crate::accuracy::Sight;
 use crate::app::painting;
 use crate::flags::Goal;
@@ -35,7 +35,7 @@ pub struct EyePictures {
     /// Why the device no longer draws, once it has refused to: from then on the reference does.
     refusal: Option<GpuError>,
     /// Whether the refusal is still to be reported.
-    is_untold: bool,
+    is_unreported: bool,
 }
 
 impl EyePictures {
@@ -55,7 +55,7 @@ impl EyePictures {
             composed: None,
             drawings: 0,
             refusal: None,
-            is_untold: false,
+            is_unreported: false,
         }
     }
 
@@ -66,8 +66,8 @@ impl EyePictures {
     }
 
     /// Returns the reason why the device no longer draws, if it has refused since the last call.
-    pub fn newly_refused(&mut self) -> Option<&GpuError> {
-        std::mem::take(&mut self.is_untold).then_some(self.refusal.as_ref()).flatten()
+    pub fn take_refusal(&mut self) -> Option<&GpuError> {
+        std::mem::take(&mut self.is_unreported).then_some(self.refusal.as_ref()).flatten()
     }
 
     /// The device they are drawn on.
@@ -106,7 +106,7 @@ impl EyePictures {
 
     /// The picture of the eye with this `index` (0 left, 1 right), drawn if it is not up to date; none if neither the device
     /// nor, once that has refused, the reference draws it.
-    pub fn picture(&mut self, ctx: &Context, index: usize, request: &Request) -> Option<Shown> {
+    pub fn picture(&mut self, ctx: &Context, index: usize, request: &Request) -> Option<ShownPicture> {
         let scopes = self.gpu.error_scopes();
         let before = self.drawings;
         let shown = if self.refusal.is_some() {
@@ -114,14 +114,14 @@ impl EyePictures {
         } else {
             self.picture_by_method(ctx, index, request).map(Some)
         };
-        if let Ok(Some(Shown { texture, .. })) = shown
+        if let Ok(Some(ShownPicture { texture, .. })) = shown
             && self.drawings != before
         {
             painting::is_drawn_anew(ctx, texture);
         }
         scopes.close().and(shown).unwrap_or_else(|error| {
             self.give_up(index);
-            self.is_untold |= self.refusal.is_none();
+            self.is_unreported |= self.refusal.is_none();
             self.refusal.get_or_insert(error);
             ctx.request_repaint();
             None
@@ -141,7 +141,7 @@ impl EyePictures {
         ctx: &Context,
         index: usize,
         request: &Request,
-    ) -> Result<Shown, GpuError> {
+    ) -> Result<ShownPicture, GpuError> {
         let Self { render_state, gpu, renderers, meter, pictures, backgrounds, drawings, .. } = self;
         let picture = fitting(&mut pictures[index], request.view.camera.size, gpu, render_state);
         let background = &mut backgrounds[index];
@@ -158,19 +158,24 @@ impl EyePictures {
             None
         };
         if let Some((Made { picture: made, samples, .. }, method)) = made {
-            let by = Drawn { method, samples: Some(*samples) };
+            let by = DrawnBy { method, samples: Some(*samples) };
             return picture.shown(request, by, drawings, |target| {
                 target.write(gpu, made);
                 Ok(())
             });
         }
-        picture.shown(request, Drawn { method, samples: None }, drawings, |target| {
+        picture.shown(request, DrawnBy { method, samples: None }, drawings, |target| {
             meter.draw(renderers, gpu, request, method, target)
         })
     }
 
     /// Returns the newest picture by the reference, if that draws the request and has drawn any.
-    fn picture_by_reference(&mut self, ctx: &Context, index: usize, request: &Request) -> Option<Shown> {
+    fn picture_by_reference(
+        &mut self,
+        ctx: &Context,
+        index: usize,
+        request: &Request,
+    ) -> Option<ShownPicture> {
         let request = request.for_reference();
         let Self { render_state, gpu, pictures, backgrounds, drawings, .. } = self;
         let background = backgrounds[index].get_or_insert_with(|| Background::new(ctx));
@@ -180,7 +185,7 @@ impl EyePictures {
         }
         let Made { of, picture: made, samples } = background.newest(&request)?;
         let picture = fitting(&mut pictures[index], made.size, gpu, render_state);
-        let by = Drawn { method: Method::Reference, samples: Some(*samples) };
+        let by = DrawnBy { method: Method::Reference, samples: Some(*samples) };
         let written = picture.shown(of, by, drawings, |target| {
             target.write(gpu, made);
             Ok(())
@@ -195,9 +200,9 @@ impl EyePictures {
         ctx: &Context,
         composition: Composition,
         requests: [(usize, &Request); 2],
-    ) -> Option<Shown> {
+    ) -> Option<ShownPicture> {
         let [shown, other] = requests.map(|(index, request)| self.picture(ctx, index, request));
-        let Shown { method, .. } = shown.and(other).and(shown)?;
+        let ShownPicture { method, .. } = shown.and(other).and(shown)?;
         let Self { render_state, gpu, pictures, composer, composed, .. } = self;
         let [first, second] = requests.map(|(index, _)| pictures[index].as_ref());
         let (first, second) = (first?, second?);
@@ -209,7 +214,7 @@ impl EyePictures {
             composed.of = of;
             painting::is_drawn_anew(ctx, composed.texture);
         }
-        Some(Shown { texture: composed.texture, method })
+        Some(ShownPicture { texture: composed.texture, method })
     }
 
     /// Gives up all pictures, as nobody looks.

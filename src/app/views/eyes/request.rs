@@ -22,7 +22,7 @@ pub struct Request {
 
 /// A picture to show.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shown {
+pub struct ShownPicture {
     /// Texture of the picture.
     pub texture: TextureId,
     /// Method that drew it. The rays stand in for the reference until that is done; the published model is

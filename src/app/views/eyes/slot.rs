@@ -5,21 +5,21 @@ use eframe::egui_wgpu::RenderState;
 use eframe::wgpu::{FilterMode, TextureView};
 use relativity_render::{Composed, Composition, EyeTarget, Gpu, GpuError, Method};
 
-use super::request::{Request, Shown};
+use super::request::{Request, ShownPicture};
 
 /// The picture of an eye.
 pub struct EyePicture {
     pub target: EyeTarget,
     pub texture: TextureId,
     /// Request of the picture, and the method that drew it.
-    drawn: Option<(Request, Drawn)>,
+    drawn: Option<(Request, DrawnBy)>,
     /// Number of its drawing among all.
     pub number: u64,
 }
 
 /// The method that drew a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drawn {
+pub struct DrawnBy {
     /// Method of the drawing.
     pub method: Method,
     /// Rays per pixel and direction, where the reference has made it smoother than that does.
@@ -39,10 +39,10 @@ impl EyePicture {
     pub fn shown(
         &mut self,
         request: &Request,
-        by: Drawn,
+        by: DrawnBy,
         drawings: &mut u64,
         draw: impl FnOnce(&mut EyeTarget) -> Result<(), GpuError>,
-    ) -> Result<Shown, GpuError> {
+    ) -> Result<ShownPicture, GpuError> {
         let is_up_to_date =
             self.drawn.as_ref().is_some_and(|(of, drawn)| *drawn == by && of.shows_as(request));
         if !is_up_to_date {
@@ -52,7 +52,7 @@ impl EyePicture {
             *drawings += 1;
             self.number = *drawings;
         }
-        Ok(Shown { texture: self.texture, method: by.method })
+        Ok(ShownPicture { texture: self.texture, method: by.method })
     }
 }
 

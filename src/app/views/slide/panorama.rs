@@ -3,7 +3,7 @@
 use eframe::egui::{Align, Pos2, Rect, Stroke, Ui};
 
 use crate::app::command::Command;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::views::panes::EyePane;
@@ -44,7 +44,7 @@ pub fn is_offered(state: &State, area: Rect) -> bool {
 }
 
 /// Shows the button in the title strip `strip`, after the name of the left eye.
-pub fn offer(ui: &mut Ui, state: &State, strip: Rect, asks: &mut Asks) {
+pub fn offer(ui: &mut Ui, state: &State, strip: Rect, commands: &mut Commands) {
     let is_panorama = state.document.settings.is_panorama();
     let (name, tip) = if is_panorama {
         ("Two views", "Leaves the panorama.   Key: U")
@@ -57,6 +57,6 @@ pub fn offer(ui: &mut Ui, state: &State, strip: Rect, asks: &mut Asks) {
     };
     let after_name = strip.with_min_x(strip.min.x + theme::text_scale(ui.style()) * AFTER_NAME);
     if strip_button(ui, after_name, Align::Min, name).on_hover_text(tip).clicked() {
-        asks.push(Command::TogglePanorama);
+        commands.push(Command::TogglePanorama);
     }
 }

@@ -18,7 +18,7 @@ pub enum Kind {
 
 /// The look of words.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Look {
+pub struct WordStyle {
     pub is_strong: bool,
     pub is_slanted: bool,
     pub kind: Kind,
@@ -30,13 +30,13 @@ pub struct Look {
 #[derive(Debug, Clone)]
 pub enum Piece {
     /// A word that is not divided, without spaces.
-    Word(String, Look),
-    Space(Look),
+    Word(String, WordStyle),
+    Space(WordStyle),
     /// A place where a line may end without a space.
     Chance,
-    Formula(Arc<Formula>, Look),
+    Formula(Arc<Formula>, WordStyle),
     /// A formula on a line of its own, or its parts on a line each.
-    Displayed(Arc<Formula>, Vec<Arc<Formula>>, Look),
+    Displayed(Arc<Formula>, Vec<Arc<Formula>>, WordStyle),
     /// The end of a line.
     Break,
 }
@@ -66,7 +66,7 @@ pub struct Blocks {
 
 impl Blocks {
     /// The blocks of this Markdown.
-    pub fn of(markdown: &str) -> Self {
+    pub fn parse(markdown: &str) -> Self {
         let mut reader = Reader { events: markdown::events(markdown), links: Vec::new() };
         let blocks = reader.blocks();
         Self { blocks, links: reader.links }
@@ -99,7 +99,7 @@ impl<'a> Reader<'a> {
                 Event::Start(Tag::BlockQuote(_)) => Block::Quote(self.blocks()),
                 Event::Rule => Block::Rule,
                 event => {
-                    self.add(event, Look::default(), &mut loose);
+                    self.add(event, WordStyle::default(), &mut loose);
                     continue;
                 }
             };
@@ -129,7 +129,7 @@ impl<'a> Reader<'a> {
                 Event::End(TagEnd::Table) => break,
                 Event::Start(Tag::TableHead | Tag::TableRow) => rows.push(Vec::new()),
                 Event::Start(Tag::TableCell) => {
-                    let look = Look { is_strong: rows.len() == 1, ..Look::default() };
+                    let look = WordStyle { is_strong: rows.len() == 1, ..WordStyle::default() };
                     let cell = self.pieces_with(look);
                     if let Some(row) = rows.last_mut() {
                         row.push(cell);
@@ -155,10 +155,10 @@ impl<'a> Reader<'a> {
 
     /// The pieces to the end of what holds them.
     fn pieces(&mut self) -> Vec<Piece> {
-        self.pieces_with(Look::default())
+        self.pieces_with(WordStyle::default())
     }
 
-    fn pieces_with(&mut self, look: Look) -> Vec<Piece> {
+    fn pieces_with(&mut self, look: WordStyle) -> Vec<Piece> {
         let mut pieces = Vec::new();
         while let Some(event) = self.next() {
             if matches!(event, Event::End(_)) {
@@ -169,15 +169,17 @@ impl<'a> Reader<'a> {
         pieces
     }
 
-    fn add(&mut self, event: Event<'_>, look: Look, pieces: &mut Vec<Piece>) {
+    fn add(&mut self, event: Event<'_>, look: WordStyle, pieces: &mut Vec<Piece>) {
         match event {
             Event::Text(text) | Event::InlineHtml(text) | Event::Html(text) => add_words(&text, look, pieces),
-            Event::Code(code) => add_words(&code, Look { kind: Kind::Code, ..look }, pieces),
+            Event::Code(code) => add_words(&code, WordStyle { kind: Kind::Code, ..look }, pieces),
             Event::InlineMath(tex) => add_formula(&tex, Style::Inline, look, pieces),
             Event::DisplayMath(tex) => add_formula(&tex, Style::Displayed, look, pieces),
             Event::SoftBreak => pieces.push(Piece::Space(look)),
             Event::HardBreak => pieces.push(Piece::Break),
-            Event::Start(Tag::Strong) => pieces.extend(self.pieces_with(Look { is_strong: true, ..look })),
+            Event::Start(Tag::Strong) => {
+                pieces.extend(self.pieces_with(WordStyle { is_strong: true, ..look }));
+            }
             // A page has places to go to; a window has not.
             Event::Start(Tag::Link { dest_url, .. }) if dest_url.starts_with('#') => {
                 pieces.extend(self.pieces_with(look));
@@ -185,10 +187,10 @@ impl<'a> Reader<'a> {
             Event::Start(Tag::Link { dest_url, .. }) => {
                 self.links.push(dest_url.into_string());
                 let link = Some(self.links.len() - 1);
-                pieces.extend(self.pieces_with(Look { link, ..look }));
+                pieces.extend(self.pieces_with(WordStyle { link, ..look }));
             }
             // A picture is what it is called.
-            Event::Start(_) => pieces.extend(self.pieces_with(Look { is_slanted: true, ..look })),
+            Event::Start(_) => pieces.extend(self.pieces_with(WordStyle { is_slanted: true, ..look })),
             _ => {}
         }
     }
@@ -198,7 +200,7 @@ const fn number(level: HeadingLevel) -> usize {
     level as usize
 }
 
-fn add_formula(tex: &str, style: Style, look: Look, pieces: &mut Vec<Piece>) {
+fn add_formula(tex: &str, style: Style, look: WordStyle, pieces: &mut Vec<Piece>) {
     let piece = match style {
         Style::Inline => Formula::new(tex, style).map(|formula| Piece::Formula(Arc::new(formula), look)),
         Style::Displayed => Formula::new(tex, style).and_then(|whole| {
@@ -208,11 +210,11 @@ fn add_formula(tex: &str, style: Style, look: Look, pieces: &mut Vec<Piece>) {
     };
     match piece {
         Ok(piece) => pieces.push(piece),
-        Err(_) => add_words(&format!("${tex}$"), Look { kind: Kind::Wrong, ..look }, pieces),
+        Err(_) => add_words(&format!("${tex}$"), WordStyle { kind: Kind::Wrong, ..look }, pieces),
     }
 }
 
-fn add_words(text: &str, look: Look, pieces: &mut Vec<Piece>) {
+fn add_words(text: &str, look: WordStyle, pieces: &mut Vec<Piece>) {
     let mut word = String::new();
     let mut characters = text.chars().peekable();
     let mut last = ' ';
@@ -234,7 +236,7 @@ fn add_words(text: &str, look: Look, pieces: &mut Vec<Piece>) {
     end_word(&mut word, look, pieces);
 }
 
-fn end_word(word: &mut String, look: Look, pieces: &mut Vec<Piece>) {
+fn end_word(word: &mut String, look: WordStyle, pieces: &mut Vec<Piece>) {
     if !word.is_empty() {
         pieces.push(Piece::Word(std::mem::take(word), look));
     }

@@ -5,7 +5,7 @@ use eframe::egui::{
     epaint::text::{FontsView, LayoutJob},
 };
 
-use super::blocks::{Kind, Look};
+use super::blocks::{Kind, WordStyle};
 
 /// The fonts and colours of text.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,11 +20,11 @@ pub struct Ink {
 }
 
 impl Ink {
-    pub fn format(&self, look: Look) -> TextFormat {
+    pub fn format(&self, look: WordStyle) -> TextFormat {
         let color = match look {
-            Look { kind: Kind::Wrong, .. } => self.wrong,
-            Look { link: Some(_), .. } => self.link,
-            Look { is_strong: true, .. } => self.strong,
+            WordStyle { kind: Kind::Wrong, .. } => self.wrong,
+            WordStyle { link: Some(_), .. } => self.link,
+            WordStyle { is_strong: true, .. } => self.strong,
             _ => self.text,
         };
         let (font_id, background) = match look.kind {

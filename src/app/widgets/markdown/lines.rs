@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use eframe::egui::epaint::text::FontsView;
 
-use super::blocks::{Look, Piece};
+use super::blocks::{Piece, WordStyle};
 use super::ink::{Ink, width};
 use crate::formula::{EM, Formula};
 
@@ -60,8 +60,8 @@ pub fn least_room(fonts: &mut FontsView<'_>, ink: &Ink, pieces: &[Piece]) -> f32
 /// A part of a line.
 #[derive(Debug, Clone)]
 pub enum Part {
-    Word { text: String, look: Look, width: f32 },
-    Formula { formula: Arc<Formula>, look: Look, em: f32 },
+    Word { text: String, look: WordStyle, width: f32 },
+    Formula { formula: Arc<Formula>, look: WordStyle, em: f32 },
 }
 
 impl Part {
@@ -74,7 +74,7 @@ impl Part {
 }
 
 /// A formula, smaller if it would not fit into a line.
-fn formula_part(ink: &Ink, room: f32, formula: &Arc<Formula>, look: Look) -> Part {
+fn formula_part(ink: &Ink, room: f32, formula: &Arc<Formula>, look: WordStyle) -> Part {
     let em = EM * ink.font.size;
     let fitting = if em * formula.width > room { room / formula.width } else { em };
     Part::Formula { formula: formula.clone(), look, em: fitting }
@@ -109,7 +109,7 @@ struct Setter<'a, 'f> {
 }
 
 impl Setter<'_, '_> {
-    fn word(&mut self, text: &str, look: Look) -> Part {
+    fn word(&mut self, text: &str, look: WordStyle) -> Part {
         let width = width(self.fonts, text, self.ink.format(look));
         Part::Word { text: text.to_owned(), look, width }
     }
@@ -143,7 +143,7 @@ impl Setter<'_, '_> {
     }
 
     /// Puts a word that no line can hold into as many as it takes.
-    fn part(&mut self, text: &str, look: Look) {
+    fn part(&mut self, text: &str, look: WordStyle) {
         for character in text.chars() {
             let part = self.word(character.encode_utf8(&mut [0; 4]), look);
             if self.line.width + part.width() > self.room {

@@ -139,7 +139,7 @@ fn written(ctx: &egui::Context, text: &str, setting: &Setting) -> Arc<Written> {
     {
         return known;
     }
-    let blocks = Blocks::of(text);
+    let blocks = Blocks::parse(text);
     let page = ctx.fonts_mut(|fonts| lay_out_page(fonts, setting, &blocks));
     let written = Arc::new(Written { page, links: blocks.links, setting: setting.clone(), word });
     ctx.memory_mut(|memory| {

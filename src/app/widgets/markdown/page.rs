@@ -4,7 +4,7 @@ use eframe::egui::{
     Color32, FontId, Pos2, Rect, Shape, epaint::CornerRadius, epaint::text::FontsView, pos2, vec2,
 };
 
-use super::blocks::{Block, Blocks, Kind, Look, Piece};
+use super::blocks::{Block, Blocks, Kind, Piece, WordStyle};
 use super::ink::Ink;
 use super::paragraph::{Paragraph, Side, lay_out};
 use crate::app::widgets::formula::Pixels;
@@ -145,7 +145,7 @@ impl Writer<'_, '_> {
         let room = self.room(left);
         let mut laid = lay_out(self.fonts, self.pixels, ink, pieces, (room, Side::Left));
         if let Some((text, end)) = before {
-            let mark = [Piece::Word(text.to_owned(), Look::default())];
+            let mark = [Piece::Word(text.to_owned(), WordStyle::default())];
             let mark = lay_out(self.fonts, self.pixels, ink, &mark, (f32::INFINITY, Side::Left));
             let at = vec2(end - mark.size.x - left, laid.baseline - mark.baseline);
             let at = vec2(self.pixels.nearest(at.x), at.y);
@@ -195,7 +195,7 @@ impl Writer<'_, '_> {
     }
 
     fn code(&mut self, code: &str, left: f32) {
-        let look = Look { kind: Kind::Code, ..Look::default() };
+        let look = WordStyle { kind: Kind::Code, ..WordStyle::default() };
         let ink = Ink { code_background: Color32::TRANSPARENT, ..self.setting.ink.clone() };
         let margin = self.pixels.nearest(0.5 * self.size());
         let pieces: Vec<Piece> = code

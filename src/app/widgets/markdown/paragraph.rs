@@ -2,7 +2,7 @@
 
 use eframe::egui::{Rect, Shape, Vec2, epaint::text::FontsView, pos2, vec2};
 
-use super::blocks::{Look, Piece};
+use super::blocks::{Piece, WordStyle};
 use super::ink::{Ink, job};
 use super::lines::{Line, Part, joined, lines};
 use crate::app::widgets::formula::{self, Pixels};
@@ -72,7 +72,7 @@ fn drawn(
     (room, side): (f32, Side),
 ) -> Paragraph {
     let row = fonts.row_height(&ink.font);
-    let galley = fonts.layout_job(job("x", ink.format(Look::default())));
+    let galley = fonts.layout_job(job("x", ink.format(WordStyle::default())));
     let glyph = galley.rows.first().and_then(|row| row.glyphs.first());
     let ascent = pixels.nearest(glyph.map_or(0.8 * row, |glyph| glyph.font_ascent));
     let descent = pixels.at_least(row - ascent);

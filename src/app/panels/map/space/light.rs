@@ -47,7 +47,7 @@ pub(super) struct Light<'a> {
 
 impl<'a> Light<'a> {
     /// Returns the light at the present T; `None` outside the domain of the core.
-    pub(super) fn of(state: &State, sheet: &'a Sheet) -> Option<Self> {
+    pub(super) fn new(state: &State, sheet: &'a Sheet) -> Option<Self> {
         let (settings, time) = (&state.document.settings, state.document.time);
         let (track, frame) = (state.document.points.selected().track, settings.frame());
         Some(Self {
@@ -117,7 +117,7 @@ impl<'a> Light<'a> {
     }
 
     /// Describes the light under the pointer.
-    pub(super) fn told(&self, state: &State, pointer: Pos2) -> Option<String> {
+    pub(super) fn hover_text(&self, state: &State, pointer: Pos2) -> Option<String> {
         let eyes = || Eye::BOTH.into_iter().zip(self.rays);
         let told = |what: &str, received: f64, front: &Front| {
             format!("{what}\n{}", times(state, [received, front.happened, front.own_time]))

@@ -15,24 +15,24 @@ use self::light::Light;
 use self::sheet::Sheet;
 use super::canvas;
 use super::labels::Labels;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::map::{Chart, Extent, Instant, Lines, Projection, plan_and_side};
 use crate::settings::Framing;
 
 /// Shows it in `rect`.
-pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, rect: Rect, commands: &mut Commands) {
     let rect = legend::show(ui, state, rect);
     let instant = Instant::new(&state.document.settings, state.document.time);
     let charts = charts(state, &instant, rect);
     let lines = Lines::new(&instant, &state.document.scene, &charts);
     for (projection, chart) in Projection::BOTH.into_iter().zip(charts) {
         let sheet = Sheet { projection, chart };
-        let response = canvas::look_around(ui, state, sheet.name(), &chart, projection.axes(), asks);
+        let response = canvas::look_around(ui, state, sheet.name(), &chart, projection.axes(), commands);
         let painter = ui.painter().with_clip_rect(sheet.room().intersect(ui.clip_rect()));
         let mut labels = Labels::new(sheet.room(), ui.visuals().extreme_bg_color);
         backdrop::paint(ui, &painter, state, &instant, &sheet, &mut labels);
-        let light = Light::of(state, &sheet);
+        let light = Light::new(state, &sheet);
         if let Some(light) = &light {
             light.paint(ui, &painter, state);
         }
@@ -42,7 +42,7 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
         if let Some(light) = &light {
             light.name(ui, &painter, state, &mut labels);
         }
-        pointer::read(ui, &painter, &response, state, &lines, &sheet, asks);
+        pointer::read(ui, &painter, &response, state, &lines, &sheet, commands);
     }
 }
 

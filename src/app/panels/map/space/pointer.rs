@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::light::Light;
 use super::sheet::{Sheet, colour};
 use crate::app::command::Command;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::panels::map::canvas;
 use crate::app::pointer::Select;
 use crate::app::state::State;
@@ -27,12 +27,12 @@ pub(super) fn read(
     state: &State,
     lines: &Lines,
     sheet: &Sheet,
-    asks: &mut Asks,
+    commands: &mut Commands,
 ) {
     let Some(pointer) = response.hover_pos().or(response.interact_pointer_pos()) else { return };
     let Some(nearest) = nearest(lines, sheet, pointer) else {
         if let Some(text) =
-            eye_told(state, sheet, pointer).or_else(|| Light::of(state, sheet)?.told(state, pointer))
+            eye_told(state, sheet, pointer).or_else(|| Light::new(state, sheet)?.hover_text(state, pointer))
         {
             response.clone().on_hover_text_at_pointer(text);
         }
@@ -44,7 +44,7 @@ pub(super) fn read(
     let Some(track) = state.document.scene.track_at(nearest.surface.to_array(), body) else { return };
     if response.clicked() {
         let add = ui.input(|input| input.modifiers.shift);
-        asks.push(Command::Select(Select { track, body, add }));
+        commands.push(Command::Select(Select { track, body, add }));
     }
     response.clone().on_hover_text_at_pointer(text(state, &nearest, &track));
 }
@@ -61,8 +61,8 @@ fn eye_told(state: &State, sheet: &Sheet, pointer: Pos2) -> Option<String> {
     let far = |at: DVec3| canvas::place(&sheet.chart, sheet.projection.flat(at)).distance(pointer);
     let nearest = Eye::BOTH.into_iter().zip(eyes).min_by(|(_, a), (_, b)| far(*a).total_cmp(&far(*b)));
     let (eye, at) = nearest.filter(|&(_, at)| f64::from(far(at)) <= REACH)?;
-    let received = told_time(state, RECEIVED.name, now);
-    Some(format!("{}\n{}\n{received}", eye.name(), told_place(state, at)))
+    let received = time_text(state, RECEIVED.name, now);
+    Some(format!("{}\n{}\n{received}", eye.name(), place_text(state, at)))
 }
 
 /// Describes the nearest thing: its name, its place, and its time.
@@ -70,26 +70,26 @@ fn text(state: &State, nearest: &Nearest, track: &Track) -> String {
     let line = nearest.line;
     let name = state.document.scene.name_of(line.body);
     let what = if line.rests { "at rest on the ground" } else { line.picture.words() };
-    [format!("{name}, {what}"), told_place(state, nearest.vertex.place)]
+    [format!("{name}, {what}"), place_text(state, nearest.vertex.place)]
         .into_iter()
         .chain(times(state, line.picture, track))
         .collect::<Vec<_>>()
         .join("\n")
 }
 
-fn told_place(state: &State, place: DVec3) -> String {
+fn place_text(state: &State, place: DVec3) -> String {
     let length = state.measures().length;
     let [x, y, z] = place.to_array().map(|value| length.number(value, 3));
     format!("x = {x},  y = {y},  z = {z}{}", length.suffix())
 }
 
-fn told_time(state: &State, name: &str, value: f64) -> String {
+fn time_text(state: &State, name: &str, value: f64) -> String {
     format!("{name} = {}", state.measures().time.text(value, 3))
 }
 
 /// When it is there, as far as that is one event.
 fn times(state: &State, picture: Picture, track: &Track) -> Vec<String> {
-    let time = |name: &str, value: f64| told_time(state, name, value);
+    let time = |name: &str, value: f64| time_text(state, name, value);
     let now = state.document.time;
     let frame = state.document.settings.frame();
     match (picture, state.document.settings.map.frame) {

@@ -255,7 +255,7 @@ fn name_light(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
 }
 
 /// Describes the line under the pointer, if it is no worldline.
-pub fn told(sheet: &Sheet<'_>, pointer: Pos2) -> Option<String> {
+pub fn hover_text(sheet: &Sheet<'_>, pointer: Pos2) -> Option<String> {
     let near = |line: StraightLine| sheet.nearest(line, pointer).1 < NEAR;
     let world = sheet.chart.world([pointer.x, pointer.y].map(f64::from));
     let [cone, _] = sheet.diagram.cones();

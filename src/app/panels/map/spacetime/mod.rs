@@ -18,7 +18,7 @@ use super::axes::{self, Axis};
 use super::canvas;
 use super::labels::Labels;
 use crate::app::command::Command;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::points::Point;
 use crate::map::{Diagram, Event, around_now, chart, home};
@@ -30,7 +30,7 @@ const NAME: &str = "Map, x against t";
 const TITLE: Vec2 = vec2(44.0, 3.0);
 
 /// Shows it in `rect`.
-pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, rect: Rect, commands: &mut Commands) {
     let (settings, time) = (&state.document.settings, state.document.time);
     let (track, frame) = (state.document.points.selected().track, settings.frame());
     let background = ui.visuals().extreme_bg_color;
@@ -42,11 +42,11 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
     let home = close_up(state, &diagram, &others).unwrap_or(home);
     let area = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(f64::from);
     let chart = chart(area, home, &state.scratch.map_view);
-    let response = canvas::look_around(ui, state, NAME, &chart, [0, 1], asks);
+    let response = canvas::look_around(ui, state, NAME, &chart, [0, 1], commands);
     let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
     let sheet = Sheet { ui, painter, chart, state, diagram, others };
     let mut labels = Labels::new(rect, background);
-    let title = Title::of(&sheet);
+    let title = Title::new(&sheet);
     labels.keep_free(title.rect);
     axes::paint(ui, &sheet.painter, &sheet.chart, axes_of(state), &mut labels);
     lines::paint(&sheet, &mut labels);
@@ -54,8 +54,8 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
     marks::paint(&sheet, &marks, &mut labels);
     lines::name(&sheet, &mut labels);
     title.paint(&sheet);
-    point_at(&sheet, &response, &marks, asks);
-    handle(&sheet, asks);
+    point_at(&sheet, &response, &marks, commands);
+    handle(&sheet, commands);
 }
 
 /// The followed points beside the selected one, with their diagrams at `time` in `frame`.
@@ -93,7 +93,7 @@ struct Title {
 }
 
 impl Title {
-    fn of(sheet: &Sheet<'_>) -> Self {
+    fn new(sheet: &Sheet<'_>) -> Self {
         let whose = match sheet.state.document.settings.map.frame {
             Frame::Ground => "ground",
             Frame::Bicycle => &sheet.state.document.scene.rider,
@@ -112,7 +112,7 @@ impl Title {
 }
 
 /// Tells what is under the pointer, and goes where a worldline is clicked.
-fn point_at(sheet: &Sheet<'_>, response: &Response, marks: &[marks::Mark], asks: &mut Asks) {
+fn point_at(sheet: &Sheet<'_>, response: &Response, marks: &[marks::Mark], commands: &mut Commands) {
     for mark in marks {
         canvas::name_place(sheet.ui, sheet.room(), mark.place, &format!("{NAME}: {}", mark.name));
     }
@@ -123,11 +123,11 @@ fn point_at(sheet: &Sheet<'_>, response: &Response, marks: &[marks::Mark], asks:
     let aimed = aimed_at(sheet, pointer);
     let mark = marks.iter().filter(near).min_by(nearer).map(|mark| mark.words.clone());
     let text = mark.or_else(|| aimed.as_ref().map(|aimed| aimed.words.clone()));
-    let text = text.or_else(|| lines::told(sheet, pointer));
+    let text = text.or_else(|| lines::hover_text(sheet, pointer));
     if let Some(aimed) = aimed {
         response.clone().on_hover_cursor(CursorIcon::PointingHand);
         if response.clicked() {
-            asks.push(Command::Time(aimed.time));
+            commands.push(Command::Time(aimed.time));
         }
     }
     if let Some(text) = text {
@@ -155,7 +155,7 @@ fn aimed_at(sheet: &Sheet<'_>, pointer: Pos2) -> Option<Aimed> {
 }
 
 /// The present, which can be dragged along the eyes' worldline.
-fn handle(sheet: &Sheet<'_>, asks: &mut Asks) {
+fn handle(sheet: &Sheet<'_>, commands: &mut Commands) {
     let present = sheet.place(sheet.diagram.present);
     if !sheet.room().contains(present) {
         return;
@@ -171,7 +171,7 @@ fn handle(sheet: &Sheet<'_>, asks: &mut Asks) {
     if response.dragged() && moved != Vec2::ZERO {
         let [x, t] = [f64::from(moved.x), -f64::from(moved.y)].map(|points| points / sheet.chart.scale);
         let Event { x: dx, t: dt } = sheet.diagram.eyes()[0].step;
-        asks.push(Command::Time(sheet.diagram.time + (x * dx + t * dt) / (dx * dx + dt * dt)));
+        commands.push(Command::Time(sheet.diagram.time + (x * dx + t * dt) / (dx * dx + dt * dt)));
     }
     response.on_hover_text(words::of_eyes(sheet, sheet.diagram.time));
 }

@@ -28,7 +28,7 @@ struct Mark {
 }
 
 impl Mark {
-    fn of(row: &Row<'_>, is_worth: bool, chosen: Method, visuals: &Visuals) -> Option<Self> {
+    fn new(row: &Row<'_>, is_worth: bool, chosen: Method, visuals: &Visuals) -> Option<Self> {
         let figures = row.figures?.as_ref().ok()?;
         let error = figures.line_of_sight_arcseconds?.p99.max(LEAST_ERROR);
         let place = [figures.frame_ms, error].map(math::log10);
@@ -61,7 +61,7 @@ struct GoalLine {
 
 impl GoalLine {
     /// Returns the line of `quality`, where it is automatic.
-    fn of(quality: Quality, examination: &Examination, visuals: &Visuals) -> Option<Self> {
+    fn new(quality: Quality, examination: &Examination, visuals: &Visuals) -> Option<Self> {
         let value = match quality.goal {
             Goal::Error(px) => 3600.0 * (px / examination.px_per_radian()?).to_degrees(),
             Goal::Budget(ms) => ms,
@@ -128,11 +128,11 @@ fn name_marks(ui: &Ui, response: &PlotResponse<()>, marks: &[Mark], axes: [Rect;
 pub fn show(ui: &mut Ui, size: egui::Vec2, examination: &Examination, chosen: Method, quality: &mut Quality) {
     let mark = |row: Row<'_>| {
         let is_worth = examination.better_than(&row).is_none();
-        Mark::of(&row, is_worth, chosen, ui.visuals())
+        Mark::new(&row, is_worth, chosen, ui.visuals())
     };
     let marks: Vec<Mark> = examination.rows().filter_map(mark).collect();
     let rulers = rulers(size);
-    let line = GoalLine::of(*quality, examination, ui.visuals());
+    let line = GoalLine::new(*quality, examination, ui.visuals());
     let bounds = bounds(&marks, rulers);
     let [costs, errors] = rulers;
     let response = errors.beside(costs.below(still_plot(ui, "cost and error", size))).show(ui, |plot| {

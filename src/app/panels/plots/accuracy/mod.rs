@@ -12,7 +12,7 @@ use eframe::egui::{Checkbox, Label, Rect, RichText, ScrollArea, Sense, Ui, pos2,
 
 use super::split::{part, table_and_plots};
 use crate::app::command::Command;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::views::examination::Examination;
 use crate::app::views::heat_map;
@@ -25,7 +25,7 @@ const TABLE_WIDTH: f32 = 470.0;
 const LEAST_PLOT: f32 = 150.0;
 
 /// Shows the Accuracy tab.
-pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, commands: &mut Commands) {
     let Some(examination) = examination else { return };
     if examination.is_blind() {
         ui.label("There is nothing to measure: the views are hidden.");
@@ -50,7 +50,7 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks:
         part(ui, "frontier", plot, |ui| frontier::show(ui, plot.size(), examination, chosen, &mut quality));
     }
     if quality != before {
-        asks.push(Command::Quality(quality));
+        commands.push(Command::Quality(quality));
     }
 }
 
@@ -67,11 +67,11 @@ fn automatic(ui: &mut Ui, state: &State, quality: &mut Quality) {
 }
 
 /// The heat map's switch and scale, and what the figures are.
-pub fn caption(ui: &mut Ui, state: &State, examination: &Examination, asks: &mut Asks) {
+pub fn caption(ui: &mut Ui, state: &State, examination: &Examination, commands: &mut Commands) {
     let mut plots = state.document.settings.plots;
     let tip = "Shows in the views how far each pixel's point is drawn from where it is seen.";
     if ui.add(Checkbox::new(&mut plots.heat_map, "Heat map")).on_hover_text(tip).changed() {
-        asks.push(Command::Plots(plots));
+        commands.push(Command::Plots(plots));
     }
     if plots.heat_map {
         scale(ui);

@@ -12,7 +12,7 @@ use super::split::{part, table_and_plots};
 use crate::app::command::Command;
 use crate::app::file_dialog::purpose::{Product, Purpose};
 use crate::app::fitting::Fitting;
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::{choice, end_of_range, fitted, number};
@@ -29,7 +29,7 @@ const UNIT_WIDTH: f32 = 26.0;
 const WIDE: f32 = 676.0;
 
 /// Shows the tab: the model and the samples above the plots and the table.
-pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, commands: &mut Commands) {
     let mut setup = state.document.settings.fit;
     let is_wide = ui.available_width() >= WIDE;
     row(ui, |ui| {
@@ -45,7 +45,7 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
     let (table, plots) =
         table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH + unit_width, LEAST_PLOTS);
     part(ui, "fit range and table", table, |ui| {
-        row(ui, |ui| data(ui, state, &mut setup, asks));
+        row(ui, |ui| data(ui, state, &mut setup, commands));
         row(ui, |ui| match &state.session.data {
             Some(file) => named_file(ui, &file.name),
             None => range(ui, state, &mut setup),
@@ -54,10 +54,10 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
         area.show(ui, |ui| table::show(ui, fitting, state.measures().length));
     });
     if let Some(plots) = plots {
-        part(ui, "fit plots", plots, |ui| plots::show(ui, state, fitting, asks));
+        part(ui, "fit plots", plots, |ui| plots::show(ui, state, fitting, commands));
     }
     if setup != state.document.settings.fit {
-        asks.push(Command::Fit(setup));
+        commands.push(Command::Fit(setup));
     }
 }
 
@@ -70,7 +70,7 @@ const PRESENTED_SIZES: [f32; 2] = [0.9, 0.5];
 const TABLE_IN_LETTERS: f32 = 13.5;
 
 /// Shows the tab to an audience: the readings on the left, and beside them the table above the residuals. Nothing is chosen.
-pub fn show_presented(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
+pub fn show_presented(ui: &mut Ui, state: &State, fitting: &Fitting, commands: &mut Commands) {
     let area = ui.available_rect_before_wrap();
     let middle = area.min.x + READINGS_SHARE * area.width();
     let right = area.with_min_x(middle + theme::GAP);
@@ -84,10 +84,10 @@ pub fn show_presented(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut 
         });
     });
     part(ui, "fit readings", area.with_max_x(middle), |ui| {
-        plots::show_first(ui, state, fitting, plots::Half::Readings, asks);
+        plots::show_first(ui, state, fitting, plots::Half::Readings, commands);
     });
     part(ui, "fit residuals", residuals, |ui| {
-        plots::show_first(ui, state, fitting, plots::Half::Residuals, asks);
+        plots::show_first(ui, state, fitting, plots::Half::Residuals, commands);
     });
 }
 
@@ -99,11 +99,11 @@ fn row(ui: &mut Ui, widgets: impl FnOnce(&mut Ui)) {
 }
 
 /// Shows the source of the samples, and the file that the fit is saved to.
-fn data(ui: &mut Ui, state: &State, setup: &mut FitSetup, asks: &mut Asks) {
+fn data(ui: &mut Ui, state: &State, setup: &mut FitSetup, commands: &mut Commands) {
     ui.label(RichText::new("data").weak());
     if state.session.data.is_some() {
         if ui.button("Simulated").on_hover_text("Simulates samples of the selected point again.").clicked() {
-            asks.push(Command::Simulate);
+            commands.push(Command::Simulate);
         }
     } else {
         let shown = DATA_FROM.iter().find(|(from, ..)| *from == setup.data_from);
@@ -122,11 +122,11 @@ fn data(ui: &mut Ui, state: &State, setup: &mut FitSetup, asks: &mut Asks) {
     let tip = "Fits measured disparities: a CSV file with the columns T, dphi or dtheta or both, optionally sigma_dphi, sigma_dtheta and d.\n\
         Such a file can be dropped onto the window, too.";
     if ui.button("Own data…").on_hover_text(tip).clicked() {
-        asks.push(Command::Choose(Purpose::OpenData));
+        commands.push(Command::Choose(Purpose::OpenData));
     }
     let tip = "Saves the numbers, with their uncertainties, as `gamow fit --json` does.";
     if ui.button("Save…").on_hover_text(tip).clicked() {
-        asks.push(Command::Choose(Purpose::Save(Product::Fit)));
+        commands.push(Command::Choose(Purpose::Save(Product::Fit)));
     }
 }
 
@@ -164,7 +164,7 @@ fn model(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     }
     ui.label(RichText::new("by").weak());
     let models =
-        MODELS.map(|(model, name, tip)| (model, name, format!("{tip}\n{}", told_of_data(state, model))));
+        MODELS.map(|(model, name, tip)| (model, name, format!("{tip}\n{}", data_remark(state, model))));
     let models = models.each_ref().map(|(model, name, tip)| (*model, *name, tip.as_str()));
     choice(ui, &mut setup.model, &models);
     let tip = "Fits x₀, where the point is at t = 0, too: as if the time of passage were unknown.\n\
@@ -188,7 +188,7 @@ const MODELS: [(Model, &str, &str); 3] = [
 ];
 
 /// Describes the samples of the Fit tab, as seen from a `model` that is to fit them.
-fn told_of_data(state: &State, model: Model) -> &'static str {
+fn data_remark(state: &State, model: Model) -> &'static str {
     if state.session.data.is_some() {
         return "";
     }

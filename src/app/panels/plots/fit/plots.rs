@@ -5,7 +5,7 @@ use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, V
 
 use crate::app::command::Command;
 use crate::app::fitting::{FitOutcome, FittedCurve, Fitting};
-use crate::app::panels::Asks;
+use crate::app::panels::Commands;
 use crate::app::panels::plots::axes::{Ruler, annotate, bounds, label, plot_over_time, time_at_pointer};
 use crate::app::panels::plots::legend::Drawn;
 use crate::app::plots::curves::Quantity;
@@ -30,7 +30,7 @@ const FAINT: f32 = 0.35;
 const NARROWEST: f32 = 125.0;
 
 /// Shows the plots of the fitted curves side by side; nothing where there are no samples.
-pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, commands: &mut Commands) {
     if fitting.shown().is_none_or(|outcome| outcome.data.iter().all(Vec::is_empty)) {
         return;
     }
@@ -46,7 +46,7 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
         for (quantity, _) in shown {
             ui.allocate_ui_with_layout(vec2(width, free.y), Layout::top_down(Align::Min), |ui| {
                 ui.set_width(width);
-                pair(ui, state, fitting, quantity, vec2(width, free.y), asks);
+                pair(ui, state, fitting, quantity, vec2(width, free.y), commands);
             });
         }
     });
@@ -62,7 +62,7 @@ pub enum Half {
 }
 
 /// Shows a `half` of the first of the fitted curves in all the room there is; nothing where there are no samples.
-pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, asks: &mut Asks) {
+pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, commands: &mut Commands) {
     if fitting.shown().is_none_or(|outcome| outcome.data.iter().all(Vec::is_empty)) {
         return;
     }
@@ -81,7 +81,7 @@ pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, ask
                 with_times: true,
                 heading: Some(&unit),
             };
-            readings.show(ui, state, &drawing, Half::Readings, asks);
+            readings.show(ui, state, &drawing, Half::Readings, commands);
         }
         Half::Residuals if drawing.fitted.is_some() => {
             let residuals = Part {
@@ -90,14 +90,21 @@ pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, ask
                 with_times: true,
                 heading: Some(RESIDUALS),
             };
-            residuals.show(ui, state, &drawing, Half::Residuals, asks);
+            residuals.show(ui, state, &drawing, Half::Residuals, commands);
         }
         Half::Residuals => {}
     }
 }
 
 /// A curve and its residuals, in `size`.
-fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size: Vec2, asks: &mut Asks) {
+fn pair(
+    ui: &mut Ui,
+    state: &State,
+    fitting: &Fitting,
+    quantity: Quantity,
+    size: Vec2,
+    commands: &mut Commands,
+) {
     ui.spacing_mut().item_spacing.y = 2.0;
     let drawing = Drawing::new(ui.visuals(), state, fitting, quantity);
     let height = (size.y - TITLE_HEIGHT - 4.0).max(20.0);
@@ -121,7 +128,7 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
         with_times: !has_residuals,
         heading: None,
     };
-    curve.show(ui, state, &drawing, Half::Readings, asks);
+    curve.show(ui, state, &drawing, Half::Readings, commands);
     if has_residuals {
         let residuals = Part {
             name: format!("Residuals of {name} against T"),
@@ -129,7 +136,7 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
             with_times: true,
             heading: Some(RESIDUALS),
         };
-        residuals.show(ui, state, &drawing, Half::Residuals, asks);
+        residuals.show(ui, state, &drawing, Half::Residuals, commands);
     }
 }
 
@@ -144,7 +151,7 @@ struct Part<'h> {
 }
 
 impl Part<'_> {
-    fn show(&self, ui: &mut Ui, state: &State, drawing: &Drawing<'_>, half: Half, asks: &mut Asks) {
+    fn show(&self, ui: &mut Ui, state: &State, drawing: &Drawing<'_>, half: Half, commands: &mut Commands) {
         let now = VLine::new("T", state.document.time).color(theme::now_colour(ui.visuals())).width(1.0);
         let unit = state.measures().time;
         let plot: Plot<'_> = plot_over_time(ui, self.name.as_str(), unit, self.size)
@@ -169,7 +176,7 @@ impl Part<'_> {
         let info = || egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &self.name);
         response.response.widget_info(info);
         if let Some(time) = time_at_pointer(&response) {
-            asks.push(Command::Time(time));
+            commands.push(Command::Time(time));
         }
     }
 }

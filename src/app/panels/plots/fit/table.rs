@@ -25,7 +25,7 @@ pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
     let Some(outcome) = newest(ui, fitting, length, Columns::All) else { return };
     if let Some(bias) = &outcome.bias {
         let made = outcome.key.simulated().map(|simulated| simulated.model);
-        let neglect = Neglect::of(outcome.key.setup.model, made);
+        let neglect = Neglect::new(outcome.key.setup.model, made);
         let tip = format!("The same fit to samples without noise, minus the truth.\n{}", neglect.reason);
         ui.label(bias_note(&neglect, bias, length)).on_hover_text(tip);
     }
@@ -263,7 +263,7 @@ struct Neglect {
 
 impl Neglect {
     /// Returns the neglect of `fitted`, for data that were `made` by another model.
-    const fn of(fitted: Model, made: Option<Model>) -> Self {
+    const fn new(fitted: Model, made: Option<Model>) -> Self {
         match (fitted, made) {
             (Model::Published(_), _) => Self {
                 doing: "Leaving out parallax",

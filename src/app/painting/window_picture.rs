@@ -10,19 +10,19 @@ use eframe::wgpu;
 use super::pipelines::Pipelines;
 
 /// The kept picture of a window.
-pub struct Kept {
+pub struct WindowPicture {
     size: [u32; 2],
     view: wgpu::TextureView,
     scale: wgpu::Buffer,
     of_window: wgpu::BindGroup,
-    shown: Shown,
+    shown: PictureCallback,
     vertices: Buffer,
     indices: Buffer,
 }
 
 /// Shows it in the window.
 #[derive(Clone)]
-pub struct Shown {
+pub struct PictureCallback {
     pipeline: wgpu::RenderPipeline,
     kept: wgpu::BindGroup,
 }
@@ -41,7 +41,7 @@ struct Run {
     first_vertex: i32,
 }
 
-impl Kept {
+impl WindowPicture {
     /// Returns a picture of this size, pixels; nothing is painted on it yet.
     pub fn new(render_state: &RenderState, pipelines: &Pipelines, size: [u32; 2]) -> Self {
         let RenderState { device, target_format, .. } = render_state;
@@ -76,7 +76,7 @@ impl Kept {
             view,
             scale,
             of_window,
-            shown: Shown { pipeline: pipelines.shown.clone(), kept },
+            shown: PictureCallback { pipeline: pipelines.shown.clone(), kept },
             vertices: buffer(wgpu::BufferUsages::VERTEX),
             indices: buffer(wgpu::BufferUsages::INDEX),
         }
@@ -88,7 +88,7 @@ impl Kept {
     }
 
     /// Returns what shows the picture.
-    pub fn shown(&self) -> Shown {
+    pub fn shown(&self) -> PictureCallback {
         self.shown.clone()
     }
 
@@ -183,7 +183,7 @@ impl Buffer {
     }
 }
 
-impl CallbackTrait for Shown {
+impl CallbackTrait for PictureCallback {
     fn paint(&self, info: PaintCallbackInfo, pass: &mut wgpu::RenderPass<'static>, _: &CallbackResources) {
         let [width, height] = info.screen_size_px;
         pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, 1.0);

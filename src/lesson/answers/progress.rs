@@ -10,7 +10,7 @@ use crate::lesson::plan::{Choices, Kind, Lesson, Options, Prediction, Step};
 /// A way through a lesson: the answers, the place, and the answer that is being entered. Each is replaced on its own by a later one.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct Way {
+pub struct LessonProgress {
     /// The last time that the lesson was begun from its start without answers: nothing older counts.
     pub(super) cleared: Moment,
     pub(super) place: Option<Dated<Place>>,
@@ -42,7 +42,7 @@ impl KeptStep {
     }
 }
 
-impl Way {
+impl LessonProgress {
     /// Returns whether anything was done in it.
     #[must_use]
     pub fn is_begun(&self) -> bool {

@@ -8,63 +8,63 @@ use crate::gpu_error::GpuError;
 
 /// The errors of a device that nobody was waiting for, and its loss.
 #[derive(Debug, Clone, Default)]
-pub struct Faults(Arc<Mutex<Told>>);
+pub struct DeviceErrors(Arc<Mutex<Recorded>>);
 
 #[derive(Debug, Default)]
-struct Told {
+struct Recorded {
     errors: u64,
     first: Option<String>,
     loss: Option<String>,
 }
 
-impl Faults {
+impl DeviceErrors {
     /// Collects the errors of `device` from now on, in place of ending the program; each error calls `wake`.
-    pub fn of(device: &wgpu::Device, wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
-        let faults = Self::default();
-        let (told, wakes) = (faults.clone(), wake.clone());
+    pub fn collect(device: &wgpu::Device, wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
+        let collected = Self::default();
+        let (recorded, wakes) = (collected.clone(), wake.clone());
         device.on_uncaptured_error(Arc::new(move |error| {
-            told.note_error(&error);
+            recorded.note_error(&error);
             wakes();
         }));
-        let told = faults.clone();
+        let recorded = collected.clone();
         device.set_device_lost_callback(move |reason, message| {
-            told.note_loss(reason, &message);
+            recorded.note_loss(reason, &message);
             wake();
         });
-        faults
+        collected
     }
 
     /// Returns the number of errors so far.
     #[must_use]
     pub fn errors(&self) -> u64 {
-        self.told().errors
+        self.recorded().errors
     }
 
     /// The first of them.
     #[must_use]
     pub fn first(&self) -> Option<String> {
-        self.told().first.clone()
+        self.recorded().first.clone()
     }
 
     /// Why the device is lost, if it is.
     #[must_use]
     pub fn loss(&self) -> Option<String> {
-        self.told().loss.clone()
+        self.recorded().loss.clone()
     }
 
     fn note_error(&self, error: &wgpu::Error) {
-        let mut told = self.told();
-        told.errors += 1;
-        told.first.get_or_insert_with(|| in_one_line(&error.to_string()));
+        let mut recorded = self.recorded();
+        recorded.errors += 1;
+        recorded.first.get_or_insert_with(|| in_one_line(&error.to_string()));
     }
 
     fn note_loss(&self, reason: DeviceLostReason, message: &str) {
         let message = in_one_line(message);
         let why = if message.is_empty() { format!("{reason:?}") } else { message };
-        self.told().loss.get_or_insert(why);
+        self.recorded().loss.get_or_insert(why);
     }
 
-    fn told(&self) -> MutexGuard<'_, Told> {
+    fn recorded(&self) -> MutexGuard<'_, Recorded> {
         // A report is whole even if another thread ended while it made one.
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
