@@ -120,7 +120,7 @@ fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
     Ok(objects)
 }
 
-/// The preset that the include of this `number` asks for, numbered if another of `includes` asks for the same.
+/// Returns the name of the preset in the include of this `number`, numbered if another of `includes` has the same.
 fn label(includes: &[Table], number: usize) -> Rc<str> {
     let scene = |include: &Table| include.string("scene").ok().flatten().unwrap_or_default().to_owned();
     let own = scene(&includes[number]);

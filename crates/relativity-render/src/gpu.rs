@@ -99,8 +99,8 @@ impl Gpu {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
-    /// Begins to wait for what the device refuses of what this thread asks of it. What is refused without it is a
-    /// [`DeviceErrors`](crate::Faults)' to tell, or ends the program.
+    /// Opens scopes that catch the device's errors in this thread's calls. Errors outside any scope go to
+    /// [`DeviceErrors`](crate::DeviceErrors), or end the program.
     #[must_use]
     pub fn error_scopes(&self) -> ErrorScopes {
         ErrorScopes::open(&self.device)

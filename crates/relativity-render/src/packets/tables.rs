@@ -84,7 +84,7 @@ impl Tables {
     }
 }
 
-/// Light as a screen shows it, as [`crate::light::Shown`].
+/// Light as a screen shows it, as [`crate::light::ScreenLight`].
 #[derive(Debug, Clone, Copy)]
 pub struct ScreenLight<S: Simd> {
     pub colour: V3<S>,
