@@ -122,7 +122,7 @@ fn no_other_geometry_crops_it_either() {
     }
 }
 
-/// Where an eye at (`eye`, 0, 0) sees a place of a group that moves at `beta` along x, by the light cone's quadratic equation.
+/// Returns where an eye at (`eye`, 0, 0) sees a place of a group that moves at `beta` along x, by the light cone's quadratic equation.
 fn seen([x, y, z]: [f64; 3], beta: f64, eye: f64, time: f64) -> DVec3 {
     let rest = 1.0 - beta * beta;
     let present = x * rest.sqrt() - eye + beta * time;
