@@ -41,6 +41,36 @@ fn every_example_prints_what_is_shown() {
     assert!(examples >= 3, "{examples}");
 }
 
+/// Commands of `gamow` that the shell blocks of `page` show, each in one line; loops fill in a number.
+fn commands(page: &str) -> impl Iterator<Item = String> {
+    let blocks = page.split("```sh\n").skip(1).filter_map(|block| Some(block.split_once("```")?.0));
+    blocks.flat_map(|block| {
+        let lines = block.replace("\\\n", " ").replace("$T", "2");
+        lines
+            .lines()
+            .map(|line| line.trim().to_owned())
+            .filter(|line| line.starts_with("gamow "))
+            .collect::<Vec<_>>()
+    })
+}
+
+/// Help is asked for last, so that the parser has accepted everything before it, and nothing is drawn.
+#[test]
+#[cfg_attr(not(unix), ignore = "the examples are for a Unix shell")]
+fn every_command_shown_is_accepted_by_its_parser() {
+    let scratch = tempfile::tempdir().expect("there is a folder for temporary files");
+    let mut count = 0;
+    for (path, page) in pages() {
+        for command in commands(&page) {
+            let outcome = shell(&format!("{command} --help"), scratch.path());
+            assert_eq!(outcome.stderr.as_str(), "", "{}: {command}", path.display());
+            assert!(String::from_utf8_lossy(&outcome.stdout).contains("Usage: gamow"), "{command}");
+            count += 1;
+        }
+    }
+    assert!(count >= 12, "{count}");
+}
+
 /// The words of `text` that are flags, such as `--size`.
 fn flags(text: &str) -> impl Iterator<Item = &str> {
     let ends = |letter: char| !(letter.is_ascii_alphanumeric() || letter == '-');
