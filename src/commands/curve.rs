@@ -4,12 +4,17 @@ use std::io::Write;
 
 use clap::Args;
 use csv::ByteRecord;
-use relativity_core::{Baseline, SourcePoint};
+use relativity_core::{Aperture, Baseline, SourcePoint};
 
-use crate::columns::{GivenInputs, ModelArgs, Observation, ObservationError, ROLL, TURN, WHEEL, help_with};
+use crate::columns::{
+    CLOCK, GivenInputs, GivenObserver, ModelArgs, OBSERVER_DIRECTION, OBSERVER_PLACE, Observation,
+    ObservationError, ROLL, TURN, WHEEL, help_with, observer_speed,
+};
 use crate::files::csv_out;
 use crate::files::whole::OutArgs;
-use crate::flags::{COORDINATES, HeadArgs, SpeedArgs, WheelArgs, finite_number, within};
+use crate::flags::{
+    COORDINATES, HeadArgs, ObserverArgs, SpeedArgs, SpeedParameter, WheelArgs, finite_number, within,
+};
 use crate::time_range::{passage_times, time_within};
 
 /// Speed of the paper's cyclist.
@@ -20,6 +25,9 @@ const CYCLIST_BETA: f64 = 0.9;
 /// Without flags: the tracked point of the paper's cyclist. The first columns are the inputs, under the names that
 /// `gamow eval` reads; roll and turn, in radians, are among them where the head is tilted or turned, and `wheel_radius`, rho and
 /// angle where the point is on a wheel.
+///
+/// With a moving observer (--observer-beta and others) the range is one of the observer's clock, the column `clock`, which shows
+/// 0 at --observer-x, --observer-y and --observer-z at T = 0; each row has where the observer is, and T there.
 #[derive(Debug, Args)]
 #[command(after_long_help = help_with(EXAMPLES))]
 pub struct CurveArgs {
@@ -41,8 +49,11 @@ pub struct CurveArgs {
     x0: f64,
     #[command(flatten)]
     wheel: WheelArgs,
+    #[command(flatten, next_help_heading = "Of an observer who moves")]
+    observer: ObserverArgs,
     /// First observation time [default: when the point, or the hub of its wheel, is seen at x = -2 R, R being its distance at x = 0]
-    #[arg(long, value_name = "T", value_parser = within(COORDINATES), allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", value_parser = within(COORDINATES), allow_hyphen_values = true,
+          help_heading = "Options")]
     from: Option<f64>,
     /// Last observation time [default: when it is seen at x = +2 R]
     #[arg(long, value_name = "T", value_parser = within(COORDINATES), allow_hyphen_values = true)]
@@ -64,6 +75,7 @@ Examples:
   gamow curve --stereo --roll 90
   gamow curve --conformal --samples 5 | cut -d, -f 6,23-26
   gamow curve --wheel-radius 0.525 --rho 1 --angle 0 --from -2 --to 8
+  gamow curve --beta 0 --x0 5 --observer-beta 0.9 --stereo
   gamow curve --gamma 1e6 --x0 -10 --from 0 --to 20 --out curve.csv";
 
 /// Runs the command `gamow curve`.
@@ -83,40 +95,64 @@ fn write_curve(
     [from, to]: [f64; 2],
     out: &mut dyn Write,
 ) -> anyhow::Result<()> {
-    let (parameter, speed) = args.speed.parameter(CYCLIST_BETA);
     let mut output = csv_out::Rows::new(out);
-    let mut row = ByteRecord::from(vec![parameter.name(), "d"]);
-    let Baseline { roll, turn, .. } = first.baseline;
-    let told = args.given_inputs();
-    let head: &[f64] = if told.is_turned { &[roll, turn] } else { &[] };
-    row.extend(&[ROLL, TURN][..head.len()]);
-    let wheel = args.wheel.given();
-    let wheel = wheel.as_ref().map_or(&[][..], |wheel| wheel);
-    row.extend(&WHEEL[..wheel.len()]);
-    row.extend(["y", "z", "x0", "T"]);
-    row.extend(args.model.columns(told)?);
+    let given = args.given_inputs();
+    let mut row: ByteRecord = args.inputs(&first).into_iter().map(|(name, _)| name).collect();
+    row.extend(args.model.columns(given)?);
     output.write(&mut row, &[])?;
     for sample in 0..args.samples {
         let time = time_within([from, to], sample as f64 / (args.samples - 1) as f64);
-        let values = args.model.values(&Observation { time, ..first }, told)?;
+        let observation = args.observation(time)?;
+        let values = args.model.values(&observation, given)?;
         row.clear();
-        let inputs = [&[speed, args.d], head, wheel, &[args.y, args.z, args.x0, time]].concat();
-        output.write(&mut row, &[inputs, values].concat())?;
+        let inputs = args.inputs(&observation).into_iter().map(|(_, value)| value);
+        output.write(&mut row, &inputs.chain(values).collect::<Vec<_>>())?;
     }
     Ok(output.flush()?)
 }
 
 impl CurveArgs {
+    /// The observation at a time: T of eyes at rest, else of the observer's clock.
     fn observation(&self, time: f64) -> anyhow::Result<Observation> {
         let source = self.wheel.source(SourcePoint { x0: self.x0, y: self.y, z: self.z });
         let baseline = self.head.baseline(self.d);
-        Ok(Observation { speed: self.speed.speed(CYCLIST_BETA)?, source, baseline, time })
+        let speed = self.speed.speed(CYCLIST_BETA)?;
+        let Some(given) = self.observer.given() else {
+            return Ok(Observation::at_rest(speed, source, baseline, time));
+        };
+        Ok(Observation { speed, source, baseline, observer: given.observer(0.0)?, clock: time })
+    }
+
+    /// The columns of the inputs and their values, as `gamow eval` reads them.
+    fn inputs(&self, observation: &Observation) -> Vec<(&'static str, f64)> {
+        let (parameter, speed) = self.speed.parameter(CYCLIST_BETA);
+        let mut inputs = vec![(parameter.name(), speed), ("d", self.d)];
+        let Baseline { roll, turn, .. } = observation.baseline;
+        if self.given_inputs().is_turned {
+            inputs.extend([(ROLL, roll), (TURN, turn)]);
+        }
+        inputs.extend(self.wheel.given().into_iter().flat_map(|wheel| WHEEL.into_iter().zip(wheel)));
+        inputs.extend([("y", self.y), ("z", self.z), ("x0", self.x0)]);
+        let observer = observation.observer.at(observation.clock);
+        if let Some(GivenObserver { speed, direction, .. }) = self.observer.given() {
+            let (parameter, value) = speed.unwrap_or((SpeedParameter::Beta, 0.0));
+            inputs.push((observer_speed(parameter), value));
+            inputs.extend(OBSERVER_DIRECTION.into_iter().zip(direction));
+            inputs.extend(OBSERVER_PLACE.into_iter().zip(observer.place));
+            inputs.push((CLOCK, observation.clock));
+        }
+        inputs.push(("T", observer.time));
+        inputs
     }
 
     /// Returns what the flags determine.
     fn given_inputs(&self) -> GivenInputs {
         let is_turned = self.head.radians().into_iter().flatten().any(|angle| angle != 0.0);
-        GivenInputs { is_turned, on_wheel: self.wheel.given().is_some() }
+        GivenInputs {
+            is_turned,
+            on_wheel: self.wheel.given().is_some(),
+            is_riding: self.observer.given().is_some(),
+        }
     }
 
     /// The observation times to start and end at.
@@ -124,10 +160,15 @@ impl CurveArgs {
         if let (Some(from), Some(to)) = (self.from, self.to) {
             return Ok([from, to]);
         }
-        let &Observation { speed, source, baseline, .. } = observation;
-        let Some(times) =
-            passage_times(&speed, source.place(), baseline.apertures()).map_err(ObservationError::from)?
-        else {
+        let &Observation { speed, source, baseline, ref observer, .. } = observation;
+        let times = if self.observer.given().is_some() {
+            let (speed, point) =
+                observer.relative_motion(&speed, source.place()).map_err(ObservationError::from)?;
+            passage_times(&speed, point, [Aperture::default(); 2])
+        } else {
+            passage_times(&speed, source.place(), baseline.apertures())
+        };
+        let Some(times) = times.map_err(ObservationError::Domain)? else {
             anyhow::bail!("a point at rest passes at no time; --from and --to are needed");
         };
         Ok([self.from.unwrap_or(times[0]), self.to.unwrap_or(times[1])])

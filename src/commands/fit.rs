@@ -51,6 +51,10 @@ pub struct FitArgs {
     /// Fit x0 too: the time of passage is unknown.
     #[arg(long, conflicts_with = "x0")]
     fit_x0: bool,
+    /// The eyes rode past a point at rest, along x: the times are those of the rider's own clock, the file's column clock; beta is the
+    /// rider's speed, and x0 how far the point is behind when the clock shows 0, contracted.
+    #[arg(long, conflicts_with = "wheel_radius")]
+    riding: bool,
     #[command(flatten, next_help_heading = "Of a point on a wheel that rolls")]
     wheel: WheelArgs,
     #[command(flatten)]
@@ -71,6 +75,7 @@ Examples:
   gamow curve | gamow fit
   gamow fit data.csv --d 0.1 --fit-x0
   gamow fit data.csv --d 0.1 --model published --use dphi --json
+  gamow curve --beta 0 --x0 5 --observer-beta 0.9 | gamow fit --riding --fit-x0
   gamow fit valve.csv --d 0.1 --wheel-radius 0.525 --rho 0.85 --angle 1.2";
 
 fn separation(text: &str) -> Result<f64, String> {
@@ -94,11 +99,16 @@ fn replicates(text: &str) -> Result<usize, String> {
 /// Runs the command `gamow fit`.
 pub fn run(args: &FitArgs) -> anyhow::Result<()> {
     let (name, input) = csv_in::open(args.file.as_deref())?;
-    let data = Data::read(&name, input, Eyes::given(args.d, args.head.radians()))?;
+    let eyes = Eyes { ride: args.riding, ..Eyes::given(args.d, args.head.radians()) };
+    if args.riding && matches!(args.model, Model::Published(_)) {
+        anyhow::bail!("--riding: the model {} has both eyes at rest", args.model.name());
+    }
+    let data = Data::read(&name, input, eyes)?;
     let curves = data.curves(args.curves);
     let passage = if args.fit_x0 { Passage::Fitted } else { Passage::Known(args.x0) };
     let options = FitOptions { model: args.model, curves, passage, rolling: args.wheel.rolling() };
-    args.report.write(&args.fitted(&data, &options).with_context(|| name)?)
+    let fitted = args.fitted(&data, &options).with_context(|| name)?;
+    args.report.write(&FitReport { riding: args.riding, ..fitted })
 }
 
 impl FitArgs {

@@ -6,11 +6,12 @@ use anyhow::Context as _;
 use csv::ByteRecord;
 use relativity_core::{Baseline, Curves, FitError, MAX_COORDINATE, Observations, Reading, Sample};
 
-use crate::columns::{ROLL, TURN};
+use crate::columns::{CLOCK, ROLL, TURN};
 use crate::files::csv_in::{HeaderError, Names, RowError, Rows};
 use crate::platform::sizes;
 
 const NEEDED: &str = "T, dphi or dtheta, and d unless --d gives it";
+const NEEDED_OF_RIDER: &str = "clock, dphi or dtheta, and d unless --d gives it";
 
 /// The permitted separation of eyes that measure, in words: see [`is_separation`].
 pub const SEPARATION: &str = "above 0 and at most 1e60";
@@ -41,19 +42,21 @@ pub struct Eyes {
     pub given: [Option<f64>; 3],
     /// Numbers that hold where the file has no such column.
     pub default: [Option<f64>; 3],
+    /// Whether they ride past a point at rest, along x, and time it by a clock of their own.
+    pub ride: bool,
 }
 
 impl Eyes {
     /// Returns the eyes of all samples where given, else those of the columns d, roll and turn; of the last two 0 where there are none.
     #[must_use]
     pub const fn given(separation: Option<f64>, [roll, turn]: [Option<f64>; 2]) -> Self {
-        Self { given: [separation, roll, turn], default: [None, Some(0.0), Some(0.0)] }
+        Self { given: [separation, roll, turn], default: [None, Some(0.0), Some(0.0)], ride: false }
     }
 
     /// Returns the eyes of the columns d, roll and turn, and of `baseline` where there are none.
     #[must_use]
     pub const fn unless_told(Baseline { separation, roll, turn }: Baseline) -> Self {
-        Self { given: [None; 3], default: [Some(separation), Some(roll), Some(turn)] }
+        Self { given: [None; 3], default: [Some(separation), Some(roll), Some(turn)], ride: false }
     }
 }
 
@@ -63,6 +66,8 @@ struct Header {
     /// Sources of d, roll and turn.
     eyes: [Source; 3],
     curves: [Option<Curve>; 2],
+    /// Whether the eyes ride, so that rows are mirrored: see [`Header::sample`].
+    ride: bool,
     names: Names,
 }
 
@@ -134,14 +139,16 @@ impl Data {
 impl Header {
     fn new(row: ByteRecord, eyes: Eyes) -> Result<Self, HeaderError> {
         let names = Names::new(row)?;
-        let time = names.needed_place("T", NEEDED)?;
+        let (time, needed) = if eyes.ride { (CLOCK, NEEDED_OF_RIDER) } else { ("T", NEEDED) };
+        let time = names.needed_place(time, needed)?;
+        let ride = eyes.ride;
         let source = |index: usize, column| {
             if let Some(number) = eyes.given[index] {
                 return Ok(Source::Given(number));
             }
             let place = names.place(column)?.map(Source::Column);
             let source = place.or(eyes.default[index].map(Source::Given));
-            source.ok_or_else(|| names.missing(column, NEEDED))
+            source.ok_or_else(|| names.missing(column, needed))
         };
         let eyes = [source(0, "d")?, source(1, ROLL)?, source(2, TURN)?];
         let curve = |value, sigma| {
@@ -151,12 +158,16 @@ impl Header {
         };
         let curves = [curve("dphi", "sigma_dphi")?, curve("dtheta", "sigma_dtheta")?];
         if curves.iter().all(Option::is_none) {
-            return Err(names.missing("dphi or dtheta", NEEDED));
+            return Err(names.missing("dphi or dtheta", needed));
         }
-        Ok(Self { time, eyes, curves, names })
+        Ok(Self { time, eyes, curves, ride, names })
     }
 
     /// The sample that `row` describes; its pair is a place in `baselines`.
+    ///
+    /// Eyes that ride towards +x past a point at rest see what resting eyes see of a point that moves towards -x: in a mirror
+    /// across x, where left and right are exchanged and the head is held the other way, it moves towards +x. There dphi is the
+    /// same, and dtheta has the other sign.
     fn sample(&self, row: &ByteRecord, baselines: &mut Vec<Baseline>) -> Result<Sample, RowError> {
         self.names.check_length(row)?;
         let number = |source| match source {
@@ -164,7 +175,8 @@ impl Header {
             Source::Column(place) => self.names.number(row, place),
         };
         let [separation, roll, turn] = self.eyes.map(number);
-        let baseline = Baseline { separation: separation?, roll: roll?, turn: turn? };
+        let mirrored = if self.ride { -1.0 } else { 1.0 };
+        let baseline = Baseline { separation: separation?, roll: mirrored * roll?, turn: mirrored * turn? };
         if let (Source::Column(place), false) = (self.eyes[0], is_separation(baseline.separation)) {
             return Err(self.names.out_of_range(row, place, SEPARATION));
         }
@@ -174,7 +186,8 @@ impl Header {
             baselines.len() - 1
         });
         let [dphi, dtheta] = self.curves.map(|curve| self.reading(row, curve));
-        Ok(Sample { time: self.names.number(row, self.time)?, pair, dphi: dphi?, dtheta: dtheta? })
+        let dtheta = dtheta?.map(|reading| Reading { value: mirrored * reading.value, ..reading });
+        Ok(Sample { time: self.names.number(row, self.time)?, pair, dphi: dphi?, dtheta })
     }
 
     /// The reading in `row`; none if its cell is empty.

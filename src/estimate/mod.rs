@@ -22,6 +22,10 @@ pub struct FitReport {
     pub model: &'static str,
     /// Always true: what did not converge is an error.
     pub converged: bool,
+    /// Whether the eyes rode past a point at rest: beta is their own speed, and x0 by how much the point is behind them when
+    /// their clock shows 0, contracted.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub riding: bool,
     /// Place of the point on its wheel, if it is on one: y, z and x0 are its hub's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wheel: Option<OnWheel>,
@@ -231,7 +235,7 @@ impl FitReport {
         let fit = CurvesFit::new(&joint);
         let sigmas = sigmas::remark(fit.reduced_chi_squared, fit.readings, fit.parameters.iter().count());
         let wheel = options.rolling.map(OnWheel::from);
-        Ok(Self { model, converged: true, wheel, sigmas, fit, bootstrap, fits })
+        Ok(Self { model, converged: true, riding: false, wheel, sigmas, fit, bootstrap, fits })
     }
 }
 
@@ -304,6 +308,10 @@ impl<T> Parameters<T> {
 impl fmt::Display for FitReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "model      {}", self.model)?;
+        if self.riding {
+            let x0 = "x0 how far the point is behind when the clock shows 0, contracted";
+            writeln!(f, "riding     beta is the observer's own speed, {x0}")?;
+        }
         if let Some(OnWheel { wheel_radius, rho, angle }) = self.wheel {
             let known = format!("radius {wheel_radius}, rho {rho}, angle {angle}");
             writeln!(f, "wheel      {known}, taken for known: y, z and x0 are the hub's")?;

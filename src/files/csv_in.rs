@@ -241,6 +241,12 @@ impl Names {
         }
     }
 
+    /// The names that begin with `prefix`, blanks around them aside; legible.
+    pub fn that_begin_with<'a>(&'a self, prefix: &'a str) -> impl Iterator<Item = String> + 'a {
+        let names = self.0.iter().map(<[u8]>::trim_ascii);
+        names.filter(|name| name.starts_with(prefix.as_bytes())).map(legible)
+    }
+
     /// The place of the column `name`, one of those `needed`.
     pub fn needed_place(&self, name: &'static str, needed: &'static str) -> Result<usize, HeaderError> {
         self.place(name)?.ok_or_else(|| self.missing(name, needed))

@@ -20,6 +20,7 @@ mod pages;
 mod paper;
 mod quiet;
 mod records;
+mod riding;
 mod streams;
 mod wheels;
 mod worksheets;

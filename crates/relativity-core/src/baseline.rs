@@ -65,8 +65,13 @@ impl Baseline {
     /// depends on the direction. (The pair along x stands for its limit itself.)
     #[must_use]
     pub fn apertures_or_limit(&self) -> [Aperture; 2] {
-        let is_limit = self.separation == 0.0 && !self.is_along_motion();
-        Self { separation: if is_limit { HAIR } else { self.separation }, ..*self }.apertures()
+        if self.is_along_motion() { self.apertures() } else { self.apart().apertures() }
+    }
+
+    /// The same pair, a hair apart if both are in one place.
+    #[must_use]
+    pub fn apart(&self) -> Self {
+        Self { separation: if self.separation == 0.0 { HAIR } else { self.separation }, ..*self }
     }
 
     /// Both apertures, left (primary) and right (secondary), from the middle between them.
@@ -119,7 +124,8 @@ impl HeadAxes {
 /// A separation whose square counts as nothing.
 const HAIR: f64 = 1e-12;
 
-fn sine_and_cosine(angle: f64) -> [f64; 2] {
+/// Sine and cosine, exactly 0 where only rounding leaves something at a multiple of a quarter turn.
+pub(crate) fn sine_and_cosine(angle: f64) -> [f64; 2] {
     let (sine, cosine) = math::sin_cos(angle);
     let is_far_round = angle.abs() > 1.0;
     [sine, cosine].map(|part| if is_far_round && part.abs() < f64::EPSILON { 0.0 } else { part })

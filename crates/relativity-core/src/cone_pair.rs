@@ -244,6 +244,25 @@ pub(crate) struct LinesOfSight<F> {
     pub excess: [F; 3],
 }
 
+impl LinesOfSight<f64> {
+    /// (Delta-phi, Delta-theta), from the sines and cosines of the differences.
+    pub fn angle_differences(&self) -> (f64, f64) {
+        let Self { each: [left, right], normal: [nx, ny, nz], .. } = *self;
+        let [left_h, right_h] = [left, right].map(|[x, y, _]| (x * x + y * y).sqrt());
+        let dphi = math::atan2(-nz, left[0] * right[0] + left[1] * right[1]);
+        // z_l h_r - z_r h_l as the difference of the squares over the sum, where both have one sign.
+        let terms = [left[2] * right_h, right[2] * left_h];
+        let sum = terms[0] + terms[1];
+        let sine = if terms[0] * terms[1] > 0.0 {
+            let of = |i: usize| (left[2] * right[i] + right[2] * left[i]) / sum;
+            ny * of(0) - nx * of(1)
+        } else {
+            terms[0] - terms[1]
+        };
+        (dphi, math::atan2(sine, left_h * right_h + left[2] * right[2]))
+    }
+}
+
 /// A coordinate across the motion, from both apertures, and left minus right.
 struct Across<F> {
     left: F,

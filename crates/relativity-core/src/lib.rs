@@ -1,7 +1,7 @@
 //! Exact special-relativistic optics for any number of apertures.
 //!
-//! A point moves along +x at a constant speed, or turns on a wheel that does; apertures at rest on the ground each solve
-//! their own light cone for it. Pure numerics: no I/O, no logging, no graphics.
+//! A point moves along +x at a constant speed, or turns on a wheel that does; apertures at rest on the ground, or of an
+//! [`observer`] who moves, each solve their own light cone for it. Pure numerics: no I/O, no logging, no graphics.
 //!
 //! # Conventions
 //!
@@ -93,6 +93,7 @@ pub mod doppler;
 pub mod fit;
 pub mod math;
 mod model;
+pub mod observer;
 pub mod one_cone;
 pub mod passage;
 pub mod published;
@@ -116,6 +117,7 @@ pub use fit::{
     Rolling, Sample, Simulation, fit, fit_from,
 };
 pub use model::{Model, PairError};
+pub use observer::{Observer, ObserverError, ObserverVelocity};
 pub use one_cone::one_cone_disparity;
 pub use passage::{equidistance_time, observation_time_when_seen_at};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};

@@ -141,6 +141,28 @@ impl Speed {
         })
     }
 
+    /// From the proper velocity gamma beta, 0 or more.
+    pub(crate) fn from_proper(proper: f64) -> Result<Self, SpeedError> {
+        let gamma = math::hypot(1.0, proper);
+        if !(proper >= 0.0 && gamma <= MAX_GAMMA) {
+            return Err(SpeedError::Gamma(gamma));
+        }
+        Ok(Self {
+            beta: proper / gamma,
+            gamma,
+            gamma_minus_one: proper * (proper / (gamma + 1.0)),
+            one_minus_beta: 1.0 / (gamma * (gamma + proper)),
+            inverse_gamma_squared: 1.0 / gamma / gamma,
+            rapidity: math::asinh(proper),
+        })
+    }
+
+    /// Proper velocity gamma beta, to full relative accuracy.
+    #[must_use]
+    pub fn proper(&self) -> f64 {
+        self.gamma * self.beta
+    }
+
     /// v/c, rounded to f64: from gamma of about 1e8 it is the last number before 1, or 1 itself.
     #[must_use]
     pub const fn beta(&self) -> f64 {

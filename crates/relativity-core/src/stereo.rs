@@ -114,14 +114,23 @@ pub fn stereo(
         Source::Wheel(wheel) => return wheel.stereo(speed, pair, observation_time),
     };
     let cones = ConePair::new(&speed.coefficients(), point, left, right, observation_time);
-    if cones.offset.y == 0.0 && cones.offset.z == 0.0 {
-        let gain = cones.gain().unwrap_or(speed.gamma() * speed.gamma());
-        let [y, z] = [cones.left.y, cones.left.z].map(|across| across / gain);
-        return Ok(Stereo { gain, position: [cones.mean_x() / gain, y, z], miss: 0.0 });
+    if let Some(fused) = along_motion(speed, &cones) {
+        return Ok(fused);
     }
     let Aperture { y, z, .. } = middle(pair);
     let lines = cones.lines_of_sight(point.y - y, point.z - z).ok_or(StereoError::Apart)?;
-    meeting(&lines, cones.offset).ok_or(StereoError::Apart)
+    let Offset { s, y, z } = cones.offset;
+    meeting(&lines, [s, y, z]).ok_or(StereoError::Apart)
+}
+
+/// The stereo position for apertures along the motion, whose lines of sight always meet; `None` for others.
+pub(crate) fn along_motion(speed: &Speed, cones: &ConePair<f64>) -> Option<Stereo> {
+    if cones.offset.y != 0.0 || cones.offset.z != 0.0 {
+        return None;
+    }
+    let gain = cones.gain().unwrap_or(speed.gamma() * speed.gamma());
+    let [y, z] = [cones.left.y, cones.left.z].map(|across| across / gain);
+    Some(Stereo { gain, position: [cones.mean_x() / gain, y, z], miss: 0.0 })
 }
 
 /// The apertures, after a check of all inputs.
@@ -132,10 +141,9 @@ fn checked(pair: [Aperture; 2], source: Source, observation_time: f64) -> Result
     Ok(pair)
 }
 
-/// Returns the closest approach of two lines of sight from apertures that are `offset` apart; `None` if it is not in front of both.
-pub(crate) fn meeting(lines: &LinesOfSight<f64>, offset: Offset<f64>) -> Option<Stereo> {
+/// Returns the closest approach of two lines of sight from apertures with this `baseline` from the left to the right; `None` if it is not in front of both.
+pub(crate) fn meeting(lines: &LinesOfSight<f64>, baseline: [f64; 3]) -> Option<Stereo> {
     let LinesOfSight { mean, difference, excess, .. } = *lines;
-    let baseline = [offset.s, offset.y, offset.z];
     let at_rest = cross(baseline, mean);
     let (normal, length) = direction_and_length(lines.normal)?;
     let (direction_at_rest, length_at_rest) = direction_and_length(at_rest)?;
@@ -158,14 +166,14 @@ pub(crate) fn meeting(lines: &LinesOfSight<f64>, offset: Offset<f64>) -> Option<
     let position = std::array::from_fn(|i| {
         let from_shorter =
             [side * baseline[i], (fraction - side * apart) * shorter[i], -side * connection * normal[i]];
-        smallest_terms([fraction * mean[i], 0.25 * apart * difference[i], 0.0], from_shorter)
+        smallest_terms(&[fraction * mean[i], 0.25 * apart * difference[i], 0.0], &from_shorter)
     });
     let is_finite = [gain, connection].iter().chain(&position).all(|value| value.is_finite());
     (is_finite && gain > 0.0).then_some(Stereo { gain, position, miss: connection.abs() })
 }
 
 /// Returns that of two sums for the same number in which less cancels.
-fn smallest_terms(a: [f64; 3], b: [f64; 3]) -> f64 {
+pub(crate) fn smallest_terms(a: &[f64], b: &[f64]) -> f64 {
     let [size_a, size_b] = [a, b].map(|terms| terms.iter().map(|term| term.abs()).sum::<f64>());
     // An overflow is larger than anything.
     if size_b < size_a { b.iter().sum() } else { a.iter().sum() }
@@ -187,7 +195,7 @@ fn direction_and_length(v: [f64; 3]) -> Option<([f64; 3], f64)> {
     Some((scaled.map(|part| part / length), size * length))
 }
 
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 

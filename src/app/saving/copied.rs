@@ -38,12 +38,9 @@ impl State {
             Motion::Scene => self.document.settings.motion.speed,
             Motion::Own(own) => speed_setting(own.speed).map_err(|error| error.to_string())?,
         };
-        let observation = Observation {
-            speed: speed.speed(),
-            source: self.selected_source(),
-            baseline: self.document.settings.baseline(),
-            time: self.document.time,
-        };
+        let baseline = self.document.settings.baseline();
+        let observation =
+            Observation::at_rest(speed.speed(), self.selected_source(), baseline, self.document.time);
         match observation.source {
             Source::Wheel(WheelPoint { turning: Turning::RimSpeed(_), .. }) => Err(SLIPS.to_owned()),
             _ => Ok((speed, observation)),
@@ -103,7 +100,7 @@ impl State {
         let model = self.model_args();
         let told = |error: &dyn std::fmt::Display| error.to_string();
         let wheel = on_wheel(observation.source);
-        let given = GivenInputs { is_turned: true, on_wheel: !wheel.is_empty() };
+        let given = GivenInputs { is_turned: true, on_wheel: !wheel.is_empty(), is_riding: false };
         let columns = model.columns(given).map_err(|error| told(&error))?;
         let values = model.values(&observation, given).map_err(|error| told(&error))?;
         let (point, baseline) = (observation.source.place(), observation.baseline);
@@ -116,7 +113,7 @@ impl State {
             ("y", point.y),
             ("z", point.z),
             ("x0", point.x0),
-            ("T", observation.time),
+            ("T", self.document.time),
         ];
         let inputs = || inputs.into_iter().chain(wheel.iter().copied());
         let all = || inputs().chain(columns.iter().copied().zip(values.iter().copied()));

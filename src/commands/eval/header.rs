@@ -1,10 +1,13 @@
 //! The header of `gamow eval`: places of the inputs in a row, and the observation that a row describes.
 
 use csv::ByteRecord;
-use relativity_core::{Baseline, SourcePoint, StereoError};
+use relativity_core::{Baseline, Observer, ObserverVelocity, SourcePoint, StereoError};
 use thiserror::Error;
 
-use crate::columns::{GivenInputs, Observation, ObservationError, ROLL, TURN, WHEEL};
+use crate::columns::{
+    GivenInputs, GivenObserver, OBSERVER_DIRECTION, OBSERVER_PLACE, OBSERVER_PREFIX, OBSERVER_SPEED,
+    Observation, ObservationError, ROLL, TURN, WHEEL, observer_speed,
+};
 use crate::files::csv_in::{self, Names};
 use crate::flags::{SpeedParameter, rolling};
 
@@ -18,11 +21,20 @@ pub struct Header {
     head: [Option<usize>; 2],
     /// Places of the radius, rho and angle of a point on a wheel.
     wheel: Option<[usize; 3]>,
+    observer: Option<ObserverPlaces>,
     y: usize,
     z: usize,
     time: usize,
     x0: Option<usize>,
     names: Names,
+}
+
+/// The places of how the observer moves.
+#[derive(Debug)]
+struct ObserverPlaces {
+    speed: Option<(SpeedParameter, usize)>,
+    direction: [Option<usize>; 2],
+    place: [Option<usize>; 3],
 }
 
 /// Input that describes no observations.
@@ -31,9 +43,15 @@ pub enum InputError {
     /// Columns that are missing or there twice.
     #[error(transparent)]
     Header(#[from] csv_in::HeaderError),
-    /// The speed is given in two ways.
+    /// A speed is given in two ways.
     #[error("columns {0} and {1} both give the speed; there should be one of beta, gamma, rapidity")]
     TwoSpeeds(&'static str, &'static str),
+    /// A column that could be meant for one of the observer's.
+    #[error(
+        "column {0} is none of the observer's: observer_beta, observer_gamma or observer_rapidity; observer_azimuth, \
+             observer_elevation; observer_x, observer_y, observer_z"
+    )]
+    UnknownObserver(String),
     /// A point on a wheel is given in part.
     #[error("column {there} is given, and {missing} is not; wheel_radius, rho and angle go together")]
     PartOfWheel {
@@ -70,18 +88,23 @@ impl Header {
         let names = Names::new(row)?;
         let head = head_places(&names)?;
         let wheel = wheel_places(&names)?;
-        for name in appended(given(head, wheel))? {
+        let observer = observer_places(&names)?;
+        let given = given(head, wheel, observer.as_ref());
+        for name in appended(given)? {
             if names.place(name)?.is_some() {
                 return Err(InputError::Taken(name));
             }
         }
-        let (speed_parameter, speed) = speed_place(&names)?;
+        let speed = speed_place(&names, SpeedParameter::name)?;
+        let (speed_parameter, speed) =
+            speed.ok_or_else(|| names.missing("beta, gamma or rapidity", NEEDED))?;
         Ok(Self {
             speed_parameter,
             speed,
             d: names.needed_place("d", NEEDED)?,
             head,
             wheel,
+            observer,
             y: names.needed_place("y", NEEDED)?,
             z: names.needed_place("z", NEEDED)?,
             time: names.needed_place("T", NEEDED)?,
@@ -103,13 +126,51 @@ impl Header {
         };
         let [roll, turn] = self.head.map(|place| place.map_or(Ok(0.0), number));
         let baseline = Baseline { separation: number(self.d)?, roll: roll?, turn: turn? };
-        Ok(Observation { speed, source, baseline, time: number(self.time)? })
+        let time = number(self.time)?;
+        let observer = match &self.observer {
+            None => Observer { velocity: ObserverVelocity::REST, place: [0.0; 3], time },
+            Some(places) => places.given(number)?.observer(time)?,
+        };
+        Ok(Observation { speed, source, baseline, observer, clock: 0.0 })
     }
 
     /// Returns what the columns determine.
     pub fn given(&self) -> GivenInputs {
-        given(self.head, self.wheel)
+        given(self.head, self.wheel, self.observer.as_ref())
     }
+}
+
+impl ObserverPlaces {
+    /// How the observer moves in a row.
+    fn given(
+        &self,
+        number: impl Fn(usize) -> Result<f64, csv_in::RowError>,
+    ) -> Result<GivenObserver, csv_in::RowError> {
+        let or_zero = |place: Option<usize>| place.map_or(Ok(0.0), &number);
+        let [azimuth, elevation] = self.direction.map(or_zero);
+        let [x, y, z] = self.place.map(or_zero);
+        let speed = self.speed.map(|(parameter, place)| Ok((parameter, number(place)?))).transpose()?;
+        Ok(GivenObserver { speed, direction: [azimuth?, elevation?], place: [x?, y?, z?] })
+    }
+}
+
+/// Returns the places of the observer's columns; `None` without any.
+fn observer_places(names: &Names) -> Result<Option<ObserverPlaces>, InputError> {
+    let known = [&OBSERVER_SPEED[..], &OBSERVER_DIRECTION, &OBSERVER_PLACE].concat();
+    if let Some(unknown) = names.that_begin_with(OBSERVER_PREFIX).find(|name| !known.contains(&name.as_str()))
+    {
+        return Err(InputError::UnknownObserver(unknown));
+    }
+    let [azimuth, elevation] = OBSERVER_DIRECTION.map(|name| names.place(name));
+    let [x, y, z] = OBSERVER_PLACE.map(|name| names.place(name));
+    let places = ObserverPlaces {
+        speed: speed_place(names, observer_speed)?,
+        direction: [azimuth?, elevation?],
+        place: [x?, y?, z?],
+    };
+    let is_given =
+        places.speed.is_some() || places.direction.iter().chain(&places.place).any(Option::is_some);
+    Ok(is_given.then_some(places))
 }
 
 fn head_places(names: &Names) -> Result<[Option<usize>; 2], csv_in::HeaderError> {
@@ -133,17 +194,29 @@ fn wheel_places(names: &Names) -> Result<Option<[usize; 3]>, InputError> {
     }
 }
 
-fn given(head: [Option<usize>; 2], wheel: Option<[usize; 3]>) -> GivenInputs {
-    GivenInputs { is_turned: head.iter().any(Option::is_some), on_wheel: wheel.is_some() }
+fn given(
+    head: [Option<usize>; 2],
+    wheel: Option<[usize; 3]>,
+    observer: Option<&ObserverPlaces>,
+) -> GivenInputs {
+    GivenInputs {
+        is_turned: head.iter().any(Option::is_some),
+        on_wheel: wheel.is_some(),
+        is_riding: observer.is_some(),
+    }
 }
 
-fn speed_place(names: &Names) -> Result<(SpeedParameter, usize), InputError> {
+/// The one column that gives a speed, the columns having these names; `None` without one.
+fn speed_place(
+    names: &Names,
+    name: impl Fn(SpeedParameter) -> &'static str,
+) -> Result<Option<(SpeedParameter, usize)>, InputError> {
     let mut found = None;
     for parameter in SpeedParameter::ALL {
-        let Some(place) = names.place(parameter.name())? else { continue };
+        let Some(place) = names.place(name(parameter))? else { continue };
         if let Some((earlier, _)) = found.replace((parameter, place)) {
-            return Err(InputError::TwoSpeeds(earlier.name(), parameter.name()));
+            return Err(InputError::TwoSpeeds(name(earlier), name(parameter)));
         }
     }
-    found.ok_or_else(|| names.missing("beta, gamma or rapidity", NEEDED).into())
+    Ok(found)
 }

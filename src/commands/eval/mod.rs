@@ -20,7 +20,8 @@ use crate::files::{csv_in, csv_out};
 /// (the point's depth and height); T (when the light arrives); optionally x0 (the point's x at t = 0, else 0), roll and
 /// turn (by how much the head is tilted and turned, in radians, else 0), and `wheel_radius`, rho and angle (of a point on a wheel
 /// that rolls, whose hub is at x0, y and z: the radius of the wheel, how far the point is from the hub in radii, and where it is
-/// at t' = 0 by the clocks that ride with the hub, from +x towards +z, in radians). All other columns pass through.
+/// at t' = 0 by the clocks that ride with the hub, from +x towards +z, in radians), and how the observer moves (`observer_beta` and
+/// others, below). All other columns pass through.
 ///
 /// A bad row ends the run with one line that names file, line and column, and exit status 2. With --out no file is then
 /// written; standard output has the rows before it.
@@ -40,6 +41,7 @@ Examples:
   printf 'beta,d,y,z,T\\n0.9,0.3,0.5,0.5,0\\n' | gamow eval
   printf 'gamma,d,y,z,T,x0,name\\n1e9,0.1,3,2,4,-1,rider\\n' | gamow eval --intensity-exponent photons
   printf 'beta,d,y,z,T,wheel_radius,rho,angle\\n0.9,0.1,3,2,4,0.5,1,0\\n' | gamow eval
+  printf 'observer_beta,beta,d,x0,y,z,T\\n0.9,0,0.1,5,3,2,0\\n' | gamow eval --stereo
   gamow curve | cut -d, -f 1-6 | gamow eval --model published --out published.csv";
 
 /// Runs the command `gamow eval`.
@@ -50,7 +52,7 @@ pub fn run(args: &EvalArgs) -> anyhow::Result<()> {
 
 /// Reads rows of `input`, called `name` in errors, and writes each with the columns appended.
 fn evaluate(name: &str, input: impl Read, model: ModelArgs, out: &mut dyn Write) -> anyhow::Result<()> {
-    let plain = GivenInputs { is_turned: false, on_wheel: false };
+    let plain = GivenInputs { is_turned: false, on_wheel: false, is_riding: false };
     model.columns(plain)?; // what has no such columns is no matter of a row
     let mut input = csv_in::Rows::new(input).with_context(|| name.to_owned())?;
     let mut output = csv_out::Rows::new(out);

@@ -24,6 +24,6 @@ mod pair;
 mod root;
 mod seen;
 
-pub(crate) use pair::baseline;
+pub(crate) use pair::{EventStep, baseline, between_events};
 pub use root::{MAX_STEPS, NEWTON_STEPS, measured_later, seen_later};
 pub(crate) use seen::{Circle, Hub, Seen};

@@ -14,7 +14,7 @@
 
 use crate::aperture::Aperture;
 use crate::apparent::LightCone;
-use crate::cone_pair::{ConePair, LinesOfSight, Offset};
+use crate::cone_pair::{ConePair, LinesOfSight};
 use crate::disparity::Disparity;
 use crate::math;
 use crate::published::{self, PublishedVariant};
@@ -38,13 +38,25 @@ struct Step {
     later: f64,
 }
 
+/// From the event that the secondary aperture sees to the primary's, on the ground.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct EventStep {
+    pub place: [f64; 3],
+    pub time: f64,
+    /// By how much its time is longer than its x.
+    pub time_less_x: f64,
+}
+
 impl SeenPair {
     fn new(speed: &Speed, circle: &Circle<f64>, each: [Seen<f64>; 2], step: Step) -> Self {
         let cones = each.map(|seen| seen.cone);
         let places = cones.map(|LightCone { y, z, solution, .. }| [solution.x, y, z]);
         let mean: [f64; 3] = std::array::from_fn(|i| 0.5 * (places[0][i] + places[1][i]));
-        let excess = moved(speed, circle, &each, &mean, step);
-        let difference: [f64; 3] = std::array::from_fn(|i| step.baseline[i] + excess[i]);
+        let Step { baseline, later } = step;
+        let sum_r = cones[0].solution.r + cones[1].solution.r;
+        let along = baseline[0] * mean[0] + baseline[1] * mean[1] + baseline[2] * mean[2];
+        let excess = between_events(speed, circle, &each, along + 0.5 * later * sum_r).place;
+        let difference: [f64; 3] = std::array::from_fn(|i| baseline[i] + excess[i]);
         // P_l x P_r from the shorter of both, in which less cancels.
         let [left, right] = cones.map(|cone| cone.solution.r);
         let normal = cross(difference, places[usize::from(right < left)]);
@@ -54,39 +66,24 @@ impl SeenPair {
 
     /// (Delta-phi, Delta-theta), from the sines and cosines of the differences.
     pub fn angle_differences(&self) -> (f64, f64) {
-        let LinesOfSight { each: [left, right], normal: [nx, ny, nz], .. } = self.lines;
-        let [left_h, right_h] = [left, right].map(|[x, y, _]| (x * x + y * y).sqrt());
-        let dphi = math::atan2(-nz, left[0] * right[0] + left[1] * right[1]);
-        // z_l h_r - z_r h_l as the difference of the squares over the sum, where both have one sign.
-        let terms = [left[2] * right_h, right[2] * left_h];
-        let sum = terms[0] + terms[1];
-        let sine = if terms[0] * terms[1] > 0.0 {
-            let of = |i: usize| (left[2] * right[i] + right[2] * left[i]) / sum;
-            ny * of(0) - nx * of(1)
-        } else {
-            terms[0] - terms[1]
-        };
-        (dphi, math::atan2(sine, left_h * right_h + left[2] * right[2]))
+        self.lines.angle_differences()
     }
 }
 
-/// From the event that the secondary sees to the primary's, on the ground.
-fn moved(
+/// Returns how far the events lie apart that two apertures see. `along` is the step from one aperture's event to the other's along
+/// the mean of both lines of sight, b.P + s R on the ground: the same number in every frame.
+pub(crate) fn between_events(
     speed: &Speed,
     circle: &Circle<f64>,
     each: &[Seen<f64>; 2],
-    mean: &[f64; 3],
-    step: Step,
-) -> [f64; 3] {
+    along: f64,
+) -> EventStep {
     let [left, right] = each;
     let sum_q = left.cone.solution.q + right.cone.solution.q;
     if sum_q == 0.0 {
-        return [0.0; 3];
+        return EventStep { place: [0.0; 3], time: 0.0, time_less_x: 0.0 };
     }
-    let Step { baseline, later } = step;
-    let along = baseline[0] * mean[0] + baseline[1] * mean[1] + baseline[2] * mean[2];
-    let sum_r = left.cone.solution.r + right.cone.solution.r;
-    let delay = (2.0 * along + later * sum_r) / sum_q;
+    let delay = 2.0 * along / sum_q;
     let angle = 0.5 * (left.angle + right.angle);
     let away = |seen: &Seen<f64>| {
         let LightCone { s, y, z, ref solution } = seen.cone;
@@ -103,7 +100,15 @@ fn moved(
     // 1 + forward; it is 0 on the road.
     let rising = if forward < 0.0 { cosine * cosine / (1.0 - forward) } else { 1.0 + forward };
     let velocity = circle.slip + circle.speed * (slack(half_turn) + chord(half_turn) * rising);
-    [stretched * velocity, 0.0, -2.0 * circle.r * math::sin(half_turn) * cosine]
+    // 1 - forward, and 1 - the velocity along the chord.
+    let falling = if forward > 0.0 { cosine * cosine / (1.0 + forward) } else { 1.0 - forward };
+    let chord_lag = circle.below_light + circle.speed * (slack(half_turn) + chord(half_turn) * falling);
+    let chord_velocity = circle.speed * chord(half_turn) * forward;
+    EventStep {
+        place: [stretched * velocity, 0.0, -2.0 * circle.r * math::sin(half_turn) * cosine],
+        time: stretched * (1.0 + speed.beta() * chord_velocity),
+        time_less_x: stretched * speed.one_minus_beta() * chord_lag,
+    }
 }
 
 impl WheelPoint {
@@ -190,7 +195,7 @@ impl WheelPoint {
         }
         let [s, y, z] = baseline;
         let SeenPair { lines, .. } = self.seen_by_pair(speed, pair, observation_time, baseline);
-        let fused = stereo::meeting(&lines, Offset { s, y, z }).ok_or(StereoError::Apart)?;
+        let fused = stereo::meeting(&lines, baseline).ok_or(StereoError::Apart)?;
         let gain = if [y, z] == [0.0; 2] { lines.difference[0] / s } else { fused.gain };
         Ok(Stereo { gain, ..fused })
     }

@@ -31,6 +31,12 @@ pub fn ordinary_length(rng: &mut ChaCha8Rng) -> f64 {
     if length.abs() < 1e-4 { 0.0 } else { length }
 }
 
+/// A length with sign, 1e-4 to 1e6 in magnitude.
+pub fn nonzero_length(rng: &mut ChaCha8Rng) -> f64 {
+    let magnitude = log_uniform(rng, -4.0, 6.0);
+    signed(rng, magnitude)
+}
+
 /// A speed: beta from 1e-14 to 1 - 1e-15, gamma from 1 + 1e-15 to 1e12, rapidity from 1e-14 to 30.
 pub fn speed(rng: &mut ChaCha8Rng) -> (Parameter, f64) {
     match rng.random_range(0..6) {

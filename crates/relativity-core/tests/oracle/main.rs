@@ -7,6 +7,7 @@ mod batch;
 mod conformal;
 mod draw;
 mod model;
+mod observer;
 mod tally;
 mod wheel;
 mod wheel_model;

@@ -149,30 +149,34 @@ pub fn stereo_of_pair(parameter: Parameter, inputs: &[Big]) -> [Big; 5] {
         let View { x, y, z, .. } = View::new(&speed, difference(&inputs[1..4], aperture), &inputs[4]);
         [x, y, z]
     };
-    let (left, right) = (view(&inputs[5..8]), view(&inputs[8..11]));
-    let normal = cross(&left, &right);
+    meeting(&view(&inputs[5..8]), &view(&inputs[8..11]), &baseline)
+}
+
+/// The same from both lines of sight, and from the left to the right aperture.
+pub fn meeting(left: &[Big; 3], right: &[Big; 3], baseline: &[Big; 3]) -> [Big; 5] {
+    let normal = cross(left, right);
     let volume = dot(&normal, &normal);
-    let fraction = |other: &[Big; 3]| dot(&cross(&baseline, other), &normal) / &volume;
-    let (l, r) = (fraction(&right), fraction(&left));
+    let fraction = |other: &[Big; 3]| dot(&cross(baseline, other), &normal) / &volume;
+    let (l, r) = (fraction(right), fraction(left));
     let [x, y, z] =
         std::array::from_fn(|i| (&l * &left[i] + &r * &right[i] + big(3.0) * &baseline[i]) / big(2.0));
-    let miss = dot(&baseline, &normal) / sqrt(&volume);
+    let miss = dot(baseline, &normal) / sqrt(&volume);
     let miss = if miss < big(0.0) { -miss } else { miss };
     let mean: [Big; 3] = std::array::from_fn(|i| &left[i] + &right[i]);
     let across = |v: &[Big; 3]| -> [Big; 3] {
         let along = dot(v, &mean) / dot(&mean, &mean);
         std::array::from_fn(|i| &v[i] - &along * &mean[i])
     };
-    let (seen, at_rest) = (across(&difference(&left, &right)), across(&baseline));
+    let (seen, at_rest) = (across(&difference(left, right)), across(baseline));
     let gain = dot(&seen, &at_rest) / dot(&at_rest, &at_rest);
     [gain, x, y, z, miss]
 }
 
-fn dot(a: &[Big; 3], b: &[Big; 3]) -> Big {
+pub fn dot(a: &[Big; 3], b: &[Big; 3]) -> Big {
     &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
 }
 
-fn cross(a: &[Big; 3], b: &[Big; 3]) -> [Big; 3] {
+pub fn cross(a: &[Big; 3], b: &[Big; 3]) -> [Big; 3] {
     [&a[1] * &b[2] - &a[2] * &b[1], &a[2] * &b[0] - &a[0] * &b[2], &a[0] * &b[1] - &a[1] * &b[0]]
 }
 

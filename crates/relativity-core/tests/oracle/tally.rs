@@ -62,16 +62,22 @@ impl<const N: usize> Tally<N> {
 
     /// Prints median, 99 % and worst of each quantity, and fails where the worst exceeds `bound`.
     pub fn assert_within(&self, bound: f64) -> &Self {
+        self.assert_each_within(|_| bound)
+    }
+
+    /// The same with a bound for each name.
+    pub fn assert_each_within(&self, bound: impl Fn(&str) -> f64) -> &Self {
         let mut report = String::new();
         let count = self.cases.len();
         for (k, name) in self.names.iter().enumerate() {
             let [median, most, worst] = self.figures(k);
             println!("{name:>22}: {count} cases, median {median:.2}, 99 % {most:.2}, worst {worst:.2}");
+            let bound = bound(name);
             if worst > bound {
-                report += &self.worst(k);
+                report += &format!("more than {bound} units: {}", self.worst(k));
             }
         }
-        assert!(report.is_empty(), "more than {bound} units:\n{report}");
+        assert!(report.is_empty(), "{report}");
         self
     }
 

@@ -1,14 +1,19 @@
 //! The columns that `eval` and `curve` append, and the models that fill them.
 
+mod observer;
+
 use std::f64::consts::{PI, TAU};
 
 use clap::Args;
 use relativity_core::{
-    Baseline, Disparity, DomainError, MAX_COORDINATE, Model, PairError, Source, Speed, SpeedError, Stereo,
-    StereoError, WheelPoint,
+    Baseline, Disparity, DomainError, MAX_COORDINATE, Model, Observer, ObserverError, ObserverVelocity,
+    PairError, Source, Speed, SpeedError, Stereo, StereoError, WheelPoint,
 };
 use thiserror::Error;
 
+pub use self::observer::{
+    CLOCK, GivenObserver, OBSERVER_DIRECTION, OBSERVER_PLACE, OBSERVER_PREFIX, OBSERVER_SPEED, observer_speed,
+};
 use crate::flags::column_exponent;
 
 /// Every column but those of `--conformal`, in order, the last five with `--stereo` only, and the very last of a head that is tilted or turned or a
@@ -46,6 +51,8 @@ pub const WHEEL: [&str; 3] = ["wheel_radius", "rho", "angle"];
 const USUAL: usize = 16;
 /// The columns of how far a wheel has turned, for its points only.
 const TURNED: [&str; 2] = ["angle_left", "angle_right"];
+/// The columns of where a moving observer's eyes see the point, in their own frame, but for x.
+const MOVING: [&str; 6] = ["y_left", "y_right", "z_left", "z_right", "distance_left", "distance_right"];
 /// The columns of `--conformal`, after all others.
 const CONFORMAL: [&str; 4] = ["u_left", "u_right", "v_left", "v_right"];
 /// The columns of angles.
@@ -80,6 +87,14 @@ lines of sight pass each other: the place is the middle of their shortest connec
 front; the gain is the parallax across the line of sight, along that of a resting point, over that; and with --stereo
   stereo_miss  length of that connection
 Those to a point of a wheel pass each other too, since it is elsewhere for the other eye: it has a stereo_miss as well.
+
+An observer who moves (observer_beta, observer_gamma or observer_rapidity; observer_azimuth and observer_elevation, radians; \
+observer_x, observer_y, observer_z: where the middle between the eyes is on the ground at T) has x, phi, theta, dphi, dtheta, u and v \
+in axes of their own frame, which are the ground's, boosted along the velocity without turning; d is measured there, too. \
+t is still by the ground's clocks. Then there are also, for each eye
+  y, z       where it sees the point, from the eye
+  distance   how far away that is
+and with --stereo a stereo_miss.
 
 With --conformal the last columns are the conformal coordinates, in the axes of the head (X along the line between the eyes, Y \
 ahead, Z up), for each eye:
@@ -118,12 +133,15 @@ pub struct GivenInputs {
     pub is_turned: bool,
     /// Whether points are on wheels.
     pub on_wheel: bool,
+    /// Whether the observer may move.
+    pub is_riding: bool,
 }
 
 impl GivenInputs {
     /// Returns the number of columns that `--stereo` adds.
     const fn stereo(self) -> usize {
-        COLUMNS.len() - USUAL - !(self.is_turned || self.on_wheel) as usize
+        let has_miss = self.is_turned || self.on_wheel || self.is_riding;
+        COLUMNS.len() - USUAL - !has_miss as usize
     }
 }
 
@@ -136,8 +154,19 @@ pub struct Observation {
     pub source: Source,
     /// The apertures: their separation d, 0 or more, and its direction.
     pub baseline: Baseline,
-    /// Observation time T.
-    pub time: f64,
+    /// The observer, at the event from which the clock counts.
+    pub observer: Observer,
+    /// What the observer's clock shows; of one at rest T counts from there.
+    pub clock: f64,
+}
+
+impl Observation {
+    /// The observation at T = `time` of eyes at rest on either side of the ground's origin.
+    #[must_use]
+    pub const fn at_rest(speed: Speed, source: Source, baseline: Baseline, time: f64) -> Self {
+        let observer = Observer { velocity: ObserverVelocity::REST, place: [0.0; 3], time };
+        Self { speed, source, baseline, observer, clock: 0.0 }
+    }
 }
 
 /// An observation whose columns cannot be filled.
@@ -152,9 +181,9 @@ pub enum ObservationError {
     /// The aperture separation is negative or outside the domain.
     #[error("d = {0:?} is out of range: it must be between 0 and 1e60")]
     Separation(f64),
-    /// An angle of the head that is more than half a turn.
+    /// An angle that is more than half a turn.
     #[error("{name} = {value:?} is out of range: it must be between -pi and pi, in radians")]
-    Head {
+    Angle {
         /// The column of the angle.
         name: &'static str,
         /// Value that is out of range.
@@ -173,6 +202,12 @@ pub enum ObservationError {
     /// A pair of eyes that the model does not know.
     #[error(transparent)]
     Pair(PairError),
+    /// The observer's speed is not one.
+    #[error("observer_{0}")]
+    ObserverSpeed(SpeedError),
+    /// An observer whose view cannot be told.
+    #[error(transparent)]
+    Observer(ObserverError),
     /// The model has no stereo position.
     #[error(transparent)]
     Stereo(StereoError),
@@ -189,21 +224,20 @@ pub enum ObservationError {
     },
 }
 
-impl From<StereoError> for ObservationError {
-    fn from(error: StereoError) -> Self {
+impl From<ObserverError> for ObservationError {
+    fn from(error: ObserverError) -> Self {
         match error {
-            StereoError::Domain(error) => Self::Domain(error),
-            StereoError::Published(_) | StereoError::Apart => Self::Stereo(error),
+            ObserverError::Domain(error) => Self::Domain(error),
+            ObserverError::Pair(error) => Self::Pair(error),
+            ObserverError::Stereo(error) => Self::Stereo(error),
+            ObserverError::RelativeSpeed | ObserverError::Published(_) => Self::Observer(error),
         }
     }
 }
 
-impl From<PairError> for ObservationError {
-    fn from(error: PairError) -> Self {
-        match error {
-            PairError::Domain(error) => Self::Domain(error),
-            PairError::OffTheMotion(_) => Self::Pair(error),
-        }
+impl From<StereoError> for ObservationError {
+    fn from(error: StereoError) -> Self {
+        ObserverError::from(error).into()
     }
 }
 
@@ -217,8 +251,11 @@ impl ObservationError {
             Self::Speed(SpeedError::Rapidity(_)) => "rapidity",
             Self::Domain(error) => error.name,
             Self::Separation(_) => "d",
-            Self::Head { name, .. } | Self::Wheel { name, .. } => name,
+            Self::Angle { name, .. } | Self::Wheel { name, .. } => name,
             Self::Pair(_) => ROLL,
+            Self::ObserverSpeed(SpeedError::Beta(_)) | Self::Observer(_) => OBSERVER_SPEED[0],
+            Self::ObserverSpeed(SpeedError::Gamma(_)) => OBSERVER_SPEED[1],
+            Self::ObserverSpeed(SpeedError::Rapidity(_)) => OBSERVER_SPEED[2],
             Self::Stereo(_) => COLUMNS[USUAL],
             Self::NotFinite { column, .. } => column,
         }
@@ -234,11 +271,12 @@ impl ModelArgs {
     pub fn columns(&self, given: GivenInputs) -> Result<Vec<&'static str>, StereoError> {
         let (default, stereo) = COLUMNS.split_at(USUAL);
         let turned = if given.on_wheel { &TURNED[..] } else { &[] };
+        let moving = if given.is_riding { &MOVING[..] } else { &[] };
         let conformal = if self.conformal { &CONFORMAL[..] } else { &[] };
         match (self.stereo, self.model) {
             (true, Model::Published(_)) => Err(StereoError::Published(self.model.name())),
-            (true, _) => Ok([default, turned, &stereo[..given.stereo()], conformal].concat()),
-            (false, _) => Ok([default, turned, conformal].concat()),
+            (true, _) => Ok([default, turned, moving, &stereo[..given.stereo()], conformal].concat()),
+            (false, _) => Ok([default, turned, moving, conformal].concat()),
         }
     }
 
@@ -258,15 +296,24 @@ impl ModelArgs {
         if let Some(index) = values.iter().position(|value| !value.is_finite()) {
             return Err(ObservationError::NotFinite { column: COLUMNS[index], value: values[index] });
         }
-        let &Observation { ref speed, source, baseline, time } = observation;
+        let &Observation { ref speed, source, baseline, ref observer, clock } = observation;
         if let Source::Wheel(wheel) = source {
             let own_times = [both.primary, both.secondary].map(|seen| seen.own_time);
             values.extend(own_times.map(|own_time| within_half_a_turn(wheel.angle_at(speed, own_time))));
         }
+        if given.is_riding {
+            let seen = [both.primary, both.secondary];
+            values.extend(seen.map(|seen| seen.position[1]));
+            values.extend(seen.map(|seen| seen.position[2]));
+            values.extend(seen.map(|seen| seen.distance));
+        }
         if self.stereo {
-            let found = match self.model.stereo(speed, source, baseline.apertures_or_limit(), time) {
+            // What two eyes in one place make of a point is a limit, which depends on their direction and on the motion.
+            let pair =
+                if given.is_riding { baseline.apart().apertures() } else { baseline.apertures_or_limit() };
+            let found = match observer.stereo(self.model, speed, source, pair, clock) {
                 Ok(Stereo { gain, position: [x, y, z], miss }) => [gain, x, y, z, miss],
-                Err(StereoError::Apart) => [f64::NAN; 5],
+                Err(ObserverError::Stereo(StereoError::Apart)) => [f64::NAN; 5],
                 Err(error) => return Err(error.into()),
             };
             values.extend(&found[..given.stereo()]);
@@ -305,21 +352,24 @@ impl ModelArgs {
     }
 
     fn disparity(&self, observation: &Observation) -> Result<Disparity, ObservationError> {
-        let &Observation { ref speed, source, baseline, time } = observation;
+        let &Observation { ref speed, source, baseline, ref observer, clock } = observation;
         let Baseline { separation, roll, turn } = baseline;
         if !(0.0..=MAX_COORDINATE).contains(&separation) {
             return Err(ObservationError::Separation(separation));
         }
         for (name, value) in [(ROLL, roll), (TURN, turn)] {
-            if !(-PI..=PI).contains(&value) {
-                return Err(ObservationError::Head { name, value });
-            }
+            check_half_turn(name, value)?;
         }
         if let Source::Wheel(wheel) = source {
             check_wheel(&wheel)?;
         }
-        Ok(self.model.disparity(speed, source, baseline.apertures(), time)?)
+        Ok(observer.disparity(self.model, speed, source, baseline.apertures(), clock)?)
     }
+}
+
+/// Refuses an angle, radians, that is more than half a turn.
+fn check_half_turn(name: &'static str, value: f64) -> Result<(), ObservationError> {
+    if (-PI..=PI).contains(&value) { Ok(()) } else { Err(ObservationError::Angle { name, value }) }
 }
 
 fn check_wheel(wheel: &WheelPoint) -> Result<(), ObservationError> {

@@ -1,0 +1,95 @@
+//! The velocity of an observer: any speed, in any direction.
+
+use crate::baseline::sine_and_cosine;
+use crate::math;
+use crate::speed::{Speed, SpeedError};
+
+/// The velocity of an observer on the ground.
+///
+/// Small angles between it and the street are kept to full relative accuracy, since at a high Lorentz factor Gamma an angle of
+/// 1/Gamma already decides how the street looks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ObserverVelocity {
+    speed: Speed,
+    direction: [f64; 3],
+    /// Sine of the angle between the velocity and the street, hypot(`v_y`, `v_z`).
+    sine: f64,
+}
+
+impl ObserverVelocity {
+    /// The velocity of an observer at rest on the ground.
+    pub const REST: Self = Self { speed: Speed::REST, direction: [1.0, 0.0, 0.0], sine: 0.0 };
+
+    /// Along the street, towards +x.
+    #[must_use]
+    pub const fn along_street(speed: Speed) -> Self {
+        Self { speed, ..Self::REST }
+    }
+
+    /// At `speed` in the direction with this `azimuth`, from +x towards +y, and this `elevation` above the x-y plane, radians.
+    /// What rounding leaves of 0 at a multiple of a quarter turn is 0: an azimuth of pi is along the street.
+    #[must_use]
+    pub fn new(speed: Speed, azimuth: f64, elevation: f64) -> Self {
+        let [sin_azimuth, cos_azimuth] = sine_and_cosine(azimuth);
+        let [sin_elevation, cos_elevation] = sine_and_cosine(elevation);
+        let [y, z] = [cos_elevation * sin_azimuth, sin_elevation];
+        Self { speed, direction: [cos_elevation * cos_azimuth, y, z], sine: math::hypot(y, z) }
+    }
+
+    /// From the proper velocity, Gamma times the velocity.
+    ///
+    /// # Errors
+    ///
+    /// A proper velocity that is no number, or with a Lorentz factor above [`crate::MAX_GAMMA`].
+    pub fn from_proper([x, y, z]: [f64; 3]) -> Result<Self, SpeedError> {
+        let across = math::hypot(y, z);
+        let magnitude = math::hypot(x, across);
+        if magnitude == 0.0 {
+            return Ok(Self::REST);
+        }
+        let speed = Speed::from_proper(magnitude)?;
+        Ok(Self { speed, direction: [x, y, z].map(|part| part / magnitude), sine: across / magnitude })
+    }
+
+    /// Magnitude of the velocity.
+    #[must_use]
+    pub const fn speed(&self) -> &Speed {
+        &self.speed
+    }
+
+    /// Direction of the velocity, a unit vector; +x at rest.
+    #[must_use]
+    pub const fn direction(&self) -> [f64; 3] {
+        self.direction
+    }
+
+    /// Proper velocity: Gamma times the velocity, the way on the ground per unit of the observer's own time.
+    #[must_use]
+    pub fn proper(&self) -> [f64; 3] {
+        let magnitude = self.speed.proper();
+        self.direction.map(|part| magnitude * part)
+    }
+
+    /// Whether it is none.
+    #[must_use]
+    pub fn is_rest(&self) -> bool {
+        self.speed == Speed::REST
+    }
+
+    /// Whether it is along the street, one way or the other.
+    #[must_use]
+    pub fn is_along_street(&self) -> bool {
+        self.sine == 0.0
+    }
+
+    /// Sine of the angle between the velocity and the street.
+    pub(super) const fn sine(&self) -> f64 {
+        self.sine
+    }
+
+    /// 1 minus the x of the direction, without a difference where that is near 1.
+    pub(super) fn one_minus_x(&self) -> f64 {
+        let x = self.direction[0];
+        if x > 0.0 { self.sine * self.sine / (1.0 + x) } else { 1.0 - x }
+    }
+}

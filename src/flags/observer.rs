@@ -1,0 +1,63 @@
+//! Flags for an observer who moves.
+
+use clap::Args;
+
+use super::{COORDINATES, HEAD_DEGREES, SpeedParameter, finite_number, within};
+use crate::columns::GivenObserver;
+
+/// Velocity and place of an observer.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct ObserverArgs {
+    #[command(flatten)]
+    speed: ObserverSpeedArgs,
+    /// Where the observer moves, degrees from +x towards +y.
+    #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
+    observer_azimuth: Option<f64>,
+    /// Where the observer moves, degrees up from the x-y plane.
+    #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
+    observer_elevation: Option<f64>,
+    /// Where the middle between the eyes is when the observer's clock shows 0, at T = 0: its x.
+    #[arg(long, value_name = "X", value_parser = within(COORDINATES), allow_hyphen_values = true)]
+    observer_x: Option<f64>,
+    /// Its y.
+    #[arg(long, value_name = "Y", value_parser = within(COORDINATES), allow_hyphen_values = true)]
+    observer_y: Option<f64>,
+    /// Its z.
+    #[arg(long, value_name = "Z", value_parser = within(COORDINATES), allow_hyphen_values = true)]
+    observer_z: Option<f64>,
+}
+
+/// An observer's speed, given in exactly one of three ways.
+#[derive(Debug, Clone, Copy, Args)]
+#[group(multiple = false)]
+struct ObserverSpeedArgs {
+    /// The observer moves at this v/c, 0 <= beta < 1.
+    #[arg(long, value_name = "BETA", value_parser = finite_number, allow_hyphen_values = true)]
+    observer_beta: Option<f64>,
+    /// The observer's Lorentz factor, 1 <= gamma <= 1e30.
+    #[arg(long, value_name = "GAMMA", value_parser = finite_number, allow_hyphen_values = true)]
+    observer_gamma: Option<f64>,
+    /// The observer's rapidity, 0 to 69.77.
+    #[arg(long, value_name = "RAPIDITY", value_parser = finite_number, allow_hyphen_values = true)]
+    observer_rapidity: Option<f64>,
+}
+
+impl ObserverArgs {
+    /// Returns how the observer moves; `None` without any of these flags.
+    #[must_use]
+    pub fn given(&self) -> Option<GivenObserver> {
+        let ObserverSpeedArgs { observer_beta, observer_gamma, observer_rapidity } = self.speed;
+        let speed = SpeedParameter::ALL
+            .into_iter()
+            .zip([observer_beta, observer_gamma, observer_rapidity])
+            .find_map(|(parameter, value)| Some((parameter, value?)));
+        let direction = [self.observer_azimuth, self.observer_elevation];
+        let place = [self.observer_x, self.observer_y, self.observer_z];
+        let is_given = speed.is_some() || direction.iter().chain(&place).any(Option::is_some);
+        is_given.then(|| GivenObserver {
+            speed,
+            direction: direction.map(|angle| angle.unwrap_or_default().to_radians()),
+            place: place.map(Option::unwrap_or_default),
+        })
+    }
+}
