@@ -74,7 +74,7 @@ impl<const N: usize> Tally<N> {
             println!("{name:>22}: {count} cases, median {median:.2}, 99 % {most:.2}, worst {worst:.2}");
             let bound = bound(name);
             if worst > bound {
-                report += &format!("more than {bound} units: {}", self.worst(k));
+                report += &["more than ", &bound.to_string(), " units: ", &self.worst(k)].concat();
             }
         }
         assert!(report.is_empty(), "{report}");
