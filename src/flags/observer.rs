@@ -30,6 +30,7 @@ pub struct ObserverArgs {
 /// An observer's speed, given in exactly one of three ways.
 #[derive(Debug, Clone, Copy, Args)]
 #[group(multiple = false)]
+#[expect(clippy::struct_field_names, reason = "the flags are named so")]
 struct ObserverSpeedArgs {
     /// The observer moves at this v/c, 0 <= beta < 1.
     #[arg(long, value_name = "BETA", value_parser = finite_number, allow_hyphen_values = true)]

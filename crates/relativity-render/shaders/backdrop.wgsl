@@ -99,8 +99,39 @@ fn line_cover(off_line: vec2f, half_width: f32, pixel: vec2f) -> vec2f {
 
 // How the place where a line of sight meets the ground moves to the next pixel. A multiple of the line of sight in its `step` does
 // not move it.
-fn shift(sight: vec4f, step: vec3f, distance: f32) -> vec2f {
-    return (step.xy - sight.xy * (step.z / sight.z)) * (sight.w * distance);
+fn shift(line: Line, step: vec3f, distance: f32) -> vec2f {
+    return (step.xy - line.n.xy * (step.z / line.n.z)) * (line.scale * distance);
+}
+
+// A line of sight on the ground: see `street_sight.rs`.
+struct Line {
+    // Unit vector.
+    n: vec3f,
+    // By which steps to the next pixels are multiplied.
+    scale: f32,
+    // Steps to the pixels on the right and below, up to multiples of the line.
+    right: vec3f,
+    down: vec3f,
+}
+
+fn line_on_ground(sight: vec4f) -> Line {
+    let right = step_right_but_along();
+    let down = step_down(sight.xyz);
+    let geometry = u32(frame.street_motion.y);
+    if geometry == AT_REST {
+        return Line(sight.xyz, sight.w, right, down);
+    }
+    let seen = passage(sight.xyz, geometry, frame.street_speed, frame.street_motion.x);
+    let scale = sight.w * seen.ground_per_rest;
+    return Line(seen.direction, scale, step_on_ground(sight.xyz, right), step_on_ground(sight.xyz, down));
+}
+
+const AT_REST = 2u;
+
+// What a `step` of the line of sight `n` of the camera is on the ground, whose line is (Gamma (n_x + V |n|), n_y, n_z).
+fn step_on_ground(n: vec3f, step: vec3f) -> vec3f {
+    let lag = select(0.0, frame.street_motion.x * frame.street_speed.x * dot(n, step), frame.street_motion.y == 0.0);
+    return vec3f(frame.street_speed.w * (step.x + lag), step.yz);
 }
 
 fn marks_cover(foot: vec2f, pixel: vec2f) -> f32 {
@@ -137,11 +168,11 @@ fn left_by_contacts(foot: vec2f, pixel: vec2f) -> f32 {
     return left;
 }
 
-fn ground_colour(sky: vec3f, sight: vec4f, distance: f32) -> vec3f {
-    let from_camera = sight.xy * distance;
+fn ground_colour(sky: vec3f, line: Line, distance: f32) -> vec3f {
+    let from_camera = line.n.xy * distance;
     let foot = frame.ground.xy + from_camera;
-    let right = shift(sight, step_right_but_along(), distance);
-    let down = shift(sight, step_down(sight.xyz), distance);
+    let right = shift(line, line.right, distance);
+    let down = shift(line, line.down, distance);
     let pixel = sqrt(right * right + down * down);
     let fade = clamp(GRID_FADE_START - GRID_FADE_RATE * pixel, vec2f(0.0), vec2f(1.0));
     let grid = line_cover(foot - round(foot), LINE_HALF_WIDTH, pixel) * fade;
@@ -158,29 +189,29 @@ fn ground_colour(sky: vec3f, sight: vec4f, distance: f32) -> vec3f {
 }
 
 // How the place where it meets house fronts moves.
-fn shift_on_fronts(sight: vec4f, step: vec3f, distance: f32) -> vec2f {
-    return (step.xz - sight.xz * (step.y / sight.y)) * (sight.w * distance);
+fn shift_on_fronts(line: Line, step: vec3f, distance: f32) -> vec2f {
+    return (step.xz - line.n.xz * (step.y / line.n.y)) * (line.scale * distance);
 }
 
-fn with_fronts(without: vec3f, sky: vec3f, sight: vec4f) -> vec3f {
-    let distance = frame.road.z / sight.y;
-    let place = vec2f(frame.ground.x, -frame.ground.z) + sight.xz * distance;
-    let right = shift_on_fronts(sight, step_right_but_along(), distance);
-    let down = shift_on_fronts(sight, step_down(sight.xyz), distance);
+fn with_fronts(without: vec3f, sky: vec3f, line: Line) -> vec3f {
+    let distance = frame.road.z / line.n.y;
+    let place = vec2f(frame.ground.x, -frame.ground.z) + line.n.xz * distance;
+    let right = shift_on_fronts(line, line.right, distance);
+    let down = shift_on_fronts(line, line.down, distance);
     let seen = front(place, sqrt(right * right + down * down));
     return mix(without, mix(sky, seen.rgb, 1.0 / (1.0 + HAZE * distance * distance)), seen.a);
 }
 
 fn behind(pixel: vec2f) -> vec3f {
-    let sight = line_of_sight(pixel);
-    let nearness = 1.0 - min(SKY_RISE * abs(sight.z), 1.0);
+    let line = line_on_ground(line_of_sight(pixel));
+    let nearness = 1.0 - min(SKY_RISE * abs(line.n.z), 1.0);
     let sky = mix(frame.backdrop[1].rgb, frame.backdrop[0].rgb, nearness * nearness);
     var colour = sky;
-    if GROUND && sight.z < -1e-6 {
-        colour = ground_colour(sky, sight, frame.ground.z / sight.z);
+    if GROUND && line.n.z < -1e-6 {
+        colour = ground_colour(sky, line, frame.ground.z / line.n.z);
     }
-    if FRONTS && sight.y > LEAST_TOWARDS_FRONTS {
-        colour = with_fronts(colour, sky, sight);
+    if FRONTS && line.n.y > LEAST_TOWARDS_FRONTS {
+        colour = with_fronts(colour, sky, line);
     }
     return colour;
 }

@@ -37,6 +37,9 @@ struct Frame {
     ground: vec4f,
     // xy: y of the near and the far kerb of a road, equal where there is none; z: y of house fronts from the camera.
     road: vec4f,
+    // Of the street against the camera: V, 1 - V, 1/Gamma, Gamma; -1 if it moves towards -x, else 1, and its GEOMETRY.
+    street_speed: vec4f,
+    street_motion: vec4f,
     // xyz: from the middle between the eyes to the camera, where these have one light cone, else 0; w: how many places there
     // are where bodies touch a road.
     contact_eye: vec4f,

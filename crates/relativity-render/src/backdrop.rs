@@ -1,4 +1,4 @@
-//! The backdrop: a sky, a road or a grid on the ground, and house fronts, all at rest with the aperture.
+//! The backdrop: a sky, a road or a grid on the ground, and house fronts, all at rest on the ground.
 //!
 //! Never shifted, dimmed or exposed: it gives motion something to be seen against.
 //! `shaders/backdrop.wgsl` draws the same, with the same constants.
@@ -12,7 +12,8 @@ use crate::contact::{Contacts, DARKEST, FARTHEST};
 use crate::cover::{band_cover, line_cover, repeated_cover};
 use crate::effects::{Constant, number};
 use crate::street::{self, Front, Paints};
-use crate::view::Appearance;
+use crate::street_sight::StreetSight;
+use crate::view::{Appearance, Geometry};
 
 /// Half the width of the grid's lines, one per unit of length along x and along y.
 pub(crate) const LINE_HALF_WIDTH: f64 = 0.012;
@@ -196,12 +197,14 @@ pub struct Backdrop {
     /// Contacts of bodies with the road.
     contacts: Contacts,
     lines_of_sight: LinesOfSight,
+    /// How the camera sees what rests on the ground.
+    street: StreetSight,
 }
 
 impl Backdrop {
-    /// Returns the backdrop of `camera`, without the shadows of bodies that touch a road.
+    /// Returns the backdrop of `camera` in a view of this `geometry`, without the shadows of bodies that touch a road.
     #[must_use]
-    pub fn new(camera: &Camera, appearance: &Appearance) -> Self {
+    pub fn new(camera: &Camera, geometry: Geometry, appearance: &Appearance) -> Self {
         let aperture = camera.aperture;
         Self {
             palette: palette(appearance),
@@ -211,6 +214,7 @@ impl Backdrop {
             fronts: appearance.fronts.map(|y| y - aperture.y).filter(|y| *y > 0.0),
             contacts: Contacts::default(),
             lines_of_sight: LinesOfSight::new(camera),
+            street: StreetSight::new(camera, geometry),
         }
     }
 
@@ -232,15 +236,19 @@ impl Backdrop {
 
     /// y of the near and the far kerb of a road, equal where there is none, and of house fronts from the aperture, 0
     /// where there are none.
-    pub(crate) fn street(&self) -> [f64; 3] {
+    pub(crate) fn places(&self) -> [f64; 3] {
         let [near, far] = self.road.unwrap_or_default();
         [near, far, self.fronts.unwrap_or_default()]
     }
 
     /// Linear sRGB of what lies behind the bodies along `line_of_sight` (unit vector).
     pub(crate) fn behind(&self, line_of_sight: DVec3) -> [f64; 3] {
-        let below = self.ground_distance(line_of_sight).map(|distance| self.ground(line_of_sight, distance));
-        let without = below.unwrap_or_else(|| self.sky(line_of_sight));
+        let seen = self.street.line(line_of_sight);
+        let turns = || self.lines_of_sight.turns_of(line_of_sight).map(|turn| self.street.turn(&seen, turn));
+        let line_of_sight = seen.direction;
+        let below = self.height_distance(line_of_sight);
+        let below = below.map(|distance| self.ground(line_of_sight, turns(), distance));
+        let without = below.unwrap_or_else(|| self.sky_above(line_of_sight));
         let (Some(fronts), Some(ground), Some(_)) = (self.fronts, self.ground, self.road) else {
             return without;
         };
@@ -250,20 +258,14 @@ impl Backdrop {
         let distance = fronts / line_of_sight.y;
         let place = DVec2::new(self.aperture.x, -ground) + line_of_sight.xz() * distance;
         let shift = |turn: DVec3| (turn.xz() - line_of_sight.xz() * (turn.y / line_of_sight.y)) * distance;
-        let Front { colour, cover } = self.palette.fronts.front(place, self.pixel(line_of_sight, shift));
+        let Front { colour, cover } = self.palette.fronts.front(place, pixel(turns(), shift));
         mix(without, self.hazy(colour, line_of_sight, distance), cover)
-    }
-
-    /// Returns width and height, on a surface, of the pixel with this line of sight; `shift` gives the shift on the surface for a turn of the line.
-    fn pixel(&self, n: DVec3, shift: impl Fn(DVec3) -> DVec2) -> DVec2 {
-        let [right, down] = self.lines_of_sight.turns_of(n).map(shift);
-        DVec2::new(math::hypot(right.x, down.x), math::hypot(right.y, down.y))
     }
 
     /// Returns the colour that is seen along `line_of_sight` of a surface of this `colour` at `distance`.
     fn hazy(&self, colour: [f64; 3], line_of_sight: DVec3, distance: f64) -> [f64; 3] {
         let haze = if self.road.is_some() { ROAD_HAZE } else { GRID_HAZE };
-        mix(self.sky(line_of_sight), colour, 1.0 / (1.0 + haze * distance * distance))
+        mix(self.sky_above(line_of_sight), colour, 1.0 / (1.0 + haze * distance * distance))
     }
 
     /// Height of the ground from the aperture, below 0; `None` if there is none to be seen.
@@ -271,25 +273,36 @@ impl Backdrop {
         self.ground
     }
 
-    /// Linear sRGB of the sky along `line_of_sight` (unit vector).
+    /// Linear sRGB of the sky along the camera's `line_of_sight` (unit vector).
     #[must_use]
     pub fn sky(&self, line_of_sight: DVec3) -> [f64; 3] {
+        self.sky_above(self.street.line(line_of_sight).direction)
+    }
+
+    /// The same of a line of sight on the ground.
+    fn sky_above(&self, line_of_sight: DVec3) -> [f64; 3] {
         let nearness = 1.0 - (SKY_RISE * line_of_sight.z.abs()).min(1.0);
         mix(self.palette.zenith, self.palette.horizon, nearness * nearness)
     }
 
-    /// Distance of the ground along `line_of_sight` (unit vector), if it is met.
+    /// Distance of the ground along the camera's `line_of_sight` (unit vector) in its frame, if it is met.
     pub(crate) fn ground_distance(&self, line_of_sight: DVec3) -> Option<f64> {
+        let seen = self.street.line(line_of_sight);
+        self.height_distance(seen.direction).map(|distance| distance * seen.camera_per_ground)
+    }
+
+    /// Distance of the ground along a line of sight on it.
+    fn height_distance(&self, line_of_sight: DVec3) -> Option<f64> {
         let distance = self.ground? / line_of_sight.z;
         (distance > 0.0 && distance.is_finite()).then_some(distance)
     }
 
-    /// Linear sRGB of the ground met at `distance` along `line_of_sight`.
-    pub(crate) fn ground(&self, line_of_sight: DVec3, distance: f64) -> [f64; 3] {
+    /// Linear sRGB of the ground met at `distance` along a line of sight on it, which turns by `turns` from one pixel to the next.
+    fn ground(&self, line_of_sight: DVec3, turns: [DVec3; 2], distance: f64) -> [f64; 3] {
         let n = line_of_sight;
         let foot = self.aperture + n.truncate() * distance;
         let shift = |turn: DVec3| (turn.truncate() - n.truncate() * (turn.z / n.z)) * distance;
-        let pixel = self.pixel(n, shift);
+        let pixel = pixel(turns, shift);
         let [_, _, earth, lines, paint, asphalt, ..] = self.colours();
         let grid = grid_cover(foot.x, pixel.x).max(grid_cover(foot.y, pixel.y));
         let gridded = mix(earth, lines, grid);
@@ -304,6 +317,13 @@ impl Backdrop {
         };
         self.hazy(painted, n, distance)
     }
+}
+
+/// Returns width and height of a pixel on a surface, given the turns of the line of sight to the next; `shift` gives the shift on the
+/// surface for a turn.
+fn pixel(turns: [DVec3; 2], shift: impl Fn(DVec3) -> DVec2) -> DVec2 {
+    let [right, down] = turns.map(shift);
+    DVec2::new(math::hypot(right.x, down.x), math::hypot(right.y, down.y))
 }
 
 /// The colours for `appearance`; where the sky is plain, it has one colour.

@@ -8,6 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 pub use crate::axes::{Axes, MAX_ELEVATION};
 use crate::axes::{LEAST_ACROSS, level_across};
 use crate::mercator::{MOST_ASIDE, MOST_SHIFTED, Mercator};
+use crate::velocity::Velocity;
 
 /// A gaze: the direction of a camera's optical axis. The camera's horizon stays level.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,8 +45,11 @@ const MOST_SLANT: f64 = FRAC_PI_2 - 1e-6;
 /// lies at (i + 0.5, j + 0.5).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Camera {
-    /// Place of the pinhole.
+    /// Place of the pinhole on the ground.
     pub aperture: Aperture,
+    /// Velocity on the ground: that of an observer who rides along the street. Lines of sight, distances and the picture are in
+    /// the frame of what moves so, its axes those of the ground.
+    pub velocity: Velocity,
     /// Direction of the optical axis.
     pub gaze: Gaze,
     /// Angle between the left and the right edge of the picture if its middle is on its axis (abreast, in a conformal one),
@@ -143,7 +147,18 @@ impl Camera {
     #[must_use]
     pub fn new(aperture: Aperture, gaze: Gaze, horizontal_fov: f64, size: [u32; 2]) -> Self {
         let off_middle = DVec3::X * aperture.x;
-        Self { aperture, gaze, horizontal_fov, size, off_middle, projection: Projection::Gaze }
+        let projection = Projection::Gaze;
+        Self { aperture, velocity: Velocity::REST, gaze, horizontal_fov, size, off_middle, projection }
+    }
+
+    /// The event of the middle between the eyes, on the ground, when the pinhole is at its place there at T = `time`: for the
+    /// observer both are at one time.
+    pub(crate) fn event_of_middle(&self, time: f64) -> (DVec3, f64) {
+        let Aperture { x, y, z } = self.aperture;
+        let DVec3 { x: along, .. } = self.off_middle;
+        let gamma = self.velocity.speed.gamma();
+        let off_middle = DVec3 { x: gamma * along, ..self.off_middle };
+        (DVec3::new(x, y, z) - off_middle, time - gamma * self.velocity.beta() * along)
     }
 
     /// Distance from the pinhole to the picture plane, in pixels: how many of them a radian about the picture's axis has, or a

@@ -76,7 +76,11 @@ impl Contacts {
         if height >= 0.0 {
             return Self::default();
         }
-        let is_one_cone = first.geometry == Geometry::OneCone;
+        // On the ground, as an eye at rest sees them at the camera's event.
+        let Some(views) = views.iter().map(GroupView::seen_from_street).collect::<Option<Vec<_>>>() else {
+            return Self::default();
+        };
+        let is_one_cone = views[0].geometry == Geometry::OneCone;
         let off_middle = if is_one_cone { first.camera.off_middle } else { DVec3::ZERO };
         let standing = scene.bodies().iter().filter(|body| !body.is_turned);
         let feet = standing.filter_map(|body| Some((&views[body.group], foot(&body.shape, ground)?)));

@@ -13,6 +13,7 @@ use crate::mercator::Mercator;
 use crate::prepared_body::{Extent, packed};
 use crate::scene::{PreparedGroup, PreparedScene};
 use crate::street::{HOUSES, OPENINGS};
+use crate::street_sight::StreetSight;
 use crate::velocity::Velocity;
 use crate::view::{Appearance, Geometry};
 
@@ -56,6 +57,10 @@ pub struct Frame {
     /// y of the near and the far kerb of a road, equal where there is none; y of house fronts from the camera, 0 where
     /// there are none; 0.
     pub road: [f32; 4],
+    /// Speed of the street against the camera: see [`StreetSight::packed_speed`].
+    pub street_speed: [f32; 4],
+    /// And [`StreetSight::packed_motion`].
+    pub street_motion: [f32; 4],
     /// From the middle between the eyes to the camera, where these have one light cone, else 0; how many places there are where
     /// bodies touch a road.
     pub contact_eye: [f32; 4],
@@ -171,8 +176,9 @@ impl Frame {
         let sights = Sights::new(camera, -view.velocity.direction());
         let Sights { pole, base, right, down, radial, clip_right, clip_up, forward } = sights;
         let aperture = camera.aperture;
-        let backdrop = Backdrop::new(camera, appearance);
-        let [near_kerb, far_kerb, fronts] = backdrop.street();
+        let backdrop = Backdrop::new(camera, view.view_geometry, appearance);
+        let [near_kerb, far_kerb, fronts] = backdrop.places();
+        let street = StreetSight::new(camera, view.view_geometry);
         let ground = backdrop.ground_height().unwrap_or(f64::from(f32::MIN));
         let coarse = pole.as_vec2();
         let fine = (pole - coarse.as_dvec2()).as_vec2();
@@ -201,6 +207,8 @@ impl Frame {
             middle_fine: vector(from_camera - DVec3::new(x.into(), y.into(), z.into())),
             ground: [aperture.x, aperture.y, ground, view.published_separation()].map(|v| v as f32),
             road: [near_kerb, far_kerb, fronts, 0.0].map(|v| v as f32),
+            street_speed: street.packed_speed(),
+            street_motion: street.packed_motion(),
             contact_eye: [0.0; 4],
             contacts: [[[0.0; 4]; 2]; contact::MOST],
             houses: HOUSES.map(|[height, shade]| [height as f32, shade as f32, 0.0, 0.0]),

@@ -38,6 +38,8 @@ pub struct GroupView {
     /// camera, since no ray is turned then; [`Geometry::Seen`] where it passes a camera that rides along with the
     /// scene.
     pub geometry: Geometry,
+    /// Geometry of the view.
+    pub(crate) view_geometry: Geometry,
     /// The group's velocity as the camera sees it.
     pub velocity: Velocity,
     /// The same on the ground, on which its wheels roll.
@@ -63,22 +65,27 @@ impl GroupView {
             Motion::Own(velocity) => velocity,
         };
         let rides_along = view.geometry == Geometry::Rest;
-        let velocity = on_ground.seen_from(if rides_along { scene } else { Velocity::REST });
+        let camera = if rides_along { scene } else { view.camera.velocity };
+        let velocity = on_ground.seen_from(camera);
         let geometry = match (view.geometry, motion) {
             (Geometry::Rest, Motion::Scene) => Geometry::Rest,
             (_, Motion::Own(_)) if velocity.is_rest() => Geometry::Rest,
             (Geometry::Rest, Motion::Own(_)) => Geometry::Seen,
             (geometry, _) => geometry,
         };
-        let middle = if geometry == Geometry::OneCone { view.camera.off_middle } else { DVec3::ZERO };
-        let aperture = on_ground.reflected(position(view.camera.aperture) - middle);
-        let (beta, gamma, received) =
-            (on_ground.speed.beta(), on_ground.speed.gamma(), view.observation_time);
+        let (place, received) = if geometry == Geometry::OneCone {
+            view.camera.event_of_middle(view.observation_time)
+        } else {
+            (position(view.camera.aperture), view.observation_time)
+        };
+        let aperture = on_ground.reflected(place);
+        let (beta, gamma) = (on_ground.speed.beta(), on_ground.speed.gamma());
         let origin = DVec3::new(gamma * (aperture.x - beta * received), aperture.y, aperture.z);
         let head_on = on_ground.speed.head_on_doppler_factor();
         Self {
             camera: view.camera,
             geometry,
+            view_geometry: view.geometry,
             velocity,
             on_ground,
             origin: on_ground.reflected(origin),
@@ -94,6 +101,18 @@ impl GroupView {
         appearance.is_lit_by_the_street(self.geometry)
             && self.velocity == self.on_ground
             && !self.on_ground.is_rest()
+    }
+
+    /// What an eye at rest sees of the group at the camera's event, whose light is the same; `None` of what is measured
+    /// by a camera that moves, which is no light.
+    pub(crate) fn seen_from_street(&self) -> Option<Self> {
+        if self.camera.velocity.is_rest() {
+            return Some(*self);
+        }
+        let camera = Camera { velocity: Velocity::REST, ..self.camera };
+        let geometry = if self.on_ground.is_rest() { Geometry::Rest } else { Geometry::Seen };
+        let on_street = Self { camera, geometry, velocity: self.on_ground, ..*self };
+        (self.geometry != Geometry::Contracted).then_some(on_street)
     }
 
     /// From the camera's event to `place`, both in the group's frame, reflected so that the group moves along +x.

@@ -113,6 +113,7 @@ pub mod shape;
 mod sight;
 pub mod spectrum;
 mod street;
+mod street_sight;
 mod surface;
 mod target;
 mod tiles;

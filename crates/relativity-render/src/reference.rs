@@ -232,7 +232,7 @@ impl PreparedScene {
         let hatch = Hatch::new(view.camera.size, appearance.light);
         let group_views = self.group_views(view);
         let contacts = Contacts::new(self, &group_views, appearance);
-        let backdrop = Backdrop::new(&view.camera, appearance).with_contacts(&contacts);
+        let backdrop = Backdrop::new(&view.camera, view.geometry, appearance).with_contacts(&contacts);
         self.pixels(view, &group_views, &lines_of_sight, samples, goes_on, |met| {
             let rays = met.places.iter().zip(met.sights).zip(met.hits);
             let sum = rays.fold([0.0; 3], |sum: [f64; 3], ((&place, &line_of_sight), &hit)| {

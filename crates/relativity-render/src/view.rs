@@ -1,10 +1,11 @@
 //! Views: the physics (`View`) and the looks (`Appearance`) of one aperture's picture.
 
 use glam::DVec3;
+use relativity_core::Speed;
 use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
-use relativity_core::{Speed, aberration};
 
 use crate::camera::Camera;
+use crate::velocity::Velocity;
 
 /// The geometry that a picture shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
@@ -87,15 +88,24 @@ impl View {
     /// ground frame, or in the rest frame for [`Geometry::Rest`].
     pub(crate) fn emission_time(&self, line_of_sight: DVec3, distance: f64) -> f64 {
         let received = self.observation_time;
+        // The inverse boost of (-s, s n) is -gamma s (1 - beta n_x).
+        let on_ground = |velocity: Velocity, line: DVec3, distance: f64| {
+            distance / velocity.doppler_factor(DVec3 { x: -line.x, ..line })
+        };
+        let camera = self.camera.velocity;
         match self.geometry {
-            Geometry::Seen | Geometry::Published => received - distance,
-            Geometry::OneCone => received - (self.camera.off_middle + line_of_sight * distance).length(),
-            Geometry::Contracted => received,
-            // The inverse boost of (-s, s n) is -gamma s (1 - beta n_x).
-            Geometry::Rest => {
-                let [x, y, z] = line_of_sight.to_array();
-                received - distance / aberration::doppler_factor([-x, y, z], &self.speed)
+            Geometry::Seen | Geometry::Published => received - on_ground(camera, line_of_sight, distance),
+            Geometry::OneCone => {
+                let (_, received) = self.camera.event_of_middle(received);
+                let from_middle = self.camera.off_middle + line_of_sight * distance;
+                let (line, distance) = (from_middle.normalize_or(line_of_sight), from_middle.length());
+                received - on_ground(camera, line, distance)
             }
+            // What is measured at one time of the camera's, that is later on the ground where it is further ahead.
+            Geometry::Contracted => {
+                received + camera.speed.gamma() * camera.beta() * distance * line_of_sight.x
+            }
+            Geometry::Rest => received - on_ground(Velocity::forward(self.speed), line_of_sight, distance),
         }
     }
 }

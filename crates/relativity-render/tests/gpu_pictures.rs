@@ -7,10 +7,10 @@ mod support;
 use std::process::ExitCode;
 
 use gpu_support::scenes::{conformal_views, parallel_views, still_life, time_seen_at, view_following};
-use relativity_core::Speed;
+use relativity_core::{Aperture, Speed};
 use relativity_render::{
-    Appearance, Body, Colour, Emission, Gaze, Geometry, HitImage, Method, Pattern, Picture, PreparedScene,
-    Renderers, Shading, Shape, View,
+    Appearance, Body, Camera, Colour, Emission, Gaze, Geometry, Group, HitImage, Method, Motion, Pattern,
+    Picture, PreparedScene, Renderers, Shading, Shape, Velocity, View,
 };
 use support::documented;
 
@@ -20,6 +20,7 @@ fn main() -> ExitCode {
         ("patterns_are_the_references", patterns_are_the_references),
         ("the_hatch_is_the_references", the_hatch_is_the_references),
         ("contact_shadows_are_the_references", contact_shadows_are_the_references),
+        ("rides_are_the_references", rides_are_the_references),
         ("edges_are_the_references_on_average", edges_are_the_references_on_average),
         ("every_speed_gives_a_picture", every_speed_gives_a_picture),
     ])
@@ -270,6 +271,49 @@ fn every_speed_gives_a_picture(renderers: &mut Renderers) {
                     );
                 }
             }
+        }
+    }
+}
+
+/// How far off house fronts may be that are drawn in f32, as they are for an eye at rest.
+const STREET_LEVELS: i32 = 3;
+
+/// The street, its ground and its sky from a ride along it, with a cyclist who is overtaken.
+fn rides_are_the_references(renderers: &mut Renderers) {
+    let levels = documented(RENDERERS, "away from outlines colours are within ");
+    let velocity = |beta: f64| Velocity::from_beta(beta).expect("a speed");
+    let road = Appearance {
+        ground_z: Some(-1.0),
+        road: Some([-1.0, 4.5]),
+        fronts: Some(7.0),
+        light: true,
+        doppler_shift: false,
+        intensity_exponent: None,
+        shading: Shading::Emission,
+        ..Appearance::default()
+    };
+    let lamp = Shape::Cylinder { from: [4.0, 3.0, -1.0], to: [4.0, 3.0, 2.0], radius: 0.3 };
+    let ball = Shape::Sphere { center: [2.0, 2.0, -0.6], radius: 0.4 };
+    let [lamp, ball] = [lamp, ball].map(|shape| [Body::new(shape, 600.0)]);
+    let scene = PreparedScene::new([
+        Group { motion: Motion::Own(Velocity::REST), bodies: &lamp },
+        Group { motion: Motion::Own(velocity(0.6)), bodies: &ball },
+    ]);
+    let cases =
+        [(Geometry::Seen, 0.6), (Geometry::Seen, 0.95), (Geometry::Seen, -0.8), (Geometry::Contracted, 0.8)];
+    for (geometry, beta) in cases {
+        let camera = Camera::new(Aperture::default(), Gaze::along([3.0, 2.0, 0.0]), 1.6, [160, 100]);
+        let camera = Camera { velocity: velocity(beta), ..camera };
+        let view = View { camera, speed: Speed::REST, observation_time: 0.0, geometry };
+        let truth = scene.picture(&view, &road, 1).rgba;
+        let hits = scene.hit_image(&view);
+        assert!(hits.hits.iter().flatten().count() > 30, "bodies are seen at {beta}");
+        for method in [Method::Rays, Method::Packets, Method::Mesh { bound_px: 0.5 }] {
+            let drawn = renderers.picture(method, &scene, &view, &road, 1).expect("device works").rgba;
+            let off = levels_off(&drawn, &truth, |i| is_inside(&hits, i));
+            assert!(f64::from(off) <= levels, "{method}, {geometry:?} at {beta}: {off} levels off");
+            let off = levels_off(&drawn, &truth, |i| is_free(&hits, i));
+            assert!(off <= STREET_LEVELS, "{method}, {geometry:?} at {beta}: the street is {off} levels off");
         }
     }
 }

@@ -52,7 +52,7 @@ fn picture(job: &Job) -> Picture {
     let rectification = Rectification::new(view.camera, rest, velocity);
     let hits = job.scene.hit_image(&view);
     let plain = Appearance { sky: false, ground_z: None, ..job.appearance };
-    let background = Backdrop::new(&view.camera, &plain).sky(view.camera.gaze.axes().forward);
+    let background = Backdrop::new(&view.camera, view.geometry, &plain).sky(view.camera.gaze.axes().forward);
     let blank = Blank { background, outside: background.map(|part| OUTSIDE * part) };
     rectification.picture_of_hits(&hits, &job.scene, &job.appearance, blank)
 }

@@ -1,7 +1,7 @@
 //! Sky and resting ground, as `shaders/backdrop.wgsl` has them.
 
 use super::contact::left_by_contacts;
-use super::ray::{Sight, line_of_sight, steps_but_along};
+use super::ray::{Passage, Sight, line_of_sight, passage, steps_but_along};
 use super::street::{Covered, front};
 use crate::backdrop::{
     AXIS_HALF_WIDTH, DASH, Floor, GRID_FADE, KERB_WIDTH, LANE_HALF_WIDTH, LEAST_TOWARDS_FRONTS,
@@ -9,6 +9,7 @@ use crate::backdrop::{
 };
 use crate::frame::Frame;
 use crate::lanes::{F, Simd, SimdBase as _, SimdFloat as _, SimdMask as _, V2, V3, all, clamp};
+use crate::view::Geometry;
 
 /// Lines of sight that fall less do not meet the ground.
 const LEAST_FALL: f32 = -1e-6;
@@ -55,9 +56,61 @@ pub fn part<S: Simd>(simd: S, frame: &Frame, [left, top]: [f32; 2], [width, heig
     }
 }
 
+/// Lines of sight on the ground: see [`StreetSight`](crate::street_sight::StreetSight).
+#[derive(Clone, Copy)]
+struct Lines<S: Simd> {
+    /// Unit vectors.
+    n: V3<S>,
+    /// By which steps to the next pixels are multiplied.
+    scale: F<S>,
+    /// The camera's lines of sight.
+    seen: V3<S>,
+}
+
+impl<S: Simd> Lines<S> {
+    #[inline(always)]
+    fn new(simd: S, frame: &Frame, sight: Sight<S>) -> Self {
+        let Sight { n, scale, .. } = sight;
+        let Some(geometry) = street_geometry(frame) else { return Self { n, scale, seen: n } };
+        let sign = frame.street_motion[0];
+        let Passage { direction, ground_per_rest, .. } = passage(simd, n, geometry, frame.street_speed, sign);
+        Self { n: direction, scale: scale * ground_per_rest, seen: n }
+    }
+
+    /// Steps to the pixels on the right and below, up to multiples of the lines.
+    #[inline(always)]
+    fn steps(&self, frame: &Frame) -> [V3<S>; 2] {
+        let [right, down] = steps_but_along(frame, self.seen);
+        if street_geometry(frame).is_none() {
+            return [right, down];
+        }
+        [self.step_on_ground(frame, right), self.step_on_ground(frame, down)]
+    }
+
+    /// What a step of the camera's lines of sight is on the ground, whose lines are (Gamma (`n_x` + V |n|), `n_y`, `n_z`).
+    #[inline(always)]
+    fn step_on_ground(&self, frame: &Frame, step: V3<S>) -> V3<S> {
+        let [beta, _, _, gamma] = frame.street_speed;
+        let [sign, geometry, ..] = frame.street_motion;
+        let velocity = if geometry == 0.0 { sign * beta } else { 0.0 };
+        V3::new((step.x + self.seen.dot(step) * velocity) * gamma, step.y, step.z)
+    }
+}
+
+/// The geometry that shows a street which moves against the camera.
+#[inline(always)]
+fn street_geometry(frame: &Frame) -> Option<Geometry> {
+    match frame.street_motion[1] {
+        0.0 => Some(Geometry::Seen),
+        1.0 => Some(Geometry::Contracted),
+        _ => None,
+    }
+}
+
 /// Linear sRGB of the background along these lines of sight, of which no more than this part is seen.
 #[inline(always)]
 pub fn behind<S: Simd>(simd: S, frame: &Frame, part: Part, sight: Sight<S>) -> V3<S> {
+    let sight = Lines::new(simd, frame, sight);
     let nearness = 1.0 - (sight.n.z.abs() * SKY_RISE as f32).min(1.0);
     let sky = V3::mix(paint(simd, frame, 1), paint(simd, frame, 0), nearness * nearness);
     let mut colour = sky;
@@ -93,13 +146,13 @@ fn hazy<S: Simd>(part: Part, sky: V3<S>, colour: V3<S>, distance: F<S>) -> V3<S>
 #[inline(always)]
 fn pixel_on<S: Simd>(
     frame: &Frame,
-    sight: V3<S>,
+    sight: &Lines<S>,
     axes: [usize; 2],
     across: usize,
     slope: V2<S>,
     reach: F<S>,
 ) -> V2<S> {
-    let [right, down] = steps_but_along(frame, sight);
+    let [right, down] = sight.steps(frame);
     let (right, down) = ([right.x, right.y, right.z], [down.x, down.y, down.z]);
     let width = size_along(axes[0], across, right, down, slope.x);
     let height = size_along(axes[1], across, right, down, slope.y);
@@ -114,14 +167,14 @@ fn size_along<S: Simd>(axis: usize, across: usize, right: [F<S>; 3], down: [F<S>
 }
 
 #[inline(always)]
-fn ground_colour<S: Simd>(simd: S, frame: &Frame, part: Part, sky: V3<S>, sight: Sight<S>) -> V3<S> {
+fn ground_colour<S: Simd>(simd: S, frame: &Frame, part: Part, sky: V3<S>, sight: Lines<S>) -> V3<S> {
     let [camera_x, camera_y, ground, _] = frame.ground;
     let per_fall = 1.0 / sight.n.z;
     let distance = per_fall * ground;
     let from_camera = V2::new(sight.n.x * distance, sight.n.y * distance);
     let foot = V2::new(from_camera.x + camera_x, from_camera.y + camera_y);
     let slope = V2::new(sight.n.x * per_fall, sight.n.y * per_fall);
-    let pixel = pixel_on(frame, sight.n, [0, 1], 2, slope, sight.scale * distance);
+    let pixel = pixel_on(frame, &sight, [0, 1], 2, slope, sight.scale * distance);
     let grid = grid_cover(foot.x, pixel.x).max(grid_cover(foot.y, pixel.y));
     let gridded = V3::mix(paint(simd, frame, 2), paint(simd, frame, 3), grid);
     let painted = if part == Part::Grid {
@@ -174,13 +227,13 @@ fn marks_cover<S: Simd>(frame: &Frame, foot: V2<S>, along: Covered<S>, across: C
 }
 
 #[inline(always)]
-fn with_fronts<S: Simd>(frame: &Frame, part: Part, without: V3<S>, sky: V3<S>, sight: Sight<S>) -> V3<S> {
+fn with_fronts<S: Simd>(frame: &Frame, part: Part, without: V3<S>, sky: V3<S>, sight: Lines<S>) -> V3<S> {
     let [camera_x, _, ground, _] = frame.ground;
     let per_towards = 1.0 / sight.n.y;
     let distance = per_towards * frame.road[2];
     let place = V2::new(sight.n.x * distance + camera_x, sight.n.z * distance - ground);
     let slope = V2::new(sight.n.x * per_towards, sight.n.z * per_towards);
-    let size = pixel_on(frame, sight.n, [0, 2], 1, slope, sight.scale * distance);
+    let size = pixel_on(frame, &sight, [0, 2], 1, slope, sight.scale * distance);
     let seen = front(frame, place, size);
     V3::mix(without, hazy(part, sky, seen.colour, distance), seen.cover)
 }
@@ -200,7 +253,7 @@ mod tests {
     use crate::packets::encode::encoded;
     use crate::packets::testing::at_every_level;
     use crate::scene::PreparedScene;
-    use crate::velocity::Motion;
+    use crate::velocity::{Motion, Velocity};
     use crate::view::{Appearance, Geometry, View};
 
     const SIZE: [u32; 2] = [120, 136];
@@ -232,6 +285,9 @@ mod tests {
             let tilted = DVec3::new(0.9, 0.1, 0.42).normalize();
             let conformal = [DVec3::X, tilted].map(|right| Projection::Mercator { right, shift: 0.05 });
             cameras.push(camera);
+            let beta = [0.9, -0.6][i % 2];
+            let riding = Camera { velocity: Velocity::from_beta(beta).expect("a speed"), ..camera };
+            cameras.extend([riding, Camera { projection: conformal[0], ..riding }]);
             cameras.extend(
                 [projection].into_iter().chain(conformal).map(|projection| Camera { projection, ..camera }),
             );
@@ -272,7 +328,8 @@ mod tests {
         let mut worst: f64 = 0.0;
         for camera in cameras() {
             for appearance in appearances() {
-                let (reference, frame) = (Backdrop::new(&camera, &appearance), frame(camera, &appearance));
+                let (reference, frame) =
+                    (Backdrop::new(&camera, Geometry::Seen, &appearance), frame(camera, &appearance));
                 let sights = LinesOfSight::new(&camera);
                 let mut check = |[u, v]: [u32; 2], found: [[f32; 3]; LANES]| {
                     for (u, found) in (u..).zip(found) {

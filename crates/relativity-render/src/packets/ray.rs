@@ -23,12 +23,12 @@ pub struct Sight<S: Simd> {
 
 /// The passage of lines of sight through a group.
 #[derive(Debug, Clone, Copy)]
-struct Passage<S: Simd> {
+pub struct Passage<S: Simd> {
     /// Unit vector towards the source in the rest frame.
-    direction: V3<S>,
+    pub direction: V3<S>,
     /// Ground distance per rest-frame distance.
-    ground_per_rest: F<S>,
-    doppler: F<S>,
+    pub ground_per_rest: F<S>,
+    pub doppler: F<S>,
 }
 
 /// Lines of sight through the pixels of one tile. In a conformal picture columns and rows share what costs most.
@@ -199,7 +199,7 @@ fn steps<S: Simd>(frame: &Frame, sight: Sight<S>) -> [V3<S>; 2] {
 
 /// Returns the passage of the line of sight along the unit vector `sight` through a group of this `speed`, with the `sign` of its motion.
 #[inline(always)]
-fn passage<S: Simd>(simd: S, sight: V3<S>, geometry: Geometry, speed: [f32; 4], sign: f32) -> Passage<S> {
+pub fn passage<S: Simd>(simd: S, sight: V3<S>, geometry: Geometry, speed: [f32; 4], sign: f32) -> Passage<S> {
     let [beta, one_minus_beta, per_gamma, _] = speed;
     let one = all(simd, 1.0);
     match geometry {

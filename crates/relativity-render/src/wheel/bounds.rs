@@ -167,7 +167,7 @@ impl GroupView {
     /// By how much earlier what is shown happens, per step from `place`.
     fn slowness(&self, place: DVec3) -> DVec3 {
         if self.geometry == Geometry::Contracted {
-            DVec3::X * self.on_ground.beta()
+            DVec3::X * self.velocity.beta()
         } else {
             (place - self.origin).normalize_or_zero()
         }

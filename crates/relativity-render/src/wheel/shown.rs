@@ -14,7 +14,11 @@ impl GroupView {
     pub fn time_at(&self, place: DVec3) -> f64 {
         let Self { on_ground, origin, time, .. } = *self;
         if self.geometry == Geometry::Contracted {
-            return self.observation_time / on_ground.speed.gamma() - on_ground.beta() * place.x;
+            return if self.camera.velocity.is_rest() {
+                self.observation_time / on_ground.speed.gamma() - on_ground.beta() * place.x
+            } else {
+                time - self.velocity.beta() * (place.x - origin.x)
+            };
         }
         let from_camera = place - origin;
         let distance = from_camera.length();
@@ -31,7 +35,7 @@ impl GroupView {
     /// By how much later it shows what is at `from` + `step` than what is at `from`, without the difference.
     pub(crate) fn later(&self, from: DVec3, step: DVec3) -> f64 {
         if self.geometry == Geometry::Contracted {
-            return -self.on_ground.beta() * step.x;
+            return -self.velocity.beta() * step.x;
         }
         let v = from - self.origin;
         let sum = v.length() + (v + step).length();
@@ -43,7 +47,7 @@ impl GroupView {
     pub(crate) fn rate_along(&self, place: DVec3, direction: DVec3) -> f64 {
         match self.geometry {
             Geometry::Seen | Geometry::Published | Geometry::Rest => -1.0,
-            Geometry::Contracted => -self.on_ground.beta() * direction.x,
+            Geometry::Contracted => -self.velocity.beta() * direction.x,
             // The ray only touches the curve of what is seen along one line of sight.
             Geometry::OneCone => -(place - self.origin).normalize_or(direction).dot(direction),
         }
@@ -66,7 +70,7 @@ impl GroupView {
         let (on_axle, omega) = (rest - off_axle, spin.omega(self.on_ground.beta()));
         spin.place_when(rest, omega, self.time_at(on_axle), |r, phase| {
             if self.geometry == Geometry::Contracted {
-                measured_later(self.on_ground.beta(), r, phase, omega)
+                measured_later(self.velocity.beta(), r, phase, omega)
             } else {
                 seen_later((on_axle - self.origin).to_array(), r, phase, omega)
             }

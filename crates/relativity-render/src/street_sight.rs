@@ -1,0 +1,132 @@
+//! How a camera that rides along the street sees what rests there: road, ground, house fronts and sky.
+//!
+//! They are a group at rest, seen through the same aberration as a group of bodies. All of it is drawn on the ground, from the
+//! camera's event there; only lines of sight and the size of a pixel are brought there first. The shaders' `street_sight` and
+//! `packets/backdrop.rs` do the same.
+
+use glam::DVec3;
+
+use crate::camera::Camera;
+use crate::velocity::Velocity;
+use crate::view::Geometry;
+
+/// The street's motion against a camera, and the geometry that shows it: seen, contracted only, or at rest with the camera.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct StreetSight {
+    geometry: Geometry,
+    velocity: Velocity,
+}
+
+/// A line of sight on the ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct GroundLine {
+    /// Unit vector.
+    pub direction: DVec3,
+    /// Distance in the camera's frame per distance on the ground.
+    pub camera_per_ground: f64,
+}
+
+impl StreetSight {
+    /// Returns the street as `camera` has it in a view of this `geometry`.
+    pub fn new(camera: &Camera, geometry: Geometry) -> Self {
+        let velocity = Velocity::REST.seen_from(camera.velocity);
+        let geometry = match geometry {
+            // A camera that rides along with the scene is shown with the street at rest about it.
+            Geometry::Rest => Geometry::Rest,
+            _ if velocity.is_rest() => Geometry::Rest,
+            Geometry::Contracted => Geometry::Contracted,
+            Geometry::Seen | Geometry::Published | Geometry::OneCone => Geometry::Seen,
+        };
+        Self { geometry, velocity }
+    }
+
+    /// The line on the ground of the camera's `line_of_sight` (unit vector).
+    pub fn line(&self, line_of_sight: DVec3) -> GroundLine {
+        match self.geometry {
+            Geometry::Rest => GroundLine { direction: line_of_sight, camera_per_ground: 1.0 },
+            Geometry::Contracted => {
+                let stretched = self.stretched(line_of_sight);
+                let length = stretched.length();
+                GroundLine { direction: stretched / length, camera_per_ground: 1.0 / length }
+            }
+            _ => GroundLine {
+                direction: self.velocity.rest_from_ground(line_of_sight),
+                camera_per_ground: self.velocity.doppler_factor(line_of_sight),
+            },
+        }
+    }
+
+    /// The turn of a line on the ground, up to multiples of it, for a `turn` of the camera's line of sight across that.
+    pub fn turn(&self, line: &GroundLine, turn: DVec3) -> DVec3 {
+        self.stretched(turn) * line.camera_per_ground
+    }
+
+    /// `v`, longer by Gamma along the motion.
+    fn stretched(&self, v: DVec3) -> DVec3 {
+        DVec3 { x: self.velocity.speed.gamma() * v.x, ..v }
+    }
+
+    /// V, 1 - V, 1/Gamma and Gamma of the street against the camera, for the shaders.
+    pub fn packed_speed(&self) -> [f32; 4] {
+        let speed = &self.velocity.speed;
+        [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32)
+    }
+
+    /// -1 if the street moves towards -x, else 1; and the shaders' `GEOMETRY`.
+    pub fn packed_motion(&self) -> [f32; 4] {
+        [self.velocity.direction(), self.geometry.number(), 0.0, 0.0].map(|v| v as f32)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use relativity_core::{Aperture, Speed};
+
+    use super::*;
+    use crate::backdrop::Backdrop;
+    use crate::camera::Gaze;
+    use crate::velocity::Motion;
+    use crate::view::{Appearance, View};
+
+    /// Lamps and road are one street: what touches the ground is seen where the ground is.
+    #[test]
+    fn a_body_and_the_ground_that_it_touches_are_seen_together() {
+        let appearance = Appearance { ground_z: Some(-1.0), ..Appearance::default() };
+        for geometry in [Geometry::Seen, Geometry::Contracted] {
+            for beta in [0.5, 0.9, -0.8] {
+                let velocity = Velocity::from_beta(beta).expect("a speed");
+                let camera = Camera::new(Aperture::default(), Gaze::STRAIGHT_AHEAD, 1.0, [8, 8]);
+                let camera = Camera { velocity, ..camera };
+                let view = View { camera, speed: Speed::REST, observation_time: 0.0, geometry };
+                let backdrop = Backdrop::new(&camera, geometry, &appearance);
+                let street = view.of_group(Motion::Own(Velocity::REST));
+                for place in [[5.0, 3.0, -1.0], [-4.0, 2.0, -1.0], [0.0, 6.0, -1.0]] {
+                    let seen = street.apparent_position(DVec3::from(place)).expect("in the domain");
+                    let distance = backdrop.ground_distance(seen.normalize()).expect("it is below");
+                    assert!((distance / seen.length() - 1.0).abs() < 1e-9, "{distance} for {seen}");
+                }
+            }
+        }
+    }
+
+    /// How far a line on the ground turns for a small turn of the camera's.
+    #[test]
+    fn turns_are_those_of_lines_nearby() {
+        let velocity = Velocity::from_beta(0.9).expect("a speed");
+        let camera = Camera::new(Aperture::default(), Gaze::STRAIGHT_AHEAD, 1.0, [8, 8]);
+        let camera = Camera { velocity, ..camera };
+        for geometry in [Geometry::Seen, Geometry::Contracted] {
+            let street = StreetSight::new(&camera, geometry);
+            for n in [DVec3::new(0.9, 0.3, 0.1), DVec3::new(-0.5, 0.6, -0.6), DVec3::Y] {
+                let n = n.normalize();
+                let line = street.line(n);
+                for turn in [n.cross(DVec3::X), n.cross(DVec3::Z)].map(|turn| 1e-6 * turn) {
+                    let across = |v: DVec3| v - line.direction * v.dot(line.direction);
+                    let expected = street.line((n + turn).normalize()).direction - line.direction;
+                    let found = across(street.turn(&line, turn));
+                    assert!(found.distance(across(expected)) < 1e-4 * found.length(), "{found} {expected}");
+                }
+            }
+        }
+    }
+}
