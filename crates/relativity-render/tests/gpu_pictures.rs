@@ -300,7 +300,7 @@ fn rides_are_the_references(renderers: &mut Renderers) {
         Group { motion: Motion::Own(velocity(0.6)), bodies: &ball },
     ]);
     let cases =
-        [(Geometry::Seen, 0.6), (Geometry::Seen, 0.95), (Geometry::Seen, -0.8), (Geometry::Contracted, 0.8)];
+        [(Geometry::Seen, 0.6), (Geometry::Seen, 0.95), (Geometry::Seen, -0.3), (Geometry::Contracted, 0.8)];
     for (geometry, beta) in cases {
         let camera = Camera::new(Aperture::default(), Gaze::along([3.0, 2.0, 0.0]), 1.6, [160, 100]);
         let camera = Camera { velocity: velocity(beta), ..camera };
