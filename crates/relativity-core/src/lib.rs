@@ -51,7 +51,7 @@
 //!
 //! # Out of scope
 //!
-//! Acceleration and rotation of the moving body but for wheels that turn evenly about an axle along y ([`wheel`]), gravity,
+//! Acceleration of the moving body (that of the observer is a [`ride`]), and its rotation but for wheels that turn evenly about an axle along y ([`wheel`]), gravity,
 //! apertures of finite size or exposure.
 //!
 //! # References
@@ -98,6 +98,7 @@ pub mod one_cone;
 pub mod passage;
 pub mod published;
 mod real;
+pub mod ride;
 pub mod source;
 pub mod speed;
 pub mod stereo;
@@ -121,6 +122,7 @@ pub use observer::{Observer, ObserverError, ObserverVelocity};
 pub use one_cone::one_cone_disparity;
 pub use passage::{equidistance_time, observation_time_when_seen_at};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
+pub use ride::{Leg, Ride, RideMoment, RiderVelocity};
 pub use source::{Source, SourcePoint, Turning, WheelPoint};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};
 pub use stereo::{Stereo, StereoError, stereo};

@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use relativity_core::{
-    Aperture, Baseline, Disparity, Model, Observer, ObserverError, ObserverVelocity, SourcePoint, Speed,
-    Turning, WheelPoint, disparity, sighting, stereo,
+    Aperture, Baseline, Disparity, Leg, Model, Observer, ObserverError, ObserverVelocity, Ride, RideMoment,
+    RiderVelocity, SourcePoint, Speed, Turning, WheelPoint, disparity, sighting, stereo,
 };
 
 /// In a row: the point's gamma and x0, y, z; the observer's gamma, azimuth and elevation, place and T; roll and turn; then what
@@ -274,4 +274,126 @@ fn where_a_wheel_meets_the_road_a_rider_sees_the_road() {
     for (a, b) in seen.position.into_iter().zip(lamp.position) {
         assert!((a - b).abs() < 1e-9, "{seen:?} against {lamp:?}");
     }
+}
+
+fn legs(parts: &[(f64, [f64; 3])]) -> Ride {
+    let legs = parts.iter().map(|&(duration, acceleration)| Leg { duration, acceleration }).collect();
+    Ride { start: RideMoment::AT_REST, legs }
+}
+
+/// Own time, T, place and proper velocity of accelerated rides, and the turn of the head about z in degrees.
+#[test]
+fn rides_end_where_they_were_worked_out_to_end() {
+    let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let [back, right] = [x, y].map(|axis: [f64; 3]| axis.map(|part| -part));
+    let cases = [
+        (legs(&[(2.0, x)]), 2.0, 3.626860408, [2.762195691, 0.0], [3.626860408, 0.0], 0.0),
+        (
+            legs(&[(2.0, x), (1.0, y)]),
+            3.0,
+            8.048197275,
+            [7.024486372, 0.5430806348],
+            [5.596538061, 1.175201194],
+            -38.77860327,
+        ),
+        (
+            legs(&[(1.0, x), (1.0, y), (1.0, back), (1.0, right)]),
+            4.0,
+            6.858719506,
+            [3.624642879, 3.217306610],
+            [-0.1033821153, 0.9848388263],
+            -78.01480194,
+        ),
+        (legs(&[(2.0, x), (2.0, back), (2.0, back), (2.0, x)]), 8.0, 14.50744163, [0.0; 2], [0.0; 2], 0.0),
+    ];
+    for (ride, own_time, time, [px, py], [wx, wy], turn) in cases {
+        let end = ride.at(own_time);
+        let [x, y, _] = end.proper_velocity();
+        let [real, _, _, about_z] = end.head;
+        let head = (2.0 * about_z.atan2(real)).to_degrees();
+        for (value, told) in
+            [(end.time, time), (end.place[0], px), (end.place[1], py), (x, wx), (y, wy), (head, turn)]
+        {
+            assert!((value - told).abs() <= 1e-9 * (1.0 + told.abs()), "{value} for {told}: {end:?}");
+        }
+        assert_eq!(ride.duration(), own_time);
+    }
+}
+
+/// The twin: out for four units of own time, and back. In steps of any length he is home at rest.
+#[test]
+fn a_trip_in_a_thousand_steps_is_the_trip_in_one() {
+    let quarter = |acceleration: f64, moment: RideMoment, steps: u32| {
+        (0..steps).fold(moment, |moment, _| moment.after(2.0 / f64::from(steps), [acceleration, 0.0, 0.0]))
+    };
+    let trip = |steps| {
+        [1.0, -1.0, -1.0, 1.0].into_iter().fold(RideMoment::AT_REST, |moment, a| quarter(a, moment, steps))
+    };
+    let [whole, fine] = [1, 1000].map(trip);
+    assert!((fine.time - whole.time).abs() < 1e-11 && fine.place[0].abs() < 1e-11, "{fine:?}");
+    let RiderVelocity::AlongStreet { rapidity } = fine.velocity else { panic!("along the street") };
+    assert!(rapidity.abs() < 1e-12, "{rapidity}");
+    // The general step says the same.
+    let general = RideMoment { velocity: RiderVelocity::Any { proper: [0.0; 3] }, ..RideMoment::AT_REST };
+    let away = general.after(2.0, [1.0, 0.0, 0.0]);
+    assert!((away.time - whole_quarter().time).abs() < 1e-13 * away.time);
+}
+
+fn whole_quarter() -> RideMoment {
+    RideMoment::AT_REST.after(2.0, [1.0, 0.0, 0.0])
+}
+
+/// Nothing that is seen jumps: what home's clock is seen to run by, added up over the trip, is what it shows in the end.
+#[test]
+fn all_the_light_from_home_arrives_during_the_trip() {
+    let (out, back) = ([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]);
+    let ride = legs(&[(2.0, out), (2.0, back), (2.0, back), (2.0, out)]);
+    let home = SourcePoint { x0: 0.0, y: 0.0, z: 0.0 };
+    let seen = |own_time: f64| {
+        let rider = ride.at(own_time).observer().expect("a speed");
+        let eyes = [Aperture::default(); 2];
+        let both = rider.disparity(Model::Exact, &Speed::REST, home, eyes, 0.0).expect("inside the domain");
+        (both.primary.own_time, both.primary.doppler_factor)
+    };
+    // Simpson's rule on each leg, whose ends are smooth from within; halfway home is seen at 1 - e^-2.
+    let steps = 2000;
+    let leg = |from: f64| {
+        let width = 2.0 / f64::from(steps);
+        let term = |i: u32| {
+            let weight = if i == 0 || i == steps {
+                1.0
+            } else if i % 2 == 1 {
+                4.0
+            } else {
+                2.0
+            };
+            // At home itself the light has no direction.
+            let own_time = (from + width * f64::from(i)).clamp(1e-9, 8.0 - 1e-9);
+            weight * seen(own_time).1
+        };
+        (0..=steps).map(term).sum::<f64>() * width / 3.0
+    };
+    let sum: f64 = [0.0, 2.0, 4.0, 6.0].into_iter().map(leg).sum();
+    assert!((sum - 14.507_441_63).abs() < 1e-7, "{sum}");
+    let (shows, doppler) = seen(2.0);
+    assert!((shows - 0.864_664_716_7).abs() < 1e-9 && (doppler - 0.135_335_283_2).abs() < 1e-9);
+    let (shows, doppler) = seen(6.0);
+    assert!((shows - 8.118_385_532).abs() < 1e-8 && (doppler - 7.389_056_099).abs() < 1e-8);
+    assert!((seen(4.0).0 - 1.729_329_434).abs() < 1e-9);
+}
+
+/// What is ahead seems to run away while one pedals: R' = R e^s grows until one sees it as it was when one started.
+#[test]
+fn a_sign_ahead_runs_away_at_first() {
+    let ride = legs(&[(4.0, [1.0, 0.0, 0.0])]);
+    let sign = SourcePoint { x0: 5.524_391_382, y: 0.0, z: 0.0 };
+    let distance = |own_time: f64| {
+        let rider = ride.at(own_time).observer().expect("a speed");
+        let eyes = [Aperture::default(); 2];
+        let both = rider.disparity(Model::Exact, &Speed::REST, sign, eyes, 0.0).expect("inside the domain");
+        (both.primary.distance, both.primary.own_time)
+    };
+    let (farthest, shows) = distance(1.875_547_674);
+    assert!((farthest - 20.783_841_45).abs() < 1e-7 && shows.abs() < 1e-8, "{farthest} {shows}");
+    assert!(distance(1.7).0 < farthest && distance(2.0).0 < farthest);
 }

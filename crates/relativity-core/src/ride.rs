@@ -1,0 +1,228 @@
+//! A ride: an observer who accelerates, in legs of constant proper acceleration.
+//!
+//! Each leg is one closed step, so any moment of a ride is told without the moments before it, whatever the length of the steps in
+//! which it is played. Time is the rider's own: at a Lorentz factor of 1e12 one unit of it is 1e12 of the street's.
+//!
+//! # Conventions
+//!
+//! The proper acceleration a, what a balance on the bicycle shows, is along the axes of the head, constant during a leg. With
+//! alpha = |a|, n its direction and H = alpha ds the rapidity gained in the own time ds, a rider at rest at first has moved by
+//! 2 sinh(H/2)^2/alpha along n when sinh(H)/alpha of the street's time is over. A rider who moves already does so in the frame
+//! of the start of the step.
+//!
+//! The head is carried without turning, as a gyroscope would be. Where the acceleration is not along the velocity, two pushes
+//! that do not turn it make up one that does (the Wigner rotation, for small steps the Thomas precession): the turn of the head
+//! against the observer's axes is kept as a unit quaternion.
+//!
+//! Reference: W. Rindler, *Introduction to Special Relativity* (1991), section 14, for constant proper acceleration.
+
+use crate::math;
+use crate::observer::{Observer, ObserverVelocity};
+use crate::speed::SpeedError;
+
+/// A part of a ride with one proper acceleration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leg {
+    /// Duration by the rider's own clock, 0 or more.
+    pub duration: f64,
+    /// Proper acceleration along the axes of the head, in units of c per unit of own time: ahead when riding towards +x, to the
+    /// left, and up.
+    pub acceleration: [f64; 3],
+}
+
+/// The velocity of a rider. Along the street it is kept as the rapidity, in which pushes add up exactly: who brakes as long as
+/// he pedalled is at rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RiderVelocity {
+    /// Along the street, towards +x where the rapidity is above 0.
+    AlongStreet {
+        /// The rapidity.
+        rapidity: f64,
+    },
+    /// In any direction.
+    Any {
+        /// Proper velocity, Gamma times the velocity.
+        proper: [f64; 3],
+    },
+}
+
+/// A moment of a ride.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RideMoment {
+    /// The rider's own time.
+    pub own_time: f64,
+    /// T, the time of the street's clock beside the rider.
+    pub time: f64,
+    /// Where the rider is on the ground.
+    pub place: [f64; 3],
+    /// Velocity on the ground.
+    pub velocity: RiderVelocity,
+    /// From the axes of the head to the observer's: a unit quaternion, its real part first.
+    pub head: [f64; 4],
+}
+
+/// A ride: where it starts, and its legs.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::ride::{Leg, Ride, RideMoment};
+///
+/// // Out and back in eight units of my own time: 14.5 have gone by at home.
+/// let leg = |acceleration| Leg { duration: 2.0, acceleration: [acceleration, 0.0, 0.0] };
+/// let there_and_back = Ride { start: RideMoment::AT_REST, legs: vec![leg(1.0), leg(-1.0), leg(-1.0), leg(1.0)] };
+/// let home = there_and_back.at(8.0);
+/// assert!((home.time - 14.507_441_63).abs() < 1e-8 && home.place[0].abs() < 1e-14);
+/// assert_eq!(home.observer()?.velocity.speed().gamma(), 1.0);
+/// # Ok::<(), relativity_core::SpeedError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ride {
+    /// The moment at which it starts.
+    pub start: RideMoment,
+    /// Its legs, in order; after the last the rider coasts.
+    pub legs: Vec<Leg>,
+}
+
+impl RideMoment {
+    /// At rest at the ground's origin at T = 0, when the rider's clock shows 0.
+    pub const AT_REST: Self = Self {
+        own_time: 0.0,
+        time: 0.0,
+        place: [0.0; 3],
+        velocity: RiderVelocity::AlongStreet { rapidity: 0.0 },
+        head: [1.0, 0.0, 0.0, 0.0],
+    };
+
+    /// Returns the observer of this moment, whose own clock counts from it.
+    ///
+    /// # Errors
+    ///
+    /// A Lorentz factor above [`crate::MAX_GAMMA`].
+    pub fn observer(&self) -> Result<Observer, SpeedError> {
+        let velocity = ObserverVelocity::from_proper(self.proper_velocity())?;
+        Ok(Observer { velocity, place: self.place, time: self.time })
+    }
+
+    /// Gamma times the velocity on the ground.
+    #[must_use]
+    pub fn proper_velocity(&self) -> [f64; 3] {
+        match self.velocity {
+            RiderVelocity::AlongStreet { rapidity } => [math::sinh(rapidity), 0.0, 0.0],
+            RiderVelocity::Any { proper } => proper,
+        }
+    }
+
+    /// Returns the moment after `duration` of own time with this proper `acceleration` along the axes of the head.
+    #[must_use]
+    pub fn after(&self, duration: f64, acceleration: [f64; 3]) -> Self {
+        match (self.velocity, acceleration) {
+            (RiderVelocity::AlongStreet { rapidity }, [along, 0.0, 0.0])
+                if self.head == Self::AT_REST.head =>
+            {
+                self.along_street(rapidity, duration, along)
+            }
+            _ => self.anywhere(duration, acceleration),
+        }
+    }
+
+    /// Along the street rapidities add up; T and x grow by sums of products, in which nothing cancels at any speed.
+    fn along_street(&self, rapidity: f64, duration: f64, acceleration: f64) -> Self {
+        let gained = acceleration * duration;
+        let mean = rapidity + 0.5 * gained;
+        // 2 sinh(H/2)/alpha, the own time itself where hardly anything is gained.
+        let length = duration * sinh_over(0.5 * gained);
+        let [x, y, z] = self.place;
+        Self {
+            own_time: self.own_time + duration,
+            time: self.time + math::cosh(mean) * length,
+            place: [x + math::sinh(mean) * length, y, z],
+            velocity: RiderVelocity::AlongStreet { rapidity: rapidity + gained },
+            ..*self
+        }
+    }
+
+    fn anywhere(&self, duration: f64, acceleration: [f64; 3]) -> Self {
+        let [ax, ay, az] = acceleration;
+        let alpha = math::hypot(ax, math::hypot(ay, az));
+        let gained = alpha * duration;
+        let ahead = if alpha > 0.0 { acceleration.map(|part| part / alpha) } else { [1.0, 0.0, 0.0] };
+        let n = turned(self.head, ahead);
+        let w = self.proper_velocity();
+        let size = math::hypot(w[0], math::hypot(w[1], w[2]));
+        let gamma = math::hypot(1.0, size);
+        let along: f64 = (0..3).map(|i| w[i] * n[i]).sum();
+
+        // In the frame of the start: dt' = sinh(H)/alpha, dr' = 2 sinh(H/2)^2/alpha.
+        let half = sinh_over(0.5 * gained);
+        let (later, further) = (duration * sinh_over(gained), 0.5 * gained * duration * half * half);
+        let (sine, cosine) = (math::sinh(gained), math::cosh(gained));
+        let per_place = later + along * further / (gamma + 1.0);
+        let per_velocity = cosine + along * sine / (gamma + 1.0);
+        let h1 = w.map(|part| part / (gamma + 1.0));
+        let h2 = n.map(|part| part * math::tanh(0.5 * gained));
+        Self {
+            own_time: self.own_time + duration,
+            time: self.time + gamma * later + along * further,
+            place: std::array::from_fn(|i| self.place[i] + n[i] * further + w[i] * per_place),
+            velocity: RiderVelocity::Any {
+                proper: std::array::from_fn(|i| n[i] * sine + w[i] * per_velocity),
+            },
+            head: normalized(product(wigner(h1, h2), self.head)),
+        }
+    }
+}
+
+impl Ride {
+    /// Returns the moment when the rider's clock shows `own_time`; before the start that moves as at it.
+    #[must_use]
+    pub fn at(&self, own_time: f64) -> RideMoment {
+        let mut moment = self.start;
+        for leg in &self.legs {
+            let left = own_time - moment.own_time;
+            if left <= leg.duration {
+                return moment.after(left, if left < 0.0 { [0.0; 3] } else { leg.acceleration });
+            }
+            moment = moment.after(leg.duration, leg.acceleration);
+        }
+        moment.after(own_time - moment.own_time, [0.0; 3])
+    }
+
+    /// Duration of all legs by the rider's own clock.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.legs.iter().map(|leg| leg.duration).sum()
+    }
+}
+
+/// sinh(x)/x.
+fn sinh_over(x: f64) -> f64 {
+    if x == 0.0 { 1.0 } else { math::sinh(x) / x }
+}
+
+/// The turn that is left of two boosts, whose vectors are tanh of half the rapidity long: (1 + `h1.h2`, `h2` x `h1`).
+fn wigner(h1: [f64; 3], h2: [f64; 3]) -> [f64; 4] {
+    let [x, y, z] = crate::stereo::cross(h2, h1);
+    [1.0 + h1[0] * h2[0] + h1[1] * h2[1] + h1[2] * h2[2], x, y, z]
+}
+
+fn product([a, b, c, d]: [f64; 4], [e, f, g, h]: [f64; 4]) -> [f64; 4] {
+    [
+        a * e - b * f - c * g - d * h,
+        a * f + b * e + c * h - d * g,
+        a * g - b * h + c * e + d * f,
+        a * h + b * g - c * f + d * e,
+    ]
+}
+
+fn normalized(q: [f64; 4]) -> [f64; 4] {
+    let length = q.iter().map(|part| part * part).sum::<f64>().sqrt();
+    q.map(|part| part / length)
+}
+
+/// `v` turned by the unit quaternion `q`.
+fn turned(q: [f64; 4], [x, y, z]: [f64; 3]) -> [f64; 3] {
+    let [a, b, c, d] = q;
+    let [_, x, y, z] = product(product(q, [0.0, x, y, z]), [a, -b, -c, -d]);
+    [x, y, z]
+}
