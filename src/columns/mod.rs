@@ -1,62 +1,25 @@
 //! The columns that `eval` and `curve` append, and the models that fill them.
 
+mod error;
+mod names;
 mod observer;
 
 use std::f64::consts::{PI, TAU};
 
 use clap::Args;
 use relativity_core::{
-    Baseline, Disparity, DomainError, MAX_COORDINATE, Model, Observer, ObserverError, ObserverVelocity,
-    PairError, Source, Speed, SpeedError, Stereo, StereoError, WheelPoint,
+    Baseline, Disparity, MAX_COORDINATE, Model, Observer, ObserverError, ObserverVelocity, Source, Speed,
+    Stereo, StereoError, WheelPoint,
 };
-use thiserror::Error;
 
-pub use self::observer::{
-    CLOCK, GivenObserver, OBSERVER_DIRECTION, OBSERVER_PLACE, OBSERVER_PREFIX, OBSERVER_SPEED, observer_speed,
+pub use self::error::ObservationError;
+use self::error::check_half_turn;
+pub use self::names::{
+    ANGLES, CLOCK, OBSERVER_DIRECTION, OBSERVER_PLACE, OBSERVER_PREFIX, OBSERVER_SPEED, ROLL, TURN, WHEEL,
+    observer_speed,
 };
+use self::names::{COLUMNS, CONFORMAL, MOVING, TURNED, USUAL};
 use crate::flags::column_exponent;
-
-/// Every column but those of `--conformal`, in order, the last five with `--stereo` only, and the very last of a head that is tilted or turned or a
-/// point that turns; [`TURNED`] come before those. Left and right are the primary and the secondary aperture.
-const COLUMNS: [&str; 21] = [
-    "x_left",
-    "x_right",
-    "t_left",
-    "t_right",
-    "doppler_left",
-    "doppler_right",
-    "intensity_left",
-    "intensity_right",
-    "phi_left",
-    "phi_right",
-    "theta_left",
-    "theta_right",
-    "dphi",
-    "dtheta",
-    "own_left",
-    "own_right",
-    "stereo_gain",
-    "stereo_x",
-    "stereo_y",
-    "stereo_z",
-    "stereo_miss",
-];
-/// The columns of how the head is held, radians.
-pub const ROLL: &str = "roll";
-/// The same of its turn.
-pub const TURN: &str = "turn";
-/// The columns of where on a wheel a point is.
-pub const WHEEL: [&str; 3] = ["wheel_radius", "rho", "angle"];
-/// Number of columns without `--stereo`.
-const USUAL: usize = 16;
-/// The columns of how far a wheel has turned, for its points only.
-const TURNED: [&str; 2] = ["angle_left", "angle_right"];
-/// The columns of where a moving observer's eyes see the point, in their own frame, but for x.
-const MOVING: [&str; 6] = ["y_left", "y_right", "z_left", "z_right", "distance_left", "distance_right"];
-/// The columns of `--conformal`, after all others.
-const CONFORMAL: [&str; 4] = ["u_left", "u_right", "v_left", "v_right"];
-/// The columns of angles.
-pub const ANGLES: &[&str] = COLUMNS.split_at(14).0.split_at(8).1;
 
 /// The end of a command's help: what the columns and the models are, and `examples`.
 #[must_use]
@@ -156,7 +119,7 @@ pub struct Observation {
     pub baseline: Baseline,
     /// The observer, at the event from which the clock counts.
     pub observer: Observer,
-    /// What the observer's clock shows; of one at rest T counts from there.
+    /// Reading of the observer's clock; of one at rest T counts from there.
     pub clock: f64,
 }
 
@@ -166,99 +129,6 @@ impl Observation {
     pub const fn at_rest(speed: Speed, source: Source, baseline: Baseline, time: f64) -> Self {
         let observer = Observer { velocity: ObserverVelocity::REST, place: [0.0; 3], time };
         Self { speed, source, baseline, observer, clock: 0.0 }
-    }
-}
-
-/// An observation whose columns cannot be filled.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-pub enum ObservationError {
-    /// The speed is not one.
-    #[error(transparent)]
-    Speed(#[from] SpeedError),
-    /// A coordinate or time outside the domain.
-    #[error(transparent)]
-    Domain(#[from] DomainError),
-    /// The aperture separation is negative or outside the domain.
-    #[error("d = {0:?} is out of range: it must be between 0 and 1e60")]
-    Separation(f64),
-    /// An angle that is more than half a turn.
-    #[error("{name} = {value:?} is out of range: it must be between -pi and pi, in radians")]
-    Angle {
-        /// The column of the angle.
-        name: &'static str,
-        /// Value that is out of range.
-        value: f64,
-    },
-    /// A place on a wheel that is none.
-    #[error("{name} = {value:?} is out of range: it must be {range}")]
-    Wheel {
-        /// The column of the value.
-        name: &'static str,
-        /// Value that is out of range.
-        value: f64,
-        /// Range that is right.
-        range: &'static str,
-    },
-    /// A pair of eyes that the model does not know.
-    #[error(transparent)]
-    Pair(PairError),
-    /// The observer's speed is not one.
-    #[error("observer_{0}")]
-    ObserverSpeed(SpeedError),
-    /// An observer whose view cannot be told.
-    #[error(transparent)]
-    Observer(ObserverError),
-    /// The model has no stereo position.
-    #[error(transparent)]
-    Stereo(StereoError),
-    /// A result that f64 cannot hold: the intensity, for a large exponent.
-    #[error(
-        "{column} comes out as {value}, which cannot be written; less extreme values or a smaller \
-             --intensity-exponent are needed"
-    )]
-    NotFinite {
-        /// The column that cannot be filled.
-        column: &'static str,
-        /// Value that the column would contain.
-        value: f64,
-    },
-}
-
-impl From<ObserverError> for ObservationError {
-    fn from(error: ObserverError) -> Self {
-        match error {
-            ObserverError::Domain(error) => Self::Domain(error),
-            ObserverError::Pair(error) => Self::Pair(error),
-            ObserverError::Stereo(error) => Self::Stereo(error),
-            ObserverError::RelativeSpeed | ObserverError::Published(_) => Self::Observer(error),
-        }
-    }
-}
-
-impl From<StereoError> for ObservationError {
-    fn from(error: StereoError) -> Self {
-        ObserverError::from(error).into()
-    }
-}
-
-impl ObservationError {
-    /// The column at fault.
-    #[must_use]
-    pub const fn column(&self) -> &'static str {
-        match self {
-            Self::Speed(SpeedError::Beta(_)) => "beta",
-            Self::Speed(SpeedError::Gamma(_)) => "gamma",
-            Self::Speed(SpeedError::Rapidity(_)) => "rapidity",
-            Self::Domain(error) => error.name,
-            Self::Separation(_) => "d",
-            Self::Angle { name, .. } | Self::Wheel { name, .. } => name,
-            Self::Pair(_) => ROLL,
-            Self::ObserverSpeed(SpeedError::Beta(_)) | Self::Observer(_) => OBSERVER_SPEED[0],
-            Self::ObserverSpeed(SpeedError::Gamma(_)) => OBSERVER_SPEED[1],
-            Self::ObserverSpeed(SpeedError::Rapidity(_)) => OBSERVER_SPEED[2],
-            Self::Stereo(_) => COLUMNS[USUAL],
-            Self::NotFinite { column, .. } => column,
-        }
     }
 }
 
@@ -365,11 +235,6 @@ impl ModelArgs {
         }
         Ok(observer.disparity(self.model, speed, source, baseline.apertures(), clock)?)
     }
-}
-
-/// Refuses an angle, radians, that is more than half a turn.
-fn check_half_turn(name: &'static str, value: f64) -> Result<(), ObservationError> {
-    if (-PI..=PI).contains(&value) { Ok(()) } else { Err(ObservationError::Angle { name, value }) }
 }
 
 fn check_wheel(wheel: &WheelPoint) -> Result<(), ObservationError> {

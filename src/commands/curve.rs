@@ -7,13 +7,14 @@ use csv::ByteRecord;
 use relativity_core::{Aperture, Baseline, SourcePoint};
 
 use crate::columns::{
-    CLOCK, GivenInputs, GivenObserver, ModelArgs, OBSERVER_DIRECTION, OBSERVER_PLACE, Observation,
-    ObservationError, ROLL, TURN, WHEEL, help_with, observer_speed,
+    CLOCK, GivenInputs, ModelArgs, OBSERVER_DIRECTION, OBSERVER_PLACE, Observation, ObservationError, ROLL,
+    TURN, WHEEL, help_with, observer_speed,
 };
 use crate::files::csv_out;
 use crate::files::whole::OutArgs;
 use crate::flags::{
-    COORDINATES, HeadArgs, ObserverArgs, SpeedArgs, SpeedParameter, WheelArgs, finite_number, within,
+    COORDINATES, GivenObserver, HeadArgs, ObserverArgs, SpeedArgs, SpeedParameter, WheelArgs, finite_number,
+    within,
 };
 use crate::time_range::{passage_times, time_within};
 
@@ -49,11 +50,10 @@ pub struct CurveArgs {
     x0: f64,
     #[command(flatten)]
     wheel: WheelArgs,
-    #[command(flatten, next_help_heading = "Of an observer who moves")]
+    #[command(flatten)]
     observer: ObserverArgs,
     /// First observation time [default: when the point, or the hub of its wheel, is seen at x = -2 R, R being its distance at x = 0]
-    #[arg(long, value_name = "T", value_parser = within(COORDINATES), allow_hyphen_values = true,
-          help_heading = "Options")]
+    #[arg(long, value_name = "T", value_parser = within(COORDINATES), allow_hyphen_values = true)]
     from: Option<f64>,
     /// Last observation time [default: when it is seen at x = +2 R]
     #[arg(long, value_name = "T", value_parser = within(COORDINATES), allow_hyphen_values = true)]

@@ -20,6 +20,6 @@ pub use numbers::{
     OnOff, PLACE, SCREEN_CM, ScreenWidth, Share, TEMPERATURE_K, TimeRange, column_exponent, coordinates,
     field_of_view, finite_number, switch, temperature, time, whole_number, within,
 };
-pub use observer::ObserverArgs;
+pub use observer::{GivenObserver, ObserverArgs};
 pub use speed::{SpeedArgs, SpeedParameter, SpeedSetting};
 pub use wheel::{WheelArgs, rolling};

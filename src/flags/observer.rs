@@ -3,27 +3,42 @@
 use clap::Args;
 
 use super::{COORDINATES, HEAD_DEGREES, SpeedParameter, finite_number, within};
-use crate::columns::GivenObserver;
+
+/// The motion of an observer, as given; a number that is not given is 0.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct GivenObserver {
+    /// The parameter that gives the speed, and its value.
+    pub speed: Option<(SpeedParameter, f64)>,
+    /// Azimuth and elevation of the velocity, radians.
+    pub direction: [f64; 2],
+    /// Place on the ground of the middle between the eyes.
+    pub place: [f64; 3],
+}
 
 /// Velocity and place of an observer.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct ObserverArgs {
     #[command(flatten)]
     speed: ObserverSpeedArgs,
-    /// Where the observer moves, degrees from +x towards +y.
-    #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
+    /// Direction of the observer's motion, degrees from +x towards +y.
+    #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true,
+          hide_short_help = true)]
     observer_azimuth: Option<f64>,
-    /// Where the observer moves, degrees up from the x-y plane.
-    #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
+    /// The same, degrees up from the x-y plane.
+    #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true,
+          hide_short_help = true)]
     observer_elevation: Option<f64>,
-    /// Where the middle between the eyes is when the observer's clock shows 0, at T = 0: its x.
-    #[arg(long, value_name = "X", value_parser = within(COORDINATES), allow_hyphen_values = true)]
+    /// Place of the middle between the eyes when the observer's clock shows 0, at T = 0: its x.
+    #[arg(long, value_name = "X", value_parser = within(COORDINATES), allow_hyphen_values = true,
+          hide_short_help = true)]
     observer_x: Option<f64>,
-    /// Its y.
-    #[arg(long, value_name = "Y", value_parser = within(COORDINATES), allow_hyphen_values = true)]
+    /// Place of the middle between the eyes then: its y.
+    #[arg(long, value_name = "Y", value_parser = within(COORDINATES), allow_hyphen_values = true,
+          hide_short_help = true)]
     observer_y: Option<f64>,
-    /// Its z.
-    #[arg(long, value_name = "Z", value_parser = within(COORDINATES), allow_hyphen_values = true)]
+    /// Place of the middle between the eyes then: its z.
+    #[arg(long, value_name = "Z", value_parser = within(COORDINATES), allow_hyphen_values = true,
+          hide_short_help = true)]
     observer_z: Option<f64>,
 }
 
@@ -36,10 +51,12 @@ struct ObserverSpeedArgs {
     #[arg(long, value_name = "BETA", value_parser = finite_number, allow_hyphen_values = true)]
     observer_beta: Option<f64>,
     /// The observer's Lorentz factor, 1 <= gamma <= 1e30.
-    #[arg(long, value_name = "GAMMA", value_parser = finite_number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "GAMMA", value_parser = finite_number, allow_hyphen_values = true,
+          hide_short_help = true)]
     observer_gamma: Option<f64>,
     /// The observer's rapidity, 0 to 69.77.
-    #[arg(long, value_name = "RAPIDITY", value_parser = finite_number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "RAPIDITY", value_parser = finite_number, allow_hyphen_values = true,
+          hide_short_help = true)]
     observer_rapidity: Option<f64>,
 }
 

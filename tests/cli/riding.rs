@@ -55,7 +55,7 @@ fn an_observer_at_rest_has_the_columns_of_no_observer() {
     assert!(rest.column("y_left").iter().all(|&y| y == 3.0));
 }
 
-/// Two eyes are a speedometer: the lamp's disparities tell the rider's own speed, and how far the lamp is.
+/// Two eyes are a speedometer: a lamp's disparities give the rider's own speed, and the distance of the lamp.
 #[test]
 fn a_riders_own_speed_is_fitted_from_a_lamp() {
     for flags in ["--observer-beta 0.9 --x0 5", "--observer-beta 0.6 --x0=-2 --roll 15 --turn=-20"] {

@@ -18,7 +18,7 @@ const ROOMS: [&[&str]; 11] = [
     &["accuracy", "estimate", "studio"],
     &["caption", "comfort.rs", "map"],
     &["settings"],
-    &["scene", "columns.rs", "time_range.rs", "flags", "files", "plot", "units.rs"],
+    &["scene", "columns", "time_range.rs", "flags", "files", "plot", "units.rs"],
     &["eye_colours.rs", "number_text.rs", "formula"],
     &["markup.rs"],
     &["platform"],

@@ -36,10 +36,10 @@ pub struct Leg {
 pub enum RiderVelocity {
     /// Along the street, towards +x where the rapidity is above 0.
     AlongStreet {
-        /// The rapidity.
+        /// Rapidity towards +x, below 0 for the other way.
         rapidity: f64,
     },
-    /// In any direction.
+    /// A velocity in any direction.
     Any {
         /// Proper velocity, Gamma times the velocity.
         proper: [f64; 3],
@@ -53,7 +53,7 @@ pub struct RideMoment {
     pub own_time: f64,
     /// T, the time of the street's clock beside the rider.
     pub time: f64,
-    /// Where the rider is on the ground.
+    /// Place of the rider on the ground.
     pub place: [f64; 3],
     /// Velocity on the ground.
     pub velocity: RiderVelocity,
@@ -80,7 +80,7 @@ pub struct RideMoment {
 pub struct Ride {
     /// The moment at which it starts.
     pub start: RideMoment,
-    /// Its legs, in order; after the last the rider coasts.
+    /// Legs of the ride, in order; after the last the rider coasts.
     pub legs: Vec<Leg>,
 }
 
@@ -195,7 +195,7 @@ impl Ride {
     }
 }
 
-/// sinh(x)/x.
+/// sinh(x)/x, which is 1 at 0.
 fn sinh_over(x: f64) -> f64 {
     if x == 0.0 { 1.0 } else { math::sinh(x) / x }
 }

@@ -1,4 +1,4 @@
-//! What two eyes see that move: numbers worked out in 60-digit arithmetic, and claims that need none.
+//! Views of two moving eyes: numbers worked out in 60-digit arithmetic, and claims that need none.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -116,7 +116,7 @@ fn rows_worked_out_elsewhere_are_seen_to_their_last_digit() {
     }
 }
 
-/// What counts is who moves against whom: the same lamp, as a cyclist who comes the other way, in a mirror.
+/// Only relative motion counts: the same lamp, as a cyclist who comes the other way, in a mirror.
 #[test]
 fn a_rider_past_a_lamp_sees_what_a_resting_observer_sees_of_a_cyclist() {
     let row = rows().nth(1).expect("row b");
@@ -144,7 +144,7 @@ fn an_observer_at_rest_has_the_numbers_of_a_resting_pair_bit_for_bit() {
     }
 }
 
-/// Which event arrives at the middle between the eyes is no matter of their motion.
+/// Their motion does not decide which event arrives at the middle between the eyes.
 #[test]
 fn the_light_that_arrives_is_that_which_an_eye_at_rest_receives() {
     for row in rows() {
@@ -159,7 +159,7 @@ fn the_light_that_arrives_is_that_which_an_eye_at_rest_receives() {
     }
 }
 
-/// The frame in which both velocities are told plays no part: seen from a frame that moves along x, a rider along x sees the same.
+/// The frame in which both velocities are given plays no part: seen from a frame that moves along x, a rider along x sees the same.
 #[test]
 fn any_frame_that_moves_along_the_street_tells_the_same() {
     let rapidity = |value: f64| Speed::from_rapidity(value).expect("in range");
@@ -253,7 +253,7 @@ fn what_cannot_be_told_is_an_error() {
     assert_eq!(told(row.observer, row.speed, published), ObserverError::Published(published));
 }
 
-/// What is on the road rests there: to a rider it is as blue, and seen where, a lamp on the road would be.
+/// The point of a tyre on the road rests there: a rider sees it where a lamp on the road would be, and as blue.
 #[test]
 fn where_a_wheel_meets_the_road_a_rider_sees_the_road() {
     let velocity = ObserverVelocity::new(speed(0.8), 0.3, 0.0);
@@ -287,24 +287,24 @@ fn rides_end_where_they_were_worked_out_to_end() {
     let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let [back, right] = [x, y].map(|axis: [f64; 3]| axis.map(|part| -part));
     let cases = [
-        (legs(&[(2.0, x)]), 2.0, 3.626860408, [2.762195691, 0.0], [3.626860408, 0.0], 0.0),
+        (legs(&[(2.0, x)]), 2.0, 3.626_860_408, [2.762_195_691, 0.0], [3.626_860_408, 0.0], 0.0),
         (
             legs(&[(2.0, x), (1.0, y)]),
             3.0,
-            8.048197275,
-            [7.024486372, 0.5430806348],
-            [5.596538061, 1.175201194],
-            -38.77860327,
+            8.048_197_275,
+            [7.024_486_372, 0.543_080_634_8],
+            [5.596_538_061, 1.175_201_194],
+            -38.778_603_27,
         ),
         (
             legs(&[(1.0, x), (1.0, y), (1.0, back), (1.0, right)]),
             4.0,
-            6.858719506,
-            [3.624642879, 3.217306610],
-            [-0.1033821153, 0.9848388263],
-            -78.01480194,
+            6.858_719_506,
+            [3.624_642_879, 3.217_306_610],
+            [-0.103_382_115_3, 0.984_838_826_3],
+            -78.014_801_94,
         ),
-        (legs(&[(2.0, x), (2.0, back), (2.0, back), (2.0, x)]), 8.0, 14.50744163, [0.0; 2], [0.0; 2], 0.0),
+        (legs(&[(2.0, x), (2.0, back), (2.0, back), (2.0, x)]), 8.0, 14.507_441_63, [0.0; 2], [0.0; 2], 0.0),
     ];
     for (ride, own_time, time, [px, py], [wx, wy], turn) in cases {
         let end = ride.at(own_time);
@@ -382,7 +382,7 @@ fn all_the_light_from_home_arrives_during_the_trip() {
     assert!((seen(4.0).0 - 1.729_329_434).abs() < 1e-9);
 }
 
-/// What is ahead seems to run away while one pedals: R' = R e^s grows until one sees it as it was when one started.
+/// A sign ahead seems to run away while one pedals: R' = R e^s grows until one sees it as it was when one started.
 #[test]
 fn a_sign_ahead_runs_away_at_first() {
     let ride = legs(&[(4.0, [1.0, 0.0, 0.0])]);

@@ -109,6 +109,8 @@ struct Line {
     n: vec3f,
     // By which steps to the next pixels are multiplied.
     scale: f32,
+    // The part of a distance by which haze counts.
+    haze_share: f32,
     // Steps to the pixels on the right and below, up to multiples of the line.
     right: vec3f,
     down: vec3f,
@@ -119,11 +121,13 @@ fn line_on_ground(sight: vec4f) -> Line {
     let down = step_down(sight.xyz);
     let geometry = u32(frame.street_motion.y);
     if geometry == AT_REST {
-        return Line(sight.xyz, sight.w, right, down);
+        return Line(sight.xyz, sight.w, 1.0, right, down);
     }
     let seen = passage(sight.xyz, geometry, frame.street_speed, frame.street_motion.x);
     let scale = sight.w * seen.ground_per_rest;
-    return Line(seen.direction, scale, step_on_ground(sight.xyz, right), step_on_ground(sight.xyz, down));
+    let haze_share = min(seen.ground_per_rest, 1.0);
+    let steps = array(step_on_ground(sight.xyz, right), step_on_ground(sight.xyz, down));
+    return Line(seen.direction, scale, haze_share, steps[0], steps[1]);
 }
 
 const AT_REST = 2u;
@@ -168,6 +172,11 @@ fn left_by_contacts(foot: vec2f, pixel: vec2f) -> f32 {
     return left;
 }
 
+fn seen_through_haze(line: Line, distance: f32) -> f32 {
+    let near = distance * line.haze_share;
+    return 1.0 / (1.0 + HAZE * near * near);
+}
+
 fn ground_colour(sky: vec3f, line: Line, distance: f32) -> vec3f {
     let from_camera = line.n.xy * distance;
     let foot = frame.ground.xy + from_camera;
@@ -185,7 +194,7 @@ fn ground_colour(sky: vec3f, line: Line, distance: f32) -> vec3f {
         let axes = line_cover(foot, AXIS_HALF_WIDTH, pixel);
         painted = mix(gridded, frame.backdrop[4].rgb, max(axes.x, axes.y));
     }
-    return mix(sky, painted, 1.0 / (1.0 + HAZE * distance * distance));
+    return mix(sky, painted, seen_through_haze(line, distance));
 }
 
 // How the place where it meets house fronts moves.
@@ -199,7 +208,7 @@ fn with_fronts(without: vec3f, sky: vec3f, line: Line) -> vec3f {
     let right = shift_on_fronts(line, line.right, distance);
     let down = shift_on_fronts(line, line.down, distance);
     let seen = front(place, sqrt(right * right + down * down));
-    return mix(without, mix(sky, seen.rgb, 1.0 / (1.0 + HAZE * distance * distance)), seen.a);
+    return mix(without, mix(sky, seen.rgb, seen_through_haze(line, distance)), seen.a);
 }
 
 fn behind(pixel: vec2f) -> vec3f {

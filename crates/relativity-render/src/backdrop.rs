@@ -12,7 +12,7 @@ use crate::contact::{Contacts, DARKEST, FARTHEST};
 use crate::cover::{band_cover, line_cover, repeated_cover};
 use crate::effects::{Constant, number};
 use crate::street::{self, Front, Paints};
-use crate::street_sight::StreetSight;
+use crate::street_sight::{GroundLine, StreetSight};
 use crate::view::{Appearance, Geometry};
 
 /// Half the width of the grid's lines, one per unit of length along x and along y.
@@ -197,7 +197,7 @@ pub struct Backdrop {
     /// Contacts of bodies with the road.
     contacts: Contacts,
     lines_of_sight: LinesOfSight,
-    /// How the camera sees what rests on the ground.
+    /// Passage of lines of sight to the ground, which may move against the camera.
     street: StreetSight,
 }
 
@@ -247,7 +247,7 @@ impl Backdrop {
         let turns = || self.lines_of_sight.turns_of(line_of_sight).map(|turn| self.street.turn(&seen, turn));
         let line_of_sight = seen.direction;
         let below = self.height_distance(line_of_sight);
-        let below = below.map(|distance| self.ground(line_of_sight, turns(), distance));
+        let below = below.map(|distance| self.ground(&seen, turns(), distance));
         let without = below.unwrap_or_else(|| self.sky_above(line_of_sight));
         let (Some(fronts), Some(ground), Some(_)) = (self.fronts, self.ground, self.road) else {
             return without;
@@ -259,13 +259,14 @@ impl Backdrop {
         let place = DVec2::new(self.aperture.x, -ground) + line_of_sight.xz() * distance;
         let shift = |turn: DVec3| (turn.xz() - line_of_sight.xz() * (turn.y / line_of_sight.y)) * distance;
         let Front { colour, cover } = self.palette.fronts.front(place, pixel(turns(), shift));
-        mix(without, self.hazy(colour, line_of_sight, distance), cover)
+        mix(without, self.hazy(colour, &seen, distance), cover)
     }
 
-    /// Returns the colour that is seen along `line_of_sight` of a surface of this `colour` at `distance`.
-    fn hazy(&self, colour: [f64; 3], line_of_sight: DVec3, distance: f64) -> [f64; 3] {
+    /// Returns the colour that is seen along `seen` of a surface of this `colour` at `distance` on the ground.
+    fn hazy(&self, colour: [f64; 3], seen: &GroundLine, distance: f64) -> [f64; 3] {
+        let distance = distance * seen.haze_share();
         let haze = if self.road.is_some() { ROAD_HAZE } else { GRID_HAZE };
-        mix(self.sky_above(line_of_sight), colour, 1.0 / (1.0 + haze * distance * distance))
+        mix(self.sky_above(seen.direction), colour, 1.0 / (1.0 + haze * distance * distance))
     }
 
     /// Height of the ground from the aperture, below 0; `None` if there is none to be seen.
@@ -298,8 +299,8 @@ impl Backdrop {
     }
 
     /// Linear sRGB of the ground met at `distance` along a line of sight on it, which turns by `turns` from one pixel to the next.
-    fn ground(&self, line_of_sight: DVec3, turns: [DVec3; 2], distance: f64) -> [f64; 3] {
-        let n = line_of_sight;
+    fn ground(&self, seen: &GroundLine, turns: [DVec3; 2], distance: f64) -> [f64; 3] {
+        let n = seen.direction;
         let foot = self.aperture + n.truncate() * distance;
         let shift = |turn: DVec3| (turn.truncate() - n.truncate() * (turn.z / n.z)) * distance;
         let pixel = pixel(turns, shift);
@@ -315,7 +316,7 @@ impl Backdrop {
             }
             None => mix(gridded, paint, axis_cover(foot.x, pixel.x).max(axis_cover(foot.y, pixel.y))),
         };
-        self.hazy(painted, n, distance)
+        self.hazy(painted, seen, distance)
     }
 }
 

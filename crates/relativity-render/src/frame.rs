@@ -59,7 +59,7 @@ pub struct Frame {
     pub road: [f32; 4],
     /// Speed of the street against the camera: see [`StreetSight::packed_speed`].
     pub street_speed: [f32; 4],
-    /// And [`StreetSight::packed_motion`].
+    /// Direction and geometry of that: see [`StreetSight::packed_motion`].
     pub street_motion: [f32; 4],
     /// From the middle between the eyes to the camera, where these have one light cone, else 0; how many places there are where
     /// bodies touch a road.

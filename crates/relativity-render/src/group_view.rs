@@ -103,7 +103,7 @@ impl GroupView {
             && !self.on_ground.is_rest()
     }
 
-    /// What an eye at rest sees of the group at the camera's event, whose light is the same; `None` of what is measured
+    /// The view by an eye at rest at the camera's event, whose light is the same; `None` of what is measured
     /// by a camera that moves, which is no light.
     pub(crate) fn seen_from_street(&self) -> Option<Self> {
         if self.camera.velocity.is_rest() {

@@ -1,6 +1,6 @@
-//! How a camera that rides along the street sees what rests there: road, ground, house fronts and sky.
+//! The street as a camera sees it that rides along: road, ground, house fronts and sky, all at rest on the ground.
 //!
-//! They are a group at rest, seen through the same aberration as a group of bodies. All of it is drawn on the ground, from the
+//! They are like a group at rest, seen through the same aberration as a group of bodies. All of it is drawn on the ground, from the
 //! camera's event there; only lines of sight and the size of a pixel are brought there first. The shaders' `street_sight` and
 //! `packets/backdrop.rs` do the same.
 
@@ -20,14 +20,22 @@ pub(crate) struct StreetSight {
 /// A line of sight on the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct GroundLine {
-    /// Unit vector.
+    /// Unit vector along the line.
     pub direction: DVec3,
     /// Distance in the camera's frame per distance on the ground.
     pub camera_per_ground: f64,
 }
 
+impl GroundLine {
+    /// The part of a distance on the ground by which haze counts: the nearer of its distances in both frames. Haze is drawn so that the ground
+    /// ends in the sky; it should hide neither what is far behind and seen large nor what is near ahead and seen small.
+    pub fn haze_share(&self) -> f64 {
+        self.camera_per_ground.min(1.0)
+    }
+}
+
 impl StreetSight {
-    /// Returns the street as `camera` has it in a view of this `geometry`.
+    /// Returns the street before `camera` in a view of this `geometry`.
     pub fn new(camera: &Camera, geometry: Geometry) -> Self {
         let velocity = Velocity::REST.seen_from(camera.velocity);
         let geometry = match geometry {
@@ -109,7 +117,7 @@ mod tests {
         }
     }
 
-    /// How far a line on the ground turns for a small turn of the camera's.
+    /// A small turn of the camera's line of sight turns the line on the ground as two lines nearby differ.
     #[test]
     fn turns_are_those_of_lines_nearby() {
         let velocity = Velocity::from_beta(0.9).expect("a speed");

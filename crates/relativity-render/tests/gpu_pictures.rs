@@ -275,7 +275,7 @@ fn every_speed_gives_a_picture(renderers: &mut Renderers) {
     }
 }
 
-/// How far off house fronts may be that are drawn in f32, as they are for an eye at rest.
+/// Levels by which house fronts in f32 may be off, as they are for an eye at rest.
 const STREET_LEVELS: i32 = 3;
 
 /// The street, its ground and its sky from a ride along it, with a cyclist who is overtaken.

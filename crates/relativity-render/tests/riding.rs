@@ -36,7 +36,7 @@ fn ride(beta: f64) -> View {
     View { camera, speed: Speed::REST, observation_time: 0.0, geometry: Geometry::Seen }
 }
 
-/// It only counts who moves against whom.
+/// Only relative motion counts.
 #[test]
 fn a_ride_past_a_street_is_a_street_that_passes_byte_for_byte() {
     for beta in [0.3, 0.9, 0.98, -0.6] {

@@ -5,11 +5,11 @@ use relativity_core::{Baseline, Observer, ObserverVelocity, SourcePoint, StereoE
 use thiserror::Error;
 
 use crate::columns::{
-    GivenInputs, GivenObserver, OBSERVER_DIRECTION, OBSERVER_PLACE, OBSERVER_PREFIX, OBSERVER_SPEED,
-    Observation, ObservationError, ROLL, TURN, WHEEL, observer_speed,
+    GivenInputs, OBSERVER_DIRECTION, OBSERVER_PLACE, OBSERVER_PREFIX, OBSERVER_SPEED, Observation,
+    ObservationError, ROLL, TURN, WHEEL, observer_speed,
 };
 use crate::files::csv_in::{self, Names};
-use crate::flags::{SpeedParameter, rolling};
+use crate::flags::{GivenObserver, SpeedParameter, rolling};
 
 /// The places of the inputs in each row.
 #[derive(Debug)]
@@ -141,7 +141,7 @@ impl Header {
 }
 
 impl ObserverPlaces {
-    /// How the observer moves in a row.
+    /// The motion of the observer in a row.
     fn given(
         &self,
         number: impl Fn(usize) -> Result<f64, csv_in::RowError>,

@@ -17,78 +17,42 @@
 //! References: W. Rindler, *Introduction to Special Relativity* (1991), sections 12 and 17, for the composition of velocities
 //! and aberration. The forms that keep their accuracy were derived here.
 
+mod error;
+mod eye;
+mod motion;
+mod point;
 mod relative;
 mod times;
 mod velocity;
 mod wheel;
 
-use thiserror::Error;
-
+pub use self::error::ObserverError;
+pub use self::motion::Observer;
 pub use self::velocity::ObserverVelocity;
 
+use self::eye::EyeOnGround;
+use self::point::PointView;
 use self::relative::RelativeMotion;
-use self::times::{EyeOnGround, Middle};
+use self::times::Middle;
 use self::wheel::WheelView;
 use crate::aperture::Aperture;
 use crate::apparent::{LightCone, Sighting, check_inputs};
 use crate::cone_pair::{ConePair, Offset};
 use crate::disparity::Disparity;
-use crate::domain::{DomainError, check};
-use crate::model::{Model, PairError};
+use crate::domain::check;
+use crate::model::Model;
 use crate::one_cone;
 use crate::source::{Source, SourcePoint, WheelPoint};
-use crate::speed::{MAX_GAMMA, Speed};
+use crate::speed::Speed;
 use crate::stereo::{Stereo, StereoError, along_motion, meeting};
 
-/// An observer who moves evenly.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Observer {
-    /// Velocity on the ground.
-    pub velocity: ObserverVelocity,
-    /// Where on the ground the middle between the eyes is when the observer's clock shows 0.
-    pub place: [f64; 3],
-    /// T, the time of the ground's clocks there then.
-    pub time: f64,
-}
-
-/// Why a moving observer's view cannot be told.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-pub enum ObserverError {
-    /// A coordinate or time outside the domain.
-    #[error(transparent)]
-    Domain(#[from] DomainError),
-    /// The point moves too fast past the observer.
-    #[error("the point passes the observer with a Lorentz factor above {MAX_GAMMA:e}")]
-    RelativeSpeed,
-    /// A published model, which knows eyes at rest.
-    #[error("the model {} has both eyes at rest: the observer cannot move", .0.name())]
-    Published(Model),
-    /// A pair of apertures that the model does not know.
-    #[error(transparent)]
-    Pair(PairError),
-    /// Lines of sight that do not meet.
-    #[error(transparent)]
-    Stereo(StereoError),
-}
-
 impl Observer {
-    /// Returns the event of the observer at this time of the observer's own clock: the same observer, its clock set to 0 there.
-    #[must_use]
-    pub fn at(&self, own_time: f64) -> Self {
-        if own_time == 0.0 {
-            return *self;
-        }
-        let proper = self.velocity.proper();
-        let place = std::array::from_fn(|i| self.place[i] + proper[i] * own_time);
-        Self { place, time: self.time + self.velocity.speed().gamma() * own_time, ..*self }
-    }
-
     /// Returns the point's speed past the observer, and its place in axes along that velocity: what eyes at rest see of this point
     /// at T is what the observer's eyes see of theirs when the observer's clock shows T, but for where the axes point.
     ///
     /// # Errors
     ///
-    /// A relative Lorentz factor above [`MAX_GAMMA`].
+    /// A relative Lorentz factor above [`MAX_GAMMA`](crate::MAX_GAMMA).
     pub fn relative_motion(
         &self,
         speed: &Speed,
@@ -118,7 +82,7 @@ impl Observer {
     ///
     /// # Errors
     ///
-    /// A coordinate or time outside the domain; a relative Lorentz factor above [`MAX_GAMMA`]; a published model, or a pair that the
+    /// A coordinate or time outside the domain; a relative Lorentz factor above [`MAX_GAMMA`](crate::MAX_GAMMA); a published model, or a pair that the
     /// model does not know.
     ///
     /// # Examples
@@ -151,7 +115,7 @@ impl Observer {
         }
         let observer = self.checked(model, source, pair, own_time)?;
         let view = match source.simplest() {
-            Source::Point(point) => RidersView::new(speed, self, point, pair, own_time)?,
+            Source::Point(point) => PointView::new(speed, self, point, pair, own_time)?,
             Source::Wheel(wheel) if model == Model::OneCone => {
                 return Ok(one_event(pair, observer.seen_by_middle(speed, &wheel, pair)));
             }
@@ -184,7 +148,7 @@ impl Observer {
         let at_event = |seen: Sighting| Some(Stereo { gain: 1.0, position: seen.position, miss: 0.0 });
         let fused = match (source.simplest(), model) {
             (Source::Point(point), _) => {
-                let view = RidersView::new(speed, self, point, pair, own_time)?;
+                let view = PointView::new(speed, self, point, pair, own_time)?;
                 if model == Model::OneCone { at_event(view.seen_by_middle()) } else { view.stereo() }
             }
             (Source::Wheel(wheel), Model::OneCone) => at_event(observer.seen_by_middle(speed, &wheel, pair)),
@@ -233,7 +197,7 @@ impl Observer {
     }
 }
 
-/// One event, received by the middle between the eyes, that both look at from two sides.
+/// Disparity of an event that the middle between the eyes receives, and that both look at from two sides.
 fn one_event(pair: [Aperture; 2], seen: Sighting) -> Disparity {
     let [x, y, z] = seen.position;
     let between = one_cone::middle(pair);
@@ -250,32 +214,7 @@ fn one_event(pair: [Aperture; 2], seen: Sighting) -> Disparity {
     Disparity { primary: of(cones.left), secondary: of(cones.right), dphi, dtheta }
 }
 
-/// One point before the eyes of a moving observer.
-struct RidersView<'a> {
-    speed: &'a Speed,
-    point: SourcePoint,
-    /// The observer at the moment of the observation.
-    observer: Observer,
-    own_time: f64,
-    relative: RelativeMotion,
-    /// The apertures, in the observer's axes.
-    pair: [Aperture; 2],
-}
-
-impl<'a> RidersView<'a> {
-    fn new(
-        speed: &'a Speed,
-        observer: &Observer,
-        point: SourcePoint,
-        pair: [Aperture; 2],
-        own_time: f64,
-    ) -> Result<Self, ObserverError> {
-        let relative = RelativeMotion::new(speed, observer, point)?;
-        check("observer_x", relative.point.x0)?;
-        check("observer_y", relative.point.y)?;
-        Ok(Self { speed, point, observer: observer.at(own_time), own_time, relative, pair })
-    }
-
+impl PointView<'_> {
     /// Each eye with a light cone of its own.
     fn disparity(&self) -> Disparity {
         let cones = self.cones();
@@ -286,7 +225,7 @@ impl<'a> RidersView<'a> {
         Disparity { primary: seen(left, &cones.left), secondary: seen(right, &cones.right), dphi, dtheta }
     }
 
-    /// What the middle between the eyes sees.
+    /// The sighting by the middle between the eyes.
     fn seen_by_middle(&self) -> Sighting {
         let between = one_cone::middle(self.pair);
         self.sighting(between, &self.line_of_sight(between).0)
@@ -304,21 +243,7 @@ impl<'a> RidersView<'a> {
         Some(Stereo { position: self.relative.in_observer_axes(there.position), ..there })
     }
 
-    /// The light cones of both eyes, in the axes of the relative motion.
-    fn cones(&self) -> ConePair<f64> {
-        let RelativeMotion { speed, point, .. } = &self.relative;
-        let [left, right] = self.pair.map(|eye| self.relative.aperture(eye));
-        ConePair::new(&speed.coefficients(), *point, left, right, self.own_time)
-    }
-
-    /// The light cone of an aperture in the observer's axes, and its line of sight.
-    fn line_of_sight(&self, eye: Aperture) -> (LightCone<f64>, [f64; 3]) {
-        let RelativeMotion { speed, point, .. } = &self.relative;
-        let cone = LightCone::new(speed, *point, self.relative.aperture(eye), self.own_time);
-        (cone, self.relative.line_of_sight(eye, &cone, self.own_time))
-    }
-
-    /// What the aperture at `eye` sees through its `cone`.
+    /// The sighting by the aperture at `eye` through its `cone`.
     fn sighting(&self, eye: Aperture, cone: &LightCone<f64>) -> Sighting {
         let middle = Middle::new(self);
         let position = self.relative.line_of_sight(eye, cone, self.own_time);
@@ -329,24 +254,6 @@ impl<'a> RidersView<'a> {
             retarded_time: times.retarded_time,
             own_time: times.own_time,
             doppler_factor: cone.solution.doppler_factor,
-        }
-    }
-}
-
-impl From<PairError> for ObserverError {
-    fn from(error: PairError) -> Self {
-        match error {
-            PairError::Domain(error) => Self::Domain(error),
-            PairError::OffTheMotion(_) => Self::Pair(error),
-        }
-    }
-}
-
-impl From<StereoError> for ObserverError {
-    fn from(error: StereoError) -> Self {
-        match error {
-            StereoError::Domain(error) => Self::Domain(error),
-            StereoError::Published(_) | StereoError::Apart => Self::Stereo(error),
         }
     }
 }

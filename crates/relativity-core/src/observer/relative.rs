@@ -1,6 +1,7 @@
-//! A point as a moving observer has it: its velocity and place in the observer's frame.
+//! Velocity and place of a point in the frame of a moving observer.
 
-use super::{Observer, ObserverError};
+use super::error::ObserverError;
+use super::motion::Observer;
 use crate::aperture::Aperture;
 use crate::apparent::LightCone;
 use crate::cone_pair::{ConePair, LinesOfSight};
@@ -15,7 +16,7 @@ use crate::stereo::{dot, smallest_terms};
 /// In these axes the formulas for an observer at rest hold, with the observer's own time in place of T.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RelativeMotion {
-    /// The relative speed.
+    /// Speed of the point past the observer.
     pub speed: Speed,
     /// The point in these axes, when the observer's clock shows 0.
     pub point: SourcePoint,
@@ -25,12 +26,12 @@ pub(super) struct RelativeMotion {
     /// the ground has it at the same time as the observer.
     apart: [f64; 3],
     proper: [f64; 3],
-    /// Its own time from that event until the observer's clock shows 0.
+    /// Proper time of the point from that event until the observer's clock shows 0.
     own_delay: f64,
 }
 
 impl RelativeMotion {
-    /// How `observer` measures `point`, which moves along +x at `speed`.
+    /// The motion of `point`, which moves along +x at `speed`, against `observer`.
     ///
     /// With v the observer's velocity, V its size and Gamma its Lorentz factor, e a unit vector along its part across x and
     /// h the sine of its angle with x, the point's proper velocity in the observer's frame is

@@ -3,8 +3,9 @@
 //! Each eye receives what an eye at rest would receive at its event on the ground; the line of sight is transformed. By how much
 //! both differ is told from the step between the two events of emission, not by subtraction.
 
-use super::times::EyeOnGround;
-use super::{Observer, ObserverVelocity};
+use super::eye::EyeOnGround;
+use super::motion::Observer;
+use super::velocity::ObserverVelocity;
 use crate::aperture::Aperture;
 use crate::apparent::Sighting;
 use crate::cone_pair::LinesOfSight;
@@ -74,7 +75,7 @@ fn in_observer_axes(velocity: &ObserverVelocity, step: &EventStep) -> [f64; 3] {
     })
 }
 
-/// What an eye at rest sees, as one sees it at the same event that moves at `velocity`.
+/// The sighting by an eye that moves at `velocity`, from that of an eye at rest at the same event.
 pub(super) fn in_observer_frame(velocity: &ObserverVelocity, seen: Sighting) -> Sighting {
     let (direction, own, line, r) = (velocity.direction(), velocity.speed(), seen.position, seen.distance);
     let along = dot(line, direction);

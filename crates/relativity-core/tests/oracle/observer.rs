@@ -1,4 +1,4 @@
-//! What moving eyes see, by the light cone on the ground and a Lorentz transformation of what is found there.
+//! Views of moving eyes, by the light cone on the ground and a Lorentz transformation of what is found there.
 
 use rand::RngExt as _;
 use rand_chacha::ChaCha8Rng;
@@ -15,7 +15,7 @@ use crate::{aperture_at, case, cases, point_at, wheel};
 const MAX_TIME_UNITS: f64 = 256.0;
 /// D of a point of a wheel: a product of three factors.
 const MAX_WHEEL_DOPPLER_UNITS: f64 = 16.0;
-/// dphi and dtheta of a point of a wheel, told from places that are transformed one by one.
+/// dphi and dtheta of a point of a wheel, from places that are transformed one by one.
 const MAX_WHEEL_DISPARITY_UNITS: f64 = 1e4;
 /// The Lorentz factor of wheels and of those who ride past them, up to which that holds.
 const MAX_WHEEL_GAMMA: f64 = 10.0;
@@ -69,14 +69,14 @@ fn turned([x, y, z]: [Big; 3], by: &[Big]) -> [Big; 3] {
     [x, y, z]
 }
 
-/// Where on the ground an eye at `aperture` is, and T there, `observer` being velocity, place, T, both eyes and six of 1.
+/// Place on the ground of an eye at `aperture`, and T there, `observer` being velocity, place, T, both eyes and six of 1.
 fn event(velocity: &Velocity, observer: &[Big], aperture: &[Big]) -> ([Big; 3], Big) {
     let aperture = turned(std::array::from_fn(|i| aperture[i].clone()), &observer[13..16]);
     let (offset, later) = velocity.on_ground(&aperture, &big(0.0));
     (std::array::from_fn(|i| &observer[3 + i] + &offset[i]), &observer[6] + later)
 }
 
-/// What is seen `on_ground`, in the observer's frame.
+/// The view `on_ground`, in the observer's frame.
 fn in_observer_frame(velocity: &Velocity, observer: &[Big], on_ground: View) -> View {
     let line = [on_ground.x, on_ground.y, on_ground.z];
     let [x, y, z] = turned(velocity.seen(&line, &on_ground.r), &observer[16..19]);
@@ -86,7 +86,7 @@ fn in_observer_frame(velocity: &Velocity, observer: &[Big], on_ground: View) -> 
     View { x, y, z, r, t: on_ground.t, doppler }
 }
 
-/// What an eye sees: its line of sight, D, t and tau.
+/// The view of an eye: its line of sight, D, t and tau.
 fn eye(parameter: Parameter, inputs: &[Big], aperture: &[Big]) -> (View, Big) {
     let speed = model::speed(parameter, &inputs[0]);
     let observer = &inputs[4..];

@@ -59,10 +59,12 @@ pub fn part<S: Simd>(simd: S, frame: &Frame, [left, top]: [f32; 2], [width, heig
 /// Lines of sight on the ground: see [`StreetSight`](crate::street_sight::StreetSight).
 #[derive(Clone, Copy)]
 struct Lines<S: Simd> {
-    /// Unit vectors.
+    /// Unit vectors along the lines.
     n: V3<S>,
-    /// By which steps to the next pixels are multiplied.
+    /// Factor of steps to the next pixels.
     scale: F<S>,
+    /// The part of a distance by which haze counts.
+    haze_share: F<S>,
     /// The camera's lines of sight.
     seen: V3<S>,
 }
@@ -71,10 +73,14 @@ impl<S: Simd> Lines<S> {
     #[inline(always)]
     fn new(simd: S, frame: &Frame, sight: Sight<S>) -> Self {
         let Sight { n, scale, .. } = sight;
-        let Some(geometry) = street_geometry(frame) else { return Self { n, scale, seen: n } };
+        let one = all(simd, 1.0);
+        let Some(geometry) = street_geometry(frame) else {
+            return Self { n, scale, haze_share: one, seen: n };
+        };
         let sign = frame.street_motion[0];
         let Passage { direction, ground_per_rest, .. } = passage(simd, n, geometry, frame.street_speed, sign);
-        Self { n: direction, scale: scale * ground_per_rest, seen: n }
+        let haze_share = ground_per_rest.min(one);
+        Self { n: direction, scale: scale * ground_per_rest, haze_share, seen: n }
     }
 
     /// Steps to the pixels on the right and below, up to multiples of the lines.
@@ -87,7 +93,7 @@ impl<S: Simd> Lines<S> {
         [self.step_on_ground(frame, right), self.step_on_ground(frame, down)]
     }
 
-    /// What a step of the camera's lines of sight is on the ground, whose lines are (Gamma (`n_x` + V |n|), `n_y`, `n_z`).
+    /// The step on the ground for one of the camera's lines of sight, lines on the ground being (Gamma (`n_x` + V |n|), `n_y`, `n_z`).
     #[inline(always)]
     fn step_on_ground(&self, frame: &Frame, step: V3<S>) -> V3<S> {
         let [beta, _, _, gamma] = frame.street_speed;
@@ -192,7 +198,7 @@ fn ground_colour<S: Simd>(simd: S, frame: &Frame, part: Part, sky: V3<S>, sight:
         let marks = marks_cover(frame, foot, Covered::new(pixel.x), upwards);
         V3::mix(surface, paint(simd, frame, 4), marks) * left_by_contacts(simd, frame, from_camera, pixel)
     };
-    hazy(part, sky, painted, distance)
+    hazy(part, sky, painted, distance * sight.haze_share)
 }
 
 #[inline(always)]
@@ -235,7 +241,7 @@ fn with_fronts<S: Simd>(frame: &Frame, part: Part, without: V3<S>, sky: V3<S>, s
     let slope = V2::new(sight.n.x * per_towards, sight.n.z * per_towards);
     let size = pixel_on(frame, &sight, [0, 2], 1, slope, sight.scale * distance);
     let seen = front(frame, place, size);
-    V3::mix(without, hazy(part, sky, seen.colour, distance), seen.cover)
+    V3::mix(without, hazy(part, sky, seen.colour, distance * sight.haze_share), seen.cover)
 }
 
 #[cfg(test)]

@@ -1,0 +1,67 @@
+//! The names of the columns.
+
+use crate::flags::SpeedParameter;
+
+/// Every column but those of `--conformal`, in order, the last five with `--stereo` only, and the very last of a head that is tilted or turned or a
+/// point that turns; [`TURNED`] come before those. Left and right are the primary and the secondary aperture.
+pub(super) const COLUMNS: [&str; 21] = [
+    "x_left",
+    "x_right",
+    "t_left",
+    "t_right",
+    "doppler_left",
+    "doppler_right",
+    "intensity_left",
+    "intensity_right",
+    "phi_left",
+    "phi_right",
+    "theta_left",
+    "theta_right",
+    "dphi",
+    "dtheta",
+    "own_left",
+    "own_right",
+    "stereo_gain",
+    "stereo_x",
+    "stereo_y",
+    "stereo_z",
+    "stereo_miss",
+];
+/// The columns of how the head is held, radians.
+pub const ROLL: &str = "roll";
+/// The same of its turn.
+pub const TURN: &str = "turn";
+/// The columns of where on a wheel a point is.
+pub const WHEEL: [&str; 3] = ["wheel_radius", "rho", "angle"];
+/// Number of columns without `--stereo`.
+pub(super) const USUAL: usize = 16;
+/// The columns of how far a wheel has turned, for its points only.
+pub(super) const TURNED: [&str; 2] = ["angle_left", "angle_right"];
+/// The columns of where a moving observer's eyes see the point, in their own frame, but for x.
+pub(super) const MOVING: [&str; 6] =
+    ["y_left", "y_right", "z_left", "z_right", "distance_left", "distance_right"];
+/// The columns of `--conformal`, after all others.
+pub(super) const CONFORMAL: [&str; 4] = ["u_left", "u_right", "v_left", "v_right"];
+/// The columns of angles.
+pub const ANGLES: &[&str] = COLUMNS.split_at(14).0.split_at(8).1;
+
+/// The columns of an observer's speed, in the order of [`SpeedParameter::ALL`].
+pub const OBSERVER_SPEED: [&str; 3] = ["observer_beta", "observer_gamma", "observer_rapidity"];
+/// The columns of where the observer moves, radians: from +x towards +y, and up from the x-y plane.
+pub const OBSERVER_DIRECTION: [&str; 2] = ["observer_azimuth", "observer_elevation"];
+/// The columns of where the middle between the eyes is at T.
+pub const OBSERVER_PLACE: [&str; 3] = ["observer_x", "observer_y", "observer_z"];
+/// The column of what the observer's clock shows.
+pub const CLOCK: &str = "clock";
+/// Beginning of the names of an observer's columns.
+pub const OBSERVER_PREFIX: &str = "observer_";
+
+/// The column of an observer's speed in this `parameter`.
+#[must_use]
+pub const fn observer_speed(parameter: SpeedParameter) -> &'static str {
+    match parameter {
+        SpeedParameter::Beta => OBSERVER_SPEED[0],
+        SpeedParameter::Gamma => OBSERVER_SPEED[1],
+        SpeedParameter::Rapidity => OBSERVER_SPEED[2],
+    }
+}
