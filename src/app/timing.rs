@@ -47,7 +47,7 @@ impl State {
     /// The clock at `point` as `eye` sees it; none where no light is shown that it receives.
     fn seen_clock(&self, point: &Point, eye: Eye) -> Option<Clock> {
         let seen = self.sighting(point, eye).filter(|_| self.shows_what_is_received(eye))?;
-        let time = self.slowed(point, seen.own_time) * seen.own_time;
+        let time = self.slowed(point, seen.proper_time) * seen.proper_time;
         let rate = seen.doppler_factor;
         (time.is_finite() && rate.is_finite()).then_some(Clock { time, rate })
     }

@@ -145,12 +145,12 @@ impl Moment {
         match self.shown {
             ShownPoint::Received(seen, eyes, clock) => {
                 let left = departure(&seen, eyes, unit);
-                let shown = own_time(clock, &seen, unit);
+                let shown = proper_time(clock, &seen, unit);
                 self.with_light(&format!("Light received now (T = {now}) left {name} {left}{shown}"))
             }
             ShownPoint::OneCone(seen, clock) => {
                 let both = [seen, seen];
-                let left = departure(&both, Eyes::Together, unit) + &own_time(clock, &both, unit);
+                let left = departure(&both, Eyes::Together, unit) + &proper_time(clock, &both, unit);
                 let start =
                     "As if both eyes received the same events: light received midway between them now";
                 self.with_light(&format!("{start} (T = {now}) left {name} {left}"))
@@ -214,13 +214,13 @@ fn departure(seen: &[Sighting; 2], eyes: Eyes, unit: Unit) -> String {
 }
 
 /// Returns the time that `clock` showed then: nothing for those on the ground, whose time is in the sentence already.
-fn own_time(clock: Clock, seen: &[Sighting; 2], unit: Unit) -> String {
+fn proper_time(clock: Clock, seen: &[Sighting; 2], unit: Unit) -> String {
     let whose = match clock {
         Clock::Own => "own",
         Clock::Axle => "axle's",
         Clock::Ground => return String::new(),
     };
-    let times = both_texts(unit, seen.map(|seen| seen.own_time)).join(" and ");
+    let times = both_texts(unit, seen.map(|seen| seen.proper_time)).join(" and ");
     format!(", by its {whose} clock at τ = {times}")
 }
 

@@ -39,7 +39,7 @@ and the disparities between the two:
   dphi       phi_left - phi_right
   dtheta     theta_left - theta_right
 and for each eye again, on the clock that rides with the point:
-  own        what it shows as that light leaves: gamma (t - beta x), x from between the eyes
+  tau        proper time of that emission: gamma (t - beta x), x from between the eyes
 and of a point on a wheel (wheel_radius, rho, angle; x0, y and z are the hub's, and the wheel rolls towards +x):
   angle      where on its wheel it is as that light leaves, from +x towards +z, -pi to pi
 and with --stereo where two eyes take the point to be, which is where their lines of sight meet:
@@ -168,8 +168,10 @@ impl ModelArgs {
         }
         let &Observation { ref speed, source, baseline, ref observer, clock } = observation;
         if let Source::Wheel(wheel) = source {
-            let own_times = [both.primary, both.secondary].map(|seen| seen.own_time);
-            values.extend(own_times.map(|own_time| within_half_a_turn(wheel.angle_at(speed, own_time))));
+            let proper_times = [both.primary, both.secondary].map(|seen| seen.proper_time);
+            values.extend(
+                proper_times.map(|proper_time| within_half_a_turn(wheel.angle_at(speed, proper_time))),
+            );
         }
         if given.is_riding {
             let seen = [both.primary, both.secondary];
@@ -216,8 +218,8 @@ impl ModelArgs {
             secondary.theta(),
             dphi,
             dtheta,
-            primary.own_time,
-            secondary.own_time,
+            primary.proper_time,
+            secondary.proper_time,
         ]
     }
 

@@ -42,7 +42,7 @@ pub enum Channel {
     /// Time when the light left.
     EmissionTime,
     /// When that was by the clocks of the group that the body moves with.
-    OwnTime,
+    ProperTime,
     /// Point of a wheel that emitted the light: its angle about the axle at t' = 0 by those clocks, radians from +x towards +z; -10
     /// for bodies that turn about no axle.
     MaterialAngle,
@@ -94,7 +94,7 @@ impl Channel {
         Self::Group,
         Self::Distance,
         Self::EmissionTime,
-        Self::OwnTime,
+        Self::ProperTime,
         Self::MaterialAngle,
         Self::Doppler,
         Self::WavelengthNm,
@@ -111,7 +111,7 @@ impl Channel {
             // Rest lengths along a ray: s* = s/D.
             Self::Distance => corrected("distance", |hit, _| hit.distance, |doppler, _| 1.0 / doppler),
             Self::EmissionTime => same("emission_time", 0.0, |hit, _| hit.emission_time),
-            Self::OwnTime => same("own_time", 0.0, |hit, _| hit.own_time),
+            Self::ProperTime => same("proper_time", 0.0, |hit, _| hit.proper_time),
             Self::MaterialAngle => same("material_angle", NO_ANGLE, material_angle),
             Self::Doppler => corrected("doppler", |hit, _| hit.doppler_factor, |doppler, _| 1.0 / doppler),
             Self::WavelengthNm => corrected("wavelength_nm", received_nm, wavelength_correction),

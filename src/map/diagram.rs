@@ -343,7 +343,7 @@ mod tests {
             for (here, seen) in ground.rays.iter().zip(scene.rays) {
                 assert_same(there(here.left), seen.left, scale);
                 assert_same(there(here.received), seen.received, scale);
-                assert_eq!((here.happened, here.own_time), (seen.happened, seen.own_time));
+                assert_eq!((here.happened, here.proper_time), (seen.happened, seen.proper_time));
             }
             assert_same(there(ground.measured()), scene.measured(), scale);
             let now = ground.scene_now();
@@ -396,7 +396,7 @@ mod tests {
             assert!((grown.radius - front.radius - 0.2).abs() < 1e-12);
         }
         let [happened, soon] = [-4.0, -4.0 + 1e-6];
-        let own = |happened| diagram.point.own_time(happened);
+        let own = |happened| diagram.point.proper_time(happened);
         let arrival = |happened| diagram.point.received(happened);
         let rate = (own(soon) - own(happened)) / (arrival(soon) - arrival(happened));
         let both = settings.disparity(&track, arrival(happened)).expect("in the domain");

@@ -27,7 +27,7 @@ pub struct Ray {
     /// When it left, on the ground's clocks.
     pub happened: f64,
     /// Proper time of the point at that event.
-    pub own_time: f64,
+    pub proper_time: f64,
 }
 
 /// The rays to the left and to the right eye that arrive at `time`, the ground's, as the frame that moves at `frame`
@@ -45,7 +45,7 @@ pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> R
         // Where and when it rests is known better than by its place on the ground.
         let place = worldline.place(seen.retarded_time);
         let left = if worldline.rests() {
-            Event { x: place.x, t: seen.own_time }
+            Event { x: place.x, t: seen.proper_time }
         } else {
             Event { x: eye.x + seen.position[0], t: seen.retarded_time }.in_frame(frame)
         };
@@ -62,7 +62,7 @@ pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> R
             aside: math::hypot(y, z),
             eye: [eye.y, eye.z],
             happened: seen.retarded_time,
-            own_time: seen.own_time,
+            proper_time: seen.proper_time,
         }
     }))
 }
@@ -77,7 +77,7 @@ pub struct Front {
     /// When that was on the ground's clocks.
     pub happened: f64,
     /// Proper time of the point at that event.
-    pub own_time: f64,
+    pub proper_time: f64,
     /// Radius of the wave front.
     pub radius: f64,
 }
@@ -97,8 +97,8 @@ impl Ray {
     /// The front that it belongs to, as it reaches the eye.
     #[must_use]
     pub fn front(&self) -> Front {
-        let Self { left, across, apex, happened, own_time, .. } = *self;
-        Front { left, across, happened, own_time, radius: apex.t - left.t }
+        let Self { left, across, apex, happened, proper_time, .. } = *self;
+        Front { left, across, happened, proper_time, radius: apex.t - left.t }
     }
 }
 
@@ -119,7 +119,7 @@ pub fn fronts(worldline: &Worldline, now: f64, period: f64) -> impl Iterator<Ite
             left,
             across: [place.y, place.z],
             happened,
-            own_time: worldline.own_time(happened),
+            proper_time: worldline.proper_time(happened),
             radius: now - t,
         }
     })

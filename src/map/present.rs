@@ -22,13 +22,13 @@ impl Present {
         let Some(spin) = spin else { return rest };
         let on_axle = DVec3::new(spin.hub[0], rest.y, spin.hub[2]);
         let omega = spin.omega(self.on_ground.beta());
-        spin.place_when(rest, omega, self.own_time(on_axle), |r, phase| {
+        spin.place_when(rest, omega, self.proper_time(on_axle), |r, phase| {
             measured_later(self.relative.beta(), r, phase, omega)
         })
     }
 
     /// Returns the time of the group's clocks at `place` in its frame.
-    pub fn own_time(&self, place: DVec3) -> f64 {
+    pub fn proper_time(&self, place: DVec3) -> f64 {
         self.time / self.relative.speed.gamma() - self.relative.beta() * place.x
     }
 }

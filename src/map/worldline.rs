@@ -46,7 +46,7 @@ impl Worldline {
     pub fn at(&self, t: f64) -> Event {
         let place = self.place(t);
         if self.rests {
-            return Event { x: place.x, t: self.now(t).own_time(place) };
+            return Event { x: place.x, t: self.now(t).proper_time(place) };
         }
         let from_middle = place.x / self.velocity.speed.gamma();
         Event { x: from_middle + self.velocity.beta() * t, t }.in_frame(self.frame)
@@ -60,8 +60,8 @@ impl Worldline {
 
     /// Returns the time of a clock at the point at the ground's time `t`, all clocks of its group's frame being set alike there.
     #[must_use]
-    pub fn own_time(&self, t: f64) -> f64 {
-        self.now(t).own_time(self.place(t))
+    pub fn proper_time(&self, t: f64) -> f64 {
+        self.now(t).proper_time(self.place(t))
     }
 
     /// The ground's time `t`.
@@ -87,12 +87,12 @@ impl Worldline {
         let relative = self.velocity.seen_from(frame);
         let then = Present { on_ground: self.velocity, relative, time: t };
         let place = then.place(self.point);
-        self.ground_time_of(then.own_time(place), place)
+        self.ground_time_of(then.proper_time(place), place)
     }
 
     /// The ground's time of what is at `place` at this time of the group's own clocks.
-    fn ground_time_of(&self, own_time: f64, place: DVec3) -> f64 {
-        self.velocity.speed.gamma() * (own_time + self.velocity.beta() * place.x)
+    fn ground_time_of(&self, proper_time: f64, place: DVec3) -> f64 {
+        self.velocity.speed.gamma() * (proper_time + self.velocity.beta() * place.x)
     }
 
     /// When light that leaves it at the ground's time `t` is received between the eyes.
@@ -130,7 +130,7 @@ impl Worldline {
     pub fn times(&self, [first, last]: [f64; 2]) -> Vec<f64> {
         let Some(spin) = self.point.spin else { return vec![first, last] };
         // Even steps of its own clock, in which it turns evenly.
-        let [from, to] = [first, last].map(|t| self.own_time(t));
+        let [from, to] = [first, last].map(|t| self.proper_time(t));
         let omega = spin.omega(self.velocity.beta());
         let pieces = (PIECES_OF_A_TURN * omega.abs() * (to - from) / TAU).ceil();
         if !(1.0..=MOST_PIECES).contains(&pieces) {

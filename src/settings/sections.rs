@@ -594,7 +594,7 @@ pub struct Window {
     /// Width of the map beside the plots, as a part of both.
     #[arg(long, value_name = "auto|SHARE")]
     pub map_share: Share,
-    /// At each followed point in the views, a clock that shows the body's own time as the eye sees it.
+    /// At each followed point in the views, a clock that shows the body's proper time as the eye sees it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub dials: OnOff,
     /// In each view a clock that rests beside the eyes, to compare them with; and at every clock the turns that its hand made

@@ -43,6 +43,14 @@ pub struct Written {
     pub bytes: u64,
 }
 
+impl Written {
+    /// The size of a film of so many `frames`, bytes, estimated from those that are written; none before the first.
+    #[must_use]
+    pub fn expected_bytes(&self, frames: u32) -> Option<u64> {
+        self.bytes.saturating_mul(frames.into()).checked_div(self.frames.into())
+    }
+}
+
 /// A writer that counts the bytes that went through it.
 struct Counted<'a, W> {
     out: W,

@@ -34,7 +34,7 @@ fn every_example_in_the_help_runs() {
 fn help_names_every_column() {
     let help = words("eval --help").text();
     for name in
-        ["x", "t", "doppler", "intensity", "phi", "theta", "dphi", "dtheta", "own", "stereo_gain", "stereo_x"]
+        ["x", "t", "doppler", "intensity", "phi", "theta", "dphi", "dtheta", "tau", "stereo_gain", "stereo_x"]
     {
         assert!(help.lines().any(|line| line.trim_start().starts_with(name)), "{name}");
     }

@@ -88,7 +88,7 @@ fn exact_model_keeps_its_parallax_negative_and_crosses_zero_elevation_at_equidis
 #[test]
 fn with_one_cone_both_eyes_receive_one_event_and_differ_by_its_parallax_alone() {
     let table = section_3_curve("one-cone");
-    for name in ["t", "doppler", "own"] {
+    for name in ["t", "doppler", "tau"] {
         let [left, right] = ["left", "right"].map(|eye| table.column(&format!("{name}_{eye}")));
         assert_eq!(left, right, "{name}");
     }
@@ -199,7 +199,7 @@ fn every_column_agrees_with_bisection_on_the_light_cone() {
         let table = eval(input).table();
         let left = sighting_by_bisection(beta, point, -d / 2.0, time);
         let right = sighting_by_bisection(beta, point, d / 2.0, time);
-        for (index, name) in ["x", "t", "doppler", "phi", "theta", "own"].into_iter().enumerate() {
+        for (index, name) in ["x", "t", "doppler", "phi", "theta", "tau"].into_iter().enumerate() {
             assert_near(table.column(&format!("{name}_left"))[0], left[index], 1e-10);
             assert_near(table.column(&format!("{name}_right"))[0], right[index], 1e-10);
         }
@@ -218,7 +218,7 @@ fn the_points_own_clock_is_seen_to_run_at_the_doppler_factor() {
             let table = words(&format!("curve {flags}")).table();
             let time = table.column("T");
             for eye in ["left", "right"] {
-                let [own, doppler] = ["own", "doppler"].map(|name| table.column(&format!("{name}_{eye}")));
+                let [own, doppler] = ["tau", "doppler"].map(|name| table.column(&format!("{name}_{eye}")));
                 for i in 1..time.len() - 1 {
                     let speed = (own[i + 1] - own[i - 1]) / (time[i + 1] - time[i - 1]);
                     assert_near(speed, doppler[i], 1e-6 * doppler[i].max(1.0));

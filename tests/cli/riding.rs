@@ -48,7 +48,7 @@ fn a_riders_curve_is_what_eval_makes_of_its_rows() {
 fn an_observer_at_rest_has_the_columns_of_no_observer() {
     let plain = words("curve --samples 7 --from -3 --to 9").table();
     let rest = words("curve --samples 7 --from -3 --to 9 --observer-beta 0").table();
-    for name in ["x_left", "t_right", "doppler_left", "phi_left", "dphi", "dtheta", "own_right"] {
+    for name in ["x_left", "t_right", "doppler_left", "phi_left", "dphi", "dtheta", "tau_right"] {
         assert_eq!(plain.column(name), rest.column(name), "{name}");
     }
     assert_eq!(rest.column("clock"), rest.column("T"));

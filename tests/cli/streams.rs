@@ -11,7 +11,7 @@ use std::time::Duration;
 use super::{eval, gamow, run, words};
 
 const APPENDED: &str = "x_left,x_right,t_left,t_right,doppler_left,doppler_right,intensity_left,intensity_right,\
-                        phi_left,phi_right,theta_left,theta_right,dphi,dtheta,own_left,own_right";
+                        phi_left,phi_right,theta_left,theta_right,dphi,dtheta,tau_left,tau_right";
 
 const GOOD: &str = "beta,d,y,z,T\n0.9,0.3,0.5,0.5,0\n";
 
@@ -81,7 +81,7 @@ fn rows_appear_while_the_input_is_still_open() {
     thread::spawn(move || output.map_while(Result::ok).try_for_each(|line| sender.send(line)));
     let line = || receiver.recv_timeout(Duration::from_mins(1)).expect("a row appears");
     input.write_all(GOOD.as_bytes()).expect("the program reads");
-    assert!(line().ends_with("own_right"));
+    assert!(line().ends_with("tau_right"));
     assert!(line().starts_with("0.9,0.3,0.5,0.5,0,"));
     for time in 1..4 {
         input.write_all(format!("0.5,0,1,1,{time}\r\n").as_bytes()).expect("the program reads");

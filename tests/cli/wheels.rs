@@ -21,7 +21,7 @@ fn the_valve_of_a_rolling_wheel_is_where_another_solution_has_it() {
         let x0 = -0.525 * (1.0 - beta * beta).sqrt();
         let input = format!("T,beta,d,x0,y,z,angle,wheel_radius,rho\n{time},{beta},0.1,{x0},3,2,0,0.525,1\n");
         let table = eval(&input).table();
-        let columns = ["x_left", "t_left", "own_left", "angle_left", "doppler_left"];
+        let columns = ["x_left", "t_left", "tau_left", "angle_left", "doppler_left"];
         for (name, expected) in columns.into_iter().zip(expected) {
             let value = table.column(name)[0];
             let value = if name == "angle_left" { value.to_degrees().rem_euclid(360.0) } else { value };
@@ -37,14 +37,14 @@ fn a_curve_of_a_point_on_a_wheel_is_input_for_eval() {
     let curve = words(&format!("curve {flags}")).text();
     assert!(curve.starts_with("beta,d,wheel_radius,rho,angle,y,z,x0,T,x_left"), "{}", &curve[..60]);
     assert!(curve.lines().next().is_some_and(|names| {
-        names.ends_with("own_right,angle_left,angle_right,stereo_gain,stereo_x,stereo_y,stereo_z,stereo_miss")
+        names.ends_with("tau_right,angle_left,angle_right,stereo_gain,stereo_x,stereo_y,stereo_z,stereo_miss")
     }));
     let inputs: String =
         curve.lines().map(|line| line.split(',').take(9).collect::<Vec<_>>().join(",") + "\n").collect();
     let again = run(gamow().args(["eval", "--stereo"]), inputs.as_bytes()).text();
     assert_eq!(again, curve);
     let table = Table::parsed(&curve);
-    let (own, angle) = (table.column("own_left"), table.column("angle_left"));
+    let (own, angle) = (table.column("tau_left"), table.column("angle_left"));
     for i in 0..own.len() {
         let turned = -1.5 - 0.9 / 0.525 * own[i];
         let apart = (turned - angle[i]) / std::f64::consts::TAU;

@@ -131,7 +131,7 @@ fn what_arrives_together_left_at_different_times() {
     let l = lesson("light-is-late");
     let now = seen(0.9, FRONT, 2.0);
     says(&l, 0, "*happened* at t = {} by the street's clocks", now.retarded_time, 2);
-    says(&l, 0, "showed τ = {} then", now.own_time, 2);
+    says(&l, 0, "showed τ = {} then", now.proper_time, 2);
     let measured = 0.9 * 2.0 + FRONT[0] * (1.0_f64 - 0.81).sqrt();
     assert!(now.position[0] < -2.0 && measured > 1.0, "seen coming, measured beyond: {measured}");
     assert_eq!((right(&l, 0), observed(&l, 0)), ("further on, to the right", "after: it has passed already"));

@@ -27,14 +27,14 @@ fn a_clock_is_seen_fast_then_slow_and_is_slow_once_corrected() {
     // Coming: more than one unit of its own time for each of T.
     let [first, last] = [at(-4.0), at(0.0)];
     // A turn of the dial is two units of it.
-    assert!(last.own_time - first.own_time > 4.0);
+    assert!(last.proper_time - first.proper_time > 4.0);
     assert_eq!((right(&lesson, 0), observed(&lesson, 0)), ("faster", "more than twice"));
-    says(&lesson, 0, "T = −4 you saw it show {}", first.own_time, 1);
-    says(&lesson, 0, "T = 0 it showed {}", last.own_time, 1);
+    says(&lesson, 0, "T = −4 you saw it show {}", first.proper_time, 1);
+    says(&lesson, 0, "T = 0 it showed {}", last.proper_time, 1);
     says(&lesson, 0, "{} times at T = −4", first.doppler_factor, 2);
     // D is how fast it is seen to run.
     let step = 1e-5;
-    let rate = (at(-4.0 + step).own_time - at(-4.0 - step).own_time) / (2.0 * step);
+    let rate = (at(-4.0 + step).proper_time - at(-4.0 - step).proper_time) / (2.0 * step);
     assert!((rate / first.doppler_factor - 1.0).abs() < 1e-6);
 
     // From near 3 to near 1/3, and 1/gamma where X = 0.
@@ -50,7 +50,7 @@ fn a_clock_is_seen_fast_then_slow_and_is_slow_once_corrected() {
     // Corrected: 1/gamma, coming and going.
     for [from, to] in [[-4.0, 0.0], [8.0, 12.0]] {
         let [from, to] = [at(from), at(to)];
-        let rate = (to.own_time - from.own_time) / (to.retarded_time - from.retarded_time);
+        let rate = (to.proper_time - from.proper_time) / (to.retarded_time - from.retarded_time);
         assert!((rate - 0.6).abs() < 1e-12);
     }
     assert!((number(&lesson, 2) - 0.6).abs() < 1e-12);
@@ -61,8 +61,8 @@ fn a_clock_is_seen_fast_then_slow_and_is_slow_once_corrected() {
         says(&lesson, 2, text, at(time).retarded_time, 2);
     }
     says(&lesson, 2, "at T = 12 at t = {}", at(12.0).retarded_time, 2);
-    says(&lesson, 2, "(clock at {})", at(8.0).own_time, 2);
-    says(&lesson, 2, "(clock at {})", at(12.0).own_time, 2);
+    says(&lesson, 2, "(clock at {})", at(8.0).proper_time, 2);
+    says(&lesson, 2, "(clock at {})", at(12.0).proper_time, 2);
 }
 
 /// The T at which `of` what is seen passes 0, upwards.

@@ -107,7 +107,7 @@ fn assert_on_light_cone(
             };
             near("distance", expected.distance);
             near("emission_time", expected.retarded_time);
-            near("own_time", expected.own_time);
+            near("proper_time", expected.proper_time);
             assert_eq!(value("material_angle"), -10.0);
             near("doppler", expected.doppler_factor);
             near("intensity", expected.intensity(4.0));
@@ -234,7 +234,7 @@ fn each_point_of_a_rolling_wheel_is_measured_by_its_own_light_cone() {
         };
         near("distance", expected.distance);
         near("emission_time", expected.retarded_time);
-        near("own_time", expected.own_time);
+        near("proper_time", expected.proper_time);
         near("doppler", expected.doppler_factor);
         let gaze = Gaze { azimuth: 105f64.to_radians(), elevation: -3f64.to_radians() };
         let camera = Camera::new(Aperture::default(), gaze, 50f64.to_radians(), [WIDTH, HEIGHT]);

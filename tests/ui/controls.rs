@@ -132,7 +132,7 @@ fn the_readout_is_what_the_core_computes() {
                 ("Received wavelength", 700.0 / expected.doppler_factor, 0.06),
                 ("received T", time, 6e-5),
                 ("happened t", expected.retarded_time, 6e-5),
-                ("proper time τ", own_time(beta, &expected), 6e-5),
+                ("proper time τ", proper_time(beta, &expected), 6e-5),
                 ("Apparent X", expected.position[0], 6e-5),
                 ("Azimuth φ", expected.phi(), 6e-6),
                 ("Elevation θ", expected.theta(), 6e-6),
@@ -151,7 +151,7 @@ fn the_readout_is_what_the_core_computes() {
 
 /// What a clock at rest at (0, 3, 2) of what moves shows as it sends what is seen: gamma (t - beta x), there gamma
 /// (1 - beta^2) t.
-fn own_time(beta: f64, seen: &Sighting) -> f64 {
+fn proper_time(beta: f64, seen: &Sighting) -> f64 {
     seen.retarded_time * (1.0 - beta * beta).sqrt()
 }
 

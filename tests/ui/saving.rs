@@ -418,7 +418,7 @@ fn the_copied_values_are_those_of_the_moment() {
     let both = state.disparity(state.document.points.selected()).expect("in the domain");
     assert_eq!([value("T"), value("beta"), value("d")], [5.25, 0.8, 0.3]);
     assert_eq!([value("dphi"), value("dtheta")], [both.dphi, both.dtheta]);
-    assert_eq!(value("own_left"), both.primary.own_time);
+    assert_eq!(value("tau_left"), both.primary.proper_time);
 }
 
 fn the_copied_picture_is_that_of_the_views() {

@@ -26,7 +26,7 @@ pub const TESTS: &[Test] = &[
     ("marks_of_time_never_cover_each_other", marks_never_cover_each_other),
     ("what_is_under_the_pointer_is_told", what_is_under_the_pointer_is_told),
     ("nothing_is_told_of_what_no_ray_leads_to", nothing_is_told_where_no_ray_leads),
-    ("clocks_show_own_time_and_can_be_switched_off", clocks_show_own_time),
+    ("clocks_show_proper_time_and_can_be_switched_off", clocks_show_proper_time),
     ("a_lesson_counts_the_turns_of_its_clocks", a_lesson_counts_turns),
 ];
 
@@ -229,7 +229,7 @@ fn nothing_is_told_where_no_ray_leads() {
     }
 }
 
-fn clocks_show_own_time() {
+fn clocks_show_proper_time() {
     let mut window = window(cyclist(0.9));
     for time in [-3.0, 1.1, 12.0] {
         window.state_mut().ask(Command::Time(time));
@@ -270,13 +270,13 @@ fn a_lesson_counts_turns() {
     window.run_steps(2);
     // At 0.8 c, where the hub rests; a turn is 2 units.
     let gamma = 1.0 / 0.6;
-    let own_time = |a: f64, time: f64| {
+    let proper_time = |a: f64, time: f64| {
         let [received, x] = [gamma * (time - 0.8 * a), gamma * (a - 0.8 * time)];
         let [dx, y, z]: [f64; 3] = [-0.525 - x, 3.901, -1.975];
         received - (dx * dx + y * y + z * z).sqrt()
     };
     for (eye, a) in [("Left eye", -0.05), ("Right eye", 0.05)] {
-        let expected = 0.5 * (own_time(a, 0.0) - own_time(a, -4.0));
+        let expected = 0.5 * (proper_time(a, 0.0) - proper_time(a, -4.0));
         let counted = turns(&window, &format!("Clock of front hub, {eye}"));
         assert!((counted - expected).abs() < 6e-3, "{eye}: {counted} for {expected}");
         assert_eq!(turns(&window, &format!("Clock beside you, {eye}")), 2.0);

@@ -109,7 +109,7 @@ fn a_clicked_point_is_followed() {
             let window = with_clicked(street(SpeedParameter::Beta, beta), eye, word);
             let mut state = window.state().state().clone();
             let point = *state.document.points.selected();
-            let start = state.sighting(&point, Eye::Left).expect("in the domain").own_time;
+            let start = state.sighting(&point, Eye::Left).expect("in the domain").proper_time;
             let mut seen = 0;
             for geometry in [Geometry::Seen, Geometry::OneCone, Geometry::Contracted, Geometry::Rest] {
                 state.apply(Command::Geometry(geometry));
@@ -121,7 +121,7 @@ fn a_clicked_point_is_followed() {
             assert!(seen > 30, "beta = {beta}, {word}: in sight {seen} times");
             // Meanwhile it has turned.
             state.apply(Command::Geometry(Geometry::Seen));
-            let end = state.sighting(&point, Eye::Left).expect("in the domain").own_time;
+            let end = state.sighting(&point, Eye::Left).expect("in the domain").proper_time;
             assert!(beta / RADIUS * (end - start) > 1.0);
         }
     }
@@ -150,9 +150,9 @@ fn what_is_told() {
         for (name, seen) in [("Left eye", both.primary), ("Right eye", both.secondary)] {
             let number = |what: &str| shown(&window, &format!("{name}, {what}"));
             assert!((number("Doppler factor D") - seen.doppler_factor).abs() < 6e-5);
-            assert!((number("proper time τ") - seen.own_time).abs() < 6e-5);
+            assert!((number("proper time τ") - seen.proper_time).abs() < 6e-5);
             assert!((number("Apparent Z") - seen.position[2]).abs() < 6e-5);
-            let angle = point.angle - beta / RADIUS * seen.own_time;
+            let angle = point.angle - beta / RADIUS * seen.proper_time;
             let told = label_starting_with(&window, &format!("{name}, Angle on the wheel"));
             let told: f64 = told
                 .rsplit(": ")

@@ -29,7 +29,7 @@ pub struct Sighting {
     /// the clock there shows that moves with the point, if all clocks of its rest frame are set alike in that frame
     /// and the one at the origin shows 0 at t = 0. So two clocks that are not abreast differ at one ground time. As
     /// seen, it runs at D.
-    pub own_time: f64,
+    pub proper_time: f64,
     /// Doppler factor D = received / rest frequency.
     pub doppler_factor: f64,
 }
@@ -80,7 +80,7 @@ impl Sighting {
 /// assert!((seen.position[0] + 3.0).abs() < 1e-15);
 /// assert!((seen.distance - 5.0).abs() < 1e-15 && (seen.retarded_time + 5.0).abs() < 1e-15);
 /// // Its own clock showed gamma (t - beta x) = 1.25 (-5 + 0.6 3) then.
-/// assert!((seen.own_time + 4.0).abs() < 1e-15);
+/// assert!((seen.proper_time + 4.0).abs() < 1e-15);
 /// // D = 1/(gamma (1 + beta n_x)) with gamma = 1.25 and n_x = -0.6.
 /// assert!((seen.doppler_factor - 1.0 / (1.25 * 0.64)).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -160,7 +160,7 @@ impl LightCone<f64> {
             position: [self.solution.x, self.y, self.z],
             distance: self.solution.r,
             retarded_time: observation_time - self.solution.r,
-            own_time: self.own_time(&speed.coefficients(), x0, aperture_x, observation_time),
+            proper_time: self.proper_time(&speed.coefficients(), x0, aperture_x, observation_time),
             doppler_factor: self.solution.doppler_factor,
         }
     }
@@ -180,7 +180,7 @@ impl<F: Float> LightCone<F> {
     ///
     /// For a point far past the aperture that cancels at high speed. There q = S + (rho/gamma)^2/(q + S) leaves 1 - beta
     /// as a factor of what has come far, T + a.
-    pub fn own_time(&self, coefficients: &Coefficients<F>, x0: F, a: F, time: F) -> F {
+    pub fn proper_time(&self, coefficients: &Coefficients<F>, x0: F, a: F, time: F) -> F {
         let &Coefficients { beta, gamma, one_minus_beta, inverse_gamma_squared, .. } = coefficients;
         let (s, q) = (self.s, self.solution.q);
         if beta * (s + s) <= q {

@@ -10,7 +10,7 @@
 //! - Rest frame: the moving object's own. Its origin passes the ground's origin at t = 0. A point at
 //!   rest coordinates (xr, y, z) is *objectively* at x0 = xr / gamma at t = 0 (contracted).
 //! - `T` (`observation_time`) is when light is received, `t` (`retarded_time`) when it was emitted.
-//! - tau (`own_time`) is the time of emission on the point's own clock, gamma (t - beta x): all clocks of the rest frame are
+//! - tau (`proper_time`) is the time of emission on the point's own clock, gamma (t - beta x): all clocks of the rest frame are
 //!   set alike in that frame, and the one at its origin shows 0 at t = 0.
 //! - phi is the azimuth from +x towards +y, theta the elevation from the x-y plane. (Much of the
 //!   literature measures a polar angle from +z; we follow the paper.)

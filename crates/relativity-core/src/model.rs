@@ -225,8 +225,8 @@ fn published_of_pair(
     let both = published_disparity(speed, point.relative_to(middle), separation, observation_time, variant)?;
     // The clock's zero stays with the ground's origin.
     let shift = speed.beta() * speed.gamma() * middle.x;
-    let own_time = |seen: Sighting| Sighting { own_time: seen.own_time - shift, ..seen };
-    Ok(Disparity { primary: own_time(both.primary), secondary: own_time(both.secondary), ..both })
+    let proper_time = |seen: Sighting| Sighting { proper_time: seen.proper_time - shift, ..seen };
+    Ok(Disparity { primary: proper_time(both.primary), secondary: proper_time(both.secondary), ..both })
 }
 
 #[cfg(feature = "clap")]

@@ -34,7 +34,7 @@ impl PublishedVariant {
 /// Disparity of `point` in the published model, for the paper's pair of apertures.
 ///
 /// The secondary sighting is the left aperture's at the shifted time, measured from the left
-/// aperture, as published, its own time that of the event seen then. A point not on x(0) = 0 is brought there by a
+/// aperture, as published, its proper time that of the event seen then. A point not on x(0) = 0 is brought there by a
 /// shift of both times.
 ///
 /// # Accuracy
@@ -82,9 +82,9 @@ pub fn published_disparity(
         }
         _ => later_time(&left, &right, primary.retarded_time, observation_time + shift, shift),
     };
-    let own_time = retarded_time / speed.gamma() - speed.beta() * speed.gamma() * point.x0;
+    let proper_time = retarded_time / speed.gamma() - speed.beta() * speed.gamma() * point.x0;
     let shifted = right.sighting(speed, point.x0, -separation / 2.0, observation_time + shift);
-    Ok(Disparity { primary, secondary: Sighting { retarded_time, own_time, ..shifted }, dphi, dtheta })
+    Ok(Disparity { primary, secondary: Sighting { retarded_time, proper_time, ..shifted }, dphi, dtheta })
 }
 
 /// Both light cones of the published model, and by how much the second is later.

@@ -6,7 +6,7 @@
 //! # Conventions
 //!
 //! The proper acceleration a, what a balance on the bicycle shows, is along the axes of the head, constant during a leg. With
-//! alpha = |a|, n its direction and H = alpha ds the rapidity gained in the own time ds, a rider at rest at first has moved by
+//! alpha = |a|, n its direction and H = alpha ds the rapidity gained in the proper time ds, a rider at rest at first has moved by
 //! 2 sinh(H/2)^2/alpha along n when sinh(H)/alpha of the street's time is over. A rider who moves already does so in the frame
 //! of the start of the step.
 //!
@@ -25,7 +25,7 @@ use crate::speed::SpeedError;
 pub struct Leg {
     /// Duration by the rider's own clock, 0 or more.
     pub duration: f64,
-    /// Proper acceleration along the axes of the head, in units of c per unit of own time: ahead when riding towards +x, to the
+    /// Proper acceleration along the axes of the head, in units of c per unit of proper time: ahead when riding towards +x, to the
     /// left, and up.
     pub acceleration: [f64; 3],
 }
@@ -49,8 +49,8 @@ pub enum RiderVelocity {
 /// A moment of a ride.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RideMoment {
-    /// The rider's own time.
-    pub own_time: f64,
+    /// The rider's proper time.
+    pub proper_time: f64,
     /// T, the time of the street's clock beside the rider.
     pub time: f64,
     /// Place of the rider on the ground.
@@ -68,7 +68,7 @@ pub struct RideMoment {
 /// ```
 /// use relativity_core::ride::{Leg, Ride, RideMoment};
 ///
-/// // Out and back in eight units of my own time: 14.5 have gone by at home.
+/// // Out and back in eight units of my proper time: 14.5 have gone by at home.
 /// let leg = |acceleration| Leg { duration: 2.0, acceleration: [acceleration, 0.0, 0.0] };
 /// let there_and_back = Ride { start: RideMoment::AT_REST, legs: vec![leg(1.0), leg(-1.0), leg(-1.0), leg(1.0)] };
 /// let home = there_and_back.at(8.0);
@@ -87,7 +87,7 @@ pub struct Ride {
 impl RideMoment {
     /// At rest at the ground's origin at T = 0, when the rider's clock shows 0.
     pub const AT_REST: Self = Self {
-        own_time: 0.0,
+        proper_time: 0.0,
         time: 0.0,
         place: [0.0; 3],
         velocity: RiderVelocity::AlongStreet { rapidity: 0.0 },
@@ -113,7 +113,7 @@ impl RideMoment {
         }
     }
 
-    /// Returns the moment after `duration` of own time with this proper `acceleration` along the axes of the head.
+    /// Returns the moment after `duration` of proper time with this proper `acceleration` along the axes of the head.
     #[must_use]
     pub fn after(&self, duration: f64, acceleration: [f64; 3]) -> Self {
         match (self.velocity, acceleration) {
@@ -130,11 +130,11 @@ impl RideMoment {
     fn along_street(&self, rapidity: f64, duration: f64, acceleration: f64) -> Self {
         let gained = acceleration * duration;
         let mean = rapidity + 0.5 * gained;
-        // 2 sinh(H/2)/alpha, the own time itself where hardly anything is gained.
+        // 2 sinh(H/2)/alpha, the proper time itself where hardly anything is gained.
         let length = duration * sinh_over(0.5 * gained);
         let [x, y, z] = self.place;
         Self {
-            own_time: self.own_time + duration,
+            proper_time: self.proper_time + duration,
             time: self.time + math::cosh(mean) * length,
             place: [x + math::sinh(mean) * length, y, z],
             velocity: RiderVelocity::AlongStreet { rapidity: rapidity + gained },
@@ -162,7 +162,7 @@ impl RideMoment {
         let h1 = w.map(|part| part / (gamma + 1.0));
         let h2 = n.map(|part| part * math::tanh(0.5 * gained));
         Self {
-            own_time: self.own_time + duration,
+            proper_time: self.proper_time + duration,
             time: self.time + gamma * later + along * further,
             place: std::array::from_fn(|i| self.place[i] + n[i] * further + w[i] * per_place),
             velocity: RiderVelocity::Any {
@@ -174,18 +174,18 @@ impl RideMoment {
 }
 
 impl Ride {
-    /// Returns the moment when the rider's clock shows `own_time`; before the start that moves as at it.
+    /// Returns the moment when the rider's clock shows `proper_time`; before the start that moves as at it.
     #[must_use]
-    pub fn at(&self, own_time: f64) -> RideMoment {
+    pub fn at(&self, proper_time: f64) -> RideMoment {
         let mut moment = self.start;
         for leg in &self.legs {
-            let left = own_time - moment.own_time;
+            let left = proper_time - moment.proper_time;
             if left <= leg.duration {
                 return moment.after(left, if left < 0.0 { [0.0; 3] } else { leg.acceleration });
             }
             moment = moment.after(leg.duration, leg.acceleration);
         }
-        moment.after(own_time - moment.own_time, [0.0; 3])
+        moment.after(proper_time - moment.proper_time, [0.0; 3])
     }
 
     /// Duration of all legs by the rider's own clock.

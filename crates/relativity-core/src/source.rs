@@ -85,10 +85,10 @@ impl WheelPoint {
         self.turning.rim_speed(speed.beta()) / self.radius
     }
 
-    /// Returns the angle of the point at `own_time`, by the clocks of the rest frame (those of [`Sighting::own_time`](crate::Sighting)).
+    /// Returns the angle of the point at `proper_time`, by the clocks of the rest frame (those of [`Sighting::proper_time`](crate::Sighting)).
     #[must_use]
-    pub fn angle_at(&self, speed: &Speed, own_time: f64) -> f64 {
-        self.angle - self.omega(speed) * own_time
+    pub fn angle_at(&self, speed: &Speed, proper_time: f64) -> f64 {
+        self.angle - self.omega(speed) * proper_time
     }
 
     /// Returns an error for a wheel outside the domain; the hub is not checked.

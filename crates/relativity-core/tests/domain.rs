@@ -34,9 +34,10 @@ fn corners<const N: usize>(stride: usize) -> impl Iterator<Item = [f64; N]> {
 }
 
 fn assert_sighting(seen: &Sighting, context: &str) {
-    let Sighting { position, distance, retarded_time, own_time, doppler_factor } = *seen;
+    let Sighting { position, distance, retarded_time, proper_time, doppler_factor } = *seen;
     let angles = [seen.phi(), seen.theta()];
-    let all = position.into_iter().chain(angles).chain([distance, retarded_time, own_time, doppler_factor]);
+    let all =
+        position.into_iter().chain(angles).chain([distance, retarded_time, proper_time, doppler_factor]);
     assert!(all.into_iter().all(f64::is_finite), "{seen:?} for {context}");
     assert!(distance >= 0.0 && doppler_factor > 0.0, "{seen:?} for {context}");
     assert!(seen.intensity(2.0).is_finite() && seen.intensity(4.0).is_finite());

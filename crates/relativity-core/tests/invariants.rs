@@ -194,7 +194,7 @@ proptest! {
         prop_assert!(close(two.dphi, gain * one.dphi, 1e-3, scale), "{} {} {gain}", two.dphi, one.dphi);
         prop_assert!(close(two.dtheta, gain * one.dtheta, 1e-3, scale), "{} {} {gain}", two.dtheta, one.dtheta);
         // At one event, which its own clock dates.
-        prop_assert_eq!(one.primary.own_time, one.secondary.own_time);
+        prop_assert_eq!(one.primary.proper_time, one.secondary.proper_time);
         prop_assert_eq!(one.primary.retarded_time, middle.retarded_time);
     }
 

@@ -103,7 +103,7 @@ fn rows_worked_out_elsewhere_are_seen_to_their_last_digit() {
             both.dphi,
             both.dtheta,
             left.retarded_time,
-            left.own_time,
+            left.proper_time,
         ];
         let fused = row.observer.stereo(Model::Exact, &row.speed, row.point, row.pair, 0.0);
         let position = fused.expect("lines of sight that meet").position;
@@ -155,7 +155,7 @@ fn the_light_that_arrives_is_that_which_an_eye_at_rest_receives() {
         let riding = row.observer.disparity(Model::Exact, &row.speed, row.point, eyes, 0.0);
         let riding = riding.expect("inside the domain").primary;
         assert_close(riding.retarded_time, resting.retarded_time, row.name);
-        assert_close(riding.own_time, resting.own_time, row.name);
+        assert_close(riding.proper_time, resting.proper_time, row.name);
     }
 }
 
@@ -194,9 +194,9 @@ fn any_frame_that_moves_along_the_street_tells_the_same() {
 fn coasting_is_the_same_from_any_event_on() {
     for row in rows().filter(|row| row.speed.gamma() < 100.0 && row.observer.velocity.speed().gamma() < 100.0)
     {
-        let at = |observer: Observer, own_time| {
+        let at = |observer: Observer, proper_time| {
             observer
-                .disparity(Model::Exact, &row.speed, row.point, row.pair, own_time)
+                .disparity(Model::Exact, &row.speed, row.point, row.pair, proper_time)
                 .expect("in the domain")
         };
         let [later, there] = [at(row.observer, 0.7), at(row.observer.at(0.7), 0.0)];
@@ -204,7 +204,7 @@ fn coasting_is_the_same_from_any_event_on() {
             (later.dphi, there.dphi, "dphi"),
             (later.primary.distance, there.primary.distance, "R'"),
             (later.secondary.retarded_time, there.secondary.retarded_time, "t"),
-            (later.secondary.own_time, there.secondary.own_time, "tau"),
+            (later.secondary.proper_time, there.secondary.proper_time, "tau"),
         ] {
             assert!((a - b).abs() < 1e-11 * (1.0 + a.abs()), "{}: {name} {a} against {b}", row.name);
         }
@@ -306,8 +306,8 @@ fn rides_end_where_they_were_worked_out_to_end() {
         ),
         (legs(&[(2.0, x), (2.0, back), (2.0, back), (2.0, x)]), 8.0, 14.507_441_63, [0.0; 2], [0.0; 2], 0.0),
     ];
-    for (ride, own_time, time, [px, py], [wx, wy], turn) in cases {
-        let end = ride.at(own_time);
+    for (ride, proper_time, time, [px, py], [wx, wy], turn) in cases {
+        let end = ride.at(proper_time);
         let [x, y, _] = end.proper_velocity();
         let [real, _, _, about_z] = end.head;
         let head = (2.0 * about_z.atan2(real)).to_degrees();
@@ -316,11 +316,11 @@ fn rides_end_where_they_were_worked_out_to_end() {
         {
             assert!((value - told).abs() <= 1e-9 * (1.0 + told.abs()), "{value} for {told}: {end:?}");
         }
-        assert_eq!(ride.duration(), own_time);
+        assert_eq!(ride.duration(), proper_time);
     }
 }
 
-/// The twin: out for four units of own time, and back. In steps of any length he is home at rest.
+/// The twin: out for four units of proper time, and back. In steps of any length he is home at rest.
 #[test]
 fn a_trip_in_a_thousand_steps_is_the_trip_in_one() {
     let quarter = |acceleration: f64, moment: RideMoment, steps: u32| {
@@ -349,11 +349,11 @@ fn all_the_light_from_home_arrives_during_the_trip() {
     let (out, back) = ([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]);
     let ride = legs(&[(2.0, out), (2.0, back), (2.0, back), (2.0, out)]);
     let home = SourcePoint { x0: 0.0, y: 0.0, z: 0.0 };
-    let seen = |own_time: f64| {
-        let rider = ride.at(own_time).observer().expect("a speed");
+    let seen = |proper_time: f64| {
+        let rider = ride.at(proper_time).observer().expect("a speed");
         let eyes = [Aperture::default(); 2];
         let both = rider.disparity(Model::Exact, &Speed::REST, home, eyes, 0.0).expect("inside the domain");
-        (both.primary.own_time, both.primary.doppler_factor)
+        (both.primary.proper_time, both.primary.doppler_factor)
     };
     // Simpson's rule on each leg, whose ends are smooth from within; halfway home is seen at 1 - e^-2.
     let steps = 2000;
@@ -368,8 +368,8 @@ fn all_the_light_from_home_arrives_during_the_trip() {
                 2.0
             };
             // At home itself the light has no direction.
-            let own_time = (from + width * f64::from(i)).clamp(1e-9, 8.0 - 1e-9);
-            weight * seen(own_time).1
+            let proper_time = (from + width * f64::from(i)).clamp(1e-9, 8.0 - 1e-9);
+            weight * seen(proper_time).1
         };
         (0..=steps).map(term).sum::<f64>() * width / 3.0
     };
@@ -387,11 +387,11 @@ fn all_the_light_from_home_arrives_during_the_trip() {
 fn a_sign_ahead_runs_away_at_first() {
     let ride = legs(&[(4.0, [1.0, 0.0, 0.0])]);
     let sign = SourcePoint { x0: 5.524_391_382, y: 0.0, z: 0.0 };
-    let distance = |own_time: f64| {
-        let rider = ride.at(own_time).observer().expect("a speed");
+    let distance = |proper_time: f64| {
+        let rider = ride.at(proper_time).observer().expect("a speed");
         let eyes = [Aperture::default(); 2];
         let both = rider.disparity(Model::Exact, &Speed::REST, sign, eyes, 0.0).expect("inside the domain");
-        (both.primary.distance, both.primary.own_time)
+        (both.primary.distance, both.primary.proper_time)
     };
     let (farthest, shows) = distance(1.875_547_674);
     assert!((farthest - 20.783_841_45).abs() < 1e-7 && shows.abs() < 1e-8, "{farthest} {shows}");

@@ -68,9 +68,9 @@ fn the_valve_is_seen_where_another_solution_has_it() {
         let speed = speed(beta);
         let valve = WheelPoint { hub: SourcePoint::from_rest([-0.525, 3.0, 2.0], &speed), ..VALVE };
         let seen = seen(&speed, valve, eye, time);
-        let angle = valve.angle_at(&speed, seen.own_time).to_degrees().rem_euclid(360.0);
+        let angle = valve.angle_at(&speed, seen.proper_time).to_degrees().rem_euclid(360.0);
         let [x, _, z] = seen.position;
-        let computed = [x, z, seen.retarded_time, seen.own_time, angle, seen.doppler_factor];
+        let computed = [x, z, seen.retarded_time, seen.proper_time, angle, seen.doppler_factor];
         for (computed, expected) in computed.into_iter().zip(expected) {
             let decimals = expected.len() - expected.find('.').expect("decimals") - 1;
             assert_eq!(format!("{computed:.decimals$}"), expected, "at {beta}");
@@ -137,7 +137,7 @@ fn the_doppler_factor_is_how_fast_its_own_clock_is_seen_to_run() {
                 let point = WheelPoint { turning, ..point };
                 let v = point.rho * turning.rim_speed(beta);
                 for time in [-3.0, 0.7, 4.0, 11.0] {
-                    let clock = |time| seen(&speed, point, Aperture::default(), time).own_time;
+                    let clock = |time| seen(&speed, point, Aperture::default(), time).proper_time;
                     let [near, far] = [1e-5, 2e-5].map(|h| (clock(time + h) - clock(time - h)) / (2.0 * h));
                     let rate = (4.0 * near - far) / 3.0 * (1.0 - v * v).sqrt();
                     let d = seen(&speed, point, Aperture::default(), time).doppler_factor;
@@ -152,8 +152,8 @@ fn the_doppler_factor_is_how_fast_its_own_clock_is_seen_to_run() {
 fn measured(speed: &Speed, point: &WheelPoint, t: f64) -> ([f64; 2], f64) {
     let hub_time = t / speed.gamma() - speed.beta() * speed.gamma() * point.hub.x0;
     let (r, omega) = (point.rho * point.radius, point.omega(speed));
-    let own_time = hub_time + measured_later(speed.beta(), r, point.angle_at(speed, hub_time), omega);
-    let angle = point.angle_at(speed, own_time);
+    let proper_time = hub_time + measured_later(speed.beta(), r, point.angle_at(speed, hub_time), omega);
+    let angle = point.angle_at(speed, proper_time);
     ([point.hub.x0 + speed.beta() * t + r * angle.cos() / speed.gamma(), r * angle.sin()], angle)
 }
 
@@ -283,7 +283,10 @@ fn at_the_equidistance_time_both_eyes_see_one_event() {
                 let [a, b] = [left, right].map(|eye| seen(&speed, point, eye, time));
                 let tolerance = 1e-13 * speed.gamma() * (time.abs() + a.distance);
                 assert!((a.distance - b.distance).abs() < tolerance, "{a:?} {b:?}");
-                assert!((a.own_time - b.own_time).abs() < 10.0 * tolerance * speed.gamma(), "{a:?} {b:?}");
+                assert!(
+                    (a.proper_time - b.proper_time).abs() < 10.0 * tolerance * speed.gamma(),
+                    "{a:?} {b:?}"
+                );
             }
         }
         assert_eq!(equidistance_time(&Speed::REST, VALVE, Aperture::pair(0.3)), Ok(None));
@@ -327,8 +330,8 @@ fn with_one_cone_both_look_at_what_the_middle_sees() {
             let error = |i: usize| (view.position[i] + place[i] - middle.position[i]).abs();
             assert!((0..3).all(|i| error(i) < 1e-14 * middle.distance));
             assert_eq!(
-                [view.retarded_time, view.own_time, view.doppler_factor],
-                [middle.retarded_time, middle.own_time, middle.doppler_factor]
+                [view.retarded_time, view.proper_time, view.doppler_factor],
+                [middle.retarded_time, middle.proper_time, middle.doppler_factor]
             );
         }
         assert!((both.dphi - (both.primary.phi() - both.secondary.phi())).abs() < 1e-14);
@@ -374,10 +377,16 @@ fn every_result_is_finite_to_the_end_of_the_domain() {
                     let [left, right] = Aperture::pair(0.1);
                     let Disparity { primary, secondary, dphi, dtheta } =
                         disparity(&speed, point, left, right, time).expect("inside the domain");
-                    for Sighting { position: [x, y, z], distance, retarded_time, own_time, doppler_factor } in
-                        [primary, secondary]
+                    for Sighting {
+                        position: [x, y, z],
+                        distance,
+                        retarded_time,
+                        proper_time,
+                        doppler_factor,
+                    } in [primary, secondary]
                     {
-                        let all = [x, y, z, distance, retarded_time, own_time, doppler_factor, dphi, dtheta];
+                        let all =
+                            [x, y, z, distance, retarded_time, proper_time, doppler_factor, dphi, dtheta];
                         let is_finite = all.iter().all(|value| value.is_finite());
                         assert!(
                             is_finite && doppler_factor > 0.0,

@@ -31,7 +31,7 @@ impl Measures {
                 _ => solid.center(),
             };
             let rest_position = from + DVec3::new(x, y, z);
-            let Turned { own_time, turn, material_position, .. } =
+            let Turned { proper_time, turn, material_position, .. } =
                 Turned::new(prepared.spin, group_view, rest_position);
             let pixel = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
             Some(Hit {
@@ -40,7 +40,7 @@ impl Measures {
                 rest_normal: about_y(solid.normal(material_position), turn),
                 distance,
                 emission_time: view.emission_time(lines_of_sight.through(pixel), distance),
-                own_time,
+                proper_time,
                 turn,
                 material_position,
                 doppler_factor,

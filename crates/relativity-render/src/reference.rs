@@ -41,7 +41,7 @@ pub struct Hit {
     /// [`Geometry::Contracted`], whose light is instantaneous.
     pub emission_time: f64,
     /// When the light left, by the clocks of the rest frame.
-    pub own_time: f64,
+    pub proper_time: f64,
     /// By how much the body had turned then since t' = 0, about +y, radians; 0 if it does not turn.
     pub turn: f64,
     /// Point of the body that was hit: its place at t' = 0, in the body as it was placed. Bodies that stand still
@@ -60,7 +60,7 @@ impl Hit {
 
 /// The turning of a hit: the angle that `body` had turned by, the point that was hit, and its own Doppler factor.
 pub(crate) struct Turned {
-    pub own_time: f64,
+    pub proper_time: f64,
     pub turn: f64,
     pub material_position: DVec3,
     pub own_doppler: f64,
@@ -69,13 +69,13 @@ pub(crate) struct Turned {
 impl Turned {
     /// Returns the turning of a hit at `place` of a body with this `spin`, which `group_view` shows.
     pub fn new(spin: Option<Spin>, group_view: &GroupView, place: DVec3) -> Self {
-        let own_time = group_view.time_at(place);
+        let proper_time = group_view.time_at(place);
         let Some(spin) = spin else {
-            return Self { own_time, turn: 0.0, material_position: place, own_doppler: 1.0 };
+            return Self { proper_time, turn: 0.0, material_position: place, own_doppler: 1.0 };
         };
         let turn = group_view.turn_at(&spin, place);
         let own_doppler = group_view.own_doppler(&spin, place);
-        Self { own_time, turn, material_position: spin.turned(place, -turn), own_doppler }
+        Self { proper_time, turn, material_position: spin.turned(place, -turn), own_doppler }
     }
 }
 
@@ -153,7 +153,7 @@ impl PreparedScene {
         let prepared = &self.groups()[chosen.group];
         let hit = |line_of_sight, (body, entry): Found, distance, ray: &RestRay| {
             let Entry { position, normal, .. } = entry;
-            let Turned { own_time, turn, material_position, own_doppler } =
+            let Turned { proper_time, turn, material_position, own_doppler } =
                 Turned::new(self.spin(body), group_view, position);
             Hit {
                 body,
@@ -161,7 +161,7 @@ impl PreparedScene {
                 rest_normal: normal,
                 distance,
                 emission_time: view.emission_time(line_of_sight, distance),
-                own_time,
+                proper_time,
                 turn,
                 material_position,
                 doppler_factor: ray.doppler_factor * own_doppler,

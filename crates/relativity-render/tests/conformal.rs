@@ -93,7 +93,7 @@ fn the_column_tells_the_doppler_factor() {
             let distance = rho * (u + rapidity(speed)).cosh();
             let off = [
                 (hit.emission_time - (view.observation_time - rho * u.cosh())) / (rho * u.cosh()),
-                (hit.own_time - (received - distance)) / distance.max(received.abs()),
+                (hit.proper_time - (received - distance)) / distance.max(received.abs()),
             ];
             most_time = off.into_iter().fold(most_time, |most, off| most.max(off.abs()));
         }

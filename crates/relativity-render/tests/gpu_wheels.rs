@@ -147,7 +147,7 @@ fn every_number_is_finite_at_the_extremes(renderers: &mut Renderers) {
 
 fn all_numbers(hit: &Hit) -> Vec<f64> {
     let vectors = [hit.rest_position, hit.rest_normal, hit.material_position];
-    let numbers = [hit.distance, hit.emission_time, hit.own_time, hit.turn, hit.doppler_factor];
+    let numbers = [hit.distance, hit.emission_time, hit.proper_time, hit.turn, hit.doppler_factor];
     vectors.into_iter().flat_map(|vector| vector.to_array()).chain(numbers).collect()
 }
 

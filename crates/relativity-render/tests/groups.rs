@@ -135,7 +135,7 @@ fn the_nearest_by_light_travel_is_seen() {
 }
 
 #[test]
-fn a_hit_has_the_group_s_own_time_and_doppler_factor() {
+fn a_hit_has_the_group_s_proper_time_and_doppler_factor() {
     let (scene, view) = (scene(), view(Geometry::Seen, 3.2));
     for (n, hit) in lines_of_sight(&view).zip(scene.hit_image(&view).hits) {
         let Some(hit) = hit else { continue };
@@ -146,10 +146,10 @@ fn a_hit_has_the_group_s_own_time_and_doppler_factor() {
         assert_eq!(hit.material_position, rest_position);
         // The event of emission, boosted: t' = gamma (t - beta x).
         let event_x = view.camera.aperture.x + distance * n.x;
-        let own_time = gamma * (emission_time - beta * event_x);
+        let proper_time = gamma * (emission_time - beta * event_x);
         let ray = view.of_group(motion(group)).rest_ray(n);
         let along = (rest_position - ray.origin).dot(ray.direction);
-        assert!((ray.time - along - own_time).abs() < 1e-9, "{hit:?}");
+        assert!((ray.time - along - proper_time).abs() < 1e-9, "{hit:?}");
         assert!((along * ray.ground_per_rest / distance - 1.0).abs() < 1e-9);
         assert!((hit.doppler_factor * gamma * (1.0 + beta * n.x) - 1.0).abs() < 1e-9);
         let appears = view.of_group(motion(group)).apparent_position(rest_position).expect("in the domain");
@@ -216,9 +216,9 @@ fn one_light_cone_changes_only_what_moves() {
             let gamma = 1.0 / (1.0 - BETAS[group] * BETAS[group]).sqrt();
             let ray = one_cone.of_group(motion(group)).rest_ray_at(n, hit.distance);
             let along = (hit.rest_position - ray.origin).dot(ray.direction);
-            let own_time = gamma * (hit.emission_time - BETAS[group] * event.x);
+            let proper_time = gamma * (hit.emission_time - BETAS[group] * event.x);
             if BETAS[group] != 0.0 {
-                assert!((ray.time - along - own_time).abs() < 1e-9, "{hit:?}");
+                assert!((ray.time - along - proper_time).abs() < 1e-9, "{hit:?}");
             }
         }
     }

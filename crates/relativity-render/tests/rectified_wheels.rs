@@ -64,7 +64,7 @@ fn corrected_rays_meet_the_point_that_the_camera_that_rides_along_sees() {
             };
             assert_eq!(hit.body, expected.body);
             assert!(hit.material_position.distance(expected.material_position) < 1e-9);
-            assert!((hit.own_time - expected.own_time).abs() < 1e-9);
+            assert!((hit.proper_time - expected.proper_time).abs() < 1e-9);
             let left = hit.doppler_factor / rectification.doppler_factor(ground);
             assert!((left / expected.doppler_factor - 1.0).abs() < 1e-9);
             count += 1;

@@ -54,8 +54,8 @@ fn what_is_on_the_road_rests_and_has_the_doppler_factor_1() {
     for beta in [0.1, 0.5, 0.9, 0.93, 0.99, 0.999] {
         for time in [-3.0, 0.0, 2.5, 3.605, 8.0] {
             let view = view(beta, time, Geometry::Seen);
-            let own_time = view.of_group(Motion::Scene).time_at(road);
-            let down = spoke(HUB, -FRAC_PI_2 + beta / RADIUS * own_time, 0.01);
+            let proper_time = view.of_group(Motion::Scene).time_at(road);
+            let down = spoke(HUB, -FRAC_PI_2 + beta / RADIUS * proper_time, 0.01);
             for body in [tyre(HUB), down] {
                 let scene = PreparedScene::moving(&[body]);
                 let hit = scene.first_hit(&view, towards(&view, road)).expect("it touches the road there");

@@ -326,7 +326,7 @@ fn the_first_entry_into_what_turns_is_found_to_1e_12_in_every_geometry() {
         assert!(on_body < 1e-12, "{}: {on_body:e} off the surface", say());
         let (time, place) = case.event(hit.distance);
         assert!(
-            (hit.own_time - time).abs() < 1e-11 && place.distance(hit.rest_position) < 1e-11,
+            (hit.proper_time - time).abs() < 1e-11 && place.distance(hit.rest_position) < 1e-11,
             "{}",
             say()
         );

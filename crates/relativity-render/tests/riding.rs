@@ -116,7 +116,7 @@ fn both_eyes_of_a_rider_see_points_where_the_core_has_them() {
                     let scene = resting(&[Body::new(speck, 600.0)], Motion::Own(group));
                     let hit = scene.first_hit(&view, expected.normalize()).expect("it is there");
                     assert!((hit.emission_time - sighting.retarded_time).abs() < 1e-5, "{hit:?}");
-                    assert!((hit.own_time - sighting.own_time).abs() < 1e-5, "{hit:?} {sighting:?}");
+                    assert!((hit.proper_time - sighting.proper_time).abs() < 1e-5, "{hit:?} {sighting:?}");
                 }
             }
         }

@@ -230,7 +230,7 @@ const QUANTITIES: [Quantity; 9] = [
     },
     Quantity::time(RECEIVED, |_, time| time),
     Quantity::time(HAPPENED, |seen, _| seen.retarded_time),
-    Quantity::time(OWN_CLOCK, |seen, _| seen.own_time),
+    Quantity::time(OWN_CLOCK, |seen, _| seen.proper_time),
     Quantity::length(
         "seen at X",
         "Apparent X",
@@ -324,7 +324,7 @@ impl OfWheel {
         let track = state.document.points.selected().track;
         ui.label(RichText::new(self.symbol).weak()).on_hover_text(self.tip);
         let text = |seen: &Sighting| {
-            state.on_wheel(&track, seen.own_time).map_or_else(String::new, |wheel| (self.text)(&wheel))
+            state.on_wheel(&track, seen.proper_time).map_or_else(String::new, |wheel| (self.text)(&wheel))
         };
         for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
             let shown = seen.as_ref().map_or_else(|| number_text::fixed_or_none(None, 0), text);

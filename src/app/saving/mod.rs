@@ -64,9 +64,8 @@ impl Progress<'_> {
     /// The size of all, bytes, estimated from the frames so far; `None` before there are a few.
     #[must_use]
     pub fn expected_bytes(&self) -> Option<u64> {
-        let Written { frames, bytes } = self.written;
-        (frames >= FEW && frames < self.frames)
-            .then(|| bytes.saturating_mul(self.frames.into()) / u64::from(frames))
+        let Written { frames, .. } = self.written;
+        if frames >= FEW && frames < self.frames { self.written.expected_bytes(self.frames) } else { None }
     }
 }
 

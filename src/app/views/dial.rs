@@ -1,4 +1,4 @@
-//! The optical clock: a dial beside each followed point, whose hand turns with the own time of what the eye sees there. So
+//! The optical clock: a dial beside each followed point, whose hand turns with the proper time of what the eye sees there. So
 //! it is seen to run D times as fast as a clock on the ground: fast as it comes, slow as it goes. On a wheel it is a clock that
 //! turns with the point, and goes slower than those that rest in the wheel's frame.
 
@@ -32,7 +32,7 @@ const MARGIN: f32 = 2.0;
 pub struct Dial {
     /// Position of the hand: turns clockwise from the top, from 0 to below 1.
     pub turn: f64,
-    /// The own time that a turn of it takes, units of the scene.
+    /// The proper time that a turn of it takes, units of the scene.
     pub period: f64,
     /// The turns that it has made, where they are counted.
     pub count: Option<f64>,
@@ -71,18 +71,21 @@ impl State {
     #[must_use]
     pub fn dial(&self, point: &Point, eye: Eye) -> Option<Dial> {
         let is_on = self.document.settings.window.dials && self.shows_what_is_received(eye);
-        let seen = self.sighting(point, eye).filter(|seen| is_on && seen.own_time.is_finite())?;
+        let seen = self.sighting(point, eye).filter(|seen| is_on && seen.proper_time.is_finite())?;
         let period = period(self.measures().time);
-        let slowed = self.slowed(point, seen.own_time);
-        let first = self.first_own_time(point, eye)?;
-        let count = slowed * (seen.own_time - first) / period;
-        Some(Dial { count: self.counts().then_some(count), ..Dial::showing(slowed * seen.own_time, period) })
+        let slowed = self.slowed(point, seen.proper_time);
+        let first = self.first_proper_time(point, eye)?;
+        let count = slowed * (seen.proper_time - first) / period;
+        Some(Dial {
+            count: self.counts().then_some(count),
+            ..Dial::showing(slowed * seen.proper_time, period)
+        })
     }
 
-    /// Returns the rate of a clock at `point`, relative to the own clock of its body, at that own time: below 1 where it turns.
+    /// Returns the rate of a clock at `point`, relative to the own clock of its body, at that proper time: below 1 where it turns.
     #[must_use]
-    pub fn slowed(&self, point: &Point, own_time: f64) -> f64 {
-        let turning = self.on_wheel(&point.track, own_time).map_or(0.0, |wheel| wheel.turning);
+    pub fn slowed(&self, point: &Point, proper_time: f64) -> f64 {
+        let turning = self.on_wheel(&point.track, proper_time).map_or(0.0, |wheel| wheel.turning);
         ((1.0 - turning) * (1.0 + turning)).sqrt()
     }
 
@@ -106,12 +109,12 @@ impl State {
         self.lesson_settings().and_then(|settings| settings.time)
     }
 
-    /// The own time of `point` from which turns are counted.
-    fn first_own_time(&self, point: &Point, eye: Eye) -> Option<f64> {
+    /// The proper time of `point` from which turns are counted.
+    fn first_proper_time(&self, point: &Point, eye: Eye) -> Option<f64> {
         let Some(time) = self.first_time().filter(|_| self.counts()) else { return Some(0.0) };
         let both = self.document.settings.shown_disparity(&point.track, time).ok()?;
         let seen = [both.primary, both.secondary][eye.index()];
-        seen.own_time.is_finite().then_some(seen.own_time)
+        seen.proper_time.is_finite().then_some(seen.proper_time)
     }
 
     /// Whether the picture of `eye` is made of the light that it receives at T.
@@ -234,14 +237,14 @@ mod tests {
 
     /// Returns the time of a clock at (0, 3, 2) of what moves at 0.9 as light leaves it that arrives at (a, 0, 0) at T: in its own
     /// frame, where it rests, that arrives later by its distance from there.
-    fn own_time(a: f64, time: f64) -> f64 {
+    fn proper_time(a: f64, time: f64) -> f64 {
         let gamma = 1.0 / 0.19_f64.sqrt();
         let [received, x] = [gamma * (time - 0.9 * a), gamma * (a - 0.9 * time)];
         received - (x * x + 13.0).sqrt()
     }
 
     #[test]
-    fn the_hand_is_at_the_own_time_of_what_is_seen() {
+    fn the_hand_is_at_the_proper_time_of_what_is_seen() {
         for (units, period) in
             [(Units::Natural, 2.0), (Units::Metric, 5.0 * 0.299_792_458 / 0.65), (Units::Town, 0.2 / 0.078)]
         {
@@ -249,7 +252,7 @@ mod tests {
                 for (eye, a) in Eye::BOTH.into_iter().zip([-0.05, 0.05]) {
                     let Dial { turn, period: shown, .. } = dial(&cyclist(time, units), eye);
                     assert!((shown - period).abs() < 1e-9, "{units:?}: {shown} for {period}");
-                    let expected = (own_time(a, time) / period).rem_euclid(1.0);
+                    let expected = (proper_time(a, time) / period).rem_euclid(1.0);
                     let off = (turn - expected + 0.5).rem_euclid(1.0) - 0.5;
                     assert!(off.abs() < 1e-8, "{units:?}, T = {time}: {turn} for {expected}");
                 }
@@ -303,7 +306,7 @@ mod tests {
         }
     }
 
-    /// Without a lesson turns are counted from each clock's zero: so that of the front is the own time over the period, of
+    /// Without a lesson turns are counted from each clock's zero: so that of the front is the proper time over the period, of
     /// which the hand shows the rest; and the resting clock shows T.
     #[test]
     fn turns_are_counted_where_a_resting_clock_is_drawn() {
@@ -314,7 +317,7 @@ mod tests {
             for (eye, a) in Eye::BOTH.into_iter().zip([-0.05, 0.05]) {
                 let Dial { turn, count, .. } = dial(&state, eye);
                 let count = count.expect("it is counted");
-                assert!((count - own_time(a, time) / 2.0).abs() < 1e-8, "T = {time}: {count}");
+                assert!((count - proper_time(a, time) / 2.0).abs() < 1e-8, "T = {time}: {count}");
                 assert!((count.rem_euclid(1.0) - turn).abs() < 1e-9);
                 let resting = state.resting_dial(eye).expect("it is drawn");
                 assert_eq!(resting.count, Some(time / 2.0));

@@ -74,7 +74,7 @@ impl State {
     /// Returns the place where a point is seen that an eye receives light of, and its times.
     fn received(&self, seen: &Sighting) -> Vec<String> {
         let at = format!("seen at {}", self.place(seen.position));
-        let times = [self.document.time, seen.retarded_time, seen.own_time];
+        let times = [self.document.time, seen.retarded_time, seen.proper_time];
         [at].into_iter()
             .chain(self.conformal(seen))
             .chain(times::texts(times, self.measures().time, 2))

@@ -38,13 +38,13 @@ pub fn angle_text(angle: f64) -> String {
 }
 
 impl State {
-    /// Returns the place on its wheel of the point at `track` when the clocks of its group show `own_time`; `None` if it does not
+    /// Returns the place on its wheel of the point at `track` when the clocks of its group show `proper_time`; `None` if it does not
     /// turn.
     #[must_use]
-    pub fn on_wheel(&self, track: &Track, own_time: f64) -> Option<OnWheel> {
+    pub fn on_wheel(&self, track: &Track, proper_time: f64) -> Option<OnWheel> {
         let (spin, velocity) = (track.spin?, self.document.settings.velocity(track.motion));
         let omega = spin.omega(velocity.beta());
-        let place = spin.turned(track.rest.into(), omega * own_time);
+        let place = spin.turned(track.rest.into(), omega * proper_time);
         let q = place - DVec3::from(spin.hub);
         let r = math::hypot(q.x, q.z);
         // About +y, as a wheel turns that rolls towards +x; added to the velocity of the axle.

@@ -16,8 +16,13 @@ use crate::settings::Settings;
 const COLOUR_TOLERANCE: u8 = 24;
 /// Greatest distance of a mark from the centre of a pixel that shows it, in pixels: a corner is 0.7 away.
 const REACH_PX: f64 = 1.0;
-/// Root mean square of u^2, u being anywhere within half a pixel: 1/sqrt(80).
-const SQUARE_RMS: f64 = 0.111_803_398_874_989_48;
+/// Root mean square of what third differences add: u^3/6 along a row or a column, and u^2 v/2 where both change, as much of it.
+const CUBE_RMS: f64 = 0.018;
+/// Greatest change of a change from pixel to pixel, in parts of it, for differences to say how a surface goes on.
+const MOST_BENT: f64 = 0.5;
+/// Rounds of Newton's method, and the step after which it is settled, px.
+const ROUNDS: usize = 20;
+const SETTLED_PX: f64 = 1e-9;
 
 /// The target that is looked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,35 +118,55 @@ struct Surface<'a> {
 }
 
 impl Surface<'_> {
-    /// Returns the place where `point` is seen: at the pixel that shows the nearest place, and from there to a fraction of a
-    /// pixel by how the places change from pixel to pixel; `None` if that leads out of the pixel's reach.
+    /// Returns the place where `point` is seen: from the pixel that shows the nearest place on by how the places change, and
+    /// how that change changes, from pixel to pixel; `None` if that leads out of the pixel's reach.
     ///
-    /// Its standard deviation is what this leaves out, over all offsets in a pixel: how that change itself changes, or,
-    /// where an outline is so near that this is not known, the pixel.
+    /// Its standard deviation is what this leaves out, over all offsets in a pixel: the third differences, or, where an outline
+    /// is so near that these say nothing, all that the second make of a pixel, or the pixel.
     fn place(&self, point: DVec3) -> Option<Place> {
         let seen = (0..self.ids.len()).filter(|&pixel| self.ids[pixel] >= 0.0);
         let distance = |&pixel: &usize| self.at(pixel).distance_squared(point);
         let nearest = seen.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
-        let (column, row) = (nearest % self.width, nearest / self.width);
-        let changes = [self.change(nearest, column, 1)?, self.change(nearest, row, self.width)?];
-        let [across, down] = changes.each_ref().map(|change| change.per_pixel);
-        let offset = point - self.at(nearest);
-        let [u, v] = coordinates(offset, across, down)?;
-        let left_over = offset - across * u - down * v;
+        let patch = self.patch(nearest)?;
+        let [u, v] = patch.nearest_to(point)?;
+        let (there, [across, down]) = patch.at([u, v]);
         let step = across.length().max(down.length());
-        let is_shown = math::hypot(u, v) <= REACH_PX && left_over.length() <= REACH_PX * step;
+        if math::hypot(u, v) > REACH_PX || (point - there).length() > REACH_PX * step {
+            return None;
+        }
         let mut squares = [0.0; 2];
-        for change in changes {
-            let left_out = match change.bend {
-                Some(bend) => coordinates(0.5 * SQUARE_RMS * bend, across, down)?,
+        for left_out in patch.left_out() {
+            // The pixel itself is known.
+            let left_out = match left_out {
+                Some(left_out) => coordinates(left_out, across, down)?.map(|part| part.abs().min(ROUNDING)),
                 None => [ROUNDING; 2],
             };
             // What f32 rounds off.
             let grain = point.abs().max_element() * f64::from(f32::EPSILON) * ROUNDING / step;
             squares = [0, 1].map(|axis: usize| squares[axis] + left_out[axis].powi(2) + grain.powi(2));
         }
+        let (column, row) = (nearest % self.width, nearest / self.width);
         let at = [column as f64 + 0.5 + u, row as f64 + 0.5 + v];
-        is_shown.then_some(Place { at, sigma: squares.map(f64::sqrt) })
+        Some(Place { at, sigma: squares.map(f64::sqrt) })
+    }
+
+    /// The surface around a pixel; none where no neighbour shows the same body.
+    fn patch(&self, pixel: usize) -> Option<Patch> {
+        let (column, row) = (pixel % self.width, pixel / self.width);
+        let [across, down] = [self.change(pixel, column, 1)?, self.change(pixel, row, self.width)?];
+        let shown = |du: isize, dv: isize| {
+            let (u, v) = (column.checked_add_signed(du)?, row.checked_add_signed(dv)?);
+            let other = v * self.width + u;
+            (u < self.width && self.ids.get(other) == Some(&self.ids[pixel])).then(|| self.at(other))
+        };
+        // The mean of those of its four corners that are shown with both pixels beside them.
+        let quarter = |(du, dv): (isize, isize)| {
+            let twist = shown(du, dv)? - shown(du, 0)? - shown(0, dv)? + self.at(pixel);
+            Some(twist * (du * dv) as f64)
+        };
+        let twists: Vec<_> = [(1, 1), (1, -1), (-1, 1), (-1, -1)].into_iter().filter_map(quarter).collect();
+        let twist = twists.iter().sum::<DVec3>() / twists.len().max(1) as f64;
+        Some(Patch { here: self.at(pixel), across, down, twist, is_twist_known: !twists.is_empty() })
     }
 
     fn at(&self, pixel: usize) -> DVec3 {
@@ -162,20 +187,22 @@ impl Surface<'_> {
         };
         let one_sided = |near: DVec3, far: Option<DVec3>| {
             let bend = far.map(|far| far - near - (near - here));
-            (near - here - 0.5 * bend.unwrap_or_default(), bend)
+            (near - here - 0.5 * bend.unwrap_or_default(), bend, None)
         };
-        let (per_pixel, bend) = match (side(&before), side(&after)) {
-            ([Some(before), _], [Some(after), _]) => {
-                (0.5 * (after - before), Some(after - here - (here - before)))
+        let (per_pixel, bend, third) = match (side(&before), side(&after)) {
+            ([Some(before), far_before], [Some(after), far_after]) => {
+                let slope = 0.5 * (after - before);
+                let third = far_before.zip(far_after).map(|(b, a)| 0.5 * (a - b) - (after - before));
+                (slope - third.unwrap_or_default() / 6.0, Some(after - here - (here - before)), third)
             }
             ([Some(near), far], [None, _]) => {
-                let (backward, bend) = one_sided(near, far);
-                (-backward, bend)
+                let (backward, bend, _) = one_sided(near, far);
+                (-backward, bend, None)
             }
             ([None, _], [Some(near), far]) => one_sided(near, far),
             ([None, _], [None, _]) => return None,
         };
-        Some(Change { per_pixel, bend })
+        Some(Change { per_pixel, bend, third })
     }
 }
 
@@ -184,6 +211,67 @@ struct Change {
     per_pixel: DVec3,
     /// Change of that change from pixel to pixel, if two neighbours show the same body.
     bend: Option<DVec3>,
+    /// Change of that in turn, if two neighbours on either side do.
+    third: Option<DVec3>,
+}
+
+impl Change {
+    fn bend(&self) -> DVec3 {
+        self.bend.unwrap_or_default()
+    }
+}
+
+/// The surface around a pixel, to second order in the offset from its middle.
+struct Patch {
+    here: DVec3,
+    across: Change,
+    down: Change,
+    /// Change of the change along a row from row to row.
+    twist: DVec3,
+    is_twist_known: bool,
+}
+
+impl Patch {
+    /// The place at an offset to the right and down, px, and how it changes there along both.
+    fn at(&self, [u, v]: [f64; 2]) -> (DVec3, [DVec3; 2]) {
+        let Self { here, across, down, twist, .. } = self;
+        let changes = [
+            across.per_pixel + across.bend() * u + *twist * v,
+            down.per_pixel + down.bend() * v + *twist * u,
+        ];
+        let place = *here
+            + across.per_pixel * u
+            + down.per_pixel * v
+            + across.bend() * (0.5 * u * u)
+            + down.bend() * (0.5 * v * v)
+            + *twist * (u * v);
+        (place, changes)
+    }
+
+    /// The offset at which the place is nearest to `point`, by the method of Gauss and Newton; none if there is no such.
+    fn nearest_to(&self, point: DVec3) -> Option<[f64; 2]> {
+        let mut offset = [0.0_f64; 2];
+        for _ in 0..ROUNDS {
+            let (place, [across, down]) = self.at(offset);
+            let step = coordinates(point - place, across, down)?;
+            offset = [offset[0] + step[0], offset[1] + step[1]];
+            if step.iter().all(|part| part.abs() < SETTLED_PX) {
+                return Some(offset);
+            }
+        }
+        None
+    }
+
+    /// What it leaves out along a row and along a column, root mean square over all offsets in a pixel: by the third differences; where
+    /// an outline is so near that these say nothing, all that the second differences make of a pixel; none where there are none.
+    fn left_out(&self) -> [Option<DVec3>; 2] {
+        [&self.across, &self.down].map(|change| {
+            let is_smooth =
+                self.is_twist_known && change.bend().length() < MOST_BENT * change.per_pixel.length();
+            let by_third = change.third.filter(|_| is_smooth).map(|third| third * CUBE_RMS);
+            by_third.or(change.bend.map(|bend| bend * 0.5))
+        })
+    }
 }
 
 /// Least-squares coordinates of `offset` along `a` and `b`; none if these are parallel.

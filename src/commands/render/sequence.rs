@@ -11,7 +11,7 @@ use crate::flags::finite_number;
 use crate::number_text;
 use crate::platform::{files, messages, progress};
 use crate::studio::Studio;
-use crate::studio::film::{FilmKind, frame_path};
+use crate::studio::film::{FilmKind, Written, frame_path};
 use crate::time_range::{passage_times, time_within};
 
 /// Flags of a sequence.
@@ -85,10 +85,10 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
     files::create_folder(folder).with_context(|| files::shown(folder))?;
     let progress = progress::bar(frames.into(), "frames");
     let kind = if times.exr { FileKind::Exr } else { FileKind::Png };
-    let (mut kept, mut bytes) = (0, 0);
+    let (mut kept, mut written) = (0, Written::default());
     let probes = probes(frames);
     let others = (0..frames).filter(|frame| !probes.contains(frame));
-    for (made, frame) in (1..).zip(probes.iter().copied().chain(others)) {
+    for frame in probes.iter().copied().chain(others) {
         let time = time_of(frame, frames, range);
         let path = vr180::named(studio.settings(), &frame_path(folder, frame, kind));
         let frame = studio.frame(Some(time))?;
@@ -99,11 +99,13 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
             files::check_replaceable(&path).with_context(|| files::shown(&path))?;
             studio.make_file(&frame, kind, &path)?;
         }
-        bytes += files::size(&path).with_context(|| files::shown(&path))?;
+        written.frames += 1;
+        written.bytes += files::size(&path).with_context(|| files::shown(&path))?;
         progress.inc(1);
-        if made == probes.len() && made < frames as usize {
-            let estimate = number_text::bytes(bytes * u64::from(frames) / made as u64, 2);
-            let size = studio.settings().picture.size;
+        let made = written.frames;
+        let is_probed = made as usize == probes.len() && made < frames;
+        if let Some(bytes) = written.expected_bytes(frames).filter(|_| is_probed) {
+            let (estimate, size) = (number_text::bytes(bytes, 2), studio.settings().picture.size);
             progress.suspend(|| {
                 messages::remark(format_args!(
                     "{frames} frames, {size} per eye: about {estimate}, estimated from {made} of them"
@@ -112,7 +114,7 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
         }
     }
     progress.finish_and_clear();
-    let (drawn, total) = (frames - kept, number_text::bytes(bytes, 3));
+    let (drawn, total) = (frames - kept, number_text::bytes(written.bytes, 3));
     messages::remark(format_args!(
         "{drawn} frames drawn and {kept} kept in {}: {total}",
         files::shown(folder)

@@ -44,7 +44,7 @@ pub const VALUES: &[Value] = &[
     Value {
         name: "tau",
         what: "what its own clock showed then",
-        work_out: |here| Some(here.left()?.own_time),
+        work_out: |here| Some(here.left()?.proper_time),
     },
     Value {
         name: "delay",

@@ -29,20 +29,20 @@ fn wheel() -> (Scene, Spin) {
 }
 
 /// Returns the place of a point that is at `rest` at t' = 0, in the frame of a wheel that rolls at `beta`, when the clocks there show
-/// `own_time`.
-fn turned(beta: f64, spin: &Spin, rest: DVec3, own_time: f64) -> DVec3 {
+/// `proper_time`.
+fn turned(beta: f64, spin: &Spin, rest: DVec3, proper_time: f64) -> DVec3 {
     let [x, _, z] = spin.hub;
     let (dx, dz) = (rest.x - x, rest.z - z);
-    let (sin, cos) = (beta / spin.radius * own_time).sin_cos();
+    let (sin, cos) = (beta / spin.radius * proper_time).sin_cos();
     DVec3::new(x + dx * cos + dz * sin, rest.y, z + dz * cos - dx * sin)
 }
 
 /// Returns the distance of the ground's event at `place` and `t` from the worldline of the point that is at `rest` at t' = 0.
 fn off(beta: f64, spin: &Spin, rest: DVec3, place: DVec3, t: f64) -> f64 {
     let gamma = 1.0 / (1.0 - beta * beta).sqrt();
-    let own_time = gamma * (t - beta * place.x);
+    let proper_time = gamma * (t - beta * place.x);
     let there = DVec3 { x: gamma * (place.x - beta * t), ..place };
-    there.distance(turned(beta, spin, rest, own_time))
+    there.distance(turned(beta, spin, rest, proper_time))
 }
 
 #[test]

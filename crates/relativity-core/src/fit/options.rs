@@ -42,7 +42,7 @@ impl Curves {
     }
 }
 
-/// What is known of the object's x0, its objective x at t = 0.
+/// Knowledge of the object's x0, its objective x at t = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Passage {
     /// Known: x0 is this number.

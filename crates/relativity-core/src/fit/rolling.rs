@@ -133,7 +133,7 @@ impl Sight<'_> {
         let domega = 1.0 / wheel.radius;
         let towards = r * (gamma * s * sine - z * cosine) / (gamma * q);
         let dturn: Gradient = std::array::from_fn(|i| {
-            let dangle = dangle[i] - seen.own_time * domega * dbeta[i];
+            let dangle = dangle[i] - seen.proper_time * domega * dbeta[i];
             dangle - omega * (dtime_at_rest[i] + towards * dangle) / seen.slope
         });
         let ds = std::array::from_fn(|i| ds[i] - r * sine / gamma * dturn[i]);

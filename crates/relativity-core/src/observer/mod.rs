@@ -67,7 +67,7 @@ impl Observer {
         Ok((speed, point))
     }
 
-    /// Returns the disparity of `source`, which moves along +x at `speed`, when the observer's clock shows `own_time`.
+    /// Returns the disparity of `source`, which moves along +x at `speed`, when the observer's clock shows `proper_time`.
     ///
     /// The `pair` of apertures (left, right) is in the observer's axes, from the middle between the eyes; so are the positions of
     /// both sightings, each from its eye. An observer at rest has the numbers of [`Model::disparity`] bit for bit.
@@ -106,16 +106,16 @@ impl Observer {
         speed: &Speed,
         source: impl Into<Source>,
         pair: [Aperture; 2],
-        own_time: f64,
+        proper_time: f64,
     ) -> Result<Disparity, ObserverError> {
         let source = source.into();
         if self.velocity.is_rest() {
-            let (pair, time) = self.resting(pair, own_time);
+            let (pair, time) = self.resting(pair, proper_time);
             return model.disparity(speed, source, pair, time).map_err(ObserverError::from);
         }
-        let observer = self.checked(model, source, pair, own_time)?;
+        let observer = self.checked(model, source, pair, proper_time)?;
         let view = match source.simplest() {
-            Source::Point(point) => PointView::new(speed, self, point, pair, own_time)?,
+            Source::Point(point) => PointView::new(speed, self, point, pair, proper_time)?,
             Source::Wheel(wheel) if model == Model::OneCone => {
                 return Ok(one_event(pair, observer.seen_by_middle(speed, &wheel, pair)));
             }
@@ -136,19 +136,19 @@ impl Observer {
         speed: &Speed,
         source: impl Into<Source>,
         pair: [Aperture; 2],
-        own_time: f64,
+        proper_time: f64,
     ) -> Result<Stereo, ObserverError> {
         let source = source.into();
         if self.velocity.is_rest() {
-            let (pair, time) = self.resting(pair, own_time);
+            let (pair, time) = self.resting(pair, proper_time);
             return model.stereo(speed, source, pair, time).map_err(ObserverError::from);
         }
-        let observer = self.checked(model, source, pair, own_time)?;
+        let observer = self.checked(model, source, pair, proper_time)?;
         // With one cone both look at one event, which they take to be where it is.
         let at_event = |seen: Sighting| Some(Stereo { gain: 1.0, position: seen.position, miss: 0.0 });
         let fused = match (source.simplest(), model) {
             (Source::Point(point), _) => {
-                let view = PointView::new(speed, self, point, pair, own_time)?;
+                let view = PointView::new(speed, self, point, pair, proper_time)?;
                 if model == Model::OneCone { at_event(view.seen_by_middle()) } else { view.stereo() }
             }
             (Source::Wheel(wheel), Model::OneCone) => at_event(observer.seen_by_middle(speed, &wheel, pair)),
@@ -165,10 +165,10 @@ impl Observer {
     }
 
     /// The apertures on the ground, and T, of an observer at rest.
-    fn resting(&self, pair: [Aperture; 2], own_time: f64) -> ([Aperture; 2], f64) {
+    fn resting(&self, pair: [Aperture; 2], proper_time: f64) -> ([Aperture; 2], f64) {
         let [x, y, z] = self.place;
         let on_ground = |eye: Aperture| Aperture { x: x + eye.x, y: y + eye.y, z: z + eye.z };
-        (pair.map(on_ground), self.time + own_time)
+        (pair.map(on_ground), self.time + proper_time)
     }
 
     /// Checks all inputs; returns the observer at the event of the observation.
@@ -177,10 +177,10 @@ impl Observer {
         model: Model,
         source: Source,
         pair: [Aperture; 2],
-        own_time: f64,
+        proper_time: f64,
     ) -> Result<Self, ObserverError> {
-        check("clock", own_time)?;
-        let observer = self.at(own_time);
+        check("clock", proper_time)?;
+        let observer = self.at(proper_time);
         for place in [self.place, observer.place] {
             for (name, value) in ["observer_x", "observer_y", "observer_z"].into_iter().zip(place) {
                 check(name, value)?;
@@ -218,7 +218,7 @@ impl PointView<'_> {
     /// Each eye with a light cone of its own.
     fn disparity(&self) -> Disparity {
         let cones = self.cones();
-        let lines = self.relative.lines_of_sight(self.pair, &cones, self.own_time);
+        let lines = self.relative.lines_of_sight(self.pair, &cones, self.proper_time);
         let (dphi, dtheta) = lines.map_or((0.0, 0.0), |lines| lines.angle_differences());
         let [left, right] = self.pair;
         let seen = |eye, cone: &LightCone<f64>| self.sighting(eye, cone);
@@ -246,13 +246,13 @@ impl PointView<'_> {
     /// The sighting by the aperture at `eye` through its `cone`.
     fn sighting(&self, eye: Aperture, cone: &LightCone<f64>) -> Sighting {
         let middle = Middle::new(self);
-        let position = self.relative.line_of_sight(eye, cone, self.own_time);
+        let position = self.relative.line_of_sight(eye, cone, self.proper_time);
         let times = middle.times_of_eye(self, eye, cone, position);
         Sighting {
             position,
             distance: cone.solution.r,
             retarded_time: times.retarded_time,
-            own_time: times.own_time,
+            proper_time: times.proper_time,
             doppler_factor: cone.solution.doppler_factor,
         }
     }

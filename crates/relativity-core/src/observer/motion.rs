@@ -16,12 +16,12 @@ pub struct Observer {
 impl Observer {
     /// Returns the event of the observer at this time of the observer's own clock: the same observer, its clock set to 0 there.
     #[must_use]
-    pub fn at(&self, own_time: f64) -> Self {
-        if own_time == 0.0 {
+    pub fn at(&self, proper_time: f64) -> Self {
+        if proper_time == 0.0 {
             return *self;
         }
         let proper = self.velocity.proper();
-        let place = std::array::from_fn(|i| self.place[i] + proper[i] * own_time);
-        Self { place, time: self.time + self.velocity.speed().gamma() * own_time, ..*self }
+        let place = std::array::from_fn(|i| self.place[i] + proper[i] * proper_time);
+        Self { place, time: self.time + self.velocity.speed().gamma() * proper_time, ..*self }
     }
 }

@@ -13,7 +13,7 @@ use crate::stereo::{dot, smallest_terms};
 
 /// A point that moves along the first of three axes, as the observer measures it.
 ///
-/// In these axes the formulas for an observer at rest hold, with the observer's own time in place of T.
+/// In these axes the formulas for an observer at rest hold, with the observer's proper time in place of T.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RelativeMotion {
     /// Speed of the point past the observer.
@@ -117,10 +117,10 @@ impl RelativeMotion {
         std::array::from_fn(|i| self.turned_terms(vector)[i].iter().sum())
     }
 
-    /// The line of sight from the aperture at `eye`, in the observer's axes, by its `cone` in these at `own_time` of the observer.
-    pub fn line_of_sight(&self, eye: Aperture, cone: &LightCone<f64>, own_time: f64) -> [f64; 3] {
+    /// The line of sight from the aperture at `eye`, in the observer's axes, by its `cone` in these at `proper_time` of the observer.
+    pub fn line_of_sight(&self, eye: Aperture, cone: &LightCone<f64>, proper_time: f64) -> [f64; 3] {
         let turned = self.turned_terms([cone.solution.x, cone.y, cone.z]);
-        let since = [self.own_delay, own_time / self.speed.gamma(), -cone.solution.r / self.speed.gamma()];
+        let since = [self.own_delay, proper_time / self.speed.gamma(), -cone.solution.r / self.speed.gamma()];
         let eye = [eye.x, eye.y, eye.z];
         std::array::from_fn(|i| {
             let [delay, time, flight] = since.map(|own| self.proper[i] * own);
@@ -136,13 +136,13 @@ impl RelativeMotion {
         &self,
         pair: [Aperture; 2],
         cones: &ConePair<f64>,
-        own_time: f64,
+        proper_time: f64,
     ) -> Option<LinesOfSight<f64>> {
         let lines = self.lines_of_sight_there(pair, cones)?;
         let [left, right] = pair;
         let each = [
-            self.line_of_sight(left, &cones.left, own_time),
-            self.line_of_sight(right, &cones.right, own_time),
+            self.line_of_sight(left, &cones.left, proper_time),
+            self.line_of_sight(right, &cones.right, proper_time),
         ];
         let excess = self.in_observer_axes(lines.excess);
         let baseline = [right.x - left.x, right.y - left.y, right.z - left.z];

@@ -10,7 +10,7 @@ use crate::stereo::smallest_terms;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct EmissionTimes {
     pub retarded_time: f64,
-    pub own_time: f64,
+    pub proper_time: f64,
 }
 
 /// The point as the middle between the eyes sees it: a start for both eyes' times.
@@ -20,7 +20,7 @@ pub(super) struct Middle {
     /// Line of sight of the middle, in the observer's axes.
     line: [f64; 3],
     retarded_time: f64,
-    own_time: f64,
+    proper_time: f64,
 }
 
 impl Middle {
@@ -30,7 +30,7 @@ impl Middle {
         let [x, y, z] = observer.place;
         let seen = sighting_inside_domain(speed, point, Aperture { x, y, z }, observer.time);
         let (cone, line) = view.line_of_sight(Aperture::default());
-        Self { cone, line, retarded_time: seen.retarded_time, own_time: seen.own_time }
+        Self { cone, line, retarded_time: seen.retarded_time, proper_time: seen.proper_time }
     }
 
     /// The times of what `eye` receives through its `cone`, at the event of `observer`.
@@ -58,10 +58,10 @@ impl Middle {
         let on_ground = EyeOnGround::new(speed, observer, eye);
         let [t_by_cone, own_by_cone] = on_ground.by_light_cone(speed, observer, *point);
         let by_distance = on_ground.by_distance(observer, line, seen.r);
-        let own_from_middle = [self.own_time, ahead, 0.0, 0.0, 0.0];
+        let own_from_middle = [self.proper_time, ahead, 0.0, 0.0, 0.0];
         EmissionTimes {
             retarded_time: sum_that_cancels_least(t_by_cone, &[from_middle, by_distance]),
-            own_time: sum_that_cancels_least(own_by_cone, &[own_from_middle]),
+            proper_time: sum_that_cancels_least(own_by_cone, &[own_from_middle]),
         }
     }
 }

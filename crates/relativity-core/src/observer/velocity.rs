@@ -63,7 +63,7 @@ impl ObserverVelocity {
         self.direction
     }
 
-    /// Proper velocity: Gamma times the velocity, the way on the ground per unit of the observer's own time.
+    /// Proper velocity: Gamma times the velocity, the way on the ground per unit of the observer's proper time.
     #[must_use]
     pub fn proper(&self) -> [f64; 3] {
         let magnitude = self.speed.proper();

@@ -19,11 +19,11 @@ impl WheelPoint {
         SourcePoint { x0: x0 + r * cosine / speed.gamma(), y, z: z + r * sine }
     }
 
-    /// Returns the place of the point at `own_time`, by the clocks of the rest frame (those of [`Sighting::own_time`](crate::Sighting)),
+    /// Returns the place of the point at `proper_time`, by the clocks of the rest frame (those of [`Sighting::proper_time`](crate::Sighting)),
     /// as a point that rests in the moving frame.
     #[must_use]
-    pub fn place_at(&self, speed: &Speed, own_time: f64) -> SourcePoint {
-        self.place_at_angle(speed, self.angle_at(speed, own_time))
+    pub fn place_at(&self, speed: &Speed, proper_time: f64) -> SourcePoint {
+        self.place_at_angle(speed, self.angle_at(speed, proper_time))
     }
 
     /// Returns the time that the clock at the hub shows at `time` on the ground.

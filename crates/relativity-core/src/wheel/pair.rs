@@ -91,7 +91,7 @@ pub(crate) fn between_events(
     };
     let away = (away(left) + away(right)) / sum_q;
     // By the difference of both times, which tells well enough how far the chord is from the arc.
-    let half_turn = 0.5 * circle.omega * (left.own_time - right.own_time);
+    let half_turn = 0.5 * circle.omega * (left.proper_time - right.proper_time);
     let slope = circle.below_light + circle.speed * (slack(half_turn) + chord(half_turn) * away);
     let stretched = -delay / slope; // gamma Delta
     let half_turn = 0.5 * circle.omega * (stretched / speed.gamma());

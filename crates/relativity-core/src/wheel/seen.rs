@@ -74,7 +74,7 @@ pub(crate) struct Seen<F> {
     /// The light cone of a point that rests where it is when it is seen.
     pub cone: LightCone<F>,
     /// When, by the clocks of the rest frame.
-    pub own_time: F,
+    pub proper_time: F,
     /// Angle of the point at that time.
     pub angle: F,
     /// Slope 1 + v.n'.
@@ -88,7 +88,7 @@ impl<F: Elementary> Seen<F> {
         let [s, y, z] = hub.from;
         let gamma = coefficients.gamma;
         let at_hub = LightCone::at(coefficients, s, y, z);
-        let hub_time = at_hub.own_time(coefficients, hub.x0, hub.aperture_x, hub.observation_time);
+        let hub_time = at_hub.proper_time(coefficients, hub.x0, hub.aperture_x, hub.observation_time);
         let phase = circle.angle - circle.omega * hub_time;
         let at = |time: F| {
             let angle = circle.angle - circle.omega * time;
@@ -97,14 +97,15 @@ impl<F: Elementary> Seen<F> {
             let cone = LightCone::at(coefficients, s + along, y, z + qz);
             let away = circle.turned_away(angle, [gamma * cone.s, y, cone.z]);
             // The time that goes with the rounded angle, to which the equation holds.
-            let own_time = cone.own_time(coefficients, hub.x0 + along, hub.aperture_x, hub.observation_time);
-            Self { cone, own_time, angle, slope: circle.below_light + circle.speed * away }
+            let proper_time =
+                cone.proper_time(coefficients, hub.x0 + along, hub.aperture_x, hub.observation_time);
+            Self { cone, proper_time, angle, slope: circle.below_light + circle.speed * away }
         };
         let later = seen_later([gamma * s, y, z], circle.r, phase, circle.omega);
         let mut time = hub_time + later;
         let mut seen = at(time);
         for _ in 0..CORRECTIONS {
-            let better = time + (seen.own_time - time) / seen.slope;
+            let better = time + (seen.proper_time - time) / seen.slope;
             if (better - time).abs() <= F::epsilon() * time.abs() {
                 break;
             }
@@ -182,7 +183,7 @@ impl WheelPoint {
             position: [solution.x, y, z],
             distance: solution.r,
             retarded_time: observation_time - solution.r,
-            own_time: seen.own_time,
+            proper_time: seen.proper_time,
             doppler_factor: solution.doppler_factor * own_doppler,
         }
     }

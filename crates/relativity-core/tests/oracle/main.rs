@@ -92,7 +92,7 @@ fn sightings_are_as_accurate_as_their_inputs() {
         let computed = [
             seen.position[0],
             seen.retarded_time,
-            seen.own_time,
+            seen.proper_time,
             seen.distance,
             seen.doppler_factor,
             seen.intensity(2.0),
@@ -308,7 +308,7 @@ fn assert_published_is_accurate(variant: PublishedVariant, sign: f64, names: [&'
             both.dtheta,
             seen.position[0],
             seen.retarded_time,
-            seen.own_time,
+            seen.proper_time,
             seen.doppler_factor,
         ];
         case(parameter, inputs, |inputs| model::published(parameter, sign, inputs), computed)

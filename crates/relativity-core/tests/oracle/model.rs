@@ -57,7 +57,7 @@ impl View {
     }
 
     /// gamma (t - beta x) of the event of emission, the point being at `x0` at t = 0.
-    pub fn own_time(&self, (beta, gamma): &(Big, Big), x0: &Big) -> Big {
+    pub fn proper_time(&self, (beta, gamma): &(Big, Big), x0: &Big) -> Big {
         gamma * (&self.t - beta * (x0 + beta * &self.t))
     }
 
@@ -76,13 +76,13 @@ impl View {
 pub fn sighting(parameter: Parameter, inputs: &[Big]) -> [Big; 11] {
     let speed = speed(parameter, &inputs[0]);
     let view = View::new(&speed, difference(&inputs[1..4], &inputs[4..7]), &inputs[7]);
-    let own_time = view.own_time(&speed, &inputs[1]);
+    let proper_time = view.proper_time(&speed, &inputs[1]);
     let squared = square(&view.doppler);
     let (phi, theta) = (view.phi(), view.theta());
     [
         view.x,
         view.t,
-        own_time,
+        proper_time,
         view.r,
         view.doppler.clone(),
         squared.clone(),
@@ -248,8 +248,8 @@ pub fn published(parameter: Parameter, sign: f64, inputs: &[Big]) -> [Big; 6] {
     let delay = distance(&event - &half) - distance(&event + &half);
     let right = view(&(time + big(sign) * delay));
     let [dphi, dtheta] = angle_differences(&left, &right);
-    let own_time = right.own_time(&speed, x0);
-    [dphi, dtheta, right.x, right.t, own_time, right.doppler]
+    let proper_time = right.proper_time(&speed, x0);
+    [dphi, dtheta, right.x, right.t, proper_time, right.doppler]
 }
 
 /// Eq. (1) as printed. `inputs`: speed parameter, x0, y, z, aperture x, y, z, T.

@@ -93,19 +93,19 @@ fn eye(parameter: Parameter, inputs: &[Big], aperture: &[Big]) -> (View, Big) {
     let velocity = Velocity::new(parameter, observer);
     let (place, time) = event(&velocity, observer, aperture);
     let on_ground = View::new(&speed, difference(&inputs[1..4], &place), &time);
-    let own_time = on_ground.own_time(&speed, &inputs[1]);
-    (in_observer_frame(&velocity, observer, on_ground), own_time)
+    let proper_time = on_ground.proper_time(&speed, &inputs[1]);
+    (in_observer_frame(&velocity, observer, on_ground), proper_time)
 }
 
 /// x, y, z, R, D, phi, theta, tau, t of the left eye, dphi, dtheta.
 ///
 /// `inputs`: speed parameter, x0, y, z, observer's speed parameter, azimuth, elevation, place, T, left and right eye, and six of 1.
 fn disparity(parameter: Parameter, inputs: &[Big]) -> [Big; 11] {
-    let (left, own_time) = eye(parameter, inputs, &inputs[11..14]);
+    let (left, proper_time) = eye(parameter, inputs, &inputs[11..14]);
     let (right, _) = eye(parameter, inputs, &inputs[14..17]);
     let [dphi, dtheta] = model::angle_differences(&left, &right);
     let (phi, theta) = (left.phi(), left.theta());
-    [left.x, left.y, left.z, left.r, left.doppler, phi, theta, own_time, dphi, dtheta, left.t]
+    [left.x, left.y, left.z, left.r, left.doppler, phi, theta, proper_time, dphi, dtheta, left.t]
 }
 
 /// Gain, place and miss; the place from as far to the left of the left eye as the right one is to its right.
@@ -188,7 +188,7 @@ fn a_moving_eye_sees_as_accurately_as_its_inputs_are_known() {
             seen.doppler_factor,
             seen.phi(),
             seen.theta(),
-            seen.own_time,
+            seen.proper_time,
             both.dphi,
             both.dtheta,
             seen.retarded_time,
@@ -258,14 +258,14 @@ fn wheel_disparity(parameter: Parameter, inputs: &[Big], starts: &[Start; 2]) ->
     let velocity = Velocity::new(parameter, observer);
     let seen = |aperture: &[Big], start: &Start| {
         let (place, time) = event(&velocity, observer, aperture);
-        let Sight { view, own_time } = turning.seen(&place, &time, start);
-        (in_observer_frame(&velocity, observer, view), own_time)
+        let Sight { view, proper_time } = turning.seen(&place, &time, start);
+        (in_observer_frame(&velocity, observer, view), proper_time)
     };
-    let (left, own_time) = seen(&observer[7..10], &starts[0]);
+    let (left, proper_time) = seen(&observer[7..10], &starts[0]);
     let (right, _) = seen(&observer[10..13], &starts[1]);
     let [dphi, dtheta] = model::angle_differences(&left, &right);
     let (phi, theta) = (left.phi(), left.theta());
-    [left.r, left.doppler, own_time, phi, theta, dphi, dtheta]
+    [left.r, left.doppler, proper_time, phi, theta, dphi, dtheta]
 }
 
 #[test]
@@ -282,7 +282,7 @@ fn a_moving_eye_sees_the_points_of_wheels() {
         let computed = [
             seen.distance,
             seen.doppler_factor,
-            seen.own_time,
+            seen.proper_time,
             seen.phi(),
             seen.theta(),
             both.dphi,

@@ -82,7 +82,7 @@ fn points_of_wheels_are_seen_as_accurately_as_their_inputs() {
             seen.position[0],
             seen.position[2],
             seen.retarded_time,
-            seen.own_time,
+            seen.proper_time,
             seen.distance,
             seen.doppler_factor,
             seen.phi(),

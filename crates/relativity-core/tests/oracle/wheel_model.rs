@@ -13,7 +13,7 @@ pub type Start = RefCell<Option<Big>>;
 /// A seen event: its place, and its time by the clocks of the rest frame.
 pub struct Sight {
     pub view: View,
-    pub own_time: Big,
+    pub proper_time: Big,
 }
 
 /// A wheel that rolls.
@@ -49,7 +49,7 @@ impl Wheel {
         let [x0, y, z] = &self.hub;
         let from_aperture = difference(&self.hub, aperture);
         let hub = View::new(&self.speed, from_aperture, time);
-        let hub_time = hub.own_time(&self.speed, &(x0 - &aperture[0])) - gamma * beta * &aperture[0];
+        let hub_time = hub.proper_time(&self.speed, &(x0 - &aperture[0])) - gamma * beta * &aperture[0];
         let at = |own: &Big| {
             let (sine, cosine) = (&self.angle - &self.omega * own).sin_cos();
             let x = gamma * x0 + &self.r * &cosine;
@@ -91,15 +91,15 @@ impl Wheel {
         assert!(value.abs() < (gamma + time.clone().abs()) * Big::from_parts(1.into(), -220));
         start.replace(Some(own.clone()));
         let doppler = sqrt(&(big(1.0) - square(&self.rim))) / slope;
-        Sight { view: View { x, y, z, t: time - &r, r, doppler }, own_time: own }
+        Sight { view: View { x, y, z, t: time - &r, r, doppler }, proper_time: own }
     }
 }
 
 /// X, z, t, tau, R, D, phi, theta. `inputs`: speed parameter, x0, y, z of the hub, W, rho, angle, aperture x, y, z, T.
 pub fn sighting(parameter: Parameter, inputs: &[Big], start: &Start) -> [Big; 8] {
-    let Sight { view, own_time } = Wheel::new(parameter, inputs).seen(&inputs[7..10], &inputs[10], start);
+    let Sight { view, proper_time } = Wheel::new(parameter, inputs).seen(&inputs[7..10], &inputs[10], start);
     let (phi, theta) = (view.phi(), view.theta());
-    [view.x, view.z, view.t, own_time, view.r, view.doppler, phi, theta]
+    [view.x, view.z, view.t, proper_time, view.r, view.doppler, phi, theta]
 }
 
 /// dphi, dtheta. `inputs`: those of [`sighting`], and the secondary aperture.

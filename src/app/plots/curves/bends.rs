@@ -106,22 +106,22 @@ fn measured(speed: &Speed, wheel: &WheelPoint, range: [f64; 2]) -> Vec<f64> {
         steps(speed, wheel, speed.gamma() * (time - speed.beta() * x))
     });
     let time = |steps: f64| {
-        let own_time = own_time_of(speed, wheel, steps)?;
-        let place = wheel.place_at(speed, own_time);
-        Some(speed.gamma() * (own_time + speed.gamma() * speed.beta() * place.x0))
+        let proper_time = proper_time_of(speed, wheel, steps)?;
+        let place = wheel.place_at(speed, proper_time);
+        Some(speed.gamma() * (proper_time + speed.gamma() * speed.beta() * place.x0))
     };
     whole([ends[0].min(ends[1]), ends[0].max(ends[1])]).filter_map(time).collect()
 }
 
 /// Returns the number of steps from its highest place that `wheel` has turned by this proper time.
-fn steps(speed: &Speed, wheel: &WheelPoint, own_time: f64) -> f64 {
-    (FRAC_PI_2 - wheel.angle_at(speed, own_time)) / FRAC_PI_4
+fn steps(speed: &Speed, wheel: &WheelPoint, proper_time: f64) -> f64 {
+    (FRAC_PI_2 - wheel.angle_at(speed, proper_time)) / FRAC_PI_4
 }
 
 /// Returns the proper time by which it has turned by this number of steps.
-fn own_time_of(speed: &Speed, wheel: &WheelPoint, steps: f64) -> Option<f64> {
-    let own_time = (wheel.angle - FRAC_PI_2 + FRAC_PI_4 * steps) / wheel.omega(speed);
-    Some(own_time).filter(|time| time.is_finite())
+fn proper_time_of(speed: &Speed, wheel: &WheelPoint, steps: f64) -> Option<f64> {
+    let proper_time = (wheel.angle - FRAC_PI_2 + FRAC_PI_4 * steps) / wheel.omega(speed);
+    Some(proper_time).filter(|time| time.is_finite())
 }
 
 /// The turning of a wheel's point as an eye sees it.
@@ -135,7 +135,7 @@ impl SeenTurning<'_> {
     /// Returns the number of steps that the wheel has turned by the time that the clock at its hub is seen to show at `time`.
     fn steps_at(&self, time: f64) -> Option<f64> {
         let hub = sighting(self.speed, self.wheel.hub, self.eye, time).ok()?;
-        Some(steps(self.speed, self.wheel, hub.own_time)).filter(|steps| steps.is_finite())
+        Some(steps(self.speed, self.wheel, hub.proper_time)).filter(|steps| steps.is_finite())
     }
 
     /// Around 0, how many steps from its highest place a point moves along the line of sight at `time`, towards the eye or away.
@@ -149,9 +149,9 @@ impl SeenTurning<'_> {
     /// Returns the time when the point is seen to have turned by this number of steps.
     fn time_of(&self, steps: f64) -> Option<f64> {
         let Self { speed, wheel, eye } = *self;
-        let own_time = own_time_of(speed, wheel, steps)?;
-        let place = wheel.place_at(speed, own_time);
-        let x = speed.gamma() * (speed.beta() * own_time + speed.gamma() * place.x0);
+        let proper_time = proper_time_of(speed, wheel, steps)?;
+        let place = wheel.place_at(speed, proper_time);
+        let x = speed.gamma() * (speed.beta() * proper_time + speed.gamma() * place.x0);
         observation_time_when_seen_at(speed, place, x - eye.x, [eye; 2]).ok().flatten()
     }
 }

@@ -87,7 +87,7 @@ impl<'a> Light<'a> {
         }
         let (name, times) = match state.document.settings.map.frame {
             Frame::Ground => (HAPPENED.name, self.rays.map(|ray| ray.happened)),
-            Frame::Bicycle => (OWN_CLOCK.name, self.rays.map(|ray| ray.own_time)),
+            Frame::Bicycle => (OWN_CLOCK.name, self.rays.map(|ray| ray.proper_time)),
         };
         let [left, right] = times.map(|time| labelled(state, time));
         let both = if left == right { left } else { format!("{left}, {right}") };
@@ -120,7 +120,7 @@ impl<'a> Light<'a> {
     pub(super) fn hover_text(&self, state: &State, pointer: Pos2) -> Option<String> {
         let eyes = || Eye::BOTH.into_iter().zip(self.rays);
         let told = |what: &str, received: f64, front: &Front| {
-            format!("{what}\n{}", times(state, [received, front.happened, front.own_time]))
+            format!("{what}\n{}", times(state, [received, front.happened, front.proper_time]))
         };
         let now = state.document.time;
         if let Some((eye, ray)) = eyes().find(|(_, ray)| self.off_ray(ray, pointer) < NEAR) {

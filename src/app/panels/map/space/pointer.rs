@@ -96,11 +96,11 @@ fn times(state: &State, picture: Picture, track: &Track) -> Vec<String> {
         (Picture::Seen(eye), Frame::Ground) => {
             let Ok(both) = state.document.settings.disparity(track, now) else { return Vec::new() };
             let seen = [both.primary, both.secondary][eye];
-            let times = [now, seen.retarded_time, seen.own_time];
+            let times = [now, seen.retarded_time, seen.proper_time];
             TIMES.iter().zip(times).map(|(name, value)| time(name.name, value)).collect()
         }
         (Picture::Measured, Frame::Ground) => {
-            let own = Worldline::new(&state.document.settings, track, frame).own_time(now);
+            let own = Worldline::new(&state.document.settings, track, frame).proper_time(now);
             vec![time("now t", now), time(OWN_CLOCK.name, own)]
         }
         // On board all clocks agree.

@@ -64,7 +64,7 @@ pub fn of(sheet: &Sheet<'_>) -> Vec<Mark> {
 
 /// The proper time of a point that is measured now.
 fn clock(sheet: &Sheet<'_>, diagram: &Diagram) -> String {
-    let time = labelled(sheet.state, diagram.point.own_time(diagram.time));
+    let time = labelled(sheet.state, diagram.point.proper_time(diagram.time));
     format!("clock {time}{}", sheet.state.measures().time.suffix())
 }
 

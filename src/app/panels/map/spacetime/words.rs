@@ -15,7 +15,7 @@ pub fn of_point(sheet: &Sheet<'_>, happened: f64, what: &str) -> String {
     let diagram = &sheet.diagram;
     let event = diagram.point.at(happened);
     let received = diagram.point.received(happened);
-    let times = times(sheet.state, [received, happened, diagram.point.own_time(happened)]);
+    let times = times(sheet.state, [received, happened, diagram.point.proper_time(happened)]);
     let point = sheet.state.document.points.selected().noun(&sheet.state.document.scene);
     format!(
         "{}{what}\n{}\n{times}\nClick to see it: T = {}",
@@ -28,13 +28,13 @@ pub fn of_point(sheet: &Sheet<'_>, happened: f64, what: &str) -> String {
 /// Another followed point that is measured now, after its `name`.
 pub fn of_other(sheet: &Sheet<'_>, diagram: &Diagram, name: &str) -> String {
     let now = diagram.time;
-    let shown = [diagram.point.received(now), now, diagram.point.own_time(now)];
+    let shown = [diagram.point.received(now), now, diagram.point.proper_time(now)];
     format!("{}\n{}\n{}", capitalised(name), place(sheet, diagram.measured()), times(sheet.state, shown))
 }
 
 /// Describes the light that `eye` receives, at its emission.
 pub fn of_ray(sheet: &Sheet<'_>, eye: Eye, ray: &Ray) -> String {
-    let times = times(sheet.state, [sheet.diagram.time, ray.happened, ray.own_time]);
+    let times = times(sheet.state, [sheet.diagram.time, ray.happened, ray.proper_time]);
     let name = eye.name().to_lowercase();
     format!("What the {name} sees now happened here\n{}\n{times}", place(sheet, ray.left))
 }
