@@ -193,11 +193,11 @@ fn assert_finds_a_mark(flags: &str) {
 }
 
 /// Of every disparity measured in `ride.csv`, the error over its sigma, squared: the mean of dphi and of dtheta.
-fn chi_squared_per_sample(csv: &str) -> [f64; 2] {
+fn chi_squared_per_sample(csv: &str, rest: [f64; 3]) -> [f64; 2] {
     use relativity_core::{Aperture, SourcePoint, Speed, disparity};
 
     let speed = Speed::from_beta(0.9).expect("a speed");
-    let source = SourcePoint::from_rest([0.0, 3.0, 2.0], &speed);
+    let source = SourcePoint::from_rest(rest, &speed);
     let [left, right] = Aperture::pair(0.1);
     let rows = rows(csv);
     let mut sums = [0.0; 2];
@@ -232,8 +232,37 @@ fn errors_are_as_large_as_their_sigmas_say(projection: &str, least: f64) {
     ride(folder.path(), &format!("{projection} {plain}"));
     let of_colour = run_gamow(folder.path(), &format!("measure ride --marker {}", green()));
     for csv in [of_body, of_colour] {
-        let [dphi, dtheta] = chi_squared_per_sample(&csv);
+        let [dphi, dtheta] = chi_squared_per_sample(&csv, [0.0, 3.0, 2.0]);
         assert!((least..1.7).contains(&dphi) && dtheta < 1.7, "{dphi} {dtheta}");
+    }
+}
+
+/// A tyre, whose side is seen well as it comes, and within a pixel of its outline as it goes.
+const TYRE: &str = "\
+name = \"A tyre\"
+[[object]]
+name = \"tyre\"
+shape = \"ring\"
+center = [-0.525, 3.0, 2.0]
+axis = [0.0, 1.0, 0.0]
+radius = 0.493
+tube_radius = 0.032
+";
+
+#[test]
+fn a_mark_beside_an_outline_is_as_far_off_as_its_sigmas_say() {
+    let folder = folder();
+    std::fs::write(folder.path().join("tyre.toml"), TYRE).expect("the folder is there");
+    let camera =
+        "--scene tyre.toml --beta 0.9 --d 0.1 --size 320x240 --projection gaze --fov 12 --exr --frames 6";
+    let gazes =
+        [("coming", "--gaze 157,14.8 --from 0 --to 0.1"), ("going", "--gaze 64.4,31.3 --from 5.3 --to 5.5")];
+    for (name, flags) in gazes {
+        render(folder.path(), &format!("{camera} {flags} --out {name}"));
+        let csv = run_gamow(folder.path(), &format!("measure {name} --point=-0.032,2.968,2"));
+        assert!(rows(&csv).len() >= 3, "{name}: {csv}");
+        let [dphi, dtheta] = chi_squared_per_sample(&csv, [-0.032, 2.968, 2.0]);
+        assert!(dphi < 1.7 && dtheta < 1.7, "{name}: {dphi} {dtheta}");
     }
 }
 

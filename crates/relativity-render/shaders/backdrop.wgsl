@@ -7,6 +7,8 @@
 override GROUND: bool;
 override ROAD: bool;
 override FRONTS: bool;
+// Geometry that shows the street: 0 as seen, 1 contracted only, 2 at rest with the camera.
+override STREET_GEOMETRY: u32;
 override TILE_COLUMNS: u32;
 override TILE_ROWS: u32;
 override LEAST_TOWARDS_FRONTS: f32;
@@ -119,11 +121,10 @@ struct Line {
 fn line_on_ground(sight: vec4f) -> Line {
     let right = step_right_but_along();
     let down = step_down(sight.xyz);
-    let geometry = u32(frame.street_motion.y);
-    if geometry == AT_REST {
+    if STREET_GEOMETRY == AT_REST {
         return Line(sight.xyz, sight.w, 1.0, right, down);
     }
-    let seen = passage(sight.xyz, geometry, frame.street_speed, frame.street_motion.x);
+    let seen = passage(sight.xyz, STREET_GEOMETRY, frame.street_speed, frame.street_motion.x);
     let scale = sight.w * seen.ground_per_rest;
     let haze_share = min(seen.ground_per_rest, 1.0);
     let steps = array(step_on_ground(sight.xyz, right), step_on_ground(sight.xyz, down));
@@ -134,7 +135,7 @@ const AT_REST = 2u;
 
 // What a `step` of the line of sight `n` of the camera is on the ground, whose line is (Gamma (n_x + V |n|), n_y, n_z).
 fn step_on_ground(n: vec3f, step: vec3f) -> vec3f {
-    let lag = select(0.0, frame.street_motion.x * frame.street_speed.x * dot(n, step), frame.street_motion.y == 0.0);
+    let lag = select(0.0, frame.street_motion.x * frame.street_speed.x * dot(n, step), STREET_GEOMETRY == 0u);
     return vec3f(frame.street_speed.w * (step.x + lag), step.yz);
 }
 

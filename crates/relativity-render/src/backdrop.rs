@@ -158,10 +158,11 @@ impl Part {
     }
 }
 
-/// The shader's constants for a part of a picture.
-pub(crate) fn constants(part: Part, is_conformal: bool) -> Vec<Constant> {
+/// The shader's constants for a part of a picture, with the `street_geometry` of its frame.
+pub(crate) fn constants(part: Part, is_conformal: bool, street_geometry: usize) -> Vec<Constant> {
     let of_backdrop = [
         ("CONFORMAL", number(is_conformal)),
+        ("STREET_GEOMETRY", street_geometry as f64),
         ("GROUND", number(part.has_ground())),
         ("ROAD", number(part != Part::Grid)),
         ("FRONTS", number(part.has_fronts())),

@@ -25,8 +25,8 @@ pub struct Canvas {
     layer_layout: wgpu::BindGroupLayout,
     /// The tables of colours.
     tables: wgpu::TextureView,
-    /// The last pass of flat pictures and of conformal ones.
-    last_passes: [LastPass; 2],
+    /// The last pass for each [`Frame::street_geometry`], of flat pictures and of conformal ones.
+    last_passes: [[LastPass; 2]; 3],
 }
 
 /// The last pass, by the number of the part that it draws; made when it is first needed.
@@ -44,16 +44,17 @@ impl Canvas {
         let frame_layout = bind_group_layout(device, &[uniform_entry(), texture_entry(1)]);
         let layer_layout = bind_group_layout(device, &[texture_entry(0)]);
         let tables = tables(gpu);
-        Self { frame_layout, layer_layout, tables, last_passes: [OnceLock::new(), OnceLock::new()] }
+        Self { frame_layout, layer_layout, tables, last_passes: Default::default() }
     }
 
-    /// The last pass of pictures that are conformal, or flat.
-    fn last_pass(&self, gpu: &Gpu, is_conformal: bool) -> &[wgpu::RenderPipeline; 5] {
-        self.last_passes[usize::from(is_conformal)].get_or_init(|| {
+    /// The last pass of pictures like that of `frame`.
+    fn last_pass(&self, gpu: &Gpu, frame: &Frame) -> &[wgpu::RenderPipeline; 5] {
+        let (is_conformal, street) = (frame.is_conformal(), frame.street_geometry());
+        self.last_passes[street][usize::from(is_conformal)].get_or_init(|| {
             let module = gpu.shader("backdrop", BACKDROP);
             let layout = pipeline_layout(&gpu.device, &[Some(&self.frame_layout), Some(&self.layer_layout)]);
             Part::ALL.map(|part| {
-                last_pass(&gpu.device, &module, &layout, &backdrop::constants(part, is_conformal))
+                last_pass(&gpu.device, &module, &layout, &backdrop::constants(part, is_conformal, street))
             })
         })
     }
@@ -79,7 +80,7 @@ impl Canvas {
         let frames = Frame::of_groups(scene, &views, appearance);
         fill_frame_buffer(gpu, &mut target.frames, &frames);
         let floor = frames[0].floor();
-        let last_pass = self.last_pass(gpu, frames[0].is_conformal());
+        let last_pass = self.last_pass(gpu, &frames[0]);
         let frames = self.frame_bind_groups(gpu, &target.frames, frames.len());
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {

@@ -226,6 +226,11 @@ impl Frame {
         self.motion[2] != 0.0
     }
 
+    /// Returns the number of the geometry that shows the street: 0 as seen, 1 contracted only, 2 at rest.
+    pub fn street_geometry(&self) -> usize {
+        self.street_motion[1] as usize
+    }
+
     /// Returns the floor below the horizon.
     pub fn floor(&self) -> Floor {
         match (self.ground[2] > f32::MIN, self.road[0] < self.road[1]) {

@@ -38,9 +38,9 @@ use crate::time_range::time_within;
 /// or turned), the angles from each eye, their differences, and the standard deviations of these: what `gamow fit` reads.
 ///
 /// The standard deviations follow from how pixels sample what is seen. The middle of a disc of radius r pixels has
-/// 0.15/sqrt(r) pixels in each direction, in each eye; a mark on a surface, by how its surroundings bend, about a fortieth of
-/// one. Errors against the truth were measured to be 0.7 to 1.4 times as large, and up to 1.8 times of a mark beside an
-/// outline; those of dtheta a third where both eyes have the point equally high. They say nothing of what pixels do not
+/// 0.15/sqrt(r) pixels in each direction, in each eye; a mark on a surface, by how its surroundings bend, a hundredth of one or
+/// less, and up to 0.3 beside an outline. Errors against the truth were measured to be 0.7 to 1.4 times as large, of a mark 0.4 to
+/// 0.8 times; those of dtheta a third where both eyes have the point equally high. They say nothing of what pixels do not
 /// decide: the middle of a large body is not quite where its centre is seen.
 ///
 /// A mark on a wheel is followed round. A fit takes it for a point that does not turn unless it is told where on its wheel

@@ -97,8 +97,8 @@ impl<S: Simd> Lines<S> {
     #[inline(always)]
     fn step_on_ground(&self, frame: &Frame, step: V3<S>) -> V3<S> {
         let [beta, _, _, gamma] = frame.street_speed;
-        let [sign, geometry, ..] = frame.street_motion;
-        let velocity = if geometry == 0.0 { sign * beta } else { 0.0 };
+        let sign = frame.street_motion[0];
+        let velocity = if street_geometry(frame) == Some(Geometry::Seen) { sign * beta } else { 0.0 };
         V3::new((step.x + self.seen.dot(step) * velocity) * gamma, step.y, step.z)
     }
 }
@@ -106,9 +106,9 @@ impl<S: Simd> Lines<S> {
 /// The geometry that shows a street which moves against the camera.
 #[inline(always)]
 fn street_geometry(frame: &Frame) -> Option<Geometry> {
-    match frame.street_motion[1] {
-        0.0 => Some(Geometry::Seen),
-        1.0 => Some(Geometry::Contracted),
+    match frame.street_geometry() {
+        0 => Some(Geometry::Seen),
+        1 => Some(Geometry::Contracted),
         _ => None,
     }
 }
