@@ -14,7 +14,7 @@
 //! that do not turn it make up one that does (the Wigner rotation, for small steps the Thomas precession): the turn of the head
 //! against the observer's axes is kept as a unit quaternion.
 //!
-//! Reference: W. Rindler, *Introduction to Special Relativity* (1991), section 14, for constant proper acceleration.
+//! Reference: W. Rindler, *Introduction to Special Relativity* (1991), for constant proper acceleration.
 
 use crate::math;
 use crate::observer::{Observer, ObserverVelocity};
@@ -31,7 +31,7 @@ pub struct Leg {
 }
 
 /// The velocity of a rider. Along the street it is kept as the rapidity, in which pushes add up exactly: who brakes as long as
-/// he pedalled is at rest.
+/// they pedalled is at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RiderVelocity {
     /// Along the street, towards +x where the rapidity is above 0.

@@ -14,8 +14,7 @@
 //!
 //! An accelerating observer sees at every moment what one sees who moves evenly at that moment's velocity.
 //!
-//! References: W. Rindler, *Introduction to Special Relativity* (1991), sections 12 and 17, for the composition of velocities
-//! and aberration. The forms that keep their accuracy were derived here.
+//! Reference: W. Rindler, *Introduction to Special Relativity* (1991), for the composition of velocities and aberration. The forms that keep their accuracy were derived here.
 
 mod error;
 mod eye;
