@@ -18,7 +18,7 @@ use relativity_render::{Camera, Gaze, Geometry, Gpu, Method, Picture, Renderers,
 const SIZE: [u32; 2] = [400, 260];
 /// White between pictures, pixels.
 const GAP: u32 = 4;
-/// Where the rider's eyes are: on the road, 1.6 m above it.
+/// Place of the rider's eyes: on the road, 1.6 m above it.
 const EYES: Aperture = Aperture { x: -3.0, y: 4.0, z: 0.0 };
 /// Azimuths of the gazes.
 const GAZES: [f64; 3] = [0.0, FRAC_PI_2, PI];
@@ -45,7 +45,7 @@ fn main() -> anyhow::Result<()> {
     png::write(&sheet(&pictures, velocities.len()), &[("Title", "A ride")], File::create(out)?)
 }
 
-/// The pictures in rows of so many columns.
+/// Lays the pictures out in rows of this number of columns.
 fn sheet(pictures: &[Picture], columns: usize) -> Picture {
     let pitch = SIZE.map(|side| (side + GAP) as usize);
     let (width, height) = (columns * pitch[0], pictures.len() / columns * pitch[1]);

@@ -64,21 +64,29 @@ pub fn one_cone_disparity(
             (seen.cone, wheel.sighting(speed, &seen, observation_time))
         }
     };
-    let cones = cone_pair(&cone, pair);
+    Ok(disparity_of_event(&cone_pair(&cone, pair), middle))
+}
+
+/// Disparity of the event of the `middle`'s sighting, which both apertures look at from two sides, through `cones`.
+pub(crate) fn disparity_of_event(cones: &ConePair<f64>, middle: Sighting) -> Disparity {
     let (dphi, dtheta) = cones.angle_differences();
     let sighting = |cone: LightCone<f64>| Sighting {
         position: [cone.s, cone.y, cone.z],
         distance: cone.solution.r,
         ..middle
     };
-    Ok(Disparity { primary: sighting(cones.left), secondary: sighting(cones.right), dphi, dtheta })
+    Disparity { primary: sighting(cones.left), secondary: sighting(cones.right), dphi, dtheta }
 }
 
 /// Both apertures' views of the place that the middle between them sees: the light cones of a point at rest there.
 pub(crate) fn cone_pair(middle: &LightCone<f64>, pair: [Aperture; 2]) -> ConePair<f64> {
-    let seen = SourcePoint { x0: middle.solution.x, y: middle.y, z: middle.z };
+    cones_to_place([middle.solution.x, middle.y, middle.z], pair)
+}
+
+/// Both apertures' light cones of a point at rest at a place from the middle between them.
+pub(crate) fn cones_to_place([x0, y, z]: [f64; 3], pair: [Aperture; 2]) -> ConePair<f64> {
     let [left, right] = from_middle(pair);
-    ConePair::new(&Speed::REST.coefficients(), seen, left, right, 0.0)
+    ConePair::new(&Speed::REST.coefficients(), SourcePoint { x0, y, z }, left, right, 0.0)
 }
 
 /// The light cone of the middle between two apertures.

@@ -144,7 +144,7 @@ fn an_observer_at_rest_has_the_numbers_of_a_resting_pair_bit_for_bit() {
     }
 }
 
-/// Their motion does not decide which event arrives at the middle between the eyes.
+/// Motion of the eyes does not decide which event arrives at the middle between them.
 #[test]
 fn the_light_that_arrives_is_that_which_an_eye_at_rest_receives() {
     for row in rows() {

@@ -14,7 +14,6 @@ use crate::prepared_body::{Extent, packed};
 use crate::scene::{PreparedGroup, PreparedScene};
 use crate::street::{HOUSES, OPENINGS};
 use crate::street_sight::StreetSight;
-use crate::velocity::Velocity;
 use crate::view::{Appearance, Geometry};
 
 /// Mirror of the shaders' `Frame`.
@@ -185,9 +184,7 @@ impl Frame {
         let from_camera = extent.middle - view.origin;
         let middle = packed(from_camera, 0.5 / extent.reach);
         let [x, y, z, _] = middle;
-        let Velocity { speed, .. } = view.velocity;
-        let speed =
-            [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32);
+        let speed = view.velocity.packed_speed();
         let reflection = view.velocity.direction() as f32;
         let is_one_cone = view.geometry == Geometry::OneCone;
         let eye = vector(if is_one_cone { view.velocity.reflected(camera.off_middle) } else { DVec3::ZERO });

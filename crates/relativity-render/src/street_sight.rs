@@ -76,8 +76,7 @@ impl StreetSight {
 
     /// V, 1 - V, 1/Gamma and Gamma of the street against the camera, for the shaders.
     pub fn packed_speed(&self) -> [f32; 4] {
-        let speed = &self.velocity.speed;
-        [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32)
+        self.velocity.packed_speed()
     }
 
     /// -1 if the street moves towards -x, else 1; and the shaders' `GEOMETRY`.

@@ -70,6 +70,12 @@ impl Velocity {
         if self.is_backward { -1.0 } else { 1.0 }
     }
 
+    /// Its speed for the shaders: beta, 1 - beta, 1/gamma, gamma.
+    pub(crate) fn packed_speed(&self) -> [f32; 4] {
+        let speed = &self.speed;
+        [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32)
+    }
+
     /// Whether it is none.
     pub(crate) fn is_rest(&self) -> bool {
         self.speed == Speed::REST

@@ -36,7 +36,7 @@ use self::times::Middle;
 use self::wheel::WheelView;
 use crate::aperture::Aperture;
 use crate::apparent::{LightCone, Sighting, check_inputs};
-use crate::cone_pair::{ConePair, Offset};
+use crate::cone_pair::Offset;
 use crate::disparity::Disparity;
 use crate::domain::check;
 use crate::model::Model;
@@ -198,19 +198,7 @@ impl Observer {
 
 /// Disparity of an event that the middle between the eyes receives, and that both look at from two sides.
 fn one_event(pair: [Aperture; 2], seen: Sighting) -> Disparity {
-    let [x, y, z] = seen.position;
-    let between = one_cone::middle(pair);
-    let [left, right] =
-        pair.map(|eye| Aperture { x: eye.x - between.x, y: eye.y - between.y, z: eye.z - between.z });
-    let place = SourcePoint { x0: x, y, z };
-    let cones = ConePair::new(&Speed::REST.coefficients(), place, left, right, 0.0);
-    let (dphi, dtheta) = cones.angle_differences();
-    let of = |cone: LightCone<f64>| Sighting {
-        position: [cone.s, cone.y, cone.z],
-        distance: cone.solution.r,
-        ..seen
-    };
-    Disparity { primary: of(cones.left), secondary: of(cones.right), dphi, dtheta }
+    one_cone::disparity_of_event(&one_cone::cones_to_place(seen.position, pair), seen)
 }
 
 impl PointView<'_> {
@@ -220,14 +208,15 @@ impl PointView<'_> {
         let lines = self.relative.lines_of_sight(self.pair, &cones, self.proper_time);
         let (dphi, dtheta) = lines.map_or((0.0, 0.0), |lines| lines.angle_differences());
         let [left, right] = self.pair;
-        let seen = |eye, cone: &LightCone<f64>| self.sighting(eye, cone);
+        let middle = Middle::new(self);
+        let seen = |eye, cone: &LightCone<f64>| self.sighting(&middle, eye, cone);
         Disparity { primary: seen(left, &cones.left), secondary: seen(right, &cones.right), dphi, dtheta }
     }
 
     /// The sighting by the middle between the eyes.
     fn seen_by_middle(&self) -> Sighting {
         let between = one_cone::middle(self.pair);
-        self.sighting(between, &self.line_of_sight(between).0)
+        self.sighting(&Middle::new(self), between, &self.line_of_sight(between).0)
     }
 
     /// The stereo position; `None` where the lines of sight do not meet. It is found in the axes of the relative motion,
@@ -243,8 +232,7 @@ impl PointView<'_> {
     }
 
     /// The sighting by the aperture at `eye` through its `cone`.
-    fn sighting(&self, eye: Aperture, cone: &LightCone<f64>) -> Sighting {
-        let middle = Middle::new(self);
+    fn sighting(&self, middle: &Middle, eye: Aperture, cone: &LightCone<f64>) -> Sighting {
         let position = self.relative.line_of_sight(eye, cone, self.proper_time);
         let times = middle.times_of_eye(self, eye, cone, position);
         Sighting {

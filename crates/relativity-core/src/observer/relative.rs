@@ -10,6 +10,7 @@ use crate::one_cone::middle;
 use crate::source::SourcePoint;
 use crate::speed::Speed;
 use crate::stereo::{dot, smallest_terms};
+use crate::wheel::baseline;
 
 /// A point that moves along the first of three axes, as the observer measures it.
 ///
@@ -145,7 +146,7 @@ impl RelativeMotion {
             self.line_of_sight(right, &cones.right, proper_time),
         ];
         let excess = self.in_observer_axes(lines.excess);
-        let baseline = [right.x - left.x, right.y - left.y, right.z - left.z];
+        let baseline = baseline(pair);
         let [mean, difference, normal] =
             [lines.mean, lines.difference, lines.normal].map(|vector| self.turned_terms(vector));
         let mean = std::array::from_fn(|i| smallest_terms(&mean[i], &[0.5 * each[0][i], 0.5 * each[1][i]]));
