@@ -30,7 +30,7 @@ fn main() -> anyhow::Result<()> {
     let mut renderers = Renderers::new(Gpu::headless().ok());
     let scene = Scene::open("street")?;
     let prepared = scene.prepared();
-    let appearance = Settings::default().appearance(&scene, !is_dusk);
+    let appearance = Settings::default().appearance(&scene, 0.0, !is_dusk);
     let velocities = [Speed::REST, Speed::from_beta(0.5)?, Speed::from_beta(0.9)?, Speed::from_gamma(10.0)?];
     let mut pictures = Vec::new();
     for azimuth in GAZES {

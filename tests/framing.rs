@@ -21,13 +21,14 @@ const LEAST_MARGIN: f64 = 0.05;
 /// Points of each scene at least.
 const LEAST_POINTS: usize = 200;
 
-/// The presets as the window opens them at this beta.
+/// The presets in which something passes, as the window opens them at this beta.
 fn states(beta: f64) -> impl Iterator<Item = State> {
-    PRESETS.into_iter().map(move |name| {
+    let all = PRESETS.into_iter().map(move |name| {
         let mut settings = Settings { scene: name.to_owned(), ..Settings::default() };
         settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
         State::open(settings).expect("a preset")
-    })
+    });
+    all.filter(|state| state.document.scene.groups.iter().any(|group| group.motion == Motion::Scene))
 }
 
 /// Moments of the range over which a state is played, evenly spread.

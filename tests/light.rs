@@ -27,7 +27,7 @@ fn coloured_levels(
     scene: &Scene,
     view: &View,
 ) -> Vec<(f64, u8)> {
-    let picture = prepared.picture(view, &settings.appearance(scene, false), 1);
+    let picture = prepared.picture(view, &settings.appearance(scene, 0.0, false), 1);
     let hits = prepared.hit_image(view).hits;
     let level = |(hit, [red, green, blue, _]): (&Option<_>, &[u8; 4])| {
         let hit: &relativity_render::Hit = hit.as_ref()?;
@@ -95,6 +95,6 @@ fn at_rest_nothing_needs_an_exposure() {
         settings.motion.speed =
             gamow::flags::SpeedSetting::new(gamow::flags::SpeedParameter::Beta, 0.0).expect("a speed");
         settings.light.colour = colour;
-        assert_eq!(settings.automatic_ev(&scene).abs(), 0.0, "{colour:?}");
+        assert_eq!(settings.automatic_ev(&scene, 0.0).abs(), 0.0, "{colour:?}");
     }
 }

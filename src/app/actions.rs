@@ -4,7 +4,7 @@ use eframe::egui::text_selection::LabelSelectionState;
 use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
 use relativity_render::Geometry;
 
-use crate::app::command::Command;
+use crate::app::command::{Command, LOOK_STEP};
 use crate::app::digits;
 use crate::app::file_dialog::purpose::{Product, Purpose};
 use crate::app::focus;
@@ -14,6 +14,8 @@ use crate::app::measuring::stopwatch::StopwatchCommand;
 use crate::app::orders::Copied;
 use crate::app::overlay::Overlay;
 use crate::app::plots::look::PlotCommand;
+use crate::app::riding::keys;
+use crate::app::riding::saddle::RideCommand;
 use crate::app::state::State;
 
 /// An action, by name or by key.
@@ -51,9 +53,8 @@ const fn action(name: &'static str, keys: &'static [KeyboardShortcut], command: 
     Action { name, keys, command }
 }
 
-/// Step of a key: the factor of the field of view, and the widths of a view by which one looks aside.
+/// Factor of the field of view for a press of a key.
 pub const ZOOM_STEP: f64 = 0.9;
-pub const LOOK_STEP: f64 = 0.05;
 
 /// Every action, in the order of the help.
 pub static ACTIONS: &[Action] = &[
@@ -72,6 +73,7 @@ pub static ACTIONS: &[Action] = &[
     action("slower", &[key(Key::ArrowDown)], Command::NudgeSpeed(-1)),
     action("much faster", &[with_shift(Key::ArrowUp)], Command::NudgeSpeed(10)),
     action("much slower", &[with_shift(Key::ArrowDown)], Command::NudgeSpeed(-10)),
+    action("get on the bicycle and ride, or get off", &[key(Key::I)], Command::Ride(RideCommand::Toggle)),
     action("as seen", &[key(Key::Num1)], Command::Geometry(Geometry::Seen)),
     action("contracted only", &[key(Key::Num2)], Command::Geometry(Geometry::Contracted)),
     action("at rest", &[key(Key::Num3)], Command::Geometry(Geometry::Rest)),
@@ -194,7 +196,10 @@ pub fn asked(ctx: &Context, state: &State) -> Vec<Command> {
         |event: &&Event| !(digits::counts(state, event) || is_copying_text && **event == Event::Copy);
     let answered =
         |event: &Event| digits::answered(state, event).map(|(digit, command)| (key(digit), command));
-    let meaning = |event: &Event| answered(event).or_else(|| bound(event));
+    let meaning = |event: &Event| match keys::taken(state, event) {
+        Some(asked) => asked.map(|(asked, command)| (key(asked), command)),
+        None => answered(event).or_else(|| bound(event)),
+    };
     let pressed: Vec<_> =
         ctx.input(|input| input.events.iter().filter(is_meant).filter_map(meaning).collect());
     pressed.into_iter().filter(|(keys, _)| !focus::takes(ctx, *keys)).map(|(_, command)| command).collect()

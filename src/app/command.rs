@@ -15,6 +15,7 @@ use crate::app::orders::{Copied, Order, Saving};
 use crate::app::overlay::Overlay;
 use crate::app::plots::look::PlotCommand;
 use crate::app::pointer::{Pick, Select, Turn, Zoom};
+use crate::app::riding::saddle::RideCommand;
 use crate::app::screens::stage::{Part, next_to_show};
 use crate::app::state::defaults::Section;
 use crate::app::state::{Scratch, Session, State};
@@ -29,11 +30,16 @@ use crate::settings::{
 };
 use crate::time_range::time_within;
 
+/// Turn of the gaze for a press of a key, widths of a view.
+pub const LOOK_STEP: f64 = 0.05;
+
 /// A command of the user.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Command {
     /// New speed, separation or path.
     Motion(Motion),
+    /// Get on the bicycle, ride, get off.
+    Ride(RideCommand),
     /// New geometry, gaze or field of view.
     Look(Look),
     /// Another layout of the eyes' pictures.
@@ -174,6 +180,7 @@ impl Command {
         matches!(
             self,
             Self::Motion(_)
+                | Self::Ride(_)
                 | Self::NudgeSpeed(_)
                 | Self::Time(_)
                 | Self::Step(_)
@@ -211,6 +218,7 @@ impl State {
         let settings = &mut self.document.settings;
         match command {
             Command::Motion(motion) => settings.motion = motion,
+            Command::Ride(command) => self.apply_to_ride(command),
             Command::Look(look) => settings.look = look,
             Command::Layout(layout) => settings.picture.layout = layout,
             Command::ToggleProjection => {
@@ -240,9 +248,7 @@ impl State {
             Command::Narrow => self.narrow(),
             Command::Time(time) => self.document.time = clock::bounded(time),
             Command::Step(steps) => self.step_in_time(steps),
-            Command::TimeInRange(fraction) => {
-                self.document.time = clock::bounded(time_within(self.time_range(), fraction));
-            }
+            Command::TimeInRange(fraction) => self.go_within_range(fraction),
             Command::TogglePlaying => self.toggle_playing(),
             Command::NudgeSpeed(steps) => {
                 settings.motion.speed = settings.motion.speed.nudged(steps);
@@ -312,7 +318,8 @@ impl State {
     fn toggle_frame(&mut self) {
         let frame = match self.document.settings.map.frame {
             Frame::Ground => Frame::Bicycle,
-            Frame::Bicycle => Frame::Ground,
+            Frame::Bicycle if self.document.settings.ride.is_on() => Frame::Rider,
+            Frame::Bicycle | Frame::Rider => Frame::Ground,
         };
         self.set_map(Map { frame, ..self.document.settings.map });
     }
@@ -391,6 +398,10 @@ impl State {
         let next = (self.document.time / size).round() + f64::from(steps);
         self.document.time = clock::bounded(next * size);
         self.scratch.playing = false;
+    }
+
+    fn go_within_range(&mut self, fraction: f64) {
+        self.document.time = clock::bounded(time_within(self.time_range(), fraction));
     }
 
     fn toggle_playing(&mut self) {

@@ -33,6 +33,7 @@ pub mod persistence;
 pub mod plots;
 pub mod pointer;
 mod recovery;
+pub mod riding;
 mod saving;
 pub mod screens;
 mod speed_slider;
@@ -65,6 +66,7 @@ use overlay::Overlay;
 use panels::{Commands, plots::Plotted, presented::Words};
 use persistence::Keeper;
 use plots::curves::Curves;
+use riding::saddle::{Direction, RideCommand};
 use saving::Saver;
 use screens::full_screen::FullScreen;
 use screens::other_screen::Screen;
@@ -76,6 +78,7 @@ use views::eyes::{Chosen, EyePictures};
 use views::panes::{Arrangement, Content};
 use views::thumbnails::Thumbnails;
 
+use crate::flags::MAX_TIME;
 use crate::lesson::Course;
 use crate::settings::{PlotTab, Presence, Window};
 
@@ -235,14 +238,25 @@ impl App {
         }
     }
 
-    /// Lets T run by a `step` of the wall clock, seconds.
-    fn advance(&mut self, step: f64) {
+    /// Lets T run by a `step` of the wall clock, seconds, while keys push the pedals, or do not.
+    fn advance(&mut self, step: f64, pushed: Option<Direction>) {
         let before = self.state.document.time;
         self.state.run_lesson(step);
         self.state.frame.step = (self.state.document.time - before).abs();
+        if let Some(direction) = pushed {
+            self.state.scratch.playing = true;
+            let step = step * self.state.document.settings.playback.rate;
+            self.state.frame.step = step;
+            self.ask(Command::Ride(RideCommand::Push(direction, step)));
+            return;
+        }
+        self.state.scratch.saddle.push = None;
         if self.state.scratch.playing {
             let playback = self.state.document.settings.playback;
-            let range = self.state.time_range();
+            let [from, to] = self.state.time_range();
+            // Who sits in the saddle rides on.
+            let to = if self.state.scratch.saddle.is_taken { MAX_TIME } else { to };
+            let range = [from, to];
             let tick =
                 clock::advanced(self.state.document.time, step, playback.rate, playback.looping, range);
             self.state.frame.step = step * playback.rate;
@@ -606,7 +620,8 @@ impl eframe::App for App {
         if let Some(keeper) = &self.keeper {
             keeper.keep_on(&mut self.state, ctx);
         }
-        self.advance(f64::from(ctx.input(|input| input.stable_dt)));
+        let pushed = riding::keys::held(ctx, &self.state);
+        self.advance(f64::from(ctx.input(|input| input.stable_dt)), pushed);
         log::trace!("a frame took {:.3} ms", 1e3 * ctx.input(|input| input.unstable_dt));
     }
 

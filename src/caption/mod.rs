@@ -19,6 +19,7 @@ use relativity_render::{Colour, Emission, Geometry, View};
 pub use self::light::{Source, in_words};
 pub use self::numbers::decimal;
 use self::numbers::distinct_texts;
+use self::times::ObserverClock;
 pub use self::unseen::notice;
 use crate::scene::Track;
 use crate::settings::{Light, Settings};
@@ -34,8 +35,10 @@ pub struct Moment {
     pub name: String,
     /// Light of the point at rest.
     pub source: Source,
-    /// Observation time T.
+    /// Observation time T, or the clock of who rides.
     pub time: f64,
+    /// Whether the eyes ride.
+    is_riding: bool,
     /// Units of lengths and times.
     measures: Measures,
     /// Remark on colours that are not drawn as they are received.
@@ -97,6 +100,7 @@ impl Moment {
             name,
             source: Source::new(emission, &settings.light),
             time,
+            is_riding: settings.ride.is_on(),
             measures: Measures::OWN,
             drawn: drawn(&settings.light),
             shown,
@@ -142,18 +146,20 @@ impl Moment {
     pub fn sentence(&self) -> String {
         let Measures { length, time: unit, .. } = self.measures;
         let (name, now) = (&self.name, value_text(unit, self.time));
+        let clock_now = format!("{} = {now}", ObserverClock::of(self.is_riding).symbol);
         match self.shown {
             ShownPoint::Received(seen, eyes, clock) => {
-                let left = departure(&seen, eyes, unit);
+                let left = departure(&seen, eyes, unit, self.is_riding);
                 let shown = proper_time(clock, &seen, unit);
-                self.with_light(&format!("Light received now (T = {now}) left {name} {left}{shown}"))
+                self.with_light(&format!("Light received now ({clock_now}) left {name} {left}{shown}"))
             }
             ShownPoint::OneCone(seen, clock) => {
                 let both = [seen, seen];
-                let left = departure(&both, Eyes::Together, unit) + &proper_time(clock, &both, unit);
+                let left =
+                    departure(&both, Eyes::Together, unit, self.is_riding) + &proper_time(clock, &both, unit);
                 let start =
                     "As if both eyes received the same events: light received midway between them now";
-                self.with_light(&format!("{start} (T = {now}) left {name} {left}"))
+                self.with_light(&format!("{start} ({clock_now}) left {name} {left}"))
             }
             ShownPoint::Published(seen) => {
                 let [left, right] = seen.map(|seen| value_text(unit, seen.retarded_time));
@@ -164,17 +170,21 @@ impl Moment {
                 let model = "The right view is the paper's model: the left eye's picture at T − ΔT.";
                 format!("{} {model}", self.with_light(&start))
             }
-            ShownPoint::Contracted(x) => format!(
-                "{} is drawn where it is now (t = {now}, x = {}), as measured on the ground: nobody sees this.",
-                capitalised(name),
-                value_text(length, x)
-            ),
+            ShownPoint::Contracted(x) => {
+                let (where_measured, symbol) =
+                    if self.is_riding { ("in my own frame", "s") } else { ("on the ground", "t") };
+                format!(
+                    "{} is drawn where it is now ({symbol} = {now}, x = {}), as measured {where_measured}: nobody sees this.",
+                    capitalised(name),
+                    value_text(length, x)
+                )
+            }
             ShownPoint::RidingAlong(_) => {
                 let start =
-                    format!("Cameras riding along, as they pass the eyes (T = {now}), receive from {name}");
+                    format!("Cameras riding along, as they pass the eyes ({clock_now}), receive from {name}");
                 self.with_light(&start)
             }
-            ShownPoint::Unknown => format!("Of {name} nothing can be worked out at T = {now}."),
+            ShownPoint::Unknown => format!("Of {name} nothing can be worked out at {clock_now}."),
         }
     }
 
@@ -204,12 +214,15 @@ fn both_texts(unit: Unit, values: [f64; 2]) -> Vec<String> {
 }
 
 /// When the light left that is received by the eyes.
-fn departure(seen: &[Sighting; 2], eyes: Eyes, unit: Unit) -> String {
+fn departure(seen: &[Sighting; 2], eyes: Eyes, unit: Unit, is_riding: bool) -> String {
+    let whose = if is_riding { ", by the street's clocks," } else { "" };
     let times = both_texts(unit, seen.map(|seen| seen.retarded_time));
     match (&times[..], eyes) {
-        ([left, right], Eyes::Apart) => format!("at t = {left} for the left eye, {right} for the right"),
-        (_, Eyes::Apart) => format!("at t = {} for both eyes", times[0]),
-        (_, Eyes::Together) => format!("at t = {}", times[0]),
+        ([left, right], Eyes::Apart) => {
+            format!("at t = {left}{whose} for the left eye, {right} for the right")
+        }
+        (_, Eyes::Apart) => format!("at t = {}{whose} for both eyes", times[0]),
+        (_, Eyes::Together) => format!("at t = {}{}", times[0], whose.trim_end_matches(',')),
     }
 }
 
@@ -237,7 +250,7 @@ impl ShownPoint {
     /// Returns the point at `track` at `time` as `settings` show it; `None` outside the domain of the core.
     fn new(settings: &Settings, track: &Track, time: f64) -> Option<Self> {
         let clock = Clock::from_settings(settings, track);
-        let is_moving = clock != Clock::Ground;
+        let is_moving = clock != Clock::Ground || settings.ride.is_on();
         let seen = || settings.disparity(track, time).ok();
         match settings.geometry() {
             Geometry::Rest if settings.speed().beta() != 0.0 => Self::riding_along(settings, track, time),

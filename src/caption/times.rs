@@ -40,9 +40,55 @@ pub const OWN_CLOCK: TimeName = TimeName {
 /// The three times, in the order in which they are shown.
 pub const TIMES: [TimeName; 3] = [RECEIVED, HAPPENED, OWN_CLOCK];
 
-/// When light is received, when it left, and what the own clock showed then, units of the scene, each by its name in this
-/// `unit` with as much as `decimals` are of the scene's.
-#[must_use]
-pub fn texts(times: [f64; 3], unit: Unit, decimals: u8) -> [String; 3] {
-    [0, 1, 2].map(|i| format!("{} = {}", TIMES[i].name, unit.text(times[i], decimals)))
+/// The observer's clock: the horizontal axis of all plots, and the time of every sentence.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ObserverClock {
+    /// Symbol of its time.
+    pub symbol: &'static str,
+    /// The same in words.
+    pub words: &'static str,
+    /// Description for a tooltip.
+    pub tip: &'static str,
+    /// The three times of what is seen: received by this clock, happened, and by the body's own.
+    pub times: [TimeName; 3],
+}
+
+/// The clock of eyes that rest: one of the ground's.
+pub const RESTING: ObserverClock =
+    ObserverClock { symbol: "T", words: "observer's time T", tip: RECEIVED.tip, times: TIMES };
+
+/// The clock on the handlebar of who rides.
+pub const RIDING: ObserverClock = ObserverClock {
+    symbol: "s",
+    words: "my clock s",
+    tip: "The proper time of whoever rides: what the clock on the handlebar shows when the light arrives. It shows 0 where the \
+        ride starts, and so does the street's clock there.",
+    times: [
+        TimeName {
+            name: "received s",
+            short: "when the light arrives, by the clock on the handlebar",
+            tip: "When the light arrives at the eyes, on the clock on the handlebar. The street's clock beside me shows another time.",
+        },
+        TimeName {
+            name: "happened t",
+            short: "when the light left, by the street's clocks",
+            tip: "When what is seen happened: when the light left, on the street's clock there.",
+        },
+        OWN_CLOCK,
+    ],
+};
+
+impl ObserverClock {
+    /// The clock of eyes that ride, or rest.
+    #[must_use]
+    pub const fn of(is_riding: bool) -> &'static Self {
+        if is_riding { &RIDING } else { &RESTING }
+    }
+
+    /// When light is received, when it left, and what the own clock showed then, units of the scene, each by its name in this
+    /// `unit` with as much as `decimals` are of the scene's.
+    #[must_use]
+    pub fn texts(&self, times: [f64; 3], unit: Unit, decimals: u8) -> [String; 3] {
+        [0, 1, 2].map(|i| format!("{} = {}", self.times[i].name, unit.text(times[i], decimals)))
+    }
 }

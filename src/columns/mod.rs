@@ -181,8 +181,7 @@ impl ModelArgs {
         }
         if self.stereo {
             // What two eyes in one place make of a point is a limit, which depends on their direction and on the motion.
-            let pair =
-                if given.is_riding { baseline.apart().apertures() } else { baseline.apertures_or_limit() };
+            let pair = baseline.stereo_apertures(given.is_riding);
             let found = match observer.stereo(self.model, speed, source, pair, clock) {
                 Ok(Stereo { gain, position: [x, y, z], miss }) => [gain, x, y, z, miss],
                 Err(ObserverError::Stereo(StereoError::Apart)) => [f64::NAN; 5],

@@ -15,7 +15,7 @@ use crate::files::whole::write_whole;
 use crate::flags::choices::{FileKind, GazeChoice, Layout};
 use crate::flags::{IntensityExponent, OnOff, SpeedArgs, SpeedParameter, field_of_view, switch};
 use crate::platform::files;
-use crate::settings::{CameraArgs, NO_PAIR, Settings};
+use crate::settings::{CameraArgs, NO_PAIR, ON_A_RIDE, Settings};
 use crate::studio::Sheet;
 
 /// Corrects a picture taken from one eye to the frame of the bodies in it.
@@ -168,6 +168,7 @@ impl RectifyArgs {
     fn rectifications(&self, size: [u32; 2], settings: &Settings) -> anyhow::Result<[Rectification; 2]> {
         let (parameter, value) = self.speed()?;
         let velocity = Velocity { speed: parameter.speed(value)?, is_backward: self.backward };
+        anyhow::ensure!(!settings.ride.is_on(), "{}: {ON_A_RIDE}", files::shown(&self.image));
         let grounds = settings.recorded_cameras(size).map_err(|flag| self.not_recorded(flag))?;
         // Where both eyes look, whatever the image shift of each.
         let projection = match grounds[0].projection {

@@ -7,7 +7,7 @@ use anyhow::Context as _;
 use csv::ByteRecord;
 use relativity_core::{
     Aperture, Baseline, Curves, FitOptions, Model, Observations, Parameter, Passage, Rolling, Simulation,
-    Source, Turning, WheelPoint,
+    Source, SourcePoint, Turning, WheelPoint,
 };
 use relativity_render::Velocity;
 
@@ -47,6 +47,8 @@ pub struct Simulated {
     pub source: Source,
     /// The eyes, from the middle between them.
     pub pair: [Aperture; 2],
+    /// Why eyes that ride measure nothing that a fit takes, if they do not.
+    obstacle_of_ride: Option<&'static str>,
     /// First and last T of the samples.
     pub range: [f64; 2],
     /// The model by which the samples are made.
@@ -211,10 +213,37 @@ impl Simulated {
     /// Simulates a measurement of `point` with `settings`.
     #[must_use]
     pub fn new(settings: &Settings, point: &Track) -> Self {
+        // A ride that coasts has what passes it move evenly, as a rest of the eyes has.
+        let passage = settings.passage(point).filter(|_| settings.ride.is_on());
+        let (velocity, source) = passage.map_or_else(
+            || (settings.velocity(point.motion), settings.source(point)),
+            |(velocity, place)| (velocity, place.into()),
+        );
+        let pair = settings.pair();
+        let is_across = pair.iter().all(|eye| eye.x == 0.0);
+        let obstacle = match (settings.ride.coasts(), point.spin, is_across || !velocity.is_backward) {
+            (false, ..) => Some("the ride changes its speed, and a fit takes one that coasts"),
+            (_, Some(_), _) => Some("the point turns, and a fit of a ride takes points that do not"),
+            (.., false) => {
+                Some("a fit of a ride takes eyes that look along the street: turn the head by −90°")
+            }
+            _ => None,
+        };
+        // Turned or mirrored so that it passes towards +x in front of the eyes: those across the street exchange their sides at most.
+        let (velocity, source, pair) = match source {
+            Source::Point(place) if settings.ride.is_on() => {
+                let side = if place.y < 0.0 { -1.0 } else { 1.0 };
+                let place = SourcePoint { y: side * place.y, ..place };
+                let pair = pair.map(|eye| Aperture { y: side * eye.y, ..eye });
+                (Velocity::forward(velocity.speed), place.into(), pair)
+            }
+            _ => (velocity, source, pair),
+        };
         Self {
-            velocity: settings.velocity(point.motion),
-            source: settings.source(point),
-            pair: settings.pair(),
+            velocity,
+            source,
+            pair,
+            obstacle_of_ride: obstacle.filter(|_| settings.ride.is_on()),
             range: settings.fit.fit_range.0.unwrap_or_else(|| settings.time_range(point)),
             model: settings.fit.data_from.model().unwrap_or_else(|| settings.model()),
         }
@@ -271,7 +300,9 @@ impl Simulated {
 
     /// Why there is nothing to fit, whatever the noise.
     fn obstacle(&self) -> Option<&'static str> {
-        if self.pair[0] == self.pair[1] {
+        if self.obstacle_of_ride.is_some() {
+            self.obstacle_of_ride
+        } else if self.pair[0] == self.pair[1] {
             Some("both eyes are in one place (d = 0) and see the same")
         } else if self.velocity.speed.beta() == 0.0 {
             Some("at rest (β = 0) no disparity changes with T")

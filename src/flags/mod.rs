@@ -8,6 +8,7 @@ mod head;
 mod layout;
 mod numbers;
 mod observer;
+mod ride;
 mod speed;
 mod wheel;
 pub mod words;
@@ -21,5 +22,6 @@ pub use numbers::{
     field_of_view, finite_number, switch, temperature, time, whole_number, within,
 };
 pub use observer::{GivenObserver, ObserverArgs};
+pub use ride::{RideLegs, StreetVelocity};
 pub use speed::{SpeedArgs, SpeedParameter, SpeedSetting};
 pub use wheel::{WheelArgs, rolling};

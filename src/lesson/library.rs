@@ -16,7 +16,7 @@ macro_rules! files {
 }
 
 /// The names of the program's own, and their files, in their order.
-const OWN: [(&str, &str); 13] = files![
+const OWN: [(&str, &str); 19] = files![
     "rods",
     "what-gamow-drew",
     "light-is-late",
@@ -30,6 +30,12 @@ const OWN: [(&str, &str); 13] = files![
     "red-below",
     "measure-speed",
     "parallax",
+    "ride-crowd",
+    "ride-length",
+    "ride-home",
+    "ride-contracted",
+    "ride-away",
+    "ride-gate",
 ];
 
 /// The lessons that there are.

@@ -59,7 +59,7 @@ impl Extent {
             let framed = |other: Motion| {
                 if instant.rests(motion) { !instant.rests(other) } else { other == motion }
             };
-            let groups = scene.groups.iter().filter(|group| framed(group.motion));
+            let groups = scene.passing().filter(|group| framed(group.motion));
             groups.fold(into, |bounds, group| {
                 let places = instant.places(group.motion);
                 let stride = group.count.div_ceil(MOST_BODIES).max(1);
@@ -70,7 +70,7 @@ impl Extent {
         };
         let around = match instant.frame() {
             Frame::Bicycle => bounds(Picture::Measured, Bounds::EMPTY),
-            Frame::Ground => {
+            Frame::Ground | Frame::Rider => {
                 let seen = bounds(Picture::Seen(1), bounds(Picture::Seen(0), Bounds::EMPTY));
                 let within = seen.grown(STEREO_REACH * seen.size());
                 let stereo = bounds(Picture::Stereo, seen);
@@ -88,7 +88,7 @@ impl Extent {
 #[must_use]
 pub fn around_now(diagrams: &[Diagram]) -> Option<[Event; 2]> {
     let events = diagrams.iter().flat_map(|diagram| {
-        let nows = [diagram.time, diagram.scene_now()];
+        let nows = [diagram.time, diagram.other_now()];
         nows.map(|time| diagram.point.at(time))
     });
     let places = events.map(|event| DVec3::new(event.x, event.t, 0.0));

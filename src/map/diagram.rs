@@ -3,7 +3,7 @@
 //! The point passes beside the eyes, not through them. So what is drawn of an eye's past light cone is its cut by the
 //! point's own plane, in which y and z are the point's: a hyperbola, whose asymptotes are light that runs along x.
 
-use relativity_core::{Aperture, PairError, SourcePoint, math};
+use relativity_core::{Aperture, ObserverError, SourcePoint, math};
 use relativity_render::Velocity;
 
 use super::event::{Event, StraightLine};
@@ -71,16 +71,22 @@ impl Cone {
 pub struct Diagram {
     /// The frame it is drawn in, by its velocity on the ground.
     pub frame: Velocity,
-    /// The velocity of the scene: of the frame that it rests in.
-    pub scene: Velocity,
+    /// The velocity of the other frame beside the ground's: that in which the scene rests, or whoever rides does at this moment.
+    pub other: Velocity,
     /// Worldline of the point.
     pub point: Worldline,
     /// The light that the eyes receive at T.
     pub rays: [Ray; 2],
     /// The middle between the eyes at T.
     pub present: Event,
-    /// Observation time T.
+    /// The time of the ground's clocks there: T, of eyes that rest.
     pub time: f64,
+    /// The time of the settings: T, or the clock of who rides.
+    pub clock: f64,
+    /// The velocity of the eyes on the ground.
+    pub observer: Velocity,
+    /// The middle between the eyes on the ground.
+    here: Event,
 }
 
 impl Diagram {
@@ -89,14 +95,24 @@ impl Diagram {
     /// # Errors
     ///
     /// A time outside the domain of the core.
-    pub fn new(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> Result<Self, PairError> {
+    pub fn new(
+        settings: &Settings,
+        point: &Track,
+        time: f64,
+        frame: Velocity,
+    ) -> Result<Self, ObserverError> {
+        let rider = settings.rider(time);
+        let here = Event { x: rider.x, t: rider.street_time };
         Ok(Self {
             frame,
-            scene: Velocity::forward(settings.speed()),
+            other: if settings.ride.is_on() { rider.velocity } else { Velocity::forward(settings.speed()) },
             point: Worldline::new(settings, point, frame),
             rays: rays(settings, point, time, frame)?,
-            present: Event { x: 0.0, t: time }.in_frame(frame),
-            time,
+            present: here.in_frame(frame),
+            time: rider.street_time,
+            clock: time,
+            observer: rider.velocity,
+            here,
         })
     }
 
@@ -106,13 +122,12 @@ impl Diagram {
         self.point.at(self.time)
     }
 
-    /// The ground's time at which the point is, when on the clocks of the scene's frame it is as late there as it is
+    /// The ground's time at which the point is, when on the clocks of the other frame it is as late there as it is
     /// between the eyes at T.
     #[must_use]
-    pub fn scene_now(&self) -> f64 {
-        // All of that frame's now has the t' of (0, T).
-        let now = Event { x: 0.0, t: self.time }.in_frame(self.scene).t;
-        self.point.ground_time_in(self.scene, now)
+    pub fn other_now(&self) -> f64 {
+        // All of that frame's now has the t' of the eyes' event.
+        self.point.ground_time_in(self.other, self.here.in_frame(self.other).t)
     }
 
     /// The ground's times at which the point's worldline is to be drawn between these corners, later and later; none where it
@@ -131,22 +146,20 @@ impl Diagram {
         self.point.straight(self.time)
     }
 
-    /// The worldlines of the eyes.
+    /// The worldlines of the eyes, a step for each unit of their clock; of eyes that accelerate, as they would coast on.
     #[must_use]
     pub fn eyes(&self) -> [StraightLine; 2] {
-        let step = Event { x: 0.0, t: 1.0 }.in_frame(self.frame);
+        let step = Event { x: 0.0, t: 1.0 }.in_frame(self.frame.seen_from(self.observer));
         self.rays.map(|ray| StraightLine { through: ray.received, step })
     }
 
-    /// Returns the present by the ground's clocks, and that by the clocks of the scene's frame.
+    /// Returns the present by the ground's clocks, and that by the clocks of the other frame.
     #[must_use]
     pub fn nows(&self) -> [StraightLine; 2] {
-        let back = Velocity { is_backward: !self.scene.is_backward, ..self.scene };
-        let along_x = Event { x: 1.0, t: 0.0 };
-        let on_ground = [along_x, along_x.in_frame(back)];
-        let in_scene = [along_x.in_frame(self.scene), along_x];
-        let steps = if self.frame == self.scene { in_scene } else { on_ground };
-        steps.map(|step| StraightLine { through: self.present, step })
+        [Velocity::REST, self.other].map(|of| {
+            let step = Event { x: 1.0, t: 0.0 }.in_frame(self.frame.seen_from(of));
+            StraightLine { through: self.present, step }
+        })
     }
 
     /// The past light cones of the eyes at T.
@@ -154,6 +167,18 @@ impl Diagram {
     pub fn cones(&self) -> [Cone; 2] {
         self.rays.map(|ray| Cone { apex: ray.apex, distance: ray.aside })
     }
+}
+
+/// The places of the left (0) or the right (1) eye in the frame that moves at `frame`, at evenly spread times of the clock in this range.
+#[must_use]
+pub fn worldline_of_eye(settings: &Settings, frame: Velocity, eye: usize, range: [f64; 2]) -> Vec<Event> {
+    let aperture = settings.pair()[eye];
+    let event = |piece: i32| {
+        let time = time_range::time_within(range, f64::from(piece) / f64::from(Cone::PIECES));
+        let (x, t) = settings.rider(time).event_of(aperture);
+        Event { x, t }.in_frame(frame)
+    };
+    (0..=Cone::PIECES).map(event).collect()
 }
 
 /// A part of a passage: from where to where the point is seen to pass, in distances at which it does; and, of slow
@@ -171,17 +196,23 @@ const NEAREST: f64 = 0.05;
 /// # Errors
 ///
 /// A time outside the domain of the core.
-pub fn home(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> Result<[Event; 2], PairError> {
+pub fn home(
+    settings: &Settings,
+    point: &Track,
+    time: f64,
+    frame: Velocity,
+) -> Result<[Event; 2], ObserverError> {
     // It holds still while a point of a wheel turns.
     let point = &Track { rest: point.axle(), spin: None, ..*point };
     let [first, last] = shown_times(settings, point, AT_FIRST)?;
     let [earliest, latest] = shown_times(settings, point, AT_MOST)?;
-    let shown = time.clamp(earliest.min(first), latest.max(last));
+    let shown = if settings.ride.is_on() { time } else { time.clamp(earliest.min(first), latest.max(last)) };
     let mut low = Event { x: f64::INFINITY, t: f64::INFINITY };
     let mut high = Event { x: f64::NEG_INFINITY, t: f64::NEG_INFINITY };
     for shown in [first, last, shown] {
         let diagram = Diagram::new(settings, point, shown, frame)?;
-        let here = if frame == diagram.scene { diagram.present } else { diagram.measured() };
+        let is_ground = frame == Velocity::REST || settings.ride.is_on();
+        let here = if frame == diagram.other && !is_ground { diagram.present } else { diagram.measured() };
         let ends = diagram.rays.iter().flat_map(|ray| [ray.left, ray.received]);
         for event in ends.chain([here]) {
             low = Event { x: low.x.min(event.x), t: low.t.min(event.t) };
@@ -217,7 +248,10 @@ fn shown_times(
     settings: &Settings,
     point: &Track,
     ([from, to], longest): Part,
-) -> Result<[f64; 2], PairError> {
+) -> Result<[f64; 2], ObserverError> {
+    if settings.ride.is_on() {
+        return Ok(settings.time_range(point));
+    }
     let speed = settings.velocity(point.motion).speed;
     let source = settings.carrier(point);
     let distance = math::hypot(source.y, source.z).max(NEAREST);
@@ -346,8 +380,8 @@ mod tests {
                 assert_eq!((here.happened, here.proper_time), (seen.happened, seen.proper_time));
             }
             assert_same(there(ground.measured()), scene.measured(), scale);
-            let now = ground.scene_now();
-            assert!((now - scene.scene_now()).abs() <= 1e-12 * now.abs());
+            let now = ground.other_now();
+            assert!((now - scene.other_now()).abs() <= 1e-12 * now.abs());
             assert_same(there(ground.point.at(now)), scene.point.at(now), scale);
             for (here, there_drawn) in ground.nows().iter().zip(scene.nows()) {
                 assert_same(there(here.step), there_drawn.step, 1.0);
@@ -362,7 +396,7 @@ mod tests {
     fn each_now_passes_the_point_where_its_clocks_show_the_time_of_the_present() {
         for [ground, scene] in diagrams() {
             assert_eq!(ground.measured().t, ground.present.t);
-            let now = scene.point.at(scene.scene_now());
+            let now = scene.point.at(scene.other_now());
             assert!((now.t - scene.present.t).abs() < 1e-12 * scale(&scene), "{scene:?}");
         }
     }
@@ -418,8 +452,8 @@ mod tests {
                     let lines = diagram.nows().into_iter().chain(diagram.eyes()).chain([diagram.worldline()]);
                     let drawn = lines.filter_map(|line| line.within(low, high)).flatten();
                     let curves = diagram.cones().into_iter().flat_map(|cone| cone.curve([low.x, high.x]));
-                    let now = diagram.point.at(diagram.scene_now());
-                    if frame == diagram.scene && diagram.point.rests() {
+                    let now = diagram.point.at(diagram.other_now());
+                    if frame == diagram.other && diagram.point.rests() {
                         assert!(
                             (now.t / diagram.present.t - 1.0).abs() < 1e-12 || time == 0.0,
                             "{diagram:?}"

@@ -20,6 +20,8 @@ const NEAREST: f64 = 1.0;
 const WIDEST: f64 = 1.5;
 /// Margin behind the eyes, beyond what moves and below the ground, units; above it half as much.
 const MARGIN: f64 = 0.7;
+/// Part of the street around who rides, behind and ahead, units.
+const AROUND_RIDER: [f64; 2] = [-8.0, 16.0];
 /// Space between the plan and the view from the side, points.
 const BETWEEN: f64 = 10.0;
 
@@ -40,13 +42,21 @@ impl Extent {
             [z[0].min(0.0).min(ground) - MARGIN, z[1].max(0.0) + 0.5 * MARGIN],
         ])
     }
+
+    /// Returns the part around who rides, whose eyes are at this x on the map: more of it ahead than behind.
+    #[must_use]
+    pub fn of_ride(settings: &Settings, scene: &Scene, x: f64) -> Self {
+        let mut extent = Self::of_space(settings, scene);
+        extent.0[0] = AROUND_RIDER.map(|along| x + along);
+        extent
+    }
 }
 
 /// Returns the factor by which a map is wider that holds eyes which ride past: from T = 0 on they are gamma beta T away. In steps,
 /// and at most so much that the bicycle stays large enough to be seen.
 fn widening(settings: &Settings) -> f64 {
-    match settings.map.frame {
-        Frame::Ground => 1.0,
+    match settings.map_frame() {
+        Frame::Ground | Frame::Rider => 1.0,
         Frame::Bicycle => {
             let steps = 2.0 * math::log2(settings.speed().gamma());
             math::powf(2.0, 0.5 * steps.ceil()).min(WIDEST)
@@ -57,7 +67,7 @@ fn widening(settings: &Settings) -> f64 {
 /// The box around what the scene is about, at rest.
 fn subject_box(scene: &Scene) -> [[f64; 2]; 3] {
     let moves = |motion: Motion| motion != Motion::Own(Velocity::REST);
-    let subject = scene.groups.iter().filter(|group| moves(group.motion));
+    let subject = scene.passing().filter(|group| moves(group.motion));
     let bodies = subject.flat_map(|group| &scene.bodies[group.bodies()]);
     let empty = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
     let around = bodies.fold(empty, |around, body| joined(around, body.shape.ball_around()));

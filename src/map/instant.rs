@@ -1,12 +1,13 @@
 //! The present T of an observer, as the map asks for it: where points are, and where they are seen.
 
 use glam::DVec3;
-use relativity_core::{Aperture, Model, Stereo};
-use relativity_render::{Geometry, GroupView, MaterialPoint, Motion, Velocity, View};
+use relativity_core::{Aperture, Model, Observer, Stereo};
+use relativity_render::{Camera, Geometry, GroupView, MaterialPoint, Motion, Velocity, View};
 
+use super::event::Event;
 use super::present::Present;
 use crate::scene::Track;
-use crate::settings::{Frame, Look, Settings};
+use crate::settings::{Frame, Look, Rider, Settings};
 
 /// A picture of a body on the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,7 +40,9 @@ impl Picture {
 #[derive(Debug, Clone)]
 pub struct Instant<'a> {
     settings: &'a Settings,
+    /// The time of the settings: T, or the clock of who rides.
     time: f64,
+    rider: Rider,
     seen: [View; 2],
     model: Model,
 }
@@ -52,13 +55,13 @@ impl<'a> Instant<'a> {
         let model = settings.model();
         let geometry = if model == Model::OneCone { Geometry::OneCone } else { Geometry::Seen };
         let shown = Settings { look: Look { geometry, ..settings.look }, ..settings.clone() };
-        Self { settings, time, seen: shown.views_ahead(time), model }
+        Self { settings, time, rider: settings.rider(time), seen: shown.views_ahead(time), model }
     }
 
     /// The frame that is drawn.
     #[must_use]
-    pub const fn frame(&self) -> Frame {
-        self.settings.map.frame
+    pub fn frame(&self) -> Frame {
+        self.settings.map_frame()
     }
 
     /// Whether what moves so belongs to the street: it has no speed, whatever the scene's is.
@@ -67,29 +70,50 @@ impl<'a> Instant<'a> {
         motion == Motion::Own(Velocity::REST)
     }
 
-    /// Returns the places of the left and the right eye.
+    /// Returns the places of the left and the right eye: of eyes that ride, where light reaches each of them.
     #[must_use]
     pub fn eyes(&self) -> [DVec3; 2] {
+        if self.frame() == Frame::Rider {
+            return self.settings.pair().map(position);
+        }
         let street = self.places(Motion::Own(Velocity::REST));
-        self.settings.apertures().map(|eye| street.measured(position(eye)))
+        if !self.settings.ride.is_on() {
+            return self.settings.apertures().map(|eye| street.measured(position(eye)));
+        }
+        let frame = self.settings.frame(self.time);
+        self.seen.map(|view| {
+            let place = position(view.camera.aperture) + street.shift;
+            let event = Event { x: place.x, t: view.observation_time }.in_frame(frame);
+            DVec3 { x: event.x, ..place }
+        })
     }
 
     /// Returns the places of everything with this `motion`.
     #[must_use]
     pub fn places(&self, motion: Motion) -> Places {
         let Settings { motion: set, .. } = self.settings;
-        let frame = self.settings.frame();
+        let frame = self.settings.frame(self.time);
+        let Rider { x, street_time, .. } = self.rider;
+        let here = Event { x, t: street_time }.in_frame(frame);
+        let shift = DVec3::new(0.0, set.depth_shift, set.height_shift);
+        // On the ground is what eyes at rest would see that receive the same light.
+        let from = if self.frame() == Frame::Rider { self.rider.velocity } else { Velocity::REST };
+        let seen = self.seen.map(|view| View { camera: Camera { velocity: from, ..view.camera }, ..view });
         Places {
-            shift: DVec3::new(0.0, set.depth_shift, set.height_shift),
-            eyes: self.settings.apertures().map(position),
-            pair: self.settings.baseline().apertures_or_limit(),
+            shift,
+            origin: if self.frame() == Frame::Rider { here.x } else { 0.0 },
+            eyes: match self.frame() {
+                Frame::Rider => self.settings.pair().map(position),
+                _ => seen.map(|view| position(view.camera.aperture) + shift),
+            },
+            pair: self.settings.stereo_pair(),
             model: self.model,
-            seen: self.seen.map(|view| view.of_group(motion)),
-            received: self.time,
+            seen: seen.map(|view| view.of_group(motion)),
+            observer: self.rider.observer(),
             present: Present {
                 on_ground: self.settings.velocity(motion),
                 relative: self.settings.velocity(motion).seen_from(frame),
-                time: frame.speed.gamma() * self.time,
+                time: here.t,
             },
             frame: self.frame(),
         }
@@ -107,14 +131,16 @@ impl<'a> Instant<'a> {
 pub struct Places {
     /// From the scene's coordinates to those from between the eyes.
     shift: DVec3,
-    /// In the scene's coordinates.
+    /// x of the origin of the map in its frame.
+    origin: f64,
+    /// Places of the eyes on the map, where light reaches them.
     eyes: [DVec3; 2],
     /// The eyes, from the middle between them.
     pair: [Aperture; 2],
     model: Model,
     seen: [GroupView; 2],
-    /// Observation time T.
-    received: f64,
+    /// The observer at the present.
+    observer: Observer,
     /// The present of the frame that is drawn.
     present: Present,
     frame: Frame,
@@ -127,10 +153,12 @@ impl Places {
         let point = point.into();
         let place = match (picture, self.frame) {
             (Picture::Measured, _) => self.measured(point),
-            (Picture::Seen(eye), Frame::Ground) => {
-                self.eyes[eye] + self.seen[eye].apparent_position(point)? + self.shift
+            (Picture::Seen(eye), Frame::Ground | Frame::Rider) => {
+                self.eyes[eye] + self.seen[eye].apparent_position(point)?
             }
-            (Picture::Stereo, Frame::Ground) => self.stereo(point)?.position.into(),
+            // Two eyes that ride place it in their own frame.
+            (Picture::Stereo, Frame::Ground) if !self.observer.velocity.is_rest() => return None,
+            (Picture::Stereo, Frame::Ground | Frame::Rider) => self.stereo(point)?.position.into(),
             // Its light left it where it was in that frame.
             (Picture::Seen(eye), Frame::Bicycle) if self.present.relative == Velocity::REST => {
                 self.seen[eye].place_when_shown(point) + self.shift
@@ -155,7 +183,7 @@ impl Places {
 
     fn stereo(&self, point: MaterialPoint) -> Option<Stereo> {
         let point = point.moved(self.shift.to_array());
-        self.present.on_ground.stereo(self.model, point, self.pair, self.received).ok()
+        self.present.on_ground.stereo_before(&self.observer, self.model, point, self.pair).ok()
     }
 
     /// Returns the place of the `point` now.
@@ -164,7 +192,7 @@ impl Places {
         let Present { relative, time, .. } = self.present;
         let place = self.present.place(point.into());
         let x = place.x / relative.speed.gamma() + relative.beta() * time;
-        DVec3 { x, ..place } + self.shift
+        DVec3 { x: x - self.origin, ..place } + self.shift
     }
 }
 

@@ -1,7 +1,7 @@
 //! Light that leaves the selected point: the events at which it left for each eye, the ray from there, and its wave
 //! fronts.
 
-use relativity_core::{Model, PairError, math};
+use relativity_core::{Model, ObserverError, math};
 use relativity_render::Velocity;
 
 use super::event::Event;
@@ -30,16 +30,21 @@ pub struct Ray {
     pub proper_time: f64,
 }
 
-/// The rays to the left and to the right eye that arrive at `time`, the ground's, as the frame that moves at `frame`
+/// The rays to the left and to the right eye that arrive at `time`, as the frame that moves at `frame`
 /// has them, by the binocular model of what the views show.
 ///
 /// # Errors
 ///
 /// A time outside the domain of the core.
-pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> Result<[Ray; 2], PairError> {
+pub fn rays(
+    settings: &Settings,
+    point: &Track,
+    time: f64,
+    frame: Velocity,
+) -> Result<[Ray; 2], ObserverError> {
     let worldline = Worldline::new(settings, point, frame);
     let both = settings.disparity(point, time)?;
-    let [left, right] = settings.pair();
+    let ([left, right], rider) = (settings.pair(), settings.rider(time));
     let one_cone = settings.model() == Model::OneCone;
     Ok([(both.primary, left), (both.secondary, right)].map(|(seen, eye)| {
         // Where and when it rests is known better than by its place on the ground.
@@ -47,10 +52,11 @@ pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> R
         let left = if worldline.rests() {
             Event { x: place.x, t: seen.proper_time }
         } else {
-            Event { x: eye.x + seen.position[0], t: seen.retarded_time }.in_frame(frame)
+            worldline.at(seen.retarded_time)
         };
-        let received = Event { x: eye.x, t: time }.in_frame(frame);
-        let between = Event { x: 0.0, t: time }.in_frame(frame);
+        let (x, t) = rider.event_of(eye);
+        let received = Event { x, t }.in_frame(frame);
+        let between = Event { x: rider.x, t: rider.street_time }.in_frame(frame);
         let apex = if one_cone { between } else { received };
         let across = [place.y, place.z];
         let [y, z] = if one_cone { across } else { [seen.position[1], seen.position[2]] };

@@ -100,7 +100,7 @@ impl Lines {
     pub fn new(instant: &Instant, scene: &Scene, charts: &[Chart; 2]) -> Self {
         let mut lines = Self::default();
         let (street, riders): (Vec<_>, Vec<_>) =
-            scene.groups.iter().partition(|group| instant.rests(group.motion));
+            scene.passing().partition(|group| instant.rests(group.motion));
         for group in street {
             lines.add_group(&Sampler::new(instant, group, Picture::Measured, charts), scene, group);
         }
@@ -155,7 +155,9 @@ impl Lines {
 /// left where it rests.
 const fn pictures(frame: Frame) -> &'static [Picture] {
     match frame {
-        Frame::Ground => &[Picture::Seen(1), Picture::Seen(0), Picture::Measured, Picture::Stereo],
+        Frame::Ground | Frame::Rider => {
+            &[Picture::Seen(1), Picture::Seen(0), Picture::Measured, Picture::Stereo]
+        }
         Frame::Bicycle => &[Picture::Measured],
     }
 }

@@ -25,7 +25,7 @@ mod worldline;
 
 pub use chart::{Chart, Viewpoint};
 pub use close_up::around_now;
-pub use diagram::{Cone, Diagram, chart, home};
+pub use diagram::{Cone, Diagram, chart, home, worldline_of_eye};
 pub use event::{Event, StraightLine};
 pub use fit::{Extent, plan_and_side};
 pub use instant::{Instant, Picture, Places};

@@ -189,13 +189,13 @@ impl Scene {
         self.track_at(self.bodies.get(body)?.shape.forward_most().into(), body)
     }
 
-    /// The point that rests at this place of the body of this number, if there is one; or that turns with it, and is there
+    /// The point that rests at this place of the body of this number, if there is one that can be followed; or that turns with it, and is there
     /// at t' = 0.
     #[must_use]
     pub fn track_at(&self, rest: [f64; 3], body: usize) -> Option<Track> {
         // What is on the axle stays there.
         let is_moved = |spin: &Spin| !coincide([rest[0], spin.hub[1], rest[2]], spin.hub);
-        let motion = self.motion_of(body)?;
+        let motion = self.motion_of(body).filter(|motion| *motion != Motion::WithEyes)?;
         Some(Track { rest, motion, spin: self.bodies[body].spin.filter(is_moved) })
     }
 
@@ -219,6 +219,21 @@ impl Scene {
             moved
         });
         Self { groups: groups.collect(), bodies, names, ..self }
+    }
+
+    /// Returns the scene with all of `own` riding along with the eyes, its bodies last.
+    #[must_use]
+    pub fn with_riding_along(mut self, own: Self) -> Self {
+        let (name, first, count) = (own.name, self.bodies.len(), own.bodies.len());
+        self.groups.push(SceneGroup { name, motion: Motion::WithEyes, first, count });
+        self.bodies.extend(own.bodies);
+        self.names.extend(own.names);
+        self
+    }
+
+    /// The groups that pass the eyes or are passed by them: all but what rides along with them.
+    pub fn passing(&self) -> impl Iterator<Item = &SceneGroup> {
+        self.groups.iter().filter(|group| group.motion != Motion::WithEyes)
     }
 
     /// Returns the name of the body of this number: the one in its file, else its shape and number.

@@ -65,6 +65,12 @@ fn changed_preset(name: &str, changes: Changes) -> Option<Scene> {
     Some(changed_scene(text, changes).unwrap_or_else(|_| unreachable!("tests read every preset")))
 }
 
+/// The bicycle of who rides, from the middle between the eyes.
+pub(super) fn own_bicycle() -> Scene {
+    let text = include_str!("../../assets/own-bicycle.toml");
+    scene(text).unwrap_or_else(|_| unreachable!("a test reads it"))
+}
+
 /// The point with the largest x on any of the bodies; `None` without bodies.
 fn forward_most(bodies: &[Body]) -> Option<[f64; 3]> {
     let points = bodies.iter().map(|body| body.shape.forward_most());

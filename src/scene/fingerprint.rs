@@ -70,6 +70,7 @@ impl Hash {
         self.numbers(&[match group.motion {
             Motion::Scene => f64::INFINITY,
             Motion::Own(velocity) => velocity.beta(),
+            Motion::WithEyes => f64::NEG_INFINITY,
         }]);
     }
 

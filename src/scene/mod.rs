@@ -29,6 +29,12 @@ impl Scene {
         file::preset(name)
     }
 
+    /// Returns the scene with the bicycle of who rides through it, whose bodies come last.
+    #[must_use]
+    pub fn with_own_bicycle(self) -> Self {
+        self.with_riding_along(file::own_bicycle())
+    }
+
     /// The scene in a file.
     ///
     /// # Errors

@@ -1,8 +1,20 @@
 //! The scenes that are compiled in.
 
 /// Names of the presets; the first is the default.
-pub const PRESETS: [&str; 10] =
-    ["street", "cyclist", "cube", "globe", "train", "wheel", "rods", "twins", "lattice", "two-balls"];
+pub const PRESETS: [&str; 12] = [
+    "street",
+    "cyclist",
+    "cube",
+    "globe",
+    "train",
+    "wheel",
+    "rods",
+    "twins",
+    "lattice",
+    "two-balls",
+    "post-office",
+    "tunnel",
+];
 
 /// The scene file of a preset.
 pub(super) fn text(name: &str) -> Option<&'static str> {
@@ -17,6 +29,8 @@ pub(super) fn text(name: &str) -> Option<&'static str> {
         "twins" => include_str!("../../assets/scenes/twins.toml"),
         "two-balls" => include_str!("../../assets/scenes/two-balls.toml"),
         "lattice" => include_str!("../../assets/scenes/lattice.toml"),
+        "post-office" => include_str!("../../assets/scenes/post-office.toml"),
+        "tunnel" => include_str!("../../assets/scenes/tunnel.toml"),
         _ => return None,
     })
 }

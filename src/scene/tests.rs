@@ -199,7 +199,7 @@ fn presets_are_found_by_name_only() {
     assert_eq!(Scene::preset("cyclist.toml"), None);
     assert_eq!(
         Scene::open("cycle").expect_err("no such scene").to_string(),
-        "no scene is called `cycle`: there are street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls; \
+        "no scene is called `cycle`: there are street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel; \
          for a file, give a name ending in .toml"
     );
 }
@@ -469,7 +469,7 @@ fn shapes_and_scenes_are_known_by_name() {
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclists\""),
-        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls"
+        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel"
     );
 }
 
@@ -588,4 +588,20 @@ fn errors_quote_little_of_a_file() {
     }
     let unknown = Scene::open(&long).expect_err("there is none").to_string();
     assert!(unknown.len() < 400, "{unknown:.300}");
+}
+
+/// Whoever rides has a bicycle below, which nobody can follow, and all else keeps its number.
+#[test]
+fn the_own_bicycle_comes_last() {
+    let street = Scene::preset("street").expect("a preset");
+    let count = street.bodies.len();
+    let riding = street.clone().with_own_bicycle();
+    assert_eq!(riding.names[..count], street.names);
+    assert!(
+        riding.bodies.len() > count + 10 && riding.bodies[count..].iter().any(|body| body.spin.is_some())
+    );
+    assert!((count..riding.bodies.len()).all(|body| riding.track_on(body).is_none()));
+    assert_eq!(riding.passing().count(), street.groups.len());
+    // No name of the two is the same.
+    assert_eq!(riding.body_names().len(), street.body_names().len() + riding.bodies.len() - count);
 }

@@ -8,6 +8,7 @@ use clap::builder::{OsStringValueParser, TypedValueParser as _};
 use serde::Serialize;
 
 use super::error::SettingsError;
+use super::ride::Riding;
 use super::sections::{
     FitSetup, Light, Look, Map, Motion, Picture, Playback, Plots, Quality, Screen, Window,
 };
@@ -19,7 +20,7 @@ use crate::scene::PRESETS;
 #[derive(Debug, Clone, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 pub struct Settings {
-    /// Scene: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls) or a scene file.
+    /// Scene: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel) or a scene file.
     #[arg(long, value_name = "PRESET|FILE", value_parser = OsStringValueParser::new().try_map(scene_name))]
     pub scene: String,
     /// Observation time T, -1e12 to 1e12 [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]
@@ -35,6 +36,9 @@ pub struct Settings {
     /// Motion of the scene, and separation of the eyes.
     #[command(flatten)]
     pub motion: Motion,
+    /// Ride of the observer.
+    #[command(flatten)]
+    pub ride: Riding,
     /// Gaze, projection and geometry of the views.
     #[command(flatten)]
     pub look: Look,
@@ -85,6 +89,7 @@ impl Default for Settings {
             point: None,
             points: None,
             motion: Motion::default(),
+            ride: Riding::default(),
             look: Look::default(),
             light: Light::default(),
             quality: Quality::default(),
@@ -112,7 +117,7 @@ impl Settings {
     }
 
     /// Returns these settings with another scene, a preset or a file. Settings that belong to a scene become defaults: where it passes, where the
-    /// eyes look, T, and what is done over a range of T. Speed, eyes, geometry and light stay.
+    /// eyes look and ride, T, and what is done over a range of T. Speed, eyes, geometry and light stay.
     #[must_use]
     pub fn with_scene(self, scene: String) -> Self {
         let default = Self::default();
@@ -125,7 +130,8 @@ impl Settings {
         let look = Look { geometry, compare, projection, ..default.look };
         let playback = Playback { range: default.playback.range, ..self.playback };
         let fit = FitSetup { fit_range: default.fit.fit_range, ..self.fit };
-        Self { scene, time: None, point: None, points: None, motion, look, playback, fit, ..self }
+        let ride = Riding { push: self.ride.push, ..default.ride };
+        Self { scene, time: None, point: None, points: None, motion, ride, look, playback, fit, ..self }
     }
 
     /// These settings in the window, on the screen and in the layout of `other`, which belong to whoever looks and not to what

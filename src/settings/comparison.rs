@@ -7,8 +7,8 @@ use relativity_render::{Appearance, Colour, Geometry, View};
 use thiserror::Error;
 
 use super::all::Settings;
-use super::observer::Subject;
 use super::sections::{Light, Look};
+use super::views::Subject;
 use crate::flags::choices::{Compare, Layout, ProjectionChoice};
 use crate::flags::{Exposure, IntensityExponent};
 use crate::number_text;
@@ -136,7 +136,7 @@ impl Settings {
         let mut second = self.second()?;
         second.look.fov = self.fixed_look(subject, time, size).fov;
         if self.look.compare == Compare::Paper {
-            let of_first = || self.automatic_ev(scene);
+            let of_first = || self.automatic_ev(scene, time);
             second.light.exposure = Exposure(Some(self.light.exposure.0.unwrap_or_else(of_first)));
         }
         Some(second)
@@ -148,10 +148,10 @@ impl Settings {
     pub fn pictures(&self, subject: Subject, scene: &Scene, time: f64) -> [(View, Appearance); 2] {
         let size = self.picture.size.0;
         let [left, right] = self.views(subject, time, size);
-        let appearance = self.appearance(scene, false);
+        let appearance = self.appearance(scene, time, false);
         let second = self.second_of(subject, scene, time, size).map(|second| {
             let [left, _] = second.views(subject, time, size);
-            (left, second.appearance(scene, false))
+            (left, second.appearance(scene, time, false))
         });
         [(left, appearance), second.unwrap_or((right, appearance))]
     }

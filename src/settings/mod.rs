@@ -5,6 +5,7 @@
 //! judge of its values, wherever they come from. A section is a heading of the help and a table of the file.
 
 mod all;
+mod appearance;
 mod comparison;
 mod entries;
 mod error;
@@ -15,22 +16,25 @@ mod observer;
 mod panorama;
 mod photograph;
 mod presets;
+mod ride;
 mod sections;
 mod start;
 #[cfg(test)]
 mod tests;
+mod views;
 
 pub use all::Settings;
 pub use comparison::{ComparisonError, NO_PAIR};
 pub use error::SettingsError;
 pub use file::looks_like_settings;
 pub use link::is_link;
-pub use observer::Subject;
 pub use photograph::CameraArgs;
 pub use presets::Preset;
+pub use ride::{ON_A_RIDE, PUSH, Rider, Riding};
 pub use sections::{
     BOUND_PX, Coordinates, DataFrom, Daylight, FIT_SAMPLES, Face, FitSetup, Frame, Framing, Light, Look,
     MAX_LENGTH, MAX_SEED, Map, Motion, NOISE_PERCENT, PICTURE_MM, Picture, Playback, PlotTab, Plots,
     Presence, Quality, RATE, Screen, Theme, USUAL_FOV, VIEWING_CM, Window,
 };
 pub use start::StartArgs;
+pub use views::Subject;

@@ -27,7 +27,7 @@ macro_rules! files {
 }
 
 /// The names of all, and their files; the first is the start.
-const FILES: [(&str, &str); 20] = files![
+const FILES: [(&str, &str); 25] = files![
     "street",
     "overhead",
     "approaching",
@@ -48,6 +48,11 @@ const FILES: [(&str, &str); 20] = files![
     "extreme-gamma",
     "measuring",
     "missing-parallax",
+    "ride-lamps",
+    "ride-post-office",
+    "ride-tunnel",
+    "ride-overtaking",
+    "ride-twins",
 ];
 
 static ALL: LazyLock<Vec<Preset>> = LazyLock::new(|| {

@@ -498,6 +498,8 @@ pub enum Frame {
     Ground,
     /// Frame of everything that moves at the scene's speed.
     Bicycle,
+    /// Frame in which whoever rides rests at this moment, counted from there; that of the ground while nobody rides.
+    Rider,
 }
 
 /// The part of the world that the map holds.

@@ -7,7 +7,7 @@ use std::path::Path;
 use clap::ValueEnum as _;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
-use relativity_core::{Curves, Model};
+use relativity_core::{Curves, Leg, Model};
 use relativity_render::{
     Appearance, Colour, Gaze, Geometry, HitImage, Picture as Pixels, PreparedScene, Shading,
 };
@@ -23,8 +23,8 @@ use crate::flags::choices::{
 use crate::flags::words::Shell;
 use crate::flags::{
     BUDGET_MS, ERROR_PX, EXPONENT, EXPOSURE_EV, Exposure, FIELD_OF_VIEW, FieldOfView, Followed,
-    FollowedPoint, Goal, HEAD_DEGREES, IntensityExponent, MAX_TIME, PLACE, SCREEN_CM, ScreenWidth, Share,
-    SpeedParameter, SpeedSetting, TEMPERATURE_K, TimeRange,
+    FollowedPoint, Goal, HEAD_DEGREES, IntensityExponent, MAX_TIME, PLACE, RideLegs, SCREEN_CM, ScreenWidth,
+    Share, SpeedParameter, SpeedSetting, StreetVelocity, TEMPERATURE_K, TimeRange,
 };
 use crate::units::Units;
 
@@ -58,6 +58,24 @@ fn motion() -> impl Strategy<Value = Motion> {
             Motion { speed, d, roll, turn, depth_shift, height_shift }
         },
     )
+}
+
+fn riding() -> impl Strategy<Value = Riding> {
+    let leg = (0.0..=2.0, -1.0..=1.0)
+        .prop_map(|(duration, along)| Leg { duration, acceleration: [along, 0.0, 0.0] });
+    let legs = proptest::option::of(proptest::collection::vec(leg, 0..5));
+    let ride =
+        legs.prop_map(|legs| legs.map_or_else(RideLegs::default, |legs| RideLegs::of(legs).expect("slow")));
+    let speed = (choice_of_speed(), -1.0..=1.0).prop_map(|(parameter, share)| {
+        let value = if parameter == SpeedParameter::Gamma { (2.0 + share) * 1.5 } else { 0.999 * share };
+        StreetVelocity::new(parameter, value).expect("in range")
+    });
+    (ride, speed, number(-MAX_LENGTH..=MAX_LENGTH), number(PUSH))
+        .prop_map(|(ride, ride_speed, ride_from, push)| Riding { ride, ride_speed, ride_from, push })
+}
+
+fn choice_of_speed() -> impl Strategy<Value = SpeedParameter> {
+    proptest::sample::select(SpeedParameter::ALL.to_vec())
 }
 
 fn look() -> impl Strategy<Value = Look> {
@@ -222,11 +240,20 @@ fn settings() -> impl Strategy<Value = Settings> {
         proptest::option::of([number(PLACE), number(PLACE), number(PLACE)]),
         proptest::option::of(proptest::collection::vec(followed, 1..4).prop_map(Followed)),
     );
-    (top, motion(), look(), light(), quality_picture_and_screen(), playback_map_and_plots(), fit(), window())
+    (
+        top,
+        (motion(), riding()),
+        look(),
+        light(),
+        quality_picture_and_screen(),
+        playback_map_and_plots(),
+        fit(),
+        window(),
+    )
         .prop_map(
             |(
                 (scene, time, point, points),
-                motion,
+                (motion, ride),
                 look,
                 light,
                 (quality, picture, screen),
@@ -240,6 +267,7 @@ fn settings() -> impl Strategy<Value = Settings> {
                     point,
                     points,
                     motion,
+                    ride,
                     look,
                     light,
                     quality,
@@ -364,7 +392,7 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
         ),
         (
             "[more]\nd = 1",
-            "state.toml:1: unknown section [more]: there are motion, look, light, quality, picture, screen, playback, map, plots, fit, window",
+            "state.toml:1: unknown section [more]: there are motion, ride, look, light, quality, picture, screen, playback, map, plots, fit, window",
         ),
         ("[motion]\nd = 1979-05-27", "state.toml:2: d: must be a number, a word or a list of them"),
     ] {

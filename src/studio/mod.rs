@@ -136,7 +136,7 @@ impl Studio {
             }
             FileKind::Exr => {
                 let hits = self.hits(frame)?;
-                let appearance = frame.settings.appearance(&self.scene, false);
+                let appearance = frame.settings.appearance(&self.scene, frame.time, false);
                 let light = Light { scene: &self.prepared, appearance };
                 self.timings.timed("file", || {
                     let measurements = Measurements::of_eyes(&hits, light, &provenance.comments());

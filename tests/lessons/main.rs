@@ -3,6 +3,7 @@
 mod documented;
 mod first;
 mod fitted;
+mod riding;
 mod second;
 mod slide;
 mod support;

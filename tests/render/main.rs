@@ -14,6 +14,7 @@ mod measure;
 mod measurements;
 mod pictures;
 mod rectify;
+mod ride;
 mod sequences;
 
 const WIDTH: u32 = 48;

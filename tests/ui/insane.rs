@@ -21,7 +21,7 @@ const UNSET: [(&str, &str); 5] =
     [("", "time"), ("", "point"), ("", "points"), ("motion", "gamma"), ("motion", "rapidity")];
 
 /// What no setting should have, and what only some can.
-const VALUES: [&str; 63] = [
+const VALUES: [&str; 70] = [
     "nan",
     "-nan",
     "inf",
@@ -78,6 +78,13 @@ const VALUES: [&str; 63] = [
     "[1e300, -1e300, nan]",
     "[1e6, -1e6, 1e6]",
     "'1e7,1e7,-1e7@0;0,0,0@18446744073709551615'",
+    "'coast'",
+    "'2@1,3@-1,0@0'",
+    "'14@1'",
+    "'1e6@1.4e-5'",
+    "'1e6@0'",
+    "'gamma:-1e6'",
+    "'rapidity:14'",
     "'1x1'",
     "'16384x1'",
     "''",
@@ -240,8 +247,11 @@ fn insane_settings_open() {
         let tracked = document.points.selected().track;
         let subject = Subject { scene: &document.prepared, tracked };
         let views = settings.views(subject, document.time, frame.picture_size);
-        let shown =
-            format!("{views:?} {:?} {:?}", state.appearance(true), settings.automatic_ev(&document.scene));
+        let shown = format!(
+            "{views:?} {:?} {:?}",
+            state.appearance(true),
+            settings.automatic_ev(&document.scene, document.time)
+        );
         let is_none = |word: &str| ["NaN", "inf"].contains(&word);
         let words = shown.split(|c: char| !c.is_alphanumeric());
         assert!(!words.into_iter().any(is_none), "{shown} of\n{}", settings.to_toml());

@@ -27,6 +27,7 @@ mod predictions;
 mod presenting;
 mod quality;
 mod random_user;
+mod riding;
 mod saving;
 mod slide;
 mod spacetime;
@@ -76,6 +77,7 @@ fn main() -> ExitCode {
         presenting::TESTS,
         quality::TESTS,
         random_user::TESTS,
+        riding::TESTS,
         saving::TESTS,
         slide::TESTS,
         spacetime::TESTS,

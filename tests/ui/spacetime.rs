@@ -59,7 +59,7 @@ fn gamma(beta: f64) -> f64 {
 /// An event of the ground, as `frame` has it: by the textbook.
 fn transformed(beta: f64, frame: Frame, [x, t]: [f64; 2]) -> [f64; 2] {
     match frame {
-        Frame::Ground => [x, t],
+        Frame::Ground | Frame::Rider => [x, t],
         Frame::Bicycle => [gamma(beta) * (x - beta * t), gamma(beta) * (t - beta * x)],
     }
 }

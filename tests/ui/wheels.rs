@@ -254,7 +254,7 @@ fn a_point_of_a_wheel_is_kept() {
     // A pin has its curves while the speed changes; the wheel then turns at another.
     window.key_press(Key::K);
     window.run_ok();
-    let pinned = window.state().state().scratch.plotting.pins()[0].key;
+    let pinned = window.state().state().scratch.plotting.pins()[0].key.clone();
     assert_eq!(pinned.point.spin, picked.document.points.selected().track.spin);
 }
 

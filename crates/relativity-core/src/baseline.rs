@@ -68,6 +68,13 @@ impl Baseline {
         if self.is_along_motion() { self.apertures() } else { self.apart().apertures() }
     }
 
+    /// Returns the apertures of which a stereo position is found, for an observer who `moves` or rests. While the observer moves, no pair in
+    /// one place stands for its limit.
+    #[must_use]
+    pub fn stereo_apertures(&self, moves: bool) -> [Aperture; 2] {
+        if moves { self.apart().apertures() } else { self.apertures_or_limit() }
+    }
+
     /// The same pair, a hair apart if both are in one place.
     #[must_use]
     pub fn apart(&self) -> Self {

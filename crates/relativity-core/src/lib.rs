@@ -122,7 +122,7 @@ pub use observer::{Observer, ObserverError, ObserverVelocity};
 pub use one_cone::one_cone_disparity;
 pub use passage::{equidistance_time, observation_time_when_seen_at};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
-pub use ride::{Leg, Ride, RideMoment, RiderVelocity};
+pub use ride::{Leg, Odometers, Ride, RideMoment, RiderVelocity};
 pub use source::{Source, SourcePoint, Turning, WheelPoint};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};
 pub use stereo::{Stereo, StereoError, stereo};

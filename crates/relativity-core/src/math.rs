@@ -72,6 +72,8 @@ functions! {
     exp2 = exp2f, exp2(x);
     /// The natural logarithm of x; NaN below 0.
     ln = logf, log(x);
+    /// ln(1 + x), without cancellation near 0; NaN below -1.
+    ln_1p = log1pf, log1p(x);
     /// The logarithm of x to the base 2; NaN below 0.
     log2 = log2f, log2(x);
     /// The decimal logarithm of x; NaN below 0.

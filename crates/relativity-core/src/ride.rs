@@ -61,6 +61,18 @@ pub struct RideMoment {
     pub head: [f64; 4],
 }
 
+/// Two odometers of a rider, each right, which never count back; and how far the wheels have turned.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Odometers {
+    /// The street that the wheels rolled over, as the rider measures it, contracted: the integral of |V| over proper time.
+    pub by_wheel: f64,
+    /// The street as it measures itself, counted by its lamps: the integral of Gamma |V|.
+    pub by_lamps: f64,
+    /// The same as `by_wheel`, back again where one rides back: the integral of V. It is below 0 before the start of who comes
+    /// riding towards +x.
+    pub rolled: f64,
+}
+
 /// A ride: where it starts, and its legs.
 ///
 /// # Examples
@@ -126,6 +138,53 @@ impl RideMoment {
         }
     }
 
+    /// Returns the moment when the rider's clock shows `proper_time`, of a ride with these `legs` that starts with this one.
+    #[must_use]
+    pub fn along(&self, legs: &[Leg], proper_time: f64) -> Self {
+        let mut moment = *self;
+        for leg in legs {
+            let left = proper_time - moment.proper_time;
+            if left <= leg.duration {
+                return moment.after(left, if left < 0.0 { [0.0; 3] } else { leg.acceleration });
+            }
+            moment = moment.after(leg.duration, leg.acceleration);
+        }
+        moment.after(proper_time - moment.proper_time, [0.0; 3])
+    }
+
+    /// Returns the odometers when the rider's clock shows `proper_time`, of a ride along the street with these
+    /// `legs`, which starts with this moment and the odometers at 0.
+    #[must_use]
+    pub fn odometers(&self, legs: &[Leg], proper_time: f64) -> Odometers {
+        let RiderVelocity::AlongStreet { mut rapidity } = self.velocity else { return Odometers::default() };
+        let mut left = proper_time - self.proper_time;
+        if left < 0.0 {
+            return Odometers { rolled: left * math::tanh(rapidity), ..Odometers::default() };
+        }
+        let mut total = Odometers::default();
+        let coasting = Leg { duration: f64::INFINITY, acceleration: [0.0; 3] };
+        for leg in legs.iter().chain([&coasting]) {
+            let duration = leg.duration.min(left);
+            let end = rapidity + duration * leg.acceleration[0];
+            let gained = end - rapidity;
+            // Where it turns round it is at rest.
+            let turn = if rapidity * end < 0.0 { 0.0 } else { end };
+            for (from, to) in [(rapidity, turn), (turn, end)] {
+                let share = if gained == 0.0 { 1.0 } else { (to - from) / gained };
+                let part = Odometers::of_part(from.abs().min(to.abs()), (to - from).abs(), share * duration);
+                total = total.and(part, from + to);
+                if gained == 0.0 {
+                    break;
+                }
+            }
+            (rapidity, left) = (end, left - duration);
+            if left <= 0.0 {
+                break;
+            }
+        }
+        total
+    }
+
     /// Along the street rapidities add up; T and x grow by sums of products, in which nothing cancels at any speed.
     fn along_street(&self, rapidity: f64, duration: f64, acceleration: f64) -> Self {
         let gained = acceleration * duration;
@@ -173,19 +232,41 @@ impl RideMoment {
     }
 }
 
+impl Odometers {
+    /// Returns the readings after a part of this `duration`, in which the rapidity grows from `slower`, 0 or more, by `gained`.
+    fn of_part(slower: f64, gained: f64, duration: f64) -> Self {
+        let length = duration * sinh_over(0.5 * gained);
+        let by_lamps = math::sinh(slower + 0.5 * gained) * length;
+        if gained == 0.0 {
+            return Self { by_wheel: duration * math::tanh(slower), by_lamps, rolled: 0.0 };
+        }
+        // ln(cosh(slower + gained)/cosh(slower)), all of whose terms are above 0.
+        let half = math::sinh(0.5 * gained);
+        let grown = math::ln_1p(2.0 * half * half + math::tanh(slower) * math::sinh(gained));
+        Self { by_wheel: duration * (grown / gained), by_lamps, rolled: 0.0 }
+    }
+
+    /// Adds a `part` that is ridden towards +x if `direction` is above 0, towards -x if it is below.
+    fn and(self, part: Self, direction: f64) -> Self {
+        Self {
+            by_wheel: self.by_wheel + part.by_wheel,
+            by_lamps: self.by_lamps + part.by_lamps,
+            rolled: self.rolled + part.by_wheel.copysign(direction),
+        }
+    }
+}
+
 impl Ride {
+    /// Returns the odometers when the rider's clock shows `proper_time`.
+    #[must_use]
+    pub fn odometers(&self, proper_time: f64) -> Odometers {
+        self.start.odometers(&self.legs, proper_time)
+    }
+
     /// Returns the moment when the rider's clock shows `proper_time`; before the start that moves as at it.
     #[must_use]
     pub fn at(&self, proper_time: f64) -> RideMoment {
-        let mut moment = self.start;
-        for leg in &self.legs {
-            let left = proper_time - moment.proper_time;
-            if left <= leg.duration {
-                return moment.after(left, if left < 0.0 { [0.0; 3] } else { leg.acceleration });
-            }
-            moment = moment.after(leg.duration, leg.acceleration);
-        }
-        moment.after(proper_time - moment.proper_time, [0.0; 3])
+        self.start.along(&self.legs, proper_time)
     }
 
     /// Duration of all legs by the rider's own clock.

@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use relativity_core::{
-    Aperture, Baseline, Disparity, Leg, Model, Observer, ObserverError, ObserverVelocity, Ride, RideMoment,
-    RiderVelocity, SourcePoint, Speed, Turning, WheelPoint, disparity, sighting, stereo,
+    Aperture, Baseline, Disparity, Leg, Model, Observer, ObserverError, ObserverVelocity, Odometers, Ride,
+    RideMoment, RiderVelocity, SourcePoint, Speed, Turning, WheelPoint, disparity, sighting, stereo,
 };
 
 /// In a row: the point's gamma and x0, y, z; the observer's gamma, azimuth and elevation, place and T; roll and turn; then what
@@ -396,4 +396,36 @@ fn a_sign_ahead_runs_away_at_first() {
     let (farthest, shows) = distance(1.875_547_674);
     assert!((farthest - 20.783_841_45).abs() < 1e-7 && shows.abs() < 1e-8, "{farthest} {shows}");
     assert!(distance(1.7).0 < farthest && distance(2.0).0 < farthest);
+}
+
+/// The odometers are integrals of the rider's speed: against Simpson's rule on rides that speed up, brake and turn round.
+#[test]
+fn odometers_add_up_what_is_ridden() {
+    let rides = [
+        legs(&[(2.0, [1.0, 0.0, 0.0]), (3.0, [-1.5, 0.0, 0.0]), (1.0, [0.0; 3])]),
+        legs(&[(0.5, [1e-9, 0.0, 0.0]), (2.0, [6.0, 0.0, 0.0])]),
+    ];
+    for ride in rides {
+        let duration = ride.duration();
+        let steps = 60_000_u32;
+        let width = duration / f64::from(steps);
+        let mut sums = [0.0; 3];
+        for i in 0..=steps {
+            let [w, ..] = ride.at(width * f64::from(i)).proper_velocity();
+            let weight = if i == 0 || i == steps { 1.0 } else { f64::from(2 + 2 * (i % 2)) };
+            sums[0] += weight * width / 3.0 * (w / 1.0_f64.hypot(w)).abs();
+            sums[1] += weight * width / 3.0 * w.abs();
+            sums[2] += weight * width / 3.0 * (w / 1.0_f64.hypot(w));
+        }
+        let Odometers { by_wheel, by_lamps, rolled } = ride.odometers(duration);
+        assert!((rolled - sums[2]).abs() < 1e-8 * by_wheel, "{rolled} {sums:?}");
+        assert!((by_wheel / sums[0] - 1.0).abs() < 1e-8, "{by_wheel} {sums:?}");
+        assert!((by_lamps / sums[1] - 1.0).abs() < 1e-8, "{by_lamps} {sums:?}");
+    }
+    // One street length at gamma 10: 10.0 by the wheel, 100 by the lamps.
+    let rapidity = 10.0_f64.acosh();
+    let start = RideMoment { velocity: RiderVelocity::AlongStreet { rapidity }, ..RideMoment::AT_REST };
+    let Odometers { by_wheel, by_lamps, .. } =
+        Ride { start, legs: Vec::new() }.odometers(100.0 / 99.0_f64.sqrt());
+    assert!((by_wheel - 10.0).abs() < 1e-13 && (by_lamps - 100.0).abs() < 1e-12, "{by_wheel} {by_lamps}");
 }

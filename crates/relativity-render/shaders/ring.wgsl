@@ -102,7 +102,9 @@ fn surface(body: Body, ray: Ray) -> Surface {
     let turn = -course.b / a;
     let steep = select(-1.0, 1.0, slope >= 0.0) / max(abs(slope), 1e-12);
     let level = -height * steep;
-    let first = max(turn - outer_half, level - body.radius * abs(steep));
+    // From the camera on: one in the hole has a part of the torus behind it.
+    let here = -(ray.to_centre + dot(body.place, n));
+    let first = max(here, max(turn - outer_half, level - body.radius * abs(steep)));
     let last = min(turn + outer_half, level + body.radius * abs(steep));
     // rho'' = a rho_closest^2/rho^3, at most this where the torus is.
     let least = max(sqrt(closest_squared), inner);

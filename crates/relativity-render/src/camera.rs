@@ -50,6 +50,9 @@ pub struct Camera {
     /// Velocity on the ground: that of an observer who rides along the street. Lines of sight, distances and the picture are in
     /// the frame of what moves so, its axes those of the ground.
     pub velocity: Velocity,
+    /// Way on the street, as measured in that frame, over which wheels that ride along have rolled: the integral of the velocity over
+    /// proper time. Units of length.
+    pub rolled: f64,
     /// Direction of the optical axis.
     pub gaze: Gaze,
     /// Angle between the left and the right edge of the picture if its middle is on its axis (abreast, in a conformal one),
@@ -148,7 +151,16 @@ impl Camera {
     pub fn new(aperture: Aperture, gaze: Gaze, horizontal_fov: f64, size: [u32; 2]) -> Self {
         let off_middle = DVec3::X * aperture.x;
         let projection = Projection::Gaze;
-        Self { aperture, velocity: Velocity::REST, gaze, horizontal_fov, size, off_middle, projection }
+        Self {
+            aperture,
+            velocity: Velocity::REST,
+            rolled: 0.0,
+            gaze,
+            horizontal_fov,
+            size,
+            off_middle,
+            projection,
+        }
     }
 
     /// The event of the middle between the eyes, on the ground, when the pinhole is at its place there at T = `time`: for the

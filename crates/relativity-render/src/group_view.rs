@@ -29,6 +29,9 @@ pub struct RestRay {
     pub received_along: DVec3,
 }
 
+/// A rapidity that is as good as none.
+const STANDING: f64 = 1e-9;
+
 /// The view of one group: its motion against the camera, and the camera's place in the group's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GroupView {
@@ -63,6 +66,7 @@ impl GroupView {
         let on_ground = match motion {
             Motion::Scene => scene,
             Motion::Own(velocity) => velocity,
+            Motion::WithEyes => return Self::with_eyes(view),
         };
         let rides_along = view.geometry == Geometry::Rest;
         let camera = if rides_along { scene } else { view.camera.velocity };
@@ -92,6 +96,27 @@ impl GroupView {
             time: gamma * (received - beta * aperture.x),
             cone_times: [(received + aperture.x) / head_on, (received - aperture.x) * head_on],
             observation_time: received,
+        }
+    }
+
+    /// Returns the view of what rides along with the eyes: at rest before them, in the frame that has the middle between them as
+    /// its origin. Its clock is set so that a wheel that rolls has turned by as much street as has gone by.
+    fn with_eyes(view: &View) -> Self {
+        let Camera { velocity, rolled, off_middle: origin, .. } = view.camera;
+        // Who stands does not turn wheels back.
+        let on_ground = if velocity.is_rest() { Velocity::from_rapidity(STANDING) } else { velocity };
+        let time = rolled / on_ground.beta();
+        let x = on_ground.direction() * origin.x;
+        Self {
+            camera: view.camera,
+            geometry: Geometry::Rest,
+            view_geometry: view.geometry,
+            velocity: Velocity::REST,
+            on_ground,
+            origin,
+            time,
+            cone_times: [time + x, time - x],
+            observation_time: view.observation_time,
         }
     }
 

@@ -166,8 +166,9 @@ impl Framing {
             Lies::Alone => *self,
             Lies::Sheared(sheared) => self.sheared_by(sheared, shifts),
             Lies::Slid(Slid { axes, across: [left, right], up }) => {
-                let least = (left[0] + shifts[0]).min(right[0] + shifts[1]).max(-MOST_ASIDE);
-                let most = (left[1] + shifts[0]).max(right[1] + shifts[1]).min(MOST_ASIDE);
+                let least = (left[0] + shifts[0]).min(right[0] + shifts[1]);
+                let most = (left[1] + shifts[0]).max(right[1] + shifts[1]);
+                let [least, most] = [least, most].map(|aside| aside.clamp(-MOST_ASIDE, MOST_ASIDE));
                 let middle = 0.5 * (least + most);
                 let gaze = Gaze::along((axes.forward + axes.right * sinh(middle)).to_array());
                 Self { gaze, reach: [0.5 * (most - least), up], ..*self }

@@ -246,14 +246,17 @@ impl PreparedScene {
         self.0.groups[self.group_of(body)].motion
     }
 
-    /// The subject of the scene: all groups that move, whether at the scene's speed or their own; all groups if none does.
+    /// The subject of the scene: all groups that move past, whether at the scene's speed or their own; all that do not ride along with the
+    /// eyes if none does.
     pub fn subject(&self) -> impl Iterator<Item = &PreparedGroup> {
         let moves = |group: &PreparedGroup| match group.motion {
             Motion::Scene => true,
             Motion::Own(velocity) => !velocity.is_rest(),
+            Motion::WithEyes => false,
         };
         let any_moves = self.0.groups.iter().any(moves);
-        self.0.groups.iter().filter(move |group| !any_moves || moves(group))
+        let passes = |group: &PreparedGroup| group.motion != Motion::WithEyes;
+        self.0.groups.iter().filter(move |group| if any_moves { moves(group) } else { passes(group) })
     }
 
     /// Returns the view of each group by `view`.

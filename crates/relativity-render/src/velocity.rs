@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Baseline, ConformalDisparity, Disparity, MAX_GAMMA, Model, PairError, Sighting, Source,
-    SourcePoint, Speed, SpeedError, Stereo, StereoError, Turning, WheelPoint, aberration, math,
+    Aperture, Baseline, ConformalDisparity, Disparity, MAX_GAMMA, Model, Observer, ObserverError, PairError,
+    Sighting, Source, SourcePoint, Speed, SpeedError, Stereo, StereoError, Turning, WheelPoint, aberration,
+    math,
 };
 
 use crate::wheel::spin::MaterialPoint;
@@ -37,6 +38,8 @@ pub enum Motion {
     Scene,
     /// At a velocity of its own; [`Velocity::REST`] rests on the ground.
     Own(Velocity),
+    /// Along with the eyes, whatever they do: its places count from the middle between them, in their frame.
+    WithEyes,
 }
 
 impl Velocity {
@@ -59,6 +62,14 @@ impl Velocity {
         Ok(Self { speed, is_backward: beta < 0.0 })
     }
 
+    /// From the rapidity, negative towards -x; of one beyond [`MAX_GAMMA`] that.
+    #[must_use]
+    #[expect(clippy::missing_panics_doc, reason = "the greatest gamma is a speed")]
+    pub fn from_rapidity(rapidity: f64) -> Self {
+        let speed = Speed::from_rapidity(rapidity.abs()).or_else(|_| Speed::from_gamma(MAX_GAMMA));
+        Self { speed: speed.expect("the greatest gamma is one"), is_backward: rapidity < 0.0 }
+    }
+
     /// v/c, negative towards -x.
     #[must_use]
     pub fn beta(&self) -> f64 {
@@ -70,7 +81,7 @@ impl Velocity {
         if self.is_backward { -1.0 } else { 1.0 }
     }
 
-    /// Its speed for the shaders: beta, 1 - beta, 1/gamma, gamma.
+    /// Returns beta, 1 - beta, 1/gamma and gamma for the shaders.
     pub(crate) fn packed_speed(&self) -> [f32; 4] {
         let speed = &self.speed;
         [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32)
@@ -145,17 +156,44 @@ impl Velocity {
         observation_time: f64,
     ) -> Result<Disparity, PairError> {
         let (point, pair) = (self.reflected_source(point), self.reflected_pair(pair));
-        let there = model.disparity(&self.speed, point, pair, observation_time)?;
+        Ok(self.reflected_disparity(model.disparity(&self.speed, point, pair, observation_time)?))
+    }
+
+    /// The same before the eyes of an `observer` who moves, at the event of the observer: the `pair` and all that is seen are in the
+    /// observer's axes.
+    ///
+    /// # Errors
+    ///
+    /// A coordinate or time outside the domain of the core; a model that does not know such eyes; a relative Lorentz factor above
+    /// [`MAX_GAMMA`].
+    pub fn disparity_before(
+        &self,
+        observer: &Observer,
+        model: Model,
+        point: impl Into<MaterialPoint>,
+        pair: [Aperture; 2],
+    ) -> Result<Disparity, ObserverError> {
+        let (point, pair) = (self.reflected_source(point), self.reflected_pair(pair));
+        let there = self.reflected_observer(observer).disparity(model, &self.speed, point, pair, 0.0)?;
+        Ok(self.reflected_disparity(there))
+    }
+
+    /// The observer before whom a [`Self::reflected_source`] moves.
+    fn reflected_observer(&self, observer: &Observer) -> Observer {
+        if self.is_backward { observer.mirrored() } else { *observer }
+    }
+
+    /// In the mirror azimuths count from the other side.
+    fn reflected_disparity(&self, there: Disparity) -> Disparity {
         if !self.is_backward {
-            return Ok(there);
+            return there;
         }
-        // In the mirror azimuths count from the other side.
         let sighting = |seen: Sighting| {
             let [x, y, z] = seen.position;
             Sighting { position: [-x, y, z], ..seen }
         };
         let (primary, secondary) = (sighting(there.primary), sighting(there.secondary));
-        Ok(Disparity { primary, secondary, dphi: -there.dphi, dtheta: there.dtheta })
+        Disparity { primary, secondary, dphi: -there.dphi, dtheta: there.dtheta }
     }
 
     /// Returns the conformal disparity of `point` in the frame that moves so, in this `model`, for the eyes at the ends of
@@ -229,6 +267,30 @@ impl Velocity {
         Ok(Stereo { position: self.reflected(there.position.into()).to_array(), ..there })
     }
 
+    /// The same before the eyes of an `observer` who moves, as [`Self::disparity_before`].
+    ///
+    /// # Errors
+    ///
+    /// As there; lines of sight that do not meet; a published model.
+    pub fn stereo_before(
+        &self,
+        observer: &Observer,
+        model: Model,
+        point: impl Into<MaterialPoint>,
+        pair: [Aperture; 2],
+    ) -> Result<Stereo, ObserverError> {
+        let (point, pair) = (self.reflected_source(point), self.reflected_pair(pair));
+        let there = self.reflected_observer(observer).stereo(model, &self.speed, point, pair, 0.0)?;
+        Ok(Stereo { position: self.reflected(there.position.into()).to_array(), ..there })
+    }
+
+    /// Returns the speed at which a point at `place`, at rest in the frame that moves so, passes an `observer`, and its place by
+    /// the observer's clock, both reflected to move along +x. `None` beyond [`MAX_GAMMA`].
+    #[must_use]
+    pub fn past(&self, observer: &Observer, place: [f64; 3]) -> Option<(Speed, SourcePoint)> {
+        self.reflected_observer(observer).relative_motion(&self.speed, self.reflected_point(place)).ok()
+    }
+
     /// Returns the rapidity along +x, below 0 for the other way.
     #[must_use]
     pub fn rapidity(&self) -> f64 {
@@ -237,7 +299,6 @@ impl Velocity {
 
     /// This velocity as a camera sees it that moves at `camera`: rapidities subtract.
     #[must_use]
-    #[expect(clippy::missing_panics_doc, reason = "the greatest gamma is a speed")]
     pub fn seen_from(self, camera: Self) -> Self {
         if camera.is_rest() {
             return self;
@@ -245,9 +306,7 @@ impl Velocity {
         if self.is_rest() {
             return Self { is_backward: !camera.is_backward, ..camera };
         }
-        let rapidity = self.rapidity() - camera.rapidity();
         // Two that fly apart at the greatest gamma part no faster than that.
-        let speed = Speed::from_rapidity(rapidity.abs()).or_else(|_| Speed::from_gamma(MAX_GAMMA));
-        Self { speed: speed.expect("the greatest gamma is one"), is_backward: rapidity < 0.0 }
+        Self::from_rapidity(self.rapidity() - camera.rapidity())
     }
 }

@@ -220,6 +220,7 @@ fn the_published_right_eye_is_the_cores(renderers: &mut Renderers) {
         for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
             let apparent = match scene.motion_of(hit.body) {
                 Motion::Own(Velocity::REST) => hit.rest_position - DVec3::new(left.x, left.y, left.z),
+                Motion::WithEyes => unreachable!("nobody rides"),
                 Motion::Own(velocity) => published_right(velocity, &hit, separation, &view),
                 Motion::Scene => published_right(Velocity::forward(view.speed), &hit, separation, &view),
             };

@@ -7,10 +7,10 @@ mod support;
 use std::process::ExitCode;
 
 use gpu_support::scenes::{conformal_views, parallel_views, still_life, time_seen_at, view_following};
-use relativity_core::{Aperture, Speed};
+use relativity_core::{Aperture, Speed, Turning};
 use relativity_render::{
     Appearance, Body, Camera, Colour, Emission, Gaze, Geometry, Group, HitImage, Method, Motion, Pattern,
-    Picture, PreparedScene, Renderers, Shading, Shape, Velocity, View,
+    Picture, PreparedScene, Renderers, Shading, Shape, Spin, Velocity, View,
 };
 use support::documented;
 
@@ -21,6 +21,7 @@ fn main() -> ExitCode {
         ("the_hatch_is_the_references", the_hatch_is_the_references),
         ("contact_shadows_are_the_references", contact_shadows_are_the_references),
         ("rides_are_the_references", rides_are_the_references),
+        ("hoops_are_seen_from_within", hoops_are_seen_from_within),
         ("edges_are_the_references_on_average", edges_are_the_references_on_average),
         ("every_speed_gives_a_picture", every_speed_gives_a_picture),
     ])
@@ -279,6 +280,31 @@ fn every_speed_gives_a_picture(renderers: &mut Renderers) {
 const STREET_LEVELS: i32 = 3;
 
 /// The street, its ground and its sky from a ride along it, with a cyclist who is overtaken.
+/// A camera in the hole of a ring has a part of it behind: the one ahead is seen.
+fn hoops_are_seen_from_within(renderers: &mut Renderers) {
+    let levels = documented(RENDERERS, "away from outlines colours are within ");
+    let plain = Appearance { doppler_shift: false, intensity_exponent: None, ..Appearance::default() };
+    let hoops = [0.0, 2.0, 4.0].map(|x| {
+        let ring =
+            Shape::Ring { center: [x, 0.0, 0.0], axis: [1.0, 0.0, 0.0], radius: 3.0, tube_radius: 0.4 };
+        Body::new(ring, 600.0)
+    });
+    let scene = PreparedScene::new([Group { motion: Motion::Own(Velocity::REST), bodies: &hoops }]);
+    for (beta, x) in [(0.0, 0.0), (0.0, 1.7), (0.9, 0.0), (0.9, 2.1)] {
+        let aperture = Aperture { x, y: 0.3, z: -0.2 };
+        let camera = Camera::new(aperture, Gaze::along([1.0, 0.9, 0.0]), 1.8, [160, 100]);
+        let camera = Camera { velocity: Velocity::from_beta(beta).expect("a speed"), ..camera };
+        let view = View { camera, speed: Speed::REST, observation_time: 0.0, geometry: Geometry::Seen };
+        let (truth, hits) = (scene.picture(&view, &plain, 1).rgba, scene.hit_image(&view));
+        assert!(hits.hits.iter().flatten().count() > 300, "hoops are seen from {x} at {beta}");
+        for method in [Method::Rays, Method::Packets] {
+            let drawn = renderers.picture(method, &scene, &view, &plain, 1).expect("device works").rgba;
+            let off = levels_off(&drawn, &truth, |i| is_inside(&hits, i));
+            assert!(f64::from(off) <= levels, "{method}, from {x} at {beta}: {off} levels off");
+        }
+    }
+}
+
 fn rides_are_the_references(renderers: &mut Renderers) {
     let levels = documented(RENDERERS, "away from outlines colours are within ");
     let velocity = |beta: f64| Velocity::from_beta(beta).expect("a speed");
@@ -294,20 +320,30 @@ fn rides_are_the_references(renderers: &mut Renderers) {
     };
     let lamp = Shape::Cylinder { from: [4.0, 3.0, -1.0], to: [4.0, 3.0, 2.0], radius: 0.3 };
     let ball = Shape::Sphere { center: [2.0, 2.0, -0.6], radius: 0.4 };
+    // What rides along turns its wheels as far as the street goes by.
+    let hub = [1.2, 0.3, -0.5];
+    let spoke = Shape::Tube { from: [1.2, 0.3, -0.5], to: [1.2, 0.3, -0.1], radius: 0.08 };
+    let spin = Spin { hub, radius: 0.5, turning: Turning::Rolling };
+    let own = [Body { spin: Some(spin), ..Body::new(spoke, 550.0) }];
     let [lamp, ball] = [lamp, ball].map(|shape| [Body::new(shape, 600.0)]);
     let scene = PreparedScene::new([
         Group { motion: Motion::Own(Velocity::REST), bodies: &lamp },
         Group { motion: Motion::Own(velocity(0.6)), bodies: &ball },
+        Group { motion: Motion::WithEyes, bodies: &own },
     ]);
     let cases =
         [(Geometry::Seen, 0.6), (Geometry::Seen, 0.95), (Geometry::Seen, -0.3), (Geometry::Contracted, 0.8)];
     for (geometry, beta) in cases {
         let camera = Camera::new(Aperture::default(), Gaze::along([3.0, 2.0, 0.0]), 1.6, [160, 100]);
-        let camera = Camera { velocity: velocity(beta), ..camera };
+        let camera = Camera { velocity: velocity(beta), rolled: 0.3, ..camera };
         let view = View { camera, speed: Speed::REST, observation_time: 0.0, geometry };
         let truth = scene.picture(&view, &road, 1).rgba;
         let hits = scene.hit_image(&view);
         assert!(hits.hits.iter().flatten().count() > 30, "bodies are seen at {beta}");
+        assert!(
+            hits.hits.iter().flatten().filter(|hit| hit.body == 2).count() > 30,
+            "what rides along is, too"
+        );
         for method in [Method::Rays, Method::Packets, Method::Mesh { bound_px: 0.5 }] {
             let drawn = renderers.picture(method, &scene, &view, &road, 1).expect("device works").rgba;
             let off = levels_off(&drawn, &truth, |i| is_inside(&hits, i));

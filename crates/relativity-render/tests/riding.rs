@@ -134,3 +134,49 @@ fn what_is_abreast_is_seen_ahead() {
     assert!((angle - expected).abs() < 1e-12);
     assert!((angle.to_degrees() - 25.84).abs() < 0.005, "{angle}");
 }
+
+/// The bicycle of whoever rides looks as it does at rest, however fast the street passes, and its wheels have turned by the street
+/// that has passed.
+#[test]
+fn what_rides_along_is_seen_as_at_rest() {
+    let hub = [2.0, 1.0, -0.4];
+    let spoke = Shape::Cylinder { from: hub, to: [2.0, 1.0, 0.1], radius: 0.06 };
+    let spin = Spin { hub, radius: 0.5, turning: Turning::Rolling };
+    let bar = Body::new(Shape::Tube { from: [1.5, 0.2, 0.3], to: [1.5, 1.4, 0.3], radius: 0.05 }, 600.0);
+    let own = [bar, Body { spin: Some(spin), ..Body::new(spoke, 500.0) }];
+    let with_eyes = resting(&own, Motion::WithEyes);
+    let rolled = 0.4;
+    let angle = rolled / 0.5;
+    // The spoke stood upright, and turns forwards where the street goes by backwards.
+    let turned = [hub[0] + 0.5 * f64::sin(angle), hub[1], hub[2] + 0.5 * f64::cos(angle)];
+    let at_rest = [bar, Body::new(Shape::Cylinder { from: hub, to: turned, radius: 0.06 }, 500.0)];
+    let still = resting(&at_rest, Motion::Own(Velocity::REST));
+    let appearance = Appearance::default();
+    let off_middle = DVec3::new(0.03, 0.2, 0.0);
+    for beta in [0.0, 0.6, 0.9999] {
+        let mut riding = ride(beta);
+        riding.camera.off_middle = off_middle;
+        (riding.camera.rolled, riding.camera.aperture) = (rolled, Aperture { x: 7.0, y: 3.0, z: 1.0 });
+        riding.observation_time = 5.0;
+        let hits = with_eyes.hit_image(&riding).hits;
+        let aperture = Aperture { x: off_middle.x, y: off_middle.y, z: off_middle.z };
+        let camera = Camera { velocity: Velocity::REST, aperture, ..riding.camera };
+        let resting = View { camera, observation_time: 0.0, ..riding };
+        let expected = still.hit_image(&resting).hits;
+        // The light of what is further away left when the wheel had turned less: by V R/W.
+        let differ = hits.iter().zip(&expected).filter(|(a, b)| {
+            let of_bar = |hit: &Option<relativity_render::Hit>| hit.as_ref().is_some_and(|hit| hit.body == 0);
+            of_bar(a) != of_bar(b)
+        });
+        assert_eq!(differ.count(), 0, "at {beta}");
+        let spokes = |hits: &[Option<relativity_render::Hit>]| {
+            hits.iter().flatten().filter(|hit| hit.body == 1).count()
+        };
+        assert!(spokes(&hits) > 10 && spokes(&expected) > 10, "at {beta}");
+        if beta == 0.0 {
+            let pictures = [(&with_eyes, &riding), (&still, &resting)]
+                .map(|(scene, view)| scene.picture(view, &appearance, 1).rgba);
+            assert_eq!(pictures[0], pictures[1]);
+        }
+    }
+}

@@ -52,6 +52,7 @@ fn f32_error_px(scene: &PreparedScene, view: &View) -> f64 {
     let gamma = |motion: &Motion| match motion {
         Motion::Scene => view.speed.gamma(),
         Motion::Own(velocity) => velocity.speed.gamma(),
+        Motion::WithEyes => 1.0,
     };
     let fastest = scene.groups().iter().map(|group| gamma(&group.motion)).fold(1.0, f64::max);
     let is_one = scene.groups().iter().filter(|group| !group.bodies.is_empty()).count() <= 1;

@@ -102,6 +102,8 @@ fn scene(ui: &mut Ui, state: &State, commands: &mut Commands) {
         .width(140.0)
         .height(MENU_HEIGHT)
         .show_ui(ui, |ui| {
+            // So that the files that were opened have room below.
+            ui.spacing_mut().item_spacing.y = 1.0;
             for (preset, scene) in PRESETS.into_iter().filter_map(|name| Some((name, Scene::preset(name)?))) {
                 let shown = scene.name == state.document.scene.name;
                 if ui.selectable_label(shown, scene.name).clicked() {

@@ -1,18 +1,22 @@
 //! The numbers: what each eye receives of the selected point now, and how the two differ.
 
 use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, ScrollArea, Sense, Ui, vec2};
-use relativity_core::{Conformal, Disparity, Model, Sighting, StereoError, doppler::received_wavelength};
+use relativity_core::{
+    Conformal, Disparity, Model, ObserverError, Sighting, StereoError, doppler::received_wavelength,
+};
 use relativity_render::{Velocity, colour};
 
 use super::Commands;
 use crate::app::command::Command;
 use crate::app::state::State;
+use crate::app::state::points::Point;
 use crate::app::theme;
 use crate::app::views::eye::Eye;
 use crate::app::views::on_wheel::{OnWheel, angle_text};
 use crate::app::widgets::{dot, named_text};
-use crate::caption::times::{HAPPENED, OWN_CLOCK, RECEIVED, TimeName};
+use crate::caption::times::{OWN_CLOCK, TIMES, TimeName};
 use crate::flags::choices::ProjectionChoice;
+use crate::map::Diagram;
 use crate::number_text;
 use crate::units::{Measures, Unit};
 
@@ -63,6 +67,9 @@ fn table(ui: &mut Ui, state: &State) {
             wavelengths(ui, &received, rest_wavelength);
             for quantity in &QUANTITIES {
                 quantity.row(ui, state, &received);
+                if quantity.name == OWN_CLOCK.name && state.document.settings.ride.is_on() {
+                    reckoned(ui, state, point);
+                }
             }
             if state.document.settings.projection() == ProjectionChoice::Mercator {
                 for quantity in &CONFORMAL {
@@ -76,6 +83,22 @@ fn table(ui: &mut Ui, state: &State) {
             }
         },
     );
+}
+
+const RECKONED_TIP: &str = "What the clock at the point shows now by my reckoning: at the event there that is at one time with this moment \
+    in the frame in which I rest. Nobody sees it. It differs from τ, which is seen, by the light's delay, and tilts with my velocity.";
+
+/// Shows beside the clock that is seen what that clock shows now, as whoever rides reckons.
+fn reckoned(ui: &mut Ui, state: &State, point: &Point) {
+    let (settings, time) = (&state.document.settings, state.document.time);
+    let diagram = Diagram::new(settings, &point.track, time, Velocity::REST).ok();
+    let shows = diagram.map_or(f64::NAN, |diagram| diagram.point.proper_time(diagram.other_now()));
+    let unit = state.measures().time;
+    ui.label(RichText::new(unit.label("τ now, reckoned")).weak()).on_hover_text(RECKONED_TIP);
+    let name = format!("Proper time now, by my reckoning: {}", unit.text(shows, 4));
+    named_text(ui, unit.number(shows, 4), name).on_hover_text(RECKONED_TIP);
+    ui.label("");
+    ui.end_row();
 }
 
 /// Sightings of both eyes of the selected point now.
@@ -113,7 +136,7 @@ fn stereo(ui: &mut Ui, state: &State) {
     const AXES: [&str; 3] = ["x", "y", "z"];
     let found = state.stereo(state.document.points.selected());
     let (unit, colour) = (state.measures().length, theme::stereo_colour(ui.visuals()));
-    if let Err(StereoError::Apart) = found {
+    if let Err(ObserverError::Stereo(StereoError::Apart)) = found {
         let text = RichText::new(APART).color(colour);
         named_text(ui, text, APART.to_owned()).on_hover_text(APART_TIP);
         return;
@@ -196,7 +219,9 @@ struct Quantity {
 }
 
 impl Quantity {
-    const fn time(TimeName { name, tip, .. }: TimeName, value: fn(&Sighting, f64) -> f64) -> Self {
+    /// A row for one of the three times, by its number among them.
+    const fn time(number: usize, value: fn(&Sighting, f64) -> f64) -> Self {
+        let TimeName { name, tip, .. } = TIMES[number];
         Self { symbol: name, name, tip, decimals: 4, unit: |measures| measures.time, value }
     }
 
@@ -228,9 +253,9 @@ const QUANTITIES: [Quantity; 9] = [
         unit: |_| Unit::OWN,
         value: |seen, _| seen.doppler_factor,
     },
-    Quantity::time(RECEIVED, |_, time| time),
-    Quantity::time(HAPPENED, |seen, _| seen.retarded_time),
-    Quantity::time(OWN_CLOCK, |seen, _| seen.proper_time),
+    Quantity::time(0, |_, time| time),
+    Quantity::time(1, |seen, _| seen.retarded_time),
+    Quantity::time(2, |seen, _| seen.proper_time),
     Quantity::length(
         "seen at X",
         "Apparent X",
@@ -337,14 +362,26 @@ impl OfWheel {
 }
 
 impl Quantity {
+    /// Returns the symbol, the name and the tip. Those of a time depend on the observer's clock.
+    fn named(&self, state: &State) -> (&'static str, &'static str, &'static str) {
+        match TIMES.iter().position(|time| time.name == self.name) {
+            Some(number) => {
+                let TimeName { name, tip, .. } = state.clock().times[number];
+                (name, name, tip)
+            }
+            None => (self.symbol, self.name, self.tip),
+        }
+    }
+
     fn row(&self, ui: &mut Ui, state: &State, received: &Received) {
         let unit = (self.unit)(&state.measures());
-        ui.label(RichText::new(unit.label(self.symbol)).weak()).on_hover_text(self.tip);
+        let (symbol, name, tip) = self.named(state);
+        ui.label(RichText::new(unit.label(symbol)).weak()).on_hover_text(tip);
         let value_of = |seen: &Sighting| (self.value)(seen, state.document.time);
         for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
             let value = seen.as_ref().map_or(f64::NAN, value_of);
-            let name = format!("{}, {}: {}", eye.name(), self.name, unit.text(value, self.decimals));
-            let tip = received.tip(eye, self.tip, |exact| unit.text(value_of(exact), self.decimals));
+            let name = format!("{}, {}: {}", eye.name(), name, unit.text(value, self.decimals));
+            let tip = received.tip(eye, tip, |exact| unit.text(value_of(exact), self.decimals));
             named_text(ui, unit.number(value, self.decimals), name).on_hover_text(tip);
         }
         ui.end_row();

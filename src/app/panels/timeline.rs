@@ -117,7 +117,7 @@ fn transport(ui: &mut Ui, state: &State, commands: &mut Commands) {
 }
 
 fn time(ui: &mut Ui, state: &State, commands: &mut Commands) {
-    ui.label("T").on_hover_text(TIME_TIP);
+    ui.label(state.clock().symbol).on_hover_text(format!("{}   Keys: ← →, Home, End", state.clock().tip));
     let mut time = state.document.time;
     let [from, to] = state.time_range();
     let unit = state.measures().time;

@@ -11,8 +11,7 @@ use relativity_core::math;
 use relativity_render::{Camera, Colour, Geometry, Method, PreparedScene, Projection, View};
 
 use super::Commands;
-use crate::app::actions::LOOK_STEP;
-use crate::app::command::Command;
+use crate::app::command::{Command, LOOK_STEP};
 use crate::app::lesson::predicted_place;
 use crate::app::measuring::angle_ruler::{Lay, RulerCommand};
 use crate::app::measuring::laid_ruler;
@@ -216,16 +215,42 @@ fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let pane = EyePane { rect: pane.rect.with_max_y(pane.rect.max.y - ruler), ..pane };
     offscreen_arrows::paint(ui, &inside, pane.rect, &state.offscreen_arrows(pane.eye, pane.size));
     let note = write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
-    let unseen = write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
+    let handlebar = handlebar(ui, &inside, state, pane);
+    // Beside the instruments, where they are.
+    let beside = if handlebar.is_positive() { handlebar.min.x } else { pane.rect.max.x };
+    let free = EyePane { rect: pane.rect.with_max_x(beside), ..pane };
+    let unseen = write(ui, &inside, free, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
     let hint = predicted_place::hint(state)
         .or_else(|| laid_ruler::hint(state))
         .or_else(|| newcomers_hint(ui, state));
     if let Some(hint) = hint.filter(|_| pane.takes_the_mouse()) {
-        let corner = free_corner(ui, &inside, pane, &hint, [note, unseen]);
+        let corner = free_corner(ui, &inside, pane, &hint, [note, unseen, handlebar]);
         let place = write(ui, &inside, pane, corner, hint.clone());
         let response = ui.interact(place, ui.scope_id().with(("hint", pane.eye.index())), Sense::hover());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &hint));
     }
+}
+
+/// The greatest part of a picture's height that the instruments cover.
+const SHARE_OF_INSTRUMENTS: f32 = 0.35;
+
+/// Writes the instruments of who rides into the corner of the picture, as many as have room; where that is.
+fn handlebar(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) -> Rect {
+    let Some(lines) = state.instruments() else { return Rect::ZERO };
+    let line = ui.text_style_height(&TextStyle::Small);
+    let room = (SHARE_OF_INSTRUMENTS * pane.rect.height() / line) as usize;
+    let shown = lines[..room.clamp(1, lines.len())].join("\n");
+    let instruments = lines.join("\n");
+    let place = write(ui, painter, pane, Align2::RIGHT_TOP, shown);
+    let response = ui.interact(place, ui.scope_id().with(("handlebar", pane.eye.index())), Sense::hover());
+    response.widget_info(|| {
+        egui::WidgetInfo::labeled(
+            egui::accesskit::Role::Label,
+            true,
+            format!("{}, instruments: {instruments}", pane.eye.name()),
+        )
+    });
+    place
 }
 
 /// Tells what is under the pointer in `pane`.
@@ -334,7 +359,7 @@ fn newcomers_hint(ui: &Ui, state: &State) -> Option<String> {
 }
 
 /// The first corner in which `text` covers none of the `others`.
-fn free_corner(ui: &Ui, painter: &Painter, pane: EyePane, text: &str, others: [Rect; 2]) -> Align2 {
+fn free_corner(ui: &Ui, painter: &Painter, pane: EyePane, text: &str, others: [Rect; 3]) -> Align2 {
     const CORNERS: [Align2; 4] =
         [Align2::CENTER_BOTTOM, Align2::RIGHT_BOTTOM, Align2::RIGHT_TOP, Align2::CENTER_CENTER];
     let is_free = |corner: &Align2| {

@@ -25,7 +25,7 @@ pub struct Ranges {
 }
 
 /// The curves of a point as it once moved and was seen, which stay while everything else changes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Pin {
     /// The point, with the number whose colour it has.
     pub point: Point,
@@ -128,7 +128,7 @@ fn is_same(a: &Pin, b: &Pin) -> bool {
         published: false,
         stereo: false,
         conformal: false,
-        ..pin.key
+        ..pin.key.clone()
     };
     bare(a) == bare(b)
 }

@@ -64,7 +64,13 @@ impl State {
     pub fn pinned_key(&self, pin: &Pin, quantity: Quantity) -> CurvesKey {
         let stereo = self.document.settings.plots.plot == PlotTab::Stereo;
         let conformal = self.document.settings.plots.is_conformal();
-        CurvesKey { range: self.plotted_times(quantity), published: false, stereo, conformal, ..pin.key }
+        CurvesKey {
+            range: self.plotted_times(quantity),
+            published: false,
+            stereo,
+            conformal,
+            ..pin.key.clone()
+        }
     }
 
     /// Returns the keys of all curves that are plotted, each once.

@@ -36,6 +36,7 @@ impl State {
         let Track { motion, .. } = self.document.points.selected().track;
         let speed = match motion {
             Motion::Scene => self.document.settings.motion.speed,
+            Motion::WithEyes => SpeedSetting::REST,
             Motion::Own(own) => speed_setting(own.speed).map_err(|error| error.to_string())?,
         };
         let baseline = self.document.settings.baseline();

@@ -11,6 +11,8 @@ use crate::settings::{Look, Motion, Picture, Settings};
 pub enum Section {
     /// Speed, separation and path.
     Motion,
+    /// Ride of the observer.
+    Ride,
     /// Geometry, gaze and renderer of the views.
     Look,
     /// Head and eyes, and how two pictures make a pair.
@@ -25,6 +27,7 @@ impl Section {
     pub const fn title(self) -> &'static str {
         match self {
             Self::Motion => "Motion",
+            Self::Ride => "Ride",
             Self::Look => "Look",
             Self::TwoEyes => "Two eyes",
             Self::Light => "Light",
@@ -39,6 +42,7 @@ impl Section {
                 let motion = Motion { roll: kept.motion.roll, turn: kept.motion.turn, ..all.motion };
                 Settings { motion, ..kept }
             }
+            Self::Ride => Settings { ride: all.ride.clone(), ..kept },
             Self::Look => {
                 let Look { projection, zero_parallax, .. } = kept.look;
                 let picture =

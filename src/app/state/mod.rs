@@ -25,12 +25,14 @@ use crate::app::orders::Order;
 use crate::app::overlay::Overlay;
 use crate::app::plots::look::Plotting;
 use crate::app::pointer::Pick;
+use crate::app::riding::saddle::Saddle;
 use crate::app::screens::stage::Stage;
 use crate::app::state::document::Document;
 use crate::app::state::frame::Frame;
 use crate::app::state::points::Point;
 use crate::app::state::shared::Shared;
 use crate::app::undo::history::History;
+use crate::caption::times::ObserverClock;
 use crate::estimate::samples::DataFile;
 use crate::lesson::{Answers, Library};
 use crate::map::Viewpoint;
@@ -56,6 +58,8 @@ pub struct State {
 pub struct Scratch {
     /// Whether playback runs.
     pub playing: bool,
+    /// The state of the saddle: who steers, and which push is held.
+    pub saddle: Saddle,
     /// The ruler for angles in the views.
     pub angle_ruler: AngleRuler,
     /// The stopwatch in the first view.
@@ -140,8 +144,11 @@ impl State {
     /// A scene that cannot be had; then nothing changes.
     pub fn set(&mut self, settings: impl Into<Shared<Settings>>) -> Result<(), SceneError> {
         let settings = settings.into();
-        let is_same = settings.scene == self.document.settings.scene;
-        if !is_same || settings.light.surroundings != self.document.settings.light.surroundings {
+        let shown = &self.document.settings;
+        let is_same = settings.scene == shown.scene
+            && settings.light.surroundings == shown.light.surroundings
+            && settings.ride.is_on() == shown.ride.is_on();
+        if !is_same {
             self.show_scene(settings.opened_scene()?.into());
         }
         self.document.settings = settings;
@@ -193,6 +200,12 @@ impl State {
         self.document.settings.speed()
     }
 
+    /// The clock by which whoever looks counts.
+    #[must_use]
+    pub fn clock(&self) -> &'static ObserverClock {
+        ObserverClock::of(self.document.settings.ride.is_on())
+    }
+
     /// The units that lengths and times are shown and typed in.
     #[must_use]
     pub fn measures(&self) -> Measures {
@@ -202,6 +215,9 @@ impl State {
     /// First and last T of the scrubber and the plots.
     #[must_use]
     pub fn time_range(&self) -> [f64; 2] {
+        if let Some(range) = self.range_of_ride() {
+            return range;
+        }
         self.document.settings.time_range(&self.document.points.selected().track)
     }
 
@@ -234,6 +250,7 @@ impl State {
     /// Returns the appearance of its light, in a light window or a dark one.
     #[must_use]
     pub fn appearance(&self, light_window: bool) -> Appearance {
-        self.document.settings.appearance(&self.document.scene, light_window)
+        let Document { settings, scene, time, .. } = &self.document;
+        settings.appearance(scene, *time, light_window)
     }
 }

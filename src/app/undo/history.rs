@@ -45,6 +45,8 @@ pub enum Run {
     Speed,
     /// Turns of the wheel over a view.
     Zoom,
+    /// A push of the pedals.
+    Pedals,
     /// Nudges of a control by the arrow keys.
     Arrows,
 }
@@ -87,11 +89,13 @@ impl History {
         }
         self.is_held = pointer.any_down() || pointer.any_released();
         self.is_nudged = input.events.iter().any(is_arrow);
-        // Another key may have chosen another control.
-        if input
-            .events
-            .iter()
-            .any(|event| matches!(event, Event::Key { pressed: true, .. }) && !is_arrow(event))
+        // Another key may have chosen another control. A push of the pedals ends when it is let go.
+        let is_pushed = self.run == Some(Run::Pedals);
+        if !is_pushed
+            && input
+                .events
+                .iter()
+                .any(|event| matches!(event, Event::Key { pressed: true, .. }) && !is_arrow(event))
         {
             self.run = None;
         }
@@ -102,6 +106,11 @@ impl History {
     pub fn run(&self, nudge: Option<Run>) -> Option<Run> {
         let press = self.press.filter(|_| self.is_held).map(Run::Press);
         press.or(nudge).or_else(|| self.is_nudged.then_some(Run::Arrows))
+    }
+
+    /// Has the next change begin a step of its own.
+    pub const fn end_run(&mut self) {
+        self.run = None;
     }
 
     /// Notes that something was done in this `run`, a pick or not, before which all was as `kept`, and is now as `now`.

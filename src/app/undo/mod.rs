@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use crate::app::command::Command;
 use crate::app::notice::Notice;
+use crate::app::riding::saddle::RideCommand;
 use crate::app::state::State;
 use crate::app::undo::history::{Direction, Run, UndoStep};
 use crate::lesson::Course;
@@ -32,6 +33,9 @@ impl State {
             && let Some(before) = self.session.history.taken_pick()
         {
             self.document.points = before.points;
+        }
+        if matches!(command, Command::Ride(RideCommand::Push(..))) && self.scratch.saddle.push.is_none() {
+            self.session.history.end_run();
         }
         let (kept, is_pick, time) = (self.kept(), matches!(command, Command::Pick(_)), self.document.time);
         let run = self.session.history.run(nudge(&command));
@@ -72,6 +76,7 @@ impl State {
 const fn nudge(command: &Command) -> Option<Run> {
     match command {
         Command::NudgeSpeed(_) => Some(Run::Speed),
+        Command::Ride(RideCommand::Push(..)) => Some(Run::Pedals),
         Command::Zoom(_) | Command::Magnify(_) => Some(Run::Zoom),
         _ => None,
     }

@@ -9,7 +9,6 @@ use relativity_render::Geometry;
 use crate::app::state::State;
 use crate::app::views::eye::Eye;
 use crate::app::{awake, clock, theme};
-use crate::caption::times;
 use crate::flags::choices::ProjectionChoice;
 use crate::number_text;
 
@@ -77,7 +76,7 @@ impl State {
         let times = [self.document.time, seen.retarded_time, seen.proper_time];
         [at].into_iter()
             .chain(self.conformal(seen))
-            .chain(times::texts(times, self.measures().time, 2))
+            .chain(self.clock().texts(times, self.measures().time, 2))
             .collect()
     }
 

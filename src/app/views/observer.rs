@@ -1,7 +1,7 @@
 //! The two eyes before the document: sightings of the followed points, gaze, cameras, markers.
 
 use glam::DVec3;
-use relativity_core::{Disparity, Model, Parameter, Sighting, Source, Speed, Stereo, StereoError};
+use relativity_core::{Disparity, Model, ObserverError, Parameter, Sighting, Source, Speed, Stereo};
 use relativity_render::{Gaze, Geometry, Velocity, View};
 
 use crate::app::fitting::FitOutcome;
@@ -107,7 +107,7 @@ impl State {
     /// # Errors
     ///
     /// Lines of sight that do not meet; a time outside the domain of the core.
-    pub fn stereo(&self, point: &Point) -> Result<Stereo, StereoError> {
+    pub fn stereo(&self, point: &Point) -> Result<Stereo, ObserverError> {
         self.document.settings.stereo(&point.track, self.document.time)
     }
 
@@ -176,6 +176,7 @@ impl State {
         let model =
             if stereo { self.document.settings.model() } else { self.document.settings.shown_model() };
         CurvesKey {
+            ride: self.document.settings.ride.clone(),
             velocity: self.velocity(point),
             point: self.document.settings.from_between_eyes(&point.track),
             baseline: self.document.settings.baseline(),

@@ -213,8 +213,7 @@ pub fn choice<T: PartialEq + Copy>(ui: &mut Ui, value: &mut T, options: &[(T, &s
     changed
 }
 
-/// A field in which a number is typed exactly. While it is not edited it shows `shown`; what was typed
-/// is handed out once, on Enter or when the field is left.
+/// A field in which a number is typed exactly, as [`typed_text`].
 pub fn exact_number(
     ui: &mut Ui,
     name: &str,
@@ -222,7 +221,13 @@ pub fn exact_number(
     shown: &str,
     width: f32,
 ) -> Option<Result<f64, String>> {
-    let id = Id::unique(("exact number", name));
+    typed_text(ui, name, tip, shown, width).map(|text| number_text::parsed(&text))
+}
+
+/// A field in which a text is typed. While it is not edited it shows `shown`; what was typed is handed out once, on Enter or when
+/// the field is left.
+pub fn typed_text(ui: &mut Ui, name: &str, tip: &str, shown: &str, width: f32) -> Option<String> {
+    let id = Id::unique(("typed text", name));
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.to_owned());
     let field = TextEdit::singleline(&mut text).id(id).desired_width(width).clip_text(true);
     let response = ui.add(field).on_hover_text(tip).accessible_name(name);
@@ -231,7 +236,7 @@ pub fn exact_number(
         return None;
     }
     ui.data_mut(|data| data.remove::<String>(id));
-    (response.lost_focus() && text != shown).then(|| number_text::parsed(&text))
+    (response.lost_focus() && text != shown).then_some(text)
 }
 
 /// A number to drag or type.

@@ -25,7 +25,7 @@ use crate::files::whole::OutArgs;
 use crate::flags::choices::{FileKind, Layout};
 use crate::flags::{COORDINATES, coordinates, within};
 use crate::platform::{self, files, messages};
-use crate::settings::{CameraArgs, MAX_LENGTH, NO_PAIR, Picture, Settings};
+use crate::settings::{CameraArgs, MAX_LENGTH, NO_PAIR, ON_A_RIDE, Picture, Settings};
 use crate::studio::Sheet;
 use crate::time_range::time_within;
 
@@ -256,6 +256,7 @@ fn measured(
             ([left?, right?], file.size, settings)
         }
     };
+    anyhow::ensure!(!settings.ride.is_on(), "{name}: {ON_A_RIDE}");
     let [Some(left), Some(right)] = places else { return Ok(None) };
     let cameras = settings.recorded_cameras(size);
     let cameras = cameras.map_err(|flag| anyhow::anyhow!("{name}: it does not record {flag}"))?;

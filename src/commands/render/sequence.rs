@@ -24,10 +24,10 @@ pub struct TimeArgs {
     #[arg(long, requires = "frames")]
     exr: bool,
     /// Observation time of the first frame [default: when the tracked point is seen at x = -2 R, R being
-    /// its distance at x = 0]
+    /// its distance at x = 0; 0 on a ride that changes its speed]
     #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true, requires = "frames")]
     from: Option<f64>,
-    /// Observation time of the last frame [default: when the tracked point is seen at x = +2 R]
+    /// Observation time of the last frame [default: when the tracked point is seen at x = +2 R, or the ride ends]
     #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true, requires = "frames")]
     to: Option<f64>,
 }
@@ -39,11 +39,10 @@ impl TimeArgs {
             return Ok([from, to]);
         }
         let settings = studio.settings();
-        let passage = passage_times(
-            &settings.velocity(studio.tracked().motion).speed,
-            settings.carrier(&studio.tracked()),
-            settings.pair(),
-        )?;
+        let passage = match settings.passage(&studio.tracked()) {
+            Some((velocity, place)) => passage_times(&velocity.speed, place, settings.pair())?,
+            None => Some([0.0, settings.ride.duration()]),
+        };
         let passage = passage.context("a scene at rest passes at no time; --from and --to are needed")?;
         Ok([self.from.unwrap_or(passage[0]), self.to.unwrap_or(passage[1])])
     }

@@ -183,7 +183,7 @@ fn what_cannot_be_worked_out_is_named_with_its_line() {
         (
             "A rod comes.",
             "At {gama:.2}.",
-            "rods.md:19: no value is called `gama`: there are 57, most like it gamma, gain",
+            "rods.md:19: no value is called `gama`: there are 73, most like it gamma, gain",
         ),
         ("A rod comes.", "At {t of sphere:.2}.", "rods.md:19: Rods has no body called `sphere`: there are "),
         ("A rod comes.", "Its $\\frac{1}{2$ comes.", "rods.md:19: "),

@@ -12,6 +12,7 @@ mod light;
 mod optics;
 mod pairs;
 mod places;
+mod riding;
 mod rolling;
 
 use pulldown_cmark::{Event, Parser, Tag};
@@ -31,9 +32,17 @@ const NEAREST: usize = 5;
 
 /// Returns every value, in the order of the documentation.
 pub fn all() -> impl Iterator<Item = &'static Value> {
-    [optics::VALUES, light::VALUES, pairs::VALUES, ends::VALUES, rolling::VALUES, fits::VALUES]
-        .into_iter()
-        .flatten()
+    [
+        optics::VALUES,
+        light::VALUES,
+        pairs::VALUES,
+        ends::VALUES,
+        rolling::VALUES,
+        riding::VALUES,
+        fits::VALUES,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// A value as a text asks for it.

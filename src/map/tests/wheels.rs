@@ -132,7 +132,7 @@ fn the_drawn_worldline_of_a_wheels_point_is_the_real_one() {
         let settings = settings(BETA, frame);
         let track = scene.track(Some([1.25, 4.0, 0.0]));
         assert_eq!(track.spin, Some(spin));
-        let diagram = Diagram::new(&settings, &track, 1.0, settings.frame()).expect("in the domain");
+        let diagram = Diagram::new(&settings, &track, 1.0, settings.frame(1.0)).expect("in the domain");
         let [low, high] = [Event { x: -20.0, t: -20.0 }, Event { x: 20.0, t: 20.0 }];
         let times = diagram.times_within(low, high);
         assert!(times.len() > 60 && times.is_sorted_by(|a, b| a < b), "{}", times.len());
@@ -148,8 +148,8 @@ fn the_drawn_worldline_of_a_wheels_point_is_the_real_one() {
             let event = diagram.point.at(ray.happened);
             assert!((event.x - ray.left.x).abs() < 1e-9 && (event.t - ray.left.t).abs() < 1e-9, "{ray:?}");
         }
-        let now = diagram.point.at(diagram.scene_now()).in_frame(Velocity::REST);
-        let in_scene = if frame == Frame::Ground { now.in_frame(diagram.scene) } else { now };
+        let now = diagram.point.at(diagram.other_now()).in_frame(Velocity::REST);
+        let in_scene = if frame == Frame::Ground { now.in_frame(diagram.other) } else { now };
         assert!((in_scene.t - gamma()).abs() < 1e-12, "{in_scene:?}");
     }
 }
@@ -189,11 +189,11 @@ fn nothing_of_a_wheel_is_beyond_all_numbers_at_the_greatest_speeds() {
         let track = scene.track(Some([0.0, 4.0, -1.25]));
         assert_eq!(track.spin, Some(spin));
         for time in [-1e6, 0.0, 4.0] {
-            let diagram = Diagram::new(&settings, &track, time, settings.frame()).expect("in the domain");
-            let [low, high] = home(&settings, &track, time, settings.frame()).expect("in the domain");
+            let diagram = Diagram::new(&settings, &track, time, settings.frame(time)).expect("in the domain");
+            let [low, high] = home(&settings, &track, time, settings.frame(time)).expect("in the domain");
             let drawn = diagram.times_within(low, high).into_iter().map(|t| diagram.point.at(t));
             let left = diagram.rays.map(|ray| ray.left);
-            for event in drawn.chain(left).chain([low, high, diagram.point.at(diagram.scene_now())]) {
+            for event in drawn.chain(left).chain([low, high, diagram.point.at(diagram.other_now())]) {
                 assert!(event.x.is_finite() && event.t.is_finite(), "{gamma} {time} {diagram:?}");
             }
             let charts = plan_and_side(AREA, &Extent::of_space(&settings, &scene), &Viewpoint::default());

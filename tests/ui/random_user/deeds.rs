@@ -342,6 +342,7 @@ impl User<'_> {
             Key::F11,
             Key::P,
             Key::W,
+            Key::I,
             Key::PageUp,
             Key::PageDown,
             Key::S,

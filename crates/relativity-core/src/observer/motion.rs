@@ -14,6 +14,19 @@ pub struct Observer {
 }
 
 impl Observer {
+    /// At rest at the ground's origin, whose clock shows 0 at this T.
+    #[must_use]
+    pub const fn at_rest(time: f64) -> Self {
+        Self { velocity: ObserverVelocity::REST, place: [0.0; 3], time }
+    }
+
+    /// In the mirror in which +x is -x.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let [x, y, z] = self.place;
+        Self { velocity: self.velocity.mirrored(), place: [-x, y, z], ..*self }
+    }
+
     /// Returns the event of the observer at this time of the observer's own clock: the same observer, its clock set to 0 there.
     #[must_use]
     pub fn at(&self, proper_time: f64) -> Self {

@@ -51,6 +51,13 @@ impl ObserverVelocity {
         Ok(Self { speed, direction: [x, y, z].map(|part| part / magnitude), sine: across / magnitude })
     }
 
+    /// In the mirror in which +x is -x.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let [x, y, z] = self.direction;
+        if self.is_rest() { *self } else { Self { direction: [-x, y, z], ..*self } }
+    }
+
     /// Magnitude of the velocity.
     #[must_use]
     pub const fn speed(&self) -> &Speed {

@@ -128,7 +128,9 @@ pub fn surface<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
     let turn = -course.b / a;
     let steep = select(slope.simd_ge(0.0), all(simd, 1.0), all(simd, -1.0)) / slope.abs().max(1e-12);
     let level = -height * steep;
-    let first = (turn - outer_half).max(level - body.radius * steep.abs());
+    // From the camera on: one in the hole has a part of the torus behind it.
+    let here = -(ray.to_centre + body.place.dot(n));
+    let first = (turn - outer_half).max(level - body.radius * steep.abs()).max(here);
     let last = (turn + outer_half).min(level + body.radius * steep.abs());
 
     let mut search = Search { found: no(simd), s: turn, value: torus_at(&course, body, turn).value };

@@ -84,6 +84,12 @@ pub(crate) fn about_y(v: DVec3, angle: f64) -> DVec3 {
 }
 
 impl MaterialPoint {
+    /// Place of the point on the axle beside it, about which it turns; its own, if it does not turn.
+    #[must_use]
+    pub fn axle(&self) -> DVec3 {
+        self.rest - self.spin.map_or(DVec3::ZERO, |spin| spin.off_axle(self.rest))
+    }
+
     /// The same moved by `offset`, and its axle with it.
     #[must_use]
     pub fn moved(self, offset: [f64; 3]) -> Self {

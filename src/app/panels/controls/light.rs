@@ -37,7 +37,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     });
     exposure_rows(
         ui,
-        state.document.settings.automatic_ev(&state.document.scene),
+        state.document.settings.automatic_ev(&state.document.scene, state.document.time),
         &mut light.exposure,
         default.exposure,
     );

@@ -5,6 +5,7 @@ mod light;
 mod measuring;
 mod projection;
 mod quality;
+mod ride;
 mod screen;
 mod speed;
 mod two_eyes;
@@ -31,12 +32,16 @@ const LAYOUTS_HEIGHT: f32 = 340.0;
 /// Shows the rows of a section.
 type Rows = fn(&mut Ui, &State, &mut Commands);
 
-const SECTIONS: [(Section, Rows); 4] = [
-    (Section::Motion, motion),
-    (Section::Look, look),
-    (Section::TwoEyes, two_eyes::show),
-    (Section::Light, light::show),
-];
+const MOTION: (Section, Rows) = (Section::Motion, motion);
+const RIDE: (Section, Rows) = (Section::Ride, ride::show);
+const OTHERS: [(Section, Rows); 3] =
+    [(Section::Look, look), (Section::TwoEyes, two_eyes::show), (Section::Light, light::show)];
+
+/// Returns the sections in their order: what moves first, which includes the ride of whoever rides.
+fn sections(is_riding: bool) -> impl Iterator<Item = (Section, Rows)> {
+    let [before, after] = if is_riding { [Some(RIDE), None] } else { [None, Some(RIDE)] };
+    std::iter::once(MOTION).chain(before).chain(OTHERS).chain(after)
+}
 
 /// Shows the controls in their sections.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -45,7 +50,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         if state.document.settings.window.simple {
             return few(ui, state, commands);
         }
-        for (part, rows) in SECTIONS {
+        for (part, rows) in sections(state.document.settings.ride.is_on()) {
             let tip = format!("Resets this section to its defaults, {}.", state.defaults_source());
             let reset = (!state.is_default_in(part)).then_some(tip.as_str());
             if section(ui, part.title(), reset, |ui| rows(ui, state, commands)) {
@@ -58,6 +63,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 /// The controls of who sees the window for the first time, and the way to all others.
 fn few(ui: &mut Ui, state: &State, commands: &mut Commands) {
     motion(ui, state, commands);
+    ride::button(ui, state, commands);
     ui.add_space(theme::GAP);
     let tip = "Shows all controls, of path, look, light and quality, and all plots. The palette (Ctrl+P) leads back.";
     if ui.button("More controls").on_hover_text(tip).clicked() {

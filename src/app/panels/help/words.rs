@@ -1,7 +1,7 @@
 //! Words of the help: what is shown, the terms and letters, and the source.
 
 /// The first paragraphs, about what is on screen.
-pub const WHAT: [&str; 7] = [
+pub const WHAT: [&str; 8] = [
     "Gamow shows what two eyes see of something that rides past at nearly the speed of light.",
     "Light takes time: each eye sees every point where it was when its light left. So what comes nearly \
     straight at you looks long and blue, and what goes short and red.",
@@ -14,10 +14,12 @@ pub const WHAT: [&str; 7] = [
     "Drag the speed, click a point in a view to follow it, and read its disparities in the plots and in the readout.",
     "The map shows what happens meanwhile: where things are measured now, where each eye sees them, and where two eyes \
     take them to be.",
+    "Key I seats you on a bicycle yourself: hold the arrow keys up and down to pedal and to brake, and the street rides past \
+    you. Everything is told by your own clock then.",
 ];
 
 /// Terms and letters with their meanings, beside the three times.
-pub const WORDS: [(&str, &str); 15] = [
+pub const WORDS: [(&str, &str); 17] = [
     ("β, γ, η", "the speed in parts of that of light, v/c; γ = 1/√(1 − β²); the rapidity η = artanh β"),
     ("d", "how far apart the eyes are"),
     ("Doppler factor D", "received over rest frequency: above 1 is bluer. So fast is a clock seen to run"),
@@ -32,6 +34,11 @@ pub const WORDS: [(&str, &str); 15] = [
     ("T₀", "the T at which both eyes see the point equally far, so that both receive the same event"),
     ("measured abreast", "beside the eyes now, at x = 0, by the ground’s clocks; nobody sees it there yet"),
     ("seen abreast", "seen beside the eyes, with D = 1/γ and 1/γ as long"),
+    ("s", "the clock on the handlebar of whoever rides"),
+    (
+        "proper acceleration",
+        "what a balance on the bicycle shows: rapidity gained per unit of one's own time",
+    ),
     ("light cone", "all events whose light arrives at one place at one time. Each eye has its own"),
     ("as seen", "each point where it was when its light left"),
     ("contracted", "where everything is at one time on the ground, shorter by 1/γ: what Gamow drew"),

@@ -34,9 +34,10 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 
 /// Shows it before an audience or among few controls: the frame is named, and nothing is chosen.
 pub fn show_presented(ui: &mut Ui, state: &State, commands: &mut Commands) {
-    let whose = match state.document.settings.map.frame {
+    let whose = match state.document.settings.map_frame() {
         Frame::Ground => "the ground".to_owned(),
         Frame::Bicycle => format!("the {}", state.document.scene.rider),
+        Frame::Rider => "the one who rides".to_owned(),
     };
     let told = ui.label(RichText::new(format!("Map, in the frame of {whose}")).small().strong());
     let below = ui.max_rect().with_min_y(told.rect.max.y);
@@ -64,11 +65,17 @@ fn strip(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let frames = [
         (Frame::Ground, "Ground", "In the frame of the street, where eyes and houses rest.   Key: G"),
         (Frame::Bicycle, &rider, "In the frame of who rides along: eyes and street ride past.   Key: G"),
+        (
+            Frame::Rider,
+            "Mine",
+            "In the frame in which I rest at this moment, counted from me: the street rides past.   Key: G",
+        ),
     ];
+    let frames = if state.document.settings.ride.is_on() { &frames[..] } else { &frames[..2] };
     ui.horizontal_centered(|ui| {
         choice(ui, &mut map.face, &FACES);
         ui.separator();
-        choice(ui, &mut map.frame, &frames);
+        choice(ui, &mut map.frame, frames);
         ui.separator();
         let mut is_close_up = map.framing == Framing::CloseUp;
         ui.toggle_value(&mut is_close_up, "Close-up").on_hover_text(CLOSE_UP);

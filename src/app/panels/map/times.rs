@@ -1,14 +1,13 @@
 //! The three times of an event, for hovering.
 
 use crate::app::state::State;
-use crate::caption::times;
 
 /// Decimals of a time in the scene's unit.
 const DECIMALS: u8 = 3;
 
 /// When light is received, when it left, and what the own clock showed then, in units of the scene: a line for each.
 pub fn times(state: &State, values: [f64; 3]) -> String {
-    times::texts(values, state.measures().time, DECIMALS).join("\n")
+    state.clock().texts(values, state.measures().time, DECIMALS).join("\n")
 }
 
 /// A time in a label: two decimals of the scene's unit, and what is less than those show is 0.

@@ -5,6 +5,7 @@ use egui_plot::{GridInput, GridMark, Plot, PlotBounds, PlotResponse};
 use relativity_core::math;
 
 use crate::app::plots::curves::Quantity;
+use crate::caption::times::ObserverClock;
 use crate::plot::{
     Axis, MOST_TICKS, at_least, extent, ticks_along, widened, with_factor, with_margin, zoom_step,
 };
@@ -237,9 +238,9 @@ fn with_unit(quantity: Quantity, words: &str, unit: Unit) -> String {
     }
 }
 
-/// Returns the label of an axis of T that is shown in `unit`.
-pub(super) fn time_label(unit: Unit) -> String {
-    in_unit("observer's time T", unit)
+/// Returns the label of an axis of the time by this `clock` that is shown in `unit`.
+pub(super) fn time_label(clock: &ObserverClock, unit: Unit) -> String {
+    in_unit(clock.words, unit)
 }
 
 /// The scene's own unit has a name here, as all axes have units.
@@ -256,12 +257,12 @@ pub(super) const fn shown_in(quantity: Quantity, length: Unit) -> Unit {
     }
 }
 
-/// Names the axis, whose T is shown in `unit`, in the corner where that costs least, and T0, and frames the plot. Returns
+/// Names the axis, whose time by this `clock` is shown in `unit`, in the corner where that costs least, and T0, and frames the plot. Returns
 /// where it wrote that.
 pub(super) fn annotate(
     ui: &Ui,
     response: &PlotResponse<()>,
-    unit: Unit,
+    (clock, unit): (&ObserverClock, Unit),
     equidistant: Option<(f64, &'static str)>,
     cost: impl Fn(Rect) -> f32,
 ) -> Vec<Rect> {
@@ -284,7 +285,7 @@ pub(super) fn annotate(
     let bounds = response.transform.bounds();
     let ruler = Ruler::of_time(unit, frame.width() + Y_AXIS_WIDTH);
     let exponent = ruler.axis([bounds.min()[0], bounds.max()[0]]).exponent;
-    let words = if is_wide { time_label(unit) } else { in_unit("T", unit) };
+    let words = if is_wide { time_label(clock, unit) } else { in_unit(clock.symbol, unit) };
     let galley = laid(with_factor(&words, exponent));
     let corners = [Align2::RIGHT_BOTTOM, Align2::LEFT_BOTTOM, Align2::RIGHT_TOP, Align2::LEFT_TOP];
     let inside = frame.shrink2(vec2(7.0, 3.0));

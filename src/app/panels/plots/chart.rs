@@ -9,6 +9,7 @@ use crate::app::plots::curves::{self, Curve, CurvesKey, Quantity};
 use crate::app::plots::look::MAX_PINS;
 use crate::app::theme;
 use crate::app::views::eye::Eye;
+use crate::caption::times::ObserverClock;
 use crate::units::Unit;
 
 /// A plot against T.
@@ -19,6 +20,8 @@ pub(super) struct Chart<'a> {
     pub unit: Unit,
     /// The unit of T as it is shown.
     pub time_unit: Unit,
+    /// Clock by which T counts.
+    pub clock: &'static ObserverClock,
     /// First and last T, in the scene's unit.
     pub range: [f64; 2],
     /// Lowest and highest value, as plotted, if only a part is shown.
@@ -58,7 +61,7 @@ pub(super) struct Trace<'a> {
 }
 
 /// The source of a curve's values.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Source {
     /// Key of the point, and of how it is seen.
     pub key: CurvesKey,

@@ -4,11 +4,11 @@ use csv::ByteRecord;
 use eframe::egui::{Color32, Visuals};
 
 use super::axes::{axis_label, column_label, in_unit, time_label};
-use super::chart::{Chart, Dash, Source};
+use super::chart::{Chart, Dash};
 use super::plotted::Plotted;
 use super::traces::chart;
 use super::{accuracy, fit};
-use crate::app::plots::curves::{Curve, Quantity};
+use crate::app::plots::curves::{self, Curve, Quantity};
 use crate::app::plots::look::quantities;
 use crate::app::state::State;
 use crate::estimate::samples::eye_columns;
@@ -62,11 +62,11 @@ fn panel(state: &State, chart: &Chart<'_>) -> Panel {
         },
         pieces: trace.pieces.iter().map(|piece| piece.iter().map(in_chart).collect()).collect(),
     });
-    let labels = [time_label(chart.time_unit), axis_label(chart.quantity, chart.unit)];
+    let labels = [time_label(chart.clock, chart.time_unit), axis_label(chart.quantity, chart.unit)];
     let point = state.name_of(state.document.points.selected());
     let title = if chart.quantity.is_disparity() { "" } else { &point };
     let shown = |time| chart.time_unit.shown(time);
-    let now = (shown(chart.now), "T".to_owned());
+    let now = (shown(chart.now), chart.clock.symbol.to_owned());
     let cursors =
         ["A", "B"].into_iter().zip(&chart.cursors).map(|(name, time)| (shown(*time), name.to_owned()));
     let seen = chart.equidistant.map(|(time, words)| (shown(time), format!("T₀, {words}")));
@@ -91,7 +91,7 @@ fn readable(state: &State) -> (Vec<&'static str>, impl Fn(f64) -> Vec<f64>) {
     let (names, eyes) = eye_columns(state.document.settings.baseline());
     let names = names.iter().copied().chain(["dphi", "dtheta"]).collect();
     let numbers = move |time| {
-        let angle = |curve| Source { key, model: key.model, curve }.value(time).unwrap_or(f64::NAN);
+        let angle = |curve| curves::value(&key, key.model, curve, time).unwrap_or(f64::NAN);
         let angles = [Curve::DeltaPhi, Curve::DeltaTheta].map(angle);
         [&[time], eyes.as_slice(), &angles].concat()
     };
@@ -108,7 +108,7 @@ fn table(state: &State, charts: &[Chart<'_>]) -> String {
     let is_readable =
         charts.iter().any(|chart| matches!(chart.quantity, Quantity::DeltaPhi | Quantity::DeltaTheta));
     let readable = is_readable.then(|| readable(state));
-    head.push_field(in_unit("T", first.time_unit).as_bytes());
+    head.push_field(in_unit(first.clock.symbol, first.time_unit).as_bytes());
     for chart in charts {
         for trace in &chart.traces {
             head.push_field(

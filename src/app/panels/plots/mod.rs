@@ -171,7 +171,7 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &Chart<'_>, command
     });
     let mut drawn = Drawn::new(&response, chart);
     let covered = |spot| drawn.covered_by(spot);
-    drawn.written = annotate(ui, &response, chart.time_unit, chart.equidistant, covered);
+    drawn.written = annotate(ui, &response, (chart.clock, chart.time_unit), chart.equidistant, covered);
     let names = axes::name_cursors(ui, &response, &chart.cursors, &drawn.written);
     drawn.written.extend(names);
     legend::show(ui, &response, chart, &drawn);

@@ -48,12 +48,13 @@ impl Chart<'_> {
     pub fn cursors_text(&self) -> Option<String> {
         match self.cursors.as_slice() {
             [] => None,
-            [a] => Some(format!("A: T = {}", self.time_text(*a))),
+            [a] => Some(format!("A: {} = {}", self.clock.symbol, self.time_text(*a))),
             [a, b, ..] => Some(format!(
-                "A: T = {}, B: T = {}, ΔT = {}",
+                "A: {symbol} = {}, B: {symbol} = {}, Δ{symbol} = {}",
                 self.time_text(*a),
                 self.time_text(*b),
-                self.time_text(b - a)
+                self.time_text(b - a),
+                symbol = self.clock.symbol
             )),
         }
     }
@@ -96,7 +97,7 @@ pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &Chart<'_>) {
     let tooltip = Tooltip::always_open(ui.ctx().clone(), mouse.layer_id, id, pointer).gap(14.0);
     tooltip.show(|ui| {
         ui.spacing_mut().item_spacing.y = 1.0;
-        ui.label(RichText::new(format!("T = {}", chart.time_text(time))).small());
+        ui.label(RichText::new(format!("{} = {}", chart.clock.symbol, chart.time_text(time))).small());
         if let Some((time, words)) = chart.equidistant.filter(|(time, _)| is_near(*time)) {
             let text = format!("T₀ = {}, {words}: equally far from both eyes", chart.time_text(time));
             ui.label(RichText::new(text).small().strong());

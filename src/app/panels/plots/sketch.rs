@@ -120,7 +120,8 @@ fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands: &mut Comma
     });
     let all: Vec<[f64; 2]> = truth.iter().chain(&drawn).flatten().copied().collect();
     let mut covered = Drawn::of_points(&response, &all, now);
-    covered.written = annotate(ui, &response, time_unit, None, |spot| covered.covered_by(spot));
+    covered.written =
+        annotate(ui, &response, (state.clock(), time_unit), None, |spot| covered.covered_by(spot));
     let is_there = [(&truth, TRUE, true_colour), (&drawn, DRAWN, drawn_colour)];
     let is_there = is_there.into_iter().filter(|(pieces, ..)| sketched.is_revealed && !pieces.is_empty());
     let row = |(_, (dash, name), colour): (_, (Dash, &str), _)| Row::of_line(dash, WIDTH, name, colour);

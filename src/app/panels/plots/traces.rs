@@ -20,6 +20,7 @@ pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity,
         quantity,
         unit: shown_in(quantity, measures.length),
         time_unit: measures.time,
+        clock: state.clock(),
         range: state.plotted_times(quantity),
         zoomed: state.scratch.plotting.zoom(quantity).map(|zoom| zoom.values),
         traces: traces(state, curves, quantity),
@@ -86,7 +87,7 @@ fn resting(own: &Curves) -> Option<Trace<'_>> {
         wide: false,
         pale: false,
         dot: false,
-        source: Source { key: *own.key(), model, curve },
+        source: Source { key: own.key().clone(), model, curve },
     })
 }
 
@@ -157,7 +158,7 @@ const TWO_CONES: &str = "two light cones (exact)";
 
 /// A curve by the model of what the views show or, where that is another, the exact one beside it.
 fn of_model<'a>(name: &str, hue: Hue, curves: &'a Curves, model: Model, curve: Curve) -> Trace<'a> {
-    let key = *curves.key();
+    let key = curves.key();
     let (name, dash) = match (key.model, model) {
         (Model::Exact, _) => (name.to_owned(), Dash::Solid),
         (_, Model::Exact) => (format!("{name}, {TWO_CONES}"), Dash::Dotted),
@@ -173,7 +174,7 @@ fn of_model<'a>(name: &str, hue: Hue, curves: &'a Curves, model: Model, curve: C
         wide: shown,
         pale: false,
         dot: shown,
-        source: Source { key, model, curve },
+        source: Source { key: key.clone(), model, curve },
     }
 }
 
@@ -205,7 +206,7 @@ fn of_points<'a>(
                 wide: is_selected,
                 pale: false,
                 dot: true,
-                source: Source { key: *curves.key(), model: PUBLISHED, curve },
+                source: Source { key: curves.key().clone(), model: PUBLISHED, curve },
             });
         }
     }
@@ -249,7 +250,7 @@ fn distances(curves: &Curves) -> Vec<Trace<'_>> {
                 wide,
                 pale: false,
                 dot: true,
-                source: Source { key: *curves.key(), model, curve },
+                source: Source { key: curves.key().clone(), model, curve },
             }
         })
         .collect()

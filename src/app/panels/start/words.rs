@@ -7,7 +7,7 @@ use crate::lesson::{Course, Lesson};
 /// Heading of the page.
 pub const HEADING: &str = "What do two eyes see at nearly the speed of light?";
 pub const INTRODUCTION: &str = "Gamow shows what each eye sees of a cyclist who rides past at nearly the speed of light, \
-    and what two eyes make of it. A lesson commands what you expect, shows what is seen, and explains it. Begin with the \
+    and what two eyes make of it. A lesson asks what you expect, shows what is seen, and explains it. Begin with the \
     first, or look around.";
 
 /// Introduction to the presets.

@@ -8,8 +8,10 @@ mod tests;
 
 use egui_plot::PlotPoint;
 use relativity_core::math;
-use relativity_core::{Baseline, Model, PublishedVariant, SourcePoint, Stereo};
+use relativity_core::{Baseline, Disparity, Model, Observer, PublishedVariant, SourcePoint, Stereo};
 use relativity_render::{MaterialPoint, Velocity};
+
+use crate::settings::Riding;
 
 pub(in crate::app) use bends::Bends;
 use sampled::pieces;
@@ -102,8 +104,10 @@ impl DistanceKind {
 }
 
 /// The key of a point's curves: everything they depend on.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct CurvesKey {
+    /// Ride of the eyes.
+    pub ride: Riding,
     /// Velocity of the point.
     pub velocity: Velocity,
     /// Place of the point, at rest or on its wheel, from between the eyes.
@@ -120,6 +124,39 @@ pub struct CurvesKey {
     pub stereo: bool,
     /// Whether the disparities of u and v are wanted too.
     pub conformal: bool,
+}
+
+impl CurvesKey {
+    /// The observer at `time`.
+    fn observer(&self, time: f64) -> Observer {
+        self.ride.rider(time).observer()
+    }
+
+    /// The disparity at `time` in this `model`; `None` outside the domain of the core.
+    fn disparity(&self, model: Model, time: f64) -> Option<Disparity> {
+        let pair = self.baseline.apertures();
+        self.velocity.disparity_before(&self.observer(time), model, self.point, pair).ok()
+    }
+
+    /// The times around which the curves bend.
+    fn bends(&self) -> Bends {
+        if self.ride.is_on() {
+            return self.bends_of_ride();
+        }
+        let source = self.velocity.reflected_source(self.point);
+        let pair = self.velocity.reflected_pair(self.baseline.apertures_or_limit());
+        Bends::new(&self.velocity.speed, source, pair, self.range)
+    }
+
+    /// Returns the bends of a ride: around the passage of the point while the rider coasts, else at the ends of legs.
+    fn bends_of_ride(&self) -> Bends {
+        let place = self.point.axle().to_array();
+        let past = self.velocity.past(&self.observer(0.0), place).filter(|_| self.ride.coasts());
+        let Some((speed, there)) = past else {
+            return Bends { passage: self.ride.turns().collect(), ..Bends::default() };
+        };
+        Bends::new(&speed, there, self.baseline.apertures_or_limit(), self.range)
+    }
 }
 
 /// Every curve of one point.
@@ -208,9 +245,7 @@ impl Curves {
     /// The curves for `key`.
     #[must_use]
     pub fn new(key: CurvesKey) -> Self {
-        let source = key.velocity.reflected_source(key.point);
-        let pair = key.velocity.reflected_pair(key.baseline.apertures_or_limit());
-        let bends = Bends::new(&key.velocity.speed, source, pair, key.range);
+        let bends = key.bends();
         let of = |model| OfModel::new(&key, model, &bends);
         let shown = of(key.model);
         let exact = (key.model != Model::Exact).then(|| of(Model::Exact));
@@ -278,7 +313,7 @@ pub fn value(key: &CurvesKey, model: Model, curve: Curve, time: f64) -> Option<f
 }
 
 fn values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; EYES]> {
-    let both = key.velocity.disparity(model, key.point, key.baseline.apertures(), time).ok()?;
+    let both = key.disparity(model, time)?;
     let (l, r) = (both.primary, both.secondary);
     let values = [
         both.dphi,
@@ -294,19 +329,29 @@ fn values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; EYES]> {
 }
 
 fn published_values(key: &CurvesKey, time: f64) -> Option<[f64; 2]> {
-    let both = key.velocity.disparity(PUBLISHED, key.point, key.baseline.apertures(), time).ok()?;
+    let both = key.disparity(PUBLISHED, time)?;
     let values = [both.dphi, both.dtheta];
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
 
-/// Delta-u and Delta-v in this `model` at `time`; `None` where an eye sees the point along the baseline.
+/// Delta-u and Delta-v in this `model` at `time`; `None` where an eye sees the point along the baseline. Those of a ride are
+/// differences of what each eye sees, known to 1e-15 of u and v.
 fn conformal_values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; 2]> {
+    if key.ride.is_on() {
+        let (both, axes) = (key.disparity(model, time)?, key.baseline.axes());
+        let [left, right] = [both.primary, both.secondary].map(|seen| axes.conformal(seen.position));
+        let (left, right) = (left?, right?);
+        return Some([left.u - right.u, left.v - right.v]);
+    }
     let both = key.velocity.conformal(model, key.point, &key.baseline, time).ok()??;
     Some([both.du, both.dv])
 }
 
 /// Delta-u at `time` of the point at rest where it is in its own frame, for eyes gamma d apart; `None` where motion is no slide.
 fn resting_value(key: &CurvesKey, time: f64) -> Option<f64> {
+    if key.ride.is_on() {
+        return None;
+    }
     Some(key.velocity.resting_conformal(key.point, &key.baseline, time).ok()??.du)
 }
 
@@ -329,18 +374,25 @@ fn conformal_pieces<const N: usize>(
 
 /// Returns the stereo position of the point of `key` in this `model` at `time`; `None` where the lines of sight do not meet.
 fn fused(key: &CurvesKey, model: Model, time: f64) -> Option<Stereo> {
-    key.velocity.stereo(model, key.point, key.baseline.apertures_or_limit(), time).ok()
+    let pair = key.baseline.stereo_apertures(key.ride.is_on());
+    key.velocity.stereo_before(&key.observer(time), model, key.point, pair).ok()
 }
 
 /// The distances from each eye to where it sees the point of `key` in this `model` at `time`; `None` outside the domain of the core.
 fn seen_distances(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; 2]> {
-    let both = key.velocity.disparity(model, key.point, key.baseline.apertures(), time).ok()?;
+    let both = key.disparity(model, time)?;
     Some([both.primary.distance, both.secondary.distance])
 }
 
-/// Returns the distance of the point of `key` at `time`, as measured.
+/// Returns the distance of the point of `key` at `time`, as measured in the observer's frame; no number of a point that turns before
+/// eyes that ride.
 fn measured_distance(key: &CurvesKey, time: f64) -> f64 {
     let speed = &key.velocity.speed;
+    if key.ride.is_on() {
+        let there = key.velocity.past(&key.observer(time), key.point.rest.to_array());
+        let there = there.filter(|_| key.point.spin.is_none());
+        return there.map_or(f64::NAN, |(_, SourcePoint { x0, y, z })| math::hypot(x0, math::hypot(y, z)));
+    }
     let SourcePoint { x0, y, z } = key.velocity.reflected_source(key.point).place_when_measured(speed, time);
     [x0 + speed.beta() * time, y, z].map(|along| along * along).iter().sum::<f64>().sqrt()
 }

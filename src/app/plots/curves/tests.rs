@@ -15,6 +15,7 @@ fn key(beta: f64, point: [f64; 3]) -> CurvesKey {
     let rest = [x0 * velocity.speed.gamma(), y, z];
     let model = Model::OneCone;
     CurvesKey {
+        ride: Riding::default(),
         velocity,
         point: rest.into(),
         baseline: Baseline::straight(0.3),
@@ -39,7 +40,7 @@ fn drawn_curves_stay_within_a_pixel_of_the_exact_ones() {
         [(0.0, [0.0, 0.5, 0.5]), (0.9, [0.0, 0.5, 0.5]), (0.9999, [0.3, 3.0, 2.0]), (0.9, [0.0, 1e-3, 1e-3])]
     {
         let key = key(beta, point);
-        let curves = Curves::new(key);
+        let curves = Curves::new(key.clone());
         for (model, curves) in
             [(Model::OneCone, &curves.shown), (Model::Exact, curves.exact.as_ref().expect("another"))]
         {
@@ -86,7 +87,7 @@ fn disparities_of_u_are_those_of_a_resting_point_for_wider_eyes() {
             baseline: Baseline { turn, ..Baseline::straight(0.3) },
             ..key(beta, [0.3, 3.0, 2.0])
         };
-        let curves = Curves::new(key);
+        let curves = Curves::new(key.clone());
         let [drawn_resting] = curves.pieces(Curve::RestingU, Model::Exact) else { panic!("one piece") };
         let [drawn_moving] = curves.pieces(Curve::DeltaU, Model::Exact) else { panic!("one piece") };
         let height = drawn_moving.iter().map(|point| point.y.abs()).fold(0.0, f64::max);
@@ -116,7 +117,7 @@ fn there_is_no_resting_curve_where_motion_is_no_slide() {
     };
     let tilted = CurvesKey { published: false, ..tilted };
     for key in [tilted, wheel_key(0.9, 1.0, 0.0)] {
-        let curves = Curves::new(key);
+        let curves = Curves::new(key.clone());
         assert!(curves.pieces(Curve::RestingU, Model::Exact).is_empty());
         assert_eq!(curves.pieces(Curve::DeltaV, Model::Exact).len(), 1);
     }
@@ -151,7 +152,7 @@ fn curves_of_a_rolling_wheel_are_drawn_as_exactly() {
     for beta in [0.01, 0.5, 0.9, 0.99] {
         for (rho, angle) in [(1.0, 0.0), (0.94, 2.0), (0.3, -1.0)] {
             let key = wheel_key(beta, rho, angle);
-            let curves = Curves::new(key);
+            let curves = Curves::new(key.clone());
             let [from, to] = key.range;
             let exact = curves.exact.as_ref().expect("another");
             for (model, of) in [(Model::OneCone, &curves.shown), (Model::Exact, exact)] {
@@ -196,7 +197,7 @@ fn on_the_rim(beta: f64, time: f64) -> [f64; 2] {
 #[test]
 fn turns_too_fast_to_be_told_apart_are_filled() {
     let key = wheel_key(0.9999, 1.0, 0.0);
-    let curves = Curves::new(key);
+    let curves = Curves::new(key.clone());
     let curve = &curves.exact.as_ref().expect("another").eyes[6];
     for part in [0.01, 0.05, 0.1, 0.15] {
         let window = [part, part + 0.005].map(|part| time_within(key.range, part));

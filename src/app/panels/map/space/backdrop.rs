@@ -42,7 +42,7 @@ pub(super) fn paint(
     for (place, name) in street(ui, painter, state, sheet) {
         words(place, Align2::RIGHT_BOTTOM, name, labels);
     }
-    abreast(ui, painter, instant, sheet, labels);
+    abreast(ui, painter, state, instant, sheet, labels);
 }
 
 /// Writes text where there is no other.
@@ -64,7 +64,7 @@ fn write(
 /// Returns the axes of a chart. Both charts share x, whose numbers are below the lower one.
 fn axes_of(state: &State, projection: Projection) -> [Axis<'static>; 2] {
     let unit = state.measures().length;
-    let across = if state.document.settings.map.frame == Frame::Ground { "x" } else { "x′" };
+    let across = if state.document.settings.map_frame() == Frame::Ground { "x" } else { "x′" };
     let up = match projection {
         Projection::Plan => "y",
         Projection::Side => "z",
@@ -97,9 +97,10 @@ fn street(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) -> Vec<(Pos2
     lines.into_iter().map(drawn).collect()
 }
 
-/// Draws the field of view of each eye. In the frame of whoever rides past it is another angle; it is left out there.
+/// Draws the field of view of each eye. In a frame in which the eyes move it is another angle; it is left out there.
 fn fields_of_view(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet) {
-    if instant.frame() == Frame::Bicycle {
+    let frame_of_eyes = if state.document.settings.ride.is_on() { Frame::Rider } else { Frame::Ground };
+    if instant.frame() != frame_of_eyes {
         return;
     }
     for (eye, at) in Eye::BOTH.into_iter().zip(instant.eyes()) {
@@ -119,14 +120,18 @@ fn fields_of_view(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, 
 }
 
 /// The line that is beside the eyes: x = 0 on the ground.
-fn abreast(ui: &Ui, painter: &Painter, instant: &Instant, sheet: &Sheet, labels: &mut Labels) {
+fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet, labels: &mut Labels) {
     let [left, right] = instant.eyes();
     let x = place(sheet, 0.5 * (left + right)).x;
     let room = sheet.room();
     let colour = ui.visuals().text_color().gamma_multiply(0.7);
     dashed(painter, [pos2(x, room.min.y), pos2(x, room.max.y)], colour);
     if sheet.projection == Projection::Plan {
-        let text = if instant.frame() == Frame::Ground { "abreast: x = 0" } else { "abreast of the eyes" };
+        let text = if instant.frame() == Frame::Ground && !state.document.settings.ride.is_on() {
+            "abreast: x = 0"
+        } else {
+            "abreast of the eyes"
+        };
         let font = theme::scaled_font(ui.style(), WORDS_SIZE);
         write(painter, pos2(x + 4.0, room.min.y + 3.0), Align2::LEFT_TOP, (text, font, colour), labels);
     }

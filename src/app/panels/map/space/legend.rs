@@ -30,8 +30,10 @@ const ON_BOARD: [(Picture, [&str; 2]); 1] =
 
 /// Shows it at the top of `rect`; what is left below it.
 pub(super) fn show(ui: &Ui, state: &State, rect: Rect) -> Rect {
-    let entries: &[_] = match state.document.settings.map.frame {
-        Frame::Ground => &WORDS,
+    let entries: &[_] = match state.document.settings.map_frame() {
+        // Two eyes that ride place it in their own frame.
+        Frame::Ground if state.document.settings.ride.is_on() => &WORDS[..3],
+        Frame::Ground | Frame::Rider => &WORDS,
         Frame::Bicycle => &ON_BOARD,
     };
     let font = theme::scaled_font(ui.style(), FONT_SIZE);

@@ -46,15 +46,19 @@ pub(super) struct Light<'a> {
 }
 
 impl<'a> Light<'a> {
-    /// Returns the light at the present T; `None` outside the domain of the core.
+    /// Returns the light at the present T; `None` outside the domain of the core, and in the frame of who rides.
     pub(super) fn new(state: &State, sheet: &'a Sheet) -> Option<Self> {
         let (settings, time) = (&state.document.settings, state.document.time);
-        let (track, frame) = (state.document.points.selected().track, settings.frame());
+        let (track, frame) = (state.document.points.selected().track, settings.frame(time));
+        if settings.map_frame() == Frame::Rider {
+            return None;
+        }
+        let rider = settings.rider(time);
         Some(Self {
             sheet,
             worldline: Worldline::new(settings, &track, frame),
             rays: rays(settings, &track, time, frame).ok()?,
-            now: Event { x: 0.0, t: time }.in_frame(frame).t,
+            now: Event { x: rider.x, t: rider.street_time }.in_frame(frame).t,
         })
     }
 
@@ -86,7 +90,7 @@ impl<'a> Light<'a> {
             labels.avoid(way);
         }
         let (name, times) = match state.document.settings.map.frame {
-            Frame::Ground => (HAPPENED.name, self.rays.map(|ray| ray.happened)),
+            Frame::Ground | Frame::Rider => (HAPPENED.name, self.rays.map(|ray| ray.happened)),
             Frame::Bicycle => (OWN_CLOCK.name, self.rays.map(|ray| ray.proper_time)),
         };
         let [left, right] = times.map(|time| labelled(state, time));

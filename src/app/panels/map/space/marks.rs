@@ -56,7 +56,10 @@ pub(super) fn show(
 /// Says so when the selected point is beside the eyes: measured there now, or seen there.
 fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet, labels: &mut Labels) {
     let point = state.document.points.selected();
-    if instant.frame() == Frame::Bicycle || state.velocity(point).speed.beta() == 0.0 {
+    if instant.frame() == Frame::Bicycle
+        || state.document.settings.ride.is_on()
+        || state.velocity(point).speed.beta() == 0.0
+    {
         return;
     }
     let place = |picture| instant.place(&point.track, picture);

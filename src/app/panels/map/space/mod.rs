@@ -52,7 +52,14 @@ fn charts(state: &State, instant: &Instant, rect: Rect) -> [Chart; 2] {
         Framing::CloseUp => Extent::close_up(instant, scene, state.document.points.selected().track.motion),
         Framing::Passage => None,
     };
-    let extent = close_up.unwrap_or_else(|| Extent::of_space(&state.document.settings, scene));
+    let extent = close_up.unwrap_or_else(|| {
+        let (settings, [left, right]) = (&state.document.settings, instant.eyes());
+        if settings.ride.is_on() {
+            Extent::of_ride(settings, scene, 0.5 * (left.x + right.x))
+        } else {
+            Extent::of_space(settings, scene)
+        }
+    });
     let area = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(f64::from);
     plan_and_side(area, &extent, &state.scratch.map_view)
 }

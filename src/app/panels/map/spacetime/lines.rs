@@ -7,7 +7,7 @@ use crate::app::panels::map::labels::Labels;
 use crate::app::theme;
 use crate::app::views::eye::Eye;
 use crate::caption::times::HAPPENED;
-use crate::map::{Diagram, Event, Ray, StraightLine};
+use crate::map::{Diagram, Event, Ray, StraightLine, worldline_of_eye};
 use crate::settings::Frame;
 
 /// Dashes of what is at one time of the frame that is not drawn, and of the light's shadow, points.
@@ -50,7 +50,7 @@ fn dashed(sheet: &Sheet<'_>, labels: &mut Labels, ends: [Pos2; 2], stroke: Strok
 fn nows(sheet: &Sheet<'_>, labels: &mut Labels) {
     let [ground, scene] = sheet.diagram.nows();
     let colours = now_colours(sheet);
-    let is_ground = sheet.state.document.settings.map.frame == Frame::Ground;
+    let is_ground = sheet.state.document.settings.map_frame() == Frame::Ground;
     let both = [(ground, colours[0], is_ground), (scene, colours[1], !is_ground)];
     for (line, colour, is_own) in both.into_iter().take(number_of_nows(sheet)) {
         let stroke = Stroke::new(1.2, colour);
@@ -64,14 +64,14 @@ fn nows(sheet: &Sheet<'_>, labels: &mut Labels) {
 
 /// Returns the number of presents: one where both frames are the same.
 fn number_of_nows(sheet: &Sheet<'_>) -> usize {
-    if sheet.diagram.scene.beta() == 0.0 { 1 } else { 2 }
+    if sheet.diagram.other.beta() == 0.0 { 1 } else { 2 }
 }
 
 /// The colours of what is at one time on the ground, and in the scene's frame: the latter in the colour of the point where
 /// it rests there.
 pub fn now_colours(sheet: &Sheet<'_>) -> [Color32; 2] {
     let measured = theme::measured_colour(sheet.ui.visuals());
-    let moves_with_scene = sheet.diagram.point.velocity() == sheet.diagram.scene;
+    let moves_with_scene = sheet.diagram.point.velocity() == sheet.diagram.other;
     let scene =
         if moves_with_scene { point_colour(sheet).gamma_multiply(0.8) } else { measured.gamma_multiply(0.4) };
     [measured.gamma_multiply(0.55), scene]
@@ -118,9 +118,31 @@ fn paint_past(sheet: &Sheet<'_>) {
 }
 
 fn eyes(sheet: &Sheet<'_>, labels: &mut Labels) {
+    if sheet.state.document.settings.ride.is_on() {
+        return riding_eyes(sheet, labels);
+    }
     for (eye, line) in Eye::BOTH.into_iter().zip(sheet.diagram.eyes()) {
         draw(sheet, labels, line, Stroke::new(1.5, theme::eye_colour(eye, sheet.ui.visuals())));
     }
+}
+
+/// Draws the worldlines of eyes that ride: they bend where the velocity changes.
+fn riding_eyes(sheet: &Sheet<'_>, labels: &mut Labels) {
+    let (settings, range) = (&sheet.state.document.settings, sheet.state.time_range());
+    for eye in Eye::BOTH {
+        let events = worldline_of_eye(settings, sheet.diagram.frame, eye.index(), range);
+        let places: Vec<Pos2> = events.into_iter().map(|event| sheet.place(event)).collect();
+        labels.avoid(&places);
+        sheet.painter.line(places, Stroke::new(1.5, theme::eye_colour(eye, sheet.ui.visuals())));
+    }
+}
+
+/// Returns the owner of the other frame's clocks, in words.
+pub fn whose(sheet: &Sheet<'_>) -> String {
+    if sheet.state.document.settings.ride.is_on() {
+        return "my own".to_owned();
+    }
+    format!("the {}'s", sheet.state.document.scene.rider)
 }
 
 /// Draws the worldline of a point: boldest as far as light from it has arrived, and faint where it is yet to be.
@@ -195,7 +217,12 @@ pub fn name(sheet: &Sheet<'_>, labels: &mut Labels) {
     let names = if number == 1 {
         ["now".to_owned(), String::new()]
     } else {
-        ["ground", &sheet.state.document.scene.rider].map(|whose| format!("now, {whose}"))
+        let other = if sheet.state.document.settings.ride.is_on() {
+            "mine"
+        } else {
+            &sheet.state.document.scene.rider
+        };
+        ["ground", other].map(|whose| format!("now, {whose}"))
     };
     let nows = sheet.diagram.nows().into_iter().take(number);
     for ((line, name), colour) in nows.zip(names).zip(now_colours(sheet)) {
@@ -271,9 +298,10 @@ pub fn hover_text(sheet: &Sheet<'_>, pointer: Pos2) -> Option<String> {
     if cone.asymptotes().into_iter().any(near) && world[1] < cone.apex.t {
         return Some("Light that runs along x at 45 degrees, and arrives now.".to_owned());
     }
-    let [ground, scene] = sheet.diagram.nows();
-    let told =
-        |clocks: &str| format!("All that is now, when the light is received, on the {clocks}'s clocks.");
-    let named = [(scene, "bicycle"), (ground, "ground")].into_iter().find(|(line, _)| near(*line));
+    let [ground, other] = sheet.diagram.nows();
+    let told = |clocks: String| format!("All that is now, when the light is received, on {clocks} clocks.");
+    let named = [(other, whose(sheet)), (ground, "the ground's".to_owned())]
+        .into_iter()
+        .find(|(line, _)| near(*line));
     named.map(|(_, clocks)| told(clocks))
 }

@@ -8,7 +8,6 @@ use crate::app::panels::map::labels::Labels;
 use crate::app::panels::map::times::labelled;
 use crate::app::theme;
 use crate::app::views::eye::Eye;
-use crate::caption::times::RECEIVED;
 use crate::map::{Diagram, Ray};
 
 /// Radius of a mark, points.
@@ -39,10 +38,10 @@ pub fn of(sheet: &Sheet<'_>) -> Vec<Mark> {
     let eyes = Eye::BOTH.into_iter().zip(diagram.rays).zip(labels);
     let mut marks: Vec<Mark> =
         eyes.flat_map(|((eye, ray), label)| of_light(sheet, eye, &ray, label)).collect();
-    if diagram.scene.beta() != 0.0 {
+    if diagram.other.beta() != 0.0 {
         let colour = lines::now_colours(sheet)[1];
-        let name = format!("now on the {}'s clocks", sheet.state.document.scene.rider);
-        let mark = of_point(sheet, diagram.scene_now(), &name, "", colour);
+        let name = format!("now on {} clocks", lines::whose(sheet));
+        let mark = of_point(sheet, diagram.other_now(), &name, "", colour);
         marks.push(Mark { is_hollow: true, ..mark });
     }
     let measured = theme::measured_colour(sheet.ui.visuals());
@@ -79,7 +78,7 @@ fn of_light(sheet: &Sheet<'_>, eye: Eye, ray: &Ray, label: &str) -> [Mark; 2] {
         is_hollow: false,
     };
     [
-        mark(ray.received, "received", "", words::of_eyes(sheet, sheet.diagram.time)),
+        mark(ray.received, "received", "", words::of_eyes(sheet, sheet.diagram.clock)),
         mark(ray.left, "happened", label, words::of_ray(sheet, eye, ray)),
     ]
 }
@@ -113,8 +112,9 @@ pub fn paint(sheet: &Sheet<'_>, marks: &[Mark], labels: &mut Labels) {
     let strong = sheet.ui.visuals().strong_text_color();
     let present = sheet.place(sheet.diagram.present);
     if sheet.room().contains(present) {
-        let time = labelled(sheet.state, sheet.diagram.time);
-        let text = format!("{} {time}{}", RECEIVED.name, sheet.state.measures().time.suffix());
+        let time = labelled(sheet.state, sheet.diagram.clock);
+        let text =
+            format!("{} {time}{}", sheet.state.clock().times[0].name, sheet.state.measures().time.suffix());
         labels.keep_clear_of(present, HANDLE);
         labels.write(&sheet.painter, (present, HANDLE), &text, font.clone(), strong);
     }

@@ -32,7 +32,7 @@ const TITLE: Vec2 = vec2(44.0, 3.0);
 /// Shows it in `rect`.
 pub fn show(ui: &mut Ui, state: &State, rect: Rect, commands: &mut Commands) {
     let (settings, time) = (&state.document.settings, state.document.time);
-    let (track, frame) = (state.document.points.selected().track, settings.frame());
+    let (track, frame) = (state.document.points.selected().track, settings.frame(time));
     let background = ui.visuals().extreme_bg_color;
     ui.painter().rect_filled(rect, 0.0, background);
     // Outside the domain of the core there is nothing to draw.
@@ -79,9 +79,9 @@ fn close_up(state: &State, selected: &Diagram, others: &[(&Point, Diagram)]) -> 
 /// Returns the axes along x and along t.
 fn axes_of(state: &State) -> [Axis<'static>; 2] {
     let measures = state.measures();
-    let [x, t] = match state.document.settings.map.frame {
+    let [x, t] = match state.document.settings.map_frame() {
         Frame::Ground => ["x", "t"],
-        Frame::Bicycle => ["x′", "t′"],
+        Frame::Bicycle | Frame::Rider => ["x′", "t′"],
     };
     [(x, measures.length), (t, measures.time)].map(|(symbol, unit)| Axis { symbol, unit, is_written: true })
 }
@@ -94,11 +94,12 @@ struct Title {
 
 impl Title {
     fn new(sheet: &Sheet<'_>) -> Self {
-        let whose = match sheet.state.document.settings.map.frame {
-            Frame::Ground => "ground",
-            Frame::Bicycle => &sheet.state.document.scene.rider,
+        let whose = match sheet.state.document.settings.map_frame() {
+            Frame::Ground => "on the ground's",
+            Frame::Bicycle => &format!("on the {}'s", sheet.state.document.scene.rider),
+            Frame::Rider => "on my own",
         };
-        let text = format!("on the {whose}'s clocks and rulers");
+        let text = format!("{whose} clocks and rulers");
         let font = TextStyle::Small.resolve(sheet.ui.style());
         let galley = sheet.painter.layout_no_wrap(text, font, sheet.ui.visuals().text_color());
         Self { rect: Align2::LEFT_TOP.anchor_size(sheet.room().min + TITLE, galley.size()), galley }
@@ -146,11 +147,14 @@ struct Aimed {
 fn aimed_at(sheet: &Sheet<'_>, pointer: Pos2) -> Option<Aimed> {
     if let Some((happened, _)) = sheet.nearest_of_worldline(pointer).filter(|(_, off)| *off < NEAR) {
         let words = words::of_point(sheet, happened, "");
-        return Some(Aimed { words, time: sheet.diagram.point.received(happened) });
+        let time = sheet.diagram.point.received(happened);
+        // When whoever rides receives it is told by no formula.
+        let is_riding = sheet.state.document.settings.ride.is_on();
+        return Some(Aimed { words, time: if is_riding { sheet.diagram.clock } else { time } });
     }
     let eyes = sheet.diagram.eyes().map(|eye| sheet.nearest(eye, pointer));
     let (steps, off) = if eyes[0].1 < eyes[1].1 { eyes[0] } else { eyes[1] };
-    let time = sheet.diagram.time + steps;
+    let time = sheet.diagram.clock + steps;
     (off < NEAR).then(|| Aimed { words: words::of_eyes(sheet, time), time })
 }
 
@@ -171,7 +175,7 @@ fn handle(sheet: &Sheet<'_>, commands: &mut Commands) {
     if response.dragged() && moved != Vec2::ZERO {
         let [x, t] = [f64::from(moved.x), -f64::from(moved.y)].map(|points| points / sheet.chart.scale);
         let Event { x: dx, t: dt } = sheet.diagram.eyes()[0].step;
-        commands.push(Command::Time(sheet.diagram.time + (x * dx + t * dt) / (dx * dx + dt * dt)));
+        commands.push(Command::Time(sheet.diagram.clock + (x * dx + t * dt) / (dx * dx + dt * dt)));
     }
-    response.on_hover_text(words::of_eyes(sheet, sheet.diagram.time));
+    response.on_hover_text(words::of_eyes(sheet, sheet.diagram.clock));
 }

@@ -34,14 +34,15 @@ pub fn of_other(sheet: &Sheet<'_>, diagram: &Diagram, name: &str) -> String {
 
 /// Describes the light that `eye` receives, at its emission.
 pub fn of_ray(sheet: &Sheet<'_>, eye: Eye, ray: &Ray) -> String {
-    let times = times(sheet.state, [sheet.diagram.time, ray.happened, ray.proper_time]);
+    let times = times(sheet.state, [sheet.diagram.clock, ray.happened, ray.proper_time]);
     let name = eye.name().to_lowercase();
     format!("What the {name} sees now happened here\n{}\n{times}", place(sheet, ray.left))
 }
 
 /// Describes the eyes at T = `received`.
 pub fn of_eyes(sheet: &Sheet<'_>, received: f64) -> String {
-    let event = Event { x: 0.0, t: received }.in_frame(sheet.diagram.frame);
+    let rider = sheet.state.document.settings.rider(received);
+    let event = Event { x: rider.x, t: rider.street_time }.in_frame(sheet.diagram.frame);
     format!(
         "Both eyes receive light\n{}\nreceived T = {}\nDrag it, or click on the line, to change T.",
         place(sheet, event),
@@ -57,8 +58,8 @@ fn time(sheet: &Sheet<'_>, value: f64) -> String {
 fn place(sheet: &Sheet<'_>, event: Event) -> String {
     let x = sheet.state.measures().length.text(event.x, DECIMALS);
     let t = time(sheet, event.t);
-    match sheet.state.document.settings.map.frame {
+    match sheet.state.document.settings.map_frame() {
         Frame::Ground => format!("x = {x}, t = {t}"),
-        Frame::Bicycle => format!("x′ = {x}, t′ = {t}"),
+        Frame::Bicycle | Frame::Rider => format!("x′ = {x}, t′ = {t}"),
     }
 }

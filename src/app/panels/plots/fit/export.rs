@@ -62,7 +62,9 @@ fn of_curve(state: &State, outcome: &FitOutcome, curve: usize, quantity: Quantit
         ..Line::solid(name, GREY, points.iter().map(place).collect())
     };
     let label = axis_label(quantity, Unit::OWN);
-    let panel = |what: &str, lines| Panel::new("", [time_label(unit), format!("{label}{what}")], lines);
+    let panel = |what: &str, lines| {
+        Panel::new("", [time_label(state.clock(), unit), format!("{label}{what}")], lines)
+    };
     let mut lines = vec![dots("samples", &outcome.data[curve])];
     let Some(fitted) = outcome.fitted.as_ref().ok().and_then(|fitted| fitted.curves[curve].as_ref()) else {
         return vec![panel("", lines)];

@@ -231,7 +231,7 @@ fn range(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     let unit = state.measures().time;
     let field = |value| end_of_range(value, unit, plotted, 3);
     let tip = "Over which T the samples are taken.";
-    ui.label(RichText::new("T").weak());
+    ui.label(RichText::new(state.clock().symbol).weak());
     let first = ui.add(field(&mut from)).on_hover_text(tip).accessible_name("Samples from T");
     ui.label(RichText::new("to").weak());
     let last = ui.add(field(&mut to)).on_hover_text(tip).accessible_name("Samples to T");

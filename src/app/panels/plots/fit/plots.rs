@@ -172,7 +172,7 @@ impl Part<'_> {
             let text = ruler.label(heading, &bounds);
             covered.written.push(ui.painter().text(place, Align2::LEFT_TOP, text, small, weak));
         }
-        let _ = annotate(ui, &response, unit, None, |spot| covered.covered_by(spot));
+        let _ = annotate(ui, &response, (state.clock(), unit), None, |spot| covered.covered_by(spot));
         let info = || egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &self.name);
         response.response.widget_info(info);
         if let Some(time) = time_at_pointer(&response) {

@@ -1,0 +1,124 @@
+//! The controls of one's own ride: getting on and off, its speed, its start and its legs.
+
+use eframe::egui::{Id, RichText, Ui};
+
+use crate::app::command::Command;
+use crate::app::panels::Commands;
+use crate::app::riding::saddle::RideCommand;
+use crate::app::state::State;
+use crate::app::widgets::{NumberRow, row, typed_text};
+use crate::flags::{RideLegs, StreetVelocity};
+use crate::number_text;
+use crate::settings::{MAX_LENGTH, PUSH, Riding};
+
+/// Width of the fields, points.
+const FIELD: f32 = 150.0;
+
+const SPEED_TIP: &str = "Pedals or brakes until this speed is reached: v/c, below 0 the other way, or like gamma:10. Before the \
+    start it is the speed to start with.";
+const LEGS_TIP: &str = "The ride as numbers: durations by your clock at proper accelerations, like 2@0.5,4@0,2@-0.5. After the last \
+    leg you coast.";
+
+/// Shows the rows of the section.
+pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
+    button(ui, state, commands);
+    let mut ride = state.document.settings.ride.clone();
+    let default = state.defaults().ride;
+    if !ride.is_on() {
+        return;
+    }
+    speed_row(ui, state, commands);
+    push().show(ui, &mut ride.push, default.push);
+    start(ui, state, &mut ride, &default);
+    legs_row(ui, &mut ride);
+    if ride != state.document.settings.ride {
+        commands.push(Command::Ride(RideCommand::Set(ride)));
+    }
+}
+
+/// The button that gets on the bicycle, or off it.
+pub fn button(ui: &mut Ui, state: &State, commands: &mut Commands) {
+    let is_on = state.document.settings.ride.is_on();
+    let (text, tip) = if is_on {
+        ("Get off", "Stands beside the street again, where everything rides past.   Key: I")
+    } else {
+        (
+            "Get on and ride",
+            "Sits on a bicycle on the road, at rest at first. The arrow keys ↑ and ↓ pedal and brake.   Key: I",
+        )
+    };
+    row(ui, "Ride", tip, |ui| {
+        if ui.button(text).on_hover_text(tip).clicked() {
+            commands.push(Command::Ride(RideCommand::Toggle));
+        }
+    });
+}
+
+fn speed_row(ui: &mut Ui, state: &State, commands: &mut Commands) {
+    let velocity = state.rider().velocity;
+    let sign = if velocity.is_backward { "-" } else { "" };
+    let shown = format!("{sign}{}", number_text::beta(&velocity.speed));
+    let typed = checked(ui, "My speed β", SPEED_TIP, &shown, str::parse::<StreetVelocity>);
+    if let Some(velocity) = typed {
+        commands.push(Command::Ride(RideCommand::Reach(velocity)));
+    }
+}
+
+fn push() -> NumberRow<'static> {
+    NumberRow {
+        name: "Push",
+        tip: "Proper acceleration of a push on the pedals or the brakes, in c per unit of your clock: what a balance on the \
+            bicycle shows.",
+        slider: 0.05..=2.0,
+        typed: PUSH,
+        decimals: 6,
+        suffix: "",
+    }
+}
+
+fn start(ui: &mut Ui, state: &State, ride: &mut Riding, default: &Riding) {
+    let place = NumberRow {
+        name: "Starts at x",
+        tip: "Place on the street where the ride starts, when your clock and the street's clock there show 0.",
+        slider: -50.0..=50.0,
+        typed: -MAX_LENGTH..=MAX_LENGTH,
+        decimals: 6,
+        suffix: "",
+    };
+    place.show_in(ui, state.measures().length, &mut ride.ride_from, default.ride_from);
+    let tip = "Speed at the start: v/c, below 0 the other way, or like gamma:10.";
+    let shown = ride.ride_speed.to_string();
+    if let Some(speed) = checked(ui, "Starts with β", tip, &shown, str::parse) {
+        ride.ride_speed = speed;
+    }
+}
+
+fn legs_row(ui: &mut Ui, ride: &mut Riding) {
+    let shown = ride.ride.to_string();
+    let typed = checked(ui, "Legs", LEGS_TIP, &shown, str::parse::<RideLegs>);
+    if let Some(legs) = typed {
+        ride.ride = legs;
+    }
+}
+
+/// A row with a field whose text `parse` reads; what is wrong with it stays below until it is right.
+fn checked<T>(
+    ui: &mut Ui,
+    name: &'static str,
+    tip: &str,
+    shown: &str,
+    parse: impl Fn(&str) -> Result<T, String>,
+) -> Option<T> {
+    let error_id = Id::unique(("error of", name));
+    let mut found = None;
+    row(ui, name, tip, |ui| {
+        let Some(text) = typed_text(ui, &format!("{name}, typed"), tip, shown, FIELD) else { return };
+        let parsed = parse(&text);
+        ui.data_mut(|data| data.insert_temp(error_id, parsed.as_ref().err().cloned()));
+        found = parsed.ok();
+    });
+    if let Some(message) = ui.data(|data| data.get_temp::<Option<String>>(error_id)).flatten() {
+        ui.label(RichText::new(message).color(ui.visuals().error_fg_color));
+    }
+    found
+}

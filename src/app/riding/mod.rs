@@ -1,0 +1,173 @@
+//! Riding in the window: getting on and off, pedals and brakes, and the instruments.
+
+pub mod keys;
+pub mod saddle;
+
+use relativity_core::{Odometers, math};
+
+use self::saddle::{Direction, Push, RideCommand, Saddle};
+use crate::app::clock;
+use crate::app::notice::Notice;
+use crate::app::state::State;
+use crate::flags::choices::GazeChoice;
+use crate::flags::{FieldOfView, MAX_TIME, RideLegs, StreetVelocity};
+use crate::number_text;
+use crate::settings::{Look, Motion, Rider, Riding, Settings};
+
+/// The view ahead from the saddle, degrees.
+const FOV: f64 = 90.0;
+/// Place x where one gets on: what passes x = 0 at T = 0 is still ahead.
+const START: f64 = -20.0;
+/// A smaller rapidity is none: what rounding leaves of one that was braked away.
+const AT_REST: f64 = 1e-12;
+
+impl State {
+    /// Does what a rider asks for.
+    pub(in crate::app) fn apply_to_ride(&mut self, command: RideCommand) {
+        match command {
+            RideCommand::Toggle if self.document.settings.ride.is_on() => self.get_off(),
+            RideCommand::Toggle => self.get_on(),
+            RideCommand::Set(ride) => {
+                if ride.is_on() != self.document.settings.ride.is_on() {
+                    self.scratch.saddle = Saddle::default();
+                }
+                self.have(Settings { ride, ..Settings::clone(&self.document.settings) });
+            }
+            RideCommand::Reach(velocity) => self.pedal_to(velocity),
+            RideCommand::Push(direction, step) => self.push(direction, step),
+        }
+    }
+
+    /// Seats the observer on a bicycle at rest in the middle of the road, facing +x.
+    fn get_on(&mut self) {
+        let across = self.document.scene.street.map_or(0.0, |[near, far, _]| 0.5 * (near + far));
+        let mut settings = Settings::clone(&self.document.settings);
+        let legs = RideLegs::of(Vec::new()).expect("it has no legs");
+        let push = settings.ride.push;
+        settings.ride = Riding { ride: legs, ride_from: START, push, ..Riding::default() };
+        settings.motion =
+            Motion { roll: 0.0, turn: -90.0, depth_shift: -across, height_shift: 0.0, ..settings.motion };
+        let (gaze, fov) = (GazeChoice::Fixed([0.0, -12.0]), FieldOfView(Some(FOV)));
+        settings.look = Look { gaze, fov, ..settings.look };
+        self.have(settings);
+        self.document.time = 0.0;
+        self.scratch.saddle = Saddle { is_taken: true, push: None };
+        self.scratch.playing = true;
+    }
+
+    /// Puts the observer back beside the street.
+    fn get_off(&mut self) {
+        let default = self.defaults();
+        let default = if default.ride.is_on() { Settings::default() } else { default };
+        let mut settings = Settings::clone(&self.document.settings);
+        settings.ride = Riding { push: settings.ride.push, ..Riding::default() };
+        let Motion { roll, turn, depth_shift, height_shift, .. } = default.motion;
+        settings.motion = Motion { roll, turn, depth_shift, height_shift, ..settings.motion };
+        settings.look = Look { gaze: default.look.gaze, fov: default.look.fov, ..settings.look };
+        self.have(settings);
+        self.scratch.saddle = Saddle::default();
+        let tracked = self.document.points.selected().track;
+        self.document.time = clock::bounded(self.document.settings.time_of_approach(&tracked));
+    }
+
+    /// Has these settings, and the scene with a bicycle below the eyes or without.
+    fn have(&mut self, settings: Settings) {
+        if let Err(error) = self.set(settings) {
+            self.scratch.notice = Some(Notice::error(error));
+        }
+    }
+
+    /// Returns the rider at the present time.
+    #[must_use]
+    pub fn rider(&self) -> Rider {
+        self.document.settings.rider(self.document.time)
+    }
+
+    /// Pedals or brakes until this speed is reached; who has not started yet starts with it.
+    fn pedal_to(&mut self, velocity: StreetVelocity) {
+        let ride = &self.document.settings.ride;
+        let has_legs = ride.turns().next().is_some();
+        if !has_legs && self.document.time <= 0.0 {
+            self.document.settings.ride.ride_speed = velocity;
+            return;
+        }
+        let gained = velocity.rapidity() - self.rider().velocity.rapidity();
+        if gained != 0.0 {
+            let (duration, acceleration) = (gained.abs() / ride.push, ride.push.copysign(gained));
+            self.record(ride.pushed(self.document.time, duration, acceleration));
+        }
+    }
+
+    fn push(&mut self, direction: Direction, step: f64) {
+        let (sign, now) = (direction.sign(), self.rider().velocity.rapidity());
+        let held = self.scratch.saddle.push.filter(|push| push.direction == direction);
+        let push = held.unwrap_or(Push { direction, brakes: now.abs() > AT_REST && now * sign < 0.0 });
+        self.scratch.saddle = Saddle { is_taken: true, push: Some(push) };
+        let ride = &self.document.settings.ride;
+        // Who brakes comes to rest, and pushes off the other way by another push.
+        let until_rest = if push.brakes { now.abs() / ride.push } else { f64::INFINITY };
+        let time = self.document.time;
+        let duration = step.min(until_rest);
+        let has_stopped = push.brakes && now.abs() <= AT_REST;
+        // The ride starts at 0, and before that it moves as it starts.
+        if time >= 0.0 && duration > 0.0 && !has_stopped {
+            self.record(ride.pushed(time, duration, sign * ride.push));
+        }
+        self.document.time = clock::bounded(time + step);
+    }
+
+    /// Has the ride that was ridden on, unless that cannot be.
+    fn record(&mut self, ride: Result<Riding, String>) {
+        match ride {
+            Ok(ride) => self.document.settings.ride = ride,
+            Err(reason) => self.scratch.notice = Some(Notice::error(format!("No further push: {reason}."))),
+        }
+    }
+
+    /// The range of the ride that is under way, which grows with it in steps: a plot over it is not stretched in every frame.
+    #[must_use]
+    pub(in crate::app) fn range_of_ride(&self) -> Option<[f64; 2]> {
+        let settings = &self.document.settings;
+        let is_set = settings.playback.range.0.is_some();
+        if !settings.ride.is_on() || !self.scratch.saddle.is_taken || is_set {
+            return None;
+        }
+        let end = settings.ride.duration().max(self.document.time).max(SHORTEST_RANGE);
+        let steps = (STEPS_OF_DOUBLING * math::log2(end / SHORTEST_RANGE)).ceil();
+        let rounded = SHORTEST_RANGE * math::exp2(steps / STEPS_OF_DOUBLING);
+        Some([0.0, rounded.min(MAX_TIME)])
+    }
+
+    /// The instruments on the handlebar, a line each; `None` of who does not ride.
+    #[must_use]
+    pub fn instruments(&self) -> Option<Vec<String>> {
+        let ride = &self.document.settings.ride;
+        if !ride.is_on() {
+            return None;
+        }
+        let Rider { velocity, x, street_time } = self.rider();
+        let measures = self.measures();
+        let (length, time) = (measures.length, measures.time);
+        let sign = if velocity.is_backward { "−" } else { "" };
+        let [beta, gamma, rapidity] = [
+            number_text::beta(&velocity.speed),
+            number_text::significant(velocity.speed.gamma(), 4),
+            number_text::fixed(velocity.rapidity(), 3),
+        ];
+        let Odometers { by_wheel, by_lamps, .. } = ride.odometers(self.document.time);
+        let keys = (!self.session.stage.is_presented()).then(|| keys::TOLD.to_owned());
+        let lines = [
+            format!("β = {sign}{beta}   γ = {gamma}   η = {rapidity}"),
+            format!("my clock {}", time.text(self.document.time, 2)),
+            format!("street clock here {}", time.text(street_time, 2)),
+            format!("at x = {}", length.text(x, 2)),
+            format!("ridden {} by wheel", length.text(by_wheel, 2)),
+            format!("ridden {} by lamps", length.text(by_lamps, 2)),
+        ];
+        Some(lines.into_iter().chain(keys).collect())
+    }
+}
+
+/// The shortest range of a ride that is under way, and the number of steps in which it doubles.
+const SHORTEST_RANGE: f64 = 8.0;
+const STEPS_OF_DOUBLING: f64 = 2.0;

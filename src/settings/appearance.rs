@@ -1,0 +1,82 @@
+//! Light and exposure of a picture, and settings in which every automatic choice is made.
+
+use relativity_render::Appearance;
+use relativity_render::exposure::automatic_ev;
+
+use super::all::Settings;
+use super::sections::{Daylight, Light, Theme};
+use super::views::Subject;
+use crate::flags::Exposure;
+use crate::scene::Scene;
+
+impl Settings {
+    /// Returns the appearance of `scene` at `time`, in a light window or a dark one.
+    #[must_use]
+    pub fn appearance(&self, scene: &Scene, time: f64, light_window: bool) -> Appearance {
+        let exposure_ev = self.light.exposure.0.unwrap_or_else(|| self.automatic_ev(scene, time));
+        Appearance { exposure_ev, ..self.unexposed(scene, light_window) }
+    }
+
+    /// The same without exposure.
+    fn unexposed(&self, scene: &Scene, light_window: bool) -> Appearance {
+        let light = &self.light;
+        Appearance {
+            colour: light.colour,
+            temperature_k: light.temperature,
+            doppler_shift: light.doppler_shift,
+            intensity_exponent: light.intensity_exponent.0,
+            exposure_ev: 0.0,
+            invisible: light.invisible,
+            shading: light.shading,
+            ground_z: scene.ground_z.filter(|_| light.ground),
+            road: scene.street.map(|[near, far, _]| [near, far]),
+            fronts: scene.street.map(|[_, _, fronts]| fronts).filter(|_| light.surroundings),
+            sky: light.sky,
+            light: match light.light {
+                Daylight::Theme => light_window,
+                Daylight::On => true,
+                Daylight::Off => false,
+            },
+        }
+    }
+
+    /// The exposure that is found for `scene`, factors of 2: of a ride, by its speed at `time`.
+    #[must_use]
+    pub fn automatic_ev(&self, scene: &Scene, time: f64) -> f64 {
+        let rider = self.rider(time);
+        let lights = scene.passing().flat_map(|group| {
+            let velocity = self.velocity(group.motion).seen_from(rider.velocity);
+            scene.bodies[group.bodies()].iter().map(move |body| (velocity, body.emission))
+        });
+        automatic_ev(lights, self.geometry(), &self.unexposed(scene, false))
+    }
+
+    /// These settings with the exposure that `scene` gets by them at their time; where two pictures are compared, each has its own.
+    #[must_use]
+    pub fn exposed_for(self, scene: &Scene) -> Self {
+        if self.is_comparing() {
+            return self;
+        }
+        let exposure = Exposure(
+            self.light.exposure.0.or_else(|| Some(self.automatic_ev(scene, self.time.unwrap_or_default()))),
+        );
+        Self { light: Light { exposure, ..self.light }, ..self }
+    }
+
+    /// These settings with nothing left to be found out: everything that decides the picture that `self` makes of this
+    /// `subject`.
+    #[must_use]
+    pub fn resolved(&self, subject: Subject) -> Self {
+        let time = self.time.unwrap_or_else(|| self.time_of_approach(&subject.tracked));
+        let mut resolved = Self { time: Some(time), ..self.clone() };
+        // One gaze could not be that of both pictures that are compared: each follows what it shows.
+        if !self.is_comparing() {
+            resolved.look = self.fixed_look(subject, time, self.picture.size.0);
+        }
+        if self.light.light == Daylight::Theme {
+            resolved.light.light =
+                if self.window.theme == Theme::Light { Daylight::On } else { Daylight::Off };
+        }
+        resolved
+    }
+}

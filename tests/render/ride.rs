@@ -1,0 +1,57 @@
+//! Films of rides: frames follow the rider's clock, and each records its ride.
+
+use std::fs;
+
+use super::{Png, complaint_of, folder, run_gamow};
+
+const RIDE: &str = "--scene post-office --turn -90 --depth-shift -5.5 --gaze 0,-12 --fov 90 --ride-from 1 --labels off --size 96x64 \
+                    --samples 1 --renderer reference";
+
+/// Moments of a film are those of the same ride by themselves, to the last pixel.
+#[test]
+fn a_film_of_a_ride_follows_the_riders_clock() {
+    let folder = folder();
+    run_gamow(folder.path(), &format!("render {RIDE} --layout left --ride 2@1,2@-1 --frames 3 --out ride"));
+    for (frame, time) in [(0, 0.0), (1, 2.0), (2, 4.0)] {
+        let name = format!("ride/frame_{frame:05}.png");
+        let film = Png::read(&folder.path().join(name));
+        let command = &film.texts["Parameters"];
+        assert!(
+            command.contains("--ride='2@1,2@-1'") && command.contains(&format!("--time={time}")),
+            "{command}"
+        );
+        run_gamow(
+            folder.path(),
+            &format!("render {RIDE} --layout left --ride 2@1,2@-1 --time {time} --out still.png"),
+        );
+        assert_eq!(film.rgb, Png::read(&folder.path().join("still.png")).rgb);
+    }
+    // Who rides out of rest and brakes as hard is at rest, where it leads: as an eye that stands there at that time.
+    let (place, time) = (1.0 + 2.0 * (2.0_f64.cosh() - 1.0), 2.0 * 2.0_f64.sinh());
+    let standing = RIDE.replace("--ride-from 1", &format!("--ride-from {place}"));
+    run_gamow(
+        folder.path(),
+        &format!("render {standing} --layout left --ride coast --time {time} --out standing.png"),
+    );
+    let [ridden, standing] =
+        ["ride/frame_00002.png", "standing.png"].map(|name| Png::read(&folder.path().join(name)));
+    let differ = ridden.rgb.iter().zip(&standing.rgb).filter(|(a, b)| a.abs_diff(**b) > 2).count();
+    // The bicycle's own wheel has turned on in the one, and not in the other.
+    assert!(differ < 60, "{differ} values differ");
+}
+
+/// Commands that assume eyes at rest refuse such pictures in one line, and write nothing.
+#[test]
+fn pictures_of_a_ride_are_refused_by_what_knows_eyes_at_rest() {
+    let folder = folder();
+    let ride = format!("render {RIDE} --layout side-by-side --ride coast --ride-speed 0.5");
+    run_gamow(folder.path(), &format!("{ride} --frames 2 --out ride"));
+    for command in [
+        "rectify ride/frame_00000.png --beta 0.5 --out out.png",
+        "measure ride --marker ff0000 --out out.csv",
+    ] {
+        let line = complaint_of(folder.path(), command);
+        assert!(line.contains("frame_00000.png") && line.contains("taken on a ride"), "{command}: {line}");
+    }
+    assert_eq!(fs::read_dir(folder.path()).expect("it is there").count(), 1, "only the pictures are there");
+}

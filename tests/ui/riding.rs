@@ -1,0 +1,181 @@
+//! Riding: keys pedal and brake, the instruments and all else on screen follow, and the ride is recorded as it was ridden.
+
+use eframe::egui::Key;
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use gamow::app::App;
+use gamow::app::command::Command;
+use gamow::app::state::State;
+use gamow::settings::{Frame, Preset, Settings};
+use relativity_core::{Baseline, Model, Observer, ObserverVelocity, SourcePoint, Speed};
+
+use super::Test;
+use super::support::{FRAME, assert_sane, label_starting_with, shown, type_into, window};
+
+pub const TESTS: &[Test] = &[
+    ("pedals_and_brakes_are_recorded_as_they_are_pushed", pedals_and_brakes),
+    ("a_rider_reads_what_the_core_says", a_rider_reads_what_the_core_says),
+    ("a_typed_speed_is_reached_by_pedalling", a_typed_speed_is_reached),
+    ("the_map_has_a_riders_frame_while_one_rides", the_map_has_a_riders_frame),
+    ("a_fit_finds_ones_own_speed", a_fit_finds_ones_own_speed),
+];
+
+fn street() -> State {
+    let mut state = State::open(Settings::default()).expect("a preset");
+    state.apply(Command::Time(0.0));
+    state
+}
+
+fn preset(name: &str) -> State {
+    State::open(Preset::named(name).expect("a preset").settings.clone()).expect("its scene is one")
+}
+
+fn state<'a>(window: &'a Harness<'_, App>) -> &'a State {
+    window.state().state()
+}
+
+fn pedals_and_brakes() {
+    let mut window = window(street());
+    window.key_press(Key::I);
+    window.run_steps(2);
+    assert!(state(&window).document.settings.ride.is_on() && state(&window).scratch.playing);
+    let has_bicycle = |window: &Harness<'_, App>| {
+        state(window).document.scene.names.iter().any(|name| name == "my handlebar")
+    };
+    assert!(has_bicycle(&window));
+    let push = state(&window).document.settings.ride.push;
+
+    window.key_down(Key::ArrowUp);
+    window.run_steps(33);
+    window.key_up(Key::ArrowUp);
+    window.step();
+    let ride = state(&window).document.settings.ride.clone();
+    let legs = ride.ride.0.as_deref().expect("it is on").to_vec();
+    let pushed = legs.last().expect("it was pushed");
+    assert_eq!(pushed.acceleration, [push, 0.0, 0.0]);
+    assert!((pushed.duration / f64::from(FRAME) - 32.0).abs() < 2.5, "{legs:?}");
+    let rapidity = state(&window).rider().velocity.rapidity();
+    assert!((rapidity - push * pushed.duration).abs() < 1e-12);
+    // Constant proper acceleration from rest, in closed form.
+    let begun = legs[..legs.len() - 1].iter().map(|leg| leg.duration).sum::<f64>();
+    let before = ride.rider(begun);
+    let after = ride.rider(begun + pushed.duration);
+    let expected = (rapidity.cosh() - 1.0) / push;
+    assert!((after.x - before.x - expected).abs() < 1e-12, "{} {expected}", after.x);
+
+    // Who brakes for longer than it takes stays where they are.
+    window.key_down(Key::S);
+    window.run_steps(45);
+    assert!(state(&window).rider().velocity.rapidity().abs() < 1e-12);
+    let place = state(&window).rider().x;
+    window.run_steps(5);
+    assert!((state(&window).rider().x - place).abs() < 1e-10);
+    window.key_up(Key::S);
+    window.step();
+    // A new push goes the other way.
+    window.key_down(Key::S);
+    window.run_steps(10);
+    window.key_up(Key::S);
+    window.step();
+    assert!(state(&window).rider().velocity.beta() < -0.05);
+    assert_sane(state(&window));
+
+    // Each push is a step: the last is taken back, and with it where it led.
+    window.state_mut().ask(Command::Undo);
+    window.state_mut().ask(Command::TogglePlaying);
+    assert!(state(&window).rider().velocity.rapidity().abs() < 1e-12);
+    window.state_mut().ask(Command::Undo);
+    assert!(state(&window).rider().velocity.rapidity() > 0.1);
+
+    window.key_press(Key::I);
+    window.run_steps(2);
+    assert!(!state(&window).document.settings.ride.is_on());
+    assert!(!has_bicycle(&window));
+    assert_eq!(state(&window).document.settings.motion.turn, 0.0);
+}
+
+fn a_rider_reads_what_the_core_says() {
+    let mut window = window(preset("ride-lamps"));
+    window.state_mut().ask(Command::Time(9.0));
+    window.run_steps(2);
+    let speed = Speed::from_beta(0.9).expect("a speed");
+    let gamma = speed.gamma();
+    let velocity = ObserverVelocity::along_street(speed);
+    let observer = Observer { velocity, place: [0.9 * gamma * 9.0, 5.5, 0.0], time: gamma * 9.0 };
+    // Facing ahead, the left eye is at the greater y.
+    let pair = Baseline { turn: -std::f64::consts::FRAC_PI_2, ..Baseline::straight(0.1) }.apertures();
+    let lamp = SourcePoint { x0: 20.0, y: 1.2, z: 2.4 };
+    let both = observer.disparity(Model::Exact, &Speed::REST, lamp, pair, 0.0).expect("in the domain");
+    for (label, expected) in [
+        ("Left eye, Doppler factor D", both.primary.doppler_factor),
+        ("Right eye, happened t", both.secondary.retarded_time),
+        ("Left eye, received s", 9.0),
+        ("Left eye, Azimuth φ", both.primary.phi()),
+    ] {
+        assert!((shown(&window, label) - expected).abs() < 6e-5, "{label}: {expected}");
+    }
+    // The street's clock at x shows T + V (x - o) now, in the frame of who rides.
+    let reckoned = observer.time + 0.9 * (20.0 - observer.place[0]);
+    assert!((shown(&window, "Proper time now, by my reckoning") - reckoned).abs() < 6e-5);
+    assert!((shown(&window, "Disparity Δφ") - both.dphi).abs() < 6e-6);
+    let instruments = label_starting_with(&window, "Left eye, instruments");
+    for part in ["β = 0.900", "γ = 2.294", "my clock 9.00", "street clock here 20.65", "at x = 18.58"] {
+        assert!(instruments.contains(part), "{part} in {instruments}");
+    }
+    // Its wheel counts the contracted street, its lamps the street's own.
+    for part in ["8.10 by wheel", "18.58 by lamps"] {
+        assert!(instruments.contains(part), "{part} in {instruments}");
+    }
+}
+
+fn a_typed_speed_is_reached() {
+    let mut state = street();
+    state.apply(Command::Ride(gamow::app::riding::saddle::RideCommand::Toggle));
+    state.apply(Command::TogglePlaying);
+    let mut window = window(state);
+    type_into(&mut window, "My speed β, typed", "0.6");
+    assert!(
+        (self::state(&window).rider().velocity.beta() - 0.6).abs() < 1e-12,
+        "at the start it is had at once"
+    );
+    window.state_mut().ask(Command::Time(2.0));
+    type_into(&mut window, "My speed β, typed", "gamma:-1.25");
+    let ride = &self::state(&window).document.settings.ride;
+    let needed = 2.0 * 0.6_f64.atanh() / ride.push;
+    assert!((ride.duration() - 2.0 - needed).abs() < 1e-12);
+    assert!((ride.rider(ride.duration()).velocity.beta() + 0.6).abs() < 1e-12);
+    type_into(&mut window, "My speed β, typed", "1.5");
+    let told = super::support::labels(&window);
+    assert!(told.iter().any(|label| label.contains("beta = 1.5 is out of range")), "{told:?}");
+}
+
+fn the_map_has_a_riders_frame() {
+    let mut window = window(preset("ride-lamps"));
+    for (expected, key) in [(Frame::Bicycle, "Bicycle"), (Frame::Rider, "Mine"), (Frame::Ground, "Ground")] {
+        window.key_press(Key::G);
+        window.run_steps(2);
+        assert_eq!(state(&window).document.settings.map.frame, expected, "{key}");
+        assert_sane(state(&window));
+    }
+    assert!(window.query_by_label("Mine").is_some());
+    window.key_press(Key::I);
+    window.run_steps(2);
+    assert!(window.query_by_label("Mine").is_none());
+}
+
+fn a_fit_finds_ones_own_speed() {
+    let mut settings = Preset::named("ride-lamps").expect("a preset").settings.clone();
+    settings.plots.plot = gamow::settings::PlotTab::Fit;
+    settings.fit.noise_percent = 0.0;
+    let mut window = window(State::open(settings).expect("a preset"));
+    let start = std::time::Instant::now();
+    while !window.state().is_settled() && start.elapsed() < std::time::Duration::from_mins(1) {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+        window.step();
+    }
+    let outcome = window.state().fitting().shown().expect("it is fitted");
+    let fitted = outcome.fitted.as_ref().expect("it can be");
+    let beta = fitted.value(relativity_core::Parameter::Beta).expect("it is fitted");
+    let aside = fitted.value(relativity_core::Parameter::Y).expect("it is fitted");
+    assert!((beta - 0.9).abs() < 1e-6 && (aside - 4.3).abs() < 1e-5, "{beta} {aside}");
+}
