@@ -14,9 +14,9 @@ use gamow::app::state::State;
 use gamow::app::views::eye::Eye;
 use gamow::files::png::PngFile;
 use gamow::flags::TimeRange;
-use gamow::flags::choices::{FileKind, Layout};
+use gamow::flags::choices::{FileKind, Layout, RendererChoice};
 use gamow::flags::words::words;
-use gamow::settings::{Motion, Playback, PlotTab, Plots, Settings};
+use gamow::settings::{Motion, Playback, PlotTab, Plots, Quality, Settings};
 
 use super::Test;
 use super::support::{cyclist, labels, type_into, wait_for_file, window};
@@ -336,6 +336,11 @@ fn a_stopped_film_leaves_no_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut state = short_loop();
     state.apply(Command::Playback(Playback { rate: 0.05, ..state.document.settings.playback }));
+    // Its frames take long: the window is seen before their size is known.
+    state.apply(Command::Quality(Quality {
+        renderer: RendererChoice::Reference,
+        ..state.document.settings.quality
+    }));
     let mut window = window(state);
     choose(&mut window, "Save film…");
     type_into(&mut window, "Path", folder.path().join("ride.gif").to_str().expect("a plain path"));
@@ -346,6 +351,14 @@ fn a_stopped_film_leaves_no_file() {
         window.step();
     }
     window.get_by_label_contains("Saving ride.gif");
+    let place = |window: &Harness<'_, App>| window.get_by_label("Stop").rect();
+    let first = place(&window);
+    while window.query_by_label_contains("in all by the frames so far").is_none() {
+        assert!(start.elapsed() < Duration::from_mins(1), "no size is expected");
+        window.step();
+    }
+    // What is learnt on the way moves nothing: the button stays under the pointer.
+    assert_eq!(place(&window), first);
     window.get_by_label("Stop").click();
     assert_eq!(message(&mut window), "Stopped: no file was written.");
     // The thread has ended with the window.

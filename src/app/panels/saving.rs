@@ -1,6 +1,6 @@
 //! Progress of a picture or a film that is being saved, with a button that stops it.
 
-use eframe::egui::{Align2, Context, ProgressBar, Window};
+use eframe::egui::{Align2, Context, Label, ProgressBar, Window};
 
 use super::Commands;
 use crate::app::command::Command;
@@ -21,10 +21,12 @@ pub fn show(ctx: &Context, saver: &Saver, commands: &mut Commands) {
         .resizable(false)
         .show(ctx, |ui| {
             ui.set_width(WIDTH);
+            // Each line is there from the first frame on: nothing may move Stop away from under the pointer.
+            ui.add(Label::new(format!("Saving {name}")).truncate());
             let size = progress.expected_bytes().map(|bytes| number_text::bytes(bytes, 2));
-            let size =
-                size.map_or_else(String::new, |size| format!(", about {size} in all by the frames so far"));
-            ui.label(format!("Saving {name}{size}"));
+            let size = size
+                .map_or_else(|| "…".to_owned(), |size| format!("about {size} in all by the frames so far"));
+            ui.add(Label::new(size).truncate());
             ui.horizontal(|ui| {
                 let bar = ProgressBar::new(written.frames as f32 / frames.max(1) as f32)
                     .desired_width(WIDTH - 70.0);
