@@ -14,7 +14,7 @@ use crate::platform::{environment, messages};
 ///
 /// Without a command it opens the window, in which what no flag sets is as it was left.
 #[derive(Debug, Parser)]
-#[command(version, after_help = EXAMPLES, args_conflicts_with_subcommands = true)]
+#[command(version, before_help = EXAMPLES, after_help = CONVENTIONS, args_conflicts_with_subcommands = true)]
 pub struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -23,15 +23,16 @@ pub struct Cli {
 }
 
 const EXAMPLES: &str = "\
-Conventions: c = 1; lengths and times share one unit; angles are radians. x points along the motion, y forward, z up. \
-The eyes rest at x = -d/2 (left) and x = +d/2 (right).
-
 Examples:
   gamow
   gamow --scene street --beta 0.99 --time 1 --screenshot window.png
   gamow curve --beta 0.9 --d 0.3 --y 0.5 --z 0.5 --from -2 --to 5
   gamow curve --samples 1000 --out curve.csv
-  gamow curve | cut -d, -f 1-6 | gamow eval --model published
+  gamow curve | cut -d, -f 1-6 | gamow eval --model published";
+
+const CONVENTIONS: &str = "\
+Conventions: c = 1; lengths and times share one unit; angles are radians. x points along the motion, y forward, z up. \
+The eyes rest at x = -d/2 (left) and x = +d/2 (right).
 
 `gamow COMMAND --help` tells more.";
 

@@ -21,13 +21,8 @@ pub use self::names::{
 use self::names::{COLUMNS, CONFORMAL, MOVING, TURNED, USUAL};
 use crate::flags::column_exponent;
 
-/// The end of a command's help: what the columns and the models are, and `examples`.
-#[must_use]
-pub fn help_with(examples: &str) -> String {
-    format!("{HELP}\n\n{examples}")
-}
-
-const HELP: &str = "\
+/// The end of a command's help: what the columns and the models are.
+pub const HELP: &str = "\
 The columns appended, for the left and the right eye (x_left, x_right and so on):
   x          apparent x, measured from the eye
   t          time of emission of the light that arrives at T

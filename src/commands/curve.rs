@@ -7,8 +7,8 @@ use csv::ByteRecord;
 use relativity_core::{Aperture, Baseline, SourcePoint};
 
 use crate::columns::{
-    CLOCK, GivenInputs, ModelArgs, OBSERVER_DIRECTION, OBSERVER_PLACE, Observation, ObservationError, ROLL,
-    TURN, WHEEL, help_with, observer_speed,
+    CLOCK, GivenInputs, HELP, ModelArgs, OBSERVER_DIRECTION, OBSERVER_PLACE, Observation, ObservationError,
+    ROLL, TURN, WHEEL, observer_speed,
 };
 use crate::files::csv_out;
 use crate::files::whole::OutArgs;
@@ -30,7 +30,7 @@ const CYCLIST_BETA: f64 = 0.9;
 /// With a moving observer (--observer-beta and others) the range is one of the observer's clock, the column `clock`, which shows
 /// 0 at --observer-x, --observer-y and --observer-z at T = 0; each row has where the observer is, and T there.
 #[derive(Debug, Args)]
-#[command(after_long_help = help_with(EXAMPLES))]
+#[command(before_long_help = EXAMPLES, after_long_help = HELP)]
 pub struct CurveArgs {
     #[command(flatten)]
     speed: SpeedArgs,

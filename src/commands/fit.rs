@@ -23,7 +23,7 @@ use crate::platform::{clock, messages, progress};
 ///
 /// What the data cannot tell is said in one line, with exit status 2.
 #[derive(Debug, Args)]
-#[command(after_long_help = HELP)]
+#[command(before_long_help = EXAMPLES, after_long_help = HELP)]
 pub struct FitArgs {
     /// CSV file; standard input if none or -.
     file: Option<PathBuf>,
@@ -69,8 +69,9 @@ the standard error from the covariance at the best fit. With both curves, the jo
 the paper's weighted mean of the two fits stands beside it, with their correlation accounted for.
 
 A point of a wheel that rolls is fitted by where on its wheel it is, which has to be known (--wheel-radius, --rho, --angle): y, \
-z and x0 are then the hub's, and dphi alone tells the sign of z, too.
+z and x0 are then the hub's, and dphi alone tells the sign of z, too.";
 
+const EXAMPLES: &str = "\
 Examples:
   gamow curve | gamow fit
   gamow fit data.csv --d 0.1 --fit-x0

@@ -28,7 +28,7 @@ use crate::studio::Sheet;
 /// The colours of a PNG picture tell wavelengths by their hue only: the part of a colour that is not grey counts as
 /// monochromatic. What the Doppler effect shifted out of sight stays dark.
 #[derive(Debug, Args)]
-#[command(after_long_help = EXAMPLES)]
+#[command(before_long_help = EXAMPLES)]
 pub struct RectifyArgs {
     /// Picture (.png) or measurements (.exr).
     image: PathBuf,

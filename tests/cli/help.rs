@@ -31,6 +31,16 @@ fn every_example_in_the_help_runs() {
 }
 
 #[test]
+fn the_help_of_every_command_begins_with_an_example() {
+    let commands =
+        ["", "eval", "curve", "fit", "lesson", "measure", "paper", "rectify", "render", "accuracy"];
+    for command in commands {
+        let help = words(&format!("{command} --help")).text();
+        assert!(help.starts_with("Examples:\n  "), "{command}: {}", help.lines().next().unwrap_or_default());
+    }
+}
+
+#[test]
 fn help_names_every_column() {
     let help = words("eval --help").text();
     for name in

@@ -26,7 +26,7 @@ use crate::scene::Scene;
 /// fastest of several runs; build with --release to have them mean something. They, and what rests on them, differ from run
 /// to run; errors do not. In JSON `timed` names those that do.
 #[derive(Debug, Args)]
-#[command(after_long_help = HELP)]
+#[command(before_long_help = EXAMPLES, after_long_help = HELP)]
 pub struct AccuracyArgs {
     /// Scene: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel) or a scene file.
     #[arg(long, default_value = "cyclist", value_name = "PRESET|FILE")]
@@ -55,8 +55,9 @@ What is measured:
                  one; where two bodies share a surface, that of the first is right
   rounds         where bodies turn: how far a search for spokes is off that costs less than
                  the renderers' own: after 1, 2, 3 and 6 rounds along straight lines, along
-                 the ray in radii of the wheel
+                 the ray in radii of the wheel";
 
+const EXAMPLES: &str = "\
 Examples:
   gamow accuracy
   gamow accuracy --plot frontier.svg --json --out frontier.json

@@ -10,7 +10,7 @@ use clap::Args;
 use csv::ByteRecord;
 
 use self::header::{Header, InputError};
-use crate::columns::{GivenInputs, ModelArgs, help_with};
+use crate::columns::{GivenInputs, HELP, ModelArgs};
 use crate::files::whole::OutArgs;
 use crate::files::{csv_in, csv_out};
 
@@ -26,7 +26,7 @@ use crate::files::{csv_in, csv_out};
 /// A bad row ends the run with one line that names file, line and column, and exit status 2. With --out no file is then
 /// written; standard output has the rows before it.
 #[derive(Debug, Args)]
-#[command(after_long_help = help_with(EXAMPLES))]
+#[command(before_long_help = EXAMPLES, after_long_help = HELP)]
 pub struct EvalArgs {
     /// CSV file; standard input if none or -.
     file: Option<PathBuf>,

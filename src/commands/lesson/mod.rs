@@ -14,7 +14,7 @@ use crate::lesson::worksheet::{self, Sheet};
 /// Writes what goes with a lesson on paper: the worksheet with its questions, the task and the data of its lab, a page for
 /// whoever teaches. One of them at least must be named.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(before_help = EXAMPLES)]
 #[group(id = "sheets", required = true, multiple = true, args = ["worksheet", "lab", "teacher"])]
 pub struct LessonArgs {
     /// Name of the lesson or preset (`gamow --list`), or a file.

@@ -46,7 +46,7 @@ use crate::time_range::time_within;
 /// A mark on a wheel is followed round. A fit takes it for a point that does not turn unless it is told where on its wheel
 /// the mark is; of a --point in files of `gamow render` that is said here.
 #[derive(Debug, Args)]
-#[command(after_long_help = EXAMPLES)]
+#[command(before_long_help = EXAMPLES)]
 pub struct MeasureArgs {
     /// Files, or folders of files.
     #[arg(required = true, value_name = "DIR|FILES")]

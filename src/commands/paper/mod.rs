@@ -27,11 +27,16 @@ use crate::platform::{files, sizes};
 /// errata explained. What cannot be reproduced is said. The report is report.html, one page that holds its figures, and
 /// the same as report.md.
 #[derive(Debug, Args)]
+#[command(before_long_help = EXAMPLES)]
 pub struct PaperArgs {
     /// Folder to write to; it is made if it is not there.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  gamow paper --out paper";
 
 /// Runs the command `gamow paper`.
 pub fn run(args: &PaperArgs) -> anyhow::Result<()> {

@@ -23,7 +23,7 @@ use crate::studio::film::FilmKind;
 /// With --projection vr180 a picture is half of the sky for a headset: both eyes side by side, each square (2048x2048 unless
 /// --size says another), without bar and letters, in a file whose name ends in `_180x180_LR.png`.
 #[derive(Debug, Args)]
-#[command(after_long_help = EXAMPLES, mut_args(without_the_windows))]
+#[command(before_long_help = EXAMPLES, mut_args(without_the_windows))]
 pub struct RenderArgs {
     /// Output: FILE.png or FILE.exr; with --frames a folder, or FILE.gif or FILE.png, an animation of 25 frames a second.
     /// Each file is written whole or not at all.
