@@ -621,7 +621,11 @@ impl eframe::App for App {
             keeper.keep_on(&mut self.state, ctx);
         }
         let pushed = riding::keys::held(ctx, &self.state);
-        self.advance(f64::from(ctx.input(|input| input.stable_dt)), pushed);
+        let step = f64::from(ctx.input(|input| input.stable_dt));
+        self.advance(step, pushed);
+        if self.state.follow_for_comfort(step) {
+            ctx.request_repaint();
+        }
         log::trace!("a frame took {:.3} ms", 1e3 * ctx.input(|input| input.unstable_dt));
     }
 

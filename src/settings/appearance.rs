@@ -14,6 +14,11 @@ impl Settings {
     #[must_use]
     pub fn appearance(&self, scene: &Scene, time: f64, light_window: bool) -> Appearance {
         let exposure_ev = self.light.exposure.0.unwrap_or_else(|| self.automatic_ev(scene, time));
+        self.appearance_at(exposure_ev, scene, light_window)
+    }
+
+    /// The same at this exposure, factors of 2.
+    pub(crate) fn appearance_at(&self, exposure_ev: f64, scene: &Scene, light_window: bool) -> Appearance {
         Appearance { exposure_ev, ..self.unexposed(scene, light_window) }
     }
 
@@ -32,6 +37,7 @@ impl Settings {
             road: scene.street.map(|[near, far, _]| [near, far]),
             fronts: scene.street.map(|[_, _, fronts]| fronts).filter(|_| light.surroundings),
             sky: light.sky,
+            street: light.street_colours,
             light: match light.light {
                 Daylight::Theme => light_window,
                 Daylight::On => true,

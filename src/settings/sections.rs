@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use clap::{Args, ValueEnum};
 use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
 use relativity_core::{Curves, Model, PublishedVariant};
-use relativity_render::{Appearance, Colour, Geometry, Method, Shading};
+use relativity_render::{Appearance, Colour, Geometry, Method, Shading, StreetColours};
 use serde::Serialize;
 
 use crate::flags::choices::{
@@ -155,6 +155,9 @@ pub struct Light {
     /// Whether the sky is a gradient, else it is plain.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub sky: OnOff,
+    /// Colours of road, ground, house fronts and sky to who rides: their paints count as grey. Eyes at rest see them as painted.
+    #[arg(long, value_enum)]
+    pub street_colours: StreetColours,
     /// Whether sky and ground are light.
     #[arg(long, value_enum)]
     pub light: Daylight,
@@ -174,6 +177,7 @@ impl Default for Light {
             surroundings: true,
             ground: true,
             sky: true,
+            street_colours: StreetColours::Shifted,
             light: Daylight::Theme,
         }
     }
@@ -609,6 +613,9 @@ pub struct Window {
     /// In conformal views, the outline of what moves where it would be seen at rest, and the arrow by which motion slides it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
     pub resting: OnOff,
+    /// On a ride, darkens the edges of the views while the head turns: streaming there makes people ill.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
+    pub vignette: OnOff,
     /// Units of the lengths and times that the window shows and takes. Files and flags have the scene's own always.
     #[arg(long, value_enum)]
     pub units: Units,
@@ -636,6 +643,7 @@ impl Default for Window {
             resting_clock: false,
             ruler: true,
             resting: false,
+            vignette: false,
             units: Units::Natural,
             theme: Theme::Dark,
         }

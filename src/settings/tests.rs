@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use relativity_core::{Curves, Leg, Model};
 use relativity_render::{
-    Appearance, Colour, Gaze, Geometry, HitImage, Picture as Pixels, PreparedScene, Shading,
+    Appearance, Colour, Gaze, Geometry, HitImage, Picture as Pixels, PreparedScene, Shading, StreetColours,
 };
 
 use super::*;
@@ -104,9 +104,10 @@ fn light() -> impl Strategy<Value = Light> {
     let exposure = proptest::option::of(number(EXPOSURE_EV)).prop_map(Exposure);
     let numbers = (number(TEMPERATURE_K), exponent, exposure);
     let switches = any::<[bool; 5]>();
-    (choice::<Colour>(), numbers, choice::<Shading>(), choice::<Daylight>(), switches).prop_map(
+    let colours = (choice::<Colour>(), choice::<StreetColours>());
+    (colours, numbers, choice::<Shading>(), choice::<Daylight>(), switches).prop_map(
         |(
-            colour,
+            (colour, street_colours),
             (temperature, intensity_exponent, exposure),
             shading,
             light,
@@ -123,6 +124,7 @@ fn light() -> impl Strategy<Value = Light> {
                 surroundings,
                 ground,
                 sky,
+                street_colours,
                 light,
             }
         },
@@ -147,7 +149,7 @@ fn fit() -> impl Strategy<Value = FitSetup> {
 fn window() -> impl Strategy<Value = Window> {
     let share = || proptest::option::of(number(0.0..=1.0)).prop_map(Share);
     let shares = (share(), share(), share());
-    (any::<[bool; 12]>(), shares, choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
+    (any::<[bool; 13]>(), shares, choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
         |(
             [
                 views,
@@ -162,6 +164,7 @@ fn window() -> impl Strategy<Value = Window> {
                 resting_clock,
                 ruler,
                 resting,
+                vignette,
             ],
             (side_share, strip_share, map_share),
             map,
@@ -185,6 +188,7 @@ fn window() -> impl Strategy<Value = Window> {
                 resting_clock,
                 ruler,
                 resting,
+                vignette,
                 units,
                 theme,
             }

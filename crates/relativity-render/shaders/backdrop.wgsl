@@ -9,6 +9,8 @@ override ROAD: bool;
 override FRONTS: bool;
 // Geometry that shows the street: 0 as seen, 1 contracted only, 2 at rest with the camera.
 override STREET_GEOMETRY: u32;
+// Row of the tables that has what its motion does to colours; 0 where they stay as painted.
+override STREET_ROW: i32;
 override TILE_COLUMNS: u32;
 override TILE_ROWS: u32;
 override LEAST_TOWARDS_FRONTS: f32;
@@ -22,6 +24,8 @@ override GRID_FADE_START: f32;
 override GRID_FADE_RATE: f32;
 override HAZE: f32;
 override SKY_RISE: f32;
+// The brightest value that a screen tells from 1.
+override BRIGHTEST: f32;
 override CONTACT_DARKEST: f32;
 override CONTACT_FARTHEST: f32;
 
@@ -113,6 +117,8 @@ struct Line {
     scale: f32,
     // The part of a distance by which haze counts.
     haze_share: f32,
+    // Doppler factor.
+    doppler: f32,
     // Steps to the pixels on the right and below, up to multiples of the line.
     right: vec3f,
     down: vec3f,
@@ -122,13 +128,13 @@ fn line_on_ground(sight: vec4f) -> Line {
     let right = step_right_but_along();
     let down = step_down(sight.xyz);
     if STREET_GEOMETRY == AT_REST {
-        return Line(sight.xyz, sight.w, 1.0, right, down);
+        return Line(sight.xyz, sight.w, 1.0, 1.0, right, down);
     }
     let seen = passage(sight.xyz, STREET_GEOMETRY, frame.street_speed, frame.street_motion.x);
     let scale = sight.w * seen.ground_per_rest;
     let haze_share = min(seen.ground_per_rest, 1.0);
     let steps = array(step_on_ground(sight.xyz, right), step_on_ground(sight.xyz, down));
-    return Line(seen.direction, scale, haze_share, steps[0], steps[1]);
+    return Line(seen.direction, scale, haze_share, seen.doppler, steps[0], steps[1]);
 }
 
 const AT_REST = 2u;
@@ -212,6 +218,26 @@ fn with_fronts(without: vec3f, sky: vec3f, line: Line) -> vec3f {
     return mix(without, mix(sky, seen.rgb, seen_through_haze(line, distance)), seen.a);
 }
 
+// The light that a screen shows as `colour`: up to the brightest level that it tells from 1.
+fn unshouldered(colour: vec3f) -> vec3f {
+    let largest = max(colour.r, max(colour.g, colour.b));
+    if largest <= KNEE {
+        return colour;
+    }
+    let left = (1.0 - min(largest, BRIGHTEST)) / (1.0 - KNEE);
+    return colour * ((KNEE + (1.0 - KNEE) * (1.0 / left - 1.0)) / largest);
+}
+
+// What is received of paint on the street or of the sky, see `street_light.rs`.
+fn received_from_street(painted: vec3f, doppler: f32) -> vec3f {
+    let octaves = log2(doppler);
+    let tint = looked_up(STREET_ROW, MAP_MIDDLE + MAP_PER_OCTAVE * (octaves * frame.street_light.x));
+    let power = frame.street_light.y * tint.a + frame.street_light.z * octaves + frame.street_light.w;
+    let light = unshouldered(painted) * tint.rgb * power_of_two(power);
+    let largest = max(light.r, max(light.g, light.b));
+    return light * (shoulder(largest) / max(largest, 1e-30));
+}
+
 fn behind(pixel: vec2f) -> vec3f {
     let line = line_on_ground(line_of_sight(pixel));
     let nearness = 1.0 - min(SKY_RISE * abs(line.n.z), 1.0);
@@ -222,6 +248,9 @@ fn behind(pixel: vec2f) -> vec3f {
     }
     if FRONTS && line.n.y > LEAST_TOWARDS_FRONTS {
         colour = with_fronts(colour, sky, line);
+    }
+    if STREET_ROW != 0 {
+        colour = received_from_street(colour, line.doppler);
     }
     return colour;
 }

@@ -1,8 +1,5 @@
 // Received light: from a Doppler factor to linear sRGB. The same as `light.rs`, `tone.rs`, `hatch.rs` and `shade.rs`, by tables.
 
-// A table per row, see `palette.rs`; the last component is log2 of what the colour is multiplied by.
-@group(0) @binding(1) var tables: texture_2d<f32>;
-
 // How colours are found: 0 as at rest, 1 by one place in a table, 2 daylight, 3 by the Doppler factor, 4 the street's daylight.
 override SPECTRUM: u32;
 // Whether the Doppler factor shifts the wavelength.
@@ -18,47 +15,21 @@ override LIGHT_Z: f32;
 // Brightness of a surface at right angles to that light, and how much turning towards it adds.
 override FORM_ACROSS: f32;
 override FORM_TOWARDS: f32;
-// Up to here light is shown as it is.
-override KNEE: f32;
-// Of the tables: entries per octave, the place of daylight at rest, and that of D = 1.
+// Of the tables: entries per octave, and the place of daylight at rest.
 override GLOW_PER_OCTAVE: f32;
 override BAND_PER_OCTAVE: f32;
 override DAYLIGHT_PLACE: f32;
-override MAP_MIDDLE: f32;
 // log2 of the quanta of daylight at the beginning of the table of bands.
 override DAYLIGHT_QUANTA: f32;
 // Below this speed the parts of the street's daylight are weighted as at it; and the largest gamma beta that it lights.
 override LEAST_BETA: f32;
 override MOST_RAPID: f32;
-override MAP_PER_OCTAVE: f32;
 
 // The tables' rows. The share of a light that eyes do not see stands in the row after it.
 const LINE_ROW = 0;
 const GLOW_ROW = 2;
 const BAND_ROW = 4;
 const MAP_ROW = 5;
-
-fn looked_up(row: i32, place: f32) -> vec4f {
-    let last = i32(textureDimensions(tables).x) - 1;
-    let inside = clamp(place, 0.0, f32(last));
-    let below = min(i32(inside), last - 1);
-    let low = textureLoad(tables, vec2i(below, row), 0);
-    let high = textureLoad(tables, vec2i(below + 1, row), 0);
-    return mix(low, high, inside - f32(below));
-}
-
-// The largest power of two that light is multiplied by: within what floats hold with room to spare.
-const MOST_POWER = 100.0;
-
-// 2^x, held within that.
-fn power_of_two(x: f32) -> f32 {
-    return exp2(clamp(x, -MOST_POWER, MOST_POWER));
-}
-
-fn shoulder(x: f32) -> f32 {
-    let above = max(x - KNEE, 0.0) / (1.0 - KNEE);
-    return min(x, KNEE) + (1.0 - KNEE) * (above / (1.0 + above));
-}
 
 // `light` as a screen shows it; w: its unseen share, where it is all but black.
 fn shown(light: vec3f, row: i32, place: f32) -> vec4f {

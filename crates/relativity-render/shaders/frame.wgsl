@@ -18,8 +18,10 @@ struct Frame {
     // Of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
     speed: vec4f,
     // 1, or -1 if the group moves towards -x: all is reflected then, to move along +x, and back; the same for the
-    // reference of depths.
+    // reference of depths. z: 1 if the picture is conformal. w: 1, or -1 if the group moves towards -x on the ground.
     motion: vec4f,
+    // beta, 1 - beta, 1/gamma, gamma on the ground.
+    on_ground: vec4f,
     // xyz: where the camera is from the middle between the eyes, where these have one light cone, else 0; reflected as the
     // group is. And the same, reflected as the reference is.
     eye: vec4f,
@@ -37,9 +39,13 @@ struct Frame {
     ground: vec4f,
     // xy: y of the near and the far kerb of a road, equal where there is none; z: y of house fronts from the camera.
     road: vec4f,
-    // Of the street against the camera: V, 1 - V, 1/Gamma, Gamma; -1 if it moves towards -x, else 1, and its GEOMETRY.
+    // Of the street against the camera: V, 1 - V, 1/Gamma, Gamma; -1 if it moves towards -x, else 1, its GEOMETRY, and the row
+    // of its colours.
     street_speed: vec4f,
     street_motion: vec4f,
+    // How much the Doppler factor moves the place in that row, and the row's logarithm counts; the exponent of the Doppler factor;
+    // log2 of the exposure.
+    street_light: vec4f,
     // xyz: from the middle between the eyes to the camera, where these have one light cone, else 0; w: how many places there
     // are where bodies touch a road.
     contact_eye: vec4f,

@@ -1,6 +1,6 @@
 //! The backdrop: a sky, a road or a grid on the ground, and house fronts, all at rest on the ground.
 //!
-//! Never shifted, dimmed or exposed: it gives motion something to be seen against.
+//! To a camera at rest it is never shifted, dimmed or exposed: it gives motion something to be seen against.
 //! `shaders/backdrop.wgsl` draws the same, with the same constants.
 
 use glam::{DVec2, DVec3, Vec3Swizzles as _};
@@ -12,8 +12,11 @@ use crate::contact::{Contacts, DARKEST, FARTHEST};
 use crate::cover::{band_cover, line_cover, repeated_cover};
 use crate::effects::{Constant, number};
 use crate::street::{self, Front, Paints};
-use crate::street_sight::{GroundLine, StreetSight};
+use crate::street_light::StreetLight;
+use crate::street_sight::{GroundLine, StreetSight, StreetVariant};
+use crate::tone::BRIGHTEST;
 use crate::view::{Appearance, Geometry};
+use crate::{palette, tone};
 
 /// Half the width of the grid's lines, one per unit of length along x and along y.
 pub(crate) const LINE_HALF_WIDTH: f64 = 0.012;
@@ -158,11 +161,12 @@ impl Part {
     }
 }
 
-/// The shader's constants for a part of a picture, with the `street_geometry` of its frame.
-pub(crate) fn constants(part: Part, is_conformal: bool, street_geometry: usize) -> Vec<Constant> {
+/// The shader's constants for a part of a picture that shows the street so.
+pub(crate) fn constants(part: Part, is_conformal: bool, street: StreetVariant) -> Vec<Constant> {
     let of_backdrop = [
         ("CONFORMAL", number(is_conformal)),
-        ("STREET_GEOMETRY", street_geometry as f64),
+        ("STREET_GEOMETRY", street.geometry()),
+        ("STREET_ROW", street.row()),
         ("GROUND", number(part.has_ground())),
         ("ROAD", number(part != Part::Grid)),
         ("FRONTS", number(part.has_fronts())),
@@ -182,7 +186,12 @@ pub(crate) fn constants(part: Part, is_conformal: bool, street_geometry: usize) 
         ("CONTACT_DARKEST", DARKEST),
         ("CONTACT_FARTHEST", FARTHEST),
     ];
-    of_backdrop.into_iter().chain(street::CONSTANTS).collect()
+    let of_tables = [
+        ("BRIGHTEST", BRIGHTEST),
+        ("MAP_MIDDLE", palette::MAP.place(0.0)),
+        ("MAP_PER_OCTAVE", palette::MAP.per_octave()),
+    ];
+    of_backdrop.into_iter().chain(street::CONSTANTS).chain(tone::constants()).chain(of_tables).collect()
 }
 
 /// The backdrop of one camera's picture.
@@ -200,6 +209,8 @@ pub struct Backdrop {
     lines_of_sight: LinesOfSight,
     /// Passage of lines of sight to the ground, which may move against the camera.
     street: StreetSight,
+    /// What its motion does to colours.
+    light: StreetLight,
 }
 
 impl Backdrop {
@@ -207,6 +218,7 @@ impl Backdrop {
     #[must_use]
     pub fn new(camera: &Camera, geometry: Geometry, appearance: &Appearance) -> Self {
         let aperture = camera.aperture;
+        let street = StreetSight::new(camera, geometry);
         Self {
             palette: palette(appearance),
             aperture: DVec2::new(aperture.x, aperture.y),
@@ -215,7 +227,8 @@ impl Backdrop {
             fronts: appearance.fronts.map(|y| y - aperture.y).filter(|y| *y > 0.0),
             contacts: Contacts::default(),
             lines_of_sight: LinesOfSight::new(camera),
-            street: StreetSight::new(camera, geometry),
+            street,
+            light: street.light(appearance),
         }
     }
 
@@ -246,21 +259,26 @@ impl Backdrop {
     pub(crate) fn behind(&self, line_of_sight: DVec3) -> [f64; 3] {
         let seen = self.street.line(line_of_sight);
         let turns = || self.lines_of_sight.turns_of(line_of_sight).map(|turn| self.street.turn(&seen, turn));
-        let line_of_sight = seen.direction;
-        let below = self.height_distance(line_of_sight);
-        let below = below.map(|distance| self.ground(&seen, turns(), distance));
-        let without = below.unwrap_or_else(|| self.sky_above(line_of_sight));
+        self.light.received(self.painted(&seen, turns), seen.camera_per_ground)
+    }
+
+    /// Linear sRGB of the paint that is `seen`, or of the sky; `turns` of the line on the ground lead from one pixel to the next.
+    fn painted(&self, seen: &GroundLine, turns: impl Fn() -> [DVec3; 2]) -> [f64; 3] {
+        let direction = seen.direction;
+        let below = self.height_distance(direction);
+        let below = below.map(|distance| self.ground(seen, turns(), distance));
+        let without = below.unwrap_or_else(|| self.sky_above(direction));
         let (Some(fronts), Some(ground), Some(_)) = (self.fronts, self.ground, self.road) else {
             return without;
         };
-        if line_of_sight.y <= LEAST_TOWARDS_FRONTS {
+        if direction.y <= LEAST_TOWARDS_FRONTS {
             return without;
         }
-        let distance = fronts / line_of_sight.y;
-        let place = DVec2::new(self.aperture.x, -ground) + line_of_sight.xz() * distance;
-        let shift = |turn: DVec3| (turn.xz() - line_of_sight.xz() * (turn.y / line_of_sight.y)) * distance;
+        let distance = fronts / direction.y;
+        let place = DVec2::new(self.aperture.x, -ground) + direction.xz() * distance;
+        let shift = |turn: DVec3| (turn.xz() - direction.xz() * (turn.y / direction.y)) * distance;
         let Front { colour, cover } = self.palette.fronts.front(place, pixel(turns(), shift));
-        mix(without, self.hazy(colour, &seen, distance), cover)
+        mix(without, self.hazy(colour, seen, distance), cover)
     }
 
     /// Returns the colour that is seen along `seen` of a surface of this `colour` at `distance` on the ground.
@@ -278,7 +296,8 @@ impl Backdrop {
     /// Linear sRGB of the sky along the camera's `line_of_sight` (unit vector).
     #[must_use]
     pub fn sky(&self, line_of_sight: DVec3) -> [f64; 3] {
-        self.sky_above(self.street.line(line_of_sight).direction)
+        let seen = self.street.line(line_of_sight);
+        self.light.received(self.sky_above(seen.direction), seen.camera_per_ground)
     }
 
     /// The same of a line of sight on the ground.

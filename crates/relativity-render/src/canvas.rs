@@ -16,6 +16,7 @@ use crate::palette;
 use crate::reference::HitImage;
 use crate::scene::PreparedScene;
 use crate::shaders::BACKDROP;
+use crate::street_sight::StreetVariant;
 use crate::target::{self, DEPTH_FORMAT, ENCODED_FORMAT, EyeTarget, MEASURES_FORMAT};
 use crate::view::{Appearance, View};
 
@@ -25,8 +26,8 @@ pub struct Canvas {
     layer_layout: wgpu::BindGroupLayout,
     /// The tables of colours.
     tables: wgpu::TextureView,
-    /// The last pass for each [`Frame::street_geometry`], of flat pictures and of conformal ones.
-    last_passes: [[LastPass; 2]; 3],
+    /// The last pass for each [`StreetVariant`], of flat pictures and of conformal ones.
+    last_passes: [[LastPass; 2]; StreetVariant::COUNT],
 }
 
 /// The last pass, by the number of the part that it draws; made when it is first needed.
@@ -49,8 +50,8 @@ impl Canvas {
 
     /// The last pass of pictures like that of `frame`.
     fn last_pass(&self, gpu: &Gpu, frame: &Frame) -> &[wgpu::RenderPipeline; 5] {
-        let (is_conformal, street) = (frame.is_conformal(), frame.street_geometry());
-        self.last_passes[street][usize::from(is_conformal)].get_or_init(|| {
+        let (is_conformal, street) = (frame.is_conformal(), frame.street());
+        self.last_passes[street as usize][usize::from(is_conformal)].get_or_init(|| {
             let module = gpu.shader("backdrop", BACKDROP);
             let layout = pipeline_layout(&gpu.device, &[Some(&self.frame_layout), Some(&self.layer_layout)]);
             Part::ALL.map(|part| {

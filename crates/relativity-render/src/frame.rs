@@ -13,7 +13,7 @@ use crate::mercator::Mercator;
 use crate::prepared_body::{Extent, packed};
 use crate::scene::{PreparedGroup, PreparedScene};
 use crate::street::{HOUSES, OPENINGS};
-use crate::street_sight::StreetSight;
+use crate::street_sight::{StreetSight, StreetVariant};
 use crate::view::{Appearance, Geometry};
 
 /// Mirror of the shaders' `Frame`.
@@ -35,8 +35,11 @@ pub struct Frame {
     pub pole: [f32; 4],
     /// Speed of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
     pub speed: [f32; 4],
-    /// -1 if the group moves towards -x, else 1; the same of the reference of depths; 1 if the picture is conformal, else 0.
+    /// -1 if the group moves towards -x against the camera, else 1; the same of the reference of depths; 1 if the picture is
+    /// conformal, else 0; -1 if the group moves towards -x on the ground, else 1.
     pub motion: [f32; 4],
+    /// Speed of the group on the ground, as `speed`.
+    pub on_ground: [f32; 4],
     /// Place of the camera from the middle between the eyes, if these have one light cone, else 0; reflected so that
     /// the group moves along +x.
     pub eye: [f32; 4],
@@ -58,8 +61,10 @@ pub struct Frame {
     pub road: [f32; 4],
     /// Speed of the street against the camera: see [`StreetSight::packed_speed`].
     pub street_speed: [f32; 4],
-    /// Direction and geometry of that: see [`StreetSight::packed_motion`].
+    /// Direction, geometry and colours of that: see [`StreetSight::packed_motion`].
     pub street_motion: [f32; 4],
+    /// What it does to colours: see [`StreetLight::packed`](crate::street_light::StreetLight::packed).
+    pub street_light: [f32; 4],
     /// From the middle between the eyes to the camera, where these have one light cone, else 0; how many places there are where
     /// bodies touch a road.
     pub contact_eye: [f32; 4],
@@ -178,6 +183,7 @@ impl Frame {
         let backdrop = Backdrop::new(camera, view.view_geometry, appearance);
         let [near_kerb, far_kerb, fronts] = backdrop.places();
         let street = StreetSight::new(camera, view.view_geometry);
+        let street_light = street.light(appearance);
         let ground = backdrop.ground_height().unwrap_or(f64::from(f32::MIN));
         let coarse = pole.as_vec2();
         let fine = (pole - coarse.as_dvec2()).as_vec2();
@@ -195,7 +201,13 @@ impl Frame {
             radial,
             pole: [coarse.x, coarse.y, fine.x, fine.y],
             speed,
-            motion: [reflection, reflection, f32::from(u8::from(camera.mercator().is_some())), 0.0],
+            motion: [
+                reflection,
+                reflection,
+                f32::from(u8::from(camera.mercator().is_some())),
+                view.on_ground.direction() as f32,
+            ],
+            on_ground: view.on_ground.packed_speed(),
             eye,
             reference_eye: eye,
             reference_speed: speed,
@@ -205,7 +217,8 @@ impl Frame {
             ground: [aperture.x, aperture.y, ground, view.published_separation()].map(|v| v as f32),
             road: [near_kerb, far_kerb, fronts, 0.0].map(|v| v as f32),
             street_speed: street.packed_speed(),
-            street_motion: street.packed_motion(),
+            street_motion: street.packed_motion(&street_light),
+            street_light: street_light.packed(),
             contact_eye: [0.0; 4],
             contacts: [[[0.0; 4]; 2]; contact::MOST],
             houses: HOUSES.map(|[height, shade]| [height as f32, shade as f32, 0.0, 0.0]),
@@ -223,9 +236,9 @@ impl Frame {
         self.motion[2] != 0.0
     }
 
-    /// Returns the number of the geometry that shows the street: 0 as seen, 1 contracted only, 2 at rest.
-    pub fn street_geometry(&self) -> usize {
-        self.street_motion[1] as usize
+    /// How the picture shows the street.
+    pub fn street(&self) -> StreetVariant {
+        StreetVariant::new(self.street_motion[1] as usize, self.street_motion[2] as usize)
     }
 
     /// Returns the floor below the horizon.

@@ -121,11 +121,9 @@ impl GroupView {
     }
 
     /// Whether daylight that rests on the street shows on the group otherwise than a lamp that rides along: not where nothing
-    /// shifts wavelengths, nor if the camera rides along.
+    /// shifts wavelengths, nor if the camera rides along with the scene.
     pub(crate) fn is_lit_by_the_street(&self, appearance: &Appearance) -> bool {
-        appearance.is_lit_by_the_street(self.geometry)
-            && self.velocity == self.on_ground
-            && !self.on_ground.is_rest()
+        appearance.is_lit_by_the_street(self.view_geometry) && !self.on_ground.is_rest()
     }
 
     /// The view by an eye at rest at the camera's event, whose light is the same; `None` of what is measured

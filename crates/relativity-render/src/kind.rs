@@ -20,7 +20,7 @@ macro_rules! kinds {
             pub const fn impostor(self) -> &'static str {
                 match self {
                     $(Self::$kind => source!(
-                        "frame", "passage", "rest_ray", "colour", "body", "turning", "course", "daylight", "pattern", "impostor", $test, $pattern
+                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "impostor", $test, $pattern
                     ),)+
                 }
             }
@@ -29,7 +29,7 @@ macro_rules! kinds {
             pub const fn mesh(self) -> &'static str {
                 match self {
                     $(Self::$kind => source!(
-                        "frame", "passage", "rest_ray", "colour", "body", "turning", "course", "daylight", "pattern", $test, "mesh", "mesh_turning", $corners, $pattern
+                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", $test, "mesh", "mesh_turning", $corners, $pattern
                     ),)+
                 }
             }

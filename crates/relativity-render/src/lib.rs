@@ -113,6 +113,7 @@ pub mod shape;
 mod sight;
 pub mod spectrum;
 mod street;
+mod street_light;
 mod street_sight;
 mod surface;
 mod target;
@@ -140,7 +141,7 @@ pub use scene::{Group, PreparedScene};
 pub use shape::Shape;
 pub use target::EyeTarget;
 pub use velocity::{Motion, Velocity};
-pub use view::{Appearance, Colour, Geometry, Shading, View};
+pub use view::{Appearance, Colour, Geometry, Shading, StreetColours, View};
 pub use wheel::spin::{MaterialPoint, Spin};
 
 /// The example of the README.

@@ -9,6 +9,7 @@ use crate::kind::Kind;
 use crate::mesh::{Corner, Instance};
 use crate::pipelines::{Key, Output, Technique};
 use crate::rays::Piece;
+use crate::street_sight::StreetVariant;
 use crate::view::{Appearance, Geometry};
 use crate::wheel::packed::Turns;
 use crate::{backdrop, mesh, rays, shaders};
@@ -57,7 +58,7 @@ macro_rules! mirror {
 /// The uniform blocks that both sides state.
 pub const BLOCKS: [Mirror; 2] = [
     mirror!(
-        Frame: base, right, down, radial, pole, speed, motion, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, street_speed, street_motion, contact_eye, contacts, houses, openings, backdrop, hatch,
+        Frame: base, right, down, radial, pole, speed, motion, on_ground, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, street_speed, street_motion, street_light, contact_eye, contacts, houses, openings, backdrop, hatch,
         clip_right, clip_up, forward
     ),
     mirror!(Composing: first, second, top),
@@ -82,7 +83,7 @@ pub fn shaders() -> Vec<Shader> {
     let backdrop = Shader {
         name: "backdrop".to_owned(),
         source: shaders::BACKDROP,
-        constants: backdrop::constants(backdrop::Part::Street, true, 0),
+        constants: backdrop::constants(backdrop::Part::Street, true, StreetVariant::Daylit),
     };
     let compose = Shader {
         name: "compose".to_owned(),

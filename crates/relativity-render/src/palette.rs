@@ -6,12 +6,18 @@ use crate::colour::{false_colour, linear_srgb, unseen_glow, unseen_line};
 use crate::daylight::{LEAST_BETA, MOST_RAPID, log2_quantum_nm};
 use crate::effects::Constant;
 use crate::planck::{Broad, DAYLIGHT_KELVIN, band, black_body};
+use crate::street_light::{coloured_false, daylit};
 
 /// Entries of a table.
 pub const ENTRIES: u32 = 2048;
 /// Tables: the light of one wavelength over log2 of that, nm, and its unseen share; of black bodies over log2 of the
-/// temperature, K, and their unseen share; of bands over log2 of their middle, nm; and the false colours over log2 D.
-pub const ROWS: u32 = 6;
+/// temperature, K, and their unseen share; of bands over log2 of their middle, nm; the false colours over log2 D; and what
+/// becomes of the street's grey over log2 D, in daylight and in false colours.
+pub const ROWS: u32 = 8;
+/// Row of grey in daylight that is shifted, as bright as at rest; its logarithm is that of the brightness.
+pub const DAYLIT_ROW: usize = 6;
+/// Row of grey in false colours.
+pub const FALSE_ROW: usize = 7;
 
 /// The range of a table: outside, its ends hold.
 #[derive(Debug, Clone, Copy)]
@@ -26,7 +32,7 @@ pub const LINE: Range = Range { first: 8.4, last: 9.75 };
 pub const GLOW: Range = Range { first: 5.0, last: 24.0 };
 /// Octaves for bands: 97 nm to 3100 nm.
 pub const BAND: Range = Range { first: 6.6, last: 11.6 };
-/// Octaves for false colours: D from 1/256 to 256.
+/// Octaves of the Doppler factor, for false colours and for the street: D from 1/256 to 256.
 pub const MAP: Range = Range { first: -8.0, last: 8.0 };
 
 impl Range {
@@ -78,5 +84,8 @@ pub fn tables() -> Vec<[f32; 4]> {
     let unseen_glow = GLOW.table(|log2_kelvin| share(unseen_glow(log2_kelvin)));
     let band = BAND.table(|log2_nm| broad(band(log2_nm)));
     let map = MAP.table(|octaves| plain(false_colour(octaves)));
-    line.chain(unseen_line).chain(glow).chain(unseen_glow).chain(band).chain(map).collect()
+    let daylit = MAP.table(daylit);
+    let falsely = MAP.table(coloured_false);
+    let lights = line.chain(unseen_line).chain(glow).chain(unseen_glow).chain(band);
+    lights.chain(map).chain(daylit).chain(falsely).collect()
 }

@@ -9,6 +9,6 @@ macro_rules! source {
 pub(crate) use source;
 
 /// The shader of the last pass.
-pub const BACKDROP: &str = source!("frame", "passage", "street", "srgb", "backdrop");
+pub const BACKDROP: &str = source!("frame", "passage", "tables", "street", "srgb", "backdrop");
 /// Composes two eyes' pictures.
 pub const COMPOSE: &str = source!("srgb", "compose");

@@ -7,14 +7,65 @@
 use glam::DVec3;
 
 use crate::camera::Camera;
+use crate::palette::{DAYLIT_ROW, FALSE_ROW};
+use crate::street_light::StreetLight;
 use crate::velocity::Velocity;
-use crate::view::Geometry;
+use crate::view::{Appearance, Geometry};
 
 /// The street's motion against a camera, and the geometry that shows it: seen, contracted only, or at rest with the camera.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct StreetSight {
     geometry: Geometry,
     velocity: Velocity,
+}
+
+/// How a picture shows the street: what chooses the pipeline of the last pass.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum StreetVariant {
+    /// At rest with the camera.
+    AtRest,
+    /// Contracted only.
+    Contracted,
+    /// As seen, in the colours in which it is painted.
+    Painted,
+    /// As seen, in shifted daylight.
+    Daylit,
+    /// As seen, in false colours.
+    FalseColours,
+}
+
+impl StreetVariant {
+    /// Number of variants.
+    pub const COUNT: usize = 5;
+
+    /// The variant of the shaders' geometry and row of tables.
+    pub fn new(geometry: usize, row: usize) -> Self {
+        match (geometry, row) {
+            (1, _) => Self::Contracted,
+            (2, _) => Self::AtRest,
+            (_, DAYLIT_ROW) => Self::Daylit,
+            (_, FALSE_ROW) => Self::FalseColours,
+            _ => Self::Painted,
+        }
+    }
+
+    /// Returns the shaders' `STREET_GEOMETRY`.
+    pub fn geometry(self) -> f64 {
+        match self {
+            Self::Painted | Self::Daylit | Self::FalseColours => Geometry::Seen.number(),
+            Self::Contracted => Geometry::Contracted.number(),
+            Self::AtRest => Geometry::Rest.number(),
+        }
+    }
+
+    /// Returns the shaders' `STREET_ROW`.
+    pub fn row(self) -> f64 {
+        match self {
+            Self::Painted | Self::Contracted | Self::AtRest => 0.0,
+            Self::Daylit => DAYLIT_ROW as f64,
+            Self::FalseColours => FALSE_ROW as f64,
+        }
+    }
 }
 
 /// A line of sight on the ground.
@@ -69,6 +120,11 @@ impl StreetSight {
         self.stretched(turn) * line.camera_per_ground
     }
 
+    /// What the motion does to colours in a picture with `appearance`: nothing where no light is seen to move.
+    pub fn light(&self, appearance: &Appearance) -> StreetLight {
+        if self.geometry == Geometry::Seen { StreetLight::new(appearance) } else { StreetLight::PAINTED }
+    }
+
     /// `v`, longer by Gamma along the motion.
     fn stretched(&self, v: DVec3) -> DVec3 {
         DVec3 { x: self.velocity.speed.gamma() * v.x, ..v }
@@ -79,9 +135,9 @@ impl StreetSight {
         self.velocity.packed_speed()
     }
 
-    /// -1 if the street moves towards -x, else 1; and the shaders' `GEOMETRY`.
-    pub fn packed_motion(&self) -> [f32; 4] {
-        [self.velocity.direction(), self.geometry.number(), 0.0, 0.0].map(|v| v as f32)
+    /// -1 if the street moves towards -x, else 1; the shaders' `GEOMETRY`; and their row of tables for this `light`.
+    pub fn packed_motion(&self, light: &StreetLight) -> [f32; 4] {
+        [self.velocity.direction(), self.geometry.number(), light.row() as f64, 0.0].map(|v| v as f32)
     }
 }
 
@@ -93,7 +149,7 @@ mod tests {
     use crate::backdrop::Backdrop;
     use crate::camera::Gaze;
     use crate::velocity::Motion;
-    use crate::view::{Appearance, View};
+    use crate::view::View;
 
     /// Lamps and road are one street: what touches the ground is seen where the ground is.
     #[test]

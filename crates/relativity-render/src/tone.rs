@@ -8,6 +8,8 @@ use crate::effects::Constant;
 
 /// Up to here light is shown as it is.
 pub const KNEE: f64 = 0.6;
+/// Brightest value whose byte differs from that of 1.
+pub(crate) const BRIGHTEST: f64 = 0.998;
 
 /// Returns the constant of the shader.
 pub(crate) fn constants() -> [Constant; 1] {
@@ -33,8 +35,6 @@ pub fn toned(linear: [f64; 3]) -> [f64; 3] {
 /// Returns the value that [`toned`] turned into `shown`; values shown as 1 and more are taken for a little less.
 #[must_use]
 pub fn untoned(shown: [f64; 3]) -> [f64; 3] {
-    /// Brightest value whose byte differs from that of 1.
-    const BRIGHTEST: f64 = 0.998;
     scaled(shown, |y| {
         if y <= KNEE {
             return y;

@@ -125,11 +125,26 @@ pub enum Colour {
     /// body's own.
     White,
     /// The same lit by the street's daylight, which comes equally from all sides there: what moves receives it blue and bright
-    /// ahead, red and dim behind, and its light is shifted again on its way to the eye. Needs the Doppler shift and a camera
-    /// that rests on the street; else as `white`.
+    /// ahead, red and dim behind, and its light is shifted again on its way to the eye. Needs the Doppler shift, and a camera that
+    /// does not ride along with the scene; else as `white`.
     StreetDaylight,
     /// False colours, which show the Doppler factor: grey at D = 1, blue above, red below.
     False,
+}
+
+/// Colours of the street, its ground, its house fronts and the sky before eyes that ride along it: to eyes at rest they are as
+/// painted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+pub enum StreetColours {
+    /// As painted at any speed: something for motion to be seen against.
+    Painted,
+    /// Doppler shifted, as grey paint in daylight; brightness stays as painted.
+    #[default]
+    Shifted,
+    /// Doppler shifted and as bright as received: dazzling ahead, dark behind.
+    Received,
 }
 
 /// The way in which form is shown.
@@ -170,6 +185,8 @@ pub struct Appearance {
     pub fronts: Option<f64>,
     /// Whether the sky behind is a gradient (else plain).
     pub sky: bool,
+    /// Colours of street and sky before a camera that rides.
+    pub street: StreetColours,
     /// Whether sky and ground suit a light window (else a dark one).
     pub light: bool,
 }
@@ -200,6 +217,7 @@ impl Default for Appearance {
             road: None,
             fronts: None,
             sky: true,
+            street: StreetColours::default(),
             light: false,
         }
     }

@@ -1,6 +1,9 @@
 //! Pictures by the street's daylight, beside those by daylight that rides along.
 
 use relativity_core::{Aperture, Speed};
+use relativity_render::colour::srgb_encoded;
+use relativity_render::planck::{DAYLIGHT_KELVIN, black_body};
+use relativity_render::tone::toned;
 use relativity_render::{
     Appearance, Body, Camera, Colour, Gaze, Geometry, Group, Motion, Picture, PreparedScene, Shading, Shape,
     Velocity, View,
@@ -84,4 +87,50 @@ fn without_a_doppler_effect_daylight_rides_along() {
         scene.picture(&view(0.9, 1.0, 1.7), &appearance, 1).rgba
     };
     assert!(shown(Colour::White) == shown(Colour::StreetDaylight));
+}
+
+/// Of what rests, a rider receives the street's daylight as everybody does, shifted by the rider's own motion alone.
+#[test]
+fn to_a_rider_what_rests_is_lit_as_by_a_lamp_of_its_own() {
+    let scene = PreparedScene::new([Group { motion: Motion::Own(Velocity::REST), bodies: &dice() }]);
+    let at_rest = view(0.0, 0.0, 1.7);
+    let camera = Camera { velocity: Velocity::from_beta(0.6).expect("a speed"), ..at_rest.camera };
+    let [own, street] = both(&scene, &View { camera, ..at_rest });
+    assert!(own.rgba == street.rgba && own.rgba.iter().any(|pixel| *pixel != own.rgba[0]));
+}
+
+/// What a white face reflects that rides along with the eyes and looks ahead: the mean of the black bodies over the half of the sky
+/// before it, weighted by the cosine, in the face's own frame.
+#[test]
+fn a_face_that_rides_along_reflects_the_crowded_sky_ahead() {
+    const STEPS: u32 = 20_000;
+    for (beta, looks_ahead) in [(0.5, true), (0.8, true), (0.5, false)] {
+        let x = if looks_ahead { -3.0 } else { 3.0 };
+        let face = Shape::Box { center: [x, 0.0, 0.0], half: [0.5, 2.0, 2.0], turn: [0.0, 0.0, 0.0, 1.0] };
+        let mut body = Body::new(face, 600.0);
+        body.emission = relativity_render::Emission::White;
+        let scene = PreparedScene::new([Group { motion: Motion::WithEyes, bodies: &[body] }]);
+        let azimuth = if looks_ahead { std::f64::consts::PI } else { 0.0 };
+        let at_rest = view(0.0, 0.0, azimuth);
+        let camera = Camera { velocity: Velocity::from_beta(beta).expect("a speed"), ..at_rest.camera };
+        let appearance = Appearance { invisible: false, ..appearance(Colour::StreetDaylight) };
+        let seen = middle(&scene.picture(&View { camera, ..at_rest }, &appearance, 1));
+
+        let gamma = 1.0 / (1.0 - beta * beta).sqrt();
+        let daylight = black_body(DAYLIGHT_KELVIN.log2());
+        let mut sum = [0.0; 3];
+        for step in 0..STEPS {
+            let cosine = (f64::from(step) + 0.5) / f64::from(STEPS);
+            let towards = if looks_ahead { cosine } else { -cosine };
+            let doppler = 1.0 / (gamma * (1.0 - beta * towards));
+            let light = black_body((DAYLIGHT_KELVIN * doppler).log2());
+            let weight = 2.0 * cosine / f64::from(STEPS) * (light.log2_level - daylight.log2_level).exp2();
+            sum = std::array::from_fn(|i| sum[i] + weight * light.hue[i]);
+        }
+        let shown = toned(sum.map(|part| part * appearance.exposure_ev.exp2()));
+        let expected = shown.map(|part| 255.0 * srgb_encoded(part));
+        for (seen, expected) in seen.into_iter().zip(expected) {
+            assert!((seen - expected).abs() < 3.0, "at {beta}, ahead {looks_ahead}: {seen} for {expected}");
+        }
+    }
 }

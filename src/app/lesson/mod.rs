@@ -205,6 +205,7 @@ impl State {
             resting_clock: before.resting_clock,
             ruler: before.ruler,
             resting: before.resting,
+            vignette: before.vignette,
             ..now
         };
         Settings { window, ..Settings::default().in_place_of(&self.document.settings) }

@@ -8,7 +8,7 @@ use eframe::egui::{
     Stroke, StrokeKind, TextStyle, TextureId, Ui, pos2, vec2,
 };
 use relativity_core::math;
-use relativity_render::{Camera, Colour, Geometry, Method, PreparedScene, Projection, View};
+use relativity_render::{Camera, Colour, Geometry, Method, PreparedScene, Projection, StreetColours, View};
 
 use super::Commands;
 use crate::app::command::{Command, LOOK_STEP};
@@ -144,6 +144,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, title: &str, painted: Painte
     for texture in picture.map(|picture| picture.texture).into_iter().chain(heat_map) {
         image(ui, pane.rect, texture);
     }
+    state.paint_vignette(ui.painter(), pane.rect);
     let inside = ui.painter().with_clip_rect(pane.rect);
     for coat in [Coat::Halo, Coat::Ring] {
         markers(ui, &inside, state, pane, coat);
@@ -176,6 +177,7 @@ pub fn paint_both(
         if let Some(texture) = *heat_map {
             image(ui, pane.rect, texture);
         }
+        state.paint_vignette(ui.painter(), pane.rect);
     }
     // All halos first: markers that the eyes see in one place would hide each other.
     for coat in [Coat::Halo, Coat::Ring] {
@@ -288,7 +290,8 @@ fn note(state: &State, eye: Eye, picture: Option<ShownPicture>, with_heat_map: b
         colour_note(&state.document.settings.light, state.document.settings.geometry()).map(str::to_owned);
     let method = picture.and_then(|picture| drawn_by(state, eye, picture.method));
     let heat_map = with_heat_map.then(|| "difference to the reference".to_owned());
-    [geometry, model, projection, colour, method, heat_map]
+    let street = street_note(state).map(str::to_owned);
+    [geometry, model, projection, colour, street, method, heat_map]
         .into_iter()
         .flatten()
         .collect::<Vec<_>>()
@@ -303,6 +306,19 @@ fn colour_note(light: &Light, geometry: Geometry) -> Option<&'static str> {
         Colour::StreetDaylight if on_street => Some("lit by the street's daylight"),
         Colour::White | Colour::StreetDaylight => Some("daylight rides along"),
         Colour::False => Some("false colour"),
+    }
+}
+
+/// Names the street's colours where they are not those that are received.
+fn street_note(state: &State) -> Option<&'static str> {
+    let settings = &state.document.settings;
+    let Light { colour, street_colours, doppler_shift, .. } = settings.light;
+    let is_seen = settings.ride.is_on() && settings.geometry().has_doppler_effect();
+    match street_colours {
+        _ if !is_seen || colour == Colour::False => None,
+        StreetColours::Received => None,
+        StreetColours::Shifted if doppler_shift => Some("street's brightness as at rest"),
+        StreetColours::Shifted | StreetColours::Painted => Some("street as painted"),
     }
 }
 

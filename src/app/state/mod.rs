@@ -25,6 +25,7 @@ use crate::app::orders::Order;
 use crate::app::overlay::Overlay;
 use crate::app::plots::look::Plotting;
 use crate::app::pointer::Pick;
+use crate::app::riding::comfort::Comfort;
 use crate::app::riding::saddle::Saddle;
 use crate::app::screens::stage::Stage;
 use crate::app::state::document::Document;
@@ -60,6 +61,8 @@ pub struct Scratch {
     pub playing: bool,
     /// The state of the saddle: who steers, and which push is held.
     pub saddle: Saddle,
+    /// What follows a ride so that it stays comfortable.
+    pub comfort: Comfort,
     /// The ruler for angles in the views.
     pub angle_ruler: AngleRuler,
     /// The stopwatch in the first view.
@@ -251,6 +254,9 @@ impl State {
     #[must_use]
     pub fn appearance(&self, light_window: bool) -> Appearance {
         let Document { settings, scene, time, .. } = &self.document;
-        settings.appearance(scene, *time, light_window)
+        match self.followed_exposure() {
+            Some(exposure_ev) => settings.appearance_at(exposure_ev, scene, light_window),
+            None => settings.appearance(scene, *time, light_window),
+        }
     }
 }

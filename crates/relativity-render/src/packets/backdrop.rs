@@ -1,14 +1,17 @@
 //! Sky and resting ground, as `shaders/backdrop.wgsl` has them.
 
 use super::contact::left_by_contacts;
+use super::logarithm::{log2, power_of_two};
 use super::ray::{Passage, Sight, line_of_sight, passage, steps_but_along};
 use super::street::{Covered, front};
+use super::tables::{Tables, toned, untoned};
 use crate::backdrop::{
     AXIS_HALF_WIDTH, DASH, Floor, GRID_FADE, KERB_WIDTH, LANE_HALF_WIDTH, LEAST_TOWARDS_FRONTS,
     LINE_HALF_WIDTH, Part, SKY_RISE,
 };
 use crate::frame::Frame;
 use crate::lanes::{F, Simd, SimdBase as _, SimdFloat as _, SimdMask as _, V2, V3, all, clamp};
+use crate::street_sight::StreetVariant;
 use crate::view::Geometry;
 
 /// Lines of sight that fall less do not meet the ground.
@@ -65,6 +68,7 @@ struct Lines<S: Simd> {
     scale: F<S>,
     /// The part of a distance by which haze counts.
     haze_share: F<S>,
+    doppler: F<S>,
     /// The camera's lines of sight.
     seen: V3<S>,
 }
@@ -75,12 +79,13 @@ impl<S: Simd> Lines<S> {
         let Sight { n, scale, .. } = sight;
         let one = all(simd, 1.0);
         let Some(geometry) = street_geometry(frame) else {
-            return Self { n, scale, haze_share: one, seen: n };
+            return Self { n, scale, haze_share: one, doppler: one, seen: n };
         };
         let sign = frame.street_motion[0];
-        let Passage { direction, ground_per_rest, .. } = passage(simd, n, geometry, frame.street_speed, sign);
+        let Passage { direction, ground_per_rest, doppler } =
+            passage(simd, n, geometry, frame.street_speed, sign);
         let haze_share = ground_per_rest.min(one);
-        Self { n: direction, scale: scale * ground_per_rest, haze_share, seen: n }
+        Self { n: direction, scale: scale * ground_per_rest, haze_share, doppler, seen: n }
     }
 
     /// Steps to the pixels on the right and below, up to multiples of the lines.
@@ -106,10 +111,10 @@ impl<S: Simd> Lines<S> {
 /// The geometry that shows a street which moves against the camera.
 #[inline(always)]
 fn street_geometry(frame: &Frame) -> Option<Geometry> {
-    match frame.street_geometry() {
-        0 => Some(Geometry::Seen),
-        1 => Some(Geometry::Contracted),
-        _ => None,
+    match frame.street() {
+        StreetVariant::AtRest => None,
+        StreetVariant::Contracted => Some(Geometry::Contracted),
+        StreetVariant::Painted | StreetVariant::Daylit | StreetVariant::FalseColours => Some(Geometry::Seen),
     }
 }
 
@@ -132,7 +137,23 @@ pub fn behind<S: Simd>(simd: S, frame: &Frame, part: Part, sight: Sight<S>) -> V
             colour = V3::select(meets, with_fronts(frame, part, colour, sky, sight), colour);
         }
     }
-    colour
+    match frame.street() {
+        StreetVariant::Daylit | StreetVariant::FalseColours => received(frame, colour, sight.doppler),
+        StreetVariant::AtRest | StreetVariant::Contracted | StreetVariant::Painted => colour,
+    }
+}
+
+/// Returns what is received of this paint, as `received_from_street` of the shader.
+#[inline(always)]
+fn received<S: Simd>(frame: &Frame, painted: V3<S>, doppler: F<S>) -> V3<S> {
+    let tables = Tables::shared();
+    let [shift, level, exponent, exposure] = frame.street_light;
+    let octaves = log2(doppler);
+    let place = octaves * (shift * tables.map_per_octave) + tables.map_middle;
+    let (tint, brightness) = tables.looked_up(frame.street().row() as usize, place);
+    let power = power_of_two(brightness * level + octaves * exponent + exposure);
+    let light = untoned(painted);
+    toned(V3::new(light.x * tint.x * power, light.y * tint.y * power, light.z * tint.z * power))
 }
 
 #[inline(always)]
@@ -260,7 +281,7 @@ mod tests {
     use crate::packets::testing::at_every_level;
     use crate::scene::PreparedScene;
     use crate::velocity::{Motion, Velocity};
-    use crate::view::{Appearance, Geometry, View};
+    use crate::view::{Appearance, Colour, Geometry, StreetColours, View};
 
     const SIZE: [u32; 2] = [120, 136];
 
@@ -275,6 +296,8 @@ mod tests {
             road,
             Appearance { fronts: Some(12.0), ..road },
             Appearance { fronts: Some(400.0), ground_z: Some(-6.0), ..road },
+            Appearance { street: StreetColours::Received, exposure_ev: -2.0, fronts: Some(12.0), ..road },
+            Appearance { colour: Colour::False, fronts: Some(12.0), ..road },
         ];
         dark.into_iter().flat_map(|dark| [dark, Appearance { light: true, ..dark }]).collect()
     }

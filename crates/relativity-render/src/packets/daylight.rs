@@ -58,8 +58,8 @@ pub fn facing_of<S: Simd>(
     normal: V3<S>,
     spin: &Spin<S>,
 ) -> Facing<S> {
-    let [beta, _, _, gamma] = group.frame.speed;
-    let sign = group.frame.motion[0];
+    let [beta, _, _, gamma] = group.frame.on_ground;
+    let sign = group.frame.motion[3];
     let n = normal.reflected(sign);
     let mut own = V3::all(simd, [0.0; 3]);
     if turns != Turns::Not {

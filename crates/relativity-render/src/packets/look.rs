@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use crate::effects::Effects;
+use crate::effects::{Effects, Spectrum};
 use crate::frame::Frame;
 use crate::group_view::{GroupView, reference_of_depths};
 use crate::hatch::Hatch;
@@ -99,11 +99,10 @@ impl<'a> Look<'a> {
 
     /// The light of `body` for the formulas.
     pub fn light(&self, body: &PreparedBody, turns: Turns, appearance: &Appearance) -> [f32; 4] {
-        let has_doppler_effect = turns.has_doppler_effect(self.views[body.group].geometry);
-        let light = || {
-            let effects = Effects::new(has_doppler_effect, appearance);
-            Light::new(body.emission, appearance).packed(appearance, effects).map(|part| part as f32)
-        };
-        *self.lights[body.emission_number as usize][usize::from(has_doppler_effect)].get_or_init(light)
+        let effects = self.effects(body.group, turns, appearance);
+        let light =
+            || Light::new(body.emission, appearance).packed(appearance, effects).map(|part| part as f32);
+        let is_changed = effects.spectrum() != Spectrum::AtRest;
+        *self.lights[body.emission_number as usize][usize::from(is_changed)].get_or_init(light)
     }
 }

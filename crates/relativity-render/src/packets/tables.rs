@@ -6,11 +6,11 @@ use fearless_simd::i32x8;
 use relativity_core::math;
 
 use crate::effects::Effects;
-use crate::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all, clamp};
+use crate::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all, clamp, select};
 use crate::palette::{self, BAND, ENTRIES, GLOW, MAP};
 use crate::planck::DAYLIGHT_KELVIN;
 use crate::shade::LIGHT;
-use crate::tone::KNEE;
+use crate::tone::{BRIGHTEST, KNEE};
 
 /// The rows of the tables. The row after a light's own has its unseen share.
 pub const LINE_ROW: usize = 0;
@@ -105,6 +105,24 @@ fn shoulder<S: Simd>(x: F<S>) -> F<S> {
     const ABOVE: f32 = (1.0 - KNEE) as f32;
     let above = (x - KNEE as f32).max(0.0) / ABOVE;
     x.min(KNEE as f32) + above / (above + 1.0) * ABOVE
+}
+
+/// `light` as a screen shows it.
+#[inline(always)]
+pub fn toned<S: Simd>(light: V3<S>) -> V3<S> {
+    let largest = light.x.max(light.y).max(light.z);
+    light * (shoulder(largest) / largest.max(1e-30))
+}
+
+/// The light that a screen shows as `colour`, as [`crate::tone::untoned`].
+#[inline(always)]
+pub fn untoned<S: Simd>(colour: V3<S>) -> V3<S> {
+    const ABOVE: f32 = (1.0 - KNEE) as f32;
+    let largest = colour.x.max(colour.y).max(colour.z);
+    let left = (1.0 - largest.min(BRIGHTEST as f32)) / ABOVE;
+    let light = (1.0 / left - 1.0) * ABOVE + KNEE as f32;
+    let is_above = largest.simd_gt(KNEE as f32);
+    colour * select(is_above, light / largest, all(largest.simd, 1.0))
 }
 
 /// `light` as a screen shows it, with its unseen share, where it is all but black.

@@ -55,8 +55,9 @@ impl Turns {
 impl GroupView {
     /// The effects of a picture, for what turns so.
     pub(crate) fn effects(&self, turns: Turns, appearance: &Appearance) -> Effects {
-        let effects = Effects::new(turns.has_doppler_effect(self.geometry), appearance);
-        if self.is_lit_by_the_street(appearance) { effects.in_street_daylight() } else { effects }
+        let is_lit = self.is_lit_by_the_street(appearance);
+        let effects = Effects::new(is_lit || turns.has_doppler_effect(self.geometry), appearance);
+        if is_lit { effects.in_street_daylight() } else { effects }
     }
 
     /// Returns the turning of `body`, one of the group.

@@ -4,7 +4,7 @@ use eframe::egui::Ui;
 use relativity_core::doppler::{
     BOLOMETRIC_INTENSITY_EXPONENT, PAPER_INTENSITY_EXPONENT, SPECIFIC_INTENSITY_EXPONENT,
 };
-use relativity_render::{Colour, Shading};
+use relativity_render::{Colour, Shading, StreetColours};
 
 use crate::app::command::Command;
 use crate::app::panels::Commands;
@@ -49,6 +49,11 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         let tip = "What stands around the scene, at rest: houses and lamp posts.";
         ui.checkbox(&mut light.surroundings, "Street").on_hover_text(tip);
     });
+    if state.document.settings.ride.is_on() {
+        row(ui, "Street", "Colours of road, ground, house fronts and sky while you ride.", |ui| {
+            choice(ui, &mut light.street_colours, &STREETS);
+        });
+    }
     if light != before {
         commands.push(Command::Light(light));
     }
@@ -116,7 +121,7 @@ const COLOURS: [(Colour, &str, &str); 5] = [
         Colour::StreetDaylight,
         "Daylight",
         "The same lit by the street's daylight, which comes from all sides there: what moves is lit bluer and brighter from ahead, \
-         redder and dimmer from behind. Its light is shifted again on its way to the eye. Needs the Doppler shift and eyes that rest.",
+         redder and dimmer from behind. Its light is shifted again on its way to the eye. Needs the Doppler shift.",
     ),
     (Colour::False, "False", "The colour tells the Doppler factor: grey at D = 1, blue above, red below."),
 ];
@@ -152,6 +157,20 @@ const EXPONENTS: [(Option<f64>, &str, &str); 4] = [
         "D⁴ surface",
         "What a surface of one wavelength shows: its radiance.",
     ),
+];
+
+const STREETS: [(StreetColours, &str, &str); 3] = [
+    (
+        StreetColours::Shifted,
+        "Shifted",
+        "Doppler shifted: bluer ahead, redder behind. Paints count as grey; brightness stays as painted.",
+    ),
+    (
+        StreetColours::Received,
+        "As received",
+        "Shifted, and as bright as received: dazzling ahead, dark behind.",
+    ),
+    (StreetColours::Painted, "As painted", "The colours of the street at rest, at any speed."),
 ];
 
 const SHADINGS: [(Shading, &str, &str); 2] = [

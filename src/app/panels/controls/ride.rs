@@ -31,6 +31,13 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     push().show(ui, &mut ride.push, default.push);
     start(ui, state, &mut ride, &default);
     legs_row(ui, &mut ride);
+    row(ui, "Comfort", "Keeps a ride from making people ill.", |ui| {
+        let mut window = state.document.settings.window;
+        let tip = "Darkens the edges of the views while you look around: streaming there makes people ill.";
+        if ui.checkbox(&mut window.vignette, "Vignette while turning").on_hover_text(tip).changed() {
+            commands.push(Command::Window(window));
+        }
+    });
     if ride != state.document.settings.ride {
         commands.push(Command::Ride(RideCommand::Set(ride)));
     }
