@@ -101,7 +101,10 @@ impl<J, R> Drop for Worker<J, R> {
 
 #[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
     use super::*;
+    use crate::platform::clock::Instant;
 
     fn eventually<T>(mut value: impl FnMut() -> Option<T>) -> T {
         let start = Instant::now();

@@ -67,7 +67,9 @@ impl PageApp {
             }
             return;
         };
-        if since.elapsed() < REST {
+        let rest = REST.saturating_sub(since.elapsed());
+        if !rest.is_zero() {
+            ctx.request_repaint_after(rest);
             return;
         }
         *due = None;
