@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use eframe::egui::Context;
 
-use super::Answer;
+use crate::app::file_dialog::answer::Answer;
 use crate::app::file_dialog::purpose::Purpose;
 use crate::app::waker::Woken;
 use crate::platform::clock::Instant;

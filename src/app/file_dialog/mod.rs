@@ -1,5 +1,6 @@
 //! The file dialog: the file to open or to write is chosen in a dialog of the system, or typed.
 
+mod answer;
 #[cfg(feature = "desktop")]
 mod dialog;
 #[cfg(not(feature = "desktop"))]
@@ -11,6 +12,7 @@ use std::path::{Path, PathBuf};
 
 use eframe::egui::Context;
 
+use self::answer::Answer;
 use self::dialog::Dialog;
 use crate::app::command::Command;
 use crate::app::file_dialog::purpose::{Product, Purpose};
@@ -203,16 +205,6 @@ fn typed_path(text: &str) -> Result<PathBuf, String> {
         Some((rest, home)) => home.join(rest),
         None => PathBuf::from(text),
     })
-}
-
-/// The answer of a dialog.
-enum Answer {
-    Path(PathBuf),
-    /// The dialog was closed.
-    None,
-    /// There is no dialog.
-    #[cfg_attr(not(feature = "desktop"), expect(dead_code, reason = "browsers have one"))]
-    NoDialog,
 }
 
 #[cfg(test)]

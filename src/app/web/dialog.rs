@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use eframe::egui::Context;
 
-use super::Answer;
+use crate::app::file_dialog::answer::Answer;
 use crate::app::file_dialog::purpose::Purpose;
 use crate::platform::files;
 use crate::platform::web::download;

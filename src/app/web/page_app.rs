@@ -86,7 +86,8 @@ impl PageApp {
         let Some(loss) = self.app.loss().filter(|_| !self.is_lost) else { return };
         self.is_lost = true;
         eframe::App::on_exit(self);
-        page::show_problem(&format!("The graphics device was lost ({loss}). What was shown is kept."));
+        let reason = loss.trim_end_matches('.');
+        page::show_problem(&format!("The graphics device was lost ({reason}). What was shown is kept."));
         let runner = self.runner.clone();
         // Not before this frame has ended.
         tasks::spawn(async move {

@@ -1,15 +1,14 @@
 //! Output files that are written whole or not at all.
 
+mod json;
 #[cfg(feature = "desktop")]
 mod native;
 #[cfg(not(feature = "desktop"))]
 mod web;
 
-use std::io::{self, Write};
 use std::path::Path;
 
-use serde::Serialize;
-
+pub use json::write_json;
 #[cfg(feature = "desktop")]
 pub use native::*;
 #[cfg(not(feature = "desktop"))]
@@ -32,15 +31,4 @@ pub fn ensure_ending(flag: &str, path: &Path, ending: &str) -> anyhow::Result<()
         files::shown(&path.with_extension(ending))
     );
     Ok(())
-}
-
-/// Writes `report` as JSON.
-///
-/// # Errors
-///
-/// Those of `out`.
-pub fn write_json(report: &impl Serialize, mut out: impl Write) -> anyhow::Result<()> {
-    // An error of JSON would hide the kind of that of `out`.
-    serde_json::to_writer_pretty(&mut out, report).map_err(io::Error::from)?;
-    Ok(writeln!(out)?)
 }

@@ -10,7 +10,7 @@ use anyhow::Context as _;
 use clap::Args;
 use serde::Serialize;
 
-use super::write_json;
+use super::json::write_json;
 use crate::files::watched::{Named, write_named};
 use crate::platform::files::{self, File, Rights, TempPath};
 use crate::platform::{closed, interrupt, messages};

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "desktop")]
 mod native;
+mod paths;
 #[cfg(not(feature = "desktop"))]
 mod web;
 
@@ -10,22 +11,11 @@ use std::path::Path;
 
 #[cfg(feature = "desktop")]
 pub use native::*;
+pub use paths::{folder_of, shown};
 #[cfg(not(feature = "desktop"))]
 pub use web::*;
 
-use super::{messages, sizes};
-
-/// `path` as messages name it: on one line, with nothing in it that a terminal would obey. What is neither text nor fit
-/// to be shown stands as its escape.
-#[must_use]
-pub fn shown(path: &Path) -> String {
-    let mut shown = String::new();
-    for chunk in path.as_os_str().as_encoded_bytes().utf8_chunks() {
-        shown.push_str(&messages::shown(chunk.valid()));
-        shown.extend(chunk.invalid().iter().map(|byte| format!("\\x{byte:02x}")));
-    }
-    shown
-}
+use super::sizes;
 
 /// The text in the file at `path`, of [`sizes::TEXT_BYTES`] at most.
 pub fn read_to_string(path: &Path) -> io::Result<String> {
@@ -33,28 +23,32 @@ pub fn read_to_string(path: &Path) -> io::Result<String> {
     String::from_utf8(read(path, sizes::TEXT_BYTES)?).map_err(not_text)
 }
 
-/// The folder that `path` is in.
-#[must_use]
-pub fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn names_are_shown_on_one_line_without_anything_a_terminal_obeys() {
-        for name in ["räder 車輪.toml", r"C:\scenes\a.toml", "it's.csv"] {
-            assert_eq!(shown(Path::new(name)), name);
-        }
-        assert_eq!(shown(Path::new("a\u{1b}[31m\nb\u{202e}.toml")), r"a\u{1b}[31m\nb\u{202e}.toml");
+    fn a_file_without_an_end_is_refused() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("a.toml");
+        std::fs::write(&path, "four").expect("it is written");
+        assert_eq!(read(&path, 4).expect("it is short enough"), b"four");
+        let problem = read(&path, 3).expect_err("it is longer").to_string();
+        assert_eq!(problem, "it is longer than 0 MB, the most that is read of such a file");
+        std::fs::write(&path, b"\xff").expect("it is written");
+        assert_eq!(read_to_string(&path).expect_err("no text").to_string(), "it is no text in UTF-8");
     }
 
-    #[cfg(unix)]
+    /// A file of the kernel's log, which only some users may read, and which gives nothing more once all was read.
+    #[cfg(target_os = "linux")]
     #[test]
-    fn names_that_are_no_text_are_told_by_their_bytes() {
-        use std::os::unix::ffi::OsStrExt as _;
-        assert_eq!(shown(Path::new(std::ffi::OsStr::from_bytes(b"r\xff.csv"))), r"r\xff.csv");
+    fn what_says_nothing_yet_is_not_waited_for() {
+        let (sender, told) = std::sync::mpsc::channel();
+        std::thread::spawn(move || sender.send(read_to_string(Path::new("/proc/kmsg"))));
+        let problem = told.recv_timeout(std::time::Duration::from_secs(20)).expect("it does not wait");
+        let problem = problem.expect_err("it has no end");
+        let right = "what it says is yet to come; an ordinary file would be right";
+        assert!(problem.to_string() == right || problem.raw_os_error().is_some(), "{problem}");
+        assert!(read_to_string(Path::new("/proc/self/status")).expect("it has an end").contains("Name:"));
     }
 }

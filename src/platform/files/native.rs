@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use super::folder_of;
+use super::paths::folder_of;
 use crate::platform::names;
 
 pub use std::fs::File;
@@ -274,20 +274,7 @@ pub fn temporary_in(folder: &Path, rights: Option<&Rights>) -> io::Result<NamedT
 
 #[cfg(test)]
 mod tests {
-    use super::super::read_to_string;
     use super::*;
-
-    #[test]
-    fn a_file_without_an_end_is_refused() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path().join("a.toml");
-        std::fs::write(&path, "four").expect("it is written");
-        assert_eq!(read(&path, 4).expect("it is short enough"), b"four");
-        let problem = read(&path, 3).expect_err("it is longer").to_string();
-        assert_eq!(problem, "it is longer than 0 MB, the most that is read of such a file");
-        std::fs::write(&path, b"\xff").expect("it is written");
-        assert_eq!(read_to_string(&path).expect_err("no text").to_string(), "it is no text in UTF-8");
-    }
 
     #[cfg(unix)]
     #[test]
@@ -314,18 +301,5 @@ mod tests {
                 assert_eq!(problem, "it is a device or a pipe; an ordinary file would be right", "{path:?}");
             }
         }
-    }
-
-    /// A file of the kernel's log, which only some users may read, and which gives nothing more once all was read.
-    #[cfg(target_os = "linux")]
-    #[test]
-    fn what_says_nothing_yet_is_not_waited_for() {
-        let (sender, told) = std::sync::mpsc::channel();
-        std::thread::spawn(move || sender.send(read_to_string(Path::new("/proc/kmsg"))));
-        let problem = told.recv_timeout(std::time::Duration::from_secs(20)).expect("it does not wait");
-        let problem = problem.expect_err("it has no end");
-        let right = "what it says is yet to come; an ordinary file would be right";
-        assert!(problem.to_string() == right || problem.raw_os_error().is_some(), "{problem}");
-        assert!(read_to_string(Path::new("/proc/self/status")).expect("it has an end").contains("Name:"));
     }
 }
