@@ -60,6 +60,8 @@ async fn open(runner: WebRunner) {
             painting::install(&cc.egui_ctx, render_state);
         }
         let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).kept_by(keeper);
+        // Each band of rows with that many rays would keep the page's one thread for too long.
+        let app = app.without_refinement();
         Ok(Box::new(PageApp::new(app, own)) as Box<dyn eframe::App>)
     };
     match runner.start(canvas, options, Box::new(create)).await {
