@@ -221,8 +221,8 @@ impl PreparedScene {
         goes_on().then_some(Picture { size: view.camera.size, rgba })
     }
 
-    /// Draws the rows of the same picture from `first` on, at most [`BAND`] of them, of which `first` is a multiple: nothing where it
-    /// has no such rows. All of them one after the other are the picture.
+    /// Draws the band of 16 rows of the same picture, or of fewer at its end, that begins with the row `first`, a multiple of 16:
+    /// nothing where it has no such rows. All bands one after the other are the picture.
     #[must_use]
     pub fn picture_band(
         &self,
