@@ -3,13 +3,21 @@
     not(test),
     warn(clippy::disallowed_methods, clippy::disallowed_types, clippy::print_stdout, clippy::print_stderr)
 )]
+#![cfg_attr(not(feature = "desktop"), expect(dead_code, reason = "some of it only the commands use"))]
+
+#[cfg(all(not(feature = "desktop"), not(target_arch = "wasm32")))]
+compile_error!(
+    "without the feature `desktop` gamow is the library of a page, for the target wasm32-unknown-unknown"
+);
 
 pub mod accuracy;
 pub mod app;
 pub mod caption;
+#[cfg(feature = "desktop")]
 pub mod cli;
 pub mod columns;
 pub mod comfort;
+#[cfg(feature = "desktop")]
 pub mod commands;
 pub mod estimate;
 mod eye_colours;

@@ -8,15 +8,13 @@ use relativity_render::{colour, planck};
 
 use crate::app::args::WindowArgs;
 use crate::app::notice::Notice;
-use crate::app::overlay::Overlay;
-use crate::app::persistence::{Keeper, Loaded, Memory};
+use crate::app::persistence::{Keeper, Loaded, Memory, recall};
 use crate::app::recovery::{self, Break, Ended, RecoverableApp, StateSlot};
 use crate::app::screens::screenshot;
 use crate::app::state::State;
 use crate::app::{App, TITLE, graphics, icon, painting};
 use crate::files::whole::ensure_ending;
 use crate::flags::words::Shell;
-use crate::lesson::Answers;
 use crate::platform::clock::Instant;
 use crate::platform::last_word::LastWord;
 use crate::platform::{messages, threads};
@@ -165,18 +163,6 @@ fn first_state(args: &WindowArgs, left: Loaded) -> anyhow::Result<State> {
     Ok(state)
 }
 
-/// Has `state` know what its user has done before; newcomers, who have neither clicked a point nor begun a lesson, begin with
-/// the start page if the window `welcomes` them.
-fn recall(state: &mut State, memory: &Memory, answers: &Answers, welcomes: bool) {
-    state.session.hint = !memory.clicked;
-    let next = state.session.next_lesson.take().or_else(|| memory.lesson.clone());
-    if welcomes && state.session.hint && next.is_none() {
-        state.session.overlay = Some(Overlay::Start);
-    }
-    state.session.next_lesson = next;
-    state.recall_answers(answers);
-}
-
 /// The state to start in. Where the scene that was left is no more, the usual one is shown, and why.
 fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
     let scene = left.scene.clone();
@@ -193,6 +179,7 @@ mod tests {
     use super::*;
     use crate::app::command::Command;
     use crate::app::lesson::session::LessonCommand;
+    use crate::app::overlay::Overlay;
     use crate::lesson::{Library, Record};
 
     /// A window over what is kept in a folder, and what it did there.

@@ -6,6 +6,7 @@
 
 mod actions;
 mod aids;
+#[cfg(feature = "desktop")]
 pub mod args;
 mod awake;
 pub mod border;
@@ -19,7 +20,9 @@ pub mod fitting;
 mod focus;
 mod gpu_errors;
 mod graphics;
+#[cfg(feature = "desktop")]
 mod icon;
+#[cfg(feature = "desktop")]
 pub mod launch;
 mod layout;
 pub mod lesson;
@@ -32,19 +35,24 @@ mod panels;
 pub mod persistence;
 pub mod plots;
 pub mod pointer;
+#[cfg(feature = "desktop")]
 mod recovery;
 pub mod riding;
 mod saving;
 pub mod screens;
 mod speed_slider;
 pub mod state;
+mod steps;
 mod theme;
 mod timing;
 pub mod undo;
 pub mod views;
 mod waker;
 mod wavelength_colour;
+#[cfg(not(feature = "desktop"))]
+pub mod web;
 mod widgets;
+#[cfg(feature = "desktop")]
 mod worker;
 
 use std::path::PathBuf;
@@ -56,6 +64,7 @@ use relativity_render::Geometry;
 use command::Command;
 use file_dialog::Chooser;
 use files::reader::Reader;
+#[cfg(feature = "desktop")]
 use files::watch::Watch;
 use fitting::Fitting;
 use gpu_errors::GpuErrors;
@@ -77,6 +86,8 @@ use views::examination::Examination;
 use views::eyes::{Chosen, EyePictures};
 use views::panes::{Arrangement, Content};
 use views::thumbnails::Thumbnails;
+#[cfg(not(feature = "desktop"))]
+use web::{watch::Watch, worker};
 
 use crate::flags::MAX_TIME;
 use crate::lesson::Course;
@@ -333,7 +344,7 @@ impl App {
         if self.shows_start() {
             commands.retain(panels::start::lets_through);
         }
-        commands.extend(dropped_file(&ctx));
+        commands.extend(files::dropped::take(&ctx).map(Command::Open));
         panels::palette::show(&ctx, &self.state, &mut commands);
         panels::help::show(&ctx, &self.state, &mut commands);
         self.chooser.update(&self.state, &mut commands);
@@ -646,9 +657,4 @@ impl eframe::App for App {
             log::warn!("{failure}");
         }
     }
-}
-
-/// A file dropped onto the window.
-fn dropped_file(ctx: &egui::Context) -> Option<Command> {
-    ctx.input(|input| input.raw.dropped_files.first().map(|file| Command::Open(file.path().to_owned())))
 }

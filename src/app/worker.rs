@@ -4,16 +4,11 @@ use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
-use std::time::Duration;
 
 use eframe::egui::Context;
 
-use crate::platform::clock::Instant;
+pub use crate::app::steps::{Step, Wanted};
 use crate::platform::threads::{self, JoinHandle};
-
-/// Time after which a job is given up for a newer one. A shorter one is finished, so that
-/// the view follows while a control is dragged.
-const PATIENCE: Duration = Duration::from_millis(250);
 
 /// The thread; it waits without using the processor, and ends with this.
 pub struct Worker<J, R> {
@@ -23,24 +18,6 @@ pub struct Worker<J, R> {
     newest: Arc<AtomicU64>,
     stopped: Arc<AtomicU64>,
     thread: Option<JoinHandle<()>>,
-}
-
-/// Whether a job is still wanted.
-pub struct Wanted {
-    number: u64,
-    started: Instant,
-    newest: Arc<AtomicU64>,
-    stopped: Arc<AtomicU64>,
-}
-
-impl Wanted {
-    /// False once the job was stopped, or takes long while a newer one waits.
-    #[must_use]
-    pub fn holds(&self) -> bool {
-        let is_newest = self.number == self.newest.load(Ordering::Relaxed);
-        let goes_on = self.number > self.stopped.load(Ordering::Relaxed);
-        goes_on && (is_newest || self.started.elapsed() <= PATIENCE)
-    }
 }
 
 impl<J: Send + 'static, R: Send + 'static> Worker<J, R> {
@@ -55,7 +32,7 @@ impl<J: Send + 'static, R: Send + 'static> Worker<J, R> {
             while let Ok(first) = todo.recv() {
                 let (number, job) = todo.try_iter().last().unwrap_or(first);
                 let (newest, stopped) = (newest_asked.clone(), stopped_by.clone());
-                let wanted = Wanted { number, started: Instant::now(), newest, stopped };
+                let wanted = Wanted::new(number, newest, stopped);
                 let Some(result) = wanted.holds().then(|| work(job, &wanted)).flatten() else { continue };
                 if done.send((number, result)).is_err() {
                     return;
@@ -64,6 +41,23 @@ impl<J: Send + 'static, R: Send + 'static> Worker<J, R> {
             }
         });
         Self { jobs, results, received: Cell::new(0), newest, stopped, thread: Some(thread) }
+    }
+
+    /// A thread that begins jobs by `begin` and does them in steps, until one is the last or the job is no longer wanted.
+    pub fn in_steps<S>(
+        ctx: Context,
+        mut begin: impl FnMut(J) -> S + Send + 'static,
+        mut step: impl FnMut(&mut S, &Wanted) -> Step<R> + Send + 'static,
+    ) -> Self {
+        Self::new(ctx, move |job, wanted| {
+            let mut begun = begin(job);
+            while wanted.holds() {
+                if let Step::Last(result) = step(&mut begun, wanted) {
+                    return result;
+                }
+            }
+            None
+        })
     }
 
     /// Does `job` next, instead of what still waits.
@@ -107,7 +101,10 @@ impl<J, R> Drop for Worker<J, R> {
 
 #[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
     use super::*;
+    use crate::platform::clock::Instant;
 
     fn eventually<T>(mut value: impl FnMut() -> Option<T>) -> T {
         let start = Instant::now();

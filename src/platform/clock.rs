@@ -3,22 +3,27 @@
 
 use std::time::Duration;
 
+#[cfg(feature = "desktop")]
+use std::time as source;
+#[cfg(not(feature = "desktop"))]
+use web_time as source;
+
 /// Returns the date, milliseconds since 1970.
 #[must_use]
 pub fn since_1970_ms() -> u64 {
-    let passed = std::time::SystemTime::now().duration_since(std::time::SystemTime::UNIX_EPOCH);
+    let passed = source::SystemTime::now().duration_since(source::SystemTime::UNIX_EPOCH);
     passed.map_or(0, |passed| passed.as_millis() as u64)
 }
 
 /// A moment of the wall clock, from which elapsed time is measured.
 #[derive(Debug, Clone, Copy)]
-pub struct Instant(std::time::Instant);
+pub struct Instant(source::Instant);
 
 impl Instant {
     /// Returns the present moment.
     #[must_use]
     pub fn now() -> Self {
-        Self(std::time::Instant::now())
+        Self(source::Instant::now())
     }
 
     /// Returns the time since the moment.

@@ -2,15 +2,28 @@
 //! locks, threads, interrupts, being ended, limits, what names of files mean, the environment, the standard streams, a terminal, and how much memory a file may ask for.
 
 pub mod clock;
+#[cfg(feature = "desktop")]
 pub mod closed;
+#[cfg(feature = "desktop")]
 pub mod environment;
 pub mod files;
+#[cfg(feature = "desktop")]
 pub mod interrupt;
+#[cfg(feature = "desktop")]
 pub mod last_word;
+#[cfg(feature = "desktop")]
 pub mod limits;
+#[cfg(feature = "desktop")]
 pub mod locks;
 pub mod messages;
 pub mod names;
+#[cfg(feature = "desktop")]
 pub mod progress;
 pub mod sizes;
+#[cfg(feature = "desktop")]
 pub mod threads;
+#[cfg(not(feature = "desktop"))]
+pub mod web;
+
+#[cfg(not(feature = "desktop"))]
+pub use web::{locks, threads};

@@ -13,6 +13,12 @@ use crate::scene::Scene;
 
 const SCHEME: &str = "gamow:";
 
+/// Returns the link with these `pairs` of a setting and its value.
+#[must_use]
+pub fn link_of_pairs(pairs: &str) -> String {
+    format!("{SCHEME}?{pairs}")
+}
+
 /// The longest link that is read, bytes: all settings together need a tenth of it.
 const MOST_BYTES: usize = 16 << 10;
 
@@ -41,6 +47,14 @@ impl Settings {
     /// # Errors
     /// A scene in a file of its own, which a link cannot carry.
     pub fn link(&self) -> Result<String, String> {
+        self.link_pairs().map(|pairs| link_of_pairs(&pairs))
+    }
+
+    /// Returns the settings of that link that differ from the defaults: `beta=0.99&scene=globe`.
+    ///
+    /// # Errors
+    /// As of [`Self::link`].
+    pub fn link_pairs(&self) -> Result<String, String> {
         if Scene::preset(&self.scene).is_none() {
             return Err(format!(
                 "The scene is in a file, {}, which a link cannot carry: save the state beside it and send both.",
@@ -53,7 +67,7 @@ impl Settings {
         let pairs = self.entries().into_iter().filter(told);
         let pairs =
             pairs.map(|Entry { key, text, .. }| format!("{key}={}", utf8_percent_encode(&text, ESCAPED)));
-        Ok(format!("{SCHEME}?{}", pairs.collect::<Vec<_>>().join("&")))
+        Ok(pairs.collect::<Vec<_>>().join("&"))
     }
 
     /// Returns these settings, overridden by those in `link`.

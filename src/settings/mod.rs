@@ -27,7 +27,7 @@ pub use all::Settings;
 pub use comparison::{ComparisonError, NO_PAIR};
 pub use error::SettingsError;
 pub use file::looks_like_settings;
-pub use link::is_link;
+pub use link::{is_link, link_of_pairs};
 pub use photograph::CameraArgs;
 pub use presets::Preset;
 pub use ride::{ON_A_RIDE, PUSH, Rider, Riding};

@@ -21,7 +21,7 @@ const BALLS: f64 = 0.15;
 const LEAST_ASKED: u32 = 2 * TILE_SIDE;
 
 /// Rows of pixels that one thread draws at a time.
-const BAND: u32 = 2 * TILE_SIDE;
+pub const BAND: u32 = 2 * TILE_SIDE;
 
 /// A tile of a picture, and what may be seen in it.
 pub(crate) struct TileLook<'a> {
@@ -68,13 +68,13 @@ struct Candidates<'a> {
 }
 
 impl PreparedScene {
-    /// Returns one value per pixel of `view`, row by row: `draw` is called with each tile and the rows of pixels to write into. Rows that
-    /// would begin after `goes_on` has become false keep the default.
+    /// Returns one value per pixel of `view`, row by row: `draw` is called with each tile and the rows of pixels to write into. Bands
+    /// of rows that are not `wanted` when they would begin, by their first row, keep the default.
     pub(crate) fn tiles<T: Clone + Default + Send>(
         &self,
         view: &View,
         group_views: &[GroupView],
-        goes_on: &(dyn Fn() -> bool + Sync),
+        wanted: &(dyn Fn(u32) -> bool + Sync),
         draw: impl Fn(&TileLook<'_>, &mut Rows<'_, T>) + Sync,
     ) -> Vec<T> {
         let [width, height] = view.camera.size;
@@ -86,7 +86,7 @@ impl PreparedScene {
         }
         let division = Division::new(self, view, group_views);
         let bands = image.par_chunks_mut(width as usize * BAND as usize).enumerate();
-        bands.filter(|_| goes_on()).for_each(|(number, values)| {
+        bands.filter(|(number, _)| wanted(*number as u32 * BAND)).for_each(|(number, values)| {
             let top = number as u32 * BAND;
             let tile = Tile { corner: [0, top], size: [width, BAND.min(height - top)] };
             let mut rows = Rows { values, width: width as usize, top };

@@ -4,6 +4,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use wgpu::{DeviceLostReason, ErrorFilter};
 
+use crate::answers::Answers;
 use crate::gpu_error::GpuError;
 
 /// The errors of a device that nobody was waiting for, and its loss.
@@ -72,24 +73,27 @@ impl DeviceErrors {
 
 /// Waits for what a device refuses of what this thread asks of it.
 #[derive(Debug)]
-pub struct ErrorScopes([wgpu::ErrorScopeGuard; 3]);
+pub struct ErrorScopes {
+    scopes: [wgpu::ErrorScopeGuard; 3],
+    answers: Answers,
+}
 
 impl ErrorScopes {
-    pub(crate) fn open(device: &wgpu::Device) -> Self {
+    pub(crate) fn open(device: &wgpu::Device, answers: Answers) -> Self {
         let kinds = [ErrorFilter::Validation, ErrorFilter::OutOfMemory, ErrorFilter::Internal];
-        Self(kinds.map(|kind| device.push_error_scope(kind)))
+        Self { scopes: kinds.map(|kind| device.push_error_scope(kind)), answers }
     }
 
-    /// Ends the wait.
+    /// Ends the wait. A browser answers later: what it refuses here is an error where the next wait ends.
     ///
     /// # Errors
     ///
     /// The first that was refused.
     pub fn close(self) -> Result<(), GpuError> {
-        let [validation, memory, internal] = self.0;
-        // The last that was opened is the first to be closed; the answers are there at once.
-        let refused = [internal, memory, validation].map(|scope| pollster::block_on(scope.pop()));
-        match refused.into_iter().flatten().last() {
+        let Self { scopes: [validation, memory, internal], answers } = self;
+        // The last that was opened is the first to be closed.
+        let refused = answers.to([internal, memory, validation].map(wgpu::ErrorScopeGuard::pop));
+        match refused {
             None => Ok(()),
             Some(wgpu::Error::OutOfMemory { .. }) => Err(GpuError::OutOfMemory),
             Some(error) => Err(GpuError::Refused(in_one_line(&error.to_string()))),

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::answers::Answers;
 use crate::device_errors::ErrorScopes;
 use crate::gpu_error::GpuError;
 
@@ -39,6 +40,7 @@ pub struct Gpu {
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
+    answers: Answers,
 }
 
 impl Gpu {
@@ -47,10 +49,22 @@ impl Gpu {
     /// # Errors
     ///
     /// No adapter, or one that gives no device.
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn headless() -> Result<Self, GpuError> {
         pollster::block_on(Self::headless_device())
     }
 
+    /// A device without a window: in a browser there is none, as nothing can wait for it.
+    ///
+    /// # Errors
+    ///
+    /// Always.
+    #[cfg(target_arch = "wasm32")]
+    pub const fn headless() -> Result<Self, GpuError> {
+        Err(GpuError::NoAdapter)
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
     async fn headless_device() -> Result<Self, GpuError> {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
         let options = wgpu::RequestAdapterOptions {
@@ -78,7 +92,7 @@ impl Gpu {
     /// Shares the device of a window.
     #[must_use]
     pub fn from_device(adapter: &wgpu::Adapter, device: wgpu::Device, queue: wgpu::Queue) -> Self {
-        Self { device, queue, info: adapter.get_info() }
+        Self { device, queue, info: adapter.get_info(), answers: Answers::default() }
     }
 
     /// Largest width and height of a picture, pixels.
@@ -99,21 +113,39 @@ impl Gpu {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
+    /// Returns whether the rays are drawn: their shaders choose the samples of a pixel, which those of WebGL cannot.
+    #[must_use]
+    pub fn has_rays(&self) -> bool {
+        self.has_sample_masks() || cfg!(not(target_arch = "wasm32"))
+    }
+
+    /// Returns whether what was drawn can be read back at once; in a browser nothing can be waited for.
+    #[must_use]
+    pub const fn reads_back(&self) -> bool {
+        cfg!(not(target_arch = "wasm32"))
+    }
+
     /// Opens scopes that catch the device's errors in this thread's calls. Errors outside any scope go to
     /// [`DeviceErrors`](crate::DeviceErrors), or end the program.
     #[must_use]
     pub fn error_scopes(&self) -> ErrorScopes {
-        ErrorScopes::open(&self.device)
+        ErrorScopes::open(&self.device, self.answers.clone())
     }
 
-    /// Waits until everything drawn so far is finished; for timing.
+    /// Calls `then` when everything drawn so far is finished: before the next [`Self::wait`] returns, or in a browser later.
+    pub fn when_finished(&self, then: impl FnOnce() + Send + 'static) {
+        self.queue.on_submitted_work_done(then);
+    }
+
+    /// Waits until everything drawn so far is finished; for timing. In a browser nothing can be waited for.
     ///
     /// # Errors
     ///
     /// The device was lost.
     pub fn wait(&self) -> Result<(), GpuError> {
+        let how = if self.reads_back() { wgpu::PollType::wait_indefinitely() } else { wgpu::PollType::Poll };
         // Nothing else can go wrong without a limit on the time.
-        self.device.poll(wgpu::PollType::wait_indefinitely()).map(|_| ()).map_err(|_| GpuError::Lost)
+        self.device.poll(how).map(|_| ()).map_err(|_| GpuError::Lost)
     }
 
     /// Whether shaders can choose the samples they cover.

@@ -49,6 +49,7 @@
     reason = "what runs on wide registers must be inlined into where they are chosen"
 )]
 
+mod answers;
 mod axes;
 pub mod backdrop;
 mod block;

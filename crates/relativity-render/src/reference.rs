@@ -8,6 +8,7 @@ use glam::{DQuat, DVec3};
 
 use crate::backdrop::Backdrop;
 use crate::camera::LinesOfSight;
+use crate::candidates::BAND;
 use crate::cap::Cap;
 use crate::contact::Contacts;
 use crate::daylight::Facing;
@@ -192,7 +193,7 @@ impl PreparedScene {
     pub fn hit_image(&self, view: &View) -> HitImage {
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let group_views = self.group_views(view);
-        let hits = self.pixels(view, &group_views, &lines_of_sight, 1, &|| true, |met| met.hits[0]);
+        let hits = self.pixels(view, &group_views, &lines_of_sight, 1, &|_| true, |met| met.hits[0]);
         HitImage { size: view.camera.size, hits }
     }
 
@@ -203,7 +204,7 @@ impl PreparedScene {
     /// averaged in linear light.
     #[must_use]
     pub fn picture(&self, view: &View, appearance: &Appearance, samples: u32) -> Picture {
-        let rgba = self.picture_rows(view, appearance, samples, &|| true);
+        let rgba = self.picture_rows(view, appearance, samples, &|_| true);
         Picture { size: view.camera.size, rgba }
     }
 
@@ -216,24 +217,41 @@ impl PreparedScene {
         samples: u32,
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Option<Picture> {
-        let rgba = self.picture_rows(view, appearance, samples, goes_on);
+        let rgba = self.picture_rows(view, appearance, samples, &|_| goes_on());
         goes_on().then_some(Picture { size: view.camera.size, rgba })
     }
 
-    /// The pixels of a picture, rows of which are left out once it no longer `goes_on`.
+    /// Draws the band of 16 rows of the same picture, or of fewer at its end, that begins with the row `first`, a multiple of 16:
+    /// nothing where it has no such rows. All bands one after the other are the picture.
+    #[must_use]
+    pub fn picture_band(
+        &self,
+        view: &View,
+        appearance: &Appearance,
+        samples: u32,
+        first: u32,
+    ) -> Vec<[u8; 4]> {
+        let mut rgba = self.picture_rows(view, appearance, samples, &|top| top == first);
+        let [width, height] = view.camera.size;
+        let place = |row: u32| row.min(height) as usize * width as usize;
+        rgba.truncate(place(first.saturating_add(BAND)));
+        rgba.split_off(place(first))
+    }
+
+    /// The pixels of a picture, without those bands of rows that are not `wanted`, by their first row, when they would begin.
     fn picture_rows(
         &self,
         view: &View,
         appearance: &Appearance,
         samples: u32,
-        goes_on: &(dyn Fn() -> bool + Sync),
+        wanted: &(dyn Fn(u32) -> bool + Sync),
     ) -> Vec<[u8; 4]> {
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let hatch = Hatch::new(view.camera.size, appearance.light);
         let group_views = self.group_views(view);
         let contacts = Contacts::new(self, &group_views, appearance);
         let backdrop = Backdrop::new(&view.camera, view.geometry, appearance).with_contacts(&contacts);
-        self.pixels(view, &group_views, &lines_of_sight, samples, goes_on, |met| {
+        self.pixels(view, &group_views, &lines_of_sight, samples, wanted, |met| {
             let rays = met.places.iter().zip(met.sights).zip(met.hits);
             let sum = rays.fold([0.0; 3], |sum: [f64; 3], ((&place, &line_of_sight), &hit)| {
                 let mark = |hit: &Hit| {
@@ -304,20 +322,20 @@ impl PreparedScene {
         }
     }
 
-    /// Returns one value per pixel of `view`, row by row, from the hits of `samples` times `samples` rays in it; the default in rows that
-    /// are begun after `goes_on` has become false.
+    /// Returns one value per pixel of `view`, row by row, from the hits of `samples` times `samples` rays in it; the default in bands of
+    /// rows that are not `wanted` when they would begin.
     fn pixels<T: Clone + Default + Send>(
         &self,
         view: &View,
         group_views: &[GroupView],
         lines_of_sight: &LinesOfSight,
         samples: u32,
-        goes_on: &(dyn Fn() -> bool + Sync),
+        wanted: &(dyn Fn(u32) -> bool + Sync),
         value: impl Fn(&Met<'_>) -> T + Sync,
     ) -> Vec<T> {
         // As many pixels are looked at together as have the rays of a tile with one ray to each.
         let side = (TILE_SIDE / samples).max(1);
-        self.tiles(view, group_views, goes_on, |look, rows| {
+        self.tiles(view, group_views, wanted, |look, rows| {
             for part in look.tile.parts(side) {
                 let cap = || if part == look.tile { look.cap } else { Some(part.cap(lines_of_sight)) };
                 let standing = look.cap.and_then(|_| cap());

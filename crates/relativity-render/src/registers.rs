@@ -25,6 +25,12 @@ macro_rules! on_registers {
                 #[inline(always)]
                 || $body,
             )),
+            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+            fearless_simd::Level::WasmSimd128($simd) => Some(fearless_simd::Simd::vectorize(
+                $simd,
+                #[inline(always)]
+                || $body,
+            )),
             _ => None,
         }
     };

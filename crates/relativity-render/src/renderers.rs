@@ -188,7 +188,7 @@ impl Renderers {
     ) -> Result<(), GpuError> {
         view.drawn_on_gpu()?;
         let scopes = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?.error_scopes();
-        let method = method.on_gpu(view);
+        let method = self.in_place_of_rays(method.on_gpu(view));
         if method == Method::Packets
             && let (Some(gpu), Some(packets)) = (&self.gpu, &self.packets)
         {
@@ -198,6 +198,12 @@ impl Renderers {
         let (gpu, canvas, drawing) = self.drawing(method)?;
         canvas.paint(gpu, drawing, scene, view, appearance, target);
         scopes.close()
+    }
+
+    /// Returns `method`, or the packets for rays on a device that cannot draw these.
+    fn in_place_of_rays(&self, method: Method) -> Method {
+        let has_rays = self.gpu.as_ref().is_none_or(Gpu::has_rays);
+        if method == Method::Rays && !has_rays && self.packets.is_some() { Method::Packets } else { method }
     }
 
     /// The picture of `view` by `method`, the reference with `samples` times `samples` rays per pixel.

@@ -52,6 +52,8 @@ pub struct Automatic {
     kept: Vec<(Geometry, Method)>,
     /// When something may be tried, milliseconds.
     next_trial_ms: Option<f64>,
+    /// Whether the device draws rays, if there is one.
+    has_rays: bool,
 }
 
 impl Automatic {
@@ -65,7 +67,13 @@ impl Automatic {
     #[must_use]
     pub const fn with_samples(machine: Machine, samples: u32) -> Self {
         let costs = Costs::new(machine, samples);
-        Self { costs, scene: None, kept: Vec::new(), next_trial_ms: None }
+        Self { costs, scene: None, kept: Vec::new(), next_trial_ms: None, has_rays: true }
+    }
+
+    /// The same where the device draws rays or, as by WebGL, does not.
+    #[must_use]
+    pub fn with_rays(self, has_rays: bool) -> Self {
+        Self { has_rays, ..self }
     }
 
     /// Returns the known costs.
@@ -81,7 +89,8 @@ impl Automatic {
             let ms = self.costs.expected_ms(method, view.geometry, pixels);
             Offer { method, error_px, ms }
         };
-        candidates(goal, has_gpu, scene, view).into_iter().map(offer).collect()
+        let is_drawn = |candidate: &Candidate| self.has_rays || candidate.method != Method::Rays;
+        candidates(goal, has_gpu, scene, view).into_iter().filter(is_drawn).map(offer).collect()
     }
 
     /// Returns the method that draws `sight`; `None` if none does.

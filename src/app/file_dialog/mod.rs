@@ -1,21 +1,25 @@
 //! The file dialog: the file to open or to write is chosen in a dialog of the system, or typed.
 
+mod answer;
+#[cfg(feature = "desktop")]
+mod dialog;
+#[cfg(not(feature = "desktop"))]
+#[path = "../web/dialog.rs"]
+mod dialog;
 pub mod purpose;
 
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use std::time::Duration;
 
 use eframe::egui::Context;
 
+use self::answer::Answer;
+use self::dialog::Dialog;
 use crate::app::command::Command;
 use crate::app::file_dialog::purpose::{Product, Purpose};
 use crate::app::orders::Saving;
 use crate::app::state::State;
-use crate::app::waker::Woken;
 use crate::flags::choices::Size;
-use crate::platform::clock::Instant;
-use crate::platform::{files, threads};
+use crate::platform::files;
 use crate::settings::is_link;
 use crate::studio::film::FilmKind;
 
@@ -102,6 +106,12 @@ impl Chooser {
         }
     }
 
+    /// Whether the system has a dialog for the choice.
+    #[must_use]
+    pub fn has_dialog(&self) -> bool {
+        self.purpose.is_some_and(Dialog::is_for)
+    }
+
     /// Whether the system's dialog is open.
     #[must_use]
     pub const fn is_browsing(&self) -> bool {
@@ -157,6 +167,9 @@ impl Chooser {
         };
         let path = product.with_ending(&path)?;
         let is_folder = product.can_be_a_folder() && FilmKind::from_path(&path) == Some(FilmKind::Folder);
+        if is_folder && !files::HAS_FOLDERS {
+            return Err("A browser saves no folders: the name of a film must end in .gif.".to_owned());
+        }
         if files::is_folder(&path) && !is_folder {
             return Err(format!("{} is a folder.", path.display()));
         }
@@ -192,63 +205,6 @@ fn typed_path(text: &str) -> Result<PathBuf, String> {
         Some((rest, home)) => home.join(rest),
         None => PathBuf::from(text),
     })
-}
-
-/// A dialog of the system. A thread waits for it, as that may take as long as the user likes.
-struct Dialog {
-    answer: Receiver<Answer>,
-    _woken: Woken,
-}
-
-/// The answer of a system dialog.
-enum Answer {
-    Path(PathBuf),
-    /// The dialog was closed.
-    None,
-    /// There is no dialog.
-    NoDialog,
-}
-
-/// A dialog that is closed sooner than this was never there: nobody is so quick.
-const QUICKEST: Duration = Duration::from_millis(300);
-
-impl Dialog {
-    fn open(ctx: &Context, purpose: Purpose, at: &Path) -> Self {
-        let folder = if files::is_folder(at) { Some(at) } else { at.parent() };
-        let name = at.file_name().unwrap_or_default().to_string_lossy();
-        let mut dialog = rfd::FileDialog::new().set_title(purpose.title());
-        if let Some(folder) = folder {
-            dialog = dialog.set_directory(folder);
-        }
-        if let Purpose::Save(product) = purpose {
-            dialog = dialog.set_file_name(name).add_filter(product.name(), product.endings());
-        }
-        let (answered, answer) = channel();
-        let woken = Woken::new(ctx.clone());
-        let waker = woken.waker();
-        threads::spawn(move || {
-            let start = Instant::now();
-            let path = match purpose {
-                Purpose::Save(_) => dialog.save_file(),
-                Purpose::Open | Purpose::OpenData => dialog.pick_file(),
-            };
-            let is_there = start.elapsed() >= QUICKEST;
-            let none = if is_there { Answer::None } else { Answer::NoDialog };
-            // Nobody may wait for it any more.
-            let _ = answered.send(path.map_or(none, Answer::Path));
-            waker.wake();
-        });
-        Self { answer, _woken: woken }
-    }
-
-    /// Returns the answer of the dialog, once there is one.
-    fn answer(&self) -> Option<Answer> {
-        match self.answer.try_recv() {
-            Ok(answer) => Some(answer),
-            Err(TryRecvError::Empty) => None,
-            Err(TryRecvError::Disconnected) => Some(Answer::NoDialog),
-        }
-    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,9 @@
 //! Files that are shown: opened, and read again when they change.
 
+pub(super) mod dropped;
 pub mod reader;
 pub mod recent;
+#[cfg(feature = "desktop")]
 pub(super) mod watch;
 
 use std::path::{Path, PathBuf};

@@ -38,7 +38,6 @@ struct Run {
     scissor: [u32; 4],
     texture: TextureId,
     indices: Range<u32>,
-    first_vertex: i32,
 }
 
 impl WindowPicture {
@@ -125,11 +124,11 @@ impl WindowPicture {
         pass.set_vertex_buffer(0, vertices.slice(..));
         pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
         let renderer = renderer.read();
-        for Run { scissor: [x, y, width, height], texture, indices, first_vertex } in runs {
+        for Run { scissor: [x, y, width, height], texture, indices } in runs {
             if let Some(texture) = renderer.texture(&texture) {
                 pass.set_bind_group(1, &texture.bind_group, &[]);
                 pass.set_scissor_rect(x, y, width, height);
-                pass.draw_indexed(indices, first_vertex, 0..1);
+                pass.draw_indexed(indices, 0, 0..1);
             }
         }
         drop(pass);
@@ -144,10 +143,11 @@ impl WindowPicture {
             let Primitive::Mesh(mesh) = primitive else { continue };
             let Some(scissor) = scissor(*clip_rect, pixels_per_point, self.size) else { continue };
             let after = first_index + mesh.indices.len() as u32;
-            runs.push(Run { scissor, texture: mesh.texture_id, indices: first_index..after, first_vertex });
+            runs.push(Run { scissor, texture: mesh.texture_id, indices: first_index..after });
             vertices.extend_from_slice(bytemuck::cast_slice(&mesh.vertices));
-            indices.extend_from_slice(bytemuck::cast_slice(&mesh.indices));
-            first_vertex += (mesh.vertices.len() as u32).cast_signed();
+            // Not every browser can add the first vertex of a mesh to its indices.
+            indices.extend(mesh.indices.iter().flat_map(|index| (first_vertex + index).to_ne_bytes()));
+            first_vertex += mesh.vertices.len() as u32;
             first_index = after;
         }
         (runs, vertices, indices)

@@ -105,7 +105,8 @@ fn buttons(ui: &mut Ui, purpose: Purpose, chooser: &mut Chooser, is_entered: boo
             commands.extend(chooser.confirmed(None));
             chooser.wants_focus = chooser.remark.is_some();
         }
-        ui.add_enabled_ui(!chooser.is_browsing(), |ui| {
+        let has_dialog = chooser.has_dialog();
+        ui.add_enabled_ui(has_dialog && !chooser.is_browsing(), |ui| {
             if ui.button("Browse…").on_hover_text("Choose in a dialog of the system.").clicked() {
                 chooser.browse(ui.ctx());
             }

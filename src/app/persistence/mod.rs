@@ -17,11 +17,14 @@ use std::time::Duration;
 use eframe::egui::{Context, ViewportBuilder};
 
 use super::notice::Notice;
+use super::overlay::Overlay;
 use super::state::State;
 use crate::lesson::{Answers, Moment};
 use crate::platform::clock::Instant;
+#[cfg(feature = "desktop")]
+use crate::platform::environment;
+use crate::platform::files;
 use crate::platform::locks::{self, Lock};
-use crate::platform::{environment, files};
 use crate::settings::{Settings, Window};
 use answers_file::AnswersFile;
 use kept_file::KeptFile;
@@ -87,6 +90,7 @@ impl Keeper {
     ///
     /// # Errors
     /// A user without a home.
+    #[cfg(feature = "desktop")]
     pub fn of_user(name: &str) -> anyhow::Result<Self> {
         use anyhow::Context as _;
         let folder =
@@ -190,6 +194,18 @@ impl Keeper {
     pub fn end(&self) -> anyhow::Result<()> {
         self.0.borrow().failure().map_or(Ok(()), |failure| Err(anyhow::anyhow!(failure)))
     }
+}
+
+/// Has `state` know what its user has done before; newcomers, who have neither clicked a point nor begun a lesson, begin with
+/// the start page if the window `welcomes` them.
+pub fn recall(state: &mut State, memory: &Memory, answers: &Answers, welcomes: bool) {
+    state.session.hint = !memory.clicked;
+    let next = state.session.next_lesson.take().or_else(|| memory.lesson.clone());
+    if welcomes && state.session.hint && next.is_none() {
+        state.session.overlay = Some(Overlay::Start);
+    }
+    state.session.next_lesson = next;
+    state.recall_answers(answers);
 }
 
 impl Files {

@@ -8,10 +8,14 @@ use crate::app::App;
 use crate::app::file_dialog::purpose::Product;
 use crate::app::notice::Notice;
 use crate::app::orders::{Copied, Order, Saving};
+#[cfg(not(feature = "desktop"))]
+use crate::app::web::link_to;
 use crate::files::whole::write_whole;
 use crate::flags::choices::{Compare, RendererChoice, Size};
 use crate::flags::words::Shell;
 use crate::platform::files;
+#[cfg(feature = "desktop")]
+use crate::settings::link_of_pairs as link_to;
 use crate::settings::{Daylight, Settings};
 use crate::studio::film::{FilmKind, loop_times};
 
@@ -160,7 +164,7 @@ impl App {
                 return self.begin(ctx, job, "the picture".to_owned(), 1);
             }
             Copied::Command => Ok(self.state.shown().window_command(Shell::here())),
-            Copied::Link => self.state.shown().link(),
+            Copied::Link => self.state.shown().link_pairs().map(|pairs| link_to(&pairs)),
             Copied::RenderCommand => {
                 Ok(self.settings_of_picture(ui, self.state.frame.picture_size).command(Shell::here()))
             }

@@ -3,5 +3,6 @@
 pub(super) mod full_screen;
 pub(super) mod other_screen;
 pub(super) mod projector;
+#[cfg(feature = "desktop")]
 pub(super) mod screenshot;
 pub mod stage;

@@ -11,3 +11,17 @@ pub enum Screen {
     /// The one of this number, in the system's order.
     Other(usize),
 }
+
+/// Returns the number of a screen that the window of this `frame` is not on, in the system's order.
+#[cfg(feature = "desktop")]
+pub fn other_screen(frame: &eframe::Frame) -> Option<usize> {
+    let window = frame.winit_window()?;
+    let own = window.current_monitor()?;
+    window.available_monitors().position(|screen| screen != own)
+}
+
+/// Returns no screen: a browser tells of none.
+#[cfg(not(feature = "desktop"))]
+pub const fn other_screen(_: &eframe::Frame) -> Option<usize> {
+    None
+}

@@ -5,7 +5,7 @@ use eframe::egui::{Context, Ui, ViewportBuilder, ViewportClass, ViewportCommand,
 use crate::app::command::Command;
 use crate::app::layout::{self, Presentation};
 use crate::app::panels::presented::{self, Words};
-use crate::app::screens::other_screen::Screen;
+use crate::app::screens::other_screen::{Screen, other_screen};
 use crate::app::views::eyes::EyePictures;
 use crate::app::views::halo;
 use crate::app::widgets::name_window;
@@ -30,13 +30,6 @@ fn window(screen: Screen) -> ViewportBuilder {
         Screen::Other(number) => window.with_monitor(number),
         Screen::Same | Screen::NotChosen => window,
     }
-}
-
-/// Returns the number of a screen that the window of this `frame` is not on, in the system's order.
-fn other_screen(frame: &eframe::Frame) -> Option<usize> {
-    let window = frame.winit_window()?;
-    let own = window.current_monitor()?;
-    window.available_monitors().position(|screen| screen != own)
 }
 
 /// Returns whether `command` is about this window alone, and performs it then: one about the whole screen is about its own.

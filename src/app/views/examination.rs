@@ -144,7 +144,8 @@ impl Examination {
         if !self.stillness.is_still(ctx, sight) || self.worker.is_pending() {
             return;
         }
-        let next = std::iter::once(chosen).chain(self.methods.iter().copied());
+        let first = Some(chosen).filter(|chosen| self.methods.contains(chosen));
+        let next = first.into_iter().chain(self.methods.iter().copied());
         if let Some(method) = next.into_iter().find(|&method| self.is_wanted(method)) {
             self.worker.request(Job { sight: sight.clone(), number: self.number, method });
         }

@@ -19,12 +19,13 @@ pub mod offscreen;
 pub mod offscreen_arrows;
 pub mod on_wheel;
 pub mod panes;
+pub(super) mod reference_steps;
 pub(super) mod slide;
 pub mod thumbnails;
 
 use eframe::egui::{Rect, TextureId, Ui, UiBuilder, vec2};
 
-use relativity_render::Method;
+use relativity_render::{Gpu, Method};
 
 use self::corrected::Corrected;
 use self::eyes::EyePictures;
@@ -214,7 +215,7 @@ impl App {
             scene: state.document.prepared.clone(),
         };
         let chosen = sight.views.first().map_or(Method::Rays, |(_, view)| state.method(view));
-        let gpu = self.eyes.as_ref().map(|eyes| eyes.gpu().clone());
+        let gpu = self.eyes.as_ref().map(|eyes| eyes.gpu().clone()).filter(Gpu::reads_back);
         let examination = self.examination.get_or_insert_with(|| Examination::new(ui.ctx(), gpu));
         examination.update(ui.ctx(), &sight, chosen);
     }

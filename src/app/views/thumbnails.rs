@@ -10,7 +10,8 @@ use relativity_render::Picture;
 use crate::accuracy::REFERENCE_SAMPLES;
 use crate::app::state::State;
 use crate::app::views::eye::Eye;
-use crate::app::worker::{Wanted, Worker};
+use crate::app::views::reference_steps::ReferenceSteps;
+use crate::app::worker::{Step, Wanted, Worker};
 use crate::lesson::Lesson;
 use crate::settings::Settings;
 
@@ -107,25 +108,38 @@ impl Thumbnails {
     pub fn go_on(&mut self, ctx: &Context) {
         let missing = self.missing.take();
         let Some((job, _)) = missing.filter(|_| self.is_settled()) else { return };
-        self.worker.get_or_insert_with(|| Worker::new(ctx.clone(), work)).request(job);
+        self.worker.get_or_insert_with(|| Worker::in_steps(ctx.clone(), begin, step)).request(job);
     }
 }
 
-#[expect(clippy::unnecessary_wraps, reason = "work that is never given up")]
-fn work(Job { lesson, look }: Job, _: &Wanted) -> Option<DrawnThumbnail> {
-    let image = picture(&lesson, look).map(|Picture { size, rgba }| {
-        ColorImage::from_rgba_unmultiplied(size.map(|side| side as usize), rgba.as_flattened())
-    });
-    Some(DrawnThumbnail { key: Key::new(&lesson, look), in_light_window: look.in_light_window, image })
+/// Begins a thumbnail; there is nothing to draw where its lesson cannot be shown.
+fn begin(job: Job) -> (Job, Option<ReferenceSteps>) {
+    let steps = steps(&job);
+    (job, steps)
 }
 
-/// Draws the first step of `lesson`, after its reveal; `None` where it cannot be shown.
-fn picture(lesson: &Lesson, Look { size, in_light_window, eye }: Look) -> Option<Picture> {
+fn step(
+    (Job { lesson, look }, steps): &mut (Job, Option<ReferenceSteps>),
+    wanted: &Wanted,
+) -> Step<DrawnThumbnail> {
+    let drawn = steps.as_mut().map_or(Step::Last(None), |steps| steps.step(wanted));
+    let image = match drawn {
+        Step::More => return Step::More,
+        Step::Last(picture) => picture.map(|Picture { size, rgba }| {
+            ColorImage::from_rgba_unmultiplied(size.map(|side| side as usize), rgba.as_flattened())
+        }),
+    };
+    let (key, in_light_window) = (Key::new(lesson, *look), look.in_light_window);
+    Step::Last(Some(DrawnThumbnail { key, in_light_window, image }))
+}
+
+/// The drawing of the first step of a lesson, after its reveal; `None` where it cannot be shown.
+fn steps(Job { lesson, look: Look { size, in_light_window, eye } }: &Job) -> Option<ReferenceSteps> {
     let settings = lesson.settings(0, true, &Settings::default()).ok()?;
     let mut state = State::open(settings).ok()?;
-    state.frame.picture_size = size;
-    let (view, appearance) = (state.view(eye, size), state.appearance(in_light_window));
-    Some(state.document.prepared.picture(&view, &appearance, REFERENCE_SAMPLES))
+    state.frame.picture_size = *size;
+    let (view, appearance) = (state.view(*eye, *size), state.appearance(*in_light_window));
+    Some(ReferenceSteps::new(state.document.prepared.clone(), view, appearance, REFERENCE_SAMPLES))
 }
 
 #[cfg(test)]
@@ -137,7 +151,8 @@ mod tests {
     fn every_lesson_and_preset_has_a_picture_of_its_own_size() {
         let look = Look { size: [22, 13], in_light_window: false, eye: Eye::Left };
         for lesson in Library::own().all() {
-            let picture = picture(lesson, look).expect("it can be shown");
+            let steps = steps(&Job { lesson: Arc::clone(lesson), look }).expect("it can be shown");
+            let picture = steps.scene.picture(&steps.view, &steps.appearance, steps.samples);
             assert_eq!(picture.size, look.size, "{}", lesson.name);
             let first = picture.rgba[0];
             assert!(picture.rgba.iter().any(|pixel| *pixel != first), "{} shows nothing", lesson.name);

@@ -66,7 +66,7 @@ impl PacketRenderer {
     pub fn picture(&self, scene: &PreparedScene, view: &View, appearance: &Appearance) -> Picture {
         let look = Look::new(scene, view, Some(appearance));
         let tables = Tables::shared();
-        let rgba = scene.tiles(view, &look.views, &|| true, |tile, rows| {
+        let rgba = scene.tiles(view, &look.views, &|_| true, |tile, rows| {
             on_registers!(self.level, simd => {
                 let drawn = tile.cap.as_ref().map(
                     #[inline(always)]
@@ -84,7 +84,7 @@ impl PacketRenderer {
     /// Returns the hits of `scene` at the centre of every pixel of `view`.
     pub fn hits(&self, scene: &PreparedScene, view: &View) -> HitImage {
         let look = Look::new(scene, view, None);
-        let both = scene.tiles(view, &look.views, &|| true, |tile, rows| {
+        let both = scene.tiles(view, &look.views, &|_| true, |tile, rows| {
             let Some(cap) = &tile.cap else { return };
             on_registers!(self.level, simd => {
                 look.draw(simd, &CENTRE, tile, cap).measure(simd, &look, &tile.tile, rows);

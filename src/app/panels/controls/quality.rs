@@ -1,6 +1,6 @@
 //! The controls of quality: what draws the views, what that keeps, and whether they get smoother.
 
-use eframe::egui::{RichText, Ui};
+use eframe::egui::{Checkbox, RichText, Ui};
 
 use crate::app::command::Command;
 use crate::app::panels::Commands;
@@ -8,6 +8,7 @@ use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, named_text, row};
 use crate::flags::choices::RendererChoice;
 use crate::flags::{BUDGET_MS, ERROR_PX, Goal};
+use crate::platform::threads;
 use crate::settings::{BOUND_PX, Quality};
 
 /// Shows the controls of the quality.
@@ -25,7 +26,10 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     row(ui, "", "", |ui| {
         let tip =
             "While nothing changes, the reference draws the views again with more and more rays per pixel.";
-        ui.checkbox(&mut quality.refine, "smoother when still").on_hover_text(tip);
+        let checkbox = Checkbox::new(&mut quality.refine, "smoother when still");
+        ui.add_enabled(threads::ARE_SEVERAL, checkbox).on_hover_text(tip).on_disabled_hover_text(
+            "Only in the desktop program: it would stop the page for parts of a second.",
+        );
     });
     if quality != before {
         commands.push(Command::Quality(quality));

@@ -7,8 +7,8 @@ use relativity_render::Picture;
 use super::request::Request;
 use crate::accuracy::REFERENCE_SAMPLES;
 use crate::app::debounce::Debounce;
+use crate::app::views::reference_steps::ReferenceSteps;
 use crate::app::worker::{Wanted, Worker};
-use crate::platform::threads;
 
 /// Rays per pixel and direction of the steps in which pictures get smoother: the first has as many as any other picture.
 const STEPS: [u32; 3] = [REFERENCE_SAMPLES, 4, 8];
@@ -40,15 +40,16 @@ pub struct Background {
 impl Background {
     /// Returns a background without a picture yet.
     pub fn new(ctx: &Context) -> Self {
-        let work = |(of, samples): (Request, u32), wanted: &Wanted| {
-            let Request { view, appearance, scene, .. } = &of;
-            let picture = || scene.picture_while(view, appearance, samples, &|| wanted.holds());
-            // What is shown without it can wait; what is not there yet cannot.
-            let picture = if samples > REFERENCE_SAMPLES { threads::on_half(picture) } else { picture() }?;
-            Some(Made { of, samples, picture })
+        let begin = |(of, samples): (Request, u32)| {
+            let steps = ReferenceSteps::new(of.scene.clone(), of.view, of.appearance, samples);
+            (of, steps)
+        };
+        let step = |(of, steps): &mut (Request, ReferenceSteps), wanted: &Wanted| {
+            let of = of.clone();
+            steps.step(wanted).map(|picture| Made { of, samples: steps.samples, picture })
         };
         Self {
-            worker: Worker::new(ctx.clone(), work),
+            worker: Worker::in_steps(ctx.clone(), begin, step),
             stillness: Debounce::default(),
             requested: None,
             done: None,

@@ -1,6 +1,8 @@
 //! Automatic quality in the window: what each drawing costs, measured in passing, and what draws the next frame.
 
-use relativity_render::{EyeTarget, Gpu, GpuError, Method, Renderers};
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+use relativity_render::{EyeTarget, Geometry, Gpu, GpuError, Method, Renderers};
 
 use super::request::Request;
 use crate::accuracy::{Automatic, Choice, Machine, REFERENCE_SAMPLES, Sight};
@@ -21,6 +23,18 @@ pub struct Meter {
     /// Drawings when the last frame began, and the frames in a row that had some.
     drawings: u64,
     frames: u32,
+    /// Costs that the device tells when it has drawn, and the number of those that it has yet to tell.
+    sender: Sender<Measured>,
+    measured: Receiver<Measured>,
+    awaited: u32,
+}
+
+/// The cost of a drawing: by which method, of which geometry, milliseconds and pixels.
+struct Measured {
+    method: Method,
+    geometry: Geometry,
+    ms: f64,
+    pixels: f64,
 }
 
 /// The automatic choice for the views of one kind in a frame.
@@ -42,12 +56,23 @@ impl Chosen {
 impl Meter {
     /// Nothing is known yet of what `gpu` costs.
     pub fn new(gpu: &Gpu) -> Self {
-        let automatic = Automatic::new(Machine::from_gpu(Some(gpu)));
-        Self { automatic, clock: Instant::now(), is_on: false, drawings: 0, frames: 0 }
+        let automatic = Automatic::new(Machine::from_gpu(Some(gpu))).with_rays(gpu.has_rays());
+        let (sender, measured) = channel();
+        Self {
+            automatic,
+            clock: Instant::now(),
+            is_on: false,
+            drawings: 0,
+            frames: 0,
+            sender,
+            measured,
+            awaited: 0,
+        }
     }
 
     /// Begins a frame after this number of `drawings`, in which the choice is automatic or not.
     pub fn begin(&mut self, drawings: u64, is_on: bool) {
+        self.receive();
         let has_moved = drawings != std::mem::replace(&mut self.drawings, drawings);
         self.frames = if has_moved && is_on { self.frames.saturating_add(1) } else { 0 };
         self.is_on = is_on;
@@ -62,8 +87,8 @@ impl Meter {
         Some(Chosen { choice, method: trial.unwrap_or(choice.method) })
     }
 
-    /// Draws `request` by `method` into `target`. What is measured is waited for, and so is what was begun before it; once a
-    /// cost is known that is done twice a second at most, so that it holds nothing up.
+    /// Draws `request` by `method` into `target`. What is measured is waited for where that is possible, and so is what was begun
+    /// before it; once a cost is known that is done twice a second at most, so that it holds nothing up.
     pub fn draw(
         &mut self,
         renderers: &mut Renderers,
@@ -76,19 +101,35 @@ impl Meter {
             return draw(renderers, gpu, request, method, target);
         }
         let geometry = request.view.geometry;
-        let is_due = self.automatic.costs().is_due(method, geometry, self.clock.elapsed_ms());
-        if is_due {
-            gpu.wait()?;
+        let is_due =
+            self.awaited == 0 && self.automatic.costs().is_due(method, geometry, self.clock.elapsed_ms());
+        if !is_due {
+            draw(renderers, gpu, request, method, target)?;
+            self.automatic.costs().note(method, geometry, None, self.clock.elapsed_ms());
+            return Ok(());
         }
+        gpu.wait()?;
         let start = Instant::now();
         draw(renderers, gpu, request, method, target)?;
-        if is_due {
-            gpu.wait()?;
-        }
-        let [width, height] = target.size().map(f64::from);
-        let measured = is_due.then(|| (start.elapsed_ms(), width * height));
-        self.automatic.costs().note(method, geometry, measured, self.clock.elapsed_ms());
+        let (sender, [width, height]) = (self.sender.clone(), target.size().map(f64::from));
+        gpu.when_finished(move || {
+            // The window may be gone.
+            let _ =
+                sender.send(Measured { method, geometry, ms: start.elapsed_ms(), pixels: width * height });
+        });
+        self.awaited += 1;
+        gpu.wait()?;
+        self.receive();
         Ok(())
+    }
+
+    /// Notes the costs that the device has told.
+    fn receive(&mut self) {
+        let now_ms = self.clock.elapsed_ms();
+        for Measured { method, geometry, ms, pixels } in self.measured.try_iter() {
+            self.awaited = self.awaited.saturating_sub(1);
+            self.automatic.costs().note(method, geometry, Some((ms, pixels)), now_ms);
+        }
     }
 }
 

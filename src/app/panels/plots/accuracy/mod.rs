@@ -18,7 +18,15 @@ use crate::app::views::examination::Examination;
 use crate::app::views::heat_map;
 use crate::flags::choices::RendererChoice;
 use crate::number_text;
+use crate::platform::threads;
 use crate::settings::Quality;
+
+/// The remark below figures that are complete.
+const MEASURED: &str = if threads::ARE_SEVERAL {
+    "Measured in the present views."
+} else {
+    "Measured in the present views; the GPU's methods only in the desktop program."
+};
 
 /// Width of the table.
 const TABLE_WIDTH: f32 = 470.0;
@@ -77,8 +85,7 @@ pub fn caption(ui: &mut Ui, state: &State, examination: &Examination, commands: 
         scale(ui);
     }
     let is_pending = examination.is_pending();
-    let text =
-        if is_pending { "Measuring while nothing moves …" } else { "Measured in the present views." };
+    let text = if is_pending { "Measuring while nothing moves …" } else { MEASURED };
     ui.add(Label::new(RichText::new(text).weak().small()).extend());
 }
 

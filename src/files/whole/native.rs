@@ -1,4 +1,4 @@
-//! Output files that are written whole or not at all, and standard output as the alternative.
+//! Output files of the file system, and standard output as the alternative.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -10,7 +10,8 @@ use anyhow::Context as _;
 use clap::Args;
 use serde::Serialize;
 
-use super::watched::{Named, write_named};
+use super::json::write_json;
+use crate::files::watched::{Named, write_named};
 use crate::platform::files::{self, File, Rights, TempPath};
 use crate::platform::{closed, interrupt, messages};
 
@@ -80,34 +81,6 @@ impl ReportArgs {
     pub fn write(&self, report: &(impl fmt::Display + Serialize)) -> anyhow::Result<()> {
         self.out.write(|out| if self.json { write_json(report, out) } else { Ok(write!(out, "{report}")?) })
     }
-}
-
-/// Refuses a `path`, given by `flag`, whose name does not end in `.ending`, and gives the one that would be right: the name should
-/// tell what a file holds. Devices are called as they are.
-///
-/// # Errors
-///
-/// Another ending.
-pub fn ensure_ending(flag: &str, path: &Path, ending: &str) -> anyhow::Result<()> {
-    let is_right = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending));
-    anyhow::ensure!(
-        is_right || files::is_special(path),
-        "{flag} {}: it writes .{ending} files only; {} would be right",
-        files::shown(path),
-        files::shown(&path.with_extension(ending))
-    );
-    Ok(())
-}
-
-/// Writes `report` as JSON.
-///
-/// # Errors
-///
-/// Those of `out`.
-pub fn write_json(report: &impl Serialize, mut out: impl Write) -> anyhow::Result<()> {
-    // An error of JSON would hide the kind of that of `out`.
-    serde_json::to_writer_pretty(&mut out, report).map_err(io::Error::from)?;
-    Ok(writeln!(out)?)
 }
 
 /// Hands `write` a temporary file beside `path`, which takes the place of `path` once all is written, with the access rights
@@ -210,4 +183,5 @@ fn remove_unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
 }
 
 #[cfg(test)]
+#[path = "tests.rs"]
 mod tests;

@@ -1,4 +1,4 @@
-//! The file system, and what may be done in it.
+//! The file system of the desktop, and what may be done in it.
 #![expect(clippy::disallowed_methods, clippy::disallowed_types, reason = "this is where files are reached")]
 
 use std::fs::OpenOptions;
@@ -7,22 +7,14 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use super::{messages, names, sizes};
+use super::paths::folder_of;
+use crate::platform::names;
 
 pub use std::fs::File;
 pub use tempfile::TempPath;
 
-/// `path` as messages name it: on one line, with nothing in it that a terminal would obey. What is neither text nor fit
-/// to be shown stands as its escape.
-#[must_use]
-pub fn shown(path: &Path) -> String {
-    let mut shown = String::new();
-    for chunk in path.as_os_str().as_encoded_bytes().utf8_chunks() {
-        shown.push_str(&messages::shown(chunk.valid()));
-        shown.extend(chunk.invalid().iter().map(|byte| format!("\\x{byte:02x}")));
-    }
-    shown
-}
+/// Whether there are folders.
+pub const HAS_FOLDERS: bool = true;
 
 /// A regular file that is read. To read it never waits for anybody.
 #[derive(Debug)]
@@ -122,12 +114,6 @@ pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, problem));
     }
     Ok(bytes)
-}
-
-/// The text in the file at `path`, of [`sizes::TEXT_BYTES`] at most.
-pub fn read_to_string(path: &Path) -> io::Result<String> {
-    let not_text = |_| io::Error::new(io::ErrorKind::InvalidData, "it is no text in UTF-8");
-    String::from_utf8(read(path, sizes::TEXT_BYTES)?).map_err(not_text)
 }
 
 /// Makes the folder `path` and those around it, unless they are there.
@@ -231,12 +217,6 @@ pub fn name_from(folder: &Path, path: &Path) -> Option<String> {
     Some(parts?.join("/"))
 }
 
-/// The folder that `path` is in.
-#[must_use]
-pub fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."))
-}
-
 /// Flushes the names in the folder `path` to the disc, where the system can. Where it cannot, the old name of a file may come back
 /// after a power cut, and the file behind it is whole all the same.
 pub fn sync_folder(path: &Path) {
@@ -296,26 +276,6 @@ pub fn temporary_in(folder: &Path, rights: Option<&Rights>) -> io::Result<NamedT
 mod tests {
     use super::*;
 
-    #[test]
-    fn names_are_shown_on_one_line_without_anything_a_terminal_obeys() {
-        for name in ["räder 車輪.toml", r"C:\scenes\a.toml", "it's.csv"] {
-            assert_eq!(shown(Path::new(name)), name);
-        }
-        assert_eq!(shown(Path::new("a\u{1b}[31m\nb\u{202e}.toml")), r"a\u{1b}[31m\nb\u{202e}.toml");
-    }
-
-    #[test]
-    fn a_file_without_an_end_is_refused() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path().join("a.toml");
-        std::fs::write(&path, "four").expect("it is written");
-        assert_eq!(read(&path, 4).expect("it is short enough"), b"four");
-        let problem = read(&path, 3).expect_err("it is longer").to_string();
-        assert_eq!(problem, "it is longer than 0 MB, the most that is read of such a file");
-        std::fs::write(&path, b"\xff").expect("it is written");
-        assert_eq!(read_to_string(&path).expect_err("no text").to_string(), "it is no text in UTF-8");
-    }
-
     #[cfg(unix)]
     #[test]
     fn devices_and_pipes_are_no_files_and_are_not_waited_for() {
@@ -341,25 +301,5 @@ mod tests {
                 assert_eq!(problem, "it is a device or a pipe; an ordinary file would be right", "{path:?}");
             }
         }
-    }
-
-    /// A file of the kernel's log, which only some users may read, and which gives nothing more once all was read.
-    #[cfg(target_os = "linux")]
-    #[test]
-    fn what_says_nothing_yet_is_not_waited_for() {
-        let (sender, told) = std::sync::mpsc::channel();
-        std::thread::spawn(move || sender.send(read_to_string(Path::new("/proc/kmsg"))));
-        let problem = told.recv_timeout(std::time::Duration::from_secs(20)).expect("it does not wait");
-        let problem = problem.expect_err("it has no end");
-        let right = "what it says is yet to come; an ordinary file would be right";
-        assert!(problem.to_string() == right || problem.raw_os_error().is_some(), "{problem}");
-        assert!(read_to_string(Path::new("/proc/self/status")).expect("it has an end").contains("Name:"));
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn names_that_are_no_text_are_told_by_their_bytes() {
-        use std::os::unix::ffi::OsStrExt as _;
-        assert_eq!(shown(Path::new(std::ffi::OsStr::from_bytes(b"r\xff.csv"))), r"r\xff.csv");
     }
 }

@@ -1,0 +1,13 @@
+//! The entry of the page: it shows the window in a browser, and elsewhere says that it cannot.
+
+#[cfg(target_arch = "wasm32")]
+fn main() {
+    gamow::app::web::start();
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn main() {
+    println!(
+        "gamow-web runs in a browser: `web/build` makes the page, see docs/web.md. `cargo run --release` is the program of a desktop."
+    );
+}

@@ -1,0 +1,67 @@
+//! A dialog of the system, in which a file is chosen.
+
+use std::path::Path;
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::time::Duration;
+
+use eframe::egui::Context;
+
+use crate::app::file_dialog::answer::Answer;
+use crate::app::file_dialog::purpose::Purpose;
+use crate::app::waker::Woken;
+use crate::platform::clock::Instant;
+use crate::platform::{files, threads};
+
+/// A dialog of the system. A thread waits for it, as that may take as long as the user likes.
+pub struct Dialog {
+    answer: Receiver<Answer>,
+    _woken: Woken,
+}
+
+/// A dialog that is closed sooner than this was never there: nobody is so quick.
+const QUICKEST: Duration = Duration::from_millis(300);
+
+impl Dialog {
+    /// Whether there is one for this `purpose`.
+    pub const fn is_for(_: Purpose) -> bool {
+        true
+    }
+
+    /// Opens the dialog for this `purpose`, beginning at this path.
+    pub fn open(ctx: &Context, purpose: Purpose, at: &Path) -> Self {
+        let folder = if files::is_folder(at) { Some(at) } else { at.parent() };
+        let name = at.file_name().unwrap_or_default().to_string_lossy();
+        let mut dialog = rfd::FileDialog::new().set_title(purpose.title());
+        if let Some(folder) = folder {
+            dialog = dialog.set_directory(folder);
+        }
+        if let Purpose::Save(product) = purpose {
+            dialog = dialog.set_file_name(name).add_filter(product.name(), product.endings());
+        }
+        let (answered, answer) = channel();
+        let woken = Woken::new(ctx.clone());
+        let waker = woken.waker();
+        threads::spawn(move || {
+            let start = Instant::now();
+            let path = match purpose {
+                Purpose::Save(_) => dialog.save_file(),
+                Purpose::Open | Purpose::OpenData => dialog.pick_file(),
+            };
+            let is_there = start.elapsed() >= QUICKEST;
+            let none = if is_there { Answer::None } else { Answer::NoDialog };
+            // Nobody may wait for it any more.
+            let _ = answered.send(path.map_or(none, Answer::Path));
+            waker.wake();
+        });
+        Self { answer, _woken: woken }
+    }
+
+    /// Returns the answer of the dialog, once there is one.
+    pub fn answer(&self) -> Option<Answer> {
+        match self.answer.try_recv() {
+            Ok(answer) => Some(answer),
+            Err(TryRecvError::Empty) => None,
+            Err(TryRecvError::Disconnected) => Some(Answer::NoDialog),
+        }
+    }
+}

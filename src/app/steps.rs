@@ -1,0 +1,52 @@
+//! Steps of a job that is done in the background, as long as it is wanted.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
+
+use crate::platform::clock::Instant;
+
+/// Time after which a job is given up for a newer one. A shorter one is finished, so that
+/// the view follows while a control is dragged.
+const PATIENCE: Duration = Duration::from_millis(250);
+
+/// Whether a job is still wanted.
+pub struct Wanted {
+    number: u64,
+    started: Instant,
+    newest: Arc<AtomicU64>,
+    stopped: Arc<AtomicU64>,
+}
+
+impl Wanted {
+    /// Returns the job of this `number`, wanted until the numbers of the `newest` and of the last that was `stopped` say otherwise.
+    pub fn new(number: u64, newest: Arc<AtomicU64>, stopped: Arc<AtomicU64>) -> Self {
+        Self { number, started: Instant::now(), newest, stopped }
+    }
+
+    /// False once the job was stopped, or takes long while a newer one waits.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        let is_newest = self.number == self.newest.load(Ordering::Relaxed);
+        let goes_on = self.number > self.stopped.load(Ordering::Relaxed);
+        goes_on && (is_newest || self.started.elapsed() <= PATIENCE)
+    }
+}
+
+/// The outcome of a step of a job.
+pub enum Step<R> {
+    /// There are further steps.
+    More,
+    /// The last step, with the result, or without if it was stopped.
+    Last(Option<R>),
+}
+
+impl<R> Step<R> {
+    /// Has `make` turn the result into another.
+    pub fn map<T>(self, make: impl FnOnce(R) -> T) -> Step<T> {
+        match self {
+            Self::More => Step::More,
+            Self::Last(result) => Step::Last(result.map(make)),
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! The state in the fragment of the page's address: `#beta=0.99&scene=globe`, `#lesson=rods`, `#present`.
+
+use std::path::PathBuf;
+
+use crate::app::state::State;
+use crate::settings::{Settings, link_of_pairs};
+
+/// The fragment of an address.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Fragment {
+    /// The name of a lesson to begin.
+    pub lesson: Option<String>,
+    /// Whether the window is shown to an audience.
+    pub presents: bool,
+    /// The settings that differ from the defaults, as in a link.
+    pairs: String,
+}
+
+impl Fragment {
+    /// Parses the text behind the `#`.
+    pub fn parse(text: &str) -> Self {
+        let mut fragment = Self::default();
+        let mut pairs = Vec::new();
+        for part in text.split('&').filter(|part| !part.is_empty()) {
+            match part.split_once('=') {
+                Some(("lesson", name)) => fragment.lesson = Some(name.to_owned()),
+                None if part == "present" => fragment.presents = true,
+                _ => pairs.push(part),
+            }
+        }
+        fragment.pairs = pairs.join("&");
+        fragment
+    }
+
+    /// Returns the fragment of what `state` shows; `None` for what an address cannot carry, such as a file.
+    pub fn of(state: &State) -> Option<Self> {
+        let lesson = match state.course() {
+            Some(course) if course.lesson().path.is_some() => return None,
+            course => course.map(|course| course.lesson().name.clone()),
+        };
+        let pairs = if lesson.is_some() { String::new() } else { state.shown().link_pairs().ok()? };
+        Some(Self { lesson, presents: state.session.stage.is_presented(), pairs })
+    }
+
+    /// Returns the text behind the `#`.
+    pub fn to_text(&self) -> String {
+        let lesson = self.lesson.as_ref().map(|name| format!("lesson={name}"));
+        let presents = self.presents.then(|| "present".to_owned());
+        let pairs = (!self.pairs.is_empty()).then(|| self.pairs.clone());
+        lesson.into_iter().chain(presents).chain(pairs).collect::<Vec<_>>().join("&")
+    }
+
+    /// Whether it leaves open what is shown, so that a newcomer may be welcomed.
+    pub fn welcomes(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// Returns the link that its settings make, if it has any.
+    pub fn link(&self) -> Option<PathBuf> {
+        (!self.pairs.is_empty()).then(|| PathBuf::from(link_of_pairs(&self.pairs)))
+    }
+
+    /// Returns the settings that it leads to, and a message if there is something wrong with it. What it does not name is as
+    /// it was `left`, or for what is shown the default.
+    pub fn settings(&self, left: Settings) -> (Settings, Option<String>) {
+        let Some(link) = self.link() else { return (left, None) };
+        match Settings::default().in_place_of(&left).with_file(&link) {
+            Ok(settings) => (settings, None),
+            Err(error) => (left, Some(error.to_string())),
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! The window in a browser: it is opened in the page's canvas, or the page says why it cannot be. What it shows is in the address.
+
+mod address;
+mod page_app;
+pub mod watch;
+pub mod worker;
+
+use std::panic;
+use std::path::Path;
+
+use eframe::{CreationContext, WebOptions, WebRunner};
+
+use self::address::Fragment;
+use self::page_app::PageApp;
+use crate::app::notice::Notice;
+use crate::app::persistence::{Keeper, Loaded, recall};
+use crate::app::screens::stage::Stage;
+use crate::app::state::State;
+use crate::app::{App, graphics, painting};
+use crate::platform::files;
+use crate::platform::web::{page, tasks};
+use crate::settings::Settings;
+
+/// The sentence for a browser without graphics.
+const NO_GRAPHICS: &str = "The window cannot be drawn: this browser offers neither WebGPU nor WebGL 2, or they are switched off. \
+    A current Firefox, Chrome, Edge or Safari has one of them; in its settings it may be called hardware acceleration.";
+
+/// The sentence after a defect of the program.
+const DEFECT: &str = "The program has stopped: this is a defect. What was shown is in the address, and the answers in lessons \
+    are kept. The browser's console has the details.";
+
+/// Returns the address of this page with these `pairs` of a setting and its value.
+pub fn link_to(pairs: &str) -> String {
+    format!("{}#{pairs}", page::address())
+}
+
+/// Opens the window in the page.
+pub fn start() {
+    // Errors alone: what libraries warn of is no concern of a user's.
+    let _ = eframe::WebLogger::init(log::LevelFilter::Error);
+    let runner = WebRunner::new();
+    let report = panic::take_hook();
+    panic::set_hook(Box::new(move |info| {
+        report(info);
+        page::show_problem(DEFECT);
+    }));
+    tasks::spawn(open(runner));
+}
+
+/// Opens the window, and shows a problem in its place if that fails.
+async fn open(runner: WebRunner) {
+    let Some(canvas) = page::canvas() else { return };
+    let options = WebOptions { wgpu_options: graphics::configuration(), ..WebOptions::default() };
+    let own = runner.clone();
+    let create = move |cc: &CreationContext<'_>| {
+        let keeper = Keeper::in_folder(Path::new(files::KEPT));
+        let state = first_state(keeper.load(), &Fragment::parse(&page::fragment()))?;
+        keeper.memory().restore_in(&cc.egui_ctx, false);
+        if let Some(render_state) = &cc.wgpu_render_state {
+            painting::install(&cc.egui_ctx, render_state);
+        }
+        let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).kept_by(keeper);
+        // Each band of rows with that many rays would keep the page's one thread for too long.
+        let app = app.without_refinement();
+        Ok(Box::new(PageApp::new(app, own)) as Box<dyn eframe::App>)
+    };
+    match runner.start(canvas, options, Box::new(create)).await {
+        Ok(()) => {
+            page::show_window();
+            listen(&runner);
+        }
+        Err(error) => {
+            log::warn!("{error:?}");
+            page::show_problem(NO_GRAPHICS);
+        }
+    }
+}
+
+/// Has the window follow the address, and keep its state when the page goes.
+fn listen(runner: &WebRunner) {
+    let follower = runner.clone();
+    page::on("hashchange", move || {
+        if let Some(mut app) = follower.app_mut::<PageApp>() {
+            app.follow(&Fragment::parse(&page::fragment()));
+        }
+    });
+    let keeper = runner.clone();
+    page::on("pagehide", move || {
+        if let Some(mut app) = keeper.app_mut::<PageApp>() {
+            eframe::App::on_exit(&mut *app);
+        }
+    });
+}
+
+/// The state that the address asks for, and the rest as the last visit left it.
+fn first_state(left: Loaded, fragment: &Fragment) -> anyhow::Result<State> {
+    let Loaded { settings, memory, answers, notice } = left;
+    let (settings, problem) = fragment.settings(settings);
+    let mut state = opened(settings)?;
+    state.session.recent.extend(memory.recent());
+    recall(&mut state, &memory, &answers, fragment.welcomes());
+    if let Some(lesson) = &fragment.lesson {
+        let begun = state.library().open(lesson).and_then(|lesson| state.begin_lesson(&lesson));
+        state.scratch.notice = begun.err().map(Notice::error);
+    }
+    if fragment.presents {
+        state.session.stage = Stage::presented();
+    }
+    let problem = problem.map(Notice::error).or(notice);
+    state.scratch.notice = problem.or(state.scratch.notice);
+    Ok(state)
+}
+
+/// The state of `settings`. Where their scene is no more, as that of a file which was dropped on the last visit, the default one is
+/// shown, and why.
+fn opened(settings: Settings) -> anyhow::Result<State> {
+    let scene = settings.scene.clone();
+    let default = settings.clone().with_scene(Settings::default().scene);
+    State::open(settings).or_else(|error| {
+        let mut state = State::open(default)?;
+        state.scratch.notice = Some(Notice::error(error).about(Path::new(&scene)));
+        Ok(state)
+    })
+}

@@ -1,0 +1,125 @@
+//! The window as an application of the page: it keeps the address current, and ends with a sentence when its device is lost.
+
+use std::time::Duration;
+
+use eframe::WebRunner;
+use eframe::egui::{Context, RawInput, Ui};
+
+use super::address::Fragment;
+use crate::app::App;
+use crate::app::command::Command;
+use crate::app::lesson::session::LessonCommand;
+use crate::app::state::document::Document;
+use crate::platform::clock::Instant;
+use crate::platform::web::{page, tasks};
+
+/// Time between a change of the state and its appearance in the address.
+const REST: Duration = Duration::from_secs(1);
+
+/// The application.
+pub struct PageApp {
+    app: App,
+    runner: WebRunner,
+    address: Address,
+    is_lost: bool,
+}
+
+/// The address, and the state that it tells.
+struct Address {
+    document: Document,
+    fragment: Option<Fragment>,
+    due: Option<Instant>,
+}
+
+impl PageApp {
+    /// Shows `app`, which the `runner` runs.
+    pub fn new(app: App, runner: WebRunner) -> Self {
+        let state = app.state();
+        let address = Address { document: state.document.clone(), fragment: Fragment::of(state), due: None };
+        Self { app, runner, address, is_lost: false }
+    }
+
+    /// Shows what another `fragment` of the address asks for.
+    pub fn follow(&mut self, fragment: &Fragment) {
+        if let Some(link) = fragment.link() {
+            self.app.ask(Command::Open(link));
+        }
+        if let Some(lesson) = &fragment.lesson {
+            self.app.ask(Command::Lesson(LessonCommand::Open(lesson.clone())));
+        }
+        if fragment.presents != self.app.state().session.stage.is_presented() {
+            self.app.ask(Command::TogglePresenting);
+        }
+    }
+
+    /// Has the address tell what is shown, a while after it has changed.
+    fn keep_address(&mut self, ctx: &Context) {
+        let Address { document, fragment, due } = &mut self.address;
+        let Some(since) = due else {
+            let state = self.app.state();
+            let is_other = fragment.as_ref().is_some_and(|fragment| {
+                fragment.presents != state.session.stage.is_presented()
+                    || fragment.lesson.is_some() != state.course().is_some()
+            });
+            if is_other || *document != state.document {
+                *due = Some(Instant::now());
+                ctx.request_repaint_after(REST);
+            }
+            return;
+        };
+        let rest = REST.saturating_sub(since.elapsed());
+        if !rest.is_zero() {
+            ctx.request_repaint_after(rest);
+            return;
+        }
+        *due = None;
+        *document = self.app.state().document.clone();
+        let now = Fragment::of(self.app.state());
+        if *fragment != now {
+            page::replace_fragment(&now.as_ref().map(Fragment::to_text).unwrap_or_default());
+            *fragment = now;
+        }
+    }
+
+    /// Ends the window if its device is lost.
+    fn end_if_lost(&mut self) {
+        let Some(loss) = self.app.loss().filter(|_| !self.is_lost) else { return };
+        self.is_lost = true;
+        eframe::App::on_exit(self);
+        let reason = loss.trim_end_matches('.');
+        page::show_problem(&format!("The graphics device was lost ({reason}). What was shown is kept."));
+        let runner = self.runner.clone();
+        // Not before this frame has ended.
+        tasks::spawn(async move {
+            tasks::pause().await;
+            runner.destroy();
+        });
+    }
+}
+
+impl eframe::App for PageApp {
+    fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
+        self.end_if_lost();
+        self.app.logic(ctx, frame);
+        self.keep_address(ctx);
+    }
+
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        self.app.ui(ui, frame);
+    }
+
+    fn raw_input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
+        self.app.raw_input_hook(ctx, input);
+    }
+
+    fn on_exit(&mut self) {
+        if let Some(fragment) = Fragment::of(self.app.state()).filter(|_| self.address.due.is_some()) {
+            page::replace_fragment(&fragment.to_text());
+        }
+        self.app.on_exit();
+    }
+
+    fn as_any_mut(&mut self) -> Option<&mut dyn std::any::Any> {
+        Some(self)
+    }
+}

@@ -1,0 +1,151 @@
+//! Files of a page: those that the user gave it are in memory, those in [`KEPT`] are texts that the browser keeps, and all others that
+//! are written are downloads.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::io::{self, Cursor, Read};
+use std::path::{Path, PathBuf};
+
+use crate::platform::web::{download, storage};
+
+/// Whether there are folders.
+pub const HAS_FOLDERS: bool = false;
+
+/// The folder of files that are kept from one visit to the next.
+pub const KEPT: &str = "gamow";
+
+thread_local!(static GIVEN: RefCell<BTreeMap<PathBuf, Vec<u8>>> = const { RefCell::new(BTreeMap::new()) });
+
+/// A file that is read.
+pub type Regular = Cursor<Vec<u8>>;
+
+/// Takes in a file that the user gave the page: from now on there is one at `path`.
+pub fn take_in(path: &Path, bytes: Vec<u8>) {
+    GIVEN.with_borrow_mut(|given| given.insert(path.to_owned(), bytes));
+}
+
+/// Writes a whole file: into the browser's storage if it is to be kept, else as a download.
+///
+/// # Errors
+/// Those of the browser.
+pub fn deliver(path: &Path, bytes: Vec<u8>) -> io::Result<()> {
+    if let Some(name) = kept_name(path) {
+        let text = String::from_utf8(bytes).map_err(|_| io::Error::other("it is no text"))?;
+        return storage::write(name, &text);
+    }
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    download::deliver(&name, media_type(path), &bytes)
+}
+
+/// The name under which the browser keeps the file at `path`, if it does.
+fn kept_name(path: &Path) -> Option<&str> {
+    path.to_str().filter(|_| path.starts_with(KEPT))
+}
+
+fn media_type(path: &Path) -> &'static str {
+    match path.extension().and_then(|ending| ending.to_str()) {
+        Some("png") => "image/png",
+        Some("gif") => "image/gif",
+        Some("svg") => "image/svg+xml",
+        Some("csv") => "text/csv",
+        Some("html") => "text/html",
+        Some("json") => "application/json",
+        _ => "application/octet-stream",
+    }
+}
+
+fn contents(path: &Path) -> Option<Vec<u8>> {
+    match kept_name(path) {
+        Some(name) => storage::read(name).map(String::into_bytes),
+        None => GIVEN.with_borrow(|given| given.get(path).cloned()),
+    }
+}
+
+/// The file at `path`, to be read.
+///
+/// # Errors
+///
+/// There is no such file, as everywhere here.
+pub fn open(path: &Path) -> io::Result<Regular> {
+    contents(path).map(Cursor::new).ok_or_else(|| io::ErrorKind::NotFound.into())
+}
+
+/// Opens `path` for reading from its beginning to its end.
+pub fn open_stream(path: &Path) -> io::Result<Box<dyn Read>> {
+    Ok(Box::new(open(path)?))
+}
+
+/// Refuses no place for a file: a page has no devices.
+pub const fn check_replaceable(_: &Path) -> io::Result<()> {
+    Ok(())
+}
+
+/// The bytes of the file at `path`, of which there must be no more than `most`.
+pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+    let bytes = open(path)?.into_inner();
+    if bytes.len() as u64 > most {
+        let problem = format!("it is longer than {} MB, the most that is read of such a file", most >> 20);
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, problem));
+    }
+    Ok(bytes)
+}
+
+/// Does nothing: folders are parts of names.
+pub const fn create_folder(_: &Path) -> io::Result<()> {
+    Ok(())
+}
+
+/// Returns the paths in the folder `path`, in alphabetical order.
+pub fn list_folder(path: &Path) -> io::Result<Vec<PathBuf>> {
+    Ok(GIVEN.with_borrow(|given| given.keys().filter(|file| file.parent() == Some(path)).cloned().collect()))
+}
+
+/// Whether there is a folder at `path`: never.
+#[must_use]
+pub const fn is_folder(_: &Path) -> bool {
+    false
+}
+
+/// Whether there is a file at `path`.
+#[must_use]
+pub fn is_file(path: &Path) -> bool {
+    contents(path).is_some()
+}
+
+/// Whether there is anything at `path`.
+#[must_use]
+pub fn is_there(path: &Path) -> bool {
+    is_file(path)
+}
+
+/// Whether there is something at `path` that is no regular file: never.
+#[must_use]
+pub const fn is_special(_: &Path) -> bool {
+    false
+}
+
+/// Length of the file at `path`, bytes.
+pub fn size(path: &Path) -> io::Result<u64> {
+    Ok(open(path)?.into_inner().len() as u64)
+}
+
+/// `path` as it is. There is no folder that a page is in.
+pub fn canonical(path: &Path) -> io::Result<PathBuf> {
+    if path == Path::new(".") { Err(io::ErrorKind::NotFound.into()) } else { Ok(path.to_owned()) }
+}
+
+/// Gives what is at `from` the name `to`; what was there is lost.
+pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
+    let bytes = open(from)?.into_inner();
+    match kept_name(from) {
+        Some(name) => storage::remove(name),
+        None => drop(GIVEN.with_borrow_mut(|given| given.remove(from))),
+    }
+    deliver(to, bytes)
+}
+
+/// The name by which a file in `folder` calls that at `path`: the name alone.
+#[must_use]
+pub fn name_from(_: &Path, path: &Path) -> Option<String> {
+    path.file_name()?.to_str().map(str::to_owned)
+}

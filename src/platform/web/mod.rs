@@ -1,0 +1,8 @@
+//! What a browser provides in place of a system: the page, its storage, downloads, and time between two frames.
+
+pub mod download;
+pub mod locks;
+pub mod page;
+pub mod storage;
+pub mod tasks;
+pub mod threads;

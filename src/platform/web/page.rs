@@ -1,0 +1,70 @@
+//! The page: its canvas, its address, and its words for when the program cannot go on.
+
+use wasm_bindgen::prelude::Closure;
+use wasm_bindgen::{JsCast as _, JsValue};
+use web_sys::{Event, HtmlCanvasElement, Window};
+
+/// The canvas of the page that the window is drawn on.
+#[must_use]
+pub fn canvas() -> Option<HtmlCanvasElement> {
+    let canvas = window()?.document()?.get_element_by_id("gamow")?;
+    canvas.dyn_into().ok()
+}
+
+/// Returns the address of the page without the fragment.
+#[must_use]
+pub fn address() -> String {
+    let href = window().and_then(|window| window.location().href().ok()).unwrap_or_default();
+    href.split('#').next().unwrap_or_default().to_owned()
+}
+
+/// Returns the fragment of the address, behind its `#`.
+#[must_use]
+pub fn fragment() -> String {
+    let hash = window().and_then(|window| window.location().hash().ok()).unwrap_or_default();
+    hash.trim_start_matches('#').to_owned()
+}
+
+/// Replaces the fragment of the address, without a new entry in the browser's history.
+pub fn replace_fragment(fragment: &str) {
+    let history = window().and_then(|window| window.history().ok());
+    if let Some(history) = history {
+        let address = format!("{}#{fragment}", address());
+        // A browser may refuse it when it comes too often: then the next one counts.
+        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
+    }
+}
+
+/// Tells the page that the window is shown, in place of its words.
+pub fn show_window() {
+    tell("gamow-shown");
+}
+
+/// Has the page show a sentence and a button to load it again, in place of the window.
+pub fn show_problem(problem: &str) {
+    let root = window().and_then(|window| window.document()).and_then(|document| document.document_element());
+    if let Some(root) = root {
+        let _ = root.set_attribute("data-problem", problem);
+    }
+    tell("gamow-problem");
+}
+
+fn tell(event: &str) {
+    if let (Some(window), Ok(event)) = (window(), Event::new(event)) {
+        let _ = window.dispatch_event(&event);
+    }
+}
+
+/// Calls `then` at each `event` of the browser's window, for as long as the page is there.
+pub fn on(event: &str, then: impl FnMut() + 'static) {
+    let closure = Closure::<dyn FnMut()>::new(then);
+    if let Some(window) = window() {
+        let _ = window.add_event_listener_with_callback(event, closure.as_ref().unchecked_ref());
+    }
+    // It lasts as long as the page.
+    closure.forget();
+}
+
+fn window() -> Option<Window> {
+    web_sys::window()
+}
