@@ -1,6 +1,8 @@
-//! The columns that `eval` and `curve` append, and the models that fill them.
+//! The columns that `eval` and `curve` read and append, and the models that fill them.
 
+mod batch;
 mod error;
+mod header;
 mod names;
 mod observer;
 
@@ -12,8 +14,10 @@ use relativity_core::{
     Stereo, StereoError, WheelPoint,
 };
 
+pub use self::batch::{Batch, BatchError, Input, Wanted};
 pub use self::error::ObservationError;
 use self::error::check_half_turn;
+pub use self::header::{Header, InputError};
 pub use self::names::{
     ANGLES, CLOCK, OBSERVER_DIRECTION, OBSERVER_PLACE, OBSERVER_PREFIX, OBSERVER_SPEED, ROLL, TURN, WHEEL,
     observer_speed,
@@ -166,7 +170,7 @@ impl ModelArgs {
         if let Some(index) = values.iter().position(|value| !value.is_finite()) {
             return Err(ObservationError::NotFinite { column: COLUMNS[index], value: values[index] });
         }
-        let &Observation { ref speed, source, baseline, ref observer, clock } = observation;
+        let &Observation { ref speed, source, baseline, .. } = observation;
         if let Source::Wheel(wheel) = source {
             let proper_times = [both.primary, both.secondary].map(|seen| seen.proper_time);
             values.extend(
@@ -180,14 +184,7 @@ impl ModelArgs {
             values.extend(seen.map(|seen| seen.distance));
         }
         if self.stereo {
-            // What two eyes in one place make of a point is a limit, which depends on their direction and on the motion.
-            let pair = baseline.stereo_apertures(given.is_riding);
-            let found = match observer.stereo(self.model, speed, source, pair, clock) {
-                Ok(Stereo { gain, position: [x, y, z], miss }) => [gain, x, y, z, miss],
-                Err(ObserverError::Stereo(StereoError::Apart)) => [f64::NAN; 5],
-                Err(error) => return Err(error.into()),
-            };
-            values.extend(&found[..given.stereo()]);
+            values.extend(&self.found(observation, given)?[..given.stereo()]);
         }
         if self.conformal {
             let axes = baseline.axes();
@@ -196,6 +193,32 @@ impl ModelArgs {
             values.extend(seen.map(|seen| seen.map_or(f64::NAN, |seen| seen.v)));
         }
         Ok(values)
+    }
+
+    /// The values of the stereo columns alone; NaN where lines of sight do not meet.
+    ///
+    /// # Errors
+    ///
+    /// An input outside its domain, or a model that has no such columns.
+    pub fn stereo_values(
+        &self,
+        observation: &Observation,
+        given: GivenInputs,
+    ) -> Result<Vec<f64>, ObservationError> {
+        check(observation)?;
+        Ok(self.found(observation, given)?[..given.stereo()].to_vec())
+    }
+
+    /// The gain, the place and the miss that two eyes find; NaN where their lines of sight do not meet.
+    fn found(&self, observation: &Observation, given: GivenInputs) -> Result<[f64; 5], ObservationError> {
+        let &Observation { ref speed, source, baseline, ref observer, clock } = observation;
+        // What two eyes in one place make of a point is a limit, which depends on their direction and on the motion.
+        let pair = baseline.stereo_apertures(given.is_riding);
+        match observer.stereo(self.model, speed, source, pair, clock) {
+            Ok(Stereo { gain, position: [x, y, z], miss }) => Ok([gain, x, y, z, miss]),
+            Err(ObserverError::Stereo(StereoError::Apart)) => Ok([f64::NAN; 5]),
+            Err(error) => Err(error.into()),
+        }
     }
 
     /// The values of the columns that are always there.
@@ -222,19 +245,30 @@ impl ModelArgs {
         ]
     }
 
-    fn disparity(&self, observation: &Observation) -> Result<Disparity, ObservationError> {
+    /// The disparity, and what either eye sees.
+    ///
+    /// # Errors
+    ///
+    /// An input outside its domain.
+    pub fn disparity(&self, observation: &Observation) -> Result<Disparity, ObservationError> {
+        check(observation)?;
         let &Observation { ref speed, source, baseline, ref observer, clock } = observation;
-        let Baseline { separation, roll, turn } = baseline;
-        if !(0.0..=MAX_COORDINATE).contains(&separation) {
-            return Err(ObservationError::Separation(separation));
-        }
-        for (name, value) in [(ROLL, roll), (TURN, turn)] {
-            check_half_turn(name, value)?;
-        }
-        if let Source::Wheel(wheel) = source {
-            check_wheel(&wheel)?;
-        }
         Ok(observer.disparity(self.model, speed, source, baseline.apertures(), clock)?)
+    }
+}
+
+/// Refuses eyes and wheels that are none.
+fn check(observation: &Observation) -> Result<(), ObservationError> {
+    let Baseline { separation, roll, turn } = observation.baseline;
+    if !(0.0..=MAX_COORDINATE).contains(&separation) {
+        return Err(ObservationError::Separation(separation));
+    }
+    for (name, value) in [(ROLL, roll), (TURN, turn)] {
+        check_half_turn(name, value)?;
+    }
+    match observation.source {
+        Source::Wheel(wheel) => check_wheel(&wheel),
+        Source::Point(_) => Ok(()),
     }
 }
 

@@ -61,6 +61,13 @@ impl Problem {
                 let other = context(error, ContextKind::PriorArg).map(name).unwrap_or_default();
                 format!("{shown} and {other} cannot both be set: choose one")
             }
+            (ErrorKind::MissingRequiredArgument, _) => match error.get(ContextKind::InvalidArg) {
+                Some(ContextValue::Strings(missing)) => {
+                    let missing: Vec<_> = missing.iter().map(|flag| name(flag)).collect();
+                    format!("{} is missing", missing.join(", "))
+                }
+                _ => first_line(error),
+            },
             _ => first_line(error),
         };
         Self { key, text }
@@ -70,6 +77,12 @@ impl Problem {
     pub fn at(self, place: String) -> SettingsError {
         SettingsError::Content { place, problem: self.text }
     }
+}
+
+/// Returns the problem that `clap` finds with flags that were not typed on a command line, in one line.
+#[must_use]
+pub fn problem_in_one_line(error: &clap::Error) -> String {
+    Problem::new(error).text
 }
 
 /// `depth-shift` of `--depth-shift <DY>`.

@@ -1,0 +1,36 @@
+//! The Python package `gamow`: the numbers and pictures of the commands, in NumPy arrays.
+//!
+//! Functions are called by keywords that have the names of the commands' columns and flags, and give what the commands write: the
+//! same numbers, bit for bit. Whatever the commands refuse is a `ValueError` with the same line. `gamow.pyi` is the reference.
+#![warn(clippy::disallowed_methods, clippy::disallowed_types, clippy::print_stdout, clippy::print_stderr)]
+
+mod arrays;
+mod errors;
+mod flags;
+mod pictures;
+mod points;
+mod readings;
+mod state;
+
+use pyo3::prelude::*;
+
+/// What two eyes see of bodies that move at nearly the speed of light: numbers in NumPy arrays, and pictures.
+#[pymodule]
+#[pyo3(name = "gamow")]
+mod python {
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use super::pictures::{measure, render};
+    #[pymodule_export]
+    use super::points::{curve, disparity, sightings, stereo};
+    #[pymodule_export]
+    use super::readings::fit;
+    #[pymodule_export]
+    use super::state::State;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}
