@@ -5,7 +5,8 @@ use relativity_core::{Model, Source, StereoError};
 use thiserror::Error;
 
 use super::header::{Header, InputError};
-use super::{GivenInputs, ModelArgs, Observation};
+use super::model::ModelArgs;
+use super::observation::{GivenInputs, Observation};
 use crate::platform::threads::prelude::*;
 
 /// Observations per task.

@@ -4,10 +4,11 @@ use csv::ByteRecord;
 use relativity_core::{Baseline, Observer, ObserverVelocity, SourcePoint, StereoError};
 use thiserror::Error;
 
+use super::error::ObservationError;
 use super::names::{
     OBSERVER_DIRECTION, OBSERVER_PLACE, OBSERVER_PREFIX, OBSERVER_SPEED, ROLL, TURN, WHEEL, observer_speed,
 };
-use super::{GivenInputs, Observation, ObservationError};
+use super::observation::{GivenInputs, Observation};
 use crate::files::csv_in::{self, Names};
 use crate::flags::{GivenObserver, SpeedParameter, rolling};
 

@@ -2,6 +2,10 @@
 //!
 //! Functions are called by keywords that have the names of the commands' columns and flags, and give what the commands write: the
 //! same numbers, bit for bit. Whatever the commands refuse is a `ValueError` with the same line. `gamow.pyi` is the reference.
+#![expect(
+    clippy::doc_markdown,
+    reason = "comments become texts of Python, where backticks mean something else"
+)]
 #![warn(clippy::disallowed_methods, clippy::disallowed_types, clippy::print_stdout, clippy::print_stderr)]
 
 mod arrays;

@@ -13,7 +13,7 @@ use gamow::studio::film::frame_path;
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::exceptions::{PyTypeError, PyUserWarning};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::{PyBytes, PyDict, PyDictMethods};
 
 use crate::errors::{of_command, value_error};
 use crate::flags::parsed;
@@ -56,7 +56,7 @@ pub fn measure<'py>(
     flags: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     if let Ok(state) = source.cast::<State>() {
-        let flags = flags.map_or_else(|| Ok(PyDict::new(py)), |flags| flags.copy())?;
+        let flags = flags.map_or_else(|| Ok(PyDict::new(py)), PyDictMethods::copy)?;
         return measured_in_state(py, state.get(), &flags);
     }
     let files: Vec<PathBuf> = match source.extract::<PathBuf>() {

@@ -31,13 +31,13 @@ use crate::flags::parsed;
 pub fn sightings<'py>(
     py: Python<'py>,
     model: &str,
-    intensity_exponent: Option<Bound<'py, PyAny>>,
+    intensity_exponent: Option<&Bound<'py, PyAny>>,
     conformal: bool,
-    out: Option<Bound<'py, PyDict>>,
+    out: Option<&Bound<'py, PyDict>>,
     columns: Option<Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let model = ModelArgs { conformal, ..model_of(model, intensity_exponent.as_ref())? };
-    filled(py, Wanted::All, model, out.as_ref(), columns)
+    let model = ModelArgs { conformal, ..model_of(model, intensity_exponent)? };
+    filled(py, Wanted::All, model, out, columns)
 }
 
 /// The disparities of points, left minus right: dphi and dtheta, radians.
@@ -48,10 +48,10 @@ pub fn sightings<'py>(
 pub fn disparity<'py>(
     py: Python<'py>,
     model: &str,
-    out: Option<Bound<'py, PyDict>>,
+    out: Option<&Bound<'py, PyDict>>,
     columns: Option<Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    filled(py, Wanted::Disparity, model_of(model, None)?, out.as_ref(), columns)
+    filled(py, Wanted::Disparity, model_of(model, None)?, out, columns)
 }
 
 /// Where two eyes take points to be: the columns stereo_gain, stereo_x, stereo_y and stereo_z of `gamow eval --stereo`.
@@ -63,10 +63,10 @@ pub fn disparity<'py>(
 pub fn stereo<'py>(
     py: Python<'py>,
     model: &str,
-    out: Option<Bound<'py, PyDict>>,
+    out: Option<&Bound<'py, PyDict>>,
     columns: Option<Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    filled(py, Wanted::Stereo, model_of(model, None)?, out.as_ref(), columns)
+    filled(py, Wanted::Stereo, model_of(model, None)?, out, columns)
 }
 
 /// What both eyes see of one point over a range of times: the columns of `gamow curve`, whose flags are the keywords.

@@ -1,0 +1,59 @@
+//! Time of a million points by the batch forms that the Python package calls, without Python: `batch.py` sets both beside each
+//! other.
+//!
+//! `cargo bench -p gamow-python --bench batch`. Prints milliseconds, the best of several: the disparities of one point at a million
+//! times, and everything that both eyes see of a million points.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use csv::ByteRecord;
+use gamow::columns::{Batch, Header, Input, ModelArgs, Wanted};
+use relativity_core::batch::{DisparityColumns, Threads, disparities_over_time};
+use relativity_core::{Aperture, Model, SourcePoint, Speed};
+
+const ROWS: usize = 1_000_000;
+const REPETITIONS: usize = 15;
+
+fn main() {
+    let times: Vec<f64> = (0..ROWS).map(|row| -20.0 + 40.0 * row as f64 / (ROWS - 1) as f64).collect();
+    println!("disparity {:.3}", best(disparities(&times)));
+    println!("sightings {:.3}", best(sightings(&times)));
+}
+
+/// Milliseconds of the fastest repetition of `work`.
+fn best(mut work: impl FnMut()) -> f64 {
+    let milliseconds = |_| {
+        let start = Instant::now();
+        work();
+        1e3 * start.elapsed().as_secs_f64()
+    };
+    (0..REPETITIONS).map(milliseconds).fold(f64::INFINITY, f64::min)
+}
+
+fn disparities(times: &[f64]) -> impl FnMut() {
+    let speed = Speed::from_beta(0.9).expect("0.9 is a speed");
+    let point = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };
+    let [mut dphi, mut dtheta] = [(); 2].map(|()| vec![0.0; ROWS]);
+    move || {
+        let out = DisparityColumns { dphi: &mut dphi, dtheta: &mut dtheta };
+        disparities_over_time(&speed, point, Aperture::pair(0.1), times, out, Threads::All)
+            .expect("inside the domain");
+        black_box((&dphi, &dtheta));
+    }
+}
+
+fn sightings(times: &[f64]) -> impl FnMut() {
+    let model = ModelArgs { model: Model::Exact, intensity_exponent: 4.0, stereo: false, conformal: false };
+    let names = ByteRecord::from(vec!["beta", "d", "y", "z", "T"]);
+    let header = Header::new(names, |_| Ok(Vec::new())).expect("all are there");
+    let columns = Wanted::All.columns(&model, header.given()).expect("no stereo").len();
+    let mut out = vec![vec![0.0; ROWS]; columns];
+    move || {
+        let [beta, d, y, z] = [0.9, 0.1, 3.0, 2.0].map(Input::Same);
+        let inputs = [beta, d, y, z, Input::Each(times)];
+        let batch = Batch { header: &header, inputs: &inputs, rows: ROWS };
+        let out = out.iter_mut().map(Vec::as_mut_slice).collect();
+        batch.fill(Wanted::All, &model, out).expect("inside the domain");
+    }
+}
