@@ -9,13 +9,13 @@ use super::model::ModelArgs;
 use super::observation::{GivenInputs, Observation};
 use crate::platform::threads::prelude::*;
 
-/// Observations per task.
+/// Number of observations that a task fills.
 const CHUNK: usize = 4096;
 
 /// An input of a batch.
 #[derive(Debug, Clone, Copy)]
 pub enum Input<'a> {
-    /// One number for all rows.
+    /// A number that all rows share.
     Same(f64),
     /// A number for each row.
     Each(&'a [f64]),
@@ -39,7 +39,7 @@ pub enum Wanted {
     All,
     /// The disparities dphi and dtheta.
     Disparity,
-    /// Where two eyes take the point to be.
+    /// The stereo columns: the place that two eyes take the point to be at.
     Stereo,
 }
 
@@ -50,7 +50,7 @@ pub struct Batch<'a> {
     pub header: &'a Header,
     /// The inputs in the order of the names, each of one length.
     pub inputs: &'a [Input<'a>],
-    /// Number of observations.
+    /// Number of observations, a row each.
     pub rows: usize,
 }
 
@@ -60,7 +60,7 @@ pub struct Batch<'a> {
 pub struct BatchError {
     /// Index of the first such row.
     pub row: usize,
-    /// Reason.
+    /// Reason why it cannot be filled.
     pub error: InputError,
 }
 

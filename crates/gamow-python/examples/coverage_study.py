@@ -43,13 +43,13 @@ def study(client, speeds=SPEEDS, noises=NOISES, replicates=REPLICATES):
 
 
 def frame(time, state):
-    """A frame of a film; `state` is a link, which travels to a worker as text."""
-    return gamow.State(state, time=time).render()
+    """A frame of a film."""
+    return state.replace(time=time).render()
 
 
 def film(client, state, times):
     """Frames at `times`, an array of shape (frames, height, width, 3)."""
-    return np.stack(client.gather(client.map(frame, times, state=state.link())))
+    return np.stack(client.gather(client.map(frame, times, state=state)))
 
 
 if __name__ == "__main__":

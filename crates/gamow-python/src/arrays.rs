@@ -12,11 +12,11 @@ use crate::errors::value_error;
 
 /// Arrays of numbers by name, broadcast to one shape.
 pub struct Columns<'py> {
-    /// The names.
+    /// Names of the columns, in the order in which they were given.
     pub names: Vec<String>,
     /// Contents that are borrowed where they are 64-bit floats beside each other, else copied.
     arrays: Vec<PyReadonlyArrayDyn<'py, f64>>,
-    /// The common shape.
+    /// The shape to which all columns are broadcast.
     pub shape: Vec<usize>,
 }
 
@@ -148,7 +148,7 @@ fn common_shape(names: &[String], arrays: &[Bound<'_, PyArrayDyn<f64>>]) -> PyRe
 /// The most rows of one call.
 const MOST_ROWS: usize = 1_000_000_000;
 
-/// The arrays for the columns called `names`: those of `given`, or new ones.
+/// Returns the arrays for the columns called `names`: those of `given`, or new ones.
 ///
 /// # Errors
 ///
@@ -177,7 +177,7 @@ pub fn results<'py>(
     names.iter().map(result).collect()
 }
 
-/// A dictionary of the filled arrays by their names; of a single row their numbers, as NumPy has it.
+/// Returns a dictionary of the filled arrays by their names; of their numbers where the shape is that of a scalar.
 pub fn dictionary<'py>(
     py: Python<'py>,
     names: &[&'static str],

@@ -6,12 +6,12 @@ use gamow::platform::messages;
 use pyo3::PyErr;
 use pyo3::exceptions::PyValueError;
 
-/// The `ValueError` that says `problem` in one line.
+/// Returns a `ValueError` whose message is `problem`, in one line.
 pub fn value_error(problem: impl Display) -> PyErr {
     PyValueError::new_err(messages::in_short(&messages::shown(&problem.to_string())))
 }
 
-/// The `ValueError` of what a command would end with.
+/// Returns a `ValueError` with the message of the error that would end a command.
 pub fn of_command(error: &anyhow::Error) -> PyErr {
     value_error(format_args!("{error:#}"))
 }

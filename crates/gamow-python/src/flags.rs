@@ -52,7 +52,7 @@ fn wrong(keyword: &str, right: &str) -> PyErr {
     value_error(format_args!("{keyword}: must be {right}"))
 }
 
-/// A value as a flag has it: a number by the shortest digits that read back to it, several with commas between them.
+/// Writes a value in the spelling of a flag: a number by the shortest digits that read back to it, a list with commas.
 fn text(keyword: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
     if let Ok(path) = value.extract::<PathBuf>() {
         let path = path.into_os_string().into_string();

@@ -18,7 +18,7 @@ mod state;
 
 use pyo3::prelude::*;
 
-/// What two eyes see of bodies that move at nearly the speed of light: numbers in NumPy arrays, and pictures.
+/// Special relativity as two eyes would see it: numbers in NumPy arrays, fits and pictures.
 #[pymodule]
 #[pyo3(name = "gamow")]
 mod python {

@@ -120,8 +120,8 @@ fn measured_in_state<'py>(
         };
         times.iter().enumerate().try_for_each(draw)
     });
-    drawn.map_err(|error: anyhow::Error| of_command(&error))?;
-    let measured = measured_in_files(py, &[place], Some(flags));
+    let drawn = drawn.map_err(|error: anyhow::Error| of_command(&error));
+    let measured = drawn.and_then(|()| measured_in_files(py, &[place], Some(flags)));
     folder.call_method0("cleanup")?;
     measured
 }

@@ -13,7 +13,7 @@ use crate::arrays::{Columns, dictionary, results};
 use crate::errors::{of_command, value_error};
 use crate::flags::parsed;
 
-/// What both eyes see of points: the columns of `gamow eval`.
+/// Computes what both eyes see of points: the columns of `gamow eval`.
 ///
 /// Every keyword is a number or an array; they are broadcast together as NumPy does. c = 1, lengths and times share one
 /// unit, angles are radians. Speeds: one of beta, gamma, rapidity. d: separation of the eyes. y, z: depth and height. T: when the
@@ -40,7 +40,7 @@ pub fn sightings<'py>(
     filled(py, Wanted::All, model, out, columns)
 }
 
-/// The disparities of points, left minus right: dphi and dtheta, radians.
+/// Computes the disparities of points, left minus right: dphi and dtheta, radians.
 ///
 /// The keywords are those of `sightings`. Where nothing but T is an array, a million disparities take some milliseconds.
 #[pyfunction]
@@ -54,7 +54,7 @@ pub fn disparity<'py>(
     filled(py, Wanted::Disparity, model_of(model, None)?, out, columns)
 }
 
-/// Where two eyes take points to be: the columns stereo_gain, stereo_x, stereo_y and stereo_z of `gamow eval --stereo`.
+/// Computes where two eyes take points to be: the columns stereo_gain, stereo_x, stereo_y and stereo_z of `gamow eval --stereo`.
 ///
 /// The keywords are those of `sightings`. A tilted or turned head, a wheel or a moving observer adds stereo_miss, the distance
 /// at which the lines of sight pass each other. Values are NaN where these do not meet in front of the eyes.
@@ -69,7 +69,7 @@ pub fn stereo<'py>(
     filled(py, Wanted::Stereo, model_of(model, None)?, out, columns)
 }
 
-/// What both eyes see of one point over a range of times: the columns of `gamow curve`, whose flags are the keywords.
+/// Computes what both eyes see of one point over a range of times: the columns of `gamow curve`, whose flags are the keywords.
 ///
 /// Such as beta, d, y, z, x0, from_, to, samples, stereo, conformal, model; wheel_radius, rho, angle; observer_beta. As on the
 /// command line roll, turn, observer_azimuth and observer_elevation are degrees here. Returns a dict of arrays.

@@ -1,4 +1,4 @@
-//! Readings: `fit`.
+//! The function `fit`: speed and distance from readings.
 
 use std::io::Cursor;
 use std::path::PathBuf;
@@ -16,7 +16,7 @@ use crate::arrays::Columns;
 use crate::errors::{of_command, value_error};
 use crate::flags::parsed;
 
-/// Speed and distance of a point from the disparities that two eyes measured: what `gamow fit --json` writes, as a dict.
+/// Fits speed and distance of a point to the disparities that two eyes measured: what `gamow fit --json` writes, as a dict.
 ///
 /// data is the path of a CSV file, or a dict (or a table such as a pandas DataFrame) of arrays with the columns of one: T; dphi,
 /// dtheta or both (left minus right, radians; NaN where there is no reading); optionally sigma_dphi, sigma_dtheta, d, roll, turn.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use gamow::settings::{Settings, StartArgs, is_link};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyBytes, PyDict, PyInt};
+use pyo3::types::{PyBool, PyBytes, PyDict, PyInt, PyType};
 use toml::{Table, Value};
 
 use crate::errors::{of_command, value_error};
@@ -50,7 +50,7 @@ impl State {
         Ok(Self { settings })
     }
 
-    /// All settings as the text of a state file, TOML.
+    /// Writes all settings as the text of a state file, TOML.
     fn toml(&self) -> String {
         self.settings.to_toml()
     }
@@ -75,6 +75,11 @@ impl State {
         pictures::png_of(py, &self.settings)
     }
 
+    /// Pickles the state as its TOML text, for workers in other processes.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> (Bound<'py, PyType>, (String,)) {
+        (py.get_type::<Self>(), (self.toml(),))
+    }
+
     fn __repr__(&self) -> String {
         match self.settings.link() {
             Ok(link) => format!("State('{link}')"),
@@ -84,13 +89,13 @@ impl State {
 }
 
 impl State {
-    /// Its settings.
+    /// Returns the settings of the state.
     pub const fn settings(&self) -> &Settings {
         &self.settings
     }
 }
 
-/// The settings in `source`, or the defaults and the file or name that says more.
+/// Returns the settings in `source`, or the defaults and the name or path that `--state` takes.
 fn started(source: &Bound<'_, PyAny>) -> PyResult<(Settings, Option<PathBuf>)> {
     if let Ok(state) = source.cast::<State>() {
         return Ok((state.get().settings.clone(), None));
@@ -118,7 +123,7 @@ fn table(settings: &Bound<'_, PyDict>) -> PyResult<Table> {
     for (key, value) in settings {
         let key: String = key.extract().map_err(|_| value_error("the keys of a state are text"))?;
         let value = match value.cast::<PyDict>() {
-            Ok(section) if table_depth(section) => {
+            Ok(section) if holds_a_section(section) => {
                 return Err(value_error(format_args!("{key}: a section holds settings, and no sections")));
             }
             Ok(section) => Value::Table(self::table(section)?),
@@ -130,7 +135,7 @@ fn table(settings: &Bound<'_, PyDict>) -> PyResult<Table> {
 }
 
 /// Whether a section holds a section.
-fn table_depth(section: &Bound<'_, PyDict>) -> bool {
+fn holds_a_section(section: &Bound<'_, PyDict>) -> bool {
     section.values().iter().any(|value| value.is_instance_of::<PyDict>())
 }
 

@@ -1,5 +1,6 @@
 """Pictures and measurements against the commands."""
 
+import pickle
 import struct
 import zlib
 
@@ -88,6 +89,7 @@ def test_ways_to_give_a_state_agree(tmp_path):
     assert gamow.State(scene="cyclist", time=3, beta=0.6, gaze=(80, 0)) == state
     assert state.replace(beta=0.7) != state and state.replace(beta=0.7).replace(beta=0.6) == state
     assert eval(repr(state), {"State": gamow.State}) == state
+    assert pickle.loads(pickle.dumps(state)) == state
 
 
 def test_channels_are_measured(gamow_command, tmp_path):

@@ -119,7 +119,7 @@ pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
     })
 }
 
-/// The measured angles.
+/// The measured angles, as a table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredTable {
     /// The names of the columns.

@@ -48,7 +48,7 @@ struct Part {
 impl Part {
     const WHOLE: Self = Self { index: 0, count: 1 };
 
-    /// The frames of this part among so many `frames`.
+    /// Returns the numbers of the frames in this part of a sequence of `frames` frames.
     fn frames(self, frames: u32) -> impl Iterator<Item = u32> {
         (self.index..frames).step_by(self.count as usize)
     }
@@ -91,7 +91,7 @@ impl TimeArgs {
 }
 
 impl TimeArgs {
-    /// The numbers of the frames to draw, of so many `frames`.
+    /// Returns the numbers of the frames to draw, of a sequence of `frames` frames.
     fn numbers(&self, frames: u32) -> Vec<u32> {
         self.part.unwrap_or(Part::WHOLE).frames(frames).collect()
     }
