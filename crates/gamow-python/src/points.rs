@@ -42,7 +42,7 @@ pub fn sightings<'py>(
 
 /// Computes the disparities of points, left minus right: dphi and dtheta, radians.
 ///
-/// The keywords are those of `sightings`. Where nothing but T is an array, a million disparities take some milliseconds.
+/// The keywords are those of `sightings`. Where nothing but T is an array, the batch form of the core is used.
 #[pyfunction]
 #[pyo3(signature = (*, model = "exact", out = None, **columns))]
 pub fn disparity<'py>(
