@@ -63,7 +63,7 @@ impl Problem {
             }
             (ErrorKind::MissingRequiredArgument, _) => match error.get(ContextKind::InvalidArg) {
                 Some(ContextValue::Strings(missing)) => {
-                    let missing: Vec<_> = missing.iter().map(|flag| name(flag)).collect();
+                    let missing: Vec<_> = missing.iter().map(|flag| names(flag)).collect();
                     format!("{} is missing", missing.join(", "))
                 }
                 _ => first_line(error),
@@ -89,6 +89,11 @@ pub fn problem_in_one_line(error: &clap::Error) -> String {
 fn name(flag: &str) -> String {
     let name = flag.trim_start_matches("--");
     name.split([' ', '=']).next().unwrap_or(name).to_owned()
+}
+
+/// `point or object` of `<--point <X,Y,Z>|--object <NAME>>`.
+fn names(flags: &str) -> String {
+    flags.split("--").skip(1).map(name).collect::<Vec<_>>().join(" or ")
 }
 
 fn context(error: &clap::Error, kind: ContextKind) -> Option<&str> {

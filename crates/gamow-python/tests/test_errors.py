@@ -73,7 +73,7 @@ def test_arrays_that_cannot_be_filled_are_refused():
     (gamow.curve, [], {"samples": 1e9}, "samples = 1000000000: must be at most 10000000"),
     (gamow.curve, [], {"beta": [0.1, 0.2]}, "beta = 0.1,0.2: not a number"),
     (gamow.curve, [], {"stereo": "yes"}, "stereo: must be True or False"),
-    (gamow.curve, [], {"rho": 1}, "wheel-radius, angle is missing"),
+    (gamow.curve, [], {"rho": 1}, "angle, wheel-radius is missing"),
     (gamow.fit, [{}], {}, "data:1: column T is missing"),
     (gamow.fit, [3], {}, "data: must be the path of a CSV file, or a dict of arrays"),
     (gamow.fit, ["/nowhere.csv"], {}, "/nowhere.csv: "),
@@ -89,7 +89,7 @@ def test_arrays_that_cannot_be_filled_are_refused():
     (gamow.render, [], {"size": "0x0"}, "size = 0x0"),
     (gamow.render, [], {"renderer": "packets", "geometry": "published"}, "--geometry published is defined point by point"),
     (gamow.measure, ["/nowhere.exr"], {"point": (0, 3, 2)}, "/nowhere.exr: "),
-    (gamow.measure, ["/nowhere.exr"], {}, "point, object, marker"),
+    (gamow.measure, ["/nowhere.exr"], {}, "point or object or marker is missing"),
     (gamow.measure, [5], {"point": (0, 3, 2)}, "what is measured is a path, a list of paths or a State"),
     (gamow.measure, [gamow.State()], {"point": (0, 3, 2)}, "times: the T at which the state is drawn are needed"),
 ])

@@ -73,8 +73,6 @@ KINDS = ["plain", "turned", "wheel", "riding", "all"]
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("model", ["exact", "one-cone"])
 def test_points_are_those_of_eval(gamow_command, kind, model):
-    if model == "one-cone" and kind in ("riding", "all"):
-        pytest.skip("one kind of motion is enough for the second model")
     columns = inputs(kind)
     text = gamow_command("eval", "--stereo", "--conformal", "--model", model, stdin=as_csv(columns))
     theirs = read(text)
