@@ -1,10 +1,8 @@
 //! `gamow curve`: what both eyes see of one point over a range of observation times.
 
-use std::io::Write;
-
 use clap::Args;
 use csv::ByteRecord;
-use relativity_core::{Aperture, Baseline, SourcePoint};
+use relativity_core::{Aperture, Baseline, SourcePoint, StereoError};
 
 use crate::columns::{
     CLOCK, GivenInputs, HELP, ModelArgs, OBSERVER_DIRECTION, OBSERVER_PLACE, Observation, ObservationError,
@@ -80,38 +78,73 @@ Examples:
 
 /// Runs the command `gamow curve`.
 pub fn run(args: &CurveArgs) -> anyhow::Result<()> {
-    let first = args.observation(0.0)?;
-    args.model.values(&first, args.given_inputs())?; // so that a bad flag leaves no header behind on standard output
-    let [from, to] = args.time_range(&first)?;
-    if from >= to {
-        anyhow::bail!("--from {from} is not before --to {to}");
-    }
-    args.out.write(|out| write_curve(args, first, [from, to], out))
+    let curve = args.curve()?; // so that a bad flag leaves no header behind on standard output
+    args.out.write(|out| {
+        let mut output = csv_out::Rows::new(out);
+        output.write(&mut curve.columns()?.into_iter().collect(), &[])?;
+        let mut row = ByteRecord::new();
+        for values in curve.rows() {
+            row.clear();
+            output.write(&mut row, &values?)?;
+        }
+        Ok(output.flush()?)
+    })
 }
 
-fn write_curve(
-    args: &CurveArgs,
+/// A table of what two eyes see of one point.
+#[derive(Debug)]
+pub struct Curve<'a> {
+    args: &'a CurveArgs,
     first: Observation,
-    [from, to]: [f64; 2],
-    out: &mut dyn Write,
-) -> anyhow::Result<()> {
-    let mut output = csv_out::Rows::new(out);
-    let given = args.given_inputs();
-    let mut row: ByteRecord = args.inputs(&first).into_iter().map(|(name, _)| name).collect();
-    row.extend(args.model.columns(given)?);
-    output.write(&mut row, &[])?;
-    for sample in 0..args.samples {
-        let time = time_within([from, to], sample as f64 / (args.samples - 1) as f64);
-        let observation = args.observation(time)?;
-        let values = args.model.values(&observation, given)?;
-        row.clear();
-        let inputs = args.inputs(&observation).into_iter().map(|(_, value)| value);
-        output.write(&mut row, &inputs.chain(values).collect::<Vec<_>>())?;
+    range: [f64; 2],
+}
+
+impl Curve<'_> {
+    /// The names of the columns: the inputs, and what is seen.
+    ///
+    /// # Errors
+    ///
+    /// Stereo columns of a model that has none.
+    pub fn columns(&self) -> Result<Vec<&'static str>, StereoError> {
+        let inputs = self.args.inputs(&self.first).into_iter().map(|(name, _)| name);
+        Ok(inputs.chain(self.args.model.columns(self.args.given_inputs())?).collect())
     }
-    Ok(output.flush()?)
+
+    /// The rows, each at its observation time, with a value for each column; NaN where there is none.
+    pub fn rows(&self) -> impl Iterator<Item = anyhow::Result<Vec<f64>>> {
+        let &Self { args, range, .. } = self;
+        let given = args.given_inputs();
+        (0..args.samples).map(move |sample| {
+            let time = time_within(range, sample as f64 / (args.samples - 1) as f64);
+            let observation = args.observation(time)?;
+            let values = args.model.values(&observation, given)?;
+            let inputs = args.inputs(&observation).into_iter().map(|(_, value)| value);
+            Ok(inputs.chain(values).collect())
+        })
+    }
 }
 
 impl CurveArgs {
+    /// The table that the flags describe.
+    ///
+    /// # Errors
+    ///
+    /// A value out of range, a range of times that is none, or a point that passes at no time.
+    pub fn curve(&self) -> anyhow::Result<Curve<'_>> {
+        let first = self.observation(0.0)?;
+        self.model.values(&first, self.given_inputs())?;
+        let range = self.time_range(&first)?;
+        let [from, to] = range;
+        anyhow::ensure!(from < to, "--from {from} is not before --to {to}");
+        Ok(Curve { args: self, first, range })
+    }
+
+    /// Returns the number of rows.
+    #[must_use]
+    pub const fn samples(&self) -> u64 {
+        self.samples
+    }
+
     /// The observation at a time: T of eyes at rest, else of the observer's clock.
     fn observation(&self, time: f64) -> anyhow::Result<Observation> {
         let source = self.wheel.source(SourcePoint { x0: self.x0, y: self.y, z: self.z });

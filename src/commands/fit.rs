@@ -1,10 +1,11 @@
 //! `gamow fit`: speed and distance of a point from its measured disparities.
 
+use std::io::Read;
 use std::path::PathBuf;
 
 use anyhow::Context as _;
 use clap::Args;
-use relativity_core::{Curves, DEFAULT_REPLICATES, FitError, FitOptions, Model, Passage};
+use relativity_core::{Curves, DEFAULT_REPLICATES, FitOptions, Model, Passage};
 
 use crate::estimate::FitReport;
 use crate::estimate::data::{Data, Eyes, SEPARATION, is_separation};
@@ -100,25 +101,41 @@ fn replicates(text: &str) -> Result<usize, String> {
 /// Runs the command `gamow fit`.
 pub fn run(args: &FitArgs) -> anyhow::Result<()> {
     let (name, input) = csv_in::open(args.file.as_deref())?;
-    let eyes = Eyes { ride: args.riding, ..Eyes::given(args.d, args.head.radians()) };
-    if args.riding && matches!(args.model, Model::Published(_)) {
-        anyhow::bail!("--riding: the model {} has both eyes at rest", args.model.name());
-    }
-    let data = Data::read(&name, input, eyes)?;
-    let curves = data.curves(args.curves);
-    let passage = if args.fit_x0 { Passage::Fitted } else { Passage::Known(args.x0) };
-    let options = FitOptions { model: args.model, curves, passage, rolling: args.wheel.rolling() };
-    let fitted = args.fitted(&data, &options).with_context(|| name)?;
-    args.report.write(&FitReport { riding: args.riding, ..fitted })
+    args.report.write(&args.fitted(&name, input)?)
 }
 
 impl FitArgs {
-    /// The fit, with the replicates that are drawn until an interrupt.
-    fn fitted(&self, data: &Data, options: &FitOptions) -> Result<FitReport, FitError> {
+    /// The fit of the readings in `input`, a CSV file called `name` in errors, with the replicates that are drawn until
+    /// `is_wanted`, which is called with their number, becomes false.
+    ///
+    /// # Errors
+    ///
+    /// One line that says where the readings are wrong, or why they tell too little.
+    pub fn fitted_while(
+        &self,
+        name: &str,
+        input: impl Read,
+        is_wanted: impl FnMut(usize) -> bool,
+    ) -> anyhow::Result<FitReport> {
+        let eyes = Eyes { ride: self.riding, ..Eyes::given(self.d, self.head.radians()) };
+        if self.riding && matches!(self.model, Model::Published(_)) {
+            anyhow::bail!("--riding: the model {} has both eyes at rest", self.model.name());
+        }
+        let data = Data::read(name, input, eyes)?;
+        let curves = data.curves(self.curves);
+        let passage = if self.fit_x0 { Passage::Fitted } else { Passage::Known(self.x0) };
+        let options = FitOptions { model: self.model, curves, passage, rolling: self.wheel.rolling() };
+        let wanted = self.bootstrap;
+        let fitted = FitReport::while_wanted(&data.observations, &options, wanted, self.seed, is_wanted);
+        Ok(FitReport { riding: self.riding, ..fitted.with_context(|| name.to_owned())? })
+    }
+
+    /// The same, with the replicates that are drawn until an interrupt.
+    fn fitted(&self, name: &str, input: impl Read) -> anyhow::Result<FitReport> {
         let (wanted, noted) = (self.bootstrap, Noted::new());
         let progress = progress::bar(wanted as u64, "replicates");
         let (start, mut is_told) = (clock::Instant::now(), false);
-        let report = FitReport::while_wanted(&data.observations, options, wanted, self.seed, |drawn| {
+        let report = self.fitted_while(name, input, |drawn| {
             progress.set_position(drawn as u64);
             let seconds = start.elapsed().as_secs_f64();
             if !is_told && drawn > 0 && seconds > TOLD_AFTER {

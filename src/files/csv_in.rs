@@ -292,11 +292,24 @@ impl Names {
         let number = std::str::from_utf8(text).ok().and_then(|text| text.parse::<f64>().ok());
         match number {
             Some(number) if number.is_finite() => Ok(number),
-            Some(_) => Err(fault("is not finite; it should be a number that a 64-bit float can hold")),
+            Some(_) => Err(fault(NOT_FINITE)),
             None => Err(fault("is not a number; it should be one such as 0.9 or 1e-3")),
         }
     }
+
+    /// Returns `number`, a value of the column at `place`, if it is finite.
+    #[inline]
+    pub fn finite(&self, number: f64, place: usize) -> Result<f64, RowError> {
+        if number.is_finite() {
+            return Ok(number);
+        }
+        let (column, value) = (legible(&self.0[place]), number.to_string());
+        Err(RowError::Value { column, value, problem: NOT_FINITE })
+    }
 }
+
+/// The problem with an infinite number, or with none.
+const NOT_FINITE: &str = "is not finite; it should be a number that a 64-bit float can hold";
 
 /// A header that does not say where the inputs are, each of them once.
 #[derive(Debug, PartialEq, Error)]

@@ -61,6 +61,13 @@ impl Problem {
                 let other = context(error, ContextKind::PriorArg).map(name).unwrap_or_default();
                 format!("{shown} and {other} cannot both be set: choose one")
             }
+            (ErrorKind::MissingRequiredArgument, _) => match error.get(ContextKind::InvalidArg) {
+                Some(ContextValue::Strings(missing)) => {
+                    let missing: Vec<_> = missing.iter().map(|flag| names(flag)).collect();
+                    format!("{} is missing", missing.join(", "))
+                }
+                _ => first_line(error),
+            },
             _ => first_line(error),
         };
         Self { key, text }
@@ -72,10 +79,21 @@ impl Problem {
     }
 }
 
+/// Returns the problem that `clap` finds with flags that were not typed on a command line, in one line.
+#[must_use]
+pub fn problem_in_one_line(error: &clap::Error) -> String {
+    Problem::new(error).text
+}
+
 /// `depth-shift` of `--depth-shift <DY>`.
 fn name(flag: &str) -> String {
     let name = flag.trim_start_matches("--");
     name.split([' ', '=']).next().unwrap_or(name).to_owned()
+}
+
+/// `point or object` of `<--point <X,Y,Z>|--object <NAME>>`.
+fn names(flags: &str) -> String {
+    flags.split("--").skip(1).map(name).collect::<Vec<_>>().join(" or ")
 }
 
 fn context(error: &clap::Error, kind: ContextKind) -> Option<&str> {

@@ -25,7 +25,7 @@ mod views;
 
 pub use all::Settings;
 pub use comparison::{ComparisonError, NO_PAIR};
-pub use error::SettingsError;
+pub use error::{SettingsError, problem_in_one_line};
 pub use file::looks_like_settings;
 pub use link::{is_link, link_of_pairs};
 pub use photograph::CameraArgs;

@@ -127,23 +127,44 @@ impl Studio {
     ///
     /// Those of the renderer and of the file system.
     pub fn make_file(&mut self, frame: &Frame, kind: FileKind, path: &Path) -> anyhow::Result<()> {
-        let provenance = self.provenance(frame, path);
         match kind {
             FileKind::Png => {
+                let provenance = self.provenance(frame, path);
                 let still = self.still(frame)?;
                 let texts = provenance.texts();
                 self.timings.timed("file", || write_whole(path, |file| still.write(&texts, file)))
             }
             FileKind::Exr => {
-                let hits = self.hits(frame)?;
-                let appearance = frame.settings.appearance(&self.scene, frame.time, false);
-                let light = Light { scene: &self.prepared, appearance };
-                self.timings.timed("file", || {
-                    let measurements = Measurements::of_eyes(&hits, light, &provenance.comments());
-                    write_whole(path, |file| measurements.write(file))
-                })
+                let measurements = self.measurements(frame, path)?;
+                self.timings.timed("file", || write_whole(path, |file| measurements.write(file)))
             }
         }
+    }
+
+    /// Measures the pixels of `frame`, for a file at `path`.
+    ///
+    /// # Errors
+    ///
+    /// Those of the renderer; a comparison, which shows one eye alone.
+    pub fn measurements(&mut self, frame: &Frame, path: &Path) -> anyhow::Result<Measurements> {
+        let provenance = self.provenance(frame, path);
+        let hits = self.hits(frame)?;
+        let appearance = frame.settings.appearance(&self.scene, frame.time, false);
+        let Self { prepared, timings, .. } = self;
+        let light = Light { scene: prepared, appearance };
+        Ok(timings.timed("file", || Measurements::of_eyes(&hits, light, &provenance.comments())))
+    }
+
+    /// Returns the contents of a PNG file of `frame`, as it would be at `path`.
+    ///
+    /// # Errors
+    ///
+    /// Those of the renderer.
+    pub fn png(&mut self, frame: &Frame, path: &Path) -> anyhow::Result<Vec<u8>> {
+        let provenance = self.provenance(frame, path);
+        let mut bytes = Vec::new();
+        self.still(frame)?.write(&provenance.texts(), &mut bytes)?;
+        Ok(bytes)
     }
 
     /// Draws the picture for the file of `frame`.

@@ -84,6 +84,74 @@ fn a_killed_sequence_leaves_only_whole_frames() {
     assert!((4..1000).contains(&frames), "{frames} frames");
 }
 
+/// The frames of all parts are those of the whole, byte for byte, and each is drawn by one part alone.
+#[test]
+fn parts_make_the_frames_of_the_whole_once_each() {
+    let folder = folder();
+    let flags = "--frames 8 --from 1 --to 2.5 --samples 1";
+    let said = |flags: &str| String::from_utf8(output(folder.path(), flags).stderr).expect("it is text");
+    let last_line = |text: String| text.lines().last().unwrap_or_default().to_owned();
+    let names = |folder: &Path| {
+        let entries = fs::read_dir(folder).expect("it is there");
+        let mut names: Vec<_> = entries.map(|entry| entry.expect("it can be read").file_name()).collect();
+        names.sort();
+        names
+    };
+    render(folder.path(), &format!("{flags} --out ride"));
+    for (part, frames) in [("1/3", [0, 3, 6].as_slice()), ("2/3", &[1, 4, 7]), ("3/3", &[2, 5])] {
+        let flags = format!("{flags} --part {part} --out parts");
+        let drawn = last_line(said(&flags));
+        assert!(drawn.starts_with(&format!("{} frames drawn and 0 kept", frames.len())), "{part}: {drawn}");
+        // A restart draws what is missing, and nothing else.
+        fs::remove_file(folder.path().join(format!("parts/frame_{:05}.png", frames[1])))
+            .expect("it was drawn");
+        let again = last_line(said(&flags));
+        assert!(
+            again.starts_with(&format!("1 frames drawn and {} kept", frames.len() - 1)),
+            "{part}: {again}"
+        );
+    }
+    let [whole, parts] = ["ride", "parts"].map(|name| folder.path().join(name));
+    assert_eq!(names(&whole), names(&parts));
+    for name in names(&whole) {
+        let [whole, part] = [&whole, &parts].map(|folder| fs::read(folder.join(&name)).expect("it is there"));
+        assert!(whole == part, "{}", name.display());
+    }
+    // The whole finds them all, and more parts than frames leave some without any.
+    assert!(last_line(said(&format!("{flags} --out parts"))).starts_with("0 frames drawn and 8 kept"));
+    assert!(
+        last_line(said(&format!("{flags} --part 9/9 --out parts"))).starts_with("0 frames drawn and 0 kept")
+    );
+}
+
+#[test]
+fn a_part_that_is_none_is_refused_in_a_line() {
+    let folder = folder();
+    for part in ["4/3", "0/3", "1/0", "3", "1/", "/", "-1/3", "1.5/3", "1/3/3", "1/99999999999", ""] {
+        let output = output(folder.path(), &format!("--frames 3 --out ride --part={part}"));
+        let error = String::from_utf8(output.stderr).expect("it is text");
+        let told = format!("invalid value '{part}' for '--part <I/K>'");
+        assert!(
+            !output.status.success() && error.contains(if part.is_empty() { "--part" } else { &told }),
+            "{part}: {error}"
+        );
+        assert!(!folder.path().join("ride").exists(), "{part}");
+    }
+    for (flags, complaint) in [
+        (
+            "--frames 3 --part 1/3 --renderer auto --out ride",
+            "--part 1/3: --renderer is needed (rays, packets, mesh or reference), so that all parts are drawn alike",
+        ),
+        (
+            "--frames 3 --part 1/3 --out ride.gif",
+            "--part 1/3: an animation is one file; parts of a sequence need a folder",
+        ),
+    ] {
+        let error = String::from_utf8(output(folder.path(), flags).stderr).expect("it is text");
+        assert_eq!(error, format!("gamow: {complaint}\n"));
+    }
+}
+
 /// How much it will be is told before most of it is made, and how much it is at the end.
 #[test]
 fn a_sequence_of_measurements_tells_its_size_beforehand_and_afterwards() {

@@ -107,38 +107,61 @@ const HEAD: std::ops::Range<usize> = 2..4;
 
 /// Runs the command `gamow measure`.
 pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
-    let target = args.target.target();
-    let files = files(&args.inputs, target)?;
-    let times = args.taken.times_of(files.len())?;
-    let (mut rows, mut remarks) = (Vec::new(), Remarks::default());
-    for (file, time) in files.iter().zip(times) {
-        let name = files::shown(file);
-        let Some((row, noted)) = measured(file, &name, target, &args.taken, time)? else { continue };
-        remarks.note(&name, &noted);
-        rows.push(row);
-    }
-    anyhow::ensure!(!rows.is_empty(), "none of {} files shows the target to both eyes", files.len());
-    rows.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    if rows.len() < files.len() {
-        messages::remark(format_args!(
-            "{} of {} files show the target to both eyes",
-            rows.len(),
-            files.len()
-        ));
-    }
-    remarks.lines(files.len()).for_each(messages::remark);
+    let table = args.measured()?;
+    table.remarks.iter().for_each(messages::remark);
     args.out.write(|out| {
         let mut csv = csv_out::Rows::new(out);
-        let names = [&["T", "d", ROLL, TURN], ANGLES, &["sigma_dphi", "sigma_dtheta"]].concat();
-        let is_turned = rows.iter().any(|row| row[HEAD] != [0.0; 2]);
-        let is_written = |column: usize| is_turned || !HEAD.contains(&column);
-        csv.write(&mut (0..COLUMNS).filter(|&i| is_written(i)).map(|i| names[i]).collect(), &[])?;
-        for row in &rows {
-            let numbers: Vec<f64> = (0..COLUMNS).filter(|&i| is_written(i)).map(|i| row[i]).collect();
-            csv.write(&mut ByteRecord::new(), &numbers)?;
+        csv.write(&mut table.columns.iter().collect(), &[])?;
+        for row in &table.rows {
+            csv.write(&mut ByteRecord::new(), row)?;
         }
         Ok(csv.flush()?)
     })
+}
+
+/// The measured angles, as a table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuredTable {
+    /// The names of the columns.
+    pub columns: Vec<&'static str>,
+    /// A row for each file that shows the target to both eyes, by time, with a value for each column.
+    pub rows: Vec<Vec<f64>>,
+    /// Remarks on what was found, a line each.
+    pub remarks: Vec<String>,
+}
+
+impl MeasureArgs {
+    /// Measures the target in all files.
+    ///
+    /// # Errors
+    ///
+    /// A file that cannot be read or does not say enough, and a target that no file shows to both eyes.
+    pub fn measured(&self) -> anyhow::Result<MeasuredTable> {
+        let target = self.target.target();
+        let files = files(&self.inputs, target)?;
+        let times = self.taken.times_of(files.len())?;
+        let (mut rows, mut noted_of_all) = (Vec::new(), Remarks::default());
+        for (file, time) in files.iter().zip(times) {
+            let name = files::shown(file);
+            let Some((row, noted)) = measured(file, &name, target, &self.taken, time)? else { continue };
+            noted_of_all.note(&name, &noted);
+            rows.push(row);
+        }
+        anyhow::ensure!(!rows.is_empty(), "none of {} files shows the target to both eyes", files.len());
+        rows.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let is_partial = rows.len() < files.len();
+        let count = is_partial
+            .then(|| format!("{} of {} files show the target to both eyes", rows.len(), files.len()));
+        let remarks = count.into_iter().chain(noted_of_all.lines(files.len())).collect();
+        let is_turned = rows.iter().any(|row| row[HEAD] != [0.0; 2]);
+        let written: Vec<usize> = (0..COLUMNS).filter(|column| is_turned || !HEAD.contains(column)).collect();
+        let names = [&["T", "d", ROLL, TURN], ANGLES, &["sigma_dphi", "sigma_dtheta"]].concat();
+        Ok(MeasuredTable {
+            columns: written.iter().map(|&column| names[column]).collect(),
+            rows: rows.iter().map(|row| written.iter().map(|&column| row[column]).collect()).collect(),
+            remarks,
+        })
+    }
 }
 
 impl TargetArgs {

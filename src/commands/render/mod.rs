@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use clap::{Arg, Args};
 
 use self::sequence::TimeArgs;
+pub use self::vr180::fitted;
 use crate::files::whole::say;
 use crate::flags::choices::FileKind;
 use crate::platform::{files, messages};
@@ -56,6 +57,7 @@ Examples:
   gamow render --beta 0.6 --gaze 90,0 --fov 100 --layout anaglyph --out anaglyph.png
   gamow render --gamma 100 --time 0 --colour false --out false-colour.png
   gamow render --frames 200 --size 640x480 --out ride
+  gamow render --frames 200 --part 2/8 --renderer reference --out ride   (the second of eight parts, for eight machines)
   gamow render --frames 100 --size 320x240 --renderer rays --out ride.gif
   gamow render --renderer reference --out hits.exr
   gamow render --geometry published --time 1.5 --layout overlay --out published.png
@@ -66,6 +68,7 @@ Examples:
 pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
     let output = args.output()?;
     let settings = vr180::fitted(args.start.settings(Settings::default())?)?;
+    args.times.check_renderer(settings.quality.renderer)?;
     let mut studio = Studio::new(settings)?;
     let kind = match output {
         Output::File(kind) => kind,

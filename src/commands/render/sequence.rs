@@ -1,12 +1,14 @@
 //! Sequences of frames in a folder, which can be broken off and taken up again.
 
+use std::fmt;
 use std::path::Path;
+use std::str::FromStr;
 
 use anyhow::Context as _;
 use clap::Args;
 
 use super::vr180;
-use crate::flags::choices::FileKind;
+use crate::flags::choices::{FileKind, RendererChoice};
 use crate::flags::finite_number;
 use crate::number_text;
 use crate::platform::{files, messages, progress};
@@ -20,6 +22,10 @@ pub struct TimeArgs {
     /// Make a sequence of N frames, 1 to 1000000.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000), conflicts_with = "time")]
     pub frames: Option<u32>,
+    /// Draw one part of a sequence alone: every Kth frame, beginning with the Ith. K runs with I from 1 to K, on any machines that
+    /// share the folder, draw each frame once. The renderer must be named, so that all parts are drawn alike.
+    #[arg(long, value_name = "I/K", requires = "frames")]
+    part: Option<Part>,
     /// Make the frames of a sequence .exr files of what every pixel shows, not .png pictures.
     #[arg(long, requires = "frames")]
     exr: bool,
@@ -30,6 +36,42 @@ pub struct TimeArgs {
     /// Observation time of the last frame [default: when the tracked point is seen at x = +2 R, or the ride ends]
     #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true, requires = "frames")]
     to: Option<f64>,
+}
+
+/// A part of the frames of a sequence: part `index`, from 0, of `count`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Part {
+    index: u32,
+    count: u32,
+}
+
+impl Part {
+    const WHOLE: Self = Self { index: 0, count: 1 };
+
+    /// Returns the numbers of the frames in this part of a sequence of `frames` frames.
+    fn frames(self, frames: u32) -> impl Iterator<Item = u32> {
+        (self.index..frames).step_by(self.count as usize)
+    }
+}
+
+impl FromStr for Part {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let numbers = text.split_once('/').map(|(index, count)| [index.parse(), count.parse()]);
+        match numbers {
+            Some([Ok(number), Ok(count)]) if (1..=count).contains(&number) => {
+                Ok(Self { index: number - 1, count })
+            }
+            _ => Err("must be I/K, such as 2/8: part I, from 1 to K, of K parts"),
+        }
+    }
+}
+
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}", self.index + 1, self.count)
+    }
 }
 
 impl TimeArgs {
@@ -48,12 +90,36 @@ impl TimeArgs {
     }
 }
 
+impl TimeArgs {
+    /// Returns the numbers of the frames to draw, of a sequence of `frames` frames.
+    fn numbers(&self, frames: u32) -> Vec<u32> {
+        self.part.unwrap_or(Part::WHOLE).frames(frames).collect()
+    }
+
+    /// Refuses a part of a sequence whose frames each machine would draw in its own way.
+    ///
+    /// # Errors
+    ///
+    /// A part without a named renderer.
+    pub fn check_renderer(&self, renderer: RendererChoice) -> anyhow::Result<()> {
+        match self.part {
+            Some(part) if renderer == RendererChoice::Auto => anyhow::bail!(
+                "--part {part}: --renderer is needed (rays, packets, mesh or reference), so that all parts are drawn alike"
+            ),
+            _ => Ok(()),
+        }
+    }
+}
+
 /// Draws the frames as one animated file at `path`, each shown for 1/25 s.
 pub fn run_film(studio: &mut Studio, times: &TimeArgs, kind: FilmKind, path: &Path) -> anyhow::Result<()> {
     anyhow::ensure!(
         !times.exr,
         "--exr: an animation shows pictures; measurements of every pixel need a folder"
     );
+    if let Some(part) = times.part {
+        anyhow::bail!("--part {part}: an animation is one file; parts of a sequence need a folder");
+    }
     let frames = times.frames.unwrap_or(1);
     let range = times.range(studio)?;
     let progress = progress::bar(frames.into(), "frames");
@@ -82,15 +148,17 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
     let frames = times.frames.unwrap_or(1);
     let range = times.range(studio)?;
     files::create_folder(folder).with_context(|| files::shown(folder))?;
-    let progress = progress::bar(frames.into(), "frames");
+    let numbers = times.numbers(frames);
+    let count = numbers.len() as u32;
+    let progress = progress::bar(count.into(), "frames");
     let kind = if times.exr { FileKind::Exr } else { FileKind::Png };
     let (mut kept, mut written) = (0, Written::default());
-    let probes = probes(frames);
-    let others = (0..frames).filter(|frame| !probes.contains(frame));
-    for frame in probes.iter().copied().chain(others) {
-        let time = time_of(frame, frames, range);
-        let path = vr180::named(studio.settings(), &frame_path(folder, frame, kind));
-        let frame = studio.frame(Some(time))?;
+    let probes = probes(count);
+    let others = (0..count).filter(|place| !probes.contains(place));
+    for place in probes.iter().copied().chain(others) {
+        let number = numbers[place as usize];
+        let path = vr180::named(studio.settings(), &frame_path(folder, number, kind));
+        let frame = studio.frame(Some(time_of(number, frames, range)))?;
         if studio.has_made(&frame, kind, &path) {
             kept += 1;
         } else {
@@ -102,18 +170,18 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
         written.bytes += files::size(&path).with_context(|| files::shown(&path))?;
         progress.inc(1);
         let made = written.frames;
-        let is_probed = made as usize == probes.len() && made < frames;
-        if let Some(bytes) = written.expected_bytes(frames).filter(|_| is_probed) {
+        let is_probed = made as usize == probes.len() && made < count;
+        if let Some(bytes) = written.expected_bytes(count).filter(|_| is_probed) {
             let (estimate, size) = (number_text::bytes(bytes, 2), studio.settings().picture.size);
             progress.suspend(|| {
                 messages::remark(format_args!(
-                    "{frames} frames, {size} per eye: about {estimate}, estimated from {made} of them"
+                    "{count} frames, {size} per eye: about {estimate}, estimated from {made} of them"
                 ));
             });
         }
     }
     progress.finish_and_clear();
-    let (drawn, total) = (frames - kept, number_text::bytes(written.bytes, 3));
+    let (drawn, total) = (count - kept, number_text::bytes(written.bytes, 3));
     messages::remark(format_args!(
         "{drawn} frames drawn and {kept} kept in {}: {total}",
         files::shown(folder)
@@ -121,10 +189,10 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
     Ok(())
 }
 
-/// Returns the frames that are made first, by which the size of all is estimated: the first one, one that approaches, and the one
-/// in the middle.
+/// Returns the places of the frames that are made first, by which the size of all is estimated: the first one, one that
+/// approaches, and the one in the middle.
 fn probes(frames: u32) -> Vec<u32> {
-    let mut probes = vec![0, frames / 4, frames / 2];
+    let mut probes = if frames == 0 { Vec::new() } else { vec![0, frames / 4, frames / 2] };
     probes.dedup();
     probes
 }

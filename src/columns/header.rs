@@ -1,13 +1,14 @@
-//! The header of `gamow eval`: places of the inputs in a row, and the observation that a row describes.
+//! The names of input columns: places of the inputs in a row, and the observation that a row describes.
 
 use csv::ByteRecord;
 use relativity_core::{Baseline, Observer, ObserverVelocity, SourcePoint, StereoError};
 use thiserror::Error;
 
-use crate::columns::{
-    GivenInputs, OBSERVER_DIRECTION, OBSERVER_PLACE, OBSERVER_PREFIX, OBSERVER_SPEED, Observation,
-    ObservationError, ROLL, TURN, WHEEL, observer_speed,
+use super::error::ObservationError;
+use super::names::{
+    OBSERVER_DIRECTION, OBSERVER_PLACE, OBSERVER_PREFIX, OBSERVER_SPEED, ROLL, TURN, WHEEL, observer_speed,
 };
+use super::observation::{GivenInputs, Observation};
 use crate::files::csv_in::{self, Names};
 use crate::flags::{GivenObserver, SpeedParameter, rolling};
 
@@ -81,6 +82,10 @@ const NEEDED: &str = "d, y, z, T and one of beta, gamma, rapidity";
 
 impl Header {
     /// Finds the inputs by the names in the first row, to which the columns in `appended` will be added.
+    ///
+    /// # Errors
+    ///
+    /// A column that is missing, there twice, or about to be appended; a speed that is given in two ways.
     pub fn new(
         row: ByteRecord,
         appended: impl Fn(GivenInputs) -> Result<Vec<&'static str>, StereoError>,
@@ -114,17 +119,36 @@ impl Header {
     }
 
     /// The observation that `row` describes.
+    ///
+    /// # Errors
+    ///
+    /// A row of another length, a field that is no number, or one that is out of range.
     pub fn observation(&self, row: &ByteRecord) -> Result<Observation, InputError> {
         self.names.check_length(row)?;
-        let number = |place| self.names.number(row, place);
+        self.observation_of(|place| self.names.number(row, place))
+    }
+
+    /// The observation that the `value` of each place describes.
+    ///
+    /// # Errors
+    ///
+    /// A number that is not finite, or that is out of range.
+    pub fn observation_with(&self, value: impl Fn(usize) -> f64) -> Result<Observation, InputError> {
+        self.observation_of(|place| self.names.finite(value(place), place))
+    }
+
+    fn observation_of(
+        &self,
+        number: impl Fn(usize) -> Result<f64, csv_in::RowError>,
+    ) -> Result<Observation, InputError> {
         let speed = self.speed_parameter.speed(number(self.speed)?)?;
-        let x0 = self.x0.map_or(Ok(0.0), number)?;
+        let x0 = self.x0.map_or(Ok(0.0), &number)?;
         let point = SourcePoint { x0, y: number(self.y)?, z: number(self.z)? };
         let source = match self.wheel {
             None => point.into(),
             Some([radius, rho, angle]) => rolling(point, [number(radius)?, number(rho)?, number(angle)?]),
         };
-        let [roll, turn] = self.head.map(|place| place.map_or(Ok(0.0), number));
+        let [roll, turn] = self.head.map(|place| place.map_or(Ok(0.0), &number));
         let baseline = Baseline { separation: number(self.d)?, roll: roll?, turn: turn? };
         let time = number(self.time)?;
         let observer = match &self.observer {
@@ -134,7 +158,14 @@ impl Header {
         Ok(Observation { speed, source, baseline, observer, clock: 0.0 })
     }
 
+    /// The place of T.
+    #[must_use]
+    pub const fn time_place(&self) -> usize {
+        self.time
+    }
+
     /// Returns what the columns determine.
+    #[must_use]
     pub fn given(&self) -> GivenInputs {
         given(self.head, self.wheel, self.observer.as_ref())
     }

@@ -1,7 +1,5 @@
 //! `gamow eval`: what both eyes see of the point in each row of a CSV file.
 
-mod header;
-
 use std::io::{Read, Write};
 use std::path::PathBuf;
 
@@ -9,8 +7,7 @@ use anyhow::Context as _;
 use clap::Args;
 use csv::ByteRecord;
 
-use self::header::{Header, InputError};
-use crate::columns::{GivenInputs, HELP, ModelArgs};
+use crate::columns::{GivenInputs, HELP, Header, InputError, ModelArgs};
 use crate::files::whole::OutArgs;
 use crate::files::{csv_in, csv_out};
 

@@ -1,0 +1,40 @@
+//! The Python package `gamow`: the numbers and pictures of the commands, in NumPy arrays.
+//!
+//! Functions are called by keywords that have the names of the commands' columns and flags, and give what the commands write: the
+//! same numbers, bit for bit. Whatever the commands refuse is a `ValueError` with the same line. `gamow.pyi` is the reference.
+#![expect(
+    clippy::doc_markdown,
+    reason = "comments become texts of Python, where backticks mean something else"
+)]
+#![warn(clippy::disallowed_methods, clippy::disallowed_types, clippy::print_stdout, clippy::print_stderr)]
+
+mod arrays;
+mod errors;
+mod flags;
+mod pictures;
+mod points;
+mod readings;
+mod state;
+
+use pyo3::prelude::*;
+
+/// Special relativity as two eyes would see it: numbers in NumPy arrays, fits and pictures.
+#[pymodule]
+#[pyo3(name = "gamow")]
+mod python {
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use super::pictures::{measure, render};
+    #[pymodule_export]
+    use super::points::{curve, disparity, sightings, stereo};
+    #[pymodule_export]
+    use super::readings::fit;
+    #[pymodule_export]
+    use super::state::State;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

@@ -1,0 +1,173 @@
+//! Pictures: `render` and `measure`.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use gamow::commands::measure::MeasureArgs;
+use gamow::commands::render::fitted;
+use gamow::files::exr::Measurements;
+use gamow::flags::choices::FileKind;
+use gamow::settings::Settings;
+use gamow::studio::Studio;
+use gamow::studio::film::frame_path;
+use numpy::{PyArray1, PyArrayMethods as _};
+use pyo3::exceptions::{PyTypeError, PyUserWarning};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict, PyDictMethods};
+
+use crate::errors::{of_command, value_error};
+use crate::flags::parsed;
+use crate::state::State;
+
+/// The picture of a state, as `gamow render` draws it.
+///
+/// state and the further keywords are those of `gamow.State`. Returns an array of shape (height, width, 3) of 8-bit sRGB: the
+/// pixels of the command's PNG file; of pictures that alternate, (count, height, width, 3). With channels=True, what every pixel shows,
+/// a dict of arrays of shape (height, width) of 32-bit floats by the names of the command's EXR channels: left.id, right.id,
+/// left.distance, left.emission_time, left.doppler and so on.
+///
+/// The interpreter's lock is released. renderer='reference' draws the same on every machine.
+#[pyfunction]
+#[pyo3(signature = (state = None, /, *, channels = false, **settings))]
+pub fn render<'py>(
+    py: Python<'py>,
+    state: Option<&Bound<'py, PyAny>>,
+    channels: bool,
+    settings: Option<&Bound<'py, PyDict>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let keywords = PyDict::new(py);
+    keywords.set_item("channels", channels)?;
+    let state = py.get_type::<State>().call((state,), settings)?;
+    state.call_method("render", (), Some(&keywords))
+}
+
+/// Angles of a point or a body, measured in pictures as `gamow measure` does: a dict of arrays that `gamow.fit` takes.
+///
+/// source is a file by `gamow render` (.exr; .png for a marker), a folder of such files, or a list of these; or a State, which is
+/// drawn at each T in times. The keywords are the command's flags: one of point=(x, y, z), object=name and marker='ff0000'; of
+/// photographs times, d, fov, gaze, projection, layout, roll and turn. Returns T, d, phi_left and so on, radians.
+///
+/// Remarks of the command are warnings.
+#[pyfunction]
+#[pyo3(signature = (source, /, **flags))]
+pub fn measure<'py>(
+    py: Python<'py>,
+    source: &Bound<'py, PyAny>,
+    flags: Option<&Bound<'py, PyDict>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    if let Ok(state) = source.cast::<State>() {
+        let flags = flags.map_or_else(|| Ok(PyDict::new(py)), PyDictMethods::copy)?;
+        return measured_in_state(py, state.get(), &flags);
+    }
+    let files: Vec<PathBuf> = match source.extract::<PathBuf>() {
+        Ok(file) => vec![file],
+        Err(_) => source
+            .extract()
+            .map_err(|_| PyTypeError::new_err("what is measured is a path, a list of paths or a State"))?,
+    };
+    measured_in_files(py, &files, flags)
+}
+
+fn measured_in_files<'py>(
+    py: Python<'py>,
+    files: &[PathBuf],
+    flags: Option<&Bound<'py, PyDict>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let words = std::iter::once(OsString::from("--")).chain(files.iter().map(|file| file.clone().into()));
+    let args: MeasureArgs = parsed(flags, words.collect(), &["out"])?;
+    let table = py.detach(|| args.measured()).map_err(|error| of_command(&error))?;
+    for remark in &table.remarks {
+        let remark = std::ffi::CString::new(remark.replace('\0', " "))?;
+        PyErr::warn(py, &py.get_type::<PyUserWarning>(), &remark, 1)?;
+    }
+    let columns = PyDict::new(py);
+    for (index, name) in table.columns.iter().enumerate() {
+        let column = table.rows.iter().map(|row| row[index]).collect();
+        columns.set_item(name, PyArray1::from_vec(py, column))?;
+    }
+    Ok(columns)
+}
+
+/// The same in files of a state that are drawn for it.
+fn measured_in_state<'py>(
+    py: Python<'py>,
+    state: &State,
+    flags: &Bound<'py, PyDict>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let times = flags.get_item("times")?;
+    let times: Vec<f64> = match times {
+        Some(times) => times.extract()?,
+        None => return Err(value_error("times: the T at which the state is drawn are needed")),
+    };
+    flags.del_item("times")?;
+    let kind = if flags.contains("marker")? { FileKind::Png } else { FileKind::Exr };
+    let folder = py.import("tempfile")?.call_method0("TemporaryDirectory")?;
+    let place: PathBuf = folder.getattr("name")?.extract()?;
+    let mut settings = state.settings().clone();
+    let scene = Path::new(&settings.scene);
+    if let Some(name) = scene.file_name().filter(|_| gamow::platform::files::is_file(scene)) {
+        // Files name the scene beside them.
+        let copy = place.join(name);
+        py.import("shutil")?.call_method1("copyfile", (scene, &copy))?;
+        settings.scene = copy.to_string_lossy().into_owned();
+    }
+    let drawn = py.detach(|| {
+        let mut studio = Studio::new(fitted(settings)?)?;
+        let draw = |(number, &time): (usize, &f64)| {
+            let path = frame_path(&place, u32::try_from(number)?, kind);
+            let frame = studio.frame(Some(time))?;
+            studio.make_file(&frame, kind, &path)
+        };
+        times.iter().enumerate().try_for_each(draw)
+    });
+    let drawn = drawn.map_err(|error: anyhow::Error| of_command(&error));
+    let measured = drawn.and_then(|()| measured_in_files(py, &[place], Some(flags)));
+    folder.call_method0("cleanup")?;
+    measured
+}
+
+/// The studio of `settings` and the frame that they show, for `work`.
+fn drawn<T: Send>(
+    py: Python<'_>,
+    settings: &Settings,
+    work: impl FnOnce(&mut Studio, &gamow::studio::Frame) -> anyhow::Result<T> + Send,
+) -> PyResult<T> {
+    let result = py.detach(|| {
+        let mut studio = Studio::new(fitted(settings.clone())?)?;
+        let frame = studio.frame(None)?;
+        work(&mut studio, &frame)
+    });
+    result.map_err(|error| of_command(&error))
+}
+
+/// The picture as an array.
+pub fn rgb_of<'py>(py: Python<'py>, settings: &Settings) -> PyResult<Bound<'py, PyAny>> {
+    let frames = drawn(py, settings, |studio, frame| Ok(studio.still(frame)?.frames))?;
+    let size = frames.first().map_or([0; 2], |frame| frame.size);
+    let [width, height] = size.map(|side| side as usize);
+    let rgb =
+        frames.iter().flat_map(|frame| &frame.rgba).flat_map(|&[red, green, blue, _]| [red, green, blue]);
+    let rgb = PyArray1::from_vec(py, rgb.collect());
+    Ok(match frames.len() {
+        1 => rgb.reshape([height, width, 3])?.into_any(),
+        count => rgb.reshape([count, height, width, 3])?.into_any(),
+    })
+}
+
+/// The measurements as arrays by the names of their channels.
+pub fn channels_of<'py>(py: Python<'py>, settings: &Settings) -> PyResult<Bound<'py, PyDict>> {
+    let Measurements { size, channels, .. } =
+        drawn(py, settings, |studio, frame| studio.measurements(frame, Path::new("")))?;
+    let [width, height] = size.map(|side| side as usize);
+    let dictionary = PyDict::new(py);
+    for (name, values) in channels {
+        dictionary.set_item(name, PyArray1::from_vec(py, values).reshape([height, width])?)?;
+    }
+    Ok(dictionary)
+}
+
+/// The contents of a PNG file of the picture.
+pub fn png_of<'py>(py: Python<'py>, settings: &Settings) -> PyResult<Bound<'py, PyBytes>> {
+    let bytes = drawn(py, settings, |studio, frame| studio.png(frame, Path::new("gamow.png")))?;
+    Ok(PyBytes::new(py, &bytes))
+}

@@ -1,0 +1,225 @@
+//! The columns of many observations at once, on all threads.
+
+use relativity_core::batch::{DisparityColumns, Threads, disparities_over_time};
+use relativity_core::{Model, Source, StereoError};
+use thiserror::Error;
+
+use super::header::{Header, InputError};
+use super::model::ModelArgs;
+use super::observation::{GivenInputs, Observation};
+use crate::platform::threads::prelude::*;
+
+/// Number of observations that a task fills.
+const CHUNK: usize = 4096;
+
+/// An input of a batch.
+#[derive(Debug, Clone, Copy)]
+pub enum Input<'a> {
+    /// A number that all rows share.
+    Same(f64),
+    /// A number for each row.
+    Each(&'a [f64]),
+}
+
+impl Input<'_> {
+    /// The number of a row.
+    #[must_use]
+    pub fn at(self, row: usize) -> f64 {
+        match self {
+            Self::Same(value) => value,
+            Self::Each(values) => values[row],
+        }
+    }
+}
+
+/// The columns to fill.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wanted {
+    /// Every column of `gamow eval` with the same flags.
+    All,
+    /// The disparities dphi and dtheta.
+    Disparity,
+    /// The stereo columns: the place that two eyes take the point to be at.
+    Stereo,
+}
+
+/// Observations, an input for each column of a header.
+#[derive(Debug, Clone, Copy)]
+pub struct Batch<'a> {
+    /// Names of the inputs.
+    pub header: &'a Header,
+    /// The inputs in the order of the names, each of one length.
+    pub inputs: &'a [Input<'a>],
+    /// Number of observations, a row each.
+    pub rows: usize,
+}
+
+/// A row that cannot be filled.
+#[derive(Debug, PartialEq, Error)]
+#[error("{error}")]
+pub struct BatchError {
+    /// Index of the first such row.
+    pub row: usize,
+    /// Reason why it cannot be filled.
+    pub error: InputError,
+}
+
+impl Wanted {
+    /// Returns the names of the columns.
+    ///
+    /// # Errors
+    ///
+    /// Stereo columns of a model that has none.
+    pub fn columns(self, model: &ModelArgs, given: GivenInputs) -> Result<Vec<&'static str>, StereoError> {
+        match self {
+            Self::All => model.columns(given),
+            Self::Disparity => Ok(vec!["dphi", "dtheta"]),
+            Self::Stereo => {
+                let all = ModelArgs { stereo: true, conformal: false, ..*model }.columns(given)?;
+                Ok(all[all.len() - given.stereo()..].to_vec())
+            }
+        }
+    }
+
+    fn values(
+        self,
+        model: &ModelArgs,
+        observation: &Observation,
+        given: GivenInputs,
+    ) -> Result<Vec<f64>, InputError> {
+        Ok(match self {
+            Self::All => model.values(observation, given)?,
+            Self::Disparity => {
+                let both = model.disparity(observation)?;
+                vec![both.dphi, both.dtheta]
+            }
+            Self::Stereo => model.stereo_values(observation, given)?,
+        })
+    }
+}
+
+impl Batch<'_> {
+    /// Fills the `wanted` columns into `out`, each of as many rows. The numbers are those of [`ModelArgs::values`], bit for bit.
+    ///
+    /// # Errors
+    ///
+    /// The first row with an input outside its domain. Columns are then partly written.
+    pub fn fill(&self, wanted: Wanted, model: &ModelArgs, out: Vec<&mut [f64]>) -> Result<(), BatchError> {
+        let mut out = out;
+        if wanted == Wanted::Disparity
+            && let [dphi, dtheta] = out.as_mut_slice()
+            && self.is_filled_over_time(model, DisparityColumns { dphi, dtheta })
+        {
+            return Ok(());
+        }
+        let mut chunks: Vec<Vec<&mut [f64]>> = (0..self.rows.div_ceil(CHUNK)).map(|_| Vec::new()).collect();
+        for column in out {
+            chunks.iter_mut().zip(column.chunks_mut(CHUNK)).for_each(|(chunk, part)| chunk.push(part));
+        }
+        let fill = |(index, chunk)| self.fill_chunk(wanted, model, CHUNK * index, chunk);
+        let faults: Vec<_> = match chunks.len() {
+            0 | 1 => chunks.into_iter().enumerate().filter_map(fill).collect(),
+            _ => chunks.into_par_iter().enumerate().filter_map(fill).collect(),
+        };
+        faults.into_iter().next().map_or(Ok(()), Err)
+    }
+
+    /// Fills the rows from `first` on; the first that cannot be filled.
+    fn fill_chunk(
+        &self,
+        wanted: Wanted,
+        model: &ModelArgs,
+        first: usize,
+        mut out: Vec<&mut [f64]>,
+    ) -> Option<BatchError> {
+        let given = self.header.given();
+        for index in 0..out.first().map_or(0, |column| column.len()) {
+            let row = first + index;
+            let observation = self.observation(row);
+            match observation.and_then(|observation| wanted.values(model, &observation, given)) {
+                Ok(values) => out.iter_mut().zip(values).for_each(|(column, value)| column[index] = value),
+                Err(error) => return Some(BatchError { row, error }),
+            }
+        }
+        None
+    }
+
+    fn observation(&self, row: usize) -> Result<Observation, InputError> {
+        self.header.observation_with(|place| self.inputs[place].at(row))
+    }
+
+    /// Fills the disparities by the batch form of the core where nothing but T differs between the observations; false where there is
+    /// none, or where a row is out of range.
+    fn is_filled_over_time(&self, model: &ModelArgs, out: DisparityColumns<'_, f64>) -> bool {
+        let given = self.header.given();
+        let time = self.header.time_place();
+        let Input::Each(times) = self.inputs[time] else { return false };
+        let is_same = |(place, input): (usize, &Input<'_>)| place == time || matches!(input, Input::Same(_));
+        let is_plain = model.model == Model::Exact && !given.on_wheel && !given.is_riding && self.rows > 0;
+        if !is_plain || !self.inputs.iter().enumerate().all(is_same) {
+            return false;
+        }
+        let Ok(observation) = self.observation(0) else { return false };
+        let Source::Point(point) = observation.source else { return false };
+        if model.disparity(&observation).is_err() {
+            return false;
+        }
+        let pair = observation.baseline.apertures();
+        let threads = if self.rows > CHUNK { Threads::All } else { Threads::One };
+        disparities_over_time(&observation.speed, point, pair, times, out, threads).is_ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use csv::ByteRecord;
+    use relativity_core::Model;
+
+    use super::*;
+
+    const PLAIN: ModelArgs =
+        ModelArgs { model: Model::Exact, intensity_exponent: 4.0, stereo: false, conformal: false };
+
+    fn header(names: &[&str]) -> Header {
+        Header::new(ByteRecord::from(names.to_vec()), |_| Ok(Vec::new())).expect("all are there")
+    }
+
+    fn disparities(header: &Header, inputs: &[Input<'_>], rows: usize) -> Result<[Vec<f64>; 2], BatchError> {
+        let (mut dphi, mut dtheta) = (vec![0.0; rows], vec![0.0; rows]);
+        let batch = Batch { header, inputs, rows };
+        batch.fill(Wanted::Disparity, &PLAIN, vec![&mut dphi, &mut dtheta])?;
+        Ok([dphi, dtheta])
+    }
+
+    /// The batch form of the core, and one observation after the other, which a column of equal numbers leads to.
+    #[test]
+    fn both_ways_to_fill_have_the_same_bits() {
+        let header = header(&["beta", "d", "y", "z", "T", "x0", "roll"]);
+        let rows = 3 * CHUNK + 1;
+        let times: Vec<f64> = (0..rows).map(|row| (row as f64 * 0.618_034).fract() * 40.0 - 20.0).collect();
+        let same = [0.9, 0.1, 3.0, 2.0, 0.0, 0.3, 0.2].map(Input::Same);
+        let column = vec![3.0; rows];
+        let mut over_time = same;
+        over_time[4] = Input::Each(&times);
+        let mut by_row = over_time;
+        by_row[2] = Input::Each(&column);
+        let [fast, slow] =
+            [over_time, by_row].map(|inputs| disparities(&header, &inputs, rows).expect("inside"));
+        assert!(fast[0].iter().any(|dphi| *dphi != fast[0][0]));
+        for (fast, slow) in fast.iter().flatten().zip(slow.iter().flatten()) {
+            assert_eq!(fast.to_bits(), slow.to_bits());
+        }
+    }
+
+    #[test]
+    fn the_first_bad_row_is_named() {
+        let header = header(&["T", "beta", "d", "y", "z"]);
+        let mut times = vec![0.0; 3 * CHUNK];
+        (times[CHUNK + 7], times[2 * CHUNK]) = (f64::NAN, 1e99);
+        let inputs =
+            [Input::Each(&times), Input::Same(0.5), Input::Same(0.1), Input::Same(1.0), Input::Same(1.0)];
+        let error = disparities(&header, &inputs, times.len()).expect_err("two rows are bad");
+        assert_eq!(error.row, CHUNK + 7);
+        assert!(error.to_string().starts_with("column T: \"NaN\" is not finite"), "{error}");
+    }
+}
