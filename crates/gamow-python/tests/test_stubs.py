@@ -6,7 +6,7 @@ import pathlib
 import gamow
 import pytest
 
-STUBS = ast.parse((pathlib.Path(__file__).resolve().parents[1] / "gamow.pyi").read_text())
+STUBS = ast.parse((pathlib.Path(__file__).resolve().parents[1] / "python" / "gamow" / "__init__.pyi").read_text())
 POINTS = ["sightings", "disparity", "stereo"]
 
 
