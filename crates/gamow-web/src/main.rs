@@ -1,4 +1,4 @@
-//! The entry of the page: it shows the window in a browser, and elsewhere says that it cannot.
+//! The entry of the page: shows the window in a browser, and elsewhere prints that it needs one.
 
 #[cfg(target_arch = "wasm32")]
 fn main() {

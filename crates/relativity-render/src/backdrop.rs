@@ -209,7 +209,7 @@ pub struct Backdrop {
     lines_of_sight: LinesOfSight,
     /// Passage of lines of sight to the ground, which may move against the camera.
     street: StreetSight,
-    /// What its motion does to colours.
+    /// Light of the street as the camera receives it.
     light: StreetLight,
 }
 

@@ -63,7 +63,7 @@ pub struct Frame {
     pub street_speed: [f32; 4],
     /// Direction, geometry and colours of that: see [`StreetSight::packed_motion`].
     pub street_motion: [f32; 4],
-    /// What it does to colours: see [`StreetLight::packed`](crate::street_light::StreetLight::packed).
+    /// Shift of the street's light: see [`StreetLight::packed`](crate::street_light::StreetLight::packed).
     pub street_light: [f32; 4],
     /// From the middle between the eyes to the camera, where these have one light cone, else 0; how many places there are where
     /// bodies touch a road.
@@ -236,7 +236,7 @@ impl Frame {
         self.motion[2] != 0.0
     }
 
-    /// How the picture shows the street.
+    /// Variant of the street that the picture shows.
     pub fn street(&self) -> StreetVariant {
         StreetVariant::new(self.street_motion[1] as usize, self.street_motion[2] as usize)
     }

@@ -14,10 +14,6 @@ pub const ENTRIES: u32 = 2048;
 /// temperature, K, and their unseen share; of bands over log2 of their middle, nm; the false colours over log2 D; and what
 /// becomes of the street's grey over log2 D, in daylight and in false colours.
 pub const ROWS: u32 = 8;
-/// Row of grey in daylight that is shifted, as bright as at rest; its logarithm is that of the brightness.
-pub const DAYLIT_ROW: usize = 6;
-/// Row of grey in false colours.
-pub const FALSE_ROW: usize = 7;
 
 /// The range of a table: outside, its ends hold.
 #[derive(Debug, Clone, Copy)]

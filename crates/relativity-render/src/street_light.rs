@@ -10,28 +10,32 @@
 use relativity_core::math::{exp2, log2};
 
 use crate::colour::{false_colour, luminance};
-use crate::palette::{DAYLIT_ROW, FALSE_ROW};
 use crate::planck::{Broad, DAYLIGHT_KELVIN, black_body};
 use crate::tone::{toned, untoned};
 use crate::view::{Appearance, Colour, StreetColours};
+
+/// Row of `palette.rs` that has grey in daylight that is shifted, as bright as at rest; its logarithm is that of the brightness.
+pub(crate) const DAYLIT_ROW: usize = 6;
+/// Row of grey in false colours.
+pub(crate) const FALSE_ROW: usize = 7;
 
 /// The way from a colour of the street at rest to the colour that is received.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct StreetLight {
     tint: Tint,
-    /// How many times log2 of the brightness of shifted daylight counts: 1 or 0.
+    /// Weight of log2 of the brightness of shifted daylight: 1 or 0.
     level: f64,
     /// n of the factor D^n, where light is not shifted.
     exponent: f64,
     exposure_ev: f64,
 }
 
-/// What a Doppler factor does to a colour.
+/// The change of a colour by a Doppler factor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Tint {
     /// Nothing but a change of brightness, or nothing at all.
     None,
-    /// Daylight is shifted.
+    /// Daylight, shifted as a black body's light is.
     Daylight,
     /// The false colour of the Doppler factor takes the place of grey.
     False,
@@ -85,8 +89,8 @@ impl StreetLight {
         }
     }
 
-    /// How many times log2 of the Doppler factor moves the place in that row, and how many times the row's logarithm counts, each 1 or 0;
-    /// n; and log2 of the exposure.
+    /// Packs the weights of log2 of the Doppler factor, for the place in that row, and of the row's logarithm, each 1 or 0; n; and log2 of the
+    /// exposure.
     pub fn packed(&self) -> [f32; 4] {
         let shift = f32::from(u8::from(self.tint != Tint::None));
         [shift, self.level as f32, self.exponent as f32, self.exposure_ev as f32]

@@ -7,8 +7,7 @@
 use glam::DVec3;
 
 use crate::camera::Camera;
-use crate::palette::{DAYLIT_ROW, FALSE_ROW};
-use crate::street_light::StreetLight;
+use crate::street_light::{DAYLIT_ROW, FALSE_ROW, StreetLight};
 use crate::velocity::Velocity;
 use crate::view::{Appearance, Geometry};
 
@@ -19,18 +18,18 @@ pub(crate) struct StreetSight {
     velocity: Velocity,
 }
 
-/// How a picture shows the street: what chooses the pipeline of the last pass.
+/// A way to show the street, which chooses the pipeline of the last pass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum StreetVariant {
     /// At rest with the camera.
     AtRest,
-    /// Contracted only.
+    /// Contracted only, without a Doppler effect.
     Contracted,
-    /// As seen, in the colours in which it is painted.
+    /// Seen, in the colours in which it is painted.
     Painted,
-    /// As seen, in shifted daylight.
+    /// Seen in shifted daylight.
     Daylit,
-    /// As seen, in false colours.
+    /// Seen in false colours.
     FalseColours,
 }
 
@@ -120,7 +119,7 @@ impl StreetSight {
         self.stretched(turn) * line.camera_per_ground
     }
 
-    /// What the motion does to colours in a picture with `appearance`: nothing where no light is seen to move.
+    /// Returns the light of the street in a picture with `appearance`: as painted where no light is seen to move.
     pub fn light(&self, appearance: &Appearance) -> StreetLight {
         if self.geometry == Geometry::Seen { StreetLight::new(appearance) } else { StreetLight::PAINTED }
     }

@@ -89,7 +89,7 @@ fn without_a_doppler_effect_daylight_rides_along() {
     assert!(shown(Colour::White) == shown(Colour::StreetDaylight));
 }
 
-/// Of what rests, a rider receives the street's daylight as everybody does, shifted by the rider's own motion alone.
+/// A rider receives the light of resting bodies as everybody does, shifted by the rider's own motion alone.
 #[test]
 fn to_a_rider_what_rests_is_lit_as_by_a_lamp_of_its_own() {
     let scene = PreparedScene::new([Group { motion: Motion::Own(Velocity::REST), bodies: &dice() }]);
@@ -99,7 +99,7 @@ fn to_a_rider_what_rests_is_lit_as_by_a_lamp_of_its_own() {
     assert!(own.rgba == street.rgba && own.rgba.iter().any(|pixel| *pixel != own.rgba[0]));
 }
 
-/// What a white face reflects that rides along with the eyes and looks ahead: the mean of the black bodies over the half of the sky
+/// A white face that rides along with the eyes and looks ahead reflects the mean of the black bodies over the half of the sky
 /// before it, weighted by the cosine, in the face's own frame.
 #[test]
 fn a_face_that_rides_along_reflects_the_crowded_sky_ahead() {

@@ -144,7 +144,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, title: &str, painted: Painte
     for texture in picture.map(|picture| picture.texture).into_iter().chain(heat_map) {
         image(ui, pane.rect, texture);
     }
-    state.paint_vignette(ui.painter(), pane.rect);
+    state.scratch.comfort.paint(ui.painter(), pane.rect);
     let inside = ui.painter().with_clip_rect(pane.rect);
     for coat in [Coat::Halo, Coat::Ring] {
         markers(ui, &inside, state, pane, coat);
@@ -177,7 +177,7 @@ pub fn paint_both(
         if let Some(texture) = *heat_map {
             image(ui, pane.rect, texture);
         }
-        state.paint_vignette(ui.painter(), pane.rect);
+        state.scratch.comfort.paint(ui.painter(), pane.rect);
     }
     // All halos first: markers that the eyes see in one place would hide each other.
     for coat in [Coat::Halo, Coat::Ring] {

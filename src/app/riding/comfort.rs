@@ -7,7 +7,6 @@ use eframe::egui::epaint::{Mesh, Vertex, WHITE_UV};
 use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Vec2, vec2};
 use relativity_core::math;
 
-use crate::app::state::State;
 use crate::flags::choices::GazeChoice;
 
 /// The fastest change of an automatic exposure, factors of 2 per second.
@@ -18,12 +17,12 @@ const FADE: f64 = 0.25;
 /// Radii of the vignette, parts of the half width and the half height: clear inside the first, dark outside the second.
 const CLEAR: f32 = 0.55;
 const DARK: f32 = 1.15;
-/// How dark it gets, 0 to 1.
+/// Greatest opacity of the vignette, 0 to 1.
 const DEPTH: f32 = 0.92;
 /// Corners of the vignette's rings.
 const CORNERS: u32 = 64;
 
-/// What follows the ride from one frame of the window to the next.
+/// Exposure and vignette of a ride, which follow it from one frame of the window to the next.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Comfort {
     /// Automatic exposure that is shown, on its way to the one that the speed has.
@@ -32,40 +31,42 @@ pub struct Comfort {
     gaze: Option<GazeChoice>,
     /// Seconds for which the vignette is still held.
     held: f64,
-    /// How far the vignette has come, 0 to 1.
+    /// Strength of the vignette, 0 to 1.
     vignette: f64,
 }
 
-impl State {
-    /// Lets exposure and vignette follow the ride for this many `seconds`; whether they are still on their way.
-    pub(in crate::app) fn follow_for_comfort(&mut self, seconds: f64) -> bool {
-        let settings = &self.document.settings;
-        if !settings.ride.is_on() {
-            self.scratch.comfort = Comfort::default();
-            return false;
-        }
-        let Comfort { exposure_ev, gaze, held, vignette } = self.scratch.comfort;
-        let target = settings.automatic_ev(&self.document.scene, self.document.time);
-        let now = exposure_ev.unwrap_or(target);
-        let exposure_ev = towards(now, target, EV_PER_SECOND * seconds);
-        let has_turned = gaze.is_some_and(|gaze| gaze != settings.look.gaze) && settings.window.vignette;
-        let held = if has_turned { HELD } else { (held - seconds).max(0.0) };
+impl Comfort {
+    /// Returns it after this many `seconds`, in which the automatic exposure was on its way to `target_ev` and the head held this `gaze`;
+    /// a turn darkens the edges only if that `has_vignette`.
+    #[must_use]
+    pub fn after(self, seconds: f64, target_ev: f64, gaze: GazeChoice, has_vignette: bool) -> Self {
+        let now = self.exposure_ev.unwrap_or(target_ev);
+        let has_turned = has_vignette && self.gaze.is_some_and(|before| before != gaze);
+        let held = if has_turned { HELD } else { (self.held - seconds).max(0.0) };
         let end = if held > 0.0 { 1.0 } else { 0.0 };
-        let vignette = towards(vignette, end, seconds / FADE);
-        let gaze = Some(settings.look.gaze);
-        self.scratch.comfort = Comfort { exposure_ev: Some(exposure_ev), gaze, held, vignette };
-        exposure_ev != target || vignette > 0.0
+        Self {
+            exposure_ev: Some(towards(now, target_ev, EV_PER_SECOND * seconds)),
+            gaze: Some(gaze),
+            held,
+            vignette: towards(self.vignette, end, seconds / FADE),
+        }
     }
 
-    /// The automatic exposure that a ride shows just now; `None` where it is not held back.
-    pub(in crate::app) fn followed_exposure(&self) -> Option<f64> {
-        let is_automatic = self.document.settings.light.exposure.0.is_none();
-        self.scratch.comfort.exposure_ev.filter(|_| is_automatic)
+    /// The automatic exposure that is shown just now; `None` before the first frame of a ride.
+    #[must_use]
+    pub const fn exposure_ev(&self) -> Option<f64> {
+        self.exposure_ev
+    }
+
+    /// Whether it is still on its way to `target_ev`, or the vignette has not gone yet.
+    #[must_use]
+    pub fn is_on_its_way(&self, target_ev: f64) -> bool {
+        self.exposure_ev != Some(target_ev) || self.vignette > 0.0
     }
 
     /// Darkens the edge of the picture at `rect` while the head turns.
-    pub(in crate::app) fn paint_vignette(&self, painter: &Painter, rect: Rect) {
-        let strength = self.scratch.comfort.vignette as f32;
+    pub fn paint(&self, painter: &Painter, rect: Rect) {
+        let strength = self.vignette as f32;
         if strength > 0.0 {
             painter.with_clip_rect(rect).add(Shape::mesh(vignette(rect, DEPTH * strength)));
         }
@@ -105,72 +106,40 @@ fn vignette(rect: Rect, opacity: f32) -> Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::command::Command;
-    use crate::app::riding::saddle::{Direction, RideCommand};
-    use crate::settings::Settings;
 
     const FRAME: f64 = 1.0 / 60.0;
-
-    fn riding(scene: &str) -> State {
-        let settings = Settings { scene: scene.to_owned(), ..Settings::default() };
-        let mut state = State::open(settings).expect("a scene of ours");
-        state.apply(Command::Ride(RideCommand::Toggle));
-        state.document.settings.window.vignette = true;
-        state.document.settings.ride.push = 8.0;
-        state.follow_for_comfort(FRAME);
-        state
-    }
+    const AHEAD: GazeChoice = GazeChoice::Fixed([0.0, -12.0]);
 
     #[test]
-    fn the_hardest_push_does_not_flash_and_the_exposure_arrives() {
-        let mut state = riding("street");
-        let shown = |state: &State| state.appearance(true).exposure_ev;
-        let mut before = shown(&state);
-        let mut most: f64 = 0.0;
-        for frame in 0..600 {
-            if frame < 30 {
-                state.apply(Command::Ride(RideCommand::Push(Direction::Forwards, FRAME)));
-            }
-            let is_on_its_way = state.follow_for_comfort(FRAME);
-            let now = shown(&state);
-            most = most.max((now - before).abs());
-            assert_eq!(is_on_its_way, now != automatic(&state), "frame {frame}");
-            before = now;
+    fn a_push_does_not_flash_and_the_exposure_arrives() {
+        let mut comfort = Comfort::default().after(FRAME, 0.0, AHEAD, true);
+        assert_eq!(comfort.exposure_ev(), Some(0.0));
+        let mut frames = 0;
+        while comfort.is_on_its_way(-6.0) {
+            let before = comfort.exposure_ev().expect("there was a frame");
+            comfort = comfort.after(FRAME, -6.0, AHEAD, true);
+            let now = comfort.exposure_ev().expect("there was a frame");
+            assert!((now - before).abs() < 1.000_001 * EV_PER_SECOND * FRAME, "{before} to {now}");
+            frames += 1;
         }
-        assert!(most <= 1.000_001 * EV_PER_SECOND * FRAME, "{most} in a frame");
-        assert_eq!(before, automatic(&state));
-        assert!(before.abs() > 1.0, "there was something to follow: {before}");
-    }
-
-    fn automatic(state: &State) -> f64 {
-        state.document.settings.automatic_ev(&state.document.scene, state.document.time)
-    }
-
-    #[test]
-    fn a_set_exposure_is_shown_at_once() {
-        let mut state = riding("street");
-        state.document.settings.light.exposure.0 = Some(-7.0);
-        assert_eq!(state.appearance(true).exposure_ev, -7.0);
+        // Two seconds for six factors of 2.
+        assert!((119..=122).contains(&frames), "{frames}");
     }
 
     #[test]
     fn the_edge_is_dark_while_the_head_turns_and_for_a_moment_after() {
-        let mut state = riding("street");
-        assert_eq!(state.scratch.comfort.vignette, 0.0);
-        for _ in 0..20 {
-            state.apply(Command::LookAside([1.0, 0.0]));
-            state.follow_for_comfort(FRAME);
+        let turned = |frame: u32| GazeChoice::Fixed([f64::from(frame), 0.0]);
+        let mut comfort = Comfort::default();
+        for frame in 0..20 {
+            comfort = comfort.after(FRAME, 0.0, turned(frame), true);
         }
-        assert_eq!(state.scratch.comfort.vignette, 1.0);
+        assert_eq!(comfort.vignette, 1.0);
         for _ in 0..((HELD + FADE) / FRAME) as u32 + 2 {
-            state.follow_for_comfort(FRAME);
+            comfort = comfort.after(FRAME, 0.0, turned(19), true);
         }
-        assert_eq!(state.scratch.comfort.vignette, 0.0);
-        assert!(!state.follow_for_comfort(FRAME), "no frame more is asked for");
-        state.document.settings.window.vignette = false;
-        state.apply(Command::LookAside([1.0, 0.0]));
-        state.follow_for_comfort(FRAME);
-        assert_eq!(state.scratch.comfort.vignette, 0.0);
+        assert_eq!(comfort.vignette, 0.0);
+        assert!(!comfort.is_on_its_way(0.0), "no frame more is asked for");
+        assert_eq!(comfort.after(FRAME, 0.0, turned(20), false).vignette, 0.0);
     }
 
     #[test]

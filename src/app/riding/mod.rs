@@ -6,6 +6,7 @@ pub mod saddle;
 
 use relativity_core::{Odometers, math};
 
+use self::comfort::Comfort;
 use self::saddle::{Direction, Push, RideCommand, Saddle};
 use crate::app::clock;
 use crate::app::notice::Notice;
@@ -137,6 +138,19 @@ impl State {
         let steps = (STEPS_OF_DOUBLING * math::log2(end / SHORTEST_RANGE)).ceil();
         let rounded = SHORTEST_RANGE * math::exp2(steps / STEPS_OF_DOUBLING);
         Some([0.0, rounded.min(MAX_TIME)])
+    }
+
+    /// Lets exposure and vignette follow the ride for this many `seconds`; whether they are still on their way.
+    pub(in crate::app) fn follow_for_comfort(&mut self, seconds: f64) -> bool {
+        let settings = &self.document.settings;
+        if !settings.ride.is_on() {
+            self.scratch.comfort = Comfort::default();
+            return false;
+        }
+        let target = settings.automatic_ev(&self.document.scene, self.document.time);
+        let (gaze, has_vignette) = (settings.look.gaze, settings.window.vignette);
+        self.scratch.comfort = self.scratch.comfort.after(seconds, target, gaze, has_vignette);
+        self.scratch.comfort.is_on_its_way(target)
     }
 
     /// The instruments on the handlebar, a line each; `None` of who does not ride.

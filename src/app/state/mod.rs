@@ -61,7 +61,7 @@ pub struct Scratch {
     pub playing: bool,
     /// The state of the saddle: who steers, and which push is held.
     pub saddle: Saddle,
-    /// What follows a ride so that it stays comfortable.
+    /// Exposure and vignette, which follow a ride.
     pub comfort: Comfort,
     /// The ruler for angles in the views.
     pub angle_ruler: AngleRuler,
@@ -254,7 +254,8 @@ impl State {
     #[must_use]
     pub fn appearance(&self, light_window: bool) -> Appearance {
         let Document { settings, scene, time, .. } = &self.document;
-        match self.followed_exposure() {
+        let is_automatic = settings.light.exposure.0.is_none();
+        match self.scratch.comfort.exposure_ev().filter(|_| is_automatic) {
             Some(exposure_ev) => settings.appearance_at(exposure_ev, scene, light_window),
             None => settings.appearance(scene, *time, light_window),
         }

@@ -42,7 +42,7 @@ impl ReferenceSteps {
         Step::More
     }
 
-    /// All of the picture at once; `None` if it is no longer wanted.
+    /// Draws all of the picture at once; `None` if it is no longer wanted.
     fn whole(&self, wanted: &Wanted) -> Option<Picture> {
         let Self { scene, view, appearance, samples, .. } = self;
         let picture = || scene.picture_while(view, appearance, *samples, &|| wanted.holds());

@@ -1,4 +1,4 @@
-//! The window in a browser: it is opened in the page's canvas, or the page says why it cannot be. What it shows is in the address.
+//! The window in a browser: opened in the page's canvas, or a sentence in the page says why it cannot be. The address holds the state that is shown.
 
 mod address;
 mod page_app;

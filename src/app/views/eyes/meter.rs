@@ -23,7 +23,7 @@ pub struct Meter {
     /// Drawings when the last frame began, and the frames in a row that had some.
     drawings: u64,
     frames: u32,
-    /// Costs that the device tells when it has drawn, and the number of those that it has yet to tell.
+    /// Costs that the device reports when it has drawn, and the number of reports that are still to come.
     sender: Sender<Measured>,
     measured: Receiver<Measured>,
     awaited: u32,
@@ -123,7 +123,7 @@ impl Meter {
         Ok(())
     }
 
-    /// Notes the costs that the device has told.
+    /// Notes the costs that the device has reported.
     fn receive(&mut self) {
         let now_ms = self.clock.elapsed_ms();
         for Measured { method, geometry, ms, pixels } in self.measured.try_iter() {
