@@ -20,7 +20,7 @@ pub fn other_screen(frame: &eframe::Frame) -> Option<usize> {
     window.available_monitors().position(|screen| screen != own)
 }
 
-/// Returns no screen: a browser tells of none.
+/// Returns `None`: a browser reports no other screen.
 #[cfg(not(feature = "desktop"))]
 pub const fn other_screen(_: &eframe::Frame) -> Option<usize> {
     None

@@ -16,7 +16,7 @@ use crate::platform::web::{page, tasks};
 /// Time between a change of the state and its appearance in the address.
 const REST: Duration = Duration::from_secs(1);
 
-/// The application.
+/// The window, with what ends it.
 pub struct PageApp {
     app: App,
     runner: WebRunner,
@@ -24,7 +24,7 @@ pub struct PageApp {
     is_lost: bool,
 }
 
-/// The address, and the state that it tells.
+/// The page's address, with the state in it.
 struct Address {
     document: Document,
     fragment: Option<Fragment>,
