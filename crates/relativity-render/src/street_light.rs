@@ -9,12 +9,13 @@
 
 use relativity_core::math::{exp2, log2};
 
-use crate::colour::{false_colour, luminance};
-use crate::planck::{Broad, DAYLIGHT_KELVIN, black_body};
+use crate::colour::false_colour;
+use crate::planck::{DAYLIGHT_KELVIN, black_body};
 use crate::tone::{toned, untoned};
 use crate::view::{Appearance, Colour, StreetColours};
 
-/// Row of `palette.rs` that has grey in daylight that is shifted, as bright as at rest; its logarithm is that of the brightness.
+/// Row of `palette.rs` that has grey in daylight that is shifted, its strongest primary as at rest; its logarithm is that of the
+/// brightness.
 pub(crate) const DAYLIT_ROW: usize = 6;
 /// Row of grey in false colours.
 pub(crate) const FALSE_ROW: usize = 7;
@@ -100,14 +101,16 @@ impl StreetLight {
 /// The most that a factor of brightness is, and one over the least, octaves.
 const MOST_LOG2: f64 = 100.0;
 
-/// Linear sRGB of grey in daylight that is shifted by `octaves`, as bright as at rest; and log2 of its brightness beside that.
+/// Linear sRGB of grey in daylight that is shifted by `octaves`, its strongest primary as at rest; and log2 of its brightness beside that.
+///
+/// The strongest primary is held and not the luminance: deep red of a white's luminance is beyond what a screen shows, and a street behind a
+/// fast rider would lose all its contrast.
 pub(crate) fn daylit(octaves: f64) -> [f64; 4] {
     let [at_rest, shifted] = [0.0, octaves].map(|octaves| black_body(log2(DAYLIGHT_KELVIN) + octaves));
     let hue: [f64; 3] = std::array::from_fn(|i| shifted.hue[i] / at_rest.hue[i]);
-    let brightness = luminance(hue);
-    let [red, green, blue] = hue.map(|part| part / brightness);
-    let level = |light: &Broad| light.log2_level;
-    [red, green, blue, level(&shifted) - level(&at_rest) + log2(brightness)]
+    let strongest = hue.into_iter().fold(0.0, f64::max);
+    let [red, green, blue] = hue.map(|part| part / strongest);
+    [red, green, blue, shifted.log2_level - at_rest.log2_level + log2(strongest)]
 }
 
 /// Linear sRGB of grey in the false colour of a Doppler factor of 2^`octaves`; and 0.
@@ -120,7 +123,7 @@ pub(crate) fn coloured_false(octaves: f64) -> [f64; 4] {
 mod tests {
     use super::*;
     use crate::body::Emission;
-    use crate::colour::{colour_matching, srgb_from_xyz};
+    use crate::colour::{colour_matching, luminance, srgb_from_xyz};
     use crate::light::Light;
     use crate::planck::SECOND_RADIATION_NM_K;
 
@@ -153,11 +156,13 @@ mod tests {
     }
 
     #[test]
-    fn shifted_paint_is_as_bright_as_at_rest() {
+    fn shifted_paint_keeps_its_contrast() {
         for doppler_factor in [0.1, 0.5, 1.0, 2.0, 20.0] {
-            let grey = [0.02; 3];
-            let found = luminance(light(StreetColours::Shifted).received(grey, doppler_factor));
-            assert!((found / 0.02 - 1.0).abs() < 1e-9, "D = {doppler_factor}: {found}");
+            for grey in [0.02, 0.3, 0.9] {
+                let found = light(StreetColours::Shifted).received([grey; 3], doppler_factor);
+                let strongest = found.into_iter().fold(0.0, f64::max);
+                assert!((strongest / grey - 1.0).abs() < 1e-9, "D = {doppler_factor}: {found:?}");
+            }
         }
     }
 

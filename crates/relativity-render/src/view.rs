@@ -140,7 +140,7 @@ pub enum Colour {
 pub enum StreetColours {
     /// As painted at any speed: something for motion to be seen against.
     Painted,
-    /// Doppler shifted, as grey paint in daylight; brightness stays as painted.
+    /// Doppler shifted, as grey paint in daylight; the strongest primary stays as painted, so that contrasts do.
     #[default]
     Shifted,
     /// Doppler shifted and as bright as received: dazzling ahead, dark behind.

@@ -278,11 +278,7 @@ fn every_speed_gives_a_picture(renderers: &mut Renderers) {
 
 /// Levels by which house fronts in f32 may be off, as they are for an eye at rest.
 const STREET_LEVELS: f64 = 3.0;
-/// The most by which shifted daylight multiplies a primary of paint as bright as at rest: blue, of the hottest black body, whose
-/// chromaticity is (0.2399, 0.2342). Levels differ by its power 1/2.4 more then.
-const MOST_TINT: f64 = 2.23;
 
-/// The street, its ground and its sky from a ride along it, with a cyclist who is overtaken.
 /// A camera in the hole of a ring has a part of it behind: the one ahead is seen.
 fn hoops_are_seen_from_within(renderers: &mut Renderers) {
     let levels = documented(RENDERERS, "away from outlines colours are within ");
@@ -308,6 +304,7 @@ fn hoops_are_seen_from_within(renderers: &mut Renderers) {
     }
 }
 
+/// The street, its ground and its sky from a ride along it, with a cyclist who is overtaken.
 fn rides_are_the_references(renderers: &mut Renderers) {
     let levels = documented(RENDERERS, "away from outlines colours are within ");
     let velocity = |beta: f64| Velocity::from_beta(beta).expect("a speed");
@@ -337,10 +334,9 @@ fn rides_are_the_references(renderers: &mut Renderers) {
     let shifted = Appearance { doppler_shift: true, exposure_ev: -2.0, ..road };
     // Exposed light magnifies any difference at edges: its sky has none.
     let open = Appearance { ground_z: None, road: None, fronts: None, ..shifted };
-    let shifted_levels = STREET_LEVELS * MOST_TINT.powf(1.0 / 2.4);
     let looks = [
         (road, STREET_LEVELS),
-        (Appearance { colour: Colour::StreetDaylight, ..shifted }, shifted_levels),
+        (Appearance { colour: Colour::StreetDaylight, ..shifted }, STREET_LEVELS),
         (Appearance { colour: Colour::StreetDaylight, street: StreetColours::Received, ..open }, levels),
         (Appearance { colour: Colour::False, ..open }, levels),
         (

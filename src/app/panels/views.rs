@@ -317,7 +317,7 @@ fn street_note(state: &State) -> Option<&'static str> {
     match street_colours {
         _ if !is_seen || colour == Colour::False => None,
         StreetColours::Received => None,
-        StreetColours::Shifted if doppler_shift => Some("street's brightness as at rest"),
+        StreetColours::Shifted if doppler_shift => Some("street evenly bright"),
         StreetColours::Shifted | StreetColours::Painted => Some("street as painted"),
     }
 }
@@ -328,8 +328,8 @@ fn projection_note(camera: &Camera) -> Option<String> {
     let times = number_text::trimmed(stretch, 1);
     let note = match camera.projection {
         Projection::Mercator { .. } => "conformal".to_owned(),
-        Projection::Gaze => format!("camera: stretched up to {times} times at the corners"),
-        Projection::Parallel { .. } => format!("flat screens: stretched up to {times} times at the corners"),
+        Projection::Gaze => format!("camera: corners stretched {times} times"),
+        Projection::Parallel { .. } => format!("flat screens: corners stretched {times} times"),
         Projection::Vr180 { .. } => return None,
     };
     (stretch > NOTICEABLE_STRETCH).then_some(note)

@@ -163,7 +163,7 @@ const STREETS: [(StreetColours, &str, &str); 3] = [
     (
         StreetColours::Shifted,
         "Shifted",
-        "Doppler shifted: bluer ahead, redder behind. Paints count as grey; brightness stays as painted.",
+        "Doppler shifted: bluer ahead, redder behind. Paints count as grey, and contrasts stay as painted.",
     ),
     (
         StreetColours::Received,
