@@ -34,7 +34,7 @@ pub(crate) enum StreetVariant {
 }
 
 impl StreetVariant {
-    /// Number of variants.
+    /// Number of the variants, for a list with a place for each.
     pub const COUNT: usize = 5;
 
     /// The variant of the shaders' geometry and row of tables.

@@ -138,7 +138,7 @@ pub enum Colour {
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum StreetColours {
-    /// As painted at any speed: something for motion to be seen against.
+    /// Painted colours at any speed: something for motion to be seen against.
     Painted,
     /// Doppler shifted, as grey paint in daylight; the strongest primary stays as painted, so that contrasts do.
     #[default]

@@ -1,4 +1,4 @@
-//! The window in a browser: opened in the page's canvas, or a sentence in the page says why it cannot be. The address holds the state that is shown.
+//! The window in a browser: opened in the page's canvas, or replaced by a sentence with the reason. The page's address holds the state.
 
 mod address;
 mod page_app;

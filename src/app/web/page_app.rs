@@ -52,7 +52,7 @@ impl PageApp {
         }
     }
 
-    /// Has the address tell what is shown, a while after it has changed.
+    /// Writes the state into the page's address, a while after a change.
     fn keep_address(&mut self, ctx: &Context) {
         let Address { document, fragment, due } = &mut self.address;
         let Some(since) = due else {

@@ -9,13 +9,13 @@ use eframe::egui::Context;
 pub struct Watch(Vec<PathBuf>);
 
 impl Watch {
-    /// Notes `paths`.
+    /// Keeps `paths`, which never change in a page.
     #[must_use]
     pub fn new(_: Context, paths: Vec<PathBuf>) -> Self {
         Self(paths)
     }
 
-    /// Returns the paths.
+    /// Returns the paths that would be watched.
     #[must_use]
     pub fn paths(&self) -> &[PathBuf] {
         &self.0

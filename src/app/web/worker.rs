@@ -16,7 +16,7 @@ use crate::platform::web::tasks;
 /// Time for the steps of a job between two frames.
 const SLICE: Duration = Duration::from_millis(12);
 
-/// What does the jobs; it ends with this.
+/// A worker that does its jobs in steps between the frames of the page; dropping it ends them.
 pub struct Worker<J, R> {
     shared: Rc<Shared<J, R>>,
     received: Cell<u64>,

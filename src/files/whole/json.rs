@@ -1,4 +1,4 @@
-//! Reports as JSON.
+//! Writing of reports as JSON.
 
 use std::io::{self, Write};
 

@@ -8,7 +8,7 @@ use std::time::Duration;
 #[derive(Debug)]
 pub struct Lock(());
 
-/// Takes a lock.
+/// Takes a lock, which nobody else can hold.
 ///
 /// # Errors
 /// None.
@@ -16,7 +16,7 @@ pub fn try_lock(_: &Path) -> io::Result<Option<Lock>> {
     Ok(Some(Lock(())))
 }
 
-/// Takes a lock.
+/// Takes a lock at once, since nobody else can hold it.
 ///
 /// # Errors
 /// None.
