@@ -49,8 +49,9 @@ fn disparities(times: &[f64]) -> impl FnMut() {
     let [mut dphi, mut dtheta] = [(); 2].map(|()| vec![0.0; ROWS]);
     move || {
         let out = DisparityColumns { dphi: &mut dphi, dtheta: &mut dtheta };
-        disparities_over_time(&speed, point, Aperture::pair(0.1), times, out, Threads::All)
-            .expect("inside the domain");
+        // Unknown to the compiler, as they are to the program: it would work out beforehand what constants decide.
+        let (speed, point, pair) = black_box((&speed, point, Aperture::pair(0.1)));
+        disparities_over_time(speed, point, pair, times, out, Threads::All).expect("inside the domain");
         black_box((&dphi, &dtheta));
     }
 }

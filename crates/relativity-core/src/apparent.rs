@@ -134,6 +134,7 @@ pub(crate) fn check_inputs(
 }
 
 /// Coordinates in the precision `F`.
+#[inline]
 pub(crate) fn rounded<F: Float>(coordinates: [f64; 3]) -> [F; 3] {
     coordinates.map(|v| F::from(v).unwrap_or_else(F::infinity))
 }

@@ -7,7 +7,7 @@ use crate::aperture::Aperture;
 use crate::apparent::{LightCone, rounded};
 pub use crate::batch_error::BatchError;
 use crate::batch_error::{check_common, check_lengths, first_outside};
-use crate::cone_pair::ConePair;
+use crate::cone_pair::PointPair;
 pub use crate::real::Real;
 use crate::source::SourcePoint;
 use crate::speed::{Coefficients, Speed};
@@ -196,21 +196,12 @@ pub fn disparities_over_time<F: Real>(
     let DisparityColumns { dphi, dtheta } = out;
     check_lengths(times.len(), &[("dphi", dphi.len()), ("dtheta", dtheta.len())])?;
     check_common::<F>(speed, point, &[primary, secondary], 0.0)?;
-    let coefficients = speed.coefficients();
-    let chunk = |times: &[F], dphi: &mut [F], dtheta: &mut [F]| {
-        let mut is_inside = true;
-        for ((&time, dphi), dtheta) in times.iter().zip(dphi).zip(dtheta) {
-            is_inside &= time.abs() <= F::MAX_COORDINATE;
-            (*dphi, *dtheta) =
-                ConePair::new(&coefficients, point, primary, secondary, time).angle_differences();
-        }
-        is_inside
-    };
+    let pair = PointPair { coefficients: speed.coefficients(), point, primary, secondary };
     let is_inside = match threads {
-        Threads::One => chunk(times, dphi, dtheta),
+        Threads::One => F::disparities(&pair, times, dphi, dtheta),
         Threads::All => (times.par_chunks(CHUNK), dphi.par_chunks_mut(CHUNK), dtheta.par_chunks_mut(CHUNK))
             .into_par_iter()
-            .all(|(times, dphi, dtheta)| chunk(times, dphi, dtheta)),
+            .all(|(times, dphi, dtheta)| F::disparities(&pair, times, dphi, dtheta)),
     };
     if is_inside { Ok(()) } else { first_outside(&[("T", times)]) }
 }

@@ -7,6 +7,7 @@
 use crate::aperture::Aperture;
 use crate::apparent::{LightCone, rounded};
 use crate::math::{self, Elementary};
+use crate::real::Real;
 use crate::source::SourcePoint;
 use crate::speed::Coefficients;
 
@@ -29,6 +30,29 @@ pub(crate) struct ConePair<F> {
     pub sum_s: F,
 }
 
+/// A point that two apertures see: all that does not change with time.
+#[derive(Debug)]
+pub struct PointPair<F> {
+    pub(crate) coefficients: Coefficients<F>,
+    pub(crate) point: SourcePoint,
+    pub(crate) primary: Aperture,
+    pub(crate) secondary: Aperture,
+}
+
+impl<F: Real> PointPair<F> {
+    /// Writes the disparities at these times; whether all times are inside the domain.
+    pub fn disparities(&self, times: &[F], dphi: &mut [F], dtheta: &mut [F]) -> bool {
+        let Self { coefficients, point, primary, secondary } = self;
+        let mut is_inside = true;
+        for ((&time, dphi), dtheta) in times.iter().zip(dphi).zip(dtheta) {
+            is_inside &= time.abs() <= F::MAX_COORDINATE;
+            let cones = ConePair::new(coefficients, *point, *primary, *secondary, time);
+            (*dphi, *dtheta) = cones.wanted_angle_differences([true, true]);
+        }
+        is_inside
+    }
+}
+
 /// Both apparent X, their difference and their sum.
 struct ApparentXs<F> {
     left: F,
@@ -40,7 +64,8 @@ struct ApparentXs<F> {
 }
 
 impl<F: Elementary> ConePair<F> {
-    #[inline]
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "a batch works out once what all its rows share")]
     pub fn new(
         coefficients: &Coefficients<F>,
         point: SourcePoint,
@@ -72,12 +97,14 @@ impl<F: Elementary> ConePair<F> {
     }
 
     /// (Delta-phi, Delta-theta), from the sines and cosines of the differences.
+    #[inline]
     pub fn angle_differences(&self) -> (F, F) {
         self.wanted_angle_differences([true, true])
     }
 
     /// The same, with 0 for what is not `wanted`: each has its price.
-    #[inline]
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "a batch works out once what all its rows share")]
     pub fn wanted_angle_differences(&self, wanted: [bool; 2]) -> (F, F) {
         let Self { left, right, offset, .. } = self;
         let zero = F::zero();
@@ -105,6 +132,7 @@ impl<F: Elementary> ConePair<F> {
     ///
     /// With X = gamma^2 (S - beta q) the products of u and q are reduced like a difference of roots; what
     /// remains vanishes term by term where the two lines of sight agree.
+    #[inline]
     fn cross_with_x(&self, x: &ApparentXs<F>, u: &Across<F>, v: &Across<F>) -> F {
         let (left, right) = (&self.left.solution, &self.right.solution);
         let plain = (u.left * x.right, -u.right * x.left);
@@ -120,6 +148,7 @@ impl<F: Elementary> ConePair<F> {
 
     /// `z_l h_r - z_r h_l`, h being the horizontal distances: as
     /// `(z_l^2 h_r^2 - z_r^2 h_l^2)/(z_l h_r + z_r h_l)` with the differences of squares factored.
+    #[inline]
     fn elevation_cross(&self, x: &ApparentXs<F>, y: &Across<F>, z: &Across<F>, left_h: F, right_h: F) -> F {
         let plain = (z.left * right_h, -z.right * left_h);
         let sum = plain.0 - plain.1;
@@ -194,6 +223,7 @@ impl<F: Elementary> ConePair<F> {
 
     /// With q^2 = S^2 + rho^2/gamma^2, X = gamma^2 (S - beta q); so the difference of the two X is
     /// `(dS (R_l + R_r) - beta d(rho^2))/(q_l + q_r)`, in which small separations do not cancel.
+    #[inline]
     fn apparent_xs(&self) -> ApparentXs<F> {
         let Self { beta, left, right, offset, sum_s } = self;
         let (xl, xr) = (left.solution.x, right.solution.x);
@@ -271,22 +301,26 @@ struct Across<F> {
 }
 
 impl<F: Elementary> Across<F> {
+    #[inline]
     fn same_sign(&self) -> bool {
         let zero = F::zero();
         (self.left > zero && self.right > zero) || (self.left < zero && self.right < zero)
     }
 
     /// `u_l v_r - u_r v_l`.
+    #[inline]
     fn cross(&self, v: &Self) -> F {
         self.offset * v.left - self.left * v.offset
     }
 }
 
 /// Returns that of two sums for the same number in which less cancels.
+#[inline]
 fn smaller_terms<F: Elementary>(a: (F, F), b: (F, F)) -> F {
     if a.0.abs() + a.1.abs() < b.0.abs() + b.1.abs() { a.0 + a.1 } else { b.0 + b.1 }
 }
 
+#[inline]
 fn half<F: Elementary>(x: F) -> F {
     x / (F::one() + F::one())
 }

@@ -23,8 +23,34 @@ impl Real for f32 {
     const MAX_GAMMA: f64 = 1e3;
 }
 
+/// The loops that are compiled here for both precisions, optimised, whatever the program that calls them is.
 mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
+    use crate::cone_pair::PointPair;
+
+    pub trait Sealed: Sized {
+        /// Writes the disparities of a point at these times; whether all times are inside the domain.
+        fn disparities(
+            pair: &PointPair<Self>,
+            times: &[Self],
+            dphi: &mut [Self],
+            dtheta: &mut [Self],
+        ) -> bool;
+    }
+
+    macro_rules! compiled_for {
+        ($($number:ident)+) => {
+            $(impl Sealed for $number {
+                fn disparities(
+                    pair: &PointPair<Self>,
+                    times: &[Self],
+                    dphi: &mut [Self],
+                    dtheta: &mut [Self],
+                ) -> bool {
+                    pair.disparities(times, dphi, dtheta)
+                }
+            })+
+        };
+    }
+
+    compiled_for! { f32 f64 }
 }
