@@ -73,7 +73,7 @@ pub(super) fn own_bicycle() -> Scene {
 
 /// The point with the largest x on any of the bodies; `None` without bodies.
 fn forward_most(bodies: &[Body]) -> Option<[f64; 3]> {
-    let points = bodies.iter().map(|body| body.shape.forward_most());
+    let points = bodies.iter().map(|body| body.forward_most());
     points.max_by(|a, b| a.x.total_cmp(&b.x)).map(|point| point.to_array())
 }
 
@@ -169,7 +169,7 @@ fn repeated(table: Table) -> Result<Vec<Object>, Located> {
     let first = object(table)?;
     let Some(count) = count else { return Ok(vec![first]) };
     let nth = |n: usize| Object {
-        body: first.body.moved(step.unwrap_or_default().map(|along| n as f64 * along)),
+        body: first.body.clone().moved(step.unwrap_or_default().map(|along| n as f64 * along)),
         name: first.name.as_ref().map(|name| format!("{name} {}", n + 1)),
         ..first.clone()
     };

@@ -64,7 +64,8 @@ pub(super) fn object(mut object: Table) -> Result<Object, Located> {
     };
     let name = object.string("name")?.map(str::to_owned);
     let (emission, brightness) = (emission(&object)?, brightness(&object)?);
-    let body = Body { shape, emission, brightness, pattern: pattern(&object, &shape)?, spin: None };
+    let body =
+        Body { shape, emission, brightness, pattern: pattern(&object, &shape)?, spin: None, triangles: None };
     Ok(Object { body, name, include: None, span: object.span })
 }
 

@@ -419,7 +419,7 @@ fn an_object_may_be_white_and_dim() {
         let text =
             format!("{EXAMPLE}[[object]]\nshape = \"sphere\"\ncenter = [9, 0, 0]\nradius = 1\n{light}");
         let scene = Scene::parse(&text, "balls.toml").map_err(|error| error.to_string())?;
-        let body = *scene.bodies.last().expect("the ball");
+        let body = scene.bodies.last().expect("the ball");
         Ok::<_, String>((body.emission, body.brightness))
     };
     assert_eq!(ball(""), Ok((Emission::Wavelength(700.0), 1.0)));

@@ -81,4 +81,7 @@ pub enum Undrawn {
          that is defined point by point"
     )]
     HalfOfSkyPublished,
+    /// A model of triangles by another renderer than the reference.
+    #[error("models of triangles are drawn by the reference renderer alone, and not in the published model")]
+    Triangles,
 }

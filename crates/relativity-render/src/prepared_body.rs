@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 
@@ -13,6 +14,7 @@ use crate::kind::Kind;
 use crate::pattern::{Form, Marking};
 use crate::shape::Shape;
 use crate::surface::Surface;
+use crate::triangles::Triangles;
 use crate::turn::turn_of;
 use crate::wheel::spin::Spin;
 
@@ -60,6 +62,8 @@ pub struct PreparedBody {
     pub(crate) is_turned: bool,
     /// Whether it is drawn by a pipeline that knows patterns.
     pub(crate) is_patterned: bool,
+    /// Triangles in the box that is its shape.
+    pub(crate) triangles: Option<Arc<Triangles>>,
 }
 
 /// The placement of a body, for the shaders.
@@ -133,6 +137,7 @@ impl PreparedBody {
         let turn = turn_of(&body.shape);
         let first = capsules.len();
         let block = block(&body.shape).map(Box::new);
+        let marking = Marking::new(body.pattern, Form::new(&body.shape), turn);
         if block.is_none() {
             add_capsules(&body.shape, capsules);
         }
@@ -149,10 +154,11 @@ impl PreparedBody {
             joint: Joint::default(),
             block,
             capsules: first..capsules.len(),
-            marking: Marking::new(body.pattern, Form::new(&body.shape), turn).map(Box::new),
-            spin: body.spin,
+            marking: marking.filter(|_| body.triangles.is_none()).map(Box::new),
+            spin: body.spin.filter(|_| body.triangles.is_none()),
             is_turned: body.displacing_spin().is_some(),
             is_patterned: false,
+            triangles: body.triangles.clone(),
         }
     }
 

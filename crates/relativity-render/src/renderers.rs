@@ -141,6 +141,17 @@ impl fmt::Display for Method {
     }
 }
 
+impl PreparedScene {
+    /// Whether `method` draws all of its bodies.
+    ///
+    /// # Errors
+    ///
+    /// Models of triangles by another method than the reference.
+    pub fn drawn_by(&self, method: Method) -> Result<(), Undrawn> {
+        if self.has_triangles() && method != Method::Reference { Err(Undrawn::Triangles) } else { Ok(()) }
+    }
+}
+
 /// The renderers, each made when it is first needed.
 #[derive(Debug, Default)]
 pub struct Renderers {
@@ -187,6 +198,7 @@ impl Renderers {
         target: &mut EyeTarget,
     ) -> Result<(), GpuError> {
         view.drawn_on_gpu()?;
+        scene.drawn_by(method.on_gpu(view))?;
         let scopes = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?.error_scopes();
         let method = self.in_place_of_rays(method.on_gpu(view));
         if method == Method::Packets
@@ -222,6 +234,7 @@ impl Renderers {
     ) -> Result<Picture, GpuError> {
         view.drawn()?;
         let method = method.of_view(view);
+        scene.drawn_by(method)?;
         if method == Method::Packets
             && let Some(packets) = &self.packets
         {
@@ -264,6 +277,7 @@ impl Renderers {
     ) -> Result<HitImage, GpuError> {
         part.drawn()?;
         let method = method.of_view(part);
+        scene.drawn_by(method)?;
         if method == Method::Reference {
             return Ok(scene.hit_image(part));
         }
