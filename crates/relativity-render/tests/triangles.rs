@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use glam::DVec3;
 use relativity_core::{Aperture, Speed};
 use relativity_render::{
-    Appearance, Body, Camera, Colour, Gaze, Geometry, HitImage, Model, PreparedScene, Shape, TrianglesError,
-    View,
+    Appearance, Body, Camera, Colour, Gaze, Geometry, HitImage, Method, Model, PreparedScene, Renderers,
+    Shape, TrianglesError, View,
 };
 
 mod support;
@@ -195,6 +195,93 @@ fn paint_is_mixed_between_corners_and_is_no_effect_of_false_colours() {
     let map = Appearance { colour: Colour::False, ..appearance };
     let picture = painted.picture(&view, &map, 1).rgba;
     assert!(picture.iter().zip(&plain).any(|(map, white)| map != white && map[2] > 0));
+}
+
+/// A renderer of packets, and of rays as far as they are drawn by these.
+fn renderers() -> Renderers {
+    Renderers::new(None)
+}
+
+#[test]
+fn packets_meet_the_triangles_that_the_reference_meets() {
+    let (model, mut renderers) = (soup(true), renderers());
+    let (corners, scene) = (model.corners.clone(), scene_of(model.clone()));
+    let (mut covered, mut other) = (0, 0);
+    for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
+        for beta in [0.0, 0.9, 0.9999] {
+            let view = view(beta, geometry, [96, 72]);
+            let expected = scene.hit_image(&view).hits;
+            for method in [Method::Packets, Method::Rays] {
+                let found = renderers.hits(method, &scene, &view).expect("it needs no device").hits;
+                for (expected, found) in expected.iter().zip(&found) {
+                    covered += u32::from(expected.is_some());
+                    other += u32::from(expected.is_some() != found.is_some());
+                    let Some(found) = found else { continue };
+                    let point = found.triangle.expect("of triangles");
+                    let [a, b, c] =
+                        model.triangles[point.triangle as usize].map(|i| DVec3::from(corners[i as usize]));
+                    let [second, third] = point.weights.map(f64::from);
+                    let place = a + (b - a) * second + (c - a) * third;
+                    assert!(place.distance(found.rest_position) < 2e-6, "{geometry:?} at {beta}: {found:?}");
+                    let is_inside = second > -1e-4 && third > -1e-4 && second + third < 1.0001;
+                    assert!(is_inside, "{geometry:?} at {beta}: {point:?}");
+                    let normal = (b - a).cross(c - a).normalize();
+                    assert!((normal.dot(found.rest_normal).abs() - 1.0).abs() < 1e-6);
+                }
+            }
+        }
+    }
+    assert!(covered > 10_000 && other * 1000 < covered, "{other} of {covered}");
+}
+
+/// The colours of a model's faces are those of the box that it stands for, away from edges.
+#[test]
+fn packets_draw_a_box_of_triangles_as_the_box() {
+    let mut renderers = renderers();
+    let (exact, model) = (PreparedScene::moving(&[Body::white(exact_box())]), scene_of(box_model()));
+    for colour in [Colour::White, Colour::StreetDaylight, Colour::False] {
+        let appearance = Appearance { colour, ..Appearance::default() };
+        for beta in [0.0, 0.7, 0.99] {
+            let view = view(beta, Geometry::Seen, [80, 60]);
+            let [expected, found] = [&exact, &model].map(|scene| {
+                renderers
+                    .picture(Method::Packets, scene, &view, &appearance, 1)
+                    .expect("it needs no device")
+                    .rgba
+            });
+            let normals: Vec<_> =
+                exact.hit_image(&view).hits.iter().map(|hit| hit.map(|hit| hit.rest_normal)).collect();
+            let mut compared = 0;
+            for (i, (expected, found)) in expected.iter().zip(&found).enumerate() {
+                let (u, v) = (i % 80, i / 80);
+                let is_inner = (1..79).contains(&u) && (1..59).contains(&v);
+                let around = || [81, 80, 79, 1].into_iter().flat_map(|step| [i - step, i + step]);
+                if is_inner && around().all(|other| normals[other] == normals[i]) {
+                    let levels = expected.iter().zip(found).map(|(a, b)| a.abs_diff(*b)).max();
+                    assert!(levels <= Some(2), "{colour:?} at {beta}, pixel {i}: {found:?} for {expected:?}");
+                    compared += usize::from(normals[i].is_some());
+                }
+            }
+            assert!(compared > 200, "{compared}");
+        }
+    }
+}
+
+#[test]
+fn other_renderers_refuse_models() {
+    let (scene, view) = (scene_of(box_model()), view(0.5, Geometry::Published, [8, 6]));
+    for method in [Method::Reference, Method::Rays, Method::Mesh { bound_px: 0.5 }] {
+        let error =
+            renderers().picture(method, &scene, &view, &Appearance::default(), 1).expect_err("it is refused");
+        assert!(
+            error.to_string().starts_with("models from files are not drawn by the mesh renderer"),
+            "{error}"
+        );
+        assert_eq!(
+            renderers().hits(method, &scene, &view).expect_err("it is refused").to_string(),
+            error.to_string()
+        );
+    }
 }
 
 #[test]
