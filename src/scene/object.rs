@@ -3,7 +3,6 @@
 use std::ops::Range;
 use std::rc::Rc;
 
-use glam::DQuat;
 use relativity_render::{Body, Emission, Pattern, Shape};
 
 use super::error::{Located, Problem};
@@ -159,15 +158,7 @@ fn cuboid(object: &Table) -> Result<Shape, Located> {
     check_keys(object, &["center", "size", "axis", "angle"])?;
     let center = object.needed_point("center")?;
     let half = object.needed_sizes("size")?.map(|size| 0.5 * size);
-    let axis = object.direction("axis")?;
-    let turn = match object.coordinate("angle")? {
-        Some(angle) => {
-            let axis = axis.unwrap_or([0.0, 0.0, 1.0]);
-            DQuat::from_axis_angle(axis.into(), angle.to_radians())
-        }
-        None if axis.is_some() => return Err(object.problem_at("axis", Problem::NoAngle)),
-        None => DQuat::IDENTITY,
-    };
+    let turn = object.turn("the box")?;
     Ok(Shape::Box { center, half, turn: turn.to_array() })
 }
 

@@ -221,7 +221,7 @@ fn a_syntax_error_names_line_and_column() {
 fn an_unknown_key_is_told_the_keys_there_are() {
     assert_eq!(
         error("name = \"x\"\n\ngroud_z = 1\n"),
-        "balls.toml:3: unknown key `groud_z`: a scene has name, rider, metres, tracked, ground_z, street, include, wheel, object, group"
+        "balls.toml:3: unknown key `groud_z`: a scene has name, rider, metres, tracked, ground_z, street, include, wheel, model, object, group"
     );
     assert_eq!(
         object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradus = 1"),
@@ -477,7 +477,7 @@ fn shapes_and_scenes_are_known_by_name() {
 fn a_scene_is_never_empty() {
     assert_eq!(
         error("name = \"x\"\n"),
-        "balls.toml:1: a scene needs at least one [[object]], [[include]] or [[group]] with one"
+        "balls.toml:1: a scene needs at least one [[object]], [[model]], [[include]] or [[group]] with one"
     );
 }
 

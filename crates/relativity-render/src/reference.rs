@@ -288,13 +288,6 @@ impl PreparedScene {
         body.marking.as_ref().map_or(1.0, |marking| marking.mark(place, hit.material_normal(), covered))
     }
 
-    /// Returns the `colour` of white paint as that of the paint at `hit`: of false colours, which show no paint, only as dark.
-    pub(crate) fn painted(&self, colour: [f64; 3], hit: &Hit, appearance: &Appearance) -> [f64; 3] {
-        let Some((triangles, point)) = self.triangles(hit.body).zip(hit.triangle) else { return colour };
-        let paint = appearance.paint(triangles.paint(point));
-        std::array::from_fn(|part| colour[part] * paint[part])
-    }
-
     /// Returns the motion of the surface at `hit` through the street's daylight, if that lights it.
     fn facing(&self, appearance: &Appearance, group_views: &[GroupView], hit: &Hit) -> Option<Facing> {
         let view = &group_views[self.group_of(hit.body)];

@@ -10,7 +10,7 @@ use super::daylight::facing_of;
 use super::look::{Look, Seen};
 use super::spin::Spin;
 use super::tables::Tables;
-use super::tile::Owner;
+use super::tile::{Owner, TileContents};
 use crate::effects::Spectrum;
 use crate::kind::Kind;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3};
@@ -44,6 +44,14 @@ pub struct ModelPart<S: Simd, const N: usize> {
     /// Place of the model in the list of the tile's bodies.
     pub owner: usize,
     pub samples: [Meetings<S>; N],
+}
+
+impl<S: Simd, const N: usize> TileContents<S, N> {
+    /// Returns the samples of a model, if the body at the place `owner` in the list is one, in the packet at this place.
+    pub fn model(&self, place: usize, owner: usize) -> Option<&[Meetings<S>; N]> {
+        let part = self.models.iter().find(|part| (part.place, part.owner) == (place, owner))?;
+        Some(&part.samples)
+    }
 }
 
 impl<S: Simd> Meetings<S> {

@@ -62,7 +62,7 @@ pub struct TileContents<S: Simd, const N: usize> {
     /// The bodies of which something is seen, or was before something nearer was found.
     pub owners: Vec<Owner>,
     /// Models of triangles among them, where they are seen.
-    models: Vec<ModelPart<S, N>>,
+    pub models: Vec<ModelPart<S, N>>,
 }
 
 /// The bodies of one group that are seen in a tile.
@@ -290,13 +290,13 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
     ) -> bool {
         let Self { simd, group, sights, samples, .. } = *self;
         let Packet { place, ray, .. } = self.drawn.packets[number];
-        let at = all(simd, owner as f32);
-        let mut is_seen = false;
-        let samples = samples.map(|sample| {
-            let is_centre = sample == [0.0, 0.0];
-            let ray = if is_centre { ray } else { rest_ray(simd, &group, sights.of_sample(place, sample)) };
+        let samples = samples.map(|offset| {
+            let is_centre = offset == [0.0, 0.0];
+            let ray = if is_centre { ray } else { rest_ray(simd, &group, sights.of_sample(place, offset)) };
             Meetings::new(simd, triangles, placed, &ray)
         });
+        let at = all(simd, owner as f32);
+        let mut is_seen = false;
         let packet = &mut self.drawn.packets[number];
         for (meetings, solid) in samples.iter().zip(&mut packet.solid) {
             let holds = if N > 1 { meetings.above_ground(&group, placed) } else { meetings.holds };
@@ -367,12 +367,6 @@ impl<S: Simd, const N: usize> Packet<S, N> {
 }
 
 impl<S: Simd, const N: usize> TileContents<S, N> {
-    /// Returns the samples of a model, if the body at the place `owner` in the list is one, in the packet at this place.
-    pub fn model(&self, place: usize, owner: usize) -> Option<&[Meetings<S>; N]> {
-        let part = self.models.iter().find(|part| (part.place, part.owner) == (place, owner))?;
-        Some(&part.samples)
-    }
-
     /// Tells the nearest of several groups, of equally near ones the first, and forgets the rest.
     #[inline(always)]
     fn compare_depths(&mut self, simd: S, look: &Look<'_>) {

@@ -22,6 +22,9 @@ pub use self::error::TrianglesError;
 use crate::hierarchy::{Hierarchy, Piece};
 use crate::intersect::{Entry, Form, Solid};
 use crate::ray::Ray;
+use crate::reference::Hit;
+use crate::scene::PreparedScene;
+use crate::view::Appearance;
 
 /// Greatest number of triangles in one model: they take about 600 MB.
 pub const MOST_TRIANGLES: usize = 5_000_000;
@@ -88,6 +91,9 @@ impl Triangles {
         });
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
         let largest = half.max_element();
+        if largest == 0.0 {
+            return Err(TrianglesError::NoArea);
+        }
         if 2.0 * largest < LEAST_SIZE {
             return Err(TrianglesError::Small { size: 2.0 * largest });
         }
@@ -227,6 +233,15 @@ impl Triangles {
 fn facing(across: DVec3, direction: DVec3) -> DVec3 {
     let normal = across.normalize();
     if normal.dot(direction) > 0.0 { -normal } else { normal }
+}
+
+impl PreparedScene {
+    /// Returns the `colour` of white paint as that of the paint at `hit`: of false colours, which show no paint, only as dark.
+    pub(crate) fn painted(&self, colour: [f64; 3], hit: &Hit, appearance: &Appearance) -> [f64; 3] {
+        let Some((triangles, point)) = self.triangles(hit.body).zip(hit.triangle) else { return colour };
+        let paint = appearance.paint(triangles.paint(point));
+        std::array::from_fn(|part| colour[part] * paint[part])
+    }
 }
 
 impl PartialEq for Triangles {
