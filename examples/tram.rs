@@ -1,4 +1,4 @@
-//! A tram of about six hundred triangles, as Wavefront OBJ with colours: `assets/models/tram.obj`.
+//! A tram of 1,178 triangles, as Wavefront OBJ with colours: `assets/models/tram.obj`.
 //!
 //! `cargo run --example tram > assets/models/tram.obj`
 
