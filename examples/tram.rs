@@ -23,7 +23,7 @@ fn main() {
     print!("{}", text());
 }
 
-/// The file.
+/// Returns the contents of the file.
 #[must_use]
 pub fn text() -> String {
     let mut tram = Mesh::default();
@@ -119,7 +119,7 @@ impl Mesh {
         }
     }
 
-    /// A thin bar.
+    /// Adds a thin bar between two places.
     fn bar(&mut self, from: [f64; 3], to: [f64; 3]) {
         let off = 0.03;
         let around = |[x, y, z]: [f64; 3]| {

@@ -1,4 +1,4 @@
-//! Models of scenes, by what their first byte says they are.
+//! Models of scenes: the first byte chooses the format of the others.
 #![no_main]
 
 use gamow::scene::read_model;

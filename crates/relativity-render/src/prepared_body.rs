@@ -9,6 +9,7 @@ use glam::{DQuat, DVec3};
 use crate::block::{Block, block};
 use crate::body::{Body, Emission};
 use crate::capsule::{Capsule, add_capsules};
+pub use crate::extent::Extent;
 use crate::intersect::Solid;
 use crate::kind::Kind;
 use crate::pattern::{Form, Marking};
@@ -17,16 +18,6 @@ use crate::surface::Surface;
 use crate::triangles::Triangles;
 use crate::turn::turn_of;
 use crate::wheel::spin::Spin;
-
-/// The extent of a group: its bodies are placed from the middle of all, so that they keep their places among
-/// each other however far the camera is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extent {
-    /// The middle of a box around the bodies.
-    pub middle: DVec3,
-    /// No surface is farther from there, with room for rounding.
-    pub reach: f64,
-}
 
 /// A placed body.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,16 +78,6 @@ pub(crate) struct Joint {
     pub as_it_is: bool,
     /// Whether it shares an end where both are drawn a pixel wide: bodies about one centre, which are as wide there.
     pub widened: bool,
-}
-
-impl Extent {
-    /// Returns the extent of a group whose bodies stay within these `boxes`, each given by its lowest and highest corner.
-    pub(crate) fn new(boxes: impl IntoIterator<Item = [DVec3; 2]>) -> Self {
-        let around = boxes.into_iter().reduce(|[low, high], [from, to]| [low.min(from), high.max(to)]);
-        let [low, high] = around.unwrap_or([DVec3::ZERO, DVec3::ONE]);
-        let middle = 0.5 * (low + high);
-        Self { middle, reach: 1.001 * low.distance(middle) }
-    }
 }
 
 impl Placement {

@@ -23,7 +23,7 @@ use crate::ray::Ray;
 use crate::scene::PreparedScene;
 use crate::shade::{Received, surface_colour};
 use crate::tiles::TILE_SIDE;
-use crate::triangles::TrianglePoint;
+use crate::triangles::point::TrianglePoint;
 use crate::view::{Appearance, Geometry, View};
 use crate::wheel::spin::{Spin, about_y};
 

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-/// Types of numbers.
+/// Component types of accessors, as the specification numbers them.
 const U8: u32 = 5121;
 const U16: u32 = 5123;
 const U32: u32 = 5125;
@@ -33,7 +33,7 @@ pub struct BufferView {
     byte_stride: Option<usize>,
 }
 
-/// All data of a file.
+/// The binary data of a file, and the descriptions of what is in it.
 pub struct Data<'a> {
     pub accessors: &'a [Accessor],
     pub views: &'a [BufferView],

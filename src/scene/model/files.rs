@@ -5,7 +5,7 @@ use std::path::{Component, Path};
 
 use crate::platform::{files, sizes};
 
-/// Where the files of a scene's models are.
+/// The place of the files of a scene's models.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::scene) enum ModelFiles<'a> {
     /// Nowhere: the scene is a text without a file.

@@ -11,7 +11,7 @@ use relativity_render::Model;
 use serde::Deserialize;
 
 use super::accessor::{Accessor, BufferView, Data};
-use super::check_count;
+use super::limits::check_count;
 
 /// Marks of a `.glb`, as its little-endian words have them: the file, and its parts of text and of data.
 const MAGIC: u32 = 0x4654_6c67;

@@ -3,12 +3,12 @@
 mod accessor;
 mod files;
 mod gltf;
+mod limits;
 mod obj;
 #[cfg(test)]
 mod tests;
 
 use glam::{DMat3, DVec3};
-use relativity_render::triangles::MOST_TRIANGLES;
 use relativity_render::{Body, Model};
 
 pub(super) use self::files::ModelFiles;
@@ -98,12 +98,4 @@ fn stem(path: &str) -> &str {
 
 fn one_line(reason: &str) -> String {
     reason.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-/// Refuses more triangles than are drawn, before they take memory.
-fn check_count(triangles: usize) -> Result<(), String> {
-    if triangles <= MOST_TRIANGLES {
-        return Ok(());
-    }
-    Err(format!("it has more than {MOST_TRIANGLES} triangles, the most of a model"))
 }

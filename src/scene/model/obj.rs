@@ -9,7 +9,7 @@ use std::str::SplitWhitespace;
 use relativity_render::Model;
 use relativity_render::colour::srgb_decoded;
 
-use super::check_count;
+use super::limits::check_count;
 
 /// Paint of what has none.
 const WHITE: [f32; 3] = [1.0; 3];

@@ -11,7 +11,7 @@ use relativity_core::math;
 use crate::polynomial::first_descent;
 use crate::ray::Ray;
 use crate::shape::Shape;
-use crate::triangles::TrianglePoint;
+use crate::triangles::point::TrianglePoint;
 use crate::turn::turn_of;
 
 /// The entry of a ray into a body. Rest frame.

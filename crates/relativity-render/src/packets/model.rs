@@ -10,7 +10,6 @@ use super::daylight::facing_of;
 use super::look::{Look, Seen};
 use super::spin::Spin;
 use super::tables::Tables;
-use super::tile::{Owner, TileContents};
 use crate::effects::Spectrum;
 use crate::kind::Kind;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3};
@@ -44,14 +43,6 @@ pub struct ModelPart<S: Simd, const N: usize> {
     /// Place of the model in the list of the tile's bodies.
     pub owner: usize,
     pub samples: [Meetings<S>; N],
-}
-
-impl<S: Simd, const N: usize> TileContents<S, N> {
-    /// Returns the samples of a model, if the body at the place `owner` in the list is one, in the packet at this place.
-    pub fn model(&self, place: usize, owner: usize) -> Option<&[Meetings<S>; N]> {
-        let part = self.models.iter().find(|part| (part.place, part.owner) == (place, owner))?;
-        Some(&part.samples)
-    }
 }
 
 impl<S: Simd> Meetings<S> {
@@ -101,7 +92,7 @@ impl<S: Simd> Meetings<S> {
         self.holds & height.simd_ge(group.frame.ground[2])
     }
 
-    /// Linear sRGB of the model that `owner` is, where the rays meet it.
+    /// Linear sRGB of the model that is the body of this `number`, where the rays meet it.
     #[inline(always)]
     pub fn colour(
         &self,
@@ -109,12 +100,12 @@ impl<S: Simd> Meetings<S> {
         look: &Look<'_>,
         appearance: &Appearance,
         tables: &Tables,
-        owner: Owner,
+        number: usize,
         hatched: Hatched<'_>,
     ) -> V3<S> {
-        let (group, seen) = (look.group(owner.group), look.seen(owner.number));
+        let (group, seen) = (look.group(look.scene.group_of(number)), look.seen(number));
         let Seen { body, shown, .. } = &seen;
-        let effects = look.effects(owner.group, Turns::Not, appearance);
+        let effects = look.effects(body.group, Turns::Not, appearance);
         let light = look.light(body, Turns::Not, appearance);
         let is_lit_by_the_street = effects.spectrum() == Spectrum::StreetDaylight;
         let placed = Body::new(simd, &shown.placement);

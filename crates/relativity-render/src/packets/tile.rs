@@ -62,7 +62,7 @@ pub struct TileContents<S: Simd, const N: usize> {
     /// The bodies of which something is seen, or was before something nearer was found.
     pub owners: Vec<Owner>,
     /// Models of triangles among them, where they are seen.
-    pub models: Vec<ModelPart<S, N>>,
+    models: Vec<ModelPart<S, N>>,
 }
 
 /// The bodies of one group that are seen in a tile.
@@ -367,6 +367,12 @@ impl<S: Simd, const N: usize> Packet<S, N> {
 }
 
 impl<S: Simd, const N: usize> TileContents<S, N> {
+    /// Returns the samples of a model, if the body at the place `owner` in the list is one, in the packet at this place.
+    pub fn model(&self, place: usize, owner: usize) -> Option<&[Meetings<S>; N]> {
+        let part = self.models.iter().find(|part| (part.place, part.owner) == (place, owner))?;
+        Some(&part.samples)
+    }
+
     /// Tells the nearest of several groups, of equally near ones the first, and forgets the rest.
     #[inline(always)]
     fn compare_depths(&mut self, simd: S, look: &Look<'_>) {

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::{LEAST_SIZE, MOST_COORDINATE, MOST_TRIANGLES};
+use super::limits::{LEAST_SIZE, MOST_COORDINATE, MOST_TRIANGLES};
 
 /// Why a model cannot be drawn, in one sentence.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -23,10 +23,10 @@ pub enum TrianglesError {
     Coordinate {
         /// Number of the corner, from 0.
         number: usize,
-        /// Its place.
+        /// The place of the corner.
         place: [f64; 3],
     },
-    /// A model too small to be told from a point.
+    /// A model smaller than the least size.
     #[error("the model is {size:e} large, and {LEAST_SIZE:e} is the least")]
     Small {
         /// The greatest side of the box around it.
@@ -37,15 +37,15 @@ pub enum TrianglesError {
     NoCorner {
         /// Number of the triangle, from 0.
         triangle: usize,
-        /// Number of corners.
+        /// The number of corners in the model.
         count: usize,
     },
     /// Paint for some corners only.
     #[error("the model has {corners} corners and the colours of {paints}")]
     PaintCount {
-        /// Number of paints.
+        /// The number of paints in the model.
         paints: usize,
-        /// Number of corners.
+        /// The number of corners in the model.
         corners: usize,
     },
     /// Paint that reflects less than nothing or more than all.
@@ -55,7 +55,7 @@ pub enum TrianglesError {
     Paint {
         /// Number of the corner, from 0.
         number: usize,
-        /// Its paint.
+        /// The paint of the corner.
         paint: [f32; 3],
     },
 }

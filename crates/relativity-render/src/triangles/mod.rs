@@ -12,6 +12,8 @@
 
 mod crossing;
 mod error;
+mod limits;
+pub mod point;
 
 use std::sync::Arc;
 
@@ -19,19 +21,12 @@ use glam::{DVec3, Vec3};
 use relativity_core::threads::prelude::*;
 
 pub use self::error::TrianglesError;
+pub use self::limits::{LEAST_SIZE, MOST_COORDINATE, MOST_TRIANGLES};
+pub use self::point::TrianglePoint;
 use crate::hierarchy::{Hierarchy, Piece};
 use crate::intersect::{Entry, Form, Solid};
 use crate::ray::Ray;
-use crate::reference::Hit;
-use crate::scene::PreparedScene;
-use crate::view::Appearance;
 
-/// Greatest number of triangles in one model: they take about 600 MB.
-pub const MOST_TRIANGLES: usize = 5_000_000;
-/// Greatest magnitude of a coordinate.
-pub const MOST_COORDINATE: f64 = 1e6;
-/// Least size of the box around a model.
-pub const LEAST_SIZE: f64 = 1e-6;
 /// The least side of the box around triangles, as a part of its greatest: that of a flat model is not 0.
 const LEAST_SIDE: f64 = 1e-4;
 
@@ -60,15 +55,6 @@ pub struct Triangles {
     middle: DVec3,
     half: DVec3,
     fingerprint: u64,
-}
-
-/// A point of a triangle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TrianglePoint {
-    /// Number of the triangle in its model.
-    pub triangle: u32,
-    /// Barycentric coordinates of the point: the weights of the triangle's second and third corner.
-    pub weights: [f32; 2],
 }
 
 impl Triangles {
@@ -129,7 +115,7 @@ impl Triangles {
         self.half
     }
 
-    /// Number of triangles.
+    /// Returns the number of triangles, those without an area among them.
     #[must_use]
     pub fn count(&self) -> usize {
         self.faces.len()
@@ -233,15 +219,6 @@ impl Triangles {
 fn facing(across: DVec3, direction: DVec3) -> DVec3 {
     let normal = across.normalize();
     if normal.dot(direction) > 0.0 { -normal } else { normal }
-}
-
-impl PreparedScene {
-    /// Returns the `colour` of white paint as that of the paint at `hit`: of false colours, which show no paint, only as dark.
-    pub(crate) fn painted(&self, colour: [f64; 3], hit: &Hit, appearance: &Appearance) -> [f64; 3] {
-        let Some((triangles, point)) = self.triangles(hit.body).zip(hit.triangle) else { return colour };
-        let paint = appearance.paint(triangles.paint(point));
-        std::array::from_fn(|part| colour[part] * paint[part])
-    }
 }
 
 impl PartialEq for Triangles {
