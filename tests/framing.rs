@@ -40,7 +40,7 @@ fn times(state: &State) -> impl Iterator<Item = f64> + use<> {
 /// Points on the surfaces of the bodies that move with the scene, as cameras all around see them at rest.
 fn surface(scene: &Scene) -> Vec<MaterialPoint> {
     let moving = scene.groups.iter().filter(|group| group.motion == Motion::Scene);
-    let bodies: Vec<_> = moving.flat_map(|group| &scene.bodies[group.bodies()]).copied().collect();
+    let bodies: Vec<_> = moving.flat_map(|group| &scene.bodies[group.bodies()]).cloned().collect();
     let scene = PreparedScene::moving(&bodies);
     let extent = scene.groups()[0].extent;
     let directions = (0..8).map(|i| (TAU * f64::from(i) / 8.0, 0.0)).chain([(0.3, 1.5), (0.3, -1.5)]);

@@ -177,3 +177,23 @@ fn every_body_of_a_preset_has_a_name_of_its_own() {
         assert_eq!(twice, None, "{preset}");
     }
 }
+
+#[path = "../examples/tram.rs"]
+#[allow(dead_code, reason = "as an example it has a main function")]
+#[allow(clippy::allow_attributes, reason = "an expectation would fail in the example itself")]
+mod tram;
+
+/// The model that ships is what its example writes, and its scene shows it upright on the ground.
+#[test]
+fn the_tram_is_what_its_example_writes() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/models");
+    let written = std::fs::read_to_string(format!("{folder}/tram.obj")).expect("it is there");
+    assert!(written == tram::text(), "cargo run --example tram > assets/models/tram.obj");
+    let scene = Scene::load(format!("{folder}/tram.toml").as_ref()).unwrap_or_else(|error| panic!("{error}"));
+    let [body] = &scene.bodies[..] else { panic!("it is one body") };
+    let triangles = body.triangles.as_ref().expect("a model");
+    assert_eq!(triangles.count(), 1178);
+    let low = triangles.middle().z - triangles.half().z;
+    assert!((low - scene.ground_z.expect("a ground")).abs() < 1e-6, "{low}");
+    assert!((body.forward_most().x - scene.tracked[0]).abs() < 0.2);
+}

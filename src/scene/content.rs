@@ -186,7 +186,7 @@ impl Scene {
     /// The forward-most point of the body of this number, if there is such a body.
     #[must_use]
     pub fn track_on(&self, body: usize) -> Option<Track> {
-        self.track_at(self.bodies.get(body)?.shape.forward_most().into(), body)
+        self.track_at(self.bodies.get(body)?.forward_most().into(), body)
     }
 
     /// The point that rests at this place of the body of this number, if there is one that can be followed; or that turns with it, and is there
@@ -211,7 +211,8 @@ impl Scene {
         let kept: Vec<_> =
             self.groups.iter().enumerate().filter(|(number, group)| *number == 0 || !rests(group)).collect();
         let numbers = || kept.iter().flat_map(|(_, group)| group.bodies());
-        let (bodies, names) = numbers().map(|body| (self.bodies[body], self.names[body].clone())).unzip();
+        let (bodies, names) =
+            numbers().map(|body| (self.bodies[body].clone(), self.names[body].clone())).unzip();
         let mut first = 0;
         let groups = kept.iter().map(|(_, group)| {
             let moved = SceneGroup { first, ..(*group).clone() };

@@ -137,9 +137,14 @@ pub enum Problem {
     /// A cylinder without length.
     #[error("to = {0} must differ from `from`, the middle of the other end")]
     NoHeight(String),
-    /// A box with an axis to be turned about, and no angle.
-    #[error("axis = {0} needs `angle`, by how many degrees the box is turned about it")]
-    NoAngle(String),
+    /// An axis to be turned about, and no angle.
+    #[error("axis = {axis} needs `angle`, by how many degrees {what} is turned about it")]
+    NoAngle {
+        /// Axis in the file.
+        axis: String,
+        /// Name of the body, with its article.
+        what: &'static str,
+    },
     /// A shape that does not exist.
     #[error("shape = {0} must be \"sphere\", \"tube\", \"ring\", \"box\" or \"cylinder\"")]
     UnknownShape(String),
@@ -151,8 +156,16 @@ pub enum Problem {
         "`wheels`: the scene {0} has none that could be changed; leave this out, or include cyclist or wheel"
     )]
     NoWheels(String),
+    /// A model whose file cannot be read, or is none.
+    #[error("path = {path}: {reason}")]
+    Model {
+        /// Path in the file.
+        path: String,
+        /// Reason why there is no model.
+        reason: String,
+    },
     /// A scene without bodies.
-    #[error("a scene needs at least one [[object]], [[include]] or [[group]] with one")]
+    #[error("a scene needs at least one [[object]], [[model]], [[include]] or [[group]] with one")]
     Empty,
 }
 

@@ -1,5 +1,6 @@
 //! The scene format: what each table of a scene file means.
 
+use std::path::Path;
 use std::rc::Rc;
 
 use relativity_render::{Body, Motion, Velocity};
@@ -7,6 +8,7 @@ use toml::de::DeTable;
 
 use super::content::{Scene, SceneGroup};
 use super::error::{Located, Problem};
+use super::model::{ModelFiles, model};
 use super::names;
 use super::object::{Object, object};
 use super::presets;
@@ -19,15 +21,21 @@ const RIDER: &str = "rider";
 
 /// The scene that a file's text describes.
 pub(super) fn scene(text: &str) -> Result<Scene, Located> {
-    changed_scene(text, Changes::default())
+    changed_scene(text, Changes::default(), ModelFiles::Nowhere)
+}
+
+/// The same of a file in this folder, in which its models are.
+pub(super) fn scene_in(text: &str, folder: &Path) -> Result<Scene, Located> {
+    changed_scene(text, Changes::default(), ModelFiles::Folder(folder))
 }
 
 /// The same with its wheels changed so.
-fn changed_scene(text: &str, changes: Changes) -> Result<Scene, Located> {
+fn changed_scene(text: &str, changes: Changes, models: ModelFiles<'_>) -> Result<Scene, Located> {
     let document = DeTable::parse(text).map_err(|error| Located::syntax(text, &error))?;
-    let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene" };
+    let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene", models };
     top.check_keys(&[
-        "name", "rider", "metres", "tracked", "ground_z", "street", "include", "wheel", "object", "group",
+        "name", "rider", "metres", "tracked", "ground_z", "street", "include", "wheel", "model", "object",
+        "group",
     ])?;
     let name = top.needed_string("name")?.to_owned();
     let rider = top.string("rider")?.unwrap_or(RIDER).to_owned();
@@ -62,7 +70,10 @@ pub(super) fn preset(name: &str) -> Option<Scene> {
 
 fn changed_preset(name: &str, changes: Changes) -> Option<Scene> {
     let text = presets::text(name)?;
-    Some(changed_scene(text, changes).unwrap_or_else(|_| unreachable!("tests read every preset")))
+    Some(
+        changed_scene(text, changes, ModelFiles::Nowhere)
+            .unwrap_or_else(|_| unreachable!("tests read every preset")),
+    )
 }
 
 /// The bicycle of who rides, from the middle between the eyes.
@@ -73,7 +84,7 @@ pub(super) fn own_bicycle() -> Scene {
 
 /// The point with the largest x on any of the bodies; `None` without bodies.
 fn forward_most(bodies: &[Body]) -> Option<[f64; 3]> {
-    let points = bodies.iter().map(|body| body.shape.forward_most());
+    let points = bodies.iter().map(Body::forward_most);
     points.max_by(|a, b| a.x.total_cmp(&b.x)).map(|point| point.to_array())
 }
 
@@ -87,7 +98,7 @@ fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec
         return Err(Located { span: excess.span.clone(), problem: Problem::ManyGroups(tables.len()) });
     }
     for table in tables {
-        table.check_keys(&["name", "beta", "include", "wheel", "object"])?;
+        table.check_keys(&["name", "beta", "include", "wheel", "model", "object"])?;
         let (name, motion) = (table.needed_string("name")?.to_owned(), motion(&table)?);
         let own = objects(&table, changes)?;
         if all.len() + own.len() > sizes::BODIES {
@@ -106,7 +117,7 @@ fn motion(group: &Table) -> Result<Motion, Located> {
     Ok(Motion::Own(velocity))
 }
 
-/// Returns all objects of a group: the included ones first, then its wheels.
+/// Returns all objects of a group: the included ones first, then its wheels and its models.
 fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
     let mut objects = Vec::new();
     let includes = group.tables("include", "an include")?;
@@ -115,6 +126,9 @@ fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
     }
     for table in group.tables("wheel", "a wheel")? {
         objects.extend(wheel(&table, changes)?);
+    }
+    for table in group.tables("model", "a model")? {
+        objects.push(model(&table)?);
     }
     for table in group.tables("object", "an object")? {
         let span = table.span.clone();
@@ -169,7 +183,7 @@ fn repeated(table: Table) -> Result<Vec<Object>, Located> {
     let first = object(table)?;
     let Some(count) = count else { return Ok(vec![first]) };
     let nth = |n: usize| Object {
-        body: first.body.moved(step.unwrap_or_default().map(|along| n as f64 * along)),
+        body: first.body.clone().moved(step.unwrap_or_default().map(|along| n as f64 * along)),
         name: first.name.as_ref().map(|name| format!("{name} {}", n + 1)),
         ..first.clone()
     };

@@ -15,7 +15,8 @@ impl Scene {
     /// by the name in a scene file, the numbers of that in the order of the scene format (of a box half its size, and its
     /// turn as a quaternion), its wavelength and, if it is below 1, its brightness after that word, and if it has one its
     /// pattern by name, with its spacing; and if it turns after "rolls" or "turns" its axle, the radius on which it rolls
-    /// and, if it does not roll, the speed of its rim. Names end in a zero byte; numbers go in bit by bit, big end first, those that
+    /// and, if it does not roll, the speed of its rim; and of a model, whose shape is
+    /// the box around it, after "triangles" the same hash of these, word by word. Names end in a zero byte; numbers go in bit by bit, big end first, those that
     /// are not there as infinity.
     #[must_use]
     pub fn fingerprint(&self) -> String {
@@ -84,6 +85,10 @@ impl Hash {
         }
         self.pattern(body.pattern);
         self.spin(body.spin);
+        if let Some(triangles) = &body.triangles {
+            self.name("triangles");
+            self.bytes(&triangles.fingerprint().to_be_bytes());
+        }
     }
 
     /// Nothing of a body that does not turn.

@@ -7,6 +7,7 @@ mod content;
 mod error;
 mod file;
 mod fingerprint;
+mod model;
 mod names;
 mod object;
 mod presets;
@@ -20,6 +21,7 @@ use std::path::Path;
 use crate::platform::files;
 pub use content::{Scene, SceneGroup, Track};
 pub use error::{Problem, SceneError};
+pub use model::read_model;
 pub use presets::{PRESETS, looks_like_a_name};
 
 impl Scene {
@@ -42,7 +44,8 @@ impl Scene {
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         let source_name = files::shown(path);
         match files::read_to_string(path) {
-            Ok(text) => Self::parse(&text, &source_name),
+            Ok(text) => file::scene_in(&text, files::folder_of(path))
+                .map_err(|located| located.in_source(&text, &source_name)),
             Err(reason) => Err(SceneError::Read { source_name, reason }),
         }
     }
@@ -58,7 +61,7 @@ impl Scene {
         }
     }
 
-    /// The scene that `text` describes; errors call it `source_name`.
+    /// The scene that `text` describes; errors call it `source_name`. It has no folder, and so no models from files.
     pub fn parse(text: &str, source_name: &str) -> Result<Self, SceneError> {
         file::scene(text).map_err(|located| located.in_source(text, source_name))
     }

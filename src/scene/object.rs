@@ -3,7 +3,6 @@
 use std::ops::Range;
 use std::rc::Rc;
 
-use glam::DQuat;
 use relativity_render::{Body, Emission, Pattern, Shape};
 
 use super::error::{Located, Problem};
@@ -64,7 +63,8 @@ pub(super) fn object(mut object: Table) -> Result<Object, Located> {
     };
     let name = object.string("name")?.map(str::to_owned);
     let (emission, brightness) = (emission(&object)?, brightness(&object)?);
-    let body = Body { shape, emission, brightness, pattern: pattern(&object, &shape)?, spin: None };
+    let body =
+        Body { shape, emission, brightness, pattern: pattern(&object, &shape)?, spin: None, triangles: None };
     Ok(Object { body, name, include: None, span: object.span })
 }
 
@@ -158,15 +158,7 @@ fn cuboid(object: &Table) -> Result<Shape, Located> {
     check_keys(object, &["center", "size", "axis", "angle"])?;
     let center = object.needed_point("center")?;
     let half = object.needed_sizes("size")?.map(|size| 0.5 * size);
-    let axis = object.direction("axis")?;
-    let turn = match object.coordinate("angle")? {
-        Some(angle) => {
-            let axis = axis.unwrap_or([0.0, 0.0, 1.0]);
-            DQuat::from_axis_angle(axis.into(), angle.to_radians())
-        }
-        None if axis.is_some() => return Err(object.problem_at("axis", Problem::NoAngle)),
-        None => DQuat::IDENTITY,
-    };
+    let turn = object.turn("the box")?;
     Ok(Shape::Box { center, half, turn: turn.to_array() })
 }
 

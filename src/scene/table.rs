@@ -2,10 +2,12 @@
 
 use std::ops::{Range, RangeInclusive};
 
+use glam::DQuat;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::{Located, Problem};
+use super::model::ModelFiles;
 use crate::platform::{messages, sizes};
 
 /// Largest magnitude of a coordinate: beyond it, f32 has steps of more than 1/16.
@@ -27,6 +29,8 @@ pub(super) struct Table<'a> {
     pub span: Range<usize>,
     /// Description of the table's object, with its article.
     pub owner: &'static str,
+    /// Files of the models in it.
+    pub models: ModelFiles<'a>,
 }
 
 impl<'a> Table<'a> {
@@ -130,13 +134,24 @@ impl<'a> Table<'a> {
         Ok(Some((scaled / scaled.length()).to_array()))
     }
 
+    /// Returns the turn about `axis`, which is upright by default, by `angle` degrees; none without an angle.
+    pub fn turn(&self, what: &'static str) -> Result<DQuat, Located> {
+        let axis = self.direction("axis")?;
+        match self.coordinate("angle")? {
+            Some(angle) => {
+                let axis = axis.unwrap_or([0.0, 0.0, 1.0]);
+                Ok(DQuat::from_axis_angle(axis.into(), angle.to_radians()))
+            }
+            None if axis.is_some() => Err(self.problem_at("axis", |axis| Problem::NoAngle { axis, what })),
+            None => Ok(DQuat::IDENTITY),
+        }
+    }
+
     /// The table at a key, if the key is there.
     pub fn table(&self, key: &'static str, owner: &'static str) -> Result<Option<Table<'a>>, Located> {
         let Some(value) = self.value(key) else { return Ok(None) };
         match value.get_ref() {
-            DeValue::Table(entries) => {
-                Ok(Some(Table { text: self.text, entries, span: value.span(), owner }))
-            }
+            DeValue::Table(entries) => Ok(Some(Table { entries, span: value.span(), owner, ..*self })),
             _ => Err(self.wrong_type(key, value, "a table: keys and values, headed by its name in brackets")),
         }
     }
@@ -149,7 +164,7 @@ impl<'a> Table<'a> {
             return Err(self.wrong_type(key, value, expected));
         };
         let table = |item: &'a Spanned<DeValue<'a>>| match item.get_ref() {
-            DeValue::Table(entries) => Ok(Table { text: self.text, entries, span: item.span(), owner }),
+            DeValue::Table(entries) => Ok(Table { entries, span: item.span(), owner, ..*self }),
             _ => Err(self.wrong_type(key, item, expected)),
         };
         items.iter().map(table).collect()

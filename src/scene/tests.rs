@@ -221,7 +221,7 @@ fn a_syntax_error_names_line_and_column() {
 fn an_unknown_key_is_told_the_keys_there_are() {
     assert_eq!(
         error("name = \"x\"\n\ngroud_z = 1\n"),
-        "balls.toml:3: unknown key `groud_z`: a scene has name, rider, metres, tracked, ground_z, street, include, wheel, object, group"
+        "balls.toml:3: unknown key `groud_z`: a scene has name, rider, metres, tracked, ground_z, street, include, wheel, model, object, group"
     );
     assert_eq!(
         object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradus = 1"),
@@ -419,7 +419,7 @@ fn an_object_may_be_white_and_dim() {
         let text =
             format!("{EXAMPLE}[[object]]\nshape = \"sphere\"\ncenter = [9, 0, 0]\nradius = 1\n{light}");
         let scene = Scene::parse(&text, "balls.toml").map_err(|error| error.to_string())?;
-        let body = *scene.bodies.last().expect("the ball");
+        let body = scene.bodies.last().expect("the ball");
         Ok::<_, String>((body.emission, body.brightness))
     };
     assert_eq!(ball(""), Ok((Emission::Wavelength(700.0), 1.0)));
@@ -477,7 +477,7 @@ fn shapes_and_scenes_are_known_by_name() {
 fn a_scene_is_never_empty() {
     assert_eq!(
         error("name = \"x\"\n"),
-        "balls.toml:1: a scene needs at least one [[object]], [[include]] or [[group]] with one"
+        "balls.toml:1: a scene needs at least one [[object]], [[model]], [[include]] or [[group]] with one"
     );
 }
 

@@ -110,7 +110,7 @@ pub(super) fn wheel(table: &Table, changes: Changes) -> Result<Vec<Object>, Loca
     };
     let tread = changes.tread.map_or(Pattern::Plain, |spacing| wheel.tread(spacing));
     let object = |name: String, shape, pattern| Object {
-        body: Body { shape, pattern, spin, ..light },
+        body: Body { shape, pattern, spin, ..light.clone() },
         name: Some(name),
         include: None,
         span: table.span.clone(),

@@ -32,7 +32,7 @@ fn main() -> Result<(), GpuError> {
 fn compare(gpu: &Gpu, beta: f64, time: f64) -> Result<(), GpuError> {
     let mut renderers = Renderers::new(Some(gpu.clone()));
     let rolling = wheels();
-    let sliding: Vec<_> = rolling.iter().map(|body| Body { spin: None, ..*body }).collect();
+    let sliding: Vec<_> = rolling.iter().map(|body| Body { spin: None, ..body.clone() }).collect();
     let scenes = [sliding, rolling].map(|bodies| PreparedScene::moving(&bodies));
     let appearance = Appearance {
         ground_z: Some(-2.5),

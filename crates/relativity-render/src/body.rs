@@ -1,6 +1,11 @@
 //! Bodies, which a scene consists of: shapes, the light that they emit, and their turning.
 
+use std::sync::Arc;
+
+use glam::{DQuat, DVec3};
+
 use crate::shape::Shape;
+use crate::triangles::Triangles;
 use crate::wheel::spin::Spin;
 
 /// The light that a body emits, alike in all directions in its rest frame.
@@ -57,9 +62,9 @@ pub enum Pattern {
 }
 
 /// A shape, and the light it sends.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Body {
-    /// Place and form of the body.
+    /// Place and form of the body; of a model, the box around its triangles.
     pub shape: Shape,
     /// Light that it emits in its rest frame.
     pub emission: Emission,
@@ -69,6 +74,9 @@ pub struct Body {
     pub pattern: Pattern,
     /// Turning of the body within its group; `None` if it does not turn there.
     pub spin: Option<Spin>,
+    /// Triangles of a model, which take the place of the box's own surface. They neither turn nor carry a pattern, and their light is
+    /// [`Emission::White`].
+    pub triangles: Option<Arc<Triangles>>,
 }
 
 impl Body {
@@ -85,25 +93,43 @@ impl Body {
     }
 
     const fn of_light(shape: Shape, emission: Emission) -> Self {
-        Self { shape, emission, brightness: 1.0, pattern: Pattern::Plain, spin: None }
+        Self { shape, emission, brightness: 1.0, pattern: Pattern::Plain, spin: None, triangles: None }
+    }
+
+    /// A model of triangles, where they were given.
+    #[must_use]
+    pub fn of_triangles(triangles: Arc<Triangles>) -> Self {
+        let (center, half) = (triangles.middle().to_array(), triangles.half().to_array());
+        let shape = Shape::Box { center, half, turn: DQuat::IDENTITY.to_array() };
+        Self { triangles: Some(triangles), ..Self::white(shape) }
     }
 
     /// The body with this `pattern`.
     #[must_use]
-    pub const fn with_pattern(self, pattern: Pattern) -> Self {
+    pub fn with_pattern(self, pattern: Pattern) -> Self {
         Self { pattern, ..self }
     }
 
     /// The body, turning so.
     #[must_use]
-    pub const fn turning(self, spin: Spin) -> Self {
+    pub fn turning(self, spin: Spin) -> Self {
         Self { spin: Some(spin), ..self }
     }
 
     /// Returns the turning of the body, if that changes the place of its surface.
     #[must_use]
     pub fn displacing_spin(&self) -> Option<Spin> {
-        self.spin.filter(|spin| !self.shape.is_round_about(spin))
+        self.spin.filter(|spin| self.triangles.is_none() && !self.shape.is_round_about(spin))
+    }
+
+    /// Returns the point of it with the largest x.
+    #[must_use]
+    pub fn forward_most(&self) -> DVec3 {
+        let (Some(triangles), Shape::Box { center, turn, .. }) = (&self.triangles, self.shape) else {
+            return self.shape.forward_most();
+        };
+        let places = triangles.corners().map(|corner| DVec3::from(center) + DQuat::from_array(turn) * corner);
+        places.max_by(|a, b| a.x.total_cmp(&b.x)).unwrap_or(center.into())
     }
 
     /// The body moved by `offset`.

@@ -180,7 +180,7 @@ impl Search<'_> {
         let number = body as usize;
         let entry = match self.scene.turning(number) {
             Some(turning) => turning.entry(ray, self.view, None).0,
-            None => self.scene.solid(number).entry(ray),
+            None => self.scene.standing_entry(number, ray),
         };
         Some((number, entry?))
     }

@@ -23,7 +23,7 @@ impl Measures {
                 return None;
             }
             let body = index as usize;
-            let [x, y, z, _] = place.map(f64::from);
+            let [x, y, z, triangle] = place.map(f64::from);
             let (prepared, group_view) = (&scene.bodies()[body], &group_views[scene.group_of(body)]);
             let solid = scene.solid(body);
             let from = match (prepared.spin, group_view.turns(prepared)) {
@@ -33,17 +33,26 @@ impl Measures {
             let rest_position = from + DVec3::new(x, y, z);
             let Turned { proper_time, turn, material_position, .. } =
                 Turned::new(prepared.spin, group_view, rest_position);
-            let pixel = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
+            let line_of_sight = lines_of_sight.through([(i % width) as f64 + 0.5, (i / width) as f64 + 0.5]);
+            let on_triangle = scene.triangles(body).map(|triangles| {
+                let direction = group_view.rest_ray_at(line_of_sight, distance).direction;
+                triangles.point_in(solid, triangle as u32, rest_position, direction)
+            });
+            let (triangle, rest_normal) = match on_triangle {
+                Some((point, normal)) => (Some(point), normal),
+                None => (None, about_y(solid.normal(material_position), turn)),
+            };
             Some(Hit {
                 body,
                 rest_position,
-                rest_normal: about_y(solid.normal(material_position), turn),
+                rest_normal,
                 distance,
-                emission_time: view.emission_time(lines_of_sight.through(pixel), distance),
+                emission_time: view.emission_time(line_of_sight, distance),
                 proper_time,
                 turn,
                 material_position,
                 doppler_factor,
+                triangle,
             })
         };
         let hits = self.measures.iter().zip(&self.places).enumerate().map(hit).collect();

@@ -8,7 +8,7 @@
 //! # Scope
 //!
 //! Bodies are balls, tubes, rings, boxes and cylinders that glow, each at one wavelength, alike in all directions in
-//! its rest frame.
+//! its rest frame; and models of [`triangles`], painted in white light.
 //! They are opaque and do not light each other; the shading is a choice of looks, fixed to the rest frame. Motion is
 //! uniform and along x, but for bodies that turn evenly about an axle along y ([`wheel`]): nothing else accelerates, turns or
 //! deforms. The camera is a pinhole that rests on the ground or rides along. The published binocular model, which has no lines of sight, is drawn by triangles alone.
@@ -71,6 +71,7 @@ mod device_errors;
 mod drawing;
 mod effects;
 pub mod exposure;
+mod extent;
 mod first_entry;
 mod footprint;
 mod frame;
@@ -92,6 +93,7 @@ pub mod mirrors;
 mod one_cone;
 mod outline;
 mod packets;
+mod painted;
 mod palette;
 mod pattern;
 pub mod picture;
@@ -120,6 +122,7 @@ mod surface;
 mod target;
 mod tiles;
 pub mod tone;
+pub mod triangles;
 mod turn;
 pub mod velocity;
 pub mod view;
@@ -141,6 +144,7 @@ pub use renderers::{Method, Renderers};
 pub use scene::{Group, PreparedScene};
 pub use shape::Shape;
 pub use target::EyeTarget;
+pub use triangles::{Model, TrianglePoint, Triangles, TrianglesError};
 pub use velocity::{Motion, Velocity};
 pub use view::{Appearance, Colour, Geometry, Shading, StreetColours, View};
 pub use wheel::spin::{MaterialPoint, Spin};

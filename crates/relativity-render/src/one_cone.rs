@@ -199,9 +199,8 @@ impl PreparedScene {
         if let Some(turning) = self.turning(body) {
             return turning.entry(ray, view, touches);
         }
-        let solid = self.solid(body);
-        let entry = solid.entry(ray);
-        let along = entry.map_or_else(|| ray.nearest_to(solid.center()).1, |entry| entry.distance);
+        let entry = self.standing_entry(body, ray);
+        let along = entry.map_or_else(|| ray.nearest_to(self.solid(body).center()).1, |entry| entry.distance);
         (entry, along)
     }
 }

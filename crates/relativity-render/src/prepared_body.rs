@@ -2,29 +2,22 @@
 
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 
 use crate::block::{Block, block};
 use crate::body::{Body, Emission};
 use crate::capsule::{Capsule, add_capsules};
+pub use crate::extent::Extent;
 use crate::intersect::Solid;
 use crate::kind::Kind;
 use crate::pattern::{Form, Marking};
 use crate::shape::Shape;
 use crate::surface::Surface;
+use crate::triangles::Triangles;
 use crate::turn::turn_of;
 use crate::wheel::spin::Spin;
-
-/// The extent of a group: its bodies are placed from the middle of all, so that they keep their places among
-/// each other however far the camera is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extent {
-    /// The middle of a box around the bodies.
-    pub middle: DVec3,
-    /// No surface is farther from there, with room for rounding.
-    pub reach: f64,
-}
 
 /// A placed body.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,6 +53,8 @@ pub struct PreparedBody {
     pub(crate) is_turned: bool,
     /// Whether it is drawn by a pipeline that knows patterns.
     pub(crate) is_patterned: bool,
+    /// Triangles in the box that is its shape.
+    pub(crate) triangles: Option<Arc<Triangles>>,
 }
 
 /// The placement of a body, for the shaders.
@@ -83,16 +78,6 @@ pub(crate) struct Joint {
     pub as_it_is: bool,
     /// Whether it shares an end where both are drawn a pixel wide: bodies about one centre, which are as wide there.
     pub widened: bool,
-}
-
-impl Extent {
-    /// Returns the extent of a group whose bodies stay within these `boxes`, each given by its lowest and highest corner.
-    pub(crate) fn new(boxes: impl IntoIterator<Item = [DVec3; 2]>) -> Self {
-        let around = boxes.into_iter().reduce(|[low, high], [from, to]| [low.min(from), high.max(to)]);
-        let [low, high] = around.unwrap_or([DVec3::ZERO, DVec3::ONE]);
-        let middle = 0.5 * (low + high);
-        Self { middle, reach: 1.001 * low.distance(middle) }
-    }
 }
 
 impl Placement {
@@ -133,6 +118,7 @@ impl PreparedBody {
         let turn = turn_of(&body.shape);
         let first = capsules.len();
         let block = block(&body.shape).map(Box::new);
+        let marking = Marking::new(body.pattern, Form::new(&body.shape), turn);
         if block.is_none() {
             add_capsules(&body.shape, capsules);
         }
@@ -149,10 +135,11 @@ impl PreparedBody {
             joint: Joint::default(),
             block,
             capsules: first..capsules.len(),
-            marking: Marking::new(body.pattern, Form::new(&body.shape), turn).map(Box::new),
-            spin: body.spin,
+            marking: marking.filter(|_| body.triangles.is_none()).map(Box::new),
+            spin: body.spin.filter(|_| body.triangles.is_none()),
             is_turned: body.displacing_spin().is_some(),
             is_patterned: false,
+            triangles: body.triangles.clone(),
         }
     }
 

@@ -50,6 +50,7 @@ impl Rectification {
             let doppler_factor = hit.doppler_factor / doppler_factor;
             let received = Received { rest_normal: hit.rest_normal, doppler_factor, facing: None, place };
             let colour = surface_colour(appearance, &scene.bodies()[hit.body], received, &hatch);
+            let colour = scene.painted(colour, &hit, appearance);
             let mark = scene.mark(&hit, Covered::NOTHING);
             colour.map(|part| part * mark)
         };

@@ -23,6 +23,7 @@ use crate::ray::Ray;
 use crate::scene::PreparedScene;
 use crate::shade::{Received, surface_colour};
 use crate::tiles::TILE_SIDE;
+use crate::triangles::point::TrianglePoint;
 use crate::view::{Appearance, Geometry, View};
 use crate::wheel::spin::{Spin, about_y};
 
@@ -50,6 +51,8 @@ pub struct Hit {
     pub material_position: DVec3,
     /// Doppler factor, 1 unless light is received in the geometry.
     pub doppler_factor: f64,
+    /// Point of the triangle that was hit, of a body made of these.
+    pub triangle: Option<TrianglePoint>,
 }
 
 impl Hit {
@@ -153,7 +156,7 @@ impl PreparedScene {
     ) -> Vec<Option<Hit>> {
         let prepared = &self.groups()[chosen.group];
         let hit = |line_of_sight, (body, entry): Found, distance, ray: &RestRay| {
-            let Entry { position, normal, .. } = entry;
+            let Entry { position, normal, triangle, .. } = entry;
             let Turned { proper_time, turn, material_position, own_doppler } =
                 Turned::new(self.spin(body), group_view, position);
             Hit {
@@ -166,6 +169,7 @@ impl PreparedScene {
                 turn,
                 material_position,
                 doppler_factor: ray.doppler_factor * own_doppler,
+                triangle,
             }
         };
         if group_view.geometry == Geometry::OneCone {
@@ -262,7 +266,11 @@ impl PreparedScene {
                     let facing = self.facing(appearance, &group_views, hit);
                     let Hit { rest_normal, doppler_factor, .. } = *hit;
                     let received = Received { rest_normal, doppler_factor, facing, place };
-                    surface_colour(appearance, &self.bodies()[hit.body], received, &hatch)
+                    self.painted(
+                        surface_colour(appearance, &self.bodies()[hit.body], received, &hatch),
+                        hit,
+                        appearance,
+                    )
                 };
                 let colour = self.colour(&backdrop, line_of_sight, hit, mark, surface);
                 std::array::from_fn(|i| sum[i] + colour[i])

@@ -141,6 +141,18 @@ impl fmt::Display for Method {
     }
 }
 
+impl PreparedScene {
+    /// Whether `method` draws all of its bodies. The rays have the packets draw a scene with models of triangles.
+    ///
+    /// # Errors
+    ///
+    /// Models of triangles by the mesh renderer.
+    pub fn drawn_by(&self, method: Method) -> Result<(), Undrawn> {
+        let is_mesh = matches!(method, Method::Mesh { .. });
+        if is_mesh && self.has_triangles() { Err(Undrawn::TrianglesByMesh) } else { Ok(()) }
+    }
+}
+
 /// The renderers, each made when it is first needed.
 #[derive(Debug, Default)]
 pub struct Renderers {
@@ -188,11 +200,16 @@ impl Renderers {
     ) -> Result<(), GpuError> {
         view.drawn_on_gpu()?;
         let scopes = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?.error_scopes();
-        let method = self.in_place_of_rays(method.on_gpu(view));
+        let method = self.in_place_of_rays(method.on_gpu(view), scene);
+        scene.drawn_by(method)?;
         if method == Method::Packets
             && let (Some(gpu), Some(packets)) = (&self.gpu, &self.packets)
         {
             target.write(gpu, &packets.picture(scene, &view.with_size(target.size()), appearance));
+            return scopes.close();
+        }
+        if let (Method::Reference, Some(gpu)) = (method, &self.gpu) {
+            target.write(gpu, &scene.picture(&view.with_size(target.size()), appearance, 1));
             return scopes.close();
         }
         let (gpu, canvas, drawing) = self.drawing(method)?;
@@ -200,10 +217,19 @@ impl Renderers {
         scopes.close()
     }
 
-    /// Returns `method`, or the packets for rays on a device that cannot draw these.
-    fn in_place_of_rays(&self, method: Method) -> Method {
+    /// Returns `method`, or the packets for rays on a device that cannot draw these, or in a scene with models of triangles.
+    fn in_place_of_rays(&self, method: Method, scene: &PreparedScene) -> Method {
         let has_rays = self.gpu.as_ref().is_none_or(Gpu::has_rays);
+        let method = self.drawing_triangles(method, scene);
         if method == Method::Rays && !has_rays && self.packets.is_some() { Method::Packets } else { method }
+    }
+
+    /// Returns `method`, or the packets for rays in a scene with models of triangles, which these do not draw.
+    fn drawing_triangles(&self, method: Method, scene: &PreparedScene) -> Method {
+        if method != Method::Rays || !scene.has_triangles() {
+            return method;
+        }
+        if self.packets.is_some() { Method::Packets } else { Method::Reference }
     }
 
     /// The picture of `view` by `method`, the reference with `samples` times `samples` rays per pixel.
@@ -221,7 +247,8 @@ impl Renderers {
         samples: u32,
     ) -> Result<Picture, GpuError> {
         view.drawn()?;
-        let method = method.of_view(view);
+        let method = self.drawing_triangles(method.of_view(view), scene);
+        scene.drawn_by(method)?;
         if method == Method::Packets
             && let Some(packets) = &self.packets
         {
@@ -263,7 +290,8 @@ impl Renderers {
         part: &View,
     ) -> Result<HitImage, GpuError> {
         part.drawn()?;
-        let method = method.of_view(part);
+        let method = self.drawing_triangles(method.of_view(part), scene);
+        scene.drawn_by(method)?;
         if method == Method::Reference {
             return Ok(scene.hit_image(part));
         }

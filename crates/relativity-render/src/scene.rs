@@ -9,8 +9,10 @@ use crate::cap::Cap;
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
 use crate::hierarchy::{Beam, Hierarchy, pieces};
-use crate::intersect::Solid;
+use crate::intersect::{Entry, Solid};
 use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned, number_emissions};
+use crate::ray::Ray;
+use crate::triangles::Triangles;
 use crate::velocity::Motion;
 use crate::view::View;
 use crate::wheel::solid::TurningSolid;
@@ -74,6 +76,8 @@ struct Prepared {
     capsules: Vec<Capsule>,
     /// A ball around each body.
     balls: Vec<Capsule>,
+    /// Triangles of bodies that are made of these, with the numbers of the bodies, which ascend.
+    models: Vec<(usize, Arc<Triangles>)>,
 }
 
 /// A group, and the box around it.
@@ -140,6 +144,7 @@ impl PreparedScene {
         };
         let hierarchies = prepared.iter().map(hierarchy).collect();
         let numbers = (0..bodies.len() as u32).collect();
+        let models = bodies.iter().filter_map(|body| Some((body.number, body.triangles.clone()?))).collect();
         Self(Arc::new(Prepared {
             groups: prepared,
             bodies,
@@ -152,6 +157,7 @@ impl PreparedScene {
             numbers,
             capsules,
             balls,
+            models,
         }))
     }
 
@@ -181,6 +187,26 @@ impl PreparedScene {
     /// The shape of the body of this number if it turns out of its place.
     pub(crate) fn turning(&self, body: usize) -> Option<&TurningSolid> {
         self.0.turning.get(*self.0.turning_places.get(body)? as usize)
+    }
+
+    /// Returns the entry of `ray` into the body of this number, which keeps its place.
+    pub(crate) fn standing_entry(&self, body: usize, ray: &Ray) -> Option<Entry> {
+        match self.triangles(body) {
+            Some(triangles) => triangles.entry(self.solid(body), ray),
+            None => self.solid(body).entry(ray),
+        }
+    }
+
+    /// The triangles that the body of this number is made of, if it is. In a scene without models nothing is looked up.
+    pub(crate) fn triangles(&self, body: usize) -> Option<&Triangles> {
+        let place = self.0.models.binary_search_by_key(&body, |(number, _)| *number).ok()?;
+        Some(&self.0.models[place].1)
+    }
+
+    /// Whether any body is made of triangles.
+    #[must_use]
+    pub fn has_triangles(&self) -> bool {
+        !self.0.models.is_empty()
     }
 
     /// Boxes around the bodies of the group of this number that keep their places in it.

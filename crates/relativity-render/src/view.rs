@@ -5,6 +5,7 @@ use relativity_core::Speed;
 use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
 
 use crate::camera::Camera;
+use crate::colour::luminance;
 use crate::velocity::Velocity;
 
 /// The geometry that a picture shows.
@@ -199,6 +200,13 @@ impl Appearance {
     #[must_use]
     pub fn is_lit_by_the_street(&self, geometry: Geometry) -> bool {
         self.colour == Colour::StreetDaylight && self.doppler_shift && geometry.has_doppler_effect()
+    }
+}
+
+impl Appearance {
+    /// Returns the factors of white paint's colour for this `paint`: false colours show no paint, only how light it is.
+    pub(crate) fn paint(&self, paint: [f64; 3]) -> [f64; 3] {
+        if self.colour == Colour::False { [luminance(paint); 3] } else { paint }
     }
 }
 

@@ -307,8 +307,9 @@ fn spheres_keep_a_circular_outline(renderers: &mut Renderers) {
     for speed in [0.0, 0.5, 0.9, 0.99, 0.9999].map(|beta| Speed::from_beta(beta).expect("below 1")) {
         for along in [-1.5, 0.0, 1.5] {
             let view = view_following(center, speed, time_seen_at(center, &speed, along), 40.0);
-            let image =
-                renderers.hits(Method::Rays, &PreparedScene::moving(&[body]), &view).expect("device works");
+            let image = renderers
+                .hits(Method::Rays, &PreparedScene::moving(std::slice::from_ref(&body)), &view)
+                .expect("device works");
             let outline = outline(&image, &view);
             assert!(outline.len() > 20, "too small to judge");
             let residual = circle_residual(&outline) * view.camera.focal_length_px();

@@ -246,7 +246,7 @@ fn motion_towards_minus_x_is_motion_towards_plus_x_in_a_mirror() {
                 Shape::Cylinder { from: mirrored(from), to: mirrored(to), radius }
             }
         };
-        Body { shape, ..*body }
+        Body { shape, ..body.clone() }
     };
     let backward: Vec<_> = backward.iter().map(mirror).collect();
     let scenes = [(0.95, forward), (-0.95, backward)].map(|(beta, bodies)| {

@@ -115,7 +115,7 @@ impl Case {
     }
 
     fn hit(&self) -> Option<Hit> {
-        let bodies = [self.body];
+        let bodies = [self.body.clone()];
         let scene = PreparedScene::new([Group { motion: self.motion(), bodies: &bodies }]);
         scene.first_hit(&self.view, self.line_of_sight)
     }

@@ -143,7 +143,7 @@ fn what_rides_along_is_seen_as_at_rest() {
     let spoke = Shape::Cylinder { from: hub, to: [2.0, 1.0, 0.1], radius: 0.06 };
     let spin = Spin { hub, radius: 0.5, turning: Turning::Rolling };
     let bar = Body::new(Shape::Tube { from: [1.5, 0.2, 0.3], to: [1.5, 1.4, 0.3], radius: 0.05 }, 600.0);
-    let own = [bar, Body { spin: Some(spin), ..Body::new(spoke, 500.0) }];
+    let own = [bar.clone(), Body { spin: Some(spin), ..Body::new(spoke, 500.0) }];
     let with_eyes = resting(&own, Motion::WithEyes);
     let rolled = 0.4;
     let angle = rolled / 0.5;

@@ -57,7 +57,7 @@ fn agrees_with_a_loop(count: u32) {
         let (mut shown, mut other) = (0, 0);
         for window in WINDOWS {
             let few = near(&bodies, &view, window, room);
-            let near: Vec<_> = few.iter().map(|&body| bodies[body]).collect();
+            let near: Vec<_> = few.iter().map(|&body| bodies[body].clone()).collect();
             let near = PreparedScene::moving(&near);
             for v in (window[1]..window[1] + SIDE).step_by(step(count)) {
                 for u in (window[0]..window[0] + SIDE).step_by(step(count)) {

@@ -252,7 +252,10 @@ fn methods(has_gpu: bool, chosen: Method, sight: &Sight) -> Vec<Method> {
     bounds.sort_by(f64::total_cmp);
     bounds.dedup();
     let meshes = bounds.into_iter().map(|bound_px| Method::Mesh { bound_px });
-    let draws = |method: &Method| sight.views.iter().all(|(_, view)| method.of_view(view) == *method);
+    let draws = |method: &Method| {
+        let is_known = |(_, view): &(Eye, View)| method.of_view(view) == *method;
+        sight.views.iter().all(is_known) && sight.scene.drawn_by(*method).is_ok()
+    };
     [Method::Rays, Method::Packets]
         .into_iter()
         .chain(meshes)

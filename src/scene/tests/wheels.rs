@@ -155,7 +155,7 @@ fn an_include_says_how_its_wheels_turn() {
     let still = text.replace("rolls = true\ntread = 0.1\nvalve = true", "rolls = false");
     let still = Scene::parse(&still, "x").unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(still.bodies[..cyclist.bodies.len()], {
-        cyclist.bodies.iter().map(|body| body.moved([0.0, 1.0, -4.0])).collect::<Vec<_>>()
+        cyclist.bodies.iter().map(|body| body.clone().moved([0.0, 1.0, -4.0])).collect::<Vec<_>>()
     });
     // What includes it has the last word.
     let street = "name = \"x\"\n[[include]]\nscene = \"street\"\n[include.wheels]\nrim_speed = 0.25";

@@ -17,7 +17,7 @@ use glam::Vec3;
 
 pub use beam::{Beam, Line, Looks};
 pub use lines::Lines;
-pub use pieces::pieces;
+pub use pieces::{Piece, pieces};
 
 use self::boxes::{Boxes, WIDTH};
 use crate::lanes::{Simd, SimdFloat, bits};

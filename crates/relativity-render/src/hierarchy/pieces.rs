@@ -5,8 +5,8 @@ use std::iter;
 use glam::DVec3;
 
 use crate::capsule::Capsule;
+use crate::extent::Extent;
 use crate::intersect::{Form, Solid};
-use crate::prepared_body::Extent;
 
 /// Longer than this part of the reach of its group, a body may have several boxes.
 const LONG: f64 = 1.0 / 24.0;

@@ -11,6 +11,7 @@ use relativity_core::math;
 use crate::polynomial::first_descent;
 use crate::ray::Ray;
 use crate::shape::Shape;
+use crate::triangles::point::TrianglePoint;
 use crate::turn::turn_of;
 
 /// The entry of a ray into a body. Rest frame.
@@ -22,6 +23,8 @@ pub struct Entry {
     pub position: DVec3,
     /// Outward unit normal at that place.
     pub normal: DVec3,
+    /// Point of the triangle, if the body is made of these.
+    pub triangle: Option<TrianglePoint>,
 }
 
 /// A shape prepared for ray tests.
@@ -173,6 +176,7 @@ impl Solid {
             distance: from_start + t,
             position: self.center + position,
             normal: self.form.normal(position),
+            triangle: None,
         })
     }
 }

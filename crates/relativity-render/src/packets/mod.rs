@@ -18,6 +18,7 @@ mod logarithm;
 mod look;
 mod mercator;
 mod met;
+mod model;
 mod numbers;
 mod passing;
 mod pattern;

@@ -2,15 +2,40 @@
 
 use super::look::Look;
 use super::met::Met;
+use super::model::Meetings;
 use super::places::{packet_places, write_one};
 use super::tile::{Packet, TileContents};
 use super::turning::place_of_hit;
 use crate::candidates::Rows;
-use crate::lanes::{LANES, Simd, SimdFloat};
+use crate::lanes::{F, LANES, Simd, SimdFloat, V3, all};
 use crate::tiles::Tile;
 
 /// The numbers of a pixel, as the shaders write them.
 pub type Numbers = ([f32; 4], [f32; 4]);
+
+/// Numbers of eight pixels that show one body.
+struct Shown<S: Simd> {
+    place: V3<S>,
+    doppler: F<S>,
+    distance: F<S>,
+    /// Number of the triangle of a model; else 0.
+    triangle: F<S>,
+}
+
+impl<S: Simd> Shown<S> {
+    #[inline(always)]
+    fn new(simd: S, met: &Met<'_, S>) -> Self {
+        let Met { seen, body, spin, surface, doppler, distance, .. } = met;
+        let place = place_of_hit(seen.body.kind, seen.turns, body, surface.place, spin);
+        Self { place, doppler: *doppler, distance: *distance, triangle: all(simd, 0.0) }
+    }
+
+    #[inline(always)]
+    fn of_model(meetings: &Meetings<S>) -> Self {
+        let Meetings { place, doppler, distance, triangle, .. } = *meetings;
+        Self { place, doppler, distance, triangle }
+    }
+}
 
 impl<S: Simd> TileContents<S, 1> {
     /// Writes what the pixels of `tile` show into `rows`.
@@ -20,15 +45,18 @@ impl<S: Simd> TileContents<S, 1> {
             let corner = packet_places(tile.corner, packet.place);
             for owner in packet.owners[0]..packet.owners[1] {
                 let Some(at) = Packet::owned(simd, &packet.solid, owner) else { continue };
+                let model = self.model(packet.place, owner);
                 let owner = self.owners[owner];
-                let Met { seen, body, spin, surface, doppler, distance, .. } =
-                    Met::new(simd, look, owner, packet);
-                let place = place_of_hit(seen.body.kind, seen.turns, &body, surface.place, &spin);
+                let shown = model.map_or_else(
+                    || Shown::new(simd, &Met::new(simd, look, owner, packet)),
+                    |[meetings]| Shown::of_model(meetings),
+                );
+                let Shown { place, doppler, distance, triangle } = shown;
                 let holds: [i32; LANES] = packet.solid[0].owner.simd_eq(at).into();
                 let number = owner.number as f32;
                 for lane in (0..LANES).filter(|&lane| holds[lane] != 0) {
                     let [x, y, z] = place.lane(lane);
-                    let numbers = ([number, distance[lane], doppler[lane], 1.0], [x, y, z, 0.0]);
+                    let numbers = ([number, distance[lane], doppler[lane], 1.0], [x, y, z, triangle[lane]]);
                     write_one(tile, corner, rows, lane, numbers);
                 }
             }

@@ -83,6 +83,13 @@ impl<'a, S: Simd> TileSights<'a, S> {
         Self { simd, frame, corner, parts }
     }
 
+    /// Returns the lines of sight of the packet at this place, this far from the middles of its pixels to the right and down, px.
+    #[inline(always)]
+    pub fn of_sample(&self, place: usize, [right, down]: [f32; 2]) -> Sight<S> {
+        let [u, v] = centres(self.simd, packet_places(self.corner, place));
+        line_of_sight(self.simd, self.frame, u + right, v + down)
+    }
+
     /// Returns the lines of sight of the packet at this place.
     #[inline(always)]
     pub fn of_packet(&self, place: usize) -> Sight<S> {

@@ -88,9 +88,8 @@ impl<S: Simd> TileContents<S, 4> {
             }
             for owner in packet.owners[0]..packet.owners[1] {
                 let Some(at) = Packet::owned(simd, &packet.solid, owner) else { continue };
-                let (colour, _) =
-                    Self::colour(simd, look, appearance, tables, self.owners[owner], packet, hatched);
-                for sample in 0..4 {
+                let colours = self.colours(simd, look, appearance, tables, owner, packet, hatched);
+                for (sample, colour) in colours.into_iter().enumerate() {
                     let nearest = packet.solid[sample];
                     let holds = nearest.owner.simd_eq(at);
                     samples[sample].0 = V3::select(holds, colour, samples[sample].0);
@@ -121,6 +120,28 @@ impl<S: Simd> TileContents<S, 4> {
         let linear = (first.0 + second.0) + (third.0 + fourth.0);
         let cover = (first.1 + second.1) + (third.1 + fourth.1);
         (linear * 0.25, cover * 0.25)
+    }
+
+    /// Linear sRGB of the body at the place `owner` in the list, in each sample of a packet: of a model as it is there, of others as in the
+    /// middle of the pixel.
+    #[expect(clippy::too_many_arguments, reason = "a body, where it is seen, and how pictures look")]
+    #[inline(always)]
+    fn colours(
+        &self,
+        simd: S,
+        look: &Look<'_>,
+        appearance: &Appearance,
+        tables: &Tables,
+        owner: usize,
+        packet: &Packet<S, 4>,
+        hatched: Hatched<'_>,
+    ) -> [V3<S>; 4] {
+        let body = self.owners[owner];
+        if let Some(samples) = self.model(packet.place, owner) {
+            return samples
+                .map(|meetings| meetings.colour(simd, look, appearance, tables, body.number, hatched));
+        }
+        [Self::colour(simd, look, appearance, tables, body, packet, hatched).0; 4]
     }
 
     /// Linear sRGB of a body where the rays through the middles of a packet's pixels meet it, and the share of a pixel

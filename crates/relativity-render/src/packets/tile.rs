@@ -2,6 +2,7 @@
 
 use super::body::{Body, Group, Ray, Surface};
 use super::look::{Look, Seen};
+use super::model::{Meetings, ModelPart};
 use super::passing::{Middles, may_show as may_show_in};
 use super::places::PACKETS;
 use super::ray::{TileSights, depth, movement, rest_ray};
@@ -13,6 +14,7 @@ use crate::cap::Cap;
 use crate::kind::Kind;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, SimdMask, V2, all, select};
 use crate::pipelines::AmongOthers;
+use crate::triangles::Triangles;
 
 /// Marks the absence of a body.
 const NONE: f32 = -1.0;
@@ -59,6 +61,8 @@ pub struct TileContents<S: Simd, const N: usize> {
     pub packets: Vec<Packet<S, N>>,
     /// The bodies of which something is seen, or was before something nearer was found.
     pub owners: Vec<Owner>,
+    /// Models of triangles among them, where they are seen.
+    models: Vec<ModelPart<S, N>>,
 }
 
 /// The bodies of one group that are seen in a tile.
@@ -102,7 +106,8 @@ impl Look<'_> {
         tile: &TileLook<'_>,
         cap: &Cap,
     ) -> TileContents<S, N> {
-        let mut drawn = TileContents { packets: Vec::with_capacity(PACKETS), owners: Vec::new() };
+        let mut drawn =
+            TileContents { packets: Vec::with_capacity(PACKETS), owners: Vec::new(), models: Vec::new() };
         let mut others = tile.others;
         for number in tile.groups.iter().map(|&number| number as usize) {
             let view = &self.views[number];
@@ -202,7 +207,10 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
                     continue;
                 }
             }
-            is_seen |= self.test_in(number, pixel, seen, &body, &spin, owner);
+            is_seen |= match self.look.scene.triangles(seen.number) {
+                Some(triangles) => self.test_model_in(number, triangles, seen.number, &body, owner),
+                None => self.test_in(number, pixel, seen, &body, &spin, owner),
+            };
         }
         if is_seen {
             self.drawn.owners.push(Owner { number: seen.number, group: self.number });
@@ -269,6 +277,39 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
     }
 }
 
+impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
+    /// Tests the model that is the body of the number `body` in the packet of this number, sample by sample; returns whether it is seen there.
+    #[inline(always)]
+    fn test_model_in(
+        &mut self,
+        number: usize,
+        triangles: &Triangles,
+        body: usize,
+        placed: &Body<S>,
+        owner: usize,
+    ) -> bool {
+        let Self { simd, group, sights, samples, .. } = *self;
+        let Packet { place, ray, .. } = self.drawn.packets[number];
+        let samples = samples.map(|offset| {
+            let is_centre = offset == [0.0, 0.0];
+            let ray = if is_centre { ray } else { rest_ray(simd, &group, sights.of_sample(place, offset)) };
+            Meetings::new(simd, triangles, placed, &ray)
+        });
+        let at = all(simd, owner as f32);
+        let mut is_seen = false;
+        let packet = &mut self.drawn.packets[number];
+        for (meetings, solid) in samples.iter().zip(&mut packet.solid) {
+            let holds = if N > 1 { meetings.above_ground(&group, placed) } else { meetings.holds };
+            is_seen |= solid.take(holds, meetings.beyond, at, body, &self.drawn.owners);
+        }
+        if is_seen {
+            self.farthest[place] = packet.reach(simd);
+            self.drawn.models.push(ModelPart { place, owner, samples });
+        }
+        is_seen
+    }
+}
+
 impl<S: Simd, const N: usize> Packet<S, N> {
     #[inline(always)]
     fn new(simd: S, group: &Group<'_>, sights: &TileSights<'_, S>, place: usize) -> Self {
@@ -326,6 +367,12 @@ impl<S: Simd, const N: usize> Packet<S, N> {
 }
 
 impl<S: Simd, const N: usize> TileContents<S, N> {
+    /// Returns the samples of a model, if the body at the place `owner` in the list is one, in the packet at this place.
+    pub fn model(&self, place: usize, owner: usize) -> Option<&[Meetings<S>; N]> {
+        let part = self.models.iter().find(|part| (part.place, part.owner) == (place, owner))?;
+        Some(&part.samples)
+    }
+
     /// Tells the nearest of several groups, of equally near ones the first, and forgets the rest.
     #[inline(always)]
     fn compare_depths(&mut self, simd: S, look: &Look<'_>) {

@@ -95,6 +95,7 @@ impl TurningSolid {
             distance: from_start + s,
             position: self.sweep.middle + (local.start + ray.direction * s),
             normal,
+            triangle: None,
         });
         (entry, from_start + s)
     }

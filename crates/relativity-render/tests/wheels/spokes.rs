@@ -26,7 +26,7 @@ fn scenes() -> [PreparedScene; 2] {
         _ => body,
     };
     let thin = wheel();
-    let bodies: Vec<_> = thin.iter().copied().map(stout).collect();
+    let bodies: Vec<_> = thin.iter().cloned().map(stout).collect();
     [thin, bodies].map(|bodies| PreparedScene::moving(&bodies))
 }
 

@@ -154,7 +154,7 @@ impl Case {
     /// From the place `event` in the rest frame; another body beside it moves the middle of its group away.
     fn new(body: Body, event: DVec3, passing: Passing) -> Self {
         let aside = Shape::Sphere { center: [1.5, 4.0, -1.0], radius: 0.2 };
-        let bodies = [body, Body::new(aside, 500.0)];
+        let bodies = [body.clone(), Body::new(aside, 500.0)];
         let scene = PreparedScene::new([Group { motion: passing.motion(), bodies: &bodies }]);
         let mut view = passing.view_from(event);
         let middle = MaterialPoint { rest: scene.solid(0).center(), spin: body.spin };
@@ -296,10 +296,11 @@ fn cases() -> impl Iterator<Item = (String, Case)> {
 
 fn cases_of(bodies: Vec<Body>, passings: Vec<Passing>) -> impl Iterator<Item = (String, Case)> {
     bodies.into_iter().flat_map(move |body| {
+        let body = body.clone();
         passings.clone().into_iter().flat_map(move |passing| {
             EVENTS.map(|from| {
                 let context = format!("{:?}, {passing:?} from {from}", body.shape);
-                (context, Case::new(body, CENTRE + from, passing))
+                (context, Case::new(body.clone(), CENTRE + from, passing))
             })
         })
     })

@@ -1,0 +1,61 @@
+//! Why triangles cannot be drawn.
+
+use thiserror::Error;
+
+use super::limits::{LEAST_SIZE, MOST_COORDINATE, MOST_TRIANGLES};
+
+/// Why a model cannot be drawn, in one sentence.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum TrianglesError {
+    /// No triangle with an area.
+    #[error("the model has no triangle with an area")]
+    NoArea,
+    /// More triangles than are drawn.
+    #[error("the model has {count} triangles, and {MOST_TRIANGLES} are the most")]
+    TooMany {
+        /// Number of its triangles.
+        count: usize,
+    },
+    /// A corner that is not finite, or too far away.
+    #[error(
+        "corner {number} of the model is at {place:?}, and coordinates must lie between -{MOST_COORDINATE:e} and {MOST_COORDINATE:e}"
+    )]
+    Coordinate {
+        /// Number of the corner, from 0.
+        number: usize,
+        /// The place of the corner.
+        place: [f64; 3],
+    },
+    /// A model smaller than the least size.
+    #[error("the model is {size:e} large, and {LEAST_SIZE:e} is the least")]
+    Small {
+        /// The greatest side of the box around it.
+        size: f64,
+    },
+    /// A triangle with a corner that does not exist.
+    #[error("triangle {triangle} of the model has a corner beyond the last of {count}")]
+    NoCorner {
+        /// Number of the triangle, from 0.
+        triangle: usize,
+        /// The number of corners in the model.
+        count: usize,
+    },
+    /// Paint for some corners only.
+    #[error("the model has {corners} corners and the colours of {paints}")]
+    PaintCount {
+        /// The number of paints in the model.
+        paints: usize,
+        /// The number of corners in the model.
+        corners: usize,
+    },
+    /// Paint that reflects less than nothing or more than all.
+    #[error(
+        "the colour of corner {number} of the model is {paint:?}, and each part must lie between 0 and 1"
+    )]
+    Paint {
+        /// Number of the corner, from 0.
+        number: usize,
+        /// The paint of the corner.
+        paint: [f32; 3],
+    },
+}

@@ -1,0 +1,268 @@
+//! Surfaces made of triangles: models from files, at rest in their group.
+//!
+//! A triangle is flat in its rest frame, where rays are straight: so the ray of a pixel meets it exactly, and what light makes of it in a
+//! picture (a curved triangle) needs no division. One hierarchy of boxes, built once, serves every speed, time and eye.
+//!
+//! # Light
+//!
+//! A triangle reflects the daylight of a lamp that rides along, as a white body does, times its paint: three reflectances, one for each
+//! primary of linear sRGB. The same three hold at every Doppler factor. That is the approximation *grey paint* of the street: of what
+//! white paint would reflect in a primary it is off by at most the greatest difference between the paint's own primaries, which is 0
+//! for grey paint and 1 for a saturated colour.
+
+mod crossing;
+mod error;
+mod limits;
+pub mod point;
+
+use std::sync::Arc;
+
+use glam::{DVec3, Vec3};
+use relativity_core::threads::prelude::*;
+
+pub use self::error::TrianglesError;
+pub use self::limits::{LEAST_SIZE, MOST_COORDINATE, MOST_TRIANGLES};
+pub use self::point::TrianglePoint;
+use crate::hierarchy::{Hierarchy, Piece};
+use crate::intersect::{Entry, Form, Solid};
+use crate::ray::Ray;
+
+/// The least side of the box around triangles, as a part of its greatest: that of a flat model is not 0.
+const LEAST_SIDE: f64 = 1e-4;
+
+/// Corners and triangles of a model, not yet prepared.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Model {
+    /// Corners, in the rest frame of the group.
+    pub corners: Vec<[f64; 3]>,
+    /// Three corners of each triangle, counter-clockwise as seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+    /// Paint of each corner: reflectances in linear sRGB, 0 to 1, which mix evenly between corners. None at all is white paint.
+    pub paints: Vec<[f32; 3]>,
+    /// Whether triangles are seen from both sides; else only from where their corners run counter-clockwise.
+    pub is_two_sided: bool,
+}
+
+/// Triangles in a box, prepared for rays.
+#[derive(Debug)]
+pub struct Triangles {
+    /// From the middle of the box, along its own axes.
+    corners: Vec<Vec3>,
+    faces: Vec<[u32; 3]>,
+    paints: Vec<[f32; 3]>,
+    is_two_sided: bool,
+    hierarchy: Hierarchy,
+    middle: DVec3,
+    half: DVec3,
+    fingerprint: u64,
+}
+
+impl Triangles {
+    /// Prepares `model`. Triangles without an area stay in the numbering and are never seen.
+    ///
+    /// # Accuracy
+    ///
+    /// Corners are rounded to f32 from the middle of the box around them: to 6e-8 of half its size.
+    ///
+    /// # Errors
+    ///
+    /// No triangle with an area; more than [`MOST_TRIANGLES`]; a corner that is not finite or beyond [`MOST_COORDINATE`]; a model smaller
+    /// than [`LEAST_SIZE`]; a triangle with a corner that there is not; paint that is not between 0 and 1, or not for every corner.
+    pub fn new(model: Model) -> Result<Self, TrianglesError> {
+        model.check()?;
+        let Model { corners, triangles, paints, is_two_sided } = model;
+        let used = triangles.iter().flatten().map(|&corner| DVec3::from(corners[corner as usize]));
+        let [low, high] = used.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], corner| {
+            [low.min(corner), high.max(corner)]
+        });
+        let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+        let largest = half.max_element();
+        if largest == 0.0 {
+            return Err(TrianglesError::NoArea);
+        }
+        if 2.0 * largest < LEAST_SIZE {
+            return Err(TrianglesError::Small { size: 2.0 * largest });
+        }
+        let corners: Vec<_> =
+            corners.par_iter().map(|&corner| (DVec3::from(corner) - middle).as_vec3()).collect();
+        let mut prepared = Self {
+            corners,
+            faces: triangles,
+            paints,
+            is_two_sided,
+            hierarchy: Hierarchy::default(),
+            middle,
+            half: half.max(DVec3::splat(LEAST_SIDE * largest)),
+            fingerprint: 0,
+        };
+        prepared.hierarchy = Hierarchy::new(prepared.pieces(), DVec3::ZERO);
+        if prepared.hierarchy.is_empty() {
+            return Err(TrianglesError::NoArea);
+        }
+        prepared.fingerprint = prepared.hashed();
+        Ok(prepared)
+    }
+
+    /// The middle of the box around them, in the rest frame of the group.
+    #[must_use]
+    pub const fn middle(&self) -> DVec3 {
+        self.middle
+    }
+
+    /// Half the sides of that box.
+    #[must_use]
+    pub const fn half(&self) -> DVec3 {
+        self.half
+    }
+
+    /// Returns the number of triangles, those without an area among them.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// A hash of all corners, triangles and paints: equal for equal models, and as good as never equal for others.
+    #[must_use]
+    pub const fn fingerprint(&self) -> u64 {
+        self.fingerprint
+    }
+
+    /// The corners that triangles have, from the middle of the box.
+    pub fn corners(&self) -> impl Iterator<Item = DVec3> {
+        self.faces.iter().flatten().map(|&corner| self.corners[corner as usize].as_dvec3())
+    }
+
+    /// Returns the paint at a `point`: reflectances in linear sRGB.
+    #[must_use]
+    pub fn paint(&self, point: TrianglePoint) -> [f64; 3] {
+        if self.paints.is_empty() {
+            return [1.0; 3];
+        }
+        let [second, third] = point.weights;
+        let weights = [1.0 - second - third, second, third];
+        let corners = self.faces[point.triangle as usize];
+        std::array::from_fn(|part| {
+            let of_corner = |(corner, weight): (u32, f32)| weight * self.paints[corner as usize][part];
+            f64::from(corners.into_iter().zip(weights).map(of_corner).sum::<f32>()).clamp(0.0, 1.0)
+        })
+    }
+
+    /// Returns the first entry of `ray` into these triangles in the box `solid`, in front of the camera.
+    ///
+    /// # Accuracy
+    ///
+    /// Places are within 1e-14 of the box's size of the triangle's plane. No ray passes between two triangles that share corners.
+    pub(crate) fn entry(&self, solid: &Solid, ray: &Ray) -> Option<Entry> {
+        let (start, from_start) = ray.nearest_to(solid.center());
+        let radius = solid.bounding_radius();
+        if start.length_squared() >= radius * radius {
+            return None;
+        }
+        let Form::Block { axes, .. } = solid.form else { return None };
+        let behind = -ray.from_camera - from_start;
+        let crossing = self.crossing(axes.transpose() * start, axes.transpose() * ray.direction, behind)?;
+        Some(Entry {
+            distance: from_start + crossing.distance,
+            position: solid.center() + (start + ray.direction * crossing.distance),
+            normal: axes * crossing.normal,
+            triangle: Some(crossing.point),
+        })
+    }
+
+    /// Returns the point of a triangle in the box `solid` that is nearest to `place`, and its unit normal on the side from which a ray along
+    /// `direction` comes.
+    pub(crate) fn point_in(
+        &self,
+        solid: &Solid,
+        triangle: u32,
+        place: DVec3,
+        direction: DVec3,
+    ) -> (TrianglePoint, DVec3) {
+        let Form::Block { axes, .. } = solid.form else {
+            return (TrianglePoint { triangle, weights: [0.0; 2] }, -direction);
+        };
+        let [a, b, c] = self.corners_of(triangle.min(self.faces.len() as u32 - 1));
+        let (across, from_first) = ((b - a).cross(c - a), axes.transpose() * (place - solid.center()) - a);
+        let share = |part: DVec3| (part.dot(across) / across.length_squared()) as f32;
+        let weights = [share(from_first.cross(c - a)), share((b - a).cross(from_first))];
+        (TrianglePoint { triangle, weights }, axes * facing(across, axes.transpose() * direction))
+    }
+
+    /// Returns the corners of the triangle of this number, from the middle of the box.
+    fn corners_of(&self, triangle: u32) -> [DVec3; 3] {
+        self.faces[triangle as usize].map(|corner| self.corners[corner as usize].as_dvec3())
+    }
+
+    /// The boxes around triangles that have an area.
+    fn pieces(&self) -> impl Iterator<Item = Piece> {
+        (0..self.faces.len() as u32).filter_map(|triangle| {
+            let [a, b, c] = self.corners_of(triangle);
+            let corners = [a.min(b).min(c), a.max(b).max(c)];
+            let has_area = (b - a).cross(c - a) != DVec3::ZERO;
+            has_area.then_some(Piece { body: triangle, is_one_of_some: false, corners })
+        })
+    }
+
+    /// FNV-1a over words of four bytes.
+    fn hashed(&self) -> u64 {
+        let floats =
+            self.corners.iter().flat_map(Vec3::to_array).chain(self.paints.iter().flatten().copied());
+        let sides = u32::from(self.is_two_sided);
+        let middle = self.middle.to_array().map(f64::to_bits);
+        let words = floats.map(f32::to_bits).chain(self.faces.iter().flatten().copied()).chain([sides]);
+        let words = words.map(u64::from).chain(middle);
+        words.fold(0xcbf2_9ce4_8422_2325, |hash: u64, word| (hash ^ word).wrapping_mul(0x0100_0000_01b3))
+    }
+}
+
+/// The unit vector along `across` or against it, on the side from which a ray along `direction` comes.
+fn facing(across: DVec3, direction: DVec3) -> DVec3 {
+    let normal = across.normalize();
+    if normal.dot(direction) > 0.0 { -normal } else { normal }
+}
+
+impl PartialEq for Triangles {
+    fn eq(&self, other: &Self) -> bool {
+        self.fingerprint == other.fingerprint && self.faces.len() == other.faces.len()
+    }
+}
+
+impl Model {
+    /// Prepares the model, to be shared by bodies.
+    ///
+    /// # Errors
+    ///
+    /// As [`Triangles::new`].
+    pub fn prepared(self) -> Result<Arc<Triangles>, TrianglesError> {
+        Triangles::new(self).map(Arc::new)
+    }
+
+    fn check(&self) -> Result<(), TrianglesError> {
+        if self.triangles.len() > MOST_TRIANGLES {
+            return Err(TrianglesError::TooMany { count: self.triangles.len() });
+        }
+        if !self.paints.is_empty() && self.paints.len() != self.corners.len() {
+            return Err(TrianglesError::PaintCount {
+                paints: self.paints.len(),
+                corners: self.corners.len(),
+            });
+        }
+        let is_far = |corner: &[f64; 3]| {
+            corner.iter().any(|part| !(-MOST_COORDINATE..=MOST_COORDINATE).contains(part))
+        };
+        if let Some(number) = self.corners.iter().position(is_far) {
+            return Err(TrianglesError::Coordinate { number, place: self.corners[number] });
+        }
+        let is_unreal = |paint: &[f32; 3]| paint.iter().any(|part| !(0.0..=1.0).contains(part));
+        if let Some(number) = self.paints.iter().position(is_unreal) {
+            return Err(TrianglesError::Paint { number, paint: self.paints[number] });
+        }
+        let count = self.corners.len();
+        let lacks = |triangle: &[u32; 3]| triangle.iter().any(|&corner| corner as usize >= count);
+        match self.triangles.iter().position(lacks) {
+            Some(triangle) => Err(TrianglesError::NoCorner { triangle, count }),
+            None if self.triangles.is_empty() => Err(TrianglesError::NoArea),
+            None => Ok(()),
+        }
+    }
+}

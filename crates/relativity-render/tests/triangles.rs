@@ -1,0 +1,339 @@
+//! Models of triangles against what they stand for: our exact box and ball, and every triangle tested one by one.
+
+use std::f64::consts::PI;
+
+use glam::DVec3;
+use relativity_core::{Aperture, Speed};
+use relativity_render::{
+    Appearance, Body, Camera, Colour, Gaze, Geometry, HitImage, Method, Model, PreparedScene, Renderers,
+    Shape, TrianglesError, View,
+};
+
+mod support;
+use support::{centred, spread};
+
+const GEOMETRIES: [Geometry; 4] = [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone];
+
+/// A view of the box from (-1, 3, 2) to (1, 5, 3) and what takes its place.
+fn view(beta: f64, geometry: Geometry, size: [u32; 2]) -> View {
+    let speed = Speed::from_beta(beta).expect("a speed");
+    let camera = Camera::new(Aperture::pair(0.1)[1], Gaze::STRAIGHT_AHEAD, 0.6, size);
+    let mut view = View { camera, speed, observation_time: 4.5, geometry };
+    let centre = view.apparent_position([0.0, 4.0, 0.5]).expect("inside the domain");
+    view.camera.gaze = Gaze::along(centre.to_array());
+    view
+}
+
+fn exact_box() -> Shape {
+    Shape::Box { center: [0.0, 4.0, 0.5], half: [1.0, 0.75, 0.5], turn: [0.0, 0.0, 0.0, 1.0] }
+}
+
+/// The corners and the twelve triangles of that box.
+fn box_model() -> Model {
+    let corner = |i: usize| {
+        let side = |bit: usize, half: f64| if i & bit == 0 { -half } else { half };
+        [side(1, 1.0), 4.0 + side(2, 0.75), 0.5 + side(4, 0.5)]
+    };
+    let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let triangles = faces.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    Model { corners: (0..8).map(corner).collect(), triangles, ..Model::default() }
+}
+
+/// A ball of `rings` times twice as many squares, each of two triangles.
+fn ball_model(center: [f64; 3], radius: f64, rings: u32) -> Model {
+    let turns = 2 * rings;
+    let corner = |i: u32| {
+        let (polar, azimuth) = (
+            PI * f64::from(i / turns) / f64::from(rings),
+            2.0 * PI * f64::from(i % turns) / f64::from(turns),
+        );
+        let (x, y, z) = (polar.sin() * azimuth.cos(), polar.sin() * azimuth.sin(), polar.cos());
+        (DVec3::from(center) + radius * DVec3::new(x, y, z)).to_array()
+    };
+    let square = |i: u32| {
+        let (ring, turn) = (i / turns, i % turns);
+        let at = |ring: u32, turn: u32| ring * turns + turn % turns;
+        let [a, b, c, d] = [at(ring, turn), at(ring + 1, turn), at(ring + 1, turn + 1), at(ring, turn + 1)];
+        [[a, b, c], [a, c, d]]
+    };
+    Model {
+        corners: (0..(rings + 1) * turns).map(corner).collect(),
+        triangles: (0..rings * turns).flat_map(square).collect(),
+        ..Model::default()
+    }
+}
+
+/// A thousand triangles about the box's middle, anyhow, with colours.
+fn soup(is_two_sided: bool) -> Model {
+    let corner = |i: u32| {
+        let middle = centred(spread(i / 3)) * DVec3::new(1.0, 0.75, 0.5);
+        (DVec3::new(0.0, 4.0, 0.5) + middle + 0.15 * centred(spread(i + 7))).to_array()
+    };
+    let paint = |i: u32| spread::<3>(i + 11).map(|part| part as f32);
+    Model {
+        corners: (0..3000).map(corner).collect(),
+        triangles: (0..1000).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect(),
+        paints: (0..3000).map(paint).collect(),
+        is_two_sided,
+    }
+}
+
+fn scene_of(model: Model) -> PreparedScene {
+    PreparedScene::moving(&[Body::of_triangles(model.prepared().expect("a model"))])
+}
+
+fn hits_of(model: Model, view: &View) -> HitImage {
+    scene_of(model).hit_image(view)
+}
+
+#[test]
+fn a_box_of_twelve_triangles_is_the_box() {
+    let (exact, model) = (PreparedScene::moving(&[Body::white(exact_box())]), scene_of(box_model()));
+    for geometry in GEOMETRIES {
+        for beta in [0.0, 0.6, 0.93, 0.9999] {
+            let view = view(beta, geometry, [64, 48]);
+            let (expected, found) = (exact.hit_image(&view).hits, model.hit_image(&view).hits);
+            for (expected, found) in expected.iter().zip(&found) {
+                let context = format!("{geometry:?} at {beta}: {expected:?} and {found:?}");
+                let (Some(expected), Some(found)) = (expected, found) else {
+                    assert_eq!(expected.is_some(), found.is_some(), "{context}");
+                    continue;
+                };
+                assert!(expected.rest_position.distance(found.rest_position) < 1e-12, "{context}");
+                assert!(expected.rest_normal.distance(found.rest_normal) < 1e-12, "{context}");
+                assert!((expected.distance / found.distance - 1.0).abs() < 1e-12, "{context}");
+                assert!((expected.doppler_factor / found.doppler_factor - 1.0).abs() < 1e-12, "{context}");
+            }
+            let appearance = Appearance { colour: Colour::White, ..Appearance::default() };
+            let pictures = [&exact, &model].map(|scene| scene.picture(&view, &appearance, 2));
+            assert_eq!(pictures[0], pictures[1], "{geometry:?} at {beta}");
+        }
+    }
+}
+
+/// A ray that misses the ball of triangles misses the ball, or passes inside its outline by no more than the sagitta
+/// of the triangles, and none that meets it misses the ball.
+#[test]
+fn a_ball_of_triangles_is_a_ball_within_their_sagitta() {
+    let (center, radius, rings) = ([0.0, 4.0, 0.5], 0.6, 24);
+    // The middle of a square's diagonal is farthest inside.
+    let sagitta = radius * (1.0 - (0.5 * 2f64.sqrt() * PI / f64::from(rings)).cos());
+    let ball = |radius| PreparedScene::moving(&[Body::white(Shape::Sphere { center, radius })]);
+    let model = scene_of(ball_model(center, radius, rings));
+    for beta in [0.0, 0.8, 0.99] {
+        let view = view(beta, Geometry::Seen, [96, 72]);
+        let [outer, inner] = [ball(radius), ball(radius - sagitta)].map(|scene| scene.hit_image(&view).hits);
+        let found = model.hit_image(&view).hits;
+        assert!(found.iter().flatten().count() > 300);
+        for ((outer, inner), found) in outer.iter().zip(&inner).zip(&found) {
+            assert!(found.is_none() || outer.is_some(), "beyond the ball at {beta}");
+            assert!(found.is_some() || inner.is_none(), "a hole at {beta}");
+            let off = found.map(|hit| radius - hit.rest_position.distance(center.into()));
+            assert!(off.is_none_or(|off| off > -1e-7 && off < sagitta + 1e-7), "{off:?} of {sagitta}");
+        }
+    }
+}
+
+/// Crossing of a ray with a triangle by Cramer's rule, in place of the hierarchy and of its test.
+fn crossing(origin: DVec3, direction: DVec3, [a, b, c]: [DVec3; 3]) -> Option<f64> {
+    let (u, v, from) = (b - a, c - a, origin - a);
+    let determinant = direction.dot(u.cross(v));
+    let [s, t] = [direction.dot(from.cross(v)) / determinant, direction.dot(u.cross(from)) / determinant];
+    (s >= 0.0 && t >= 0.0 && s + t <= 1.0).then(|| -from.dot(u.cross(v)) / determinant)
+}
+
+#[test]
+fn of_a_thousand_triangles_each_ray_meets_the_first() {
+    for is_two_sided in [true, false] {
+        let model = soup(is_two_sided);
+        let corners: Vec<_> = model.corners.iter().map(|&corner| DVec3::from(corner)).collect();
+        let mut seen = 0;
+        for beta in [0.3, 0.97] {
+            let view = view(beta, Geometry::Seen, [48, 36]);
+            let found = hits_of(model.clone(), &view);
+            let of_group = view.of_group(relativity_render::Motion::Scene);
+            for (i, hit) in found.hits.iter().enumerate() {
+                let place = [(i % 48) as f64 + 0.5, (i / 48) as f64 + 0.5];
+                let ray = of_group.rest_ray(view.camera.line_of_sight(place));
+                let all = model.triangles.iter().enumerate().filter_map(|(number, triangle)| {
+                    let corners = triangle.map(|corner| corners[corner as usize]);
+                    let [a, b, c] = corners;
+                    let is_front = (b - a).cross(c - a).dot(ray.direction) < 0.0;
+                    let distance = crossing(ray.origin, ray.direction, corners)?;
+                    (distance > 0.0 && (is_two_sided || is_front)).then_some((distance, number))
+                });
+                let first = all.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, number)| number as u32);
+                let triangle = hit.and_then(|hit| hit.triangle).map(|point| point.triangle);
+                assert_eq!(triangle, first, "pixel {i} at {beta}");
+                seen += u32::from(first.is_some());
+            }
+        }
+        assert!(seen > 800, "{seen}");
+    }
+}
+
+#[test]
+fn paint_is_mixed_between_corners_and_is_no_effect_of_false_colours() {
+    let mut model = box_model();
+    model.paints =
+        model.corners.iter().map(|corner| [if corner[0] > 0.0 { 1.0 } else { 0.0 }, 0.5, 0.0]).collect();
+    let triangles = model.clone().prepared().expect("a model");
+    let painted = PreparedScene::moving(&[Body::of_triangles(triangles.clone())]);
+    let white = scene_of(box_model());
+    let view = view(0.6, Geometry::Seen, [64, 48]);
+    for hit in painted.hit_image(&view).hits.iter().flatten() {
+        let [red, green, blue] = triangles.paint(hit.triangle.expect("of triangles"));
+        assert!((red - (0.5 + 0.5 * hit.rest_position.x)).abs() < 1e-6, "{red} at {}", hit.rest_position);
+        assert!((green - 0.5).abs() < 1e-6 && blue == 0.0);
+    }
+    let appearance = Appearance { colour: Colour::White, sky: false, ..Appearance::default() };
+    let [colours, plain] = [&painted, &white].map(|scene| scene.picture(&view, &appearance, 1).rgba);
+    let pixels = || colours.iter().zip(&plain).filter(|(painted, white)| painted != white);
+    assert!(
+        pixels().count() > 300 && pixels().all(|(painted, white)| painted[2] == 0 && painted[1] < white[1])
+    );
+    let map = Appearance { colour: Colour::False, ..appearance };
+    let picture = painted.picture(&view, &map, 1).rgba;
+    assert!(picture.iter().zip(&plain).any(|(map, white)| map != white && map[2] > 0));
+}
+
+/// A renderer of packets, and of rays as far as they are drawn by these.
+fn renderers() -> Renderers {
+    Renderers::new(None)
+}
+
+#[test]
+fn packets_meet_the_triangles_that_the_reference_meets() {
+    let (model, mut renderers) = (soup(true), renderers());
+    let (corners, scene) = (model.corners.clone(), scene_of(model.clone()));
+    let (mut covered, mut other) = (0, 0);
+    for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
+        for beta in [0.0, 0.9, 0.9999] {
+            let view = view(beta, geometry, [96, 72]);
+            let expected = scene.hit_image(&view).hits;
+            for method in [Method::Packets, Method::Rays] {
+                let found = renderers.hits(method, &scene, &view).expect("it needs no device").hits;
+                for (expected, found) in expected.iter().zip(&found) {
+                    covered += u32::from(expected.is_some());
+                    other += u32::from(expected.is_some() != found.is_some());
+                    let Some(found) = found else { continue };
+                    let point = found.triangle.expect("of triangles");
+                    let [a, b, c] =
+                        model.triangles[point.triangle as usize].map(|i| DVec3::from(corners[i as usize]));
+                    let [second, third] = point.weights.map(f64::from);
+                    let place = a + (b - a) * second + (c - a) * third;
+                    assert!(place.distance(found.rest_position) < 2e-6, "{geometry:?} at {beta}: {found:?}");
+                    let is_inside = second > -1e-4 && third > -1e-4 && second + third < 1.0001;
+                    assert!(is_inside, "{geometry:?} at {beta}: {point:?}");
+                    let normal = (b - a).cross(c - a).normalize();
+                    assert!((normal.dot(found.rest_normal).abs() - 1.0).abs() < 1e-6);
+                }
+            }
+        }
+    }
+    assert!(covered > 10_000 && other * 1000 < covered, "{other} of {covered}");
+}
+
+/// The colours of a model's faces are those of the box that it stands for, away from edges.
+#[test]
+fn packets_draw_a_box_of_triangles_as_the_box() {
+    let mut renderers = renderers();
+    let (exact, model) = (PreparedScene::moving(&[Body::white(exact_box())]), scene_of(box_model()));
+    for colour in [Colour::White, Colour::StreetDaylight, Colour::False] {
+        let appearance = Appearance { colour, ..Appearance::default() };
+        for beta in [0.0, 0.7, 0.99] {
+            let view = view(beta, Geometry::Seen, [80, 60]);
+            let [expected, found] = [&exact, &model].map(|scene| {
+                renderers
+                    .picture(Method::Packets, scene, &view, &appearance, 1)
+                    .expect("it needs no device")
+                    .rgba
+            });
+            let normals: Vec<_> =
+                exact.hit_image(&view).hits.iter().map(|hit| hit.map(|hit| hit.rest_normal)).collect();
+            let mut compared = 0;
+            for (i, (expected, found)) in expected.iter().zip(&found).enumerate() {
+                let (u, v) = (i % 80, i / 80);
+                let is_inner = (1..79).contains(&u) && (1..59).contains(&v);
+                let around = || [81, 80, 79, 1].into_iter().flat_map(|step| [i - step, i + step]);
+                if is_inner && around().all(|other| normals[other] == normals[i]) {
+                    let levels = expected.iter().zip(found).map(|(a, b)| a.abs_diff(*b)).max();
+                    assert!(levels <= Some(2), "{colour:?} at {beta}, pixel {i}: {found:?} for {expected:?}");
+                    compared += usize::from(normals[i].is_some());
+                }
+            }
+            assert!(compared > 200, "{compared}");
+        }
+    }
+}
+
+#[test]
+fn other_renderers_refuse_models() {
+    let (scene, view) = (scene_of(box_model()), view(0.5, Geometry::Published, [8, 6]));
+    for method in [Method::Reference, Method::Rays, Method::Mesh { bound_px: 0.5 }] {
+        let error =
+            renderers().picture(method, &scene, &view, &Appearance::default(), 1).expect_err("it is refused");
+        assert!(
+            error.to_string().starts_with("models from files are not drawn by the mesh renderer"),
+            "{error}"
+        );
+        assert_eq!(
+            renderers().hits(method, &scene, &view).expect_err("it is refused").to_string(),
+            error.to_string()
+        );
+    }
+}
+
+#[test]
+fn what_is_no_model_is_refused() {
+    let refused = |change: &dyn Fn(&mut Model)| {
+        let mut model = box_model();
+        change(&mut model);
+        model.prepared().expect_err("it is wrong").to_string()
+    };
+    let texts = [
+        (refused(&|model| model.triangles.clear()), "the model has no triangle with an area"),
+        (refused(&|model| model.triangles = vec![[1, 1, 2]]), "the model has no triangle with an area"),
+        (
+            refused(&|model| model.corners[3][1] = f64::NAN),
+            "corner 3 of the model is at [1.0, NaN, 0.0], and coordinates must lie between -1e6 and 1e6",
+        ),
+        (
+            refused(&|model| model.corners[0][0] = -2e6),
+            "corner 0 of the model is at [-2000000.0, 3.25, 0.0], and coordinates must lie between -1e6 and 1e6",
+        ),
+        (
+            refused(&|model| model.triangles[2][1] = 8),
+            "triangle 2 of the model has a corner beyond the last of 8",
+        ),
+        (refused(&|model| model.paints = vec![[0.5; 3]; 7]), "the model has 8 corners and the colours of 7"),
+        (
+            refused(&|model| model.paints = vec![[0.5, 0.5, 1.5]; 8]),
+            "the colour of corner 0 of the model is [0.5, 0.5, 1.5], and each part must lie between 0 and 1",
+        ),
+        (
+            refused(&|model| model.triangles = vec![[0, 1, 2]; 5_000_001]),
+            "the model has 5000001 triangles, and 5000000 are the most",
+        ),
+    ];
+    for (found, expected) in texts {
+        assert_eq!(found, expected);
+    }
+    let tiny = refused(&|model| model.corners.iter_mut().flatten().for_each(|part| *part *= 1e-8));
+    assert!(tiny.starts_with("the model is 2e-8 large"), "{tiny}");
+    assert_eq!(Model::default().prepared().expect_err("it is empty"), TrianglesError::NoArea);
+}
+
+#[test]
+fn a_flat_model_is_seen_and_one_of_one_side_only_from_there() {
+    let corners = vec![[-1.0, 4.0, 0.0], [1.0, 4.0, 0.0], [0.0, 4.0, 1.5]];
+    let view = view(0.5, Geometry::Seen, [32, 24]);
+    let seen = |triangle, is_two_sided| {
+        let model =
+            Model { corners: corners.clone(), triangles: vec![triangle], is_two_sided, ..Model::default() };
+        hits_of(model, &view).hits.iter().flatten().count()
+    };
+    let count = seen([0, 1, 2], true);
+    assert!(count > 50);
+    assert_eq!([seen([0, 1, 2], false), seen([0, 2, 1], true), seen([0, 2, 1], false)], [count, count, 0]);
+}

@@ -1,0 +1,143 @@
+//! A tram of 1,178 triangles, as Wavefront OBJ with colours: `assets/models/tram.obj`.
+//!
+//! `cargo run --example tram > assets/models/tram.obj`
+
+use std::f64::consts::PI;
+use std::fmt::Write as _;
+
+type Colour = [f64; 3];
+
+const RED: Colour = [0.72, 0.13, 0.1];
+const CREAM: Colour = [0.94, 0.89, 0.74];
+const GLASS: Colour = [0.24, 0.33, 0.42];
+const GREY: Colour = [0.45, 0.46, 0.48];
+const DARK: Colour = [0.16, 0.16, 0.18];
+const LAMP: Colour = [1.0, 0.95, 0.6];
+
+/// Half the length of the tram, and half its width.
+const HALF: [f64; 2] = [5.0, 1.1];
+/// Number of sides of what is round.
+const SIDES: usize = 16;
+
+fn main() {
+    print!("{}", text());
+}
+
+/// Returns the contents of the file.
+#[must_use]
+pub fn text() -> String {
+    let mut tram = Mesh::default();
+    let [length, width] = HALF;
+    tram.block([-length, -width, 0.5], [length, width, 1.6], RED);
+    tram.block([-length, -width, 1.6], [length, width, 2.9], CREAM);
+    tram.block([-length - 0.02, -width - 0.02, 1.52], [length + 0.02, width + 0.02, 1.62], CREAM);
+    tram.roof(2.9, 0.45);
+    for side in [-1.0, 1.0] {
+        for window in 0..6 {
+            let from = -4.1 + 1.4 * f64::from(window);
+            let y = side * width;
+            let is_door = window == 1 || window == 4;
+            tram.block(
+                [from, y - 0.01, if is_door { 0.6 } else { 1.75 }],
+                [from + 1.2, y + 0.01, 2.7],
+                GLASS,
+            );
+        }
+    }
+    for end in [-length, length] {
+        tram.block([end - 0.01, -0.85, 1.75], [end + 0.01, 0.85, 2.7], GLASS);
+        tram.prism([end, 0.0, 1.1], [0.06, 0.0, 0.0], 0.18, LAMP);
+        tram.block([end - 0.2, -0.7, 0.3], [end + 0.2, 0.7, 0.5], DARK);
+    }
+    for axle in [-3.4, -2.0, 2.0, 3.4] {
+        for side in [-0.75, 0.75] {
+            tram.prism([axle, side, 0.4], [0.0, 0.08, 0.0], 0.4, DARK);
+        }
+        tram.prism([axle, 0.0, 0.4], [0.0, 0.75, 0.0], 0.06, GREY);
+    }
+    tram.block([-0.6, -0.5, 3.3], [0.6, 0.5, 3.42], GREY);
+    tram.bar([-0.5, 0.4, 3.4], [0.6, 0.4, 4.1]);
+    tram.bar([-0.5, -0.4, 3.4], [0.6, -0.4, 4.1]);
+    tram.bar([0.6, -0.8, 4.1], [0.6, 0.8, 4.1]);
+    tram.text
+}
+
+/// The corners and faces so far.
+#[derive(Default)]
+struct Mesh {
+    text: String,
+    corners: usize,
+}
+
+impl Mesh {
+    /// A face with these corners, counter-clockwise from outside.
+    fn face(&mut self, corners: &[[f64; 3]], [red, green, blue]: Colour) {
+        for [x, y, z] in corners {
+            let _ = writeln!(self.text, "v {x:.3} {y:.3} {z:.3} {red} {green} {blue}");
+        }
+        let numbers = (self.corners + 1..=self.corners + corners.len()).map(|number| format!(" {number}"));
+        let _ = writeln!(self.text, "f{}", numbers.collect::<String>());
+        self.corners += corners.len();
+    }
+
+    /// A block between two corners.
+    fn block(&mut self, low: [f64; 3], high: [f64; 3], colour: Colour) {
+        let corner =
+            |i: usize| std::array::from_fn(|axis| if i >> axis & 1 == 0 { low[axis] } else { high[axis] });
+        for face in [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]] {
+            self.face(&face.map(corner), colour);
+        }
+    }
+
+    /// A prism about an axis along x or y, this far to both sides of `middle`.
+    fn prism(&mut self, middle: [f64; 3], half: [f64; 3], radius: f64, colour: Colour) {
+        let rim = |side: f64, i: usize| {
+            let (sine, cosine) = (2.0 * PI * i as f64 / SIDES as f64).sin_cos();
+            let across = if half[0] > 0.0 { [0.0, cosine, sine] } else { [sine, 0.0, cosine] };
+            std::array::from_fn(|axis| middle[axis] + side * half[axis] + radius * across[axis])
+        };
+        let ring = |side: f64| (0..SIDES).map(|i| rim(side, i)).collect::<Vec<_>>();
+        self.face(&ring(1.0), colour);
+        self.face(&ring(-1.0).into_iter().rev().collect::<Vec<_>>(), colour);
+        for i in 0..SIDES {
+            self.face(&[rim(-1.0, i), rim(-1.0, i + 1), rim(1.0, i + 1), rim(1.0, i)], colour);
+        }
+    }
+
+    /// A rounded roof from this height on.
+    fn roof(&mut self, from: f64, height: f64) {
+        let [length, width] = HALF;
+        let edge = |x: f64, i: usize| {
+            let (sine, cosine) = (PI * i as f64 / SIDES as f64).sin_cos();
+            [x, width * cosine, from + height * sine]
+        };
+        let ring = |x: f64| (0..=SIDES).map(|i| edge(x, i)).collect::<Vec<_>>();
+        self.face(&ring(length), GREY);
+        self.face(&ring(-length).into_iter().rev().collect::<Vec<_>>(), GREY);
+        for i in 0..SIDES {
+            self.face(&[edge(-length, i), edge(length, i), edge(length, i + 1), edge(-length, i + 1)], GREY);
+        }
+    }
+
+    /// Adds a thin bar between two places.
+    fn bar(&mut self, from: [f64; 3], to: [f64; 3]) {
+        let off = 0.03;
+        let around = |[x, y, z]: [f64; 3]| {
+            let is_across = from[0] == to[0];
+            let aside = if is_across { [off, 0.0] } else { [0.0, off] };
+            [
+                [x - aside[0], y - aside[1], z - off],
+                [x + aside[0], y + aside[1], z - off],
+                [x + aside[0], y + aside[1], z + off],
+                [x - aside[0], y - aside[1], z + off],
+            ]
+        };
+        let (first, last) = (around(from), around(to));
+        for i in 0..4 {
+            let next = (i + 1) % 4;
+            self.face(&[first[i], first[next], last[next], last[i]], DARK);
+        }
+        self.face(&first, DARK);
+        self.face(&last, DARK);
+    }
+}

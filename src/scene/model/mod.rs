@@ -1,0 +1,101 @@
+//! A model of a scene file: triangles from a file beside it, scaled, turned and placed.
+
+mod accessor;
+mod files;
+mod gltf;
+mod limits;
+mod obj;
+#[cfg(test)]
+mod tests;
+
+use glam::{DMat3, DVec3};
+use relativity_render::{Body, Model};
+
+pub(super) use self::files::ModelFiles;
+use super::error::{Located, Problem};
+use super::object::{Object, brightness};
+use super::table::Table;
+
+/// Parses a model, and reads its file.
+pub(super) fn model(table: &Table) -> Result<Object, Located> {
+    table.check_keys(&[
+        "path",
+        "name",
+        "scale",
+        "axis",
+        "angle",
+        "up",
+        "place",
+        "two_sided",
+        "brightness",
+    ])?;
+    let path = table.needed_string("path")?;
+    let name = table.string("name")?.unwrap_or_else(|| stem(path)).to_owned();
+    let (scale, place) = (table.size("scale")?.unwrap_or(1.0), table.point("place")?.unwrap_or_default());
+    let axes = scale * DMat3::from_quat(table.turn("the model")?) * upright(table)?;
+    let is_two_sided = table.truth("two_sided")?.unwrap_or(true);
+    let brightness = brightness(table)?;
+    let refused =
+        |reason: String| table.problem_at("path", |path| Problem::Model { path, reason: one_line(&reason) });
+    let mut model = read(&table.models, path).map_err(refused)?;
+    for corner in &mut model.corners {
+        *corner = (axes * DVec3::from(*corner) + DVec3::from(place)).to_array();
+    }
+    model.is_two_sided = is_two_sided;
+    let triangles = model.prepared().map_err(|error| refused(error.to_string()))?;
+    let body = Body { brightness, ..Body::of_triangles(triangles) };
+    Ok(Object { body, name: Some(name), include: None, span: table.span.clone() })
+}
+
+/// The turn from the axes of the file to those of scenes, whose z axis points upwards.
+fn upright(table: &Table) -> Result<DMat3, Located> {
+    match table.string("up")? {
+        None | Some("y") => Ok(DMat3::from_cols(DVec3::X, DVec3::Z, DVec3::NEG_Y)),
+        Some("z") => Ok(DMat3::IDENTITY),
+        Some(_) => {
+            Err(table.wrong("up", "\"y\", as in glTF, or \"z\": the axis of the file that points upwards"))
+        }
+    }
+}
+
+/// Reads the model in the file at `path`, by its ending.
+fn read(files: &ModelFiles<'_>, path: &str) -> Result<Model, String> {
+    let ending = path.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_ascii_lowercase());
+    let beside = |name: &str| files.read(&beside(path, name));
+    if !["glb", "gltf", "obj"].contains(&ending.as_str()) {
+        return Err("it must end in .glb, .gltf or .obj".to_owned());
+    }
+    parsed(&ending, &files.read(path)?, &beside)
+}
+
+/// Reads a model from the bytes of a file with this ending, `glb`, `gltf` or `obj`, without any file beside it.
+///
+/// # Errors
+///
+/// Contents that are none, or need another file, in one line.
+pub fn read_model(ending: &str, bytes: &[u8]) -> Result<Model, String> {
+    parsed(ending, bytes, &|name| Err(format!("there is no {name}")))
+}
+
+fn parsed(
+    ending: &str,
+    bytes: &[u8],
+    beside: &dyn Fn(&str) -> Result<Vec<u8>, String>,
+) -> Result<Model, String> {
+    if ending == "obj" { obj::model(bytes, beside) } else { gltf::model(bytes, beside) }
+}
+
+/// The path of the file called `name` beside that at `path`.
+fn beside(path: &str, name: &str) -> String {
+    path.rsplit_once('/').map_or(name.to_owned(), |(folder, _)| format!("{folder}/{name}"))
+}
+
+/// The name of a file without its folder and its ending.
+fn stem(path: &str) -> &str {
+    let file = path.rsplit_once('/').map_or(path, |(_, file)| file);
+    file.rsplit_once('.').map_or(file, |(stem, _)| stem)
+}
+
+fn one_line(reason: &str) -> String {
+    reason.split_whitespace().collect::<Vec<_>>().join(" ")
+}
