@@ -335,7 +335,7 @@ fn a_scene_with_names_of_a_megabyte_is_refused_before_it_is_large() {
     let folder = tempfile::tempdir().expect("a folder");
     let name = "n".repeat(1_000_000);
     let scene = format!(
-        "name = \"x\"\n[[object]]\nname = \"{name}\"\nrepeat = 1000\nshape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n"
+        "name = \"x\"\n[[object]]\nname = \"{name}\"\nrepeat = 1000\nshape = \"sphere\"\ncentre = [0, 3, 2]\nradius = 1\n"
     );
     fs::write(folder.path().join("a.toml"), scene).expect("it is written");
     let render = ["render", "--scene", "a.toml", "--out", "a.png"];

@@ -16,7 +16,7 @@ name = \"A ball\"
 [[object]]
 name = \"Green\"
 shape = \"sphere\"
-center = [0.0, 3.0, 2.0]
+centre = [0.0, 3.0, 2.0]
 radius = 0.12
 wavelength_nm = 550
 ";
@@ -243,7 +243,7 @@ name = \"A tyre\"
 [[object]]
 name = \"tyre\"
 shape = \"ring\"
-center = [-0.525, 3.0, 2.0]
+centre = [-0.525, 3.0, 2.0]
 axis = [0.0, 1.0, 0.0]
 radius = 0.493
 tube_radius = 0.032

@@ -50,14 +50,14 @@ fn riders_of_one_group_are_told_apart_by_number() {
     let hub = scene.body_called("front hub (cyclist 1)").expect("there is one");
     assert_eq!(scene.body_called("front hub (cyclist 2)"), Ok(half + hub));
     // One name that only one body has stays as it is.
-    let post = "[[object]]\nshape = \"sphere\"\ncenter = [0, 3, 0]\nradius = 1\nname = \"post\"\n";
+    let post = "[[object]]\nshape = \"sphere\"\ncentre = [0, 3, 0]\nradius = 1\nname = \"post\"\n";
     let scene = Scene::parse(&riders(&format!("{CYCLIST}{post}"), &[]), "x").expect("it is right");
     assert_eq!([scene.name_of(hub), scene.name_of(half)], ["front hub", "post"]);
 }
 
 #[test]
 fn an_author_hears_of_two_bodies_of_one_name() {
-    let ball = "shape = \"sphere\"\ncenter = [0, 3, 0]\nradius = 1\nname = \"ball\"\n";
+    let ball = "shape = \"sphere\"\ncentre = [0, 3, 0]\nradius = 1\nname = \"ball\"\n";
     let refused = ": `ball` is the name of another body too: give each, or its group, a `name` of its own";
     let own = format!("[[object]]\n{ball}");
     let of_group = format!("[[group.object]]\n{ball}");
