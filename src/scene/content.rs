@@ -177,8 +177,8 @@ impl Scene {
         match known.len() {
             ..=NEAREST => format!("{scene} has no body called `{name}`: there are {nearest}"),
             count => format!(
-                "{scene} has no body called `{name}`: there are {count}, most like it {nearest}; \
-                 `gamow --list --scene` with the scene lists all"
+                "{scene} has no body called `{name}`: there are {count}; the nearest are {nearest}; `gamow \
+                    --list --scene` with the scene lists all"
             ),
         }
     }

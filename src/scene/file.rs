@@ -22,7 +22,7 @@ pub(super) fn scene(text: &str) -> Result<Scene, Located> {
     changed_scene(text, Changes::default())
 }
 
-/// The same with its wheels changed so.
+/// The scene that a file's text describes, with these changes to its wheels.
 fn changed_scene(text: &str, changes: Changes) -> Result<Scene, Located> {
     let document = DeTable::parse(text).map_err(|error| Located::syntax(text, &error))?;
     let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene" };

@@ -358,7 +358,7 @@ fn a_colour_that_is_not_one_point_is_remarked_on() {
     assert_eq!(remark("one"), "");
     render(folder.path(), &format!("{PHOTOGRAPHS} --scene two.toml --frames 3 --from 3 --to 5 --out two"));
     let line = remark("two");
-    let expected = "two/frame_00000.png: the left eye has the colour in 2 separate places, and the middle of all is measured (so";
+    let expected = "two/frame_00000.png: in the left eye's picture the colour is in 2 separate places; the middle of all is measured (so";
     assert!(line.starts_with(expected) && line.lines().count() == 1, "{line}");
     // The eyes the wrong way round.
     let line = remark("one/frame_00001.png --layout cross-eyed");
@@ -379,7 +379,7 @@ fn a_colour_that_is_not_one_point_is_remarked_on() {
     let texts: Vec<_> = file.texts.iter().map(|(keyword, text)| (keyword.as_str(), text.as_str())).collect();
     png::write(&askew, &texts, std::fs::File::create(&path).expect("it is there")).expect("it is written");
     let line = remark("one/frame_00001.png");
-    assert!(line.contains("the left and the right eye's lines of sight miss each other by"), "{line}");
+    assert!(line.contains("the lines of sight of the two eyes miss each other by"), "{line}");
     assert_eq!(line.lines().count(), 1, "{line}");
 }
 

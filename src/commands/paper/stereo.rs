@@ -24,7 +24,7 @@ pub struct Figure {
     pub caption: &'static str,
     /// The preset that it is drawn with.
     preset: &'static str,
-    /// Whether it shows the cyclist itself, at rest.
+    /// Whether the figure shows the cyclist itself, at rest.
     at_rest: bool,
     /// Places x where the tracked point is seen in each frame.
     places: &'static [f64],

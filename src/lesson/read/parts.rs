@@ -143,7 +143,7 @@ impl Part {
             if !allowed.contains(&kind) {
                 return Err((
                     number,
-                    format!("a block ```{kind} can not stand here, but ```{}", allowed.join(", ```")),
+                    format!("a block ```{kind} cannot stand here, but ```{}", allowed.join(", ```")),
                 ));
             }
             if blocks.iter().any(|block| block.kind == kind) {
@@ -209,7 +209,7 @@ fn is_indented(line: &str) -> bool {
     line.starts_with("  ") || line.starts_with('\t')
 }
 
-/// These lines without those that are empty at both ends.
+/// Returns these `lines` as a text, without the empty ones at both ends.
 fn text(lines: &[(usize, &str)]) -> Text {
     let is_written = |(_, line): &(usize, &str)| !line.trim().is_empty();
     let Some(first) = lines.iter().position(is_written) else { return Text::default() };
