@@ -35,7 +35,7 @@ struct ApparentXs<F> {
     right: F,
     difference: F,
     sum: F,
-    /// Whether both are of opposite signs and alike in size, so that their sum cancels.
+    /// Whether the two X have opposite signs and similar size, so that their sum cancels.
     is_opposite: bool,
 }
 
@@ -76,7 +76,7 @@ impl<F: Elementary> ConePair<F> {
         self.wanted_angle_differences([true, true])
     }
 
-    /// The same, with 0 for what is not `wanted`: each has its price.
+    /// (Delta-phi, Delta-theta), with 0 for a difference that is not `wanted`, since each has its price.
     #[inline]
     pub fn wanted_angle_differences(&self, wanted: [bool; 2]) -> (F, F) {
         let Self { left, right, offset, .. } = self;

@@ -41,10 +41,11 @@ pub enum StereoError {
 /// Doppler factor is gamma there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stereo {
-    /// Stereo gain, above 0: the factor by which the eyes would have to be further apart to see this parallax at a resting point in the
-    /// same place. It is the part of the parallax across the line of sight in the direction that a resting point's has, over that. (The
-    /// line of sight is the mean of both.) For eyes along x that is all of it, (`X_left` - `X_right`)/d, and near gamma D as d -> 0.
-    /// That quotient it is for eyes along x of a point of a wheel too, whose lines of sight differ in height besides.
+    /// Stereo gain, above 0: the factor by which the eyes would have to be further apart to see this parallax at a
+    /// resting point in the same place. It is the part of the parallax across the line of sight in the direction that
+    /// a resting point's has, over that. (The line of sight is the mean of both.) For eyes along x that is all of it,
+    /// (`X_left` - `X_right`)/d, and near gamma D as d -> 0. For eyes along x the gain is that quotient for a point
+    /// of a wheel too, although its lines of sight also differ in height.
     pub gain: f64,
     /// The middle of the shortest connection of both lines of sight, from the middle between the eyes. Of eyes along x it is,
     /// as d -> 0, the apparent position over gamma D.
