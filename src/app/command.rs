@@ -175,7 +175,7 @@ pub enum Command {
 }
 
 impl Command {
-    /// Whether it sets T or the speed, which may run in a lesson.
+    /// Whether the command sets T or the speed, which a lesson may be playing.
     const fn sets_what_runs(&self) -> bool {
         matches!(
             self,
@@ -189,7 +189,7 @@ impl Command {
         )
     }
 
-    /// Whether it has something else shown, which a page over the window would hide.
+    /// Whether the command changes what is shown, so that a page over the window must close.
     const fn shows_another(&self) -> bool {
         matches!(
             self,

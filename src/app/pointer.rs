@@ -23,7 +23,7 @@ pub struct Turn {
 pub struct Zoom {
     /// Eye whose picture it is.
     pub eye: Eye,
-    /// Whether it is the second of two pictures of one eye.
+    /// Whether the pointer is in the second of two pictures of one eye.
     pub is_second: bool,
     /// Place of the gesture, in pixels from the top left corner.
     pub pixel: [f64; 2],
@@ -38,7 +38,7 @@ pub struct Zoom {
 pub struct Pick {
     /// Eye whose picture it is.
     pub eye: Eye,
-    /// Whether it is the second of two pictures of one eye.
+    /// Whether the pointer is in the second of two pictures of one eye.
     pub is_second: bool,
     /// Place of the click, in pixels from the top left corner.
     pub pixel: [f64; 2],

@@ -147,7 +147,7 @@ pub struct Number {
     pub unit: String,
     /// Decimals with which the truth is written.
     pub decimals: u8,
-    /// By how much it may be off, as a part of the truth.
+    /// Tolerance, as a fraction of the true number.
     pub within: f64,
     /// True value after the reveal, once the lesson is worked out.
     pub truth: Option<f64>,
@@ -252,7 +252,7 @@ impl Lesson {
         }
     }
 
-    /// Whether it is a state that only shows something.
+    /// Whether the lesson is a preset: a state without steps.
     #[must_use]
     pub const fn is_a_preset(&self) -> bool {
         self.order == u32::MAX

@@ -37,7 +37,7 @@ pub struct Vertex {
 pub struct Line {
     /// The number of the body.
     pub body: usize,
-    /// Whether it rests on the ground.
+    /// Whether the line rests on the ground.
     pub rests: bool,
     /// Picture that the line belongs to.
     pub picture: Picture,
@@ -79,7 +79,7 @@ impl Line {
         self.ball.map_or(0.0, |ball| ball.half_width(projection, ends))
     }
 
-    /// Whether it is drawn in `projection`.
+    /// Whether the line is drawn in `projection`.
     #[must_use]
     pub fn is_in(&self, projection: Projection) -> bool {
         self.only.is_none_or(|only| only == projection)

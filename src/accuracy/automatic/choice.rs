@@ -20,7 +20,7 @@ pub struct Choice {
     pub is_measured: bool,
     /// Goal of the choice.
     pub goal: Goal,
-    /// Whether it is kept, as far as is known.
+    /// Whether the goal is kept, as far as is known.
     pub holds: bool,
 }
 

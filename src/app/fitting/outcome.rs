@@ -233,7 +233,7 @@ fn bands(eyes: Seeing, lines: &[Sample<2>], replicates: &Bootstrap) -> Vec<[[f64
     (0..lines.len()).map(interpolated).collect()
 }
 
-/// The same at one time; of no width where the replicates have no curve.
+/// The replicates' 95 % interval at one time; of no width where the replicates have no curve.
 fn band_at(eyes: Seeing, line: &Sample<2>, replicates: &Bootstrap) -> [[f64; 2]; 2] {
     let points = replicates.estimates.iter().flatten();
     let angles: Vec<[f64; 2]> = points.filter_map(|point| angles(eyes, *point, line.time)).collect();

@@ -273,7 +273,7 @@ impl State {
         }
     }
 
-    /// Ends what runs where it is.
+    /// Stops a running reveal at the point that it has reached.
     pub(in crate::app) fn stop_run(&mut self) {
         if let Some(running) = &mut self.session.lesson {
             running.run = None;

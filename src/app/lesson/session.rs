@@ -44,7 +44,7 @@ pub enum LessonCommand {
 pub struct Running {
     /// Course through the lesson.
     pub course: Course,
-    /// Whether its panel is folded to a strip.
+    /// Whether the lesson's panel is folded to a strip.
     pub is_folded: bool,
     /// The parts of the window before it began.
     pub(in crate::app) before: Window,

@@ -1,4 +1,4 @@
-//! A stopwatch in the first view: the observer's time T between two presses, and the time in between of the selected point's clock
+//! A stopwatch in the first view: the observation time T between two presses, and the time in between of the selected point's clock
 //! as it is seen.
 //!
 //! T stands still within a frame, and a press is noted in the next: each may be late by up to the step that T took in its frame, and

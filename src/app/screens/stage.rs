@@ -17,7 +17,7 @@ pub enum Part {
 /// The temporary modes of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Stage {
-    /// Whether it has the whole screen.
+    /// Whether the window has the whole screen.
     pub full_screen: bool,
     /// The part that is alone in it.
     pub maximised: Option<Part>,
@@ -34,7 +34,7 @@ impl Stage {
         Self { full_screen: true, maximised: None, projector: false, before: Some(false) }
     }
 
-    /// Whether it is shown to an audience: large writing, and no controls.
+    /// Whether the window is shown to an audience: large writing, and no controls.
     #[must_use]
     pub const fn is_presented(&self) -> bool {
         self.before.is_some()

@@ -42,7 +42,7 @@ impl Point {
         Some(Self { track, ..self })
     }
 
-    /// Whether it is the scene's own.
+    /// Whether the point is the scene's own.
     const fn is_tracked(&self) -> bool {
         self.number == FIRST
     }

@@ -43,7 +43,7 @@ impl State {
         self.with_what_it_shows(&format!("{} view", pane.eye.name()), pane)
     }
 
-    /// This `name` with the difference between `pane` and the other picture of the eye.
+    /// Returns `name` followed by the difference between `pane` and the other picture of the eye.
     fn with_what_it_shows(&self, name: &str, pane: EyePane) -> String {
         match self.document.settings.compared_names() {
             Some(names) => format!("{name}: {}", names[pane.index()]),

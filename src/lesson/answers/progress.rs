@@ -147,7 +147,7 @@ impl LessonProgress {
 }
 
 impl Record {
-    /// Whether it can be of `step`.
+    /// Whether the record can belong to `step`.
     fn fits(&self, step: &Step) -> bool {
         let is_answer = match (&self.outcome, &step.prediction) {
             (Some(Outcome::Made { answer, .. }), Some(asked)) => answer.fits(&asked.kind),

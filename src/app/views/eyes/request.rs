@@ -36,7 +36,7 @@ impl Request {
         (self.view, self.appearance) == (other.view, other.appearance) && self.scene == other.scene
     }
 
-    /// Whether it is the reference's to draw, in the background.
+    /// Whether the reference has to draw the view, in the background.
     pub fn is_for_reference(&self) -> bool {
         self.method.of_view(&self.view) == Method::Reference && !self.at_once
     }
