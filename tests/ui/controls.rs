@@ -35,12 +35,9 @@ pub const TESTS: &[Test] = &[
 
 fn a_slider_is_set_by_an_aid() {
     let mut window = window_of_size(cyclist(0.5), [1280.0, 1600.0], 1.0);
-    for (name, value) in [
-        ("Separation d", 1e300),
-        ("Distance y", -1e300),
-        ("Head tilted", 1e300),
-        ("Field of view", 1e300),
-    ] {
+    for (name, value) in
+        [("Separation d", 1e300), ("Distance y", -1e300), ("Head tilted", 1e300), ("Field of view", 1e300)]
+    {
         window.get_by_role_and_label(Role::Slider, name).set_value_accesskit(value);
         window.run();
         let state = window.state().state();
