@@ -23,7 +23,7 @@ use crate::app::state::State;
 pub struct Action {
     /// Name of the action.
     pub name: &'static str,
-    /// The keys that do it, if any.
+    /// The keys for the action, if any.
     pub keys: &'static [KeyboardShortcut],
     /// Command of the action.
     pub command: Command,

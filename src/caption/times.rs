@@ -38,7 +38,7 @@ pub const TIMES: [TimeName; 3] = [RECEIVED, HAPPENED, OWN_CLOCK];
 /// The observer's clock: the horizontal axis of all plots, and the time of every sentence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ObserverClock {
-    /// Symbol of its time.
+    /// Symbol of the clock's time.
     pub symbol: &'static str,
     /// Name of the time with its symbol.
     pub words: &'static str,

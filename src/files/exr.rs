@@ -156,7 +156,7 @@ impl Channel {
 pub struct Light<'a> {
     /// Scene that is seen.
     pub scene: &'a PreparedScene,
-    /// Appearance of its light.
+    /// Appearance of the light.
     pub appearance: Appearance,
 }
 

@@ -40,7 +40,7 @@ pub enum FileKind {
 }
 
 impl FileKind {
-    /// The end of its files' names.
+    /// The extension of such files.
     #[must_use]
     pub const fn extension(self) -> &'static str {
         match self {

@@ -47,7 +47,7 @@ pub struct Line {
     pub only: Option<Projection>,
     /// Radius of a ball around the body at rest.
     pub reach: f64,
-    /// Range of its points among [`Lines::vertices`].
+    /// Range of the line's points among [`Lines::vertices`].
     vertices: Range<usize>,
 }
 

@@ -25,7 +25,7 @@ pub(super) struct Object {
     pub name: Option<String>,
     /// The preset that it was included with, numbered if its group includes that several times.
     pub include: Option<Rc<str>>,
-    /// The place of its table in the file.
+    /// The place of the object's table in the file.
     pub span: Range<usize>,
 }
 

@@ -32,7 +32,7 @@ const OF_PICTURES: &str = "picture";
 /// A setting with its value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Entry {
-    /// The section it is in; none at the top.
+    /// The section the entry is in; none at the top.
     pub section: String,
     /// Name of the setting.
     pub key: String,

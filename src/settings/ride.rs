@@ -118,7 +118,7 @@ impl Riding {
         })
     }
 
-    /// Duration of its legs.
+    /// Duration of the riding's legs.
     #[must_use]
     pub fn duration(&self) -> f64 {
         self.turns().last().unwrap_or_default()

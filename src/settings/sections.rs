@@ -150,7 +150,7 @@ pub struct Light {
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub surroundings: OnOff,
     /// Whether the scene's ground is drawn: its road, or a grid of one line per unit of length. A soft shadow lies on the road where
-    /// wheels touch it: exact there, since both are one event, and a drawn sign around it.
+    /// wheels touch it: exact there, since both are one event, and only suggested around it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub ground: OnOff,
     /// Whether the sky is a gradient; otherwise it is plain.

@@ -19,7 +19,7 @@ pub struct Painter {
     samples: u32,
     /// Choice of the method, where that is automatic.
     automatic: Option<Choosing>,
-    /// When it was made.
+    /// Moment at which the painter was made.
     clock: Instant,
 }
 

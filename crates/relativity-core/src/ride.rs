@@ -90,7 +90,7 @@ pub struct Odometers {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ride {
-    /// The moment at which it starts.
+    /// The moment at which the ride starts.
     pub start: RideMoment,
     /// Legs of the ride, in order; after the last the rider coasts.
     pub legs: Vec<Leg>,

@@ -1,4 +1,4 @@
-//! The stereo position: the place at which the lines of sight of two eyes meet, where a person would take the point to be.
+//! The stereo position: the place at which the lines of sight of two eyes meet, where a person with two eyes would place the point.
 //!
 //! Derived here; not in the paper. The paper's pair of apertures lies along the motion, so both see the same y and z, and
 //! the lines from the left one at (-d/2, 0, 0) along (`X_l`, y, z) and from the right one at (d/2, 0, 0) along (`X_r`, y, z)
@@ -55,8 +55,8 @@ pub struct Stereo {
 }
 
 impl Stereo {
-    /// The distance at which two eyes take the point to be, from the middle between them. Of eyes along x it is, as d -> 0,
-    /// the rest-frame distance over gamma.
+    /// The distance at which two eyes place the point, from the middle between them. Of eyes along x it is, as d ->
+    /// 0, the rest-frame distance over gamma.
     #[must_use]
     pub fn distance(&self) -> f64 {
         self.position.map(|along| along * along).iter().sum::<f64>().sqrt()

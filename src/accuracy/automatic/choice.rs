@@ -65,8 +65,8 @@ impl fmt::Display for Choice {
             _ => f.write_str(", in 32-bit floats, which err at such speeds")?,
         }
         match self.goal {
-            Goal::Error(px) if !self.holds => write!(f, "; nothing here keeps {} px", short(px)),
-            Goal::Budget(ms) if !self.holds => write!(f, "; nothing keeps {} ms", short(ms)),
+            Goal::Error(px) if !self.holds => write!(f, "; no method here keeps {} px", short(px)),
+            Goal::Budget(ms) if !self.holds => write!(f, "; no method keeps {} ms", short(ms)),
             Goal::Error(_) | Goal::Budget(_) => Ok(()),
         }
     }

@@ -37,7 +37,7 @@ const EXPECTED_FAR_WORSE: f64 = 5.0;
 pub struct Sight<'a> {
     /// Scene that is seen.
     pub scene: &'a PreparedScene,
-    /// A view of the picture.
+    /// One of the views of the picture.
     pub view: &'a View,
     /// Number of pixels of all views.
     pub pixels: f64,

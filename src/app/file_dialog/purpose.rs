@@ -7,9 +7,9 @@ use crate::lesson::worksheet::Sheet;
 /// The purpose for which a file is chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
-    /// To show what is in it.
+    /// To show the contents of the file.
     Open,
-    /// To fit the measured disparities in it.
+    /// To fit the measured disparities in the file.
     OpenData,
     /// Saving this product.
     Save(Product),
@@ -99,7 +99,7 @@ impl Product {
         matches!(self, Self::Film)
     }
 
-    /// Returns the endings of its files, the default first.
+    /// Returns the endings of the product's files, the default first.
     #[must_use]
     pub const fn endings(self) -> &'static [&'static str] {
         match self {

@@ -19,7 +19,7 @@ use crate::platform::threads::prelude::*;
 /// The samples and what became of them.
 #[derive(Debug, Clone)]
 pub struct FitOutcome {
-    /// Key that it was made for.
+    /// Key of the fit.
     pub key: FitKey,
     /// First and last T of the samples.
     pub range: [f64; 2],
@@ -149,7 +149,7 @@ impl Fitted {
         };
         let estimates: Vec<_> = best.parameters().iter().map(estimate).collect();
         if estimates.iter().any(|(_, estimate, _)| !estimate.value.is_finite()) {
-            return Some(Err("the best fit is beyond what numbers can hold".to_owned()));
+            return Some(Err("the best fit has a parameter that is not finite".to_owned()));
         }
         let observed = &samples.observations;
         let at_samples: Vec<_> =

@@ -265,7 +265,7 @@ impl State {
         }
     }
 
-    /// Has what runs at its end.
+    /// Takes a running reveal to its end.
     fn finish_run(&mut self) {
         let run = self.session.lesson.as_mut().and_then(|running| running.run.take());
         if let Some(run) = run {

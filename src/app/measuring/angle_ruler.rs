@@ -26,7 +26,7 @@ pub enum AngleRuler {
 /// A ruler in a view.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Laid {
-    /// Eye of the picture that it is in.
+    /// Eye of the picture that the ruler is in.
     pub eye: Eye,
     /// Whether that is the second of two pictures of one eye.
     pub is_second: bool,
@@ -63,7 +63,7 @@ pub enum RulerCommand {
 }
 
 impl AngleRuler {
-    /// Whether a drag lays it.
+    /// Whether a drag lays the angle ruler.
     #[must_use]
     pub const fn takes_drags(&self) -> bool {
         matches!(self, Self::Armed | Self::Laid(Laid { is_held: true, .. }))

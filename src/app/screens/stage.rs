@@ -19,7 +19,7 @@ pub enum Part {
 pub struct Stage {
     /// Whether the window has the whole screen.
     pub full_screen: bool,
-    /// The part that is alone in it.
+    /// The part of the window that is shown alone.
     pub maximised: Option<Part>,
     /// Whether the views have a window of their own besides, for a projector.
     pub projector: bool,
@@ -53,7 +53,7 @@ impl Stage {
         self.maximised = if self.maximised == Some(part) { None } else { Some(part) };
     }
 
-    /// The number of the view that is alone in it.
+    /// The number of the view that is shown alone.
     #[must_use]
     pub const fn maximised_pane(&self) -> Option<usize> {
         match self.maximised {

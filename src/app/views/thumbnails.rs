@@ -22,7 +22,7 @@ pub struct Look {
     pub size: [u32; 2],
     /// Whether the thumbnail is shown in a light window.
     pub in_light_window: bool,
-    /// Eye that sees it.
+    /// Eye whose view the thumbnail shows.
     pub eye: Eye,
 }
 

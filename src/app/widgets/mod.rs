@@ -111,7 +111,7 @@ pub struct NumberRow<'a> {
 }
 
 impl NumberRow<'_> {
-    /// Shows it; true if `value` changed, or is as `usual` again.
+    /// Shows the row; true if `value` changed, or was reset to `default`.
     pub fn show(&self, ui: &mut Ui, value: &mut f64, default: f64) -> bool {
         let edit = self.edit(ui, value);
         if edit == Edit::Restored {
@@ -129,7 +129,7 @@ impl NumberRow<'_> {
         edit != Edit::Kept
     }
 
-    /// Shows it, for a number that has no usual value: what was done to `value`.
+    /// Shows the row for a number without a default; returns the edit of `value`.
     pub fn edit(&self, ui: &mut Ui, value: &mut f64) -> Edit {
         let (mut changed, mut restored) = (false, false);
         let tip = format!("{}\n{DOUBLE_CLICK}", self.tip);

@@ -9,7 +9,7 @@ use crate::platform::messages;
 pub struct Part {
     /// Heading of the part; empty for the text before the first.
     pub title: String,
-    /// The number of lines before its first.
+    /// The number of lines before the part's first.
     pub line: usize,
     /// Text below the heading.
     pub text: String,
@@ -20,7 +20,7 @@ pub struct Part {
 pub struct Block {
     /// Kind of the block, from its first fence.
     pub kind: String,
-    /// Number of its first line in the file, from 1.
+    /// Number of the block's first line in the file, from 1.
     pub line: usize,
     /// Lines of the block.
     pub text: String,

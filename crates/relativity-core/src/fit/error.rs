@@ -89,7 +89,7 @@ pub enum FitError {
         value: f64,
         /// Standard error; infinite if the data do not depend on the parameter.
         standard_error: f64,
-        /// The parameter that can make up for it.
+        /// The parameter whose change can compensate for this one.
         partner: &'static str,
         /// Correlation between the two parameters.
         correlation: f64,

@@ -56,7 +56,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     row(ui, "Background", "Chooses the background, which rests with the eyes.", |ui| {
         ui.checkbox(&mut light.sky, "Sky").on_hover_text("Shows a sky behind the scene.");
         let tip = "Shows a road or a grid on the ground, at rest. Wheels leave a contact shadow on a road: \
-            exact where they touch it, a drawn sign around that.";
+            exact where they touch it, only suggested around that.";
         ui.checkbox(&mut light.ground, "Ground").on_hover_text(tip);
         let tip = "Shows what stands around the scene, at rest: houses and lamp posts.";
         ui.checkbox(&mut light.surroundings, "Street").on_hover_text(tip);

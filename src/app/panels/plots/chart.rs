@@ -36,7 +36,7 @@ pub(super) struct Chart<'a> {
     pub cursors: Vec<f64>,
     /// Values up to this are what rounding leaves of 0.
     pub rounding: f64,
-    /// About how high it is drawn, points.
+    /// About how high the chart is drawn, points.
     pub height: f32,
 }
 
