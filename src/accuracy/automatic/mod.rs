@@ -37,7 +37,7 @@ const EXPECTED_FAR_WORSE: f64 = 5.0;
 pub struct Sight<'a> {
     /// Scene that is seen.
     pub scene: &'a PreparedScene,
-    /// One of the views of the picture.
+    /// The view that is drawn, of those of the frame.
     pub view: &'a View,
     /// Number of pixels of all views.
     pub pixels: f64,
