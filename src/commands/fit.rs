@@ -95,7 +95,7 @@ const TOLD_AFTER: f64 = 1.0;
 fn replicates(text: &str) -> Result<usize, String> {
     match text.parse() {
         Ok(number @ (0 | 2..=MOST_REPLICATES)) => Ok(number),
-        _ => Err(format!("not 0, nor a number from 2 to {MOST_REPLICATES}")),
+        _ => Err(format!("must be 0, or a number from 2 to {MOST_REPLICATES}")),
     }
 }
 

@@ -197,7 +197,7 @@ impl RectifyArgs {
     }
 
     fn not_recorded(&self, flags: &str) -> anyhow::Error {
-        anyhow::anyhow!("{}: it does not record {flags}, which is needed then", files::shown(&self.image))
+        anyhow::anyhow!("{}: it does not record {flags}, which must then be given", files::shown(&self.image))
     }
 
     /// The command that corrects the picture again, with the camera that took the corrected one.

@@ -225,7 +225,7 @@ impl Simulated {
             (false, ..) => Some("the ride changes its speed, and a fit needs one that coasts"),
             (_, Some(_), _) => Some("the point turns, and a fit of a ride needs one that does not"),
             (.., false) => {
-                Some("a fit of a ride takes eyes that look along the street: turn the head by −90°")
+                Some("a fit of a ride needs eyes that look along the street: turn the head by −90°")
             }
             _ => None,
         };

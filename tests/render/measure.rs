@@ -290,7 +290,7 @@ fn photographs_that_record_nothing_are_measured_by_flags() {
     let complaint = complaint_of(folder.path(), &measure);
     assert!(
         complaint.ends_with(
-            "frame_00000.png: it does not record --layout, --gaze, --fov, --time, --d, which is needed then\n"
+            "frame_00000.png: it does not record --layout, --gaze, --fov, --time, --d, which must then be given\n"
         ),
         "{complaint}"
     );

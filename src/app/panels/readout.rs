@@ -151,7 +151,7 @@ fn stereo(ui: &mut Ui, state: &State) {
         let gain = number_text::fixed_or_none(found.map(|found| found.gain), 3);
         named_text(ui, gain.as_str(), format!("Stereo gain: {gain}")).on_hover_text(GAIN_TIP);
         ui.add_space(6.0);
-        ui.label(RichText::new(unit.label("stereo position")).color(colour)).on_hover_text(STEREO_TIP);
+        ui.label(RichText::new(unit.label("position")).color(colour)).on_hover_text(STEREO_TIP);
         for (axis, name) in AXES.into_iter().enumerate() {
             let value = found.map_or(f64::NAN, |found| found.position[axis]);
             let name = format!("Stereo {name}: {}", unit.text(value, 2));
@@ -179,8 +179,9 @@ const GAIN_TIP: &str = "A resting point in the same place would look as differen
     as far apart.\n(X left − X right)/d, near γD; with the head tilted or turned: the component of the \
     parallax along that of a resting point, divided by that.";
 
-const STEREO_TIP: &str = "Where the lines of sight of both eyes meet: where two eyes place the point. x, \
-    y, z from the middle between the eyes. Two eyes see the contraction, as depth.";
+const STEREO_TIP: &str = "The stereo position: where the lines of sight of both eyes meet, and so where \
+    two eyes place the point. x, y, z from the middle between the eyes. Two eyes see the contraction, as \
+    depth.";
 
 /// The title, which folds the table away.
 fn fold(ui: &mut Ui, state: &State, commands: &mut Commands) {

@@ -237,7 +237,7 @@ impl TakenArgs {
         }
         anyhow::ensure!(
             missing.is_empty(),
-            "it does not record {}, which is needed then",
+            "it does not record {}, which must then be given",
             missing.join(", ")
         );
         Ok(settings)

@@ -313,7 +313,7 @@ fn animation(block: &Block) -> Result<Animation, Wrong> {
     }
     match ends[..] {
         [to] => Ok(Animation { to, seconds }),
-        _ => Err((block.line, "what plays goes to one of: time, beta, gamma, rapidity".to_owned())),
+        _ => Err((block.line, "a block ```play sets one of: time, beta, gamma, rapidity".to_owned())),
     }
 }
 

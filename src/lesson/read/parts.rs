@@ -143,7 +143,7 @@ impl Part {
             if !allowed.contains(&kind) {
                 return Err((
                     number,
-                    format!("a block ```{kind} cannot stand here, but ```{}", allowed.join(", ```")),
+                    format!("a block ```{kind} cannot stand here; these can: ```{}", allowed.join(", ```")),
                 ));
             }
             if blocks.iter().any(|block| block.kind == kind) {

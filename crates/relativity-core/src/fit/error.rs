@@ -130,7 +130,7 @@ fn spread(standard_error: f64) -> String {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum NotConverged {
     /// None of the objects tried at first shows finite disparities.
-    #[error("no object to start from has finite disparities")]
+    #[error("no starting point of the search has finite disparities")]
     NoStart,
     /// The sum of squares was still falling.
     #[error("after {evaluations} evaluations of the curves the sum of squares still falls")]
