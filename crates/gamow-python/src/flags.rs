@@ -54,9 +54,8 @@ fn wrong(keyword: &str, right: &str) -> PyErr {
 
 /// Writes a value in the spelling of a flag: a number by the shortest digits that read back to it, a list with commas.
 fn text(keyword: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
-    if let Ok(path) = value.extract::<PathBuf>() {
-        let path = path.into_os_string().into_string();
-        return path.map_err(|_| wrong(keyword, "text in UTF-8"));
+    if let Some(text) = word(keyword, value)? {
+        return Ok(text);
     }
     if value.is_instance_of::<PyBool>() {
         return Ok(if value.is_truthy()? { "on" } else { "off" }.to_owned());
@@ -80,6 +79,22 @@ fn text(keyword: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
         texts.push(text(keyword, &item)?);
     }
     Ok(texts.join(","))
+}
+
+/// Returns the text that `value` is, or the path that it stands for, as `Scene` and those of `pathlib` do.
+///
+/// # Errors
+///
+/// Why a path cannot be given, or is no text.
+pub fn word(keyword: &str, value: &Bound<'_, PyAny>) -> PyResult<Option<String>> {
+    if let Ok(text) = value.extract::<String>() {
+        return Ok(Some(text));
+    }
+    if !value.hasattr("__fspath__")? {
+        return Ok(None);
+    }
+    let path = value.extract::<PathBuf>()?.into_os_string().into_string();
+    path.map(Some).map_err(|_| wrong(keyword, "text in UTF-8"))
 }
 
 /// The most items of a list: observation times of as many files.

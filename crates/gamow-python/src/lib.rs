@@ -14,7 +14,9 @@ mod flags;
 mod pictures;
 mod points;
 mod readings;
+mod scene;
 mod state;
+mod tables;
 
 use pyo3::prelude::*;
 
@@ -30,6 +32,8 @@ mod python {
     use super::points::{curve, disparity, sightings, stereo};
     #[pymodule_export]
     use super::readings::fit;
+    #[pymodule_export]
+    use super::scene::Scene;
     #[pymodule_export]
     use super::state::State;
 

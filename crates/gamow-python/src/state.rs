@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use gamow::settings::{Settings, StartArgs, is_link};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyBytes, PyDict, PyInt, PyType};
-use toml::{Table, Value};
+use pyo3::types::{PyBytes, PyDict, PyType};
+use toml::Table;
 
 use crate::errors::{of_command, value_error};
 use crate::flags::parsed;
-use crate::pictures;
+use crate::{pictures, tables};
 
 /// The state of the program: everything that decides what a picture shows. In a notebook it shows its picture.
 ///
@@ -119,48 +119,12 @@ fn started(source: &Bound<'_, PyAny>) -> PyResult<(Settings, Option<PathBuf>)> {
 
 /// The settings in a dict, in sections or not.
 fn table(settings: &Bound<'_, PyDict>) -> PyResult<Table> {
-    let mut table = Table::new();
     for (key, value) in settings {
-        let key: String = key.extract().map_err(|_| value_error("the keys of a state are text"))?;
-        let value = match value.cast::<PyDict>() {
-            Ok(section) if holds_a_section(section) => {
-                return Err(value_error(format_args!("{key}: a section holds settings, and no sections")));
-            }
-            Ok(section) => Value::Table(self::table(section)?),
-            Err(_) => value_of(&key, &value)?,
-        };
-        table.insert(key.replace('_', "-"), value);
-    }
-    Ok(table)
-}
-
-/// Whether a section holds a section.
-fn holds_a_section(section: &Bound<'_, PyDict>) -> bool {
-    section.values().iter().any(|value| value.is_instance_of::<PyDict>())
-}
-
-fn value_of(key: &str, value: &Bound<'_, PyAny>) -> PyResult<Value> {
-    if value.is_instance_of::<PyBool>() {
-        return Ok(Value::Boolean(value.is_truthy()?));
-    }
-    if let Ok(text) = value.extract::<String>() {
-        return Ok(Value::String(text));
-    }
-    if value.is_instance_of::<PyInt>()
-        && let Ok(integer) = value.extract::<i64>()
-    {
-        return Ok(Value::Integer(integer));
-    }
-    if let Ok(number) = value.extract::<f64>() {
-        return Ok(Value::Float(number));
-    }
-    let wrong = || value_error(format_args!("{key}: must be a number, a word or a list of them"));
-    let items: Vec<Bound<'_, PyAny>> = value.extract().map_err(|_| wrong())?;
-    let item = |item: &Bound<'_, PyAny>| {
-        if item.hasattr("__iter__")? && item.extract::<String>().is_err() {
-            return Err(wrong());
+        let is_section = |value: &Bound<'_, PyAny>| value.is_instance_of::<PyDict>();
+        if value.cast::<PyDict>().is_ok_and(|section| section.values().iter().any(|value| is_section(&value)))
+        {
+            return Err(value_error(format_args!("{key}: a section holds settings, and no sections")));
         }
-        value_of(key, item)
-    };
-    Ok(Value::Array(items.iter().map(item).collect::<PyResult<_>>()?))
+    }
+    tables::table(settings, |key| key.replace('_', "-"))
 }

@@ -84,7 +84,7 @@ def test_arrays_that_cannot_be_filled_are_refused():
     (gamow.State, ["beta = 3\n"], {}, "state:1: unknown setting `beta`"),
     (gamow.State, [{"motion": {"beta": 3}}], {}, "state:2: beta = 3 is out of range"),
     (gamow.State, [{"motion": {"beta": {}}}], {}, "motion: a section holds settings, and no sections"),
-    (gamow.State, [{1: 2}], {}, "the keys of a state are text"),
+    (gamow.State, [{1: 2}], {}, "the keys of a dict must be text"),
     (gamow.State, [7], {}, "a state is a name, a path, a link, TOML text, a dict or a State"),
     (gamow.render, [], {"size": "0x0"}, "size = 0x0"),
     (gamow.render, [], {"renderer": "packets", "geometry": "published"}, "--geometry published is defined point by point"),
@@ -145,3 +145,13 @@ def test_no_state_crashes(source, changed):
 @given(st.dictionaries(st.sampled_from(["beta", "d", "y", "z", "x0", "from_", "to", "stereo", "model", "roll", "rho"]), VALUES))
 def test_no_curve_crashes(flags):
     is_survived(gamow.curve, **(flags | {"samples": 3}))
+
+
+OBJECTS = st.dictionaries(st.sampled_from(["name", "shape", "center", "radius", "repeat", "step", "light", "hub"]), VALUES)
+
+
+@FUZZ
+@given(VALUES, st.dictionaries(st.sampled_from(["name", "object", "wheel", "group", "include", "street"]), VALUES | st.lists(OBJECTS, max_size=2)))
+def test_no_scene_crashes(source, changed):
+    is_survived(gamow.Scene, source)
+    is_survived(gamow.Scene, {"name": "Ball"} | changed)

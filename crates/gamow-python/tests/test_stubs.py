@@ -20,8 +20,9 @@ def test_every_name_has_a_stub_and_a_docstring():
     assert public == set(functions) | set(classes)
     for name, node in (functions | classes).items():
         assert ast.get_docstring(node) and getattr(gamow, name).__doc__, name
-    methods = {node.name for node in classes["State"].body if isinstance(node, ast.FunctionDef)}
-    assert {name for name in vars(gamow.State) if not name.startswith("__")} <= methods
+    for name, node in classes.items():
+        methods = {node.name for node in node.body if isinstance(node, ast.FunctionDef)}
+        assert {method for method in vars(getattr(gamow, name)) if not method.startswith("__")} <= methods
 
 
 @pytest.mark.parametrize("name", POINTS)

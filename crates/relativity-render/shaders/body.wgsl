@@ -1,5 +1,8 @@
 // A body, and where a ray meets it. Each shape has `middle(body)`, `around(body)` and `surface(body, ray)`.
 
+// Whether bodies may be thinner than a pixel: then they are drawn a pixel wide and faded instead.
+override THIN: bool;
+
 struct Body {
     // From the middle of its group: its centre, or one end of a tube.
     place: vec3f,

@@ -1,8 +1,5 @@
 // One bounding rectangle per piece of a body; the ray test runs in the fragment stage and gives the depth.
 
-// Whether bodies may be thinner than a pixel: then they are drawn a pixel wide and faded instead.
-override THIN: bool;
-
 struct Piece {
     // Rectangle in the picture (clip coordinates): centre and first half axis.
     @location(0) place: vec4f,

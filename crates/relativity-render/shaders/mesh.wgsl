@@ -17,8 +17,8 @@ struct Instance {
     @location(4) turn: vec4f,
     // As `received_colour` takes it.
     @location(5) light: vec4f,
-    // How much of a pixel a body thinner than one covers, its brightness, and its number.
-    @location(6) cover_brightness_index: vec3f,
+    // Half the least width that the body is seen with, its brightness, and its number.
+    @location(6) width_brightness_index: vec3f,
     // As `mark` reads it.
     @location(7) pattern: vec3f,
     // The `Spin`.
@@ -37,7 +37,7 @@ struct Fragment {
     @location(2) apparent: vec3f,
     @location(3) doppler: f32,
     @location(4) @interpolate(flat) light: vec4f,
-    @location(5) @interpolate(flat) cover_brightness_index: vec3f,
+    @location(5) @interpolate(flat) width_brightness_index: vec3f,
     @location(6) @interpolate(flat) place_radius: vec4f,
     @location(7) @interpolate(flat) form: vec4f,
     @location(8) @interpolate(flat) turn: vec4f,
@@ -47,6 +47,8 @@ struct Fragment {
     // How much of the corners is far to the left of the body's axis, and to the right, seen along the baseline; and which copy
     // this is.
     @location(12) ends: vec3f,
+    // Half the width that the corners are drawn with: that of a pixel at least, if the body may be thinner.
+    @location(13) drawn_half_width: f32,
 }
 
 struct Sighting {
@@ -108,14 +110,49 @@ fn mapped_along_x(c: vec3f) -> Sighting {
     }
 }
 
+// A corner of `body` from the group's middle, when it is shown.
+fn shown_corner(corner: Corner, body: Body, spin: Spin) -> Shape {
+    let own = corner_place(corner, body);
+    return corner_when_shown(middle(body) + own.place, own.normal, spin);
+}
+
+fn sighting_from_middle(place: vec3f) -> Sighting {
+    return mapped(frame.middle.xyz + (frame.middle_fine.xyz + place));
+}
+
+// Half the size of a pixel at what appears at `position`: away from the axis of a flat picture nothing is smaller than on
+// it, as deep; in a conformal one, as far from the baseline.
+fn half_pixel_at(position: vec3f) -> f32 {
+    let depth = dot(position, frame.forward.xyz);
+    if CONFORMAL {
+        let rise = dot(position, frame.clip_up.xyz);
+        let largest = max(max(abs(depth), abs(rise)), 1e-30);
+        return 0.5 * frame.base.w * largest * length(vec2f(depth, rise) / largest);
+    }
+    return 0.5 * length(frame.right.xyz) * max(depth, 0.0);
+}
+
+// The body that has half this width where it is drawn wider than it is: a long one may be thinner than a pixel at one end
+// alone.
+fn widened(body: Body, half_width: f32, drawn_half_width: f32) -> Body {
+    let radius = select(body.radius, drawn_half_width, half_width < drawn_half_width);
+    return Body(body.place, radius, body.form, body.turn);
+}
+
 @vertex
 fn corner(corner: Corner, instance: Instance) -> Fragment {
-    let body = Body(instance.place_radius.xyz, instance.place_radius.w, instance.form, instance.turn);
+    var body = Body(instance.place_radius.xyz, instance.place_radius.w, instance.form, instance.turn);
     let spin = spin_of(instance.spin, instance.rim);
-    let own = corner_place(corner, body);
-    let shape = corner_when_shown(middle(body) + own.place, own.normal, spin);
+    var shape = shown_corner(corner, body, spin);
+    var seen = sighting_from_middle(shape.place);
+    var drawn_half_width = instance.width_brightness_index.x;
+    if THIN {
+        drawn_half_width = max(drawn_half_width, half_pixel_at(seen.position));
+        body = widened(body, instance.width_brightness_index.x, drawn_half_width);
+        shape = shown_corner(corner, body, spin);
+        seen = sighting_from_middle(shape.place);
+    }
     let place = shape.place - middle(body);
-    var seen = mapped(frame.middle.xyz + (frame.middle_fine.xyz + shape.place));
     if TURNS != 0u && MAP == 3u {
         let earlier = corner_seen_earlier(shape.place, spin);
         seen = sighting(reflected(earlier.from_camera, frame.motion.x));
@@ -136,7 +173,7 @@ fn corner(corner: Corner, instance: Instance) -> Fragment {
         seen.position,
         seen.doppler,
         instance.light,
-        instance.cover_brightness_index,
+        instance.width_brightness_index,
         instance.place_radius,
         instance.form,
         instance.turn,
@@ -144,6 +181,7 @@ fn corner(corner: Corner, instance: Instance) -> Fragment {
         instance.spin,
         instance.rim,
         place_in_picture.ends,
+        drawn_half_width,
     );
 }
 
@@ -319,7 +357,19 @@ fn touching_ray(straight: Ray, distance: f32) -> Ray {
 }
 
 fn body_of(fragment: Fragment) -> Body {
-    return Body(fragment.place_radius.xyz, fragment.place_radius.w, fragment.form, fragment.turn);
+    let body = Body(fragment.place_radius.xyz, fragment.place_radius.w, fragment.form, fragment.turn);
+    if THIN {
+        return widened(body, fragment.width_brightness_index.x, fragment.drawn_half_width);
+    }
+    return body;
+}
+
+// How much of a pixel a body covers that is thinner than one.
+fn cover(fragment: Fragment) -> f32 {
+    if THIN {
+        return min(fragment.width_brightness_index.x / max(fragment.drawn_half_width, 1e-30), 1.0);
+    }
+    return 1.0;
 }
 
 struct Picture {
@@ -333,7 +383,7 @@ fn picture(fragment: Fragment) -> Picture {
     let turning = spin_of(fragment.spin, fragment.rim);
     let facing = facing_of(body_of(fragment), measure.place, measure.normal, turning);
     var colour = received_colour(fragment.light, measure.doppler, measure.normal, facing, fragment.position.xy)
-        * fragment.cover_brightness_index.y;
+        * fragment.width_brightness_index.y;
     if PATTERNS {
         let spin = spin_of(fragment.spin, fragment.rim);
         let there = standing(body_of(fragment), measure.place, spin);
@@ -349,7 +399,7 @@ fn picture(fragment: Fragment) -> Picture {
     if fragment.apparent.z < frame.ground.z || is_of_other_copy(fragment) {
         discard;
     }
-    return Picture(vec4f(colour, 1.0) * fragment.cover_brightness_index.x, measure.depth);
+    return Picture(vec4f(colour, 1.0) * cover(fragment), measure.depth);
 }
 
 // Floats as their bits: OpenGL ES does not draw to 32-bit floats.
@@ -368,7 +418,7 @@ fn hits(fragment: Fragment) -> Hit {
     let measure = measure(fragment);
     return Hit(
         bitcast<vec4u>(
-            vec4f(fragment.cover_brightness_index.z, measure.distance, measure.doppler, 1.0),
+            vec4f(fragment.width_brightness_index.z, measure.distance, measure.doppler, 1.0),
         ),
         bitcast<vec4u>(vec4f(
             place_of_hit(body_of(fragment), measure.place, spin_of(fragment.spin, fragment.rim)),

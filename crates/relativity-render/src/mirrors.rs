@@ -72,7 +72,7 @@ pub const VERTICES: [VertexMirror; 3] = [
     },
     VertexMirror { mirror: mirror!(Corner: profile, turn), layout: Corner::LAYOUT },
     VertexMirror {
-        mirror: mirror!(Instance: place_radius, form, turn, light, cover_brightness_index, pattern, spin, rim, copy),
+        mirror: mirror!(Instance: place_radius, form, turn, light, width_brightness_index, pattern, spin, rim, copy),
         layout: Instance::LAYOUT,
     },
 ];

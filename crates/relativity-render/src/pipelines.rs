@@ -99,8 +99,8 @@ pub struct Technique {
     pub primitive: wgpu::PrimitiveState,
     /// Entry point of the fragment stage of a picture.
     pub picture: &'static str,
-    /// The constant that no other technique's shaders have.
-    pub constant: fn(Key) -> Constant,
+    /// The constant that no other technique's shaders have, if there is one.
+    pub constant: Option<fn(Key) -> Constant>,
 }
 
 impl Technique {
@@ -117,14 +117,14 @@ impl Technique {
 
     /// Returns all constants of the shaders.
     pub fn constants(&self, key: Key) -> Vec<Constant> {
-        let (effects, is_patterned) = match key.output {
-            Output::Picture { effects, is_patterned, .. } => (effects, is_patterned),
-            Output::Hits => (Effects::NONE, false),
+        let (effects, is_thin, is_patterned) = match key.output {
+            Output::Picture { effects, is_thin, is_patterned } => (effects, is_thin, is_patterned),
+            Output::Hits => (Effects::NONE, false, false),
         };
         let alone = AmongOthers { is_reference: true, reference: key.geometry };
         let others = key.among_others.unwrap_or(alone);
         let mut constants = vec![
-            (self.constant)(key),
+            ("THIN", number(is_thin)),
             key.turns.constant(),
             ("GEOMETRY", key.geometry.number()),
             ("CONFORMAL", number(key.is_conformal)),
@@ -132,6 +132,7 @@ impl Technique {
             ("IS_REFERENCE", number(others.is_reference)),
             ("REFERENCE_GEOMETRY", others.reference.number()),
         ];
+        constants.extend(self.constant.map(|constant| constant(key)));
         constants.extend(effects.constants());
         constants.extend(shade::constants());
         constants.extend(tone::constants());

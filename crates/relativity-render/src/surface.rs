@@ -1,5 +1,7 @@
 //! The surfaces of shapes over two parameters: what triangles are corners of, and how they are turned.
 
+use std::f64::consts::FRAC_PI_2;
+
 use glam::{DQuat, DVec3};
 use relativity_core::math;
 
@@ -78,6 +80,28 @@ impl Surface {
                 Self::Cylinder(CylinderSurface { center: 0.5 * (from + to), turn, half_length, radius })
             }
         }
+    }
+}
+
+impl Surface {
+    /// Returns places of which one is about as far away as the farthest of the surface: both ends of a tube or cylinder, four
+    /// places of a ring, the corners of a box.
+    pub fn ends(&self) -> impl Iterator<Item = DVec3> {
+        let place = |i: u32| {
+            let sign = |bit: u32| if i & bit == 0 { -1.0 } else { 1.0 };
+            match self {
+                Self::Tube(tube) => tube.side(sign(1), 0.0),
+                Self::Ring(ring) => ring.at(FRAC_PI_2 * f64::from(i), 0.0),
+                Self::Box(surface) => surface.at(DVec3::new(sign(1), sign(2), sign(4))),
+                Self::Cylinder(cylinder) => cylinder.at(sign(1), 0.0, 0.0),
+            }
+        };
+        let count = match self {
+            Self::Tube(_) | Self::Cylinder(_) => 2,
+            Self::Ring(_) => 4,
+            Self::Box(_) => 8,
+        };
+        (0..count).map(place)
     }
 }
 

@@ -23,6 +23,7 @@ fn main() -> ExitCode {
         ("rides_are_the_references", rides_are_the_references),
         ("hoops_are_seen_from_within", hoops_are_seen_from_within),
         ("edges_are_the_references_on_average", edges_are_the_references_on_average),
+        ("long_bodies_narrow_into_the_distance", long_bodies_narrow_into_the_distance),
         ("every_speed_gives_a_picture", every_speed_gives_a_picture),
     ])
 }
@@ -246,6 +247,61 @@ fn edges_are_the_references_on_average(renderers: &mut Renderers) {
     for found in [rays, packets] {
         assert!((found / expected - 1.0).abs() < LIGHT_SHARE, "{found} for {expected}");
     }
+}
+
+/// Side of the squares in which light is summed, px; and the most light by which they may differ, in pixels that are lit in full:
+/// of long bodies, which four samples a pixel meet as chance has it.
+const SQUARE: usize = 8;
+const LIGHT_OFF: f64 = 1.0;
+
+/// Bodies several pixels wide at one end, and thinner than a pixel at the other: a rail, a plank, and hoops seen from within.
+fn long_bodies_narrow_into_the_distance(renderers: &mut Renderers) {
+    let shapes = [
+        Shape::Tube { from: [-1.0, 1.5, -1.0], to: [-1.0, 20.0, -1.0], radius: 0.05 },
+        Shape::Cylinder { from: [1.0, 1.5, -1.0], to: [1.0, 20.0, -1.0], radius: 0.05 },
+        Shape::Box { center: [0.0, 11.0, -0.9], half: [0.04, 9.0, 0.05], turn: [0.0, 0.0, 0.0, 1.0] },
+        Shape::Ring { center: [0.0, 21.0, 1.5], axis: [0.0, 0.0, 1.0], radius: 19.0, tube_radius: 0.05 },
+    ];
+    let bodies = shapes.map(|shape| Body::new(shape, 600.0));
+    let scene = PreparedScene::new([Group { motion: Motion::Own(Velocity::REST), bodies: &bodies }]);
+    let look = Appearance {
+        intensity_exponent: None,
+        doppler_shift: false,
+        shading: Shading::Emission,
+        sky: false,
+        ..Appearance::default()
+    };
+    for beta in [0.0, 0.6, -0.6] {
+        let camera = Camera::new(Aperture::default(), Gaze::along([0.0, 1.0, 0.0]), 1.6, [160, 120]);
+        let camera = Camera { velocity: Velocity::from_beta(beta).expect("a speed"), ..camera };
+        let view = View { camera, speed: Speed::REST, observation_time: 0.0, geometry: Geometry::Seen };
+        let mut squares = |method, rays| {
+            light_in_squares(&renderers.picture(method, &scene, &view, &look, rays).expect("device works"))
+        };
+        let truth = squares(Method::Reference, 4);
+        for method in [Method::Rays, Method::Packets, Method::Mesh { bound_px: 0.5 }] {
+            let drawn = squares(method, 1);
+            let off =
+                drawn.iter().zip(&truth).map(|(drawn, truth)| (drawn - truth).abs()).fold(0.0, f64::max);
+            assert!(off <= LIGHT_OFF, "{method} at {beta}: {off} pixels' light off in a square");
+        }
+    }
+}
+
+/// Sums of linear light in squares, in pixels of the brightest.
+fn light_in_squares(picture: &Picture) -> Vec<f64> {
+    let [width, height] = picture.size.map(|v| v as usize);
+    let lit = |i: usize| {
+        picture.rgba[i][..3].iter().map(|level| (f64::from(*level) / 255.0).powf(2.2)).sum::<f64>()
+    };
+    let whole = (0..picture.rgba.len()).map(lit).fold(0.0, f64::max);
+    let mut squares = vec![0.0; (width / SQUARE) * (height / SQUARE)];
+    for v in 0..height {
+        for u in 0..width {
+            squares[v / SQUARE * (width / SQUARE) + u / SQUARE] += lit(v * width + u) / whole;
+        }
+    }
+    squares
 }
 
 /// Sum of linear light.

@@ -237,3 +237,42 @@ class State:
     def render(self, *, channels: bool = False) -> Any:
         """The picture, or what its pixels show: see `gamow.render`."""
     def _repr_png_(self) -> bytes: ...
+
+class Scene:
+    """A scene: the bodies that ride past, their names, and the groups in which they move.
+
+    Args:
+        source: name of a preset ('cyclist'); path of a scene file; TOML text; a dict as in TOML, such as
+            {'name': 'Ball', 'object': [{'shape': 'sphere', 'center': (0, 3, 2), 'radius': 0.5}]}; another Scene. The street
+            without it.
+
+    Lengths are in the scene's unit, places in the rest frame of their group. `State(scene=scene)` shows it; one from text or a
+    dict must be saved before.
+
+    Raises:
+        ValueError: a file that breaks a rule of the format, with its line; a preset that does not exist.
+    """
+
+    def __init__(self, source: Scene | _Path | Mapping[str, Any] | None = None, /) -> None: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    @property
+    def name(self) -> str:
+        """The name of the scene, as the window shows it."""
+    @property
+    def metres(self) -> float | None:
+        """How many metres a unit of length is; None if the scene leaves it open."""
+    @property
+    def objects(self) -> list[str]:
+        """The names of all bodies: the one at index i has the number i in the channels left.id and right.id."""
+    @property
+    def groups(self) -> list[tuple[str, list[int]]]:
+        """The groups in the order of the channels left.group and right.group: the name of each, and the numbers of its bodies."""
+    def place(self, object: str | int | None = None, /) -> list[float]:
+        """The place [x, y, z] of a point at rest in the frame of its group.
+
+        It is the forward-most point of the body of this name or number, the one that is selected at first without one. On the
+        ground x0 is x/gamma.
+        """
+    def save(self, path: _Path) -> Scene:
+        """Writes a scene from text or a dict as a scene file, whole or not at all, and returns the scene in that file."""
+    def __fspath__(self) -> str: ...

@@ -51,7 +51,7 @@ pub const TECHNIQUE: Technique = Technique {
     buffers: &[Some(Corner::LAYOUT), Some(Instance::LAYOUT)],
     primitive: wgpu::PrimitiveState { cull_mode: Some(wgpu::Face::Back), ..Technique::TRIANGLES },
     picture: "picture",
-    constant: |key| ("MAP", key.geometry.map_number()),
+    constant: Some(|key| ("MAP", key.geometry.map_number())),
 };
 
 impl MeshRenderer {

@@ -16,7 +16,7 @@ use crate::intersect::Solid;
 use crate::prepared_body::{Joint, Placement, PreparedBody};
 use crate::view::Geometry;
 use crate::wheel::packed::{TurningStart, Turns};
-use crate::wheel::spin::{MaterialPoint, Spin};
+use crate::wheel::spin::MaterialPoint;
 
 /// Mirror of the shaders' `Instance`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
@@ -26,7 +26,7 @@ pub struct Instance {
     pub form: [f32; 4],
     pub turn: [f32; 4],
     pub light: [f32; 4],
-    pub cover_brightness_index: [f32; 3],
+    pub width_brightness_index: [f32; 3],
     pub pattern: [f32; 3],
     pub spin: [f32; 4],
     pub rim: [f32; 2],
@@ -41,6 +41,8 @@ struct Part {
     /// The number of its group.
     group: usize,
     joint: Joint,
+    /// Whether it is thinner than a pixel somewhere, in a picture.
+    is_thin: bool,
     is_patterned: bool,
     turns: Turns,
     /// In a conformal picture.
@@ -79,16 +81,14 @@ impl Parts {
                 || !projections[body.group].hides(middle, radius)
         };
         let part = |body: &PreparedBody| {
-            let (instance, view) = (Instance::new(body, shot), &divided_for[body.group]);
+            let view = &divided_for[body.group];
+            let half_width = half_width(body, scene.solid(body.number), view);
             Part {
                 division: division(body, view, bound_px),
-                instance: if appearance.is_some() {
-                    instance.widened(scene.solid(body.number), body.spin, view)
-                } else {
-                    instance
-                },
+                instance: Instance::new(body, half_width, shot),
                 group: body.group,
                 joint: body.joint,
+                is_thin: appearance.is_some() && half_width < half_pixel(body, view),
                 is_patterned: body.is_patterned,
                 turns: view.turns(body),
                 around: maps[body.group].map(|mercator| {
@@ -130,25 +130,17 @@ impl Part {
 
     /// Returns the properties that a part shares with those drawn by the same draw.
     fn common(&self) -> Trait<Division> {
-        let Self { division, group, is_patterned, turns, .. } = *self;
-        Trait {
-            group,
-            kind: division.kind(),
-            template: division,
-            is_thin: self.instance.cover_brightness_index[0] < 1.0,
-            is_patterned,
-            turns,
-        }
+        let Self { division, group, is_thin, is_patterned, turns, .. } = *self;
+        Trait { group, kind: division.kind(), template: division, is_thin, is_patterned, turns }
     }
 
     /// Returns the place of a part in the order: faded ones last; group by group; in the bodies' order where surfaces may coincide, so
     /// that the first of them stays, and else those of one division together, which saves a draw for each.
     fn rank(&self) -> (bool, usize, Option<(bool, Turns, Division)>, u32) {
-        let Trait { is_thin, .. } = self.common();
-        let is_joined = if is_thin { self.joint.widened } else { self.joint.as_it_is };
-        let [_, _, index] = self.instance.cover_brightness_index;
+        let is_joined = if self.is_thin { self.joint.widened } else { self.joint.as_it_is };
+        let [_, _, index] = self.instance.width_brightness_index;
         (
-            is_thin,
+            self.is_thin,
             self.group,
             (!is_joined).then_some((self.is_patterned, self.turns, self.division)),
             index as u32,
@@ -167,40 +159,41 @@ impl Instance {
         ],
     };
 
-    fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
+    fn new(body: &PreparedBody, half_width: f64, shot: &Shot<'_>) -> Self {
         let TurningStart { placement: Placement { place_radius, form, turn }, spin, rim } = shot.shown(body);
         Self {
             place_radius,
             form,
             turn,
             light: shot.light(body),
-            cover_brightness_index: [1.0, body.brightness as f32, body.index()],
+            width_brightness_index: [half_width as f32, body.brightness as f32, body.index()],
             pattern: body.pattern(),
             spin,
             rim,
             copy: FLAT,
         }
     }
+}
 
-    /// Drawn at least a pixel wide: thinner, it is faded instead of broken up.
-    fn widened(self, solid: &Solid, spin: Option<Spin>, view: &GroupView) -> Self {
-        let center = view.place_when_shown(MaterialPoint { rest: solid.center(), spin });
-        // Away from the axis of a flat picture nothing is smaller than on it, as deep; in a conformal one, as far from the
-        // baseline.
-        let axes = view.camera.axes();
-        let is_conformal = view.camera.mercator().is_some();
-        let depth = view.apparent_position(center).map_or(f64::INFINITY, |place| {
+/// Returns half the least width that `body` is seen with, in the direction of its middle.
+fn half_width(body: &PreparedBody, solid: &Solid, view: &GroupView) -> f64 {
+    let center = view.place_when_shown(MaterialPoint { rest: solid.center(), spin: body.spin });
+    solid.half_width((center - view.origin).normalize_or(DVec3::Y))
+}
+
+/// Returns half the size of a pixel where `body` is farthest: infinite outside the domain of the core. The shader finds the same
+/// at each corner.
+fn half_pixel(body: &PreparedBody, view: &GroupView) -> f64 {
+    let axes = view.camera.axes();
+    let is_conformal = view.camera.mercator().is_some();
+    // Away from the axis of a flat picture nothing is smaller than on it, as deep; in a conformal one, as far from the
+    // baseline.
+    let depth = |place: DVec3| {
+        view.apparent_position(view.corner(body, place)).map_or(f64::INFINITY, |place| {
             let depth = place.dot(axes.forward);
             if is_conformal { hypot(depth, place.dot(axes.up)) } else { depth }
-        });
-        let [x, y, z, _] = self.place_radius;
-        let half_width = solid.half_width((center - view.origin).normalize_or(DVec3::Y)) as f32;
-        let half_pixel = (0.5 * depth / view.camera.focal_length_px()) as f32;
-        if half_width >= half_pixel {
-            return self;
-        }
-        let [_, brightness, index] = self.cover_brightness_index;
-        let cover_brightness_index = [half_width / half_pixel, brightness, index];
-        Self { place_radius: [x, y, z, half_pixel], cover_brightness_index, ..self }
-    }
+        })
+    };
+    let farthest = body.surface().ends().map(depth).fold(0.0, f64::max);
+    0.5 * farthest / view.camera.focal_length_px()
 }

@@ -6,6 +6,8 @@ use crate::lanes::{F, Mask, Simd, SimdFloat, SimdMask, V3, all, no, select};
 
 /// Reached only where the ray grazes within rounding.
 const MAX_STEPS: u32 = 32;
+/// Least F'' that the search for the least F goes by.
+const LEAST_SECOND: f32 = 0.02;
 
 struct Course<S: Simd> {
     /// rho^2 = a s^2 + 2 b s + c, z = height + s slope.
@@ -151,12 +153,12 @@ pub fn surface<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
         search.value = select(search.found, search.value, at_level.value);
     }
     // How deep inside the outline: the least F of this passage, by Newton's method.
-    let mut deepest = search;
-    for _ in 0..3 {
-        let at = torus_at(&course, body, deepest.s);
-        deepest.s -= at.first / at.second.max(0.5);
+    let (mut deepest, mut s) = (search, search.s);
+    for _ in 0..4 {
+        let at = torus_at(&course, body, s);
+        deepest = nearer(&deepest, s, at.value);
+        s -= at.first / at.second.max(LEAST_SECOND);
     }
-    deepest = nearer(&search, deepest.s, torus_at(&course, body, deepest.s).value);
     let miss = (deepest.value + body.radius * body.radius).max(0.0).sqrt();
     // What was entered is inside, whatever rounding makes of a graze.
     let inside = body.radius - miss;

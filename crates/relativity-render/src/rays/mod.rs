@@ -8,10 +8,9 @@ mod pieces;
 
 use crate::canvas::Canvas;
 use crate::drawing::{Batches, Drawing, Shot};
-use crate::effects::number;
 use crate::gpu::Gpu;
 use crate::kind::Kind;
-use crate::pipelines::{Output, Pipelines, Technique};
+use crate::pipelines::{Pipelines, Technique};
 use pieces::Pieces;
 pub use pieces::{Bounds, Piece};
 
@@ -33,13 +32,7 @@ pub const TECHNIQUE: Technique = Technique {
         ..Technique::TRIANGLES
     },
     picture: "picture",
-    constant: |key| {
-        let is_thin = match key.output {
-            Output::Picture { is_thin, .. } => is_thin,
-            Output::Hits => false,
-        };
-        ("THIN", number(is_thin))
-    },
+    constant: None,
 };
 
 impl RayRenderer {

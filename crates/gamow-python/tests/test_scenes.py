@@ -1,0 +1,76 @@
+"""Scenes against the command's list of bodies, and in pictures."""
+
+import gamow
+import numpy as np
+import pytest
+
+BALL = {"name": "Ball", "object": [{"name": "ball", "shape": "sphere", "center": (0, 3, 2), "radius": 0.5}]}
+GROUPS = BALL | {"group": [{"name": "wall", "beta": 0, "object": [
+    {"name": "brick", "shape": "box", "center": [0, 9, 0], "size": (40, 1, 40)},
+]}]}
+SMALL = {"renderer": "reference", "samples": 1, "size": "64x48"}
+
+
+@pytest.mark.parametrize("name", ["street", "cyclist", "lattice", "post-office"])
+def test_objects_are_those_that_the_command_lists(gamow_command, name):
+    listed = gamow_command("--list", "--scene", name).splitlines()
+    assert sorted(set(gamow.Scene(name).objects)) == sorted(listed)
+
+
+def test_numbers_in_pictures_are_those_of_the_scene(tmp_path):
+    scene = gamow.Scene(GROUPS).save(tmp_path / "wall.toml")
+    assert scene.name == "Ball" and scene.metres is None
+    assert scene.groups == [("Ball", [0]), ("wall", [1])] and scene.objects == ["ball", "brick"]
+    state = gamow.State(scene=scene, beta=0.5, time=0, gaze=(90, 0), **SMALL)
+    channels = state.render(channels=True)
+    assert set(np.unique(channels["left.id"])) <= {-1, 0, 1} and (channels["left.id"] == 1).any()
+    assert (channels["left.group"] == channels["left.id"]).all()
+
+
+def test_a_place_is_the_forward_most_point():
+    scene = gamow.Scene(BALL)
+    assert scene.place("ball") == scene.place(0) == scene.place() == [0.5, 3, 2]
+
+
+def test_ways_to_give_a_scene_agree(tmp_path):
+    text = 'name = "Ball"\n[[object]]\nname = "ball"\nshape = "sphere"\ncenter = [0, 3, 2]\nradius = 0.5\n'
+    file = tmp_path / "ball.toml"
+    file.write_text(text)
+    saved = gamow.Scene(BALL).save(tmp_path / "saved.toml")
+    scenes = [gamow.Scene(source) for source in (text, file, str(file), saved)]
+    assert all(scene.objects == saved.objects and scene.place() == saved.place() for scene in scenes)
+    pictures = [gamow.render(scene=scene, **SMALL) for scene in (file, saved)]
+    pictures.append(gamow.render({"scene": saved}, **SMALL))
+    assert all((picture == pictures[0]).all() for picture in pictures)
+    assert gamow.Scene() == gamow.Scene("street") != gamow.Scene("cyclist")
+
+
+@pytest.mark.parametrize("source, message", [
+    ("no-such", "no-such"),
+    (1.5, "a scene is a name, a path"),
+    ({}, "name"),
+    ({"name": "Ball", "object": [{"shape": "sphere", "center": (0, 3, 2), "radius": -1}]}, "radius = -1"),
+    ({"name": 1j}, "name: must be a number, a word or a list"),
+    ({1: 2}, "keys of a dict must be text"),
+    ("name = \n", "scene:1"),
+])
+def test_errors_are_one_line(source, message):
+    with pytest.raises(ValueError, match=message) as error:
+        gamow.Scene(source)
+    assert "\n" not in str(error.value)
+
+
+def test_nesting_ends():
+    table = {}
+    table["name"] = table
+    with pytest.raises(ValueError, match="name: must be"):
+        gamow.Scene(table)
+
+
+def test_what_is_not_saved_is_no_file(tmp_path):
+    with pytest.raises(ValueError, match="scene.save"):
+        gamow.State(scene=gamow.Scene(BALL))
+    with pytest.raises(ValueError, match="already"):
+        gamow.Scene("street").save(tmp_path / "street.toml")
+    with pytest.raises(ValueError, match="no body called `wheel`"):
+        gamow.Scene(BALL).place("wheel")
