@@ -12,7 +12,7 @@ use crate::platform::{environment, messages};
 
 /// Interactive stereo viewer of special relativity: what each eye sees, exactly.
 ///
-/// Without a command it opens the window, in which what no flag sets is as it was left.
+/// Without a command it opens the window, as it was left but for what the flags set.
 #[derive(Debug, Parser)]
 #[command(version, before_help = EXAMPLES, after_help = CONVENTIONS, args_conflicts_with_subcommands = true)]
 pub struct Cli {

@@ -41,7 +41,7 @@ pub enum Verdict {
     Comfortable,
     /// Fused with effort.
     Tiring,
-    /// Few can fuse it.
+    /// Few people can fuse the views.
     TooMuch,
 }
 

@@ -3,5 +3,5 @@
 
 /// The colours of the left and the right eye on a dark background, sRGB-encoded.
 pub const ON_DARK: [[u8; 3]; 2] = [[0x56, 0xB4, 0xE9], [0xE6, 0x9F, 0x00]];
-/// The same on a light one, dark enough for writing to be read.
+/// The colours of the left and the right eye on a light background, dark enough for text.
 pub const ON_LIGHT: [[u8; 3]; 2] = [[0x00, 0x6B, 0xA8], [0xB0, 0x4A, 0x00]];

@@ -49,7 +49,7 @@ pub struct Measures {
 }
 
 impl Units {
-    /// These for `scene`: the scene's own where it does not say how long its unit is.
+    /// Returns the measures in these units for `scene`: its own units where it does not say how long one is.
     #[must_use]
     pub fn of(self, scene: &Scene) -> Measures {
         let Some(metres) = scene.metres.filter(|_| self != Self::Natural) else {

@@ -171,13 +171,13 @@ name = "Solids"
 
 [[object]]
 shape = "box"
-center = [0, 3, 0]
+centre = [0, 3, 0]
 size = [1, 1, 1]
 angle = 25
 
 [[object]]
 shape = "box"
-center = [-1.2, 3.5, 0]
+centre = [-1.2, 3.5, 0]
 size = [0.6, 0.05, 1.2]
 axis = [1, 1, 0]
 angle = 40

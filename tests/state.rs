@@ -235,7 +235,7 @@ fn render(folder: &Path, flags: &str) {
 fn pictures_and_files_open_in_the_window_and_in_render_alike() {
     let folder = tempfile::tempdir().expect("there is a place for temporary files");
     let path = |name: &str| folder.path().join(name);
-    let ball = "name = 'Ball'\n[[object]]\nshape = 'sphere'\ncenter = [0.0, 3.0, 0.5]\nradius = 0.4\n";
+    let ball = "name = 'Ball'\n[[object]]\nshape = 'sphere'\ncentre = [0.0, 3.0, 0.5]\nradius = 0.4\n";
     std::fs::write(path("ball.toml"), ball).expect("the folder is writable");
     render(
         folder.path(),

@@ -39,7 +39,7 @@ impl Formula {
     /// Every form and precision.
     pub const ALL: [Self; 4] = [Self::StableF64, Self::StableF32, Self::NaiveF64, Self::NaiveF32];
 
-    /// Largest Lorentz factor it is meant for.
+    /// Largest Lorentz factor that the form is meant for.
     #[must_use]
     pub const fn max_gamma(self) -> f64 {
         match self {

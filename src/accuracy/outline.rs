@@ -142,7 +142,7 @@ pub fn displacement_px<E>(
 struct Strip {
     view: View,
     point: OutlinePoint,
-    /// Picture axis along which it runs: 0 right, 1 down.
+    /// Picture axis along which the strip runs: 0 right, 1 down.
     axis: usize,
     /// Whether the body lies towards larger pixel numbers.
     reversed: bool,
@@ -234,7 +234,7 @@ mod tests {
         points.iter().map(|point| displacement_px(&truth, &view, point, hits).expect("cannot fail")).collect()
     }
 
-    /// Radius of the outline of such a ball: its tangents meet the picture plane there.
+    /// Radius of the outline of the ball in the picture, where its tangents meet the picture plane.
     fn outline_radius_px(radius: f64) -> f64 {
         view().camera.focal_length_px() * (radius / 5.0).asin().tan()
     }

@@ -22,7 +22,7 @@ pub struct PublishedError {
     pub exact_ns: f64,
     /// Angle between the lines of sight of the right eye, arcseconds.
     pub line_of_sight_arcseconds: Option<Spread>,
-    /// The same in the right eye's picture, pixels.
+    /// Distance of the two places in the right eye's picture, pixels.
     pub pixels: Option<Spread>,
 }
 

@@ -23,7 +23,7 @@ use crate::app::state::State;
 pub struct Action {
     /// Name of the action.
     pub name: &'static str,
-    /// The keys that do it, if any.
+    /// The keys for the action, if any.
     pub keys: &'static [KeyboardShortcut],
     /// Command of the action.
     pub command: Command,
@@ -79,7 +79,7 @@ pub static ACTIONS: &[Action] = &[
     action("at rest", &[key(Key::Num3)], Command::Geometry(Geometry::Rest)),
     action("one light cone for both eyes", &[key(Key::Num4)], Command::Geometry(Geometry::OneCone)),
     action(
-        "one eye’s picture beside another of it: as seen, contracted, at rest, D²",
+        "two pictures of one eye: as seen, contracted, at rest, D²",
         &[key(Key::B)],
         Command::NextComparison,
     ),
@@ -93,7 +93,7 @@ pub static ACTIONS: &[Action] = &[
     action("look up", &[], Command::LookAside([0.0, LOOK_STEP])),
     action("look down", &[], Command::LookAside([0.0, -LOOK_STEP])),
     action(
-        "a ruler for angles: the next drag in a view lays it; take it away",
+        "a ruler for angles: the next drag in a view lays it; remove it",
         &[key(Key::R)],
         Command::Ruler(RulerCommand::Toggle),
     ),
@@ -102,17 +102,13 @@ pub static ACTIONS: &[Action] = &[
         &[key(Key::T)],
         Command::Stopwatch(StopwatchCommand::Press),
     ),
-    action(
-        "show the stopwatch, or take it away",
-        &[with_shift(Key::T)],
-        Command::Stopwatch(StopwatchCommand::Toggle),
-    ),
+    action("show or hide the stopwatch", &[with_shift(Key::T)], Command::Stopwatch(StopwatchCommand::Toggle)),
     action("next layout of the two pictures", &[key(Key::L)], Command::NextLayout(1)),
     action("the layout before", &[with_shift(Key::L)], Command::NextLayout(-1)),
     action("conformal or camera pictures", &[key(Key::V)], Command::ToggleProjection),
     action("the panorama of the whole passage, or two views", &[key(Key::U)], Command::TogglePanorama),
     action("few controls, or all", &[], Command::ToggleSimple),
-    action("the resting outline in conformal views, or none", &[key(Key::O)], Command::ToggleResting),
+    action("show or hide the resting outline in conformal views", &[key(Key::O)], Command::ToggleResting),
     action("swap the eyes", &[key(Key::X)], Command::SwapEyes),
     action("show or hide the map", &[key(Key::M)], Command::ToggleMap),
     action("draw the map in the ground's or the bicycle's frame", &[key(Key::G)], Command::ToggleFrame),
@@ -140,10 +136,10 @@ pub static ACTIONS: &[Action] = &[
     action("set up the step of the lesson again", &[], Command::Lesson(LessonCommand::SetUp)),
     action("count hands in the lesson, or no longer", &[], Command::Lesson(LessonCommand::ToggleClass)),
     action("fold the lesson, or unfold it", &[], Command::Lesson(LessonCommand::ToggleFolded)),
-    action("begin the lesson anew, without its answers", &[], Command::Lesson(LessonCommand::BeginAnew)),
+    action("start the lesson over, without its answers", &[], Command::Lesson(LessonCommand::BeginAnew)),
     action("close the lesson", &[], Command::Lesson(LessonCommand::Close)),
     action("the start page: lessons and presets", &[key(Key::S)], Command::Toggle(Overlay::Start)),
-    action("find what to do by its name", &[with_control(Key::P)], Command::Toggle(Overlay::Palette)),
+    action("find an action by its name", &[with_control(Key::P)], Command::Toggle(Overlay::Palette)),
     action("fit own data", &[], Command::Choose(Purpose::OpenData)),
     action("fit simulated data", &[], Command::Simulate),
     action("save the picture", &[with_control(Key::S)], save(Product::Picture)),

@@ -20,20 +20,20 @@ pub struct WindowArgs {
     /// Start with T running.
     #[arg(long, conflicts_with = "paused")]
     play: bool,
-    /// Start with T at rest (as it does anyway).
+    /// Start with T at rest, as by default.
     #[arg(long)]
     paused: bool,
-    /// Start to present: on the whole screen, with large writing, and without controls.
+    /// Start in front of an audience: on the whole screen, with large writing, without controls.
     #[arg(long)]
     present: bool,
-    /// With `--scene` or `--state`, which start from what is usual: have the rest as it was left (with a state, the parts of the
-    /// window, the screen and the layout).
+    /// With `--scene` or `--state`, which start from the defaults: keep the rest as it was left (with a state: the
+    /// parts of the window, the screen and the layout).
     #[arg(long)]
     keep_settings: bool,
-    /// Begin this lesson, or preset; a file has its ending, `.md`. `--list` names them all.
+    /// Begin this lesson or preset; the name of a file has its ending, `.md`. `--list` names them all.
     #[arg(long, value_name = "NAME|FILE", conflicts_with = "state")]
     lesson: Option<PathBuf>,
-    /// A folder with lessons of one's own, beside the program's. One of the same name takes the place of the program's.
+    /// A folder with your own lessons, beside the program's. A lesson of the same name replaces the program's.
     #[arg(long, value_name = "DIR")]
     lessons: Option<PathBuf>,
     /// Name all lessons and presets, or with `--scene` or `--state` all bodies of that scene, and exit.

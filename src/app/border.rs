@@ -27,7 +27,7 @@ impl Split {
         }
     }
 
-    /// The direction it is dragged in.
+    /// The direction in which the border is dragged.
     #[must_use]
     pub const fn is_upright(self) -> bool {
         matches!(self, Self::Side | Self::Map)
@@ -47,9 +47,9 @@ impl Split {
 /// A border between two parts of the window.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Border {
-    /// Parts that it separates.
+    /// Parts that the border separates.
     pub split: Split,
-    /// Rectangle where it can be grabbed, points.
+    /// Rectangle where the border can be grabbed, points.
     pub rect: Rect,
     /// Ends of its way, for a share of 0 and of 1: x of an upright one, y of a level one.
     pub ends: [f32; 2],

@@ -8,7 +8,7 @@ use relativity_core::math;
 pub struct Tick {
     /// The new observation time.
     pub time: f64,
-    /// Whether it goes on from there.
+    /// Whether playback goes on from there.
     pub playing: bool,
 }
 

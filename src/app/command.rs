@@ -56,7 +56,7 @@ pub enum Command {
     ToggleSimple,
     /// Swap the eyes of the present layout.
     SwapEyes,
-    /// Show beside one eye's picture another of it: the next choice of that, which can be shown.
+    /// Compare the left eye's picture with the next other picture of it that can be shown.
     NextComparison,
     /// Sets the light.
     Light(Light),
@@ -108,9 +108,9 @@ pub enum Command {
     Pick(Pick),
     /// Select a point of the scene.
     Select(Select),
-    /// Lay a ruler into a view, or take it away.
+    /// Lay a ruler into a view, or remove the ruler.
     Ruler(RulerCommand),
-    /// Press the stopwatch, or take it away.
+    /// Start, stop, show or hide the stopwatch.
     Stopwatch(StopwatchCommand),
     /// Follows the body that is this many further in the list, or back.
     FollowNext(isize),
@@ -136,7 +136,7 @@ pub enum Command {
     Lesson(LessonCommand),
     /// Ask which file to open or to write.
     Choose(Purpose),
-    /// Have all as it was before the last step.
+    /// Undo the last step.
     Undo,
     /// Make the step again that was undone.
     Redo,
@@ -162,7 +162,7 @@ pub enum Command {
     Toggle(Overlay),
     /// Take the whole screen, or leave it.
     ToggleFullScreen,
-    /// Begin to present, or end it.
+    /// Start or end the presentation to an audience.
     TogglePresenting,
     /// Show the views and a lesson's words in a window for a projector, too, or no longer.
     ToggleProjector,
@@ -175,7 +175,7 @@ pub enum Command {
 }
 
 impl Command {
-    /// Whether it sets T or the speed, which may run in a lesson.
+    /// Whether the command sets T or the speed, which a lesson may be playing.
     const fn sets_what_runs(&self) -> bool {
         matches!(
             self,
@@ -189,7 +189,7 @@ impl Command {
         )
     }
 
-    /// Whether it has something else shown, which a page over the window would hide.
+    /// Whether the command changes what is shown, so that a page over the window must close.
     const fn shows_another(&self) -> bool {
         matches!(
             self,

@@ -177,7 +177,7 @@ impl Layout {
         }
     }
 
-    /// This layout without the numbers for each eye; the controls have their place.
+    /// Returns this layout without the readout; the controls take its place.
     #[must_use]
     pub fn without_readout(self) -> Self {
         let controls =
@@ -185,8 +185,8 @@ impl Layout {
         Self { controls, readout: None, ..self }
     }
 
-    /// This layout of a window with this inner `area`, with nothing but `part` between the bar and the timeline; as it is
-    /// where that has no place.
+    /// Returns the layout of a window with this inner `area` that shows only `part` between the bar and the timeline;
+    /// this layout unchanged where it does not have that part.
     #[must_use]
     pub fn with_only(self, area: Rect, part: Option<Part>) -> Self {
         let (bar, below) = split_top(area, BAR_HEIGHT);

@@ -6,7 +6,7 @@ use crate::scene::Track;
 /// A movement of the pointer that takes the scene along.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turn {
-    /// Eye whose picture it is.
+    /// The eye of the picture under the pointer.
     pub eye: Eye,
     /// Whether that is the second of two pictures of one eye.
     pub is_second: bool,
@@ -21,9 +21,9 @@ pub struct Turn {
 /// A turn of the wheel over a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Zoom {
-    /// Eye whose picture it is.
+    /// The eye of the picture under the pointer.
     pub eye: Eye,
-    /// Whether it is the second of two pictures of one eye.
+    /// Whether the pointer is in the second of two pictures of one eye.
     pub is_second: bool,
     /// Place of the gesture, in pixels from the top left corner.
     pub pixel: [f64; 2],
@@ -36,15 +36,15 @@ pub struct Zoom {
 /// A click into a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pick {
-    /// Eye whose picture it is.
+    /// The eye of the picture under the pointer.
     pub eye: Eye,
-    /// Whether it is the second of two pictures of one eye.
+    /// Whether the pointer is in the second of two pictures of one eye.
     pub is_second: bool,
     /// Place of the click, in pixels from the top left corner.
     pub pixel: [f64; 2],
     /// Width and height of the picture, pixels.
     pub size: [u32; 2],
-    /// Whether to follow it beside the others.
+    /// Whether to follow the point beside the others.
     pub add: bool,
 }
 
@@ -53,8 +53,8 @@ pub struct Pick {
 pub struct Select {
     /// Track of the point: its place at rest, and the motion of that.
     pub track: Track,
-    /// The number of the body it is on.
+    /// The number of the body that the point is on.
     pub body: usize,
-    /// Whether to follow it beside the others.
+    /// Whether to follow the point beside the others.
     pub add: bool,
 }

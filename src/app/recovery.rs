@@ -22,9 +22,9 @@ const SOON: Duration = Duration::from_mins(1);
 /// The state that a window leaves when it ends, however it does.
 #[derive(Debug)]
 pub struct LastState {
-    /// State that it showed.
+    /// State that the lost window showed.
     pub state: State,
-    /// Why its device was lost, if it was.
+    /// Why the graphics device was lost, if it was.
     pub loss: Option<String>,
 }
 
@@ -96,7 +96,7 @@ impl Drop for RecoverableApp {
 pub enum Break {
     /// A window that could not be had, or could not go on, with the windowing library's reason.
     Window(String),
-    /// The display that it was on is gone.
+    /// The display of the window is gone.
     Display,
     /// A system library ended the program.
     Exit,

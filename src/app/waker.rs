@@ -22,7 +22,7 @@ impl Woken {
         self.0.request_repaint_after(time);
     }
 
-    /// Returns what the other thread wakes it by.
+    /// Returns a handle by which other threads ask for a frame.
     #[must_use]
     pub fn waker(&self) -> Waker {
         Waker(Arc::downgrade(&self.0))

@@ -184,7 +184,7 @@ impl Moment {
                     format!("Cameras riding along, as they pass the eyes ({clock_now}), receive from {name}");
                 self.with_light(&start)
             }
-            ShownPoint::Unknown => format!("Of {name} nothing can be worked out at {clock_now}."),
+            ShownPoint::Unknown => format!("Nothing can be computed for {name} at {clock_now}."),
         }
     }
 

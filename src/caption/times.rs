@@ -8,8 +8,6 @@ use crate::units::Unit;
 pub struct TimeName {
     /// Name of the time, with its symbol.
     pub name: &'static str,
-    /// Short description, for a table.
-    pub short: &'static str,
     /// Full description, for a tooltip.
     pub tip: &'static str,
 }
@@ -17,21 +15,18 @@ pub struct TimeName {
 /// The time when light arrives.
 pub const RECEIVED: TimeName = TimeName {
     name: "received T",
-    short: "when the light arrives at the eyes",
     tip: "When the light arrives at the eyes, on the ground's clocks: the present of whoever looks.",
 };
 
 /// The time when the light left.
 pub const HAPPENED: TimeName = TimeName {
     name: "happened t",
-    short: "when the light left",
     tip: "When what is seen happened: when the light left, on the ground's clocks. R is how far it came.\nt = T − R",
 };
 
 /// The proper time that the body's clock showed then.
 pub const OWN_CLOCK: TimeName = TimeName {
     name: "proper time τ",
-    short: "what the body's clock showed then",
     tip: "What the clock at that point of the body showed when the light left it. All clocks of the body agree in its own \
         frame, and show 0 as its origin passes the eyes. An eye sees it run D times as fast as its own.\nτ = γ(t − βx)\n\
         Of a point that turns with a wheel it is the clock of the axle.",
@@ -43,9 +38,9 @@ pub const TIMES: [TimeName; 3] = [RECEIVED, HAPPENED, OWN_CLOCK];
 /// The observer's clock: the horizontal axis of all plots, and the time of every sentence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ObserverClock {
-    /// Symbol of its time.
+    /// Symbol of the clock's time.
     pub symbol: &'static str,
-    /// The same in words.
+    /// Name of the time with its symbol.
     pub words: &'static str,
     /// Description for a tooltip.
     pub tip: &'static str,
@@ -55,7 +50,7 @@ pub struct ObserverClock {
 
 /// The clock of eyes that rest: one of the ground's.
 pub const RESTING: ObserverClock =
-    ObserverClock { symbol: "T", words: "observer's time T", tip: RECEIVED.tip, times: TIMES };
+    ObserverClock { symbol: "T", words: "observation time T", tip: RECEIVED.tip, times: TIMES };
 
 /// The clock on the handlebar of who rides.
 pub const RIDING: ObserverClock = ObserverClock {
@@ -66,12 +61,10 @@ pub const RIDING: ObserverClock = ObserverClock {
     times: [
         TimeName {
             name: "received s",
-            short: "when the light arrives, by the clock on the handlebar",
             tip: "When the light arrives at the eyes, on the clock on the handlebar. The street's clock beside me shows another time.",
         },
         TimeName {
             name: "happened t",
-            short: "when the light left, by the street's clocks",
             tip: "When what is seen happened: when the light left, on the street's clock there.",
         },
         OWN_CLOCK,

@@ -60,7 +60,7 @@ pub struct Batch<'a> {
 pub struct BatchError {
     /// Index of the first such row.
     pub row: usize,
-    /// Reason why it cannot be filled.
+    /// Reason why the row cannot be filled.
     pub error: InputError,
 }
 

@@ -17,8 +17,8 @@ pub const HELP: &str = "\
 The columns appended, for the left and the right eye (x_left, x_right and so on):
   x          apparent x, measured from the eye
   t          time of emission of the light that arrives at T
-  doppler    received over rest frequency
-  intensity  received over rest intensity: doppler to the power of the intensity exponent
+  doppler    received over emitted frequency
+  intensity  received over emitted intensity: doppler to the power of the intensity exponent
   phi        azimuth from +x towards +y
   theta      elevation from the x-y plane
 and the disparities between the two:
@@ -28,14 +28,14 @@ and for each eye again, on the clock that rides with the point:
   tau        proper time of that emission: gamma (t - beta x), x from between the eyes
 and of a point on a wheel (wheel_radius, rho, angle; x0, y and z are the hub's, and the wheel rolls towards +x):
   angle      where on its wheel it is as that light leaves, from +x towards +z, -pi to pi
-and with --stereo where two eyes take the point to be, which is where their lines of sight meet:
+and with --stereo where two eyes place the point, which is where their lines of sight meet:
   stereo_gain  (x_left - x_right)/d: 1 for a point at rest
   stereo_x     that place, from between the eyes; stereo_y and stereo_z too
 A head that is tilted or turned (roll, turn) has its eyes at +-d/2 (cos roll cos turn, cos roll sin turn, sin roll). Their \
 lines of sight pass each other: the place is the middle of their shortest connection, and empty where they do not meet in \
-front; the gain is the parallax across the line of sight, along that of a resting point, over that; and with --stereo
+front; the gain is the component of the parallax along that of a resting point, divided by that; and with --stereo
   stereo_miss  length of that connection
-Those to a point of a wheel pass each other too, since it is elsewhere for the other eye: it has a stereo_miss as well.
+The lines of sight to a point of a wheel pass each other too, since each eye sees it elsewhere: it has a stereo_miss as well.
 
 An observer who moves (observer_beta, observer_gamma or observer_rapidity; observer_azimuth and observer_elevation, radians; \
 observer_x, observer_y, observer_z: where the middle between the eyes is on the ground at T) has x, phi, theta, dphi, dtheta, u and v \
@@ -51,8 +51,8 @@ ahead, Z up), for each eye:
   v          up from straight ahead, atan2(Z, Y), radians
 Both are empty for a point that the eye sees along the line between the eyes, infinitely far aside.
 
-With one cone both eyes receive what the middle between them does: t, doppler and own are that event's, x, phi and theta \
-are from each eye to it.
+With one cone both eyes receive what the middle between them does: t, doppler and tau are those of that event; x, phi and \
+theta lead from each eye to it.
 
 The published models evaluate the right eye through the left eye's formula at a shifted time, and measure its \
 angles from the left eye. They reproduce the paper (doi 10.1098/rspa.2019.0703) and leave parallax out.";
@@ -67,7 +67,7 @@ pub struct ModelArgs {
     #[arg(long, value_name = "N", default_value = "surface", value_parser = column_exponent,
           allow_hyphen_values = true)]
     pub intensity_exponent: f64,
-    /// Append where two eyes take the point to be: the stereo gain, and the place.
+    /// Append where two eyes place the point: the stereo gain, and the stereo position.
     #[arg(long)]
     pub stereo: bool,
     /// Append the conformal coordinates u and v for each eye.

@@ -29,7 +29,7 @@ pub(super) const COLUMNS: [&str; 21] = [
 ];
 /// The columns of how the head is held, radians.
 pub const ROLL: &str = "roll";
-/// The same of its turn.
+/// The column of the head's turn, radians.
 pub const TURN: &str = "turn";
 /// The columns of where on a wheel a point is.
 pub const WHEEL: [&str; 3] = ["wheel_radius", "rho", "angle"];

@@ -25,14 +25,15 @@ const CYCLIST_BETA: f64 = 0.9;
 /// `gamow eval` reads; roll and turn, in radians, are among them where the head is tilted or turned, and `wheel_radius`, rho and
 /// angle where the point is on a wheel.
 ///
-/// With a moving observer (--observer-beta and others) the range is one of the observer's clock, the column `clock`, which shows
-/// 0 at --observer-x, --observer-y and --observer-z at T = 0; each row has where the observer is, and T there.
+/// With a moving observer (--observer-beta and others) the range is one of the observer's clock, the column `clock`,
+/// which shows 0 at --observer-x, --observer-y and --observer-z at T = 0; each row has the observer's place, and T
+/// there.
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES, after_long_help = HELP)]
 pub struct CurveArgs {
     #[command(flatten)]
     speed: SpeedArgs,
-    /// Separation of the apertures.
+    /// Separation of the eyes.
     #[arg(long, default_value_t = 0.1, value_parser = finite_number, allow_hyphen_values = true)]
     d: f64,
     #[command(flatten)]
@@ -43,7 +44,7 @@ pub struct CurveArgs {
     /// Height of the point.
     #[arg(long, default_value_t = 2.0, value_parser = finite_number, allow_hyphen_values = true)]
     z: f64,
-    /// The point's objective x at t = 0.
+    /// The point's x at t = 0.
     #[arg(long, default_value_t = 0.0, value_parser = finite_number, allow_hyphen_values = true)]
     x0: f64,
     #[command(flatten)]
@@ -129,13 +130,13 @@ impl CurveArgs {
     ///
     /// # Errors
     ///
-    /// A value out of range, a range of times that is none, or a point that passes at no time.
+    /// A value out of range, an empty range of times, or a point at rest, which never passes.
     pub fn curve(&self) -> anyhow::Result<Curve<'_>> {
         let first = self.observation(0.0)?;
         self.model.values(&first, self.given_inputs())?;
         let range = self.time_range(&first)?;
         let [from, to] = range;
-        anyhow::ensure!(from < to, "--from {from} is not before --to {to}");
+        anyhow::ensure!(from < to, "--from {from} must be below --to {to}");
         Ok(Curve { args: self, first, range })
     }
 
@@ -202,7 +203,7 @@ impl CurveArgs {
             passage_times(&speed, source.place(), baseline.apertures())
         };
         let Some(times) = times.map_err(ObservationError::Domain)? else {
-            anyhow::bail!("a point at rest passes at no time; --from and --to are needed");
+            anyhow::bail!("a point at rest never passes; --from and --to are needed");
         };
         Ok([self.from.unwrap_or(times[0]), self.to.unwrap_or(times[1])])
     }

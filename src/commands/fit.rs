@@ -19,16 +19,17 @@ use crate::platform::{clock, messages, progress};
 /// Fits speed and distance of a point to the disparities that two eyes measured.
 ///
 /// The header names the columns, in any order: T (when the light arrives); dphi, dtheta or both (left minus right,
-/// radians); optionally `sigma_dphi` and `sigma_dtheta` (their standard deviations); d (aperture separation) unless --d gives
-/// it; roll and turn (radians) where the head was tilted or turned, unless --roll and --turn (degrees) say so. Other columns are ignored. A disparity that was not measured is left empty.
+/// radians); optionally `sigma_dphi` and `sigma_dtheta` (their standard deviations); d (eye separation) unless --d
+/// gives it; roll and turn (radians) where the head was tilted or turned, unless --roll and --turn (degrees) say so.
+/// Other columns are ignored. A disparity that was not measured is left empty.
 ///
-/// What the data cannot tell is said in one line, with exit status 2.
+/// Data that do not determine the result are refused in one line, with exit status 2.
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES, after_long_help = HELP)]
 pub struct FitArgs {
     /// CSV file; standard input if none or -.
     file: Option<PathBuf>,
-    /// Aperture separation; without it, the file's column d.
+    /// Separation of the eyes; without it, the file's column d.
     #[arg(long, value_parser = separation, allow_hyphen_values = true)]
     d: Option<f64>,
     /// Tilt and turn of the head; without them, the file's columns roll and turn (in radians), else straight.
@@ -46,17 +47,17 @@ pub struct FitArgs {
     /// Seed of the bootstrap.
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
-    /// The point's objective x at t = 0, if it is known.
+    /// The point's x at t = 0, if it is known.
     #[arg(long, default_value_t = 0.0, value_parser = within(COORDINATES), allow_hyphen_values = true)]
     x0: f64,
     /// Fit x0 too: the time of passage is unknown.
     #[arg(long, conflicts_with = "x0")]
     fit_x0: bool,
-    /// The eyes rode past a point at rest, along x: the times are those of the rider's own clock, the file's column clock; beta is the
-    /// rider's speed, and x0 how far the point is behind when the clock shows 0, contracted.
+    /// The eyes rode past a point at rest, along x: the times are those of the rider's own clock, the file's column
+    /// clock; beta is the rider's speed, and x0 how far behind the point is when the clock shows 0, contracted.
     #[arg(long, conflicts_with = "wheel_radius")]
     riding: bool,
-    #[command(flatten, next_help_heading = "Of a point on a wheel that rolls")]
+    #[command(flatten, next_help_heading = "A point on a wheel that rolls")]
     wheel: WheelArgs,
     #[command(flatten)]
     report: ReportArgs,
@@ -94,7 +95,7 @@ const TOLD_AFTER: f64 = 1.0;
 fn replicates(text: &str) -> Result<usize, String> {
     match text.parse() {
         Ok(number @ (0 | 2..=MOST_REPLICATES)) => Ok(number),
-        _ => Err(format!("not 0, nor a number from 2 to {MOST_REPLICATES}")),
+        _ => Err(format!("must be 0, or a number from 2 to {MOST_REPLICATES}")),
     }
 }
 
@@ -130,7 +131,7 @@ impl FitArgs {
         Ok(FitReport { riding: self.riding, ..fitted.with_context(|| name.to_owned())? })
     }
 
-    /// The same, with the replicates that are drawn until an interrupt.
+    /// Runs the fit with the replicates that are drawn until an interrupt.
     fn fitted(&self, name: &str, input: impl Read) -> anyhow::Result<FitReport> {
         let (wanted, noted) = (self.bootstrap, Noted::new());
         let progress = progress::bar(wanted as u64, "replicates");

@@ -20,10 +20,10 @@ use crate::studio::Sheet;
 
 /// Corrects a picture taken from one eye to the frame of the bodies in it.
 ///
-/// Gives what a camera moving along with them would have taken at the same event: lines of sight turned back by
-/// aberration, wavelengths multiplied by the Doppler factor D, intensities divided by D^n. Works on any PNG picture with
-/// a known field of view, and on the EXR files of `gamow render`. A wheel that rolls becomes one that turns, with the
-/// Doppler effect of its turning.
+/// Computes the picture that a camera moving along with them would have taken at the same event: lines of sight
+/// turned back by aberration, wavelengths multiplied by the Doppler factor D, intensities divided by D^n. Works on
+/// any PNG picture with a known field of view, and on the EXR files of `gamow render`. A wheel that rolls becomes one
+/// that turns, with the Doppler effect of its turning.
 ///
 /// The colours of a PNG picture tell wavelengths by their hue only: the part of a colour that is not grey counts as
 /// monochromatic. What the Doppler effect shifted out of sight stays dark.
@@ -46,7 +46,7 @@ pub struct RectifyArgs {
     /// Gaze of the moving camera [default: at what was in the centre]
     #[arg(long, value_name = "AZ,EL", allow_hyphen_values = true)]
     out_gaze: Option<GazeChoice>,
-    /// Whether wavelengths are corrected.
+    /// Whether wavelengths are corrected too.
     #[arg(long, default_value = "on", value_name = "ON|OFF", value_parser = switch)]
     doppler_shift: OnOff,
     /// Exponent n of the received intensity D^n to divide by, as of `gamow render` [default: as the file records it, else
@@ -56,7 +56,7 @@ pub struct RectifyArgs {
     /// Output: a file of the same kind, written whole or not at all.
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
-    #[command(flatten, next_help_heading = "Of photographs, and of what a file does not record")]
+    #[command(flatten, next_help_heading = "Photographs, and what a file does not record")]
     camera: CameraArgs,
 }
 
@@ -114,19 +114,21 @@ impl RectifyArgs {
     fn of_an_eye(&self, mut file: PngFile, settings: &Settings) -> anyhow::Result<(Picture, usize)> {
         let picture = &settings.picture;
         if let [eye] = *picture.eyes() {
-            anyhow::ensure!(self.eye.is_none(), "--eye: there is no choice, it shows one eye");
+            anyhow::ensure!(
+                self.eye.is_none(),
+                "--eye: the picture shows one eye, so there is nothing to choose"
+            );
             return Ok((file.frames.swap_remove(0), eye));
         }
         anyhow::ensure!(
             picture.layout.loses_nothing(),
-            "it shows both eyes, and its layout, {}, has the whole picture of neither; `gamow render --layout left` \
-             draws one",
+            "its layout, {}, has the whole picture of neither eye; `gamow render --layout left` draws one",
             picture.layout.name()
         );
         let eye = self.eye.unwrap_or_default() as usize;
         let sheet = Sheet::of_file(picture, picture.size.0, file.picture().size);
         let seen = sheet.and_then(|sheet| sheet.picture_of(eye, &file.frames));
-        Ok((seen.context("it no longer has the size in which it was made")?, eye))
+        Ok((seen.context("its size has changed since it was made")?, eye))
     }
 
     fn rectify_measurements(&self) -> anyhow::Result<()> {
@@ -195,7 +197,7 @@ impl RectifyArgs {
     }
 
     fn not_recorded(&self, flags: &str) -> anyhow::Error {
-        anyhow::anyhow!("{}: it does not record {flags}, which is needed then", files::shown(&self.image))
+        anyhow::anyhow!("{}: it does not record {flags}, which must then be given", files::shown(&self.image))
     }
 
     /// The command that corrects the picture again, with the camera that took the corrected one.

@@ -101,7 +101,7 @@ impl Data {
             let line = input.line(&row);
             anyhow::ensure!(
                 samples.len() < sizes::FITTED_ROWS,
-                "{}: it has more than {} rows, the most that are fitted",
+                "{}: it has more than {} rows, the limit for a fit",
                 place(line),
                 sizes::FITTED_ROWS
             );

@@ -314,7 +314,7 @@ impl fmt::Display for FitReport {
         }
         if let Some(OnWheel { wheel_radius, rho, angle }) = self.wheel {
             let known = format!("radius {wheel_radius}, rho {rho}, angle {angle}");
-            writeln!(f, "wheel      {known}, taken for known: y, z and x0 are the hub's")?;
+            writeln!(f, "wheel      {known}, taken as known: y, z and x0 are the hub's")?;
         }
         match &self.bootstrap {
             Some(BootstrapSummary { replicates, failed, seed }) => {

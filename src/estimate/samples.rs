@@ -118,7 +118,7 @@ pub struct DataFile {
     /// Name without its folder.
     pub name: String,
     bytes: Vec<u8>,
-    /// Whether it has the standard deviations of its readings.
+    /// Whether the file has the standard deviations of its readings.
     pub has_sigmas: bool,
     /// Whether the file contains the separation of the eyes.
     pub has_separation: bool,
@@ -222,10 +222,10 @@ impl Simulated {
         let pair = settings.pair();
         let is_across = pair.iter().all(|eye| eye.x == 0.0);
         let obstacle = match (settings.ride.coasts(), point.spin, is_across || !velocity.is_backward) {
-            (false, ..) => Some("the ride changes its speed, and a fit takes one that coasts"),
-            (_, Some(_), _) => Some("the point turns, and a fit of a ride takes points that do not"),
+            (false, ..) => Some("the ride changes its speed, and a fit needs one that coasts"),
+            (_, Some(_), _) => Some("the point turns, and a fit of a ride needs one that does not"),
             (.., false) => {
-                Some("a fit of a ride takes eyes that look along the street: turn the head by −90°")
+                Some("a fit of a ride needs eyes that look along the street: turn the head by −90°")
             }
             _ => None,
         };
@@ -307,9 +307,9 @@ impl Simulated {
         } else if self.velocity.speed.beta() == 0.0 {
             Some("at rest (β = 0) no disparity changes with T")
         } else if self.velocity.is_backward {
-            Some("the fit takes what moves towards +x, and the point moves the other way")
+            Some("the fit needs a point that moves towards +x, and this one moves the other way")
         } else if matches!(self.source, Source::Wheel(_)) && self.rolling().is_none() {
-            Some("the fit knows wheels that roll, and the one that the point is on turns otherwise")
+            Some("the fit knows only wheels that roll, and that of the point turns at a speed of its own")
         } else if self.source.place().y <= 0.0 {
             Some("the fit looks in front of the eyes, and the point is not there (y ≤ 0)")
         } else {

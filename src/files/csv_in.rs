@@ -153,7 +153,7 @@ struct Tap<R> {
     has_ended: bool,
     /// Start of the row that is being read, and its line.
     row: (u64, u64),
-    /// Whether it has been begun, by more than blank lines, in what was given.
+    /// Whether a row has been begun, by more than blank lines, in what was given.
     is_begun: bool,
 }
 
@@ -197,9 +197,8 @@ impl<R> Tap<R> {
             return Ok(());
         }
         let most = sizes::ROW_BYTES >> 20;
-        let problem = format!(
-            "the row that starts in line {line} is longer than {most} MB, the most that is read of one"
-        );
+        let problem =
+            format!("the row that starts in line {line} is longer than {most} MB, the limit for a row");
         Err(io::Error::new(io::ErrorKind::InvalidData, problem))
     }
 

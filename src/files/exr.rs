@@ -156,7 +156,7 @@ impl Channel {
 pub struct Light<'a> {
     /// Scene that is seen.
     pub scene: &'a PreparedScene,
-    /// Appearance of its light.
+    /// Appearance of the light.
     pub appearance: Appearance,
 }
 
@@ -263,7 +263,7 @@ impl Measurements {
         Ok(Image::from_layer(layer).write().to_buffered(out)?)
     }
 
-    /// The same file with other values: those that `values` gives for each channel's name and values.
+    /// Returns this file with other values: those that `values` gives for each channel's name and values.
     #[must_use]
     pub fn map(&self, size: [u32; 2], values: impl Fn(&str, &[f32]) -> Vec<f32>) -> Self {
         let channel = |(name, old): (&String, &Vec<f32>)| (name.clone(), values(name, old));
@@ -271,7 +271,7 @@ impl Measurements {
         Self { size, channels, attributes: self.attributes.clone() }
     }
 
-    /// The same file, saying `comments` of how it was made.
+    /// Returns this file with `comments` on how it was made.
     #[must_use]
     pub fn with_comments(mut self, comments: &str) -> Self {
         self.attributes.comments = Some(Text::from_slice_unchecked(comments.as_bytes())); // in UTF-8
@@ -282,7 +282,7 @@ impl Measurements {
     ///
     /// # Errors
     ///
-    /// That it is not there.
+    /// A channel that the file lacks.
     pub fn channel(&self, eye: &str, channel: Channel) -> anyhow::Result<&[f32]> {
         let name = format!("{eye}.{}", channel.name());
         self.channels.get(&name).map(Vec::as_slice).with_context(|| format!("there is no channel {name}"))
@@ -308,7 +308,8 @@ fn opened<R: Read + Seek>(input: R) -> anyhow::Result<Reader<R>> {
         let values = (size.0 as u64).checked_mul(size.1 as u64).and_then(|n| n.checked_mul(channels as u64));
         anyhow::ensure!(
             values.is_some_and(|values| values <= most),
-            "it has {}x{} pixels of {channels} channels, and at most {most} values are read, as of 4729x4729 pixels of 24",
+            "it has {}x{} pixels of {channels} channels; the limit is {most} values, those of 4729x4729 \
+                pixels of 24",
             size.0,
             size.1
         );

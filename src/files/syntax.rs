@@ -41,7 +41,7 @@ fn decimal_comma(line: &str) -> Option<String> {
     let number = number_text::with_point(value);
     let is_meant = value.contains(',') && number.parse::<f64>().is_ok();
     let [key, value, number] = [key, value, &number].map(messages::excerpt);
-    is_meant.then(|| format!("{value} is no number: with a decimal point it is {key} = {number}"))
+    is_meant.then(|| format!("{value} is not a number: with a decimal point it is {key} = {number}"))
 }
 
 #[cfg(test)]
@@ -56,7 +56,7 @@ mod tests {
 
     #[test]
     fn a_decimal_comma_is_named_with_what_would_be_right() {
-        let expected = "0,8 is no number: with a decimal point it is beta = 0.8";
+        let expected = "0,8 is not a number: with a decimal point it is beta = 0.8";
         for text in ["beta = 0,8", "[motion]\nd = 1\nbeta=0,8 # fast\nroll = 2", "beta = 0,8\r\n"] {
             assert_eq!(found(text), expected, "{text}");
         }

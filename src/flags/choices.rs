@@ -40,7 +40,7 @@ pub enum FileKind {
 }
 
 impl FileKind {
-    /// The end of its files' names.
+    /// The extension of such files.
     #[must_use]
     pub const fn extension(self) -> &'static str {
         match self {
@@ -137,12 +137,12 @@ pub enum ProjectionChoice {
 /// The distance at which something is in the same place in both eyes' pictures, which an image shift sets.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum ZeroParallax {
-    /// The distance at which two eyes take the tracked point to be, or the hub that it turns about.
+    /// The distance at which two eyes place the tracked point, or the hub that it turns about.
     #[default]
     Point,
     /// Without end: the pictures are not shifted.
     Infinity,
-    /// This one, across the picture plane.
+    /// A given distance, perpendicular to the picture plane.
     Distance(f64),
 }
 
@@ -177,8 +177,8 @@ impl ZeroParallax {
         }
     }
 
-    /// By how many focal lengths the columns in the pictures of two eyes `separation` apart differ at that distance. Nothing
-    /// where it is not known yet.
+    /// Returns the difference of columns in the pictures of two eyes `separation` apart at that distance, focal
+    /// lengths; `None` where the distance is not known yet.
     #[must_use]
     pub fn shift(self, separation: f64) -> f64 {
         match self {

@@ -9,13 +9,13 @@ pub enum Compare {
     /// No second picture of one eye: the pictures are those of two eyes.
     #[default]
     Off,
-    /// The same as seen.
+    /// The left eye's picture as seen.
     Seen,
-    /// The same contracted only, where everything is measured to be at T.
+    /// The left eye's picture contracted only: where everything is measured to be at T.
     Contracted,
-    /// The same at rest.
+    /// The left eye's picture at rest.
     Rest,
-    /// The same with D^2, the paper's, as the received intensity.
+    /// The left eye's picture with the received intensity D^2, the paper's.
     Paper,
 }
 

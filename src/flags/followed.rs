@@ -12,7 +12,7 @@ use super::numbers::coordinates;
 pub struct FollowedPoint {
     /// Place of the point at rest.
     pub place: [f64; 3],
-    /// The number of the body in its scene, from 0.
+    /// The number of the body in the scene, from 0.
     pub body: usize,
 }
 

@@ -10,13 +10,13 @@ use super::within;
 /// Range of tilt and turn of the head, degrees.
 pub const HEAD_DEGREES: RangeInclusive<f64> = -180.0..=180.0;
 
-/// By how much the head is tilted and turned.
+/// Tilt and turn of the head.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct HeadArgs {
-    /// By how much the head tilts, degrees: the right eye is the higher one above 0.
+    /// Tilt of the head, degrees: above 0 the right eye is the higher one.
     #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
     roll: Option<f64>,
-    /// By how much the head turns about the vertical, degrees: to the left above 0.
+    /// Turn of the head about the vertical, degrees: above 0 to the left.
     #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
     turn: Option<f64>,
 }
@@ -28,7 +28,7 @@ impl HeadArgs {
         [self.roll, self.turn]
     }
 
-    /// The same in radians.
+    /// Roll and turn, radians, where they are given.
     #[must_use]
     pub fn radians(&self) -> [Option<f64>; 2] {
         self.degrees().map(|angle| angle.map(f64::to_radians))

@@ -16,8 +16,8 @@ pub enum Layout {
     /// The left eye's picture on the left, the right eye's on the right.
     #[default]
     SideBySide,
-    /// The same for eyes that look in parallel without a viewer: no further apart than --picture-distance. A file records
-    /// how large it has to be shown for that.
+    /// Side by side for eyes that look in parallel without a viewer: no further apart than --picture-distance. A file
+    /// records how large it has to be shown for that.
     FreeViewing,
     /// The other way round, for crossed eyes.
     CrossEyed,
@@ -97,13 +97,13 @@ impl Layout {
         all[(self as isize + steps).rem_euclid(all.len().cast_signed()).cast_unsigned()]
     }
 
-    /// Whether it shows both eyes.
+    /// Whether the layout shows both eyes.
     #[must_use]
     pub const fn has_both(self) -> bool {
         !matches!(self.form(), Form::One(_))
     }
 
-    /// Whether it is made for two eyes that fuse its pictures, with glasses, crossed or on a screen of their own.
+    /// Whether the layout is made for two eyes that fuse its pictures, with glasses, crossed or on a screen of their own.
     #[must_use]
     pub const fn is_fused(self) -> bool {
         match self {
@@ -119,7 +119,7 @@ impl Layout {
         }
     }
 
-    /// Whether both pictures can be had from it again, or that of the only eye.
+    /// Whether the pictures that the layout shows can be recovered from it.
     #[must_use]
     pub const fn loses_nothing(self) -> bool {
         !matches!(self.form(), Form::Composed(_))
@@ -151,7 +151,7 @@ impl Swapped {
         self.0 & layout.bit() != 0
     }
 
-    /// The same but for `layout`, whose eyes are swapped back, or swapped. One eye alone is not swapped.
+    /// Returns the set with the eyes of `layout` swapped, or swapped back. One eye alone is not swapped.
     #[must_use]
     pub fn toggled(self, layout: Layout) -> Self {
         if layout.has_both() { Self(self.0 ^ layout.bit()) } else { self }
@@ -177,7 +177,7 @@ impl FromStr for Swapped {
                 )
             })?;
             if !layout.has_both() {
-                return Err(format!("{name} shows one eye, so that there is nothing to swap"));
+                return Err(format!("{name} shows one eye, so there is nothing to swap"));
             }
             swapped.0 |= layout.bit();
         }

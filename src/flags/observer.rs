@@ -24,19 +24,19 @@ pub struct ObserverArgs {
     #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true,
           hide_short_help = true)]
     observer_azimuth: Option<f64>,
-    /// The same, degrees up from the x-y plane.
+    /// Elevation of the observer's motion, degrees up from the x-y plane.
     #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true,
           hide_short_help = true)]
     observer_elevation: Option<f64>,
-    /// Place of the middle between the eyes when the observer's clock shows 0, at T = 0: its x.
+    /// x of the middle between the eyes when the observer's clock shows 0, at T = 0.
     #[arg(long, value_name = "X", value_parser = within(COORDINATES), allow_hyphen_values = true,
           hide_short_help = true)]
     observer_x: Option<f64>,
-    /// Place of the middle between the eyes then: its y.
+    /// y of the middle between the eyes then.
     #[arg(long, value_name = "Y", value_parser = within(COORDINATES), allow_hyphen_values = true,
           hide_short_help = true)]
     observer_y: Option<f64>,
-    /// Place of the middle between the eyes then: its z.
+    /// z of the middle between the eyes then.
     #[arg(long, value_name = "Z", value_parser = within(COORDINATES), allow_hyphen_values = true,
           hide_short_help = true)]
     observer_z: Option<f64>,

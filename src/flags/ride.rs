@@ -72,7 +72,7 @@ fn check_rapidities(legs: &[Leg]) -> Result<(), String> {
         rapidity += duration * along;
         if rapidity.abs() > MAX_RIDER_RAPIDITY {
             return Err(format!(
-                "the legs add a rapidity of {rapidity:.1}: at most {MAX_RIDER_RAPIDITY} can be had"
+                "the legs add a rapidity of {rapidity:.1}, which must be at most {MAX_RIDER_RAPIDITY}"
             ));
         }
     }
@@ -118,7 +118,7 @@ impl StreetVelocity {
     pub fn new(parameter: SpeedParameter, value: f64) -> Result<Self, String> {
         let speed = parameter.speed(value.abs()).map_err(|error| error.to_string())?;
         if speed.rapidity() > MAX_RIDER_RAPIDITY {
-            return Err(format!("one rides at a rapidity of at most {MAX_RIDER_RAPIDITY}"));
+            return Err(format!("the rapidity of a ride must be at most {MAX_RIDER_RAPIDITY}"));
         }
         Ok(Self { parameter, value, rapidity: speed.rapidity().copysign(value) })
     }

@@ -28,7 +28,7 @@ impl WheelArgs {
         Some([self.wheel_radius?, self.rho?, self.angle?])
     }
 
-    /// The same for a fit.
+    /// Radius, rho and angle for a fit.
     #[must_use]
     pub fn rolling(&self) -> Option<Rolling> {
         self.given().map(|[radius, rho, angle]| Rolling { radius, rho, angle })

@@ -32,7 +32,7 @@ impl Answer {
         }
     }
 
-    /// Whether it is right, where that is known without what is seen.
+    /// Whether the answer is right, where that is known without what is seen.
     #[must_use]
     pub fn is_right(&self, kind: &Kind) -> Option<bool> {
         match (self, kind) {

@@ -82,7 +82,7 @@ impl Course {
         }
     }
 
-    /// Returns whether nothing was done in it.
+    /// Returns whether nothing was done in the lesson.
     #[must_use]
     pub fn is_untouched(&self) -> bool {
         let is_new = self.place == Place::START && self.draft.is_none();

@@ -12,7 +12,7 @@ pub enum LessonError {
     Read {
         /// Name of the file.
         source_name: String,
-        /// Reason why it cannot be read.
+        /// Reason why the lesson cannot be read.
         reason: String,
     },
     /// Neither the name of a lesson nor a path.
@@ -26,12 +26,12 @@ pub enum LessonError {
         /// The names of all.
         known: String,
     },
-    /// Something in it that cannot be.
+    /// A problem in the lesson's text.
     #[error("{source_name}:{line}: {problem}")]
     Content {
         /// Name of the file.
         source_name: String,
-        /// The line in it, from 1.
+        /// The line in the file, from 1.
         line: usize,
         /// Problem in that line, and its correction.
         problem: String,

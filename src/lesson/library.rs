@@ -48,9 +48,9 @@ pub struct Library {
 /// A lesson of a folder that cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Refused {
-    /// The name of its file without the extension.
+    /// The name of the refused file, without the extension.
     pub name: String,
-    /// Why it could not be read.
+    /// Why the file could not be read.
     pub error: LessonError,
 }
 

@@ -12,7 +12,7 @@ use crate::settings::{Preset, Settings};
 pub struct Text {
     /// The Markdown; before a lesson is worked out, with places for values such as `{gain:.2}`.
     pub markdown: String,
-    /// Number of its first line in the file, from 1.
+    /// Number of the text's first line in the file, from 1.
     pub line: usize,
 }
 
@@ -29,7 +29,7 @@ impl Text {
 pub struct StateBlock {
     /// Text in TOML.
     pub toml: String,
-    /// Number of its first line in the file, from 1.
+    /// Number of the state block's first line in the file, from 1.
     pub line: usize,
 }
 
@@ -141,13 +141,13 @@ pub struct Choices {
 pub struct Number {
     /// The value that it should be, as texts ask for it, such as `gain`.
     pub value: String,
-    /// Number of its line in the file.
+    /// Number of the block's line in the file.
     pub line: usize,
     /// Unit behind the number; may be empty.
     pub unit: String,
     /// Decimals with which the truth is written.
     pub decimals: u8,
-    /// By how much it may be off, as a part of the truth.
+    /// Tolerance, as a fraction of the true number.
     pub within: f64,
     /// True value after the reveal, once the lesson is worked out.
     pub truth: Option<f64>,
@@ -158,7 +158,7 @@ pub struct Number {
 pub struct PointAt {
     /// The name of the body in its scene.
     pub body: String,
-    /// Number of its line in the file.
+    /// Number of the block's line in the file.
     pub line: usize,
 }
 
@@ -252,7 +252,7 @@ impl Lesson {
         }
     }
 
-    /// Whether it is a state that only shows something.
+    /// Whether the lesson is a preset: a state without steps.
     #[must_use]
     pub const fn is_a_preset(&self) -> bool {
         self.order == u32::MAX

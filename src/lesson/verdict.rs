@@ -99,7 +99,7 @@ impl Number {
     }
 }
 
-/// By how much the drawn `points` differ from what `curve` is of, over which T; `None` where that does not exist.
+/// Describes the difference of the drawn `points` from the true `curve`, and the range of T; `None` where the curve does not exist.
 #[must_use]
 pub fn difference(curve: &Curve, points: &[[f64; 2]], sight: &Sight<'_>) -> Option<String> {
     let ([first, ..], [.., last]) = (points, points) else { return None };

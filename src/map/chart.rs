@@ -26,7 +26,7 @@ impl Default for Viewpoint {
 pub struct Chart {
     /// The middle of the rectangle, points to the right and down.
     pub middle: [f64; 2],
-    /// Half its width and height, points.
+    /// Half the chart's width and height, points.
     pub half: [f64; 2],
     /// Place in the middle of the chart: to the right and up, units.
     pub center: [f64; 2],

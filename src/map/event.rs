@@ -37,9 +37,9 @@ impl Event {
 /// A straight line of spacetime: a worldline, or all that is at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StraightLine {
-    /// An event on it.
+    /// An event on the straight line.
     pub through: Event,
-    /// A step along it.
+    /// A step along the straight line.
     pub step: Event,
 }
 

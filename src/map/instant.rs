@@ -31,7 +31,7 @@ impl Picture {
             Self::Measured => "measured now",
             Self::Seen(0) => "as the left eye sees it",
             Self::Seen(_) => "as the right eye sees it",
-            Self::Stereo => "where two eyes take it to be",
+            Self::Stereo => "where two eyes place it",
         }
     }
 }

@@ -16,7 +16,7 @@ pub struct Ray {
     pub left: Event,
     /// y and z of the point there.
     pub across: [f64; 2],
-    /// Event where the eye receives it.
+    /// Event where the eye receives the ray.
     pub received: Event,
     /// The event in whose past light cone it left: of reception, or where one cone serves both eyes, that between them.
     pub apex: Event,
@@ -24,7 +24,7 @@ pub struct Ray {
     pub aside: f64,
     /// y and z of the eye.
     pub eye: [f64; 2],
-    /// When it left, on the ground's clocks.
+    /// When the ray left, on the ground's clocks.
     pub happened: f64,
     /// Proper time of the point at that event.
     pub proper_time: f64,
@@ -100,7 +100,7 @@ impl Front {
 }
 
 impl Ray {
-    /// The front that it belongs to, as it reaches the eye.
+    /// The front that the ray belongs to, as it reaches the eye.
     #[must_use]
     pub fn front(&self) -> Front {
         let Self { left, across, apex, happened, proper_time, .. } = *self;

@@ -37,7 +37,7 @@ pub struct Vertex {
 pub struct Line {
     /// The number of the body.
     pub body: usize,
-    /// Whether it rests on the ground.
+    /// Whether the line rests on the ground.
     pub rests: bool,
     /// Picture that the line belongs to.
     pub picture: Picture,
@@ -47,7 +47,7 @@ pub struct Line {
     pub only: Option<Projection>,
     /// Radius of a ball around the body at rest.
     pub reach: f64,
-    /// Range of its points among [`Lines::vertices`].
+    /// Range of the line's points among [`Lines::vertices`].
     vertices: Range<usize>,
 }
 
@@ -79,7 +79,7 @@ impl Line {
         self.ball.map_or(0.0, |ball| ball.half_width(projection, ends))
     }
 
-    /// Whether it is drawn in `projection`.
+    /// Whether the line is drawn in `projection`.
     #[must_use]
     pub fn is_in(&self, projection: Projection) -> bool {
         self.only.is_none_or(|only| only == projection)

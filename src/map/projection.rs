@@ -30,7 +30,7 @@ impl Projection {
         self.axes().map(|axis| place[axis])
     }
 
-    /// The direction that it looks along.
+    /// The direction that the projection looks along.
     #[must_use]
     pub const fn line_of_sight(self) -> DVec3 {
         match self {

@@ -150,7 +150,7 @@ impl Worldline {
         self.velocity
     }
 
-    /// Whether the frame of its group is that of the map.
+    /// Whether the frame of the worldline's group is that of the map.
     #[must_use]
     pub const fn rests(&self) -> bool {
         self.rests

@@ -32,7 +32,7 @@ impl Instant {
         self.0.elapsed()
     }
 
-    /// The same in milliseconds.
+    /// Returns the time since the moment, milliseconds.
     #[must_use]
     pub fn elapsed_ms(&self) -> f64 {
         1e3 * self.elapsed().as_secs_f64()

@@ -21,7 +21,7 @@ pub fn shown(text: &str) -> String {
     shown
 }
 
-/// The same of a text of several lines, which stay lines.
+/// Returns a text of several lines as it can be shown: the lines stay, other control characters are escaped.
 #[must_use]
 pub fn shown_lines(text: &str) -> String {
     text.split('\n').map(shown).collect::<Vec<_>>().join("\n")

@@ -102,7 +102,7 @@ impl Grid {
         }
     }
 
-    /// The numbers of its places in a range.
+    /// The numbers of the grid's places in a range.
     pub fn numbers(&self, [low, high]: [f64; 2]) -> Range<i64> {
         let rounding = ROUNDING * (high - low);
         let mut first = self.below(low);

@@ -90,7 +90,7 @@ impl Line {
         Self { name: name.into(), colour: colour.into(), stroke: Stroke::Solid, pieces }
     }
 
-    /// The same line, drawn with `stroke`.
+    /// Returns this line, drawn with `stroke`.
     #[must_use]
     pub fn with(self, stroke: Stroke) -> Self {
         Self { stroke, ..self }

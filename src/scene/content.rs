@@ -29,9 +29,9 @@ pub struct Scene {
     /// The point that is selected and followed at first: the forward-most one (largest x) unless the
     /// file chooses another.
     pub tracked: [f64; 3],
-    /// Word for whatever rides past: its frame is called by it.
+    /// Word for whatever rides past, after which its frame is called.
     pub rider: String,
-    /// Length of its unit in metres, if the file gives it.
+    /// Length of the scene's unit in metres, if the file gives it.
     pub metres: Option<f64>,
     /// Height of the resting ground, if there is one.
     pub ground_z: Option<f64>,
@@ -47,14 +47,14 @@ pub struct SceneGroup {
     pub name: String,
     /// Motion of the group.
     pub motion: Motion,
-    /// Number of its first body.
+    /// Number of the scene group's first body.
     pub first: usize,
-    /// Number of its bodies.
+    /// Number of the scene group's bodies.
     pub count: usize,
 }
 
 impl SceneGroup {
-    /// The numbers of its bodies.
+    /// The numbers of the scene group's bodies.
     #[must_use]
     pub fn bodies(&self) -> Range<usize> {
         self.first..self.first + self.count
@@ -68,7 +68,7 @@ pub struct Track {
     pub rest: [f64; 3],
     /// Motion of the point's group.
     pub motion: Motion,
-    /// Turning of the body that it is on.
+    /// Turning of the body that the point is on.
     pub spin: Option<Spin>,
 }
 
@@ -79,7 +79,7 @@ impl Track {
         Self { rest: self.axle(), spin: None, ..*self }
     }
 
-    /// The point in the frame of its group.
+    /// The point in the frame of the track's group.
     #[must_use]
     pub fn point(&self) -> MaterialPoint {
         MaterialPoint { rest: self.rest.into(), spin: self.spin }
@@ -155,7 +155,7 @@ impl Scene {
         )
     }
 
-    /// The names of its bodies, each once, in alphabetical order.
+    /// The names of the scene's bodies, each once, in alphabetical order.
     #[must_use]
     pub fn body_names(&self) -> BTreeSet<&str> {
         self.names.iter().map(String::as_str).collect()
@@ -177,8 +177,8 @@ impl Scene {
         match known.len() {
             ..=NEAREST => format!("{scene} has no body called `{name}`: there are {nearest}"),
             count => format!(
-                "{scene} has no body called `{name}`: there are {count}, most like it {nearest}; \
-                 `gamow --list --scene` with the scene lists all"
+                "{scene} has no body called `{name}`: there are {count}; the nearest are {nearest}; `gamow \
+                    --list --scene` with the scene lists all"
             ),
         }
     }

@@ -16,7 +16,7 @@ pub enum SceneError {
     Read {
         /// Name of the file.
         source_name: String,
-        /// Reason why it cannot be read.
+        /// Reason why the scene cannot be read.
         reason: std::io::Error,
     },
     /// Neither a preset nor a path.
@@ -27,7 +27,7 @@ pub enum SceneError {
     Content {
         /// Name of the file.
         source_name: String,
-        /// Line in it, from 1.
+        /// Line in the file, from 1.
         line: usize,
         /// Problem in that line.
         problem: Problem,
@@ -50,7 +50,7 @@ pub enum Problem {
     UnknownKey {
         /// Name of the key.
         key: String,
-        /// Table that contains it.
+        /// Table that contains the key.
         owner: &'static str,
         /// The keys that exist there.
         known: String,
@@ -60,7 +60,7 @@ pub enum Problem {
     MissingKey {
         /// Name of the key.
         key: &'static str,
-        /// Table that needs it.
+        /// Table that needs the key.
         owner: &'static str,
     },
     /// A value of the wrong type, or none of those that there are.

@@ -24,12 +24,12 @@ pub(super) fn scene(text: &str) -> Result<Scene, Located> {
     changed_scene(text, Changes::default(), ModelFiles::Nowhere)
 }
 
-/// The same of a file in this folder, in which its models are.
+/// The scene that the text of a file in this folder describes, in which its models are.
 pub(super) fn scene_in(text: &str, folder: &Path) -> Result<Scene, Located> {
     changed_scene(text, Changes::default(), ModelFiles::Folder(folder))
 }
 
-/// The same with its wheels changed so.
+/// The scene that a file's text describes, with these changes to its wheels.
 fn changed_scene(text: &str, changes: Changes, models: ModelFiles<'_>) -> Result<Scene, Located> {
     let document = DeTable::parse(text).map_err(|error| Located::syntax(text, &error))?;
     let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene", models };

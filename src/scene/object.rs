@@ -24,7 +24,7 @@ pub(super) struct Object {
     pub name: Option<String>,
     /// The preset that it was included with, numbered if its group includes that several times.
     pub include: Option<Rc<str>>,
-    /// The place of its table in the file.
+    /// The place of the object's table in the file.
     pub span: Range<usize>,
 }
 
@@ -132,8 +132,8 @@ fn pattern(object: &Table, shape: &Shape) -> Result<Pattern, Located> {
 }
 
 fn sphere(object: &Table) -> Result<Shape, Located> {
-    check_keys(object, &["center", "radius"])?;
-    Ok(Shape::Sphere { center: object.needed_point("center")?, radius: object.needed_size("radius")? })
+    check_keys(object, &["centre", "radius"])?;
+    Ok(Shape::Sphere { center: object.needed_point("centre")?, radius: object.needed_size("radius")? })
 }
 
 fn tube(object: &Table) -> Result<Shape, Located> {
@@ -142,8 +142,8 @@ fn tube(object: &Table) -> Result<Shape, Located> {
 }
 
 fn ring(object: &Table) -> Result<Shape, Located> {
-    check_keys(object, &["center", "axis", "radius", "tube_radius"])?;
-    let center = object.needed_point("center")?;
+    check_keys(object, &["centre", "axis", "radius", "tube_radius"])?;
+    let center = object.needed_point("centre")?;
     let axis = object.needed_direction("axis")?;
     let radius = object.needed_size("radius")?;
     let tube_radius = object.needed_size("tube_radius")?;
@@ -155,8 +155,8 @@ fn ring(object: &Table) -> Result<Shape, Located> {
 }
 
 fn cuboid(object: &Table) -> Result<Shape, Located> {
-    check_keys(object, &["center", "size", "axis", "angle"])?;
-    let center = object.needed_point("center")?;
+    check_keys(object, &["centre", "size", "axis", "angle"])?;
+    let center = object.needed_point("centre")?;
     let half = object.needed_sizes("size")?.map(|size| 0.5 * size);
     let turn = object.turn("the box")?;
     Ok(Shape::Box { center, half, turn: turn.to_array() })

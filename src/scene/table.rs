@@ -74,7 +74,7 @@ impl<'a> Table<'a> {
         self.count(key)?.ok_or_else(|| self.missing(key))
     }
 
-    /// Whether it is so, if the key is there.
+    /// A truth value, if the key is there.
     pub fn truth(&self, key: &'static str) -> Result<Option<bool>, Located> {
         let Some(value) = self.value(key) else { return Ok(None) };
         let truth = value.get_ref().as_bool();

@@ -12,7 +12,7 @@ name = "Two balls"
 
 [[object]]
 shape = "sphere"
-center = [0.0, 3.0, 2.0]
+centre = [0.0, 3.0, 2.0]
 radius = 0.5
 wavelength_nm = 550
 
@@ -24,7 +24,7 @@ radius = 0.1
 
 [[object]]
 shape = "ring"
-center = [0, 4, 0]
+centre = [0, 4, 0]
 axis = [0, 3, 4]
 radius = 0.5
 tube_radius = 0.125
@@ -63,7 +63,7 @@ fn the_forward_most_point_is_tracked_unless_the_file_names_another() {
 
 #[test]
 fn a_tilted_ring_is_forward_most_where_its_tube_faces_forward() {
-    let ring = "center = [0, 0, 0]\naxis = [3, 4, 0]\nradius = 1\ntube_radius = 0.25";
+    let ring = "centre = [0, 0, 0]\naxis = [3, 4, 0]\nradius = 1\ntube_radius = 0.25";
     let scene =
         Scene::parse(&format!("name = \"x\"\n[[object]]\nshape = \"ring\"\n{ring}"), "x").expect("right");
     let expected = glam::DVec3::new(0.8 + 0.25, -0.6, 0.0);
@@ -72,7 +72,7 @@ fn a_tilted_ring_is_forward_most_where_its_tube_faces_forward() {
 
 #[test]
 fn a_ring_that_faces_forward_is_tracked_on_its_tube() {
-    let ring = "center = [0, 0, 0]\naxis = [1, 0, 0]\nradius = 1\ntube_radius = 0.25";
+    let ring = "centre = [0, 0, 0]\naxis = [1, 0, 0]\nradius = 1\ntube_radius = 0.25";
     let scene =
         Scene::parse(&format!("name = \"x\"\n[[object]]\nshape = \"ring\"\n{ring}"), "x").expect("right");
     let [x, y, z] = scene.tracked;
@@ -81,7 +81,7 @@ fn a_ring_that_faces_forward_is_tracked_on_its_tube() {
 
 #[test]
 fn an_include_moves_a_preset_and_comes_before_the_objects() {
-    let text = "name = \"x\"\n[[object]]\nshape = \"sphere\"\ncenter = [9, 0, 0]\nradius = 1\n\
+    let text = "name = \"x\"\n[[object]]\nshape = \"sphere\"\ncentre = [9, 0, 0]\nradius = 1\n\
                 [[include]]\nscene = \"cyclist\"\noffset = [1, 2, -3]\n[[include]]\nscene = \"two-balls\"";
     let scene = Scene::parse(text, "x").expect("right");
     let cyclist = Scene::preset("cyclist").expect("a preset");
@@ -99,7 +99,7 @@ fn an_include_moves_a_preset_and_comes_before_the_objects() {
 
 #[test]
 fn bodies_are_called_what_their_file_says_else_by_shape_and_number() {
-    let ball = "shape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n";
+    let ball = "shape = \"sphere\"\ncentre = [0, 3, 2]\nradius = 1\n";
     let text = format!(
         "name = \"x\"\n[[include]]\nscene = \"cyclist\"\n[[object]]\n{ball}\
          [[group]]\nname = \"moon\"\n[[group.object]]\n{ball}name = \"full moon\""
@@ -143,7 +143,7 @@ fn a_street_has_kerbs_and_fronts_one_behind_the_other() {
 
 #[test]
 fn without_surroundings_only_what_moves_is_left() {
-    let ball = "[[group.object]]\nshape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n";
+    let ball = "[[group.object]]\nshape = \"sphere\"\ncentre = [0, 3, 2]\nradius = 1\n";
     let group = |name: &str, beta: &str| format!("[[group]]\nname = \"{name}\"\nbeta = {beta}\n{ball}");
     let [street, oncoming] = [group("street", "0"), group("oncoming", "-0.6")];
     let all = Scene::parse(&format!("{EXAMPLE}{street}{oncoming}"), "x").expect("right");
@@ -154,7 +154,7 @@ fn without_surroundings_only_what_moves_is_left() {
 
 #[test]
 fn groups_have_motions_of_their_own() {
-    let ball = "[[group.object]]\nshape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n";
+    let ball = "[[group.object]]\nshape = \"sphere\"\ncentre = [0, 3, 2]\nradius = 1\n";
     let text = format!(
         "{EXAMPLE}[[group]]\nname = \"street\"\nbeta = 0\n{ball}{ball}[[group]]\nname = \"oncoming\"\nbeta = -0.6\n{ball}"
     );
@@ -224,12 +224,12 @@ fn an_unknown_key_is_told_the_keys_there_are() {
         "balls.toml:3: unknown key `groud_z`: a scene has name, rider, metres, tracked, ground_z, street, include, wheel, model, object, group"
     );
     assert_eq!(
-        object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradus = 1"),
-        "balls.toml:5: unknown key `radus`: a sphere has shape, center, radius, name, wavelength_nm, light, brightness, pattern, spacing, repeat, step"
+        object_error("shape = \"sphere\"\ncentre = [0, 3, 2]\nradus = 1"),
+        "balls.toml:5: unknown key `radus`: a sphere has shape, centre, radius, name, wavelength_nm, light, brightness, pattern, spacing, repeat, step"
     );
     assert_eq!(
-        object_error("shape = \"tube\"\ncenter = [0, 3, 2]"),
-        "balls.toml:4: unknown key `center`: a tube has shape, from, to, radius, name, wavelength_nm, light, brightness, pattern, spacing, repeat, step"
+        object_error("shape = \"tube\"\ncentre = [0, 3, 2]"),
+        "balls.toml:4: unknown key `centre`: a tube has shape, from, to, radius, name, wavelength_nm, light, brightness, pattern, spacing, repeat, step"
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclist\"\nmove = [0, 0, 1]"),
@@ -241,9 +241,9 @@ fn an_unknown_key_is_told_the_keys_there_are() {
 fn a_missing_key_is_reported_at_its_table() {
     assert_eq!(error("\n\nground_z = 1\n"), "balls.toml:1: a scene needs `name`");
     assert_eq!(object_error("radius = 1"), "balls.toml:2: an object needs `shape`");
-    assert_eq!(object_error("shape = \"sphere\"\nradius = 1"), "balls.toml:2: a sphere needs `center`");
+    assert_eq!(object_error("shape = \"sphere\"\nradius = 1"), "balls.toml:2: a sphere needs `centre`");
     assert_eq!(
-        object_error("shape = \"ring\"\ncenter = [0, 0, 0]\naxis = [0, 1, 0]\nradius = 1"),
+        object_error("shape = \"ring\"\ncentre = [0, 0, 0]\naxis = [0, 1, 0]\nradius = 1"),
         "balls.toml:2: a ring needs `tube_radius`"
     );
 }
@@ -252,15 +252,15 @@ fn a_missing_key_is_reported_at_its_table() {
 fn a_value_of_the_wrong_type_is_quoted() {
     assert_eq!(error("name = 3\n"), "balls.toml:1: name = 3 must be a text in double quotes");
     assert_eq!(
-        object_error("shape = \"sphere\"\ncenter = [0, 3]\nradius = 1"),
-        "balls.toml:4: center = [0, 3] must be three numbers [x, y, z]"
+        object_error("shape = \"sphere\"\ncentre = [0, 3]\nradius = 1"),
+        "balls.toml:4: centre = [0, 3] must be three numbers [x, y, z]"
     );
     assert_eq!(
-        object_error("shape = \"sphere\"\ncenter = [0,\n  \"3\", 2]\nradius = 1"),
-        "balls.toml:5: center = \"3\" must be three numbers [x, y, z]"
+        object_error("shape = \"sphere\"\ncentre = [0,\n  \"3\", 2]\nradius = 1"),
+        "balls.toml:5: centre = \"3\" must be three numbers [x, y, z]"
     );
     assert_eq!(
-        object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradius = true"),
+        object_error("shape = \"sphere\"\ncentre = [0, 3, 2]\nradius = true"),
         "balls.toml:5: radius = true must be a number"
     );
     assert_eq!(
@@ -273,8 +273,8 @@ fn a_value_of_the_wrong_type_is_quoted() {
 fn a_coordinate_must_be_finite_and_within_reach() {
     for coordinate in ["nan", "inf", "-inf", "1e7", "-1_000_001", "0xfffffffff", "9e999"] {
         assert_eq!(
-            object_error(&format!("shape = \"sphere\"\ncenter = [0, {coordinate}, 2]\nradius = 1")),
-            format!("balls.toml:4: center = {coordinate} must lie between -1e6 and 1e6")
+            object_error(&format!("shape = \"sphere\"\ncentre = [0, {coordinate}, 2]\nradius = 1")),
+            format!("balls.toml:4: centre = {coordinate} must lie between -1e6 and 1e6")
         );
     }
     assert_eq!(
@@ -285,7 +285,7 @@ fn a_coordinate_must_be_finite_and_within_reach() {
 
 #[test]
 fn a_scene_may_say_how_long_its_unit_is() {
-    let ball = "[[object]]\nshape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1";
+    let ball = "[[object]]\nshape = \"sphere\"\ncentre = [0, 3, 2]\nradius = 1";
     let metres = |line: &str| Scene::parse(&format!("name = \"x\"\n{line}\n{ball}"), "balls.toml");
     assert_eq!(metres("metres = 0.65").map(|scene| scene.metres).ok(), Some(Some(0.65)));
     assert_eq!(metres("").map(|scene| scene.metres).ok(), Some(None));
@@ -304,7 +304,7 @@ fn a_scene_may_say_how_long_its_unit_is() {
 #[test]
 fn an_object_may_carry_a_pattern_with_a_spacing() {
     let pattern = |shape: &str, pattern: &str| {
-        let text = format!("name = \"x\"\n[[object]]\ncenter = [0, 3, 2]\n{shape}\n{pattern}");
+        let text = format!("name = \"x\"\n[[object]]\ncentre = [0, 3, 2]\n{shape}\n{pattern}");
         Scene::parse(&text, "x").unwrap_or_else(|error| panic!("{error}")).bodies[0].pattern
     };
     let (ball, cuboid) = ("shape = \"sphere\"\nradius = 1", "shape = \"box\"\nsize = [1, 1, 1]");
@@ -322,9 +322,9 @@ fn an_object_may_carry_a_pattern_with_a_spacing() {
 #[test]
 fn a_pattern_must_fit_its_shape_and_close_around_it() {
     let ball =
-        |rest: &str| object_error(&format!("shape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n{rest}"));
+        |rest: &str| object_error(&format!("shape = \"sphere\"\ncentre = [0, 3, 2]\nradius = 1\n{rest}"));
     let cuboid =
-        |rest: &str| object_error(&format!("shape = \"box\"\ncenter = [0, 3, 2]\nsize = [1, 1, 1]\n{rest}"));
+        |rest: &str| object_error(&format!("shape = \"box\"\ncentre = [0, 3, 2]\nsize = [1, 1, 1]\n{rest}"));
     assert_eq!(
         ball("pattern = \"faces\""),
         "balls.toml:6: pattern = \"faces\" must be on a box: only that has faces"
@@ -351,7 +351,7 @@ fn a_pattern_must_fit_its_shape_and_close_around_it() {
 #[test]
 fn a_box_has_full_lengths_and_may_be_turned() {
     let half_and_x = |rest: &str| {
-        let text = format!("name = \"x\"\n[[object]]\nshape = \"box\"\ncenter = [1, 2, 3]\n{rest}");
+        let text = format!("name = \"x\"\n[[object]]\nshape = \"box\"\ncentre = [1, 2, 3]\n{rest}");
         let scene = Scene::parse(&text, "x").unwrap_or_else(|error| panic!("{error}"));
         let Shape::Box { center, half, turn } = scene.bodies[0].shape else { panic!("a box") };
         assert_eq!(center, [1.0, 2.0, 3.0]);
@@ -367,7 +367,7 @@ fn a_box_has_full_lengths_and_may_be_turned() {
 
 #[test]
 fn what_is_wrong_with_a_box_or_a_cylinder_is_said() {
-    let cuboid = |rest: &str| object_error(&format!("shape = \"box\"\ncenter = [0, 3, 2]\n{rest}"));
+    let cuboid = |rest: &str| object_error(&format!("shape = \"box\"\ncentre = [0, 3, 2]\n{rest}"));
     assert_eq!(cuboid("angle = 5"), "balls.toml:2: a box needs `size`");
     assert_eq!(cuboid("size = 2"), "balls.toml:5: size = 2 must be three sizes [x, y, z]");
     assert_eq!(cuboid("size = [1, 0, 1]"), "balls.toml:5: size = 0 must be above 0");
@@ -391,7 +391,7 @@ fn flat_faces_are_tracked_in_their_middle_and_corners_where_they_stand_out() {
         let text = format!("name = \"x\"\n[[object]]\n{object}");
         Scene::parse(&text, "x").unwrap_or_else(|error| panic!("{error}")).tracked
     };
-    let cuboid = "shape = \"box\"\ncenter = [0, 3, 0]\nsize = [2, 2, 2]\n";
+    let cuboid = "shape = \"box\"\ncentre = [0, 3, 0]\nsize = [2, 2, 2]\n";
     assert_eq!(tracked(cuboid), [1.0, 3.0, 0.0]);
     let [x, y, z] = tracked(&format!("{cuboid}angle = 45"));
     assert!((x - 2f64.sqrt()).abs() < 1e-15 && (y - 3.0).abs() < 1e-15 && z == 0.0, "{x}, {y}, {z}");
@@ -402,7 +402,7 @@ fn flat_faces_are_tracked_in_their_middle_and_corners_where_they_stand_out() {
 
 #[test]
 fn a_size_must_be_positive_and_drawable() {
-    let sphere = |size: &str| object_error(&format!("shape = \"sphere\"\ncenter = [0, 3, 2]\n{size}"));
+    let sphere = |size: &str| object_error(&format!("shape = \"sphere\"\ncentre = [0, 3, 2]\n{size}"));
     assert_eq!(sphere("radius = -1"), "balls.toml:5: radius = -1 must be above 0");
     assert_eq!(sphere("radius = 0.0"), "balls.toml:5: radius = 0.0 must be above 0");
     assert_eq!(sphere("radius = 1e-9"), "balls.toml:5: radius = 1e-9 must lie between 1e-6 and 1e6");
@@ -417,7 +417,7 @@ fn a_size_must_be_positive_and_drawable() {
 fn an_object_may_be_white_and_dim() {
     let ball = |light: &str| {
         let text =
-            format!("{EXAMPLE}[[object]]\nshape = \"sphere\"\ncenter = [9, 0, 0]\nradius = 1\n{light}");
+            format!("{EXAMPLE}[[object]]\nshape = \"sphere\"\ncentre = [9, 0, 0]\nradius = 1\n{light}");
         let scene = Scene::parse(&text, "balls.toml").map_err(|error| error.to_string())?;
         let body = scene.bodies.last().expect("the ball");
         Ok::<_, String>((body.emission, body.brightness))
@@ -442,7 +442,7 @@ fn an_object_may_be_white_and_dim() {
 
 #[test]
 fn a_ring_must_have_a_hole_and_an_axis() {
-    let ring = |rest: &str| object_error(&format!("shape = \"ring\"\ncenter = [0, 3, 2]\n{rest}"));
+    let ring = |rest: &str| object_error(&format!("shape = \"ring\"\ncentre = [0, 3, 2]\n{rest}"));
     assert_eq!(
         ring("axis = [0, 1, 0]\nradius = 0.5\ntube_radius = 0.5"),
         "balls.toml:7: tube_radius = 0.5 must be below radius = 0.5"
@@ -484,7 +484,7 @@ fn a_scene_is_never_empty() {
 #[test]
 fn an_axis_of_any_length_becomes_a_unit_vector() {
     for length in [1e-300, 1e-9, 1.0, 1e6] {
-        let ring = format!("center = [0, 0, 0]\naxis = [0, 0, -{length:e}]\nradius = 1\ntube_radius = 0.25");
+        let ring = format!("centre = [0, 0, 0]\naxis = [0, 0, -{length:e}]\nradius = 1\ntube_radius = 0.25");
         let text = format!("name = \"x\"\n[[object]]\nshape = \"ring\"\n{ring}");
         let Shape::Ring { axis, .. } = Scene::parse(&text, "x").expect("right").bodies[0].shape else {
             panic!("a ring")
@@ -540,7 +540,7 @@ fn wheels_are_changed_only_where_there_are_any() {
 #[test]
 fn names_bodies_and_groups_have_limits() {
     let long = "n".repeat(1_000_000);
-    let ball = "[[object]]\nshape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n";
+    let ball = "[[object]]\nshape = \"sphere\"\ncentre = [0, 3, 2]\nradius = 1\n";
     let start = |line: u32, key: &str| format!("balls.toml:{line}: {key} = \"nnnnn");
     let end = "… must have at most 100 letters";
     for (text, start) in [

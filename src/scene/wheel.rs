@@ -45,7 +45,7 @@ impl Changes {
         Ok(Self { motion: motion(table)?, tread: table.size("tread")?, valve: table.truth("valve")? })
     }
 
-    /// These, and where they say nothing what `others` say.
+    /// Returns these changes, completed by those of `others`.
     pub fn or(self, others: Self) -> Self {
         Self {
             motion: self.motion.or(others.motion),

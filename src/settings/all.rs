@@ -29,8 +29,7 @@ pub struct Settings {
     /// The point that is tracked, at rest [default: the scene's own]
     #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]
     pub point: Option<[f64; 3]>,
-    /// The points that are followed beside the scene's own, each on a body of this number: its place at rest, and that
-    /// [default: none]
+    /// The points that are followed beside the scene's own, each as its place at rest and the number of its body [default: none]
     #[arg(long, value_name = "X,Y,Z@BODY;...", allow_hyphen_values = true)]
     pub points: Option<Followed>,
     /// Motion of the scene, and separation of the eyes.
@@ -77,8 +76,8 @@ fn scene_name(name: OsString) -> Result<String, &'static str> {
 }
 
 /// Error for the name of a scene's file that is no text.
-const NO_TEXT: &str = "the file's name is no text in UTF-8, so that nothing could record which scene is shown; under another \
-                       name it can be";
+const NO_TEXT: &str = "the file's name is not text in UTF-8, so nothing could record which scene is shown; \
+    another name would be right";
 
 impl Default for Settings {
     /// The cyclist on Gamow's street.
@@ -105,7 +104,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// The same as [`Self::with_scene`] of the scene in the file at `path`.
+    /// Returns these settings with the scene in the file at `path`, as [`Self::with_scene`] does.
     ///
     /// # Errors
     /// A name that cannot be recorded.
@@ -134,8 +133,8 @@ impl Settings {
         Self { scene, time: None, point: None, points: None, motion, ride, look, playback, fit, ..self }
     }
 
-    /// These settings in the window, on the screen and in the layout of `other`, which belong to whoever looks and not to what
-    /// is shown. Only a panorama brings its layout along, and takes it away again.
+    /// Returns these settings with the window, the screen and the layout of `other`, which belong to whoever looks
+    /// and not to what is shown. Only a panorama brings its layout along, and takes it away again.
     #[must_use]
     pub fn in_place_of(self, other: &Self) -> Self {
         let layout = match (self.is_panorama(), other.is_panorama()) {

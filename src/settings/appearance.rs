@@ -17,12 +17,12 @@ impl Settings {
         self.appearance_at(exposure_ev, scene, light_window)
     }
 
-    /// The same at this exposure, factors of 2.
+    /// Returns the appearance of `scene` at this exposure, factors of 2.
     pub(crate) fn appearance_at(&self, exposure_ev: f64, scene: &Scene, light_window: bool) -> Appearance {
         Appearance { exposure_ev, ..self.unexposed(scene, light_window) }
     }
 
-    /// The same without exposure.
+    /// Returns the appearance of `scene` without exposure.
     fn unexposed(&self, scene: &Scene, light_window: bool) -> Appearance {
         let light = &self.light;
         Appearance {
@@ -57,7 +57,8 @@ impl Settings {
         automatic_ev(lights, self.geometry(), &self.unexposed(scene, false))
     }
 
-    /// These settings with the exposure that `scene` gets by them at their time; where two pictures are compared, each has its own.
+    /// Returns these settings with a number for the automatic exposure of `scene` at their time; where two pictures
+    /// are compared, each has its own.
     #[must_use]
     pub fn exposed_for(self, scene: &Scene) -> Self {
         if self.is_comparing() {
@@ -69,8 +70,7 @@ impl Settings {
         Self { light: Light { exposure, ..self.light }, ..self }
     }
 
-    /// These settings with nothing left to be found out: everything that decides the picture that `self` makes of this
-    /// `subject`.
+    /// Returns these settings with a number in place of everything automatic: all that decides the picture that `self` makes of this `subject`.
     #[must_use]
     pub fn resolved(&self, subject: Subject) -> Self {
         let time = self.time.unwrap_or_else(|| self.time_of_approach(&subject.tracked));

@@ -35,7 +35,7 @@ pub enum ComparisonError {
     #[error("--compare paper needs the Doppler effect, --geometry seen: without it D is 1 everywhere")]
     NoDoppler,
     /// The first picture is the same already.
-    #[error("--compare: the first picture is so already: both would be alike")]
+    #[error("--compare: the first picture shows this already, so both would be alike")]
     Alike,
 }
 
@@ -46,7 +46,7 @@ impl Settings {
         !self.look.compare.is_off() && self.check_comparison().is_ok()
     }
 
-    /// Whether the second picture of one eye that is set can be shown.
+    /// Checks that the second picture of one eye, which these settings ask for, can be shown.
     ///
     /// # Errors
     /// A layout, a projection, a light or a geometry with which there is none.
@@ -129,8 +129,9 @@ impl Settings {
         Self { look, light, ..self.clone() }
     }
 
-    /// The same with the field of view that both pictures of this `subject` have at `time`, `size` in pixels; and with the
-    /// exposure of the first in `scene`, where both differ by their brightness.
+    /// Returns the settings of the second picture with the field of view that both pictures of this `subject` share
+    /// at `time`, `size` in pixels; and with the exposure of the first in `scene`, where the two differ in
+    /// brightness.
     #[must_use]
     pub fn second_of(&self, subject: Subject, scene: &Scene, time: f64, size: [u32; 2]) -> Option<Self> {
         let mut second = self.second()?;

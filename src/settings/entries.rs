@@ -32,7 +32,7 @@ const OF_PICTURES: &str = "picture";
 /// A setting with its value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Entry {
-    /// The section it is in; none at the top.
+    /// The section the entry is in; none at the top.
     pub section: String,
     /// Name of the setting.
     pub key: String,
@@ -97,8 +97,8 @@ impl Settings {
         Self::default().with_command_of(&[RENDER], command, place)
     }
 
-    /// The same of the file at `path`, with the scene where it is; but nothing where `command` is none of `gamow render`'s:
-    /// where a file records none.
+    /// Returns the settings that the file at `path` records in `command`, with the scene where it is; `None` where
+    /// `command` is not one of `gamow render`, as in a file without a record.
     ///
     /// # Errors
     /// A flag that does not exist, or a value that it cannot have.
@@ -116,7 +116,7 @@ impl Settings {
     fn with_command_of(mut self, known: &[&str], command: &str, place: &str) -> Result<Self, SettingsError> {
         let flags = known.iter().find_map(|known| command.strip_prefix(known)).unwrap_or_default();
         if !flags.trim_start().starts_with("--") {
-            let problem = "it does not say with which settings gamow made it".to_owned();
+            let problem = "it does not record the settings with which it was made".to_owned();
             return Err(SettingsError::Content { place: place.to_owned(), problem });
         }
         // What was recorded before there was another projection does not name it.

@@ -14,7 +14,7 @@ pub enum SettingsError {
     Read {
         /// Name of the file.
         source_name: String,
-        /// Reason why it cannot be read.
+        /// Reason why the settings cannot be read.
         reason: String,
     },
     /// Neither a preset nor a path.

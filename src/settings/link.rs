@@ -78,10 +78,7 @@ impl Settings {
         let wrong = |problem: String| SettingsError::Content { place: "the link".to_owned(), problem };
         let link = link.trim();
         if link.len() > MOST_BYTES {
-            return Err(wrong(format!(
-                "it is longer than {} kB, the most that is read of one",
-                MOST_BYTES >> 10
-            )));
+            return Err(wrong(format!("it is longer than {} kB, the limit for a link", MOST_BYTES >> 10)));
         }
         let pairs = link.strip_prefix(SCHEME).unwrap_or(link);
         let pairs = pairs.strip_prefix('?').unwrap_or(pairs).split('&').filter(|pair| !pair.is_empty());
@@ -90,7 +87,8 @@ impl Settings {
                 wrong(format!("{} has no value; it should be as in beta=0.9", messages::excerpt(pair)))
             })?;
             let value = percent_decode_str(value).decode_utf8();
-            let value = value.map_err(|_| wrong(format!("{} is no text", messages::excerpt(pair))))?;
+            let value =
+                value.map_err(|_| wrong(format!("{} is not text in UTF-8", messages::excerpt(pair))))?;
             Ok(format!("--{key}={value}"))
         });
         let flags = flags.collect::<Result<Vec<_>, _>>()?;
@@ -134,7 +132,7 @@ mod tests {
             ("gamow:?beta=1", "the link: beta = 1 is out of range"),
             ("gamow:?bet=0.5", "the link: there is no setting `bet`"),
             ("gamow:?beta", "the link: beta has no value; it should be as in beta=0.9"),
-            ("gamow:?scene=%ff", "the link: scene=%ff is no text"),
+            ("gamow:?scene=%ff", "the link: scene=%ff is not text in UTF-8"),
             (
                 "gamow:?scene=/etc/passwd",
                 "the link: scene = /etc/passwd: a link names a scene that comes with the program",

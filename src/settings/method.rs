@@ -18,7 +18,7 @@ impl Quality {
         }
     }
 
-    /// This, with a renderer that is chosen.
+    /// Returns this quality with `method` as its renderer.
     #[must_use]
     pub const fn with_method(self, method: Method) -> Self {
         match method {

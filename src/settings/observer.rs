@@ -193,7 +193,7 @@ impl Settings {
         self.disparity_by(self.model(), point, observation_time)
     }
 
-    /// The same by the [`Self::shown_model`]: what the views show.
+    /// Returns the disparity of `point` by the [`Self::shown_model`]: what the views show.
     ///
     /// # Errors
     /// A time outside the domain of the core.

@@ -16,7 +16,7 @@ pub struct Preset {
     pub caption: String,
     /// Settings of the preset.
     pub settings: Settings,
-    /// Text of its file.
+    /// Text of the preset's file.
     pub toml: &'static str,
 }
 

@@ -17,7 +17,7 @@ use crate::flags::{RideLegs, StreetVelocity, within};
 pub const PUSH: std::ops::RangeInclusive<f64> = 1e-6..=100.0;
 
 /// Why a picture that was taken on a ride is refused by what knows eyes at rest.
-pub const ON_A_RIDE: &str = "it was taken on a ride, and this takes pictures of eyes at rest";
+pub const ON_A_RIDE: &str = "it was taken on a ride, and this needs pictures taken by eyes at rest";
 
 /// A shorter part of the time is rounding.
 const ROUNDING: f64 = 1e-12;
@@ -82,8 +82,8 @@ impl Riding {
         self.start().odometers(self.ride.0.as_deref().unwrap_or_default(), time)
     }
 
-    /// This ride as it was until `time`, and from then on with a push of this proper `acceleration` for `duration`. A push that goes on is
-    /// one leg with what was pushed before.
+    /// Returns this ride as it was until `time`, and from then on with a push of this proper `acceleration` for
+    /// `duration`. A push that continues another is one leg with it.
     ///
     /// # Errors
     /// A ride that is full, or would be too fast, in words.
@@ -118,7 +118,7 @@ impl Riding {
         })
     }
 
-    /// Duration of its legs.
+    /// Duration of the riding's legs.
     #[must_use]
     pub fn duration(&self) -> f64 {
         self.turns().last().unwrap_or_default()

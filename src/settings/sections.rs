@@ -32,11 +32,10 @@ pub struct Motion {
     /// Separation of the eyes, which rest at x = -d/2 and +d/2 if the head is neither tilted nor turned.
     #[arg(long, value_parser = within(0.0..=MAX_LENGTH), allow_hyphen_values = true)]
     pub d: f64,
-    /// By how much the head tilts, degrees: the right eye is the higher one above 0, straight above the left one at 90.
+    /// Tilt of the head, degrees: above 0 the right eye is the higher one, at 90 straight above the left one.
     #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
     pub roll: f64,
-    /// By how much the head turns about the vertical, degrees: to the left above 0; at 90 the right eye is straight beyond
-    /// the left one, along y.
+    /// Turn of the head about the vertical, degrees: above 0 to the left; at 90 the right eye is straight beyond the left one, along y.
     #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
     pub turn: f64,
     /// Additional distance beyond the scene's own, along y.
@@ -68,8 +67,9 @@ pub struct Look {
     /// Geometry of the views.
     #[arg(long, value_enum)]
     pub geometry: Geometry,
-    /// The second of two pictures of the left eye, in place of the right eye's (with --layout side-by-side or over-under):
-    /// the first is as all else says. A gaze that follows does so in each; both have one field of view.
+    /// The second of two pictures of the left eye, in place of the right eye's (with --layout side-by-side or
+    /// over-under): the first follows all other settings. A gaze that follows does so in each; both have one field of
+    /// view.
     #[arg(long, value_enum)]
     #[serde(skip_serializing_if = "Compare::is_off")]
     pub compare: Compare,
@@ -77,15 +77,16 @@ pub struct Look {
     /// the whole passage, or azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
     #[arg(long, value_name = "whole|point|ahead|passage|AZ,EL", allow_hyphen_values = true)]
     pub gaze: GazeChoice,
-    /// Horizontal field of view of each eye, degrees, as it would be straight ahead; `auto` shows the whole scene with a margin (usually 42 to 150), and the
-    /// whole passage from 81 degrees left to 81 right, or further; is 110 straight ahead and else 60.
+    /// Horizontal field of view of each eye, degrees, as it would be straight ahead; `auto` shows the whole scene
+    /// with a margin (usually 42 to 150), or the whole passage from 81 degrees left to 81 right, or further; with the
+    /// gaze ahead it is 110, with any other 60.
     #[arg(long, value_name = "auto|DEG", allow_hyphen_values = true)]
     pub fov: FieldOfView,
     /// Projection of directions into a picture. What is measured does not depend on it.
     #[arg(long, value_enum)]
     pub projection: ProjectionChoice,
-    /// Zero parallax: in the same place of both pictures, and so at the depth of the screen (not with --projection gaze), is the
-    /// tracked point, what is infinitely far away, or what is this far ahead, 1e-9 to 1e12.
+    /// Zero parallax: what has the same place in both pictures, and so appears at the depth of the screen (not with
+    /// --projection gaze): the tracked point, what is infinitely far away, or what is this far ahead, 1e-9 to 1e12.
     #[arg(long, value_name = "point|infinity|DISTANCE", allow_hyphen_values = true)]
     pub zero_parallax: ZeroParallax,
 }
@@ -149,13 +150,13 @@ pub struct Light {
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub surroundings: OnOff,
     /// Whether the scene's ground is drawn: its road, or a grid of one line per unit of length. A soft shadow lies on the road where
-    /// wheels touch it: exact there, since both are one event, and a drawn sign around it.
+    /// wheels touch it: exact there, since both are one event, and only suggested around it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub ground: OnOff,
-    /// Whether the sky is a gradient, else it is plain.
+    /// Whether the sky is a gradient; otherwise it is plain.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub sky: OnOff,
-    /// Colours of road, ground, house fronts and sky to who rides: their paints count as grey. Eyes at rest see them as painted.
+    /// Colours of road, ground, house fronts and sky as a rider sees them: their paints count as grey. Eyes at rest see them as painted.
     #[arg(long, value_enum)]
     pub street_colours: StreetColours,
     /// Whether sky and ground are light.
@@ -238,7 +239,7 @@ pub struct Picture {
     /// Layout of the pictures of the two eyes. Those of an .exr file are layers of their own.
     #[arg(long, value_enum)]
     pub layout: Layout,
-    /// The layouts whose eyes are swapped, like `anaglyph,rows`; `none` has all as they are described.
+    /// The layouts whose eyes are swapped, like `anaglyph,rows`; `none` leaves all as described.
     #[arg(long, value_name = "none|LAYOUTS")]
     pub swapped: Swapped,
     /// Labels: a letter above each of two pictures beside or above each other, and a bar between them. Both lie outside the
@@ -280,14 +281,14 @@ pub const PICTURE_MM: RangeInclusive<f64> = 10.0..=200.0;
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Screen")]
 pub struct Screen {
-    /// Width of the whole screen, centimetres; `auto` takes 96 pixels for an inch, which is right for few projectors.
+    /// Width of the whole screen, centimetres; `auto` assumes 96 pixels per inch, which is wrong for most projectors.
     #[arg(long, value_name = "auto|CM")]
     pub screen_width: ScreenWidth,
     /// Distance of the viewer from the screen, centimetres.
     #[arg(long, value_name = "CM", value_parser = within(VIEWING_CM))]
     pub viewing_distance: f64,
     /// Largest distance between the middles of two pictures that are fused without glasses, millimetres: no more than
-    /// one's pupils are apart.
+    /// the distance of the viewer's pupils.
     #[arg(long, value_name = "MM", value_parser = within(PICTURE_MM))]
     pub picture_distance: f64,
 }
@@ -347,11 +348,11 @@ pub enum PlotTab {
     Angles,
     /// Doppler factor for each eye.
     Doppler,
-    /// Stereo position: where two eyes take the point to be.
+    /// Stereo position: where two eyes place the point.
     Stereo,
     /// Speed and distance fitted to noisy disparities.
     Fit,
-    /// Cost and error of each way to draw the views.
+    /// Cost and error of each renderer.
     Accuracy,
 }
 
@@ -450,12 +451,12 @@ impl Default for FitSetup {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum DataFrom {
-    /// By that of what the views show: exact, or one cone.
+    /// The model of the views: exact, or one cone.
     #[default]
     Views,
     /// Each eye solves its own light cone.
     Exact,
-    /// Both eyes receive the events that the middle between them receives.
+    /// Both eyes receive the events of the middle between them.
     OneCone,
     /// The paper's model, which leaves out parallax.
     Published,
@@ -570,10 +571,10 @@ pub struct Window {
     /// The left eye's picture corrected to the rest frame, beside the two. Hidden, it costs nothing.
     #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
     pub corrected: OnOff,
-    /// A strip below the views that shows which wavelengths arrive of the selected point.
+    /// A strip below the views that shows which wavelengths arrive from the selected point.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub spectrum: OnOff,
-    /// Sentence below the views about the moment.
+    /// The sentence below the views, which describes the moment.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub sentence: OnOff,
     /// The map: what happens, beside what is seen. Hidden, it computes nothing.
@@ -585,38 +586,38 @@ pub struct Window {
     /// Controls beside the views.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub controls: OnOff,
-    /// Few controls: those of the speed, the separation of the eyes and T; and one plot. A new user's window begins so.
+    /// Few controls (speed, eye separation and T) and one plot, as in a new user's window.
     #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
     pub simple: OnOff,
     /// The numbers below the controls.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub readout: OnOff,
-    /// Width of the controls, as a part of the window's.
+    /// Width of the controls, as a fraction of the window's.
     #[arg(long, value_name = "auto|SHARE")]
     pub side_share: Share,
-    /// Height of the map and the plots, as a part of what they and the views have together.
+    /// Height of the map and the plots, as a fraction of theirs and the views' together.
     #[arg(long, value_name = "auto|SHARE")]
     pub strip_share: Share,
-    /// Width of the map beside the plots, as a part of both.
+    /// Width of the map, as a fraction of its own and the plots' together.
     #[arg(long, value_name = "auto|SHARE")]
     pub map_share: Share,
     /// At each followed point in the views, a clock that shows the body's proper time as the eye sees it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub dials: OnOff,
-    /// In each view a clock that rests beside the eyes, to compare them with; and at every clock the turns that its hand made
-    /// since the step of a lesson began, else since it showed 0.
+    /// In each view a clock that rests beside the eyes, to compare them with; and at every clock the number of turns
+    /// of its hand, since the step of a lesson began or since it showed 0.
     #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
     pub resting_clock: OnOff,
     /// Ruler of rapidity along the lower edge of conformal views, with the standing spectrum above it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub ruler: OnOff,
-    /// In conformal views, the outline of what moves where it would be seen at rest, and the arrow by which motion slides it.
+    /// In conformal views, the outline of what moves where it would be seen if it were at rest, and the arrow by which motion slides it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
     pub resting: OnOff,
-    /// On a ride, darkens the edges of the views while the head turns: streaming there makes people ill.
+    /// On a ride, darkens the edges of the views while the head turns: movement there makes people ill.
     #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
     pub vignette: OnOff,
-    /// Units of the lengths and times that the window shows and takes. Files and flags have the scene's own always.
+    /// Units of the lengths and times that the window shows and takes. Files and flags always have the scene's own.
     #[arg(long, value_enum)]
     pub units: Units,
     /// Colours of the window.

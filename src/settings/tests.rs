@@ -428,7 +428,7 @@ fn one_goal_takes_the_place_of_the_other() {
 fn other_commands_make_no_settings() {
     let error =
         Settings::default().with_command("gamow rectify --beta=0.5", "x.png").expect_err("it is wrong");
-    assert_eq!(error.to_string(), "x.png: it does not say with which settings gamow made it");
+    assert_eq!(error.to_string(), "x.png: it does not record the settings with which it was made");
     let error = Settings::default().with_command("gamow render --what=1", "x.png").expect_err("it is wrong");
     assert_eq!(error.to_string(), "x.png: there is no setting `what`");
 }
@@ -606,5 +606,5 @@ fn what_can_be_told_is_set_and_what_cannot_is_named() {
     }
     let (settings, problems) = Settings::as_far_as_told("beta = 0,8");
     assert_eq!(settings, Settings::default());
-    assert_eq!(problems, ["0,8 is no number: with a decimal point it is beta = 0.8"]);
+    assert_eq!(problems, ["0,8 is not a number: with a decimal point it is beta = 0.8"]);
 }

@@ -56,7 +56,7 @@ impl Settings {
         }
     }
 
-    /// The same of a picture that is not compared with another.
+    /// Returns the look of both eyes at `subject` in a picture that is not compared with another.
     fn own_look(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> Look {
         let framing = match self.look.gaze {
             GazeChoice::Whole | GazeChoice::Passage => self.framing(subject.scene, observation_time),

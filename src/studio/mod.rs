@@ -28,7 +28,7 @@ use crate::settings::{Settings, Subject};
 
 /// Names of the stages that draw the left and the right eye.
 const EYES: [&str; 2] = ["left eye", "right eye"];
-/// The same where both pictures are of the left eye.
+/// Names of the stages where both pictures are of the left eye.
 const PICTURES: [&str; 2] = ["first picture", "second picture"];
 
 /// A scene, and a renderer that draws it as the settings say.

@@ -19,7 +19,7 @@ pub struct Painter {
     samples: u32,
     /// Choice of the method, where that is automatic.
     automatic: Option<Choosing>,
-    /// When it was made.
+    /// Moment at which the painter was made.
     clock: Instant,
 }
 
@@ -30,7 +30,7 @@ struct Choosing {
     choice: Option<Choice>,
     /// Whether a picture was measured since.
     is_measured: bool,
-    /// Whether it stays: once the first picture was measured, so that frames of a film look alike.
+    /// Whether the choice stays: once the first picture was measured, so that frames of a film look alike.
     is_settled: bool,
 }
 
@@ -94,7 +94,8 @@ impl Painter {
     fn of_vr180(settings: &Settings) -> anyhow::Result<Self> {
         anyhow::ensure!(
             settings.look.geometry != Geometry::Published,
-            "--geometry published is drawn by triangles, and --projection vr180 by rays: there is no picture of both"
+            "--geometry published needs the mesh renderer, and --projection vr180 the reference: choose \
+                one of the two"
         );
         match settings.quality.renderer {
             RendererChoice::Reference => {}

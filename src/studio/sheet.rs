@@ -60,7 +60,7 @@ pub struct Sheet {
     eye_size: [u32; 2],
     /// Height of the strip of letters, 0 without.
     strip: u32,
-    /// The pictures in it.
+    /// The pictures in the sheet.
     parts: Vec<Part>,
 }
 

@@ -65,7 +65,7 @@ const fn lowered(letter: char) -> Option<char> {
 
 /// A letter of a line of height 1.
 struct Placed {
-    /// The distance of its beginning from the left.
+    /// The distance of the text's beginning from the left.
     x: f64,
     /// The height of the writing.
     scale: f64,

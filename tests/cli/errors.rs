@@ -213,8 +213,8 @@ fn flags_out_of_range_are_named_and_nothing_is_written() {
         ("curve --gamma -5", "gamma = -5 is out of range: it must be between 1 and 1e30"),
         ("curve --d -1", "d = -1.0 is out of range: it must be between 0 and 1e60"),
         ("curve --y 1e61", "y = 1e61 is not a number between -1e60 and 1e60"),
-        ("curve --from 2 --to 1", "--from 2 is not before --to 1"),
-        ("curve --beta 0", "a point at rest passes at no time; --from and --to are needed"),
+        ("curve --from 2 --to 1", "--from 2 must be below --to 1"),
+        ("curve --beta 0", "a point at rest never passes; --from and --to are needed"),
     ] {
         let outcome = words(arguments);
         assert_eq!(outcome.stdout, b"", "{arguments}");
@@ -265,7 +265,7 @@ fn files_without_an_end_are_refused_in_one_line() {
     let complaint =
         |arguments: &str| run(gamow().args(arguments.split(' ')).current_dir(folder.path()), b"").complaint();
     write("blanks.toml", &vec![b'\n'; 5 << 20]);
-    let too_long = "it is longer than 4 MB, the most that is read of such a file";
+    let too_long = "it is longer than 4 MB, the limit for such a file";
     for arguments in ["render --scene ./blanks.toml", "render --state ./blanks.toml"] {
         assert!(
             complaint(arguments).starts_with("gamow: ./blanks.toml: ")
@@ -275,9 +275,8 @@ fn files_without_an_end_are_refused_in_one_line() {
     let row = "1".repeat(2 << 20);
     write("eval.csv", format!("{GOOD}\r\n{row}\n").as_bytes());
     write("fit.csv", format!("T,dphi\n\n0,{row}").as_bytes());
-    let too_long = |line: u8| {
-        format!("the row that starts in line {line} is longer than 1 MB, the most that is read of one")
-    };
+    let too_long =
+        |line: u8| format!("the row that starts in line {line} is longer than 1 MB, the limit for a row");
     assert_eq!(complaint("eval eval.csv --out x.csv"), format!("gamow: eval.csv: {}", too_long(4)));
     assert_eq!(complaint("fit fit.csv --d 1"), format!("gamow: fit.csv: {}", too_long(3)));
     // Blank lines are no row, however many.
@@ -302,7 +301,7 @@ fn a_picture_that_claims_to_be_huge_is_refused_by_its_size() {
         let arguments = arguments.split(' ');
         let complaint = run(gamow().args(arguments).current_dir(folder.path()), b"").complaint();
         let expected =
-            "gamow: big.png: it has 65535x65535 pixels, and at most 268435456 are read, as of 16384x16384";
+            "gamow: big.png: it has 65535x65535 pixels; the limit is 268435456, those of 16384x16384";
         assert_eq!(complaint, expected);
     }
     let complaint =
@@ -335,7 +334,7 @@ fn a_scene_with_names_of_a_megabyte_is_refused_before_it_is_large() {
     let folder = tempfile::tempdir().expect("a folder");
     let name = "n".repeat(1_000_000);
     let scene = format!(
-        "name = \"x\"\n[[object]]\nname = \"{name}\"\nrepeat = 1000\nshape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n"
+        "name = \"x\"\n[[object]]\nname = \"{name}\"\nrepeat = 1000\nshape = \"sphere\"\ncentre = [0, 3, 2]\nradius = 1\n"
     );
     fs::write(folder.path().join("a.toml"), scene).expect("it is written");
     let render = ["render", "--scene", "a.toml", "--out", "a.png"];

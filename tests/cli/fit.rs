@@ -129,7 +129,7 @@ fn a_point_on_a_rolling_wheel_is_fitted_by_its_wheel() {
         let table =
             run(gamow().arg("fit").args(format!("{flags} --bootstrap 0").split_whitespace()), csv.as_bytes());
         let told = format!(
-            "wheel      radius 0.525, rho {rho}, angle {angle}, taken for known: y, z and x0 are the hub's"
+            "wheel      radius 0.525, rho {rho}, angle {angle}, taken as known: y, z and x0 are the hub's"
         );
         assert!(table.text().contains(&told));
         let fixed = fitted(&csv, "--d 0.1 --json --bootstrap 0");

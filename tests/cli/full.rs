@@ -117,7 +117,7 @@ fn a_closed_standard_output_is_remarked_on() {
     for words in TALKERS {
         // Its file is what a picture was asked for, and whoever asks for help reads it.
         let is_beside = ["--timings", "--help", "--version"].iter().any(|flag| words.contains(flag));
-        let remark = "gamow: standard output is closed, or thrown away: nothing of this is kept\n";
+        let remark = "gamow: standard output is closed or discarded: this output is lost\n";
         let said = if is_beside { "" } else { remark };
         let outcome = in_shell(folder.path(), words, ">&-");
         assert_eq!((outcome.status, outcome.stderr.as_str()), (Some(0), said), "{words}");

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::{Outcome, gamow, run};
 
-const BALL: &str = "name = 'Ball'\n[[object]]\nshape = 'sphere'\ncenter = [0.0, 3.0, 0.5]\nradius = 0.4\n";
+const BALL: &str = "name = 'Ball'\n[[object]]\nshape = 'sphere'\ncentre = [0.0, 3.0, 0.5]\nradius = 0.4\n";
 
 /// `gamow render` with these `words` and the scene in the file `scene`, if one is given, run in `folder`.
 fn rendered(folder: &Path, scene: Option<&Path>, words: &str) -> Outcome {

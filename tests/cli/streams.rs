@@ -237,7 +237,7 @@ fn files_whose_names_are_no_text_are_read_and_written() {
     // A scene's name is recorded as text.
     let refused = run(draw().args(["--out", "b.png", "--scene"]).arg(name(b".toml")), b"");
     assert_eq!(refused.status, Some(2));
-    let reason = "the file's name is no text in UTF-8, so that nothing could record which scene is shown";
+    let reason = "the file's name is not text in UTF-8, so nothing could record which scene is shown";
     assert!(refused.stderr.contains(reason), "{}", refused.stderr);
     assert!(!folder.path().join("b.png").exists());
 }

@@ -16,7 +16,7 @@ name = \"A ball\"
 [[object]]
 name = \"Green\"
 shape = \"sphere\"
-center = [0.0, 3.0, 2.0]
+centre = [0.0, 3.0, 2.0]
 radius = 0.12
 wavelength_nm = 550
 ";
@@ -243,7 +243,7 @@ name = \"A tyre\"
 [[object]]
 name = \"tyre\"
 shape = \"ring\"
-center = [-0.525, 3.0, 2.0]
+centre = [-0.525, 3.0, 2.0]
 axis = [0.0, 1.0, 0.0]
 radius = 0.493
 tube_radius = 0.032
@@ -290,7 +290,7 @@ fn photographs_that_record_nothing_are_measured_by_flags() {
     let complaint = complaint_of(folder.path(), &measure);
     assert!(
         complaint.ends_with(
-            "frame_00000.png: it does not record --layout, --gaze, --fov, --time, --d, which is needed then\n"
+            "frame_00000.png: it does not record --layout, --gaze, --fov, --time, --d, which must then be given\n"
         ),
         "{complaint}"
     );
@@ -358,7 +358,7 @@ fn a_colour_that_is_not_one_point_is_remarked_on() {
     assert_eq!(remark("one"), "");
     render(folder.path(), &format!("{PHOTOGRAPHS} --scene two.toml --frames 3 --from 3 --to 5 --out two"));
     let line = remark("two");
-    let expected = "two/frame_00000.png: the left eye has the colour in 2 separate places, and the middle of all is measured (so";
+    let expected = "two/frame_00000.png: in the left eye's picture the colour is in 2 separate places; the middle of all is measured (so";
     assert!(line.starts_with(expected) && line.lines().count() == 1, "{line}");
     // The eyes the wrong way round.
     let line = remark("one/frame_00001.png --layout cross-eyed");
@@ -379,7 +379,7 @@ fn a_colour_that_is_not_one_point_is_remarked_on() {
     let texts: Vec<_> = file.texts.iter().map(|(keyword, text)| (keyword.as_str(), text.as_str())).collect();
     png::write(&askew, &texts, std::fs::File::create(&path).expect("it is there")).expect("it is written");
     let line = remark("one/frame_00001.png");
-    assert!(line.contains("the left and the right eye's lines of sight miss each other by"), "{line}");
+    assert!(line.contains("the lines of sight of the two eyes miss each other by"), "{line}");
     assert_eq!(line.lines().count(), 1, "{line}");
 }
 

@@ -176,7 +176,7 @@ const HEAD_ON: &str = r#"
 name = "Head-on"
 [[object]]
 shape = "sphere"
-center = [0.0, 0.0, 0.0]
+centre = [0.0, 0.0, 0.0]
 radius = 0.5
 "#;
 

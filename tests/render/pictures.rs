@@ -11,7 +11,7 @@ fn a_picture_holds_the_command_that_makes_it_again() {
     let folder = folder();
     fs::write(
         folder.path().join("it's mine.toml"),
-        "name = 'Mine'\n[[object]]\nshape = 'sphere'\ncenter = [0.0, 3.0, 0.5]\nradius = 0.4\n",
+        "name = 'Mine'\n[[object]]\nshape = 'sphere'\ncentre = [0.0, 3.0, 0.5]\nradius = 0.4\n",
     )
     .expect("the folder is writable");
     let flags = "--gamma 2.5 --d 0.3 --time 2.25 --fov 71.5 --gaze 100,-3.5 --layout anaglyph --colour false \

@@ -183,7 +183,7 @@ fn what_is_missing_is_named() {
     assert!(run("both.png --beta 0.9 --out x.exr").contains("it should be of the same kind"));
     assert!(run("none.png --beta 0.9 --out x.png").contains("none.png"));
     render(folder.path(), "--layout left --out left.png");
-    assert!(run("left.png --beta 0.9 --eye right --out x.png").contains("it shows one eye"));
+    assert!(run("left.png --beta 0.9 --eye right --out x.png").contains("the picture shows one eye"));
     assert!(run("left.png --out x.png").contains("one of --beta, --gamma, --rapidity is needed"));
 }
 
@@ -206,7 +206,7 @@ fn a_photograph_is_corrected_by_flags() {
     let out = std::fs::File::create(&seen).expect("it is there");
     gamow::files::png::write(&picture, &[], out).expect("it is written");
     let complaint = complaint_of(folder.path(), "rectify seen.png --beta 0.9 --fov 70 --out x.png");
-    assert_eq!(complaint, "gamow: seen.png: it does not record --gaze, which is needed then\n");
+    assert_eq!(complaint, "gamow: seen.png: it does not record --gaze, which must then be given\n");
     let flags = "--fov 100 --gaze 120,25 --layout side-by-side";
     assert!(["left", "right"].map(|eye| correct(&format!("{flags} --eye {eye}"))) == recorded);
     assert!(recorded[0] != recorded[1]);

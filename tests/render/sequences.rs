@@ -43,7 +43,7 @@ fn a_sequence_draws_again_what_other_parameters_or_another_scene_made() {
     let folder = folder();
     let scene = |radius: &str| {
         let text = format!(
-            "name = 'Ball'\n[[object]]\nshape = 'sphere'\ncenter = [0.0, 3.0, 0.5]\nradius = {radius}\n"
+            "name = 'Ball'\n[[object]]\nshape = 'sphere'\ncentre = [0.0, 3.0, 0.5]\nradius = {radius}\n"
         );
         fs::write(folder.path().join("ball.toml"), text).expect("the folder is writable");
     };
@@ -243,7 +243,7 @@ fn a_frame_counts_only_if_it_is_whole() {
 #[test]
 fn a_sequence_of_a_scene_with_any_name_is_read_again() {
     let folder = folder();
-    let scene = "name = '車輪 の競走'\n[[object]]\nname = 'ボール'\nshape = 'sphere'\ncenter = [0.0, 3.0, 0.5]\n\
+    let scene = "name = '車輪 の競走'\n[[object]]\nname = 'ボール'\nshape = 'sphere'\ncentre = [0.0, 3.0, 0.5]\n\
                  radius = 0.4\n";
     for (number, name) in
         ["車輪.toml", "自転車 と 'räder' \"x\".toml", "ゲ\u{301}モフ\u{3000}全角.toml"].iter().enumerate()

@@ -120,7 +120,7 @@ fn what_was_chosen_is_said() {
     assert!(label_starting_with(&window, "Chosen: ").ends_with(", within 0.002 px"));
     for (goal, end) in [
         (Goal::Error(1e-4), ", exact"),
-        (Goal::Budget(0.01), "; nothing keeps 0.01 ms"),
+        (Goal::Budget(0.01), "; no method keeps 0.01 ms"),
         (Goal::Error(0.05), ", within 0.002 px"),
     ] {
         let mut quality = window.state().state().document.settings.quality;

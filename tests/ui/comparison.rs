@@ -167,7 +167,7 @@ fn refused_with_a_reason() {
     window.state_mut().ask(Command::Geometry(Geometry::Contracted));
     window.run();
     window.get_by_label("Right eye view");
-    window.get_by_label("The first picture is so already.");
+    window.get_by_label("The first picture shows this already.");
 }
 
 fn chosen_saved_and_opened() {

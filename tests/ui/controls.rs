@@ -36,7 +36,7 @@ pub const TESTS: &[Test] = &[
 fn a_slider_is_set_by_an_aid() {
     let mut window = window_of_size(cyclist(0.5), [1280.0, 1600.0], 1.0);
     for (name, value) in
-        [("Eyes apart d", 1e300), ("Distance y", -1e300), ("Head tilted", 1e300), ("Field of view", 1e300)]
+        [("Separation d", 1e300), ("Distance y", -1e300), ("Head tilted", 1e300), ("Field of view", 1e300)]
     {
         window.get_by_role_and_label(Role::Slider, name).set_value_accesskit(value);
         window.run();
@@ -91,7 +91,7 @@ fn a_decimal_comma_is_typed() {
     let mut window = window(cyclist(0.9));
     type_into(&mut window, "Beta, typed", "0,75");
     type_into(&mut window, "T, typed", "2,25");
-    type_into(&mut window, "Eyes apart d, typed", "0,5");
+    type_into(&mut window, "Separation d, typed", "0,5");
     type_into(&mut window, "Distance y, typed", "4,5");
     let state = window.state().state();
     assert_eq!(
@@ -157,7 +157,7 @@ fn proper_time(beta: f64, seen: &Sighting) -> f64 {
 
 fn separation_and_path_follow() {
     let mut window = window(cyclist(0.9));
-    let separation = slider(&window, "Eyes apart d");
+    let separation = slider(&window, "Separation d");
     drag(&mut window, separation.left_center() + [10.0, 0.0].into(), separation.center());
     let separation = window.state().state().document.settings.motion.d;
     assert!((separation - 1.0).abs() < 0.1, "d = {separation}");
@@ -280,7 +280,7 @@ fn the_first_window_has_few_controls() {
     let mut window = opened();
     let few = controls(&window);
     assert!(few.len() <= 25, "{}: {few:?}", few.len());
-    for name in ["Speed β", "Eyes apart d", "Observation time T", "Play", "More controls"] {
+    for name in ["Speed β", "Separation d", "Observation time T", "Play", "More controls"] {
         assert!(few.iter().any(|control| control == name), "{name}: {few:?}");
     }
     // A point is clicked, and its disparity is plotted and told.

@@ -27,8 +27,8 @@ pub const TESTS: &[Test] = &[
     ("a_value_of_megabytes_is_refused_in_a_message_that_can_be_shown", a_long_value_is_refused),
 ];
 
-const BALLS: &str = "name = \"Balls\"\n[[object]]\nname = \"big ball\"\nshape = \"sphere\"\ncenter = [0, 3, 0]\n\
-    radius = 0.9\n[[object]]\nname = \"small ball\"\nshape = \"sphere\"\ncenter = [1.5, 3, 1]\nradius = 0.2\n";
+const BALLS: &str = "name = \"Balls\"\n[[object]]\nname = \"big ball\"\nshape = \"sphere\"\ncentre = [0, 3, 0]\n\
+    radius = 0.9\n[[object]]\nname = \"small ball\"\nshape = \"sphere\"\ncentre = [1.5, 3, 1]\nradius = 0.2\n";
 
 /// A file called `name` in `folder`, which holds `text`.
 fn file(folder: &Path, name: &str, text: &str) -> PathBuf {
@@ -160,7 +160,7 @@ fn a_state_is_read_again() {
 fn the_last_of_two_files_is_shown() {
     let folder = tempfile::tempdir().expect("a folder");
     let rows = (0..200).map(|row| {
-        format!("[[object]]\nname = \"row {row}\"\nshape = \"sphere\"\ncenter = [0, 4, {row}]\nradius = 0.1\nrepeat = 500\nstep = [1, 0, 0]\n")
+        format!("[[object]]\nname = \"row {row}\"\nshape = \"sphere\"\ncentre = [0, 4, {row}]\nradius = 0.1\nrepeat = 500\nstep = [1, 0, 0]\n")
     });
     let large =
         file(folder.path(), "large.toml", &("name = \"Large\"\n".to_owned() + &rows.collect::<String>()));

@@ -90,7 +90,7 @@ fn a_point_that_rests() {
 fn what_is_not_fitted() {
     for (body, words) in [
         (RESTING, "At rest (β = 0) no disparity changes with T."),
-        (ONCOMING, "The fit takes what moves towards +x, and the point moves the other way."),
+        (ONCOMING, "The fit needs a point that moves towards +x, and this one moves the other way."),
     ] {
         let mut window = window(groups());
         let clicked = place(&window, body);

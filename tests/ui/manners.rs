@@ -521,7 +521,7 @@ fn focused(window: &Harness<'_, App>) -> Option<(String, Rect)> {
 fn scroll_bars_have_room() {
     for size in SIZES {
         let window = window_of_size(cyclist(0.9), size, 1.0);
-        for name in ["Eyes apart d, typed", "Height z, typed", "Speed β"] {
+        for name in ["Separation d, typed", "Height z, typed", "Speed β"] {
             let end = window.get_by_label(name).rect().max.x;
             // The bar is 9 points wide, at the edge of what stands 8 from that of the window.
             assert!(end <= size[0] - 17.0, "{size:?} {name} ends at {end}");

@@ -106,7 +106,7 @@ fn assert_marks(window: &Harness<'_, App>, chart: &str, up: usize, found: &Found
     near(&point("as the right eye sees it"), [right[0] + 0.5 * SEPARATION, right[up]]);
     let crossing = SEPARATION / (left[0] - right[0]);
     let both = [-0.5 * SEPARATION + crossing * left[0], crossing * left[up]];
-    near(&point("where two eyes take it to be"), both);
+    near(&point("where two eyes place it"), both);
     near(&point("measured now"), [beta * time, TRACKED[up]]);
     near("Right eye", [0.5 * SEPARATION, 0.0]);
 }

@@ -82,7 +82,7 @@ fn says_what_it_is_of() {
             assert!(found.iter().any(|label| label == heading), "{heading}: {found:?}");
         }
         let svg = window.state_mut().plots_svg();
-        for text in headings.into_iter().chain(["observer's time T / units", "T₀, seen abreast"]) {
+        for text in headings.into_iter().chain(["observation time T / units", "T₀, seen abreast"]) {
             assert!(svg.contains(&format!(">{text}<")), "{text}: {svg}");
         }
     }
@@ -149,7 +149,7 @@ fn files_have_the_shown_units() {
         assert!((distance / (0.65 * seen.distance) - 1.0).abs() < 1e-9, "{row:?}");
     }
     let svg = window.state_mut().plots_svg();
-    assert!(svg.contains(">observer's time T / ns<") && svg.contains(">distance / m<"));
+    assert!(svg.contains(">observation time T / ns<") && svg.contains(">distance / m<"));
 }
 
 fn files_are_whole_at_the_extremes() {

@@ -202,7 +202,7 @@ fn a_file_that_is_there_is_replaced_only_when_asked() {
     let mut window = window(special());
     choose(&mut window, "Save state…");
     type_into(&mut window, "Path", path.to_str().expect("a plain path"));
-    window.get_by_label("ride.toml is there already.");
+    window.get_by_label("ride.toml exists already.");
     assert_eq!(std::fs::read_to_string(&path).expect("text"), "precious");
     window.get_by_label("Replace it").click();
     window.run_ok();
@@ -353,7 +353,7 @@ fn a_stopped_film_leaves_no_file() {
     window.get_by_label_contains("Saving ride.gif");
     let place = |window: &Harness<'_, App>| window.get_by_label("Stop").rect();
     let first = place(&window);
-    while window.query_by_label_contains("in all by the frames so far").is_none() {
+    while window.query_by_label_contains("in all, judging by the frames so far").is_none() {
         assert!(start.elapsed() < Duration::from_mins(1), "no size is expected");
         window.step();
     }

@@ -23,7 +23,7 @@ pub const TESTS: &[Test] = &[
 
 /// Where two eyes take the tracked point to be, after its label, and the other distances after theirs.
 const DISTANCES: [&str; 4] = [
-    "Where two eyes take it to be: ",
+    "Where two eyes place it: ",
     "Where the left eye sees it: ",
     "Where the right eye sees it: ",
     "Where it is measured now: ",
@@ -121,7 +121,7 @@ fn eyes_above_and_behind_each_other() {
     window.run();
     let behind = Baseline { turn: std::f64::consts::FRAC_PI_2, ..Baseline::straight(SEPARATION) };
     assert!(Model::Exact.stereo(&speed, point, behind.apertures(), time).is_err());
-    let said = "The lines of sight diverge: they meet nowhere in front.";
+    let said = "The lines of sight diverge: they do not meet in front of the eyes.";
     assert!(labels(&window).iter().any(|label| label == said), "{:?}", labels(&window));
 }
 

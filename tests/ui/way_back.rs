@@ -210,7 +210,7 @@ fn double_click(window: &mut Harness<'_, App>, place: eframe::egui::Pos2) {
 
 fn a_double_click_restores() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 1600.0], 1.0);
-    for name in ["Eyes apart d", "Distance y", "Height z", "Head tilted", "Head turned"] {
+    for name in ["Separation d", "Distance y", "Height z", "Head tilted", "Head turned"] {
         let rail = slider(&window, name);
         let row_name =
             pos2(window.get_by_role_and_label(Role::Label, name).rect().min.x + 12.0, rail.center().y);

@@ -328,7 +328,7 @@ fn the_pointer_tells_where_on_the_wheel() {
     for (geometry, first) in [
         (Geometry::Seen, "seen at"),
         (Geometry::Contracted, "measured now at"),
-        (Geometry::Rest, "riding along seen at"),
+        (Geometry::Rest, "seen from its frame at"),
     ] {
         let mut state = street(SpeedParameter::Beta, 0.6);
         state.apply(Command::Geometry(geometry));

@@ -88,7 +88,7 @@ fn measured_in_files<'py>(
     Ok(columns)
 }
 
-/// The same in files of a state that are drawn for it.
+/// Measures angles in files of a state that are drawn for it.
 fn measured_in_state<'py>(
     py: Python<'py>,
     state: &State,

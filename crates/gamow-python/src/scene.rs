@@ -15,7 +15,7 @@ use crate::tables;
 /// A scene: the bodies that ride past, their names, and the groups in which they move.
 ///
 /// source is the name of a preset ('cyclist'), the path of a scene file, TOML text, or a dict as in TOML:
-/// {'name': 'Ball', 'object': [{'shape': 'sphere', 'center': (0, 3, 2), 'radius': 0.5}]}. Without it, the street. State(scene=scene)
+/// {'name': 'Ball', 'object': [{'shape': 'sphere', 'centre': (0, 3, 2), 'radius': 0.5}]}. Without it, the street. State(scene=scene)
 /// shows it; one from text or a dict must be saved before. Lengths are in the scene's unit, places in the rest frame of their
 /// group. assets/scenes/README.md describes the format.
 #[pyclass(frozen, eq, module = "gamow")]

@@ -42,7 +42,7 @@ impl State {
         Ok(Self { settings })
     }
 
-    /// The same state with other settings: the flags of `gamow render`.
+    /// Return this state with other settings: the flags of `gamow render`.
     #[pyo3(signature = (**settings))]
     fn replace(&self, settings: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let start: StartArgs = parsed(settings, Vec::new(), &["state"])?;

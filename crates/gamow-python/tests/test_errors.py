@@ -147,7 +147,7 @@ def test_no_curve_crashes(flags):
     is_survived(gamow.curve, **(flags | {"samples": 3}))
 
 
-OBJECTS = st.dictionaries(st.sampled_from(["name", "shape", "center", "radius", "repeat", "step", "light", "hub"]), VALUES)
+OBJECTS = st.dictionaries(st.sampled_from(["name", "shape", "centre", "radius", "repeat", "step", "light", "hub"]), VALUES)
 
 
 @FUZZ

@@ -4,9 +4,9 @@ import gamow
 import numpy as np
 import pytest
 
-BALL = {"name": "Ball", "object": [{"name": "ball", "shape": "sphere", "center": (0, 3, 2), "radius": 0.5}]}
+BALL = {"name": "Ball", "object": [{"name": "ball", "shape": "sphere", "centre": (0, 3, 2), "radius": 0.5}]}
 GROUPS = BALL | {"group": [{"name": "wall", "beta": 0, "object": [
-    {"name": "brick", "shape": "box", "center": [0, 9, 0], "size": (40, 1, 40)},
+    {"name": "brick", "shape": "box", "centre": [0, 9, 0], "size": (40, 1, 40)},
 ]}]}
 SMALL = {"renderer": "reference", "samples": 1, "size": "64x48"}
 
@@ -33,7 +33,7 @@ def test_a_place_is_the_forward_most_point():
 
 
 def test_ways_to_give_a_scene_agree(tmp_path):
-    text = 'name = "Ball"\n[[object]]\nname = "ball"\nshape = "sphere"\ncenter = [0, 3, 2]\nradius = 0.5\n'
+    text = 'name = "Ball"\n[[object]]\nname = "ball"\nshape = "sphere"\ncentre = [0, 3, 2]\nradius = 0.5\n'
     file = tmp_path / "ball.toml"
     file.write_text(text)
     saved = gamow.Scene(BALL).save(tmp_path / "saved.toml")
@@ -49,7 +49,7 @@ def test_ways_to_give_a_scene_agree(tmp_path):
     ("no-such", "no-such"),
     (1.5, "a scene is a name, a path"),
     ({}, "name"),
-    ({"name": "Ball", "object": [{"shape": "sphere", "center": (0, 3, 2), "radius": -1}]}, "radius = -1"),
+    ({"name": "Ball", "object": [{"shape": "sphere", "centre": (0, 3, 2), "radius": -1}]}, "radius = -1"),
     ({"name": 1j}, "name: must be a number, a word or a list"),
     ({1: 2}, "keys of a dict must be text"),
     ("name = \n", "scene:1"),

@@ -20,9 +20,9 @@ use crate::math;
 pub struct Baseline {
     /// Distance between the apertures.
     pub separation: f64,
-    /// By how much the head tilts, radians: the right aperture is the higher one between 0 and pi.
+    /// Tilt of the head, radians: the right aperture is the higher one between 0 and pi.
     pub roll: f64,
-    /// By how much the head turns about the vertical, radians: azimuths increase with it, to the left.
+    /// Turn of the head about the vertical, radians: azimuths increase with it, to the left.
     pub turn: f64,
 }
 
@@ -75,7 +75,7 @@ impl Baseline {
         if moves { self.apart().apertures() } else { self.apertures_or_limit() }
     }
 
-    /// The same pair, a hair apart if both are in one place.
+    /// Returns this pair, a hair apart if both apertures are in one place.
     #[must_use]
     pub fn apart(&self) -> Self {
         Self { separation: if self.separation == 0.0 { HAIR } else { self.separation }, ..*self }

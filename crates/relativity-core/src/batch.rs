@@ -1,7 +1,7 @@
 //! Sightings and disparities over slices: of many points at one time, and of one point at many times.
 //!
-//! The same solution as the scalar functions', in f64 or f32, on one thread or on all. Plain loops without
-//! branches, which the compiler vectorises.
+//! They compute the same solution as the scalar functions, in f64 or f32, on one thread or on all. Plain loops
+//! without branches, which the compiler vectorises.
 
 use crate::aperture::Aperture;
 use crate::apparent::{LightCone, rounded};
@@ -240,7 +240,7 @@ impl<F: Real> View<F> {
         is_inside
     }
 
-    /// The same for one point at many times.
+    /// Fills the columns for one point at many times; whether all times are inside the domain.
     fn over_time(&self, point: [F; 3], times: &[F], outputs: [&mut [F]; 3]) -> bool {
         pulp::Arch::new().dispatch(
             #[inline(always)]

@@ -59,7 +59,7 @@ struct ApparentXs<F> {
     right: F,
     difference: F,
     sum: F,
-    /// Whether both are of opposite signs and alike in size, so that their sum cancels.
+    /// Whether the two X have opposite signs and similar size, so that their sum cancels.
     is_opposite: bool,
 }
 
@@ -102,7 +102,7 @@ impl<F: Elementary> ConePair<F> {
         self.wanted_angle_differences([true, true])
     }
 
-    /// The same, with 0 for what is not `wanted`: each has its price.
+    /// (Delta-phi, Delta-theta), with 0 for a difference that is not `wanted`, since each has its price.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "a batch works out once what all its rows share")]
     pub fn wanted_angle_differences(&self, wanted: [bool; 2]) -> (F, F) {

@@ -18,9 +18,9 @@ pub struct DomainError {
     pub name: &'static str,
     /// Value that is outside the domain.
     pub value: f64,
-    /// The least that it may be.
+    /// The least value inside the domain.
     pub least: f64,
-    /// The most that it may be.
+    /// The greatest value inside the domain.
     pub most: f64,
 }
 

@@ -57,7 +57,7 @@ pub fn observation_time_when_seen_at(
     Ok(if speed.beta() == 0.0 { None } else { time_when_seen_at(speed, point, x, pair) })
 }
 
-/// The same of inputs that have been checked, for a point that moves.
+/// Returns that time for inputs that have been checked and a point that moves.
 fn time_when_seen_at(speed: &Speed, point: SourcePoint, x: f64, pair: [Aperture; 2]) -> Option<f64> {
     let (point, half) = (point.relative_to(middle(pair)), baseline(pair).map(|along| along / 2.0));
     let half_squared = half[0] * half[0] + half[1] * half[1] + half[2] * half[2];

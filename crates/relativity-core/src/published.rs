@@ -111,7 +111,7 @@ pub(crate) fn cone_pair(
     (pair, shift)
 }
 
-/// By how much later the second view of a place is, which the first has at the light cone `left`.
+/// Returns the model's shift of time: the right view shows a place this much later than the left view does, whose light cone is `left`.
 pub(crate) fn shift(speed: &Speed, separation: f64, left: &LightCone<f64>, variant: PublishedVariant) -> f64 {
     variant.delay_sign() * delay(speed, left.s - separation / 2.0, separation, left).delay
 }
@@ -134,7 +134,7 @@ fn later_time(
     if sum_q == 0.0 { left_time } else { left_time + shift * (sum_r / sum_q) }
 }
 
-/// The same for the text's sign and a point that the left aperture sees recede.
+/// Returns the emission time that the right eye sees, for the text's sign and a point that the left aperture sees recede.
 ///
 /// The shifted time is t + R'. With it the light cone's quadratic for `t_S` has the constant
 /// t^2/gamma^2 + 2 t (R' - beta (d - X)) - 2 d x0, each term as small at high speed as `t_S` becomes.

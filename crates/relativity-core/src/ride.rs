@@ -68,8 +68,8 @@ pub struct Odometers {
     pub by_wheel: f64,
     /// The street as it measures itself, counted by its lamps: the integral of Gamma |V|.
     pub by_lamps: f64,
-    /// The same as `by_wheel`, back again where one rides back: the integral of V. It is below 0 before the start of who comes
-    /// riding towards +x.
+    /// The signed count of `by_wheel`, which falls where one rides back: the integral of V. It is below 0 before the
+    /// start of who comes riding towards +x.
     pub rolled: f64,
 }
 
@@ -90,7 +90,7 @@ pub struct Odometers {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ride {
-    /// The moment at which it starts.
+    /// The moment at which the ride starts.
     pub start: RideMoment,
     /// Legs of the ride, in order; after the last the rider coasts.
     pub legs: Vec<Leg>,
@@ -281,7 +281,8 @@ fn sinh_over(x: f64) -> f64 {
     if x == 0.0 { 1.0 } else { math::sinh(x) / x }
 }
 
-/// The turn that is left of two boosts, whose vectors are tanh of half the rapidity long: (1 + `h1.h2`, `h2` x `h1`).
+/// The Wigner rotation of two boosts, whose vectors are tanh of half the rapidity long, as an unnormalised
+/// quaternion: (1 + `h1.h2`, `h2` x `h1`).
 fn wigner(h1: [f64; 3], h2: [f64; 3]) -> [f64; 4] {
     let [x, y, z] = crate::stereo::cross(h2, h1);
     [1.0 + h1[0] * h2[0] + h1[1] * h2[1] + h1[2] * h2[2], x, y, z]

@@ -129,7 +129,7 @@ pub enum Source {
 }
 
 impl Source {
-    /// The same source, a point on the axle being one that does not turn.
+    /// Returns this source in its simplest form: a point on the axle does not turn.
     pub(crate) fn simplest(self) -> Self {
         match self {
             Self::Wheel(wheel) if wheel.rho == 0.0 => Self::Point(wheel.hub),

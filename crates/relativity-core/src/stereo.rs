@@ -1,4 +1,4 @@
-//! The stereo position: the place at which the lines of sight of two eyes meet, where a person would take the point to be.
+//! The stereo position: the place at which the lines of sight of two eyes meet, where a person with two eyes would place the point.
 //!
 //! Derived here; not in the paper. The paper's pair of apertures lies along the motion, so both see the same y and z, and
 //! the lines from the left one at (-d/2, 0, 0) along (`X_l`, y, z) and from the right one at (d/2, 0, 0) along (`X_r`, y, z)
@@ -41,10 +41,11 @@ pub enum StereoError {
 /// Doppler factor is gamma there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stereo {
-    /// Stereo gain, above 0: the factor by which the eyes would have to be further apart to see this parallax at a resting point in the
-    /// same place. It is the part of the parallax across the line of sight in the direction that a resting point's has, over that. (The
-    /// line of sight is the mean of both.) For eyes along x that is all of it, (`X_left` - `X_right`)/d, and near gamma D as d -> 0.
-    /// That quotient it is for eyes along x of a point of a wheel too, whose lines of sight differ in height besides.
+    /// Stereo gain, above 0: the factor by which the eyes would have to be further apart to see this parallax at a
+    /// resting point in the same place. It is the part of the parallax across the line of sight in the direction that
+    /// a resting point's has, over that. (The line of sight is the mean of both.) For eyes along x that is all of it,
+    /// (`X_left` - `X_right`)/d, and near gamma D as d -> 0. For eyes along x the gain is that quotient for a point
+    /// of a wheel too, although its lines of sight also differ in height.
     pub gain: f64,
     /// The middle of the shortest connection of both lines of sight, from the middle between the eyes. Of eyes along x it is,
     /// as d -> 0, the apparent position over gamma D.
@@ -54,8 +55,8 @@ pub struct Stereo {
 }
 
 impl Stereo {
-    /// The distance at which two eyes take the point to be, from the middle between them. Of eyes along x it is, as d -> 0,
-    /// the rest-frame distance over gamma.
+    /// The distance at which two eyes place the point, from the middle between them. Of eyes along x it is, as d ->
+    /// 0, the rest-frame distance over gamma.
     #[must_use]
     pub fn distance(&self) -> f64 {
         self.position.map(|along| along * along).iter().sum::<f64>().sqrt()

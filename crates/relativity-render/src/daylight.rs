@@ -46,7 +46,7 @@ pub const MOST_RAPID: f64 = 1e15;
 pub struct Facing {
     /// gamma beta on the street.
     pub rapid: f64,
-    /// The cosine, in its own frame, of the angle between its normal and its motion.
+    /// The cosine of the angle between the surface's normal and its motion, in its own frame.
     pub ahead: f64,
 }
 

@@ -68,7 +68,7 @@ pub struct Frame {
     /// From the middle between the eyes to the camera, where these have one light cone, else 0; how many places there are where
     /// bodies touch a road.
     pub contact_eye: [f32; 4],
-    /// These places: see [`Contacts::packed`].
+    /// The places where bodies touch a road: see [`Contacts::packed`].
     pub contacts: [[[f32; 4]; 2]; contact::MOST],
     /// Height of houses, and shade of their walls.
     pub houses: [[f32; 4]; 4],

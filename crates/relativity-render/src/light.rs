@@ -66,7 +66,7 @@ impl Light {
         }
     }
 
-    /// The band in which it is received at `doppler_factor`, as `appearance` takes that.
+    /// Returns the band in which this light is received at `doppler_factor`: visible, infrared or ultraviolet.
     pub fn band(self, appearance: &Appearance, doppler_factor: f64) -> Band {
         let shift = if appearance.doppler_shift { doppler_factor } else { 1.0 };
         match self {

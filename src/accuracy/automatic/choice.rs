@@ -20,7 +20,7 @@ pub struct Choice {
     pub is_measured: bool,
     /// Goal of the choice.
     pub goal: Goal,
-    /// Whether it is kept, as far as is known.
+    /// Whether the goal is kept, as far as is known.
     pub holds: bool,
 }
 
@@ -65,8 +65,8 @@ impl fmt::Display for Choice {
             _ => f.write_str(", in 32-bit floats, which err at such speeds")?,
         }
         match self.goal {
-            Goal::Error(px) if !self.holds => write!(f, "; nothing here keeps {} px", short(px)),
-            Goal::Budget(ms) if !self.holds => write!(f, "; nothing keeps {} ms", short(ms)),
+            Goal::Error(px) if !self.holds => write!(f, "; no method here keeps {} px", short(px)),
+            Goal::Budget(ms) if !self.holds => write!(f, "; no method keeps {} ms", short(ms)),
             Goal::Error(_) | Goal::Budget(_) => Ok(()),
         }
     }

@@ -37,7 +37,7 @@ const EXPECTED_FAR_WORSE: f64 = 5.0;
 pub struct Sight<'a> {
     /// Scene that is seen.
     pub scene: &'a PreparedScene,
-    /// A view of the picture.
+    /// The view that is drawn, of those of the frame.
     pub view: &'a View,
     /// Number of pixels of all views.
     pub pixels: f64,
@@ -63,14 +63,14 @@ impl Automatic {
         Self::with_samples(machine, REFERENCE_SAMPLES)
     }
 
-    /// The same, where the reference draws with `samples` times `samples` rays per pixel.
+    /// Automatic quality on this `machine`, where the reference draws with `samples` times `samples` rays per pixel.
     #[must_use]
     pub const fn with_samples(machine: Machine, samples: u32) -> Self {
         let costs = Costs::new(machine, samples);
         Self { costs, scene: None, kept: Vec::new(), next_trial_ms: None, has_rays: true }
     }
 
-    /// The same where the device draws rays or, as by WebGL, does not.
+    /// Returns this with `has_rays`: whether the device draws rays, which WebGL does not.
     #[must_use]
     pub fn with_rays(self, has_rays: bool) -> Self {
         Self { has_rays, ..self }

@@ -8,7 +8,7 @@ use crate::settings::BOUND_PX;
 
 /// Error in f32 up to [`MEASURED_GAMMA`], pixels (docs/accuracy.md).
 const F32_ERROR_PX: f64 = 0.002;
-/// The same as an angle, radians: what counts where a pixel is small.
+/// Error in f32 as an angle, radians: it counts where a pixel is small.
 const F32_ERROR_RADIANS: f64 = 1e-6;
 /// The greatest gamma for which that is measured.
 const MEASURED_GAMMA: f64 = 1000.0;

@@ -7,9 +7,9 @@ use crate::lesson::worksheet::Sheet;
 /// The purpose for which a file is chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
-    /// To show what is in it.
+    /// To show the contents of the file.
     Open,
-    /// To fit the measured disparities in it.
+    /// To fit the measured disparities in the file.
     OpenData,
     /// Saving this product.
     Save(Product),
@@ -57,6 +57,25 @@ impl Product {
         }
     }
 
+    /// Returns what saving it does, for tooltips.
+    #[must_use]
+    pub const fn tip(self) -> &'static str {
+        match self {
+            Self::Picture => "Saves the views as they are, as PNG, with the state that they show.",
+            Self::PlotsSvg => "Saves the curves of the shown tab, as a drawing.",
+            Self::PlotsCsv => "Saves the curves of the shown tab, as a table.",
+            Self::State => "Saves all settings, as TOML.",
+            Self::Film => {
+                "Saves T running through its range once: a GIF, an animated PNG, or a folder of pictures."
+            }
+            Self::Fit => "Saves the numbers of the Fit tab, as JSON.",
+            Self::Report => "Saves what was predicted and seen in each step, as a page to keep or to print.",
+            Self::Worksheet => "Saves the questions with room for answers, as a page to print.",
+            Self::LabSheet => "Saves the task to measure by hand, with its data, as a page to print.",
+            Self::TeachersPage => "Saves aim, minutes, what to say and the answers, as a page to print.",
+        }
+    }
+
     /// The sheet of a lesson that it is, if it is one.
     #[must_use]
     pub const fn sheet(self) -> Option<Sheet> {
@@ -68,19 +87,19 @@ impl Product {
         }
     }
 
-    /// Whether it is made of pictures, which can be of any size.
+    /// Whether the product is made of pictures, which can be of any size.
     #[must_use]
     pub const fn has_size(self) -> bool {
         matches!(self, Self::Picture | Self::Film)
     }
 
-    /// Whether it can be a folder of files, which has no ending.
+    /// Whether the product can be a folder of files, which has no ending.
     #[must_use]
     pub const fn can_be_a_folder(self) -> bool {
         matches!(self, Self::Film)
     }
 
-    /// Returns the endings of its files, the default first.
+    /// Returns the endings of the product's files, the default first.
     #[must_use]
     pub const fn endings(self) -> &'static [&'static str] {
         match self {

@@ -25,7 +25,7 @@ const GRACE: Duration = Duration::from_millis(300);
 pub enum Use {
     /// The contents are shown, whatever their kind.
     Show,
-    /// The measured disparities in it are fitted.
+    /// The measured disparities in the file are fitted.
     Fit,
     /// The file of the scene that is shown has changed on disk.
     RenewScene,
@@ -47,7 +47,7 @@ impl Use {
 pub struct Errand {
     /// Path of the file to read.
     pub path: PathBuf,
-    /// Why it is read.
+    /// The purpose of reading the file.
     pub purpose: Use,
     /// The window's present settings, which complete the contents of the file.
     pub settings: Settings,
@@ -58,7 +58,7 @@ pub struct Errand {
 pub struct ReadFile {
     /// Path of the file read.
     pub path: PathBuf,
-    /// Why it was read.
+    /// The purpose of reading the file.
     pub purpose: Use,
     /// The contents, or a one-line error message.
     pub contents: Result<Contents, String>,
@@ -69,7 +69,7 @@ pub struct ReadFile {
 pub enum Contents {
     /// A scene, a state, or a picture that records one.
     Settings {
-        /// The settings that it leads to.
+        /// The settings that the file leads to.
         settings: Box<Settings>,
         /// The scene of these settings.
         scene: Box<ReadyScene>,

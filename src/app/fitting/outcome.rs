@@ -19,7 +19,7 @@ use crate::platform::threads::prelude::*;
 /// The samples and what became of them.
 #[derive(Debug, Clone)]
 pub struct FitOutcome {
-    /// Key that it was made for.
+    /// Key of the fit.
     pub key: FitKey,
     /// First and last T of the samples.
     pub range: [f64; 2],
@@ -149,7 +149,7 @@ impl Fitted {
         };
         let estimates: Vec<_> = best.parameters().iter().map(estimate).collect();
         if estimates.iter().any(|(_, estimate, _)| !estimate.value.is_finite()) {
-            return Some(Err("the best fit is beyond what numbers can hold".to_owned()));
+            return Some(Err("the best fit has a parameter that is not finite".to_owned()));
         }
         let observed = &samples.observations;
         let at_samples: Vec<_> =
@@ -233,7 +233,7 @@ fn bands(eyes: Seeing, lines: &[Sample<2>], replicates: &Bootstrap) -> Vec<[[f64
     (0..lines.len()).map(interpolated).collect()
 }
 
-/// The same at one time; of no width where the replicates have no curve.
+/// The replicates' 95 % interval at one time; of no width where the replicates have no curve.
 fn band_at(eyes: Seeing, line: &Sample<2>, replicates: &Bootstrap) -> [[f64; 2]; 2] {
     let points = replicates.estimates.iter().flatten();
     let angles: Vec<[f64; 2]> = points.filter_map(|point| angles(eyes, *point, line.time)).collect();

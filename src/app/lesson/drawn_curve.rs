@@ -11,7 +11,7 @@ pub struct Sketched<'a> {
     pub curve: Curve,
     /// T and value of its points, T rising; none where it was skipped.
     pub points: &'a [[f64; 2]],
-    /// Whether it is being drawn.
+    /// Whether the curve is being drawn.
     pub is_asked: bool,
     /// Whether what it should be is shown.
     pub is_revealed: bool,

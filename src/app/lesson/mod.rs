@@ -265,7 +265,7 @@ impl State {
         }
     }
 
-    /// Has what runs at its end.
+    /// Takes a running reveal to its end.
     fn finish_run(&mut self) {
         let run = self.session.lesson.as_mut().and_then(|running| running.run.take());
         if let Some(run) = run {
@@ -273,7 +273,7 @@ impl State {
         }
     }
 
-    /// Ends what runs where it is.
+    /// Stops a running reveal at the point that it has reached.
     pub(in crate::app) fn stop_run(&mut self) {
         if let Some(running) = &mut self.session.lesson {
             running.run = None;

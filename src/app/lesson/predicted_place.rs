@@ -15,7 +15,7 @@ use crate::number_text;
 /// Half the size of the cross, and the radius of the ring, points.
 const CROSS: f32 = 9.0;
 const RING: f32 = 9.0;
-/// In how many places of the line between both it is looked for whether it is in sight.
+/// Number of places on the line between the two at which visibility is tested.
 const LOOKS: u16 = 50;
 /// Strokes of both, above what sets them off from the picture.
 const WIDTHS: [(f32, Color32); 2] = [(4.5, Color32::from_black_alpha(190)), (2.0, Color32::WHITE)];

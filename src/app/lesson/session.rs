@@ -11,7 +11,7 @@ pub enum LessonCommand {
     Open(String),
     /// Enter this for the prediction.
     Draft(Option<Answer>),
-    /// Be this sure of it.
+    /// Set how sure the prediction is.
     Confidence(Option<Confidence>),
     /// Make the prediction that was entered.
     Predict,
@@ -31,9 +31,9 @@ pub enum LessonCommand {
     ToggleClass,
     /// Show the usual plots beside a curve that was predicted, or the curve again.
     ShowPlots(bool),
-    /// Fold its panel to a strip, or have all of it.
+    /// Fold the lesson's panel to a strip, or unfold it.
     ToggleFolded,
-    /// Starts the lesson again: its answers are forgotten.
+    /// Starts the lesson again, with its answers forgotten.
     BeginAnew,
     /// End the lesson: its answers are kept, and opening it again takes it up where it was.
     Close,
@@ -44,15 +44,15 @@ pub enum LessonCommand {
 pub struct Running {
     /// Course through the lesson.
     pub course: Course,
-    /// Whether its panel is folded to a strip.
+    /// Whether the lesson's panel is folded to a strip.
     pub is_folded: bool,
-    /// The parts of the window before it began.
+    /// The parts of the window before the lesson began.
     pub(in crate::app) before: Window,
     /// The number of the step whose predicted curve gave its place to the usual plots.
     pub(in crate::app) plots_in: Option<usize>,
     /// Animation that is playing.
     pub(in crate::app) run: Option<Run>,
-    /// The settings that it has at its present place.
+    /// The settings of the lesson at the present place.
     pub(in crate::app) told: Option<LessonSettings>,
     /// The score of the predictions, once the end is reached.
     pub score: Option<Score>,
@@ -71,7 +71,7 @@ pub(in crate::app) struct LessonSettings {
 pub(in crate::app) struct Run {
     pub from: Animated,
     pub animation: Animation,
-    /// Seconds since it began.
+    /// Seconds since the run began.
     pub passed: f64,
 }
 

@@ -26,7 +26,7 @@ pub enum AngleRuler {
 /// A ruler in a view.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Laid {
-    /// Eye of the picture that it is in.
+    /// Eye of the picture that the ruler is in.
     pub eye: Eye,
     /// Whether that is the second of two pictures of one eye.
     pub is_second: bool,
@@ -34,7 +34,7 @@ pub struct Laid {
     pub ends: [DVec3; 2],
     /// Largest error of the angle: half a pixel at each end, as the picture was when it was laid; radians.
     pub error: f64,
-    /// Whether it is still being laid.
+    /// Whether the ruler is still being laid.
     pub is_held: bool,
 }
 
@@ -43,7 +43,7 @@ pub struct Laid {
 pub struct Lay {
     /// Eye of the picture.
     pub eye: Eye,
-    /// Whether it is the second of two pictures of one eye.
+    /// Whether the ruler lies in the second of two pictures of one eye.
     pub is_second: bool,
     /// First and last place of the drag, in pixels from the top left corner.
     pub ends: [[f64; 2]; 2],
@@ -63,7 +63,7 @@ pub enum RulerCommand {
 }
 
 impl AngleRuler {
-    /// Whether a drag lays it.
+    /// Whether a drag lays the angle ruler.
     #[must_use]
     pub const fn takes_drags(&self) -> bool {
         matches!(self, Self::Armed | Self::Laid(Laid { is_held: true, .. }))

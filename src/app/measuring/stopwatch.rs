@@ -1,4 +1,4 @@
-//! A stopwatch in the first view: the observer's time T between two presses, and the time in between of the selected point's clock
+//! A stopwatch in the first view: the observation time T between two presses, and the time in between of the selected point's clock
 //! as it is seen.
 //!
 //! T stands still within a frame, and a press is noted in the next: each may be late by up to the step that T took in its frame, and
@@ -36,9 +36,9 @@ pub struct Mark {
 /// A clock that is timed: another one where any of this differs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Timed {
-    /// The point that it is at.
+    /// The point that the clock is at.
     pub track: Track,
-    /// The eye that sees it.
+    /// The eye that sees the clock.
     pub eye: Eye,
     /// The motion of the scene, and the eyes' places.
     pub motion: Motion,
@@ -47,7 +47,7 @@ pub struct Timed {
 /// A point's clock as an eye sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clock {
-    /// Time that it shows.
+    /// Time that the clock shows.
     pub time: f64,
     /// Rate at which it is seen to run, relative to T: the Doppler factor.
     pub rate: f64,
@@ -56,11 +56,11 @@ pub struct Clock {
 /// Something to do with the stopwatch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StopwatchCommand {
-    /// Shows it, starts it, stops it, or starts it again.
+    /// Shows, starts, stops or restarts the stopwatch.
     Press,
-    /// Has it at nothing.
+    /// Sets the stopwatch back to zero.
     Reset,
-    /// Shows it, or takes it away.
+    /// Shows or hides the stopwatch.
     Toggle,
 }
 

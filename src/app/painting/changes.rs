@@ -74,7 +74,7 @@ fn next_same<T>(old: &[T], new: &[T], is_same: impl Fn(&T, &T) -> bool) -> (usiz
     (1, 1)
 }
 
-/// Whether it shows one of these pictures.
+/// Whether the shape shows one of these pictures.
 fn shows_any(shape: &Shape, pictures: &HashSet<TextureId>) -> bool {
     match shape {
         Shape::Vec(shapes) => shapes.iter().any(|shape| shows_any(shape, pictures)),

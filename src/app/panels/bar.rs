@@ -44,7 +44,10 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         }
         way_back(ui, state, commands);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if ui.button("Help").on_hover_text("What this is, words, keys, mouse.   Keys: ? or F1").clicked()
+            if ui
+                .button("Help")
+                .on_hover_text("Explains the window, its terms, keys and mouse.   Keys: ? or F1")
+                .clicked()
             {
                 commands.push(Command::Toggle(Overlay::Help));
             }
@@ -68,7 +71,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 fn lessons(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let is_open = state.session.overlay == Some(Overlay::Start);
     let button = ui.add(Button::new("Lessons").selected(is_open));
-    if button.on_hover_text("The start page: lessons, and presets to look at.   Key: S").clicked() {
+    if button.on_hover_text("Opens the start page, with the lessons and presets.   Key: S").clicked() {
         commands.push(Command::Toggle(Overlay::Start));
     }
 }
@@ -114,7 +117,8 @@ fn scene(ui: &mut Ui, state: &State, commands: &mut Commands) {
         })
         .response
         .on_hover_text(
-            "What rides past, and the files that were opened. A file dropped onto the window opens too.",
+            "Chooses what rides past: a scene of the program, or a file that was opened. A file dropped \
+                onto the window opens too.",
         )
         .accessible_name("Scene");
 }
@@ -129,7 +133,7 @@ fn files(ui: &mut Ui, state: &State, commands: &mut Commands) {
             commands.push(Command::Open(path.clone()));
         }
     }
-    let tip = "Opens a scene, settings, or a picture with which settings it was made.   Keys: Ctrl+O";
+    let tip = "Opens a scene, a state, data, or a picture with the state that it records.   Keys: Ctrl+O";
     if ui.button("Open…").on_hover_text(tip).clicked() {
         commands.push(Command::Choose(Purpose::Open));
     }
@@ -165,13 +169,19 @@ fn units_to_choose(ui: &mut Ui, state: &State, commands: &mut Commands) {
 fn way_back(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let history = &state.session.history;
     let reset = format!(
-        "Resets speed, eyes, path, look, light, plots and points to the defaults, {}. The parts of the window, its units and \
-        colours, and the screen stay. Undo restores what was.",
+        "Resets speed, eyes, path, look, light, plots and points to the defaults, {}. The parts of the \
+            window, its units and colours, and the screen stay as they are. Undo takes the reset back.",
         state.defaults_source()
     );
     let buttons = [
         (Icon::Undo, "Undo", "Undoes the last step.   Keys: Ctrl+Z", history.can_undo(), Command::Undo),
-        (Icon::Redo, "Redo", "Redoes it.   Keys: Ctrl+Shift+Z, Ctrl+Y", history.can_redo(), Command::Redo),
+        (
+            Icon::Redo,
+            "Redo",
+            "Redoes the step that was undone.   Keys: Ctrl+Shift+Z, Ctrl+Y",
+            history.can_redo(),
+            Command::Redo,
+        ),
         (Icon::Reset, "Reset", &reset, !state.is_default(), Command::Reset),
     ];
     let apart = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 3.0);
@@ -185,7 +195,12 @@ fn way_back(ui: &mut Ui, state: &State, commands: &mut Commands) {
 }
 
 const UNITS: [(Units, &str, &str); 3] = [
-    (Units::Natural, "c = 1", "Lengths and times in the scene's own unit: light takes 1 for 1."),
+    (
+        Units::Natural,
+        "c = 1",
+        "Lengths and times in the scene's own unit: light travels one unit of length \
+        in one unit of time.",
+    ),
     (Units::Metric, "m, ns", "Metres and nanoseconds: light takes 3.34 ns for a metre."),
     (
         Units::Town,
@@ -195,8 +210,8 @@ const UNITS: [(Units, &str, &str); 3] = [
     ),
 ];
 
-const UNITS_TIP: &str = "In which units the window shows and takes lengths and times, and saves plots. Data, states, flags \
-    and what a picture records stay in the scene's own, in which c = 1.";
+const UNITS_TIP: &str = "Chooses the units of lengths and times in the window and in saved plots. Data, \
+    states, flags and the records in pictures stay in the scene's own unit, with c = 1.";
 
 const NO_METRES: &str = "This scene does not say how many metres its unit is.";
 
@@ -238,12 +253,12 @@ fn parts(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut shows_map = state.frame.shows_map;
     if ui
         .toggle_value(&mut shows_map, "Map")
-        .on_hover_text("Shows what happens, beside what is seen.   Key: M")
+        .on_hover_text("Shows the map: what happens, beside what is seen.   Key: M")
         .changed()
     {
         commands.push(Command::ToggleMap);
     }
-    ui.toggle_value(&mut window.views, "Views").on_hover_text("Shows what the eyes see");
+    ui.toggle_value(&mut window.views, "Views").on_hover_text("Shows the views of the eyes");
     if window != state.document.settings.window {
         commands.push(Command::Window(window));
     }

@@ -15,7 +15,7 @@ use crate::flags::Share;
 const DOT_RADIUS: f32 = 1.1;
 const DOT_STEP: f32 = 5.0;
 
-const TIP: &str = "Drag to make room.   Double-click to reset.";
+const TIP: &str = "Drag to resize.   Double-click to reset.";
 
 /// Shows `border`, and reads drags of it.
 pub fn show(ui: &Ui, state: &State, border: Border, commands: &mut Commands) {
@@ -51,7 +51,7 @@ pub fn title(ui: &Ui, part: Part, commands: &mut Commands) {
     if response.double_clicked() {
         commands.push(Command::ToggleMaximised(part));
     }
-    response.on_hover_text("Double-click: this alone in the window, or all again.");
+    response.on_hover_text("Double-click to show this part alone, or all parts again.");
 }
 
 /// Three dots, and all along it a line while it is held.

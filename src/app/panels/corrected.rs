@@ -25,9 +25,9 @@ pub fn show(ui: &Ui, rect: Rect, correction: &Correction, picture: Option<&Textu
     let response = ui.interact(rect, id, Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(Role::Image, true, &text));
     response.on_hover_text(
-        "The left eye's picture with the distortion undone, as far as this speed is right: straight and in \
-        its own colour, as a camera that rides along would take it at this event.\n\
-        Directions de-aberrated, λ × D, intensity / Dⁿ, D = 1/(γ(1 + β nₓ))\n\
-        While the Fit tab is shown, β is the fitted one. Darker: outside the eye's picture.",
+        "The left eye's picture with the distortion undone: straight and in its own colours, as a camera \
+            that rides along would take it at this event, provided that this β is right.\nDirections \
+            de-aberrated, λ × D, intensity / Dⁿ, D = 1/(γ(1 + β nₓ))\nWhile the Fit tab is shown, β is the \
+            fitted one. The darker part lies outside the eye's picture.",
     );
 }

@@ -64,7 +64,7 @@ fn path(ui: &mut Ui, chooser: &mut Chooser) -> bool {
 fn product_settings(ui: &mut Ui, state: &State, product: Product, chooser: &mut Chooser) {
     if product.has_size() {
         ui.horizontal(|ui| {
-            let tip = "Width x height of each eye's picture. At first as large as in the window.";
+            let tip = "Width x height of each eye's picture, at first as in the window.";
             ui.label("Size of a picture").on_hover_text(tip);
             let field = TextEdit::singleline(&mut chooser.size).desired_width(SIZE_WIDTH);
             if ui.add(field).on_hover_text(tip).accessible_name("Size of a picture").changed() {
@@ -78,20 +78,22 @@ fn product_settings(ui: &mut Ui, state: &State, product: Product, chooser: &mut 
             let frames = state.film_frames();
             let seconds = f64::from(frames) / f64::from(FRAMES_PER_SECOND);
             format!(
-                "T runs through its range once: {frames} frames, {seconds:.1} s. A name in .gif or .png is an animation, \
-                a name without an ending a folder of pictures."
+                "T runs through its range once: {frames} frames, {seconds:.1} s. A name that ends in .gif \
+                    or .png gives an animation; one without an ending, a folder of pictures."
             )
         }
-        Product::Picture => "The picture remembers its state: it can be opened again.".to_owned(),
-        Product::PlotsSvg => "What the shown tab plots, as a drawing.".to_owned(),
-        Product::PlotsCsv => "What the shown tab plots, as a table.".to_owned(),
-        Product::State => "All that is set, T and the selected point. It can be opened again.".to_owned(),
+        Product::Picture => "The picture records its state: opening it restores that.".to_owned(),
+        Product::PlotsSvg => "The curves of the shown tab, as a drawing.".to_owned(),
+        Product::PlotsCsv => "The curves of the shown tab, as a table.".to_owned(),
+        Product::State => {
+            "All settings, T and the selected point. Opening the file restores them.".to_owned()
+        }
         Product::Report => {
-            "What was predicted and seen in each step of the lesson, as a page for a browser, which can be printed."
+            "What was predicted and seen in each step of the lesson, as a page to print from a browser."
                 .to_owned()
         }
         Product::Worksheet | Product::LabSheet | Product::TeachersPage => {
-            "A page for a browser, which prints it; as `gamow lesson` writes it.".to_owned()
+            "A page to print from a browser, the same as by `gamow lesson`.".to_owned()
         }
         Product::Fit => "The numbers of the Fit tab, as `gamow fit --json` writes them.".to_owned(),
     };
@@ -107,7 +109,7 @@ fn buttons(ui: &mut Ui, purpose: Purpose, chooser: &mut Chooser, is_entered: boo
         }
         let has_dialog = chooser.has_dialog();
         ui.add_enabled_ui(has_dialog && !chooser.is_browsing(), |ui| {
-            if ui.button("Browse…").on_hover_text("Choose in a dialog of the system.").clicked() {
+            if ui.button("Browse…").on_hover_text("Opens the system's file dialog.").clicked() {
                 chooser.browse(ui.ctx());
             }
         });
@@ -121,7 +123,7 @@ fn buttons(ui: &mut Ui, purpose: Purpose, chooser: &mut Chooser, is_entered: boo
 fn replace(ui: &mut Ui, chooser: &mut Chooser, commands: &mut Commands) {
     let Some(path) = chooser.replaced.clone() else { return };
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    ui.label(format!("{name} is there already."));
+    ui.label(format!("{name} exists already."));
     ui.horizontal(|ui| {
         let replace = ui.button(RichText::new("Replace it").strong());
         if ui.memory(|memory| memory.focused().is_none()) {

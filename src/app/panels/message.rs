@@ -43,7 +43,7 @@ pub fn show(ctx: &Context, state: &State, room: Rect, window: Rect, commands: &m
     });
 }
 
-/// Whether it is good news, by shape and colour.
+/// Draws the sign of the message: good news and errors differ in shape and colour.
 fn sign(ui: &mut Ui, notice: &Notice) {
     let (rect, _) = ui.allocate_exact_size(vec2(18.0, 22.0), Sense::hover());
     let icon = if notice.is_error { Icon::Failed } else { Icon::Done };

@@ -55,7 +55,7 @@ pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
     let shown = area.show(ctx, |ui| {
         Frame::popup(ui.style()).inner_margin(Margin::same(10)).show(ui, |ui| {
             ui.set_width(width);
-            let field = TextEdit::singleline(&mut search.text).hint_text("What to do, or what to follow");
+            let field = TextEdit::singleline(&mut search.text).hint_text("Action or body");
             let field = ui.add(field.desired_width(f32::INFINITY)).accessible_name("Command");
             if is_new {
                 field.request_focus();
@@ -93,7 +93,7 @@ fn moved(ctx: &Context, chosen: usize, count: usize) -> usize {
 /// Lists `entries`; the one that is clicked.
 fn list(ui: &mut Ui, entries: &[Entry], search: &Search) -> Option<Entry> {
     if entries.is_empty() {
-        ui.label(RichText::new("Nothing is called so.").weak());
+        ui.label(RichText::new("Nothing has this name.").weak());
     }
     let mut clicked = None;
     for (index, entry) in entries.iter().enumerate() {

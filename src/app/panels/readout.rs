@@ -85,8 +85,9 @@ fn table(ui: &mut Ui, state: &State) {
     );
 }
 
-const RECKONED_TIP: &str = "What the clock at the point shows now by my reckoning: at the event there that is at one time with this moment \
-    in the frame in which I rest. Nobody sees it. It differs from τ, which is seen, by the light's delay, and tilts with my velocity.";
+const RECKONED_TIP: &str = "What the clock at the point shows now, by my reckoning: at the same time as \
+    this moment, in the frame in which I rest. Nobody sees it: it differs from τ, which is seen, by the \
+    light's delay, and it changes with my velocity.";
 
 /// Shows beside the clock that is seen what that clock shows now, as whoever rides reckons.
 fn reckoned(ui: &mut Ui, state: &State, point: &Point) {
@@ -150,7 +151,7 @@ fn stereo(ui: &mut Ui, state: &State) {
         let gain = number_text::fixed_or_none(found.map(|found| found.gain), 3);
         named_text(ui, gain.as_str(), format!("Stereo gain: {gain}")).on_hover_text(GAIN_TIP);
         ui.add_space(6.0);
-        ui.label(RichText::new(unit.label("stereo at")).color(colour)).on_hover_text(STEREO_TIP);
+        ui.label(RichText::new(unit.label("position")).color(colour)).on_hover_text(STEREO_TIP);
         for (axis, name) in AXES.into_iter().enumerate() {
             let value = found.map_or(f64::NAN, |found| found.position[axis]);
             let name = format!("Stereo {name}: {}", unit.text(value, 2));
@@ -165,20 +166,22 @@ fn stereo(ui: &mut Ui, state: &State) {
     });
 }
 
-const APART: &str = "The lines of sight diverge: they meet nowhere in front.";
+const APART: &str = "The lines of sight diverge: they do not meet in front of the eyes.";
 
-const APART_TIP: &str = "The eyes receive two events of the point, between which it moved. The two lines of sight to them need \
-    not come together anywhere.";
+const APART_TIP: &str = "The eyes receive two events of the point, between which it moved. The two lines \
+    of sight to them need not meet anywhere.";
 
-const MISS_TIP: &str = "With the head tilted or turned, and of a point that turns with a wheel, the two lines of sight pass each \
-    other. Where the point is taken to be is the middle of their shortest connection; this is how long it is.";
+const MISS_TIP: &str = "With the head tilted or turned, and for a point that turns with a wheel, the two \
+    lines of sight pass each other. The stereo position is the middle of their shortest connection; this \
+    is its length.";
 
-const GAIN_TIP: &str = "How many times as far apart as they are the eyes would see the difference between them at a \
-    resting point.\n(X left − X right)/d, near γD; with the head tilted or turned the part of the parallax along that of a \
-    resting point, over that.";
+const GAIN_TIP: &str = "A resting point in the same place would look as different to eyes this many times \
+    as far apart.\n(X left − X right)/d, near γD; with the head tilted or turned: the component of the \
+    parallax along that of a resting point, divided by that.";
 
-const STEREO_TIP: &str = "Where the lines of sight of both eyes meet: where who has two eyes takes the point to be. x, \
-    y, z from the middle between the eyes. Two eyes see the contraction, as depth.";
+const STEREO_TIP: &str = "The stereo position: where the lines of sight of both eyes meet, and so where \
+    two eyes place the point. x, y, z from the middle between the eyes. Two eyes see the contraction, as \
+    depth.";
 
 /// The title, which folds the table away.
 fn fold(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -187,8 +190,8 @@ fn fold(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let (name, tip) = match state.document.settings.shown_model() {
         Model::OneCone => (
             "One light cone",
-            "What each eye would receive of the selected point now if both received the same events: those that the \
-            middle between them receives. Click to fold the table away.",
+            "What each eye would receive of the selected point now if both received the same events: those \
+                of the middle between them. Click to fold the table away.",
         ),
         Model::Published(_) => ("Published", PUBLISHED_TIP),
         Model::Exact => {
@@ -202,9 +205,9 @@ fn fold(ui: &mut Ui, state: &State, commands: &mut Commands) {
     }
 }
 
-const PUBLISHED_TIP: &str = "What the views show of the selected point now: the left eye receives it exactly; in the published model \
-    the right eye has what the left one sees at T − ΔT, measured from the left eye. Point at a number for the exact one. \
-    Click to fold the table away.";
+const PUBLISHED_TIP: &str = "What the views show of the selected point now. The left eye receives it \
+    exactly; in the published model the right eye has what the left one sees at T − ΔT, measured from the \
+    left eye. Point at a number for the exact one. Click to fold the table away.";
 
 /// A row of the table.
 struct Quantity {
@@ -248,7 +251,8 @@ const QUANTITIES: [Quantity; 9] = [
     Quantity {
         symbol: "Doppler D",
         name: "Doppler factor D",
-        tip: "Received over rest frequency; above 1 is bluer. So fast is its clock seen to run.\nD = 1/(γ(1 + β X/R))",
+        tip: "Received over emitted frequency; above 1 is bluer. The clock at the point is seen to run D \
+            times as fast as one beside the eye.\nD = 1/(γ(1 + β X/R))",
         decimals: 4,
         unit: |_| Unit::OWN,
         value: |seen, _| seen.doppler_factor,
@@ -288,16 +292,17 @@ const CONFORMAL: [OfHead; 2] = [
     OfHead {
         symbol: "u",
         name: "Conformal u",
-        tip: "Column of the conformal picture, in units of rapidity: to the right along the line between the eyes, X there.\n\
-            u = arsinh(X/√(Y² + Z²)). Motion along that line slides it back by the rapidity. None along the line itself.",
+        tip: "Column of the conformal picture, in units of rapidity, to the right.\nu = arsinh(X/√(Y² + \
+            Z²)), X along the line between the eyes. Motion along that line slides u back by the rapidity. \
+            A point seen along the line itself has no u.",
         unit: Unit::OWN,
         value: |seen| seen.u,
     },
     OfHead {
         symbol: "v",
         name: "Conformal v",
-        tip: "Row of the conformal picture: the angle about the line between the eyes, up from straight ahead.\n\
-            v = atan2(Z, Y). Motion along that line leaves it.",
+        tip: "Row of the conformal picture: the angle about the line between the eyes, up from straight \
+            ahead.\nv = atan2(Z, Y). Motion along that line does not change it.",
         unit: Unit { factor: 1.0, name: "rad" },
         value: |seen| seen.v,
     },
@@ -330,16 +335,16 @@ struct OfWheel {
 
 const TURNING: [OfWheel; 2] = [
     OfWheel {
-        symbol: "on wheel at",
+        symbol: "angle on wheel",
         name: "Angle on the wheel",
         tip: "Where on its wheel the point was as the light left it: from +x (0°) over the top (90°).",
         text: |wheel| angle_text(wheel.angle),
     },
     OfWheel {
-        symbol: "moved at",
+        symbol: "speed on ground",
         name: "Speed on the ground",
-        tip: "How fast the point moved on the ground as the light left it, turning and carried along: between 0 at the bottom \
-            and 2β/(1 + β²) at the top of a wheel that rolls. D has this motion in it.",
+        tip: "Speed of the point on the ground when the light left it, turning and carried along: from 0 \
+            at the bottom to 2β/(1 + β²) at the top of a wheel that rolls. D includes this motion.",
         text: |wheel| number_text::fixed(wheel.on_ground, 4) + " c",
     },
 ];

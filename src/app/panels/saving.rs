@@ -24,8 +24,10 @@ pub fn show(ctx: &Context, saver: &Saver, commands: &mut Commands) {
             // Each line is there from the first frame on: nothing may move Stop away from under the pointer.
             ui.add(Label::new(format!("Saving {name}")).truncate());
             let size = progress.expected_bytes().map(|bytes| number_text::bytes(bytes, 2));
-            let size = size
-                .map_or_else(|| "…".to_owned(), |size| format!("about {size} in all by the frames so far"));
+            let size = size.map_or_else(
+                || "…".to_owned(),
+                |size| format!("about {size} in all, judging by the frames so far"),
+            );
             ui.add(Label::new(size).truncate());
             ui.horizontal(|ui| {
                 let bar = ProgressBar::new(written.frames as f32 / frames.max(1) as f32)

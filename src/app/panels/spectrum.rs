@@ -53,8 +53,8 @@ pub fn show(ui: &mut Ui, state: &State) {
     let response = ui.interact(strip, ui.scope_id().with("spectrum"), Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(Role::Image, true, &name));
     response.on_hover_text(
-        "Which wavelengths arrive of the selected point now, and the one that it shines in at rest, on a \
-        logarithmic scale.\nλ received = λ at rest / D",
+        "The wavelengths that arrive from the selected point now, and the one that it emits at rest, on a \
+            logarithmic scale.\nλ received = λ at rest / D",
     );
 }
 

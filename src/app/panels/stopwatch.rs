@@ -21,8 +21,9 @@ const WIDTH: f32 = 200.0;
 const ABOVE: f32 = 26.0;
 /// Narrower views than this have none.
 const NARROWEST_VIEW: f32 = WIDTH + 4.0 * MARGIN;
-const TIP: &str = "Measures T between two presses, and what the selected point's clock went on by meanwhile, as the eye sees it. A press is \
-    noted in the next frame: the error is the step that T takes in one.   Keys: T starts and stops, Shift+T takes it away";
+const TIP: &str = "Measures T between two presses, and the time that the selected point's clock is seen to \
+    show meanwhile. The error is the step of T from one frame to the next.   Keys: T starts and stops, \
+    Shift+T hides it";
 
 /// Shows it in the corner of `pane`.
 pub fn show(ui: &mut Ui, state: &State, pane: EyePane, commands: &mut Commands) {

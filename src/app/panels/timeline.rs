@@ -153,7 +153,7 @@ fn playback(ui: &mut Ui, state: &State, shown: PlaybackControls, commands: &mut 
                 }
             });
         });
-        menu.0.on_hover_text("First and last T, and how it runs from one to the other");
+        menu.0.on_hover_text("Sets the first and the last T, and how T runs between them");
     }
     if shown != PlaybackControls::Nothing {
         rate(ui, state, &mut playback);
@@ -169,7 +169,7 @@ fn rate(ui: &mut Ui, state: &State, playback: &mut Playback) {
         .speed(unit.shown(0.01))
         .max_decimals(unit.decimals(3).into())
         .suffix(" / s"); // behind the unit
-    let rate = ui.add(rate).on_hover_text("Time T that passes in a second of your clock");
+    let rate = ui.add(rate).on_hover_text("T per second of your own clock");
     rate.accessible_name("Playback rate");
 }
 

@@ -515,7 +515,7 @@ mod tests {
         let exact = Choice { method: Method::Packets, error_px: 0.002, ..choice };
         assert_eq!(said(&mut state, exact), None);
         let late = Choice { ms: 40.0, holds: false, ..exact };
-        let expected = "automatic: packets, 40 ms, within 0.002 px; nothing keeps 16 ms";
+        let expected = "automatic: packets, 40 ms, within 0.002 px; no method keeps 16 ms";
         assert_eq!(said(&mut state, late).as_deref(), Some(expected));
         // What is set is said unless it is the rays.
         state.document.settings.quality.renderer = RendererChoice::Packets;

@@ -67,7 +67,7 @@ impl AnswersFile {
             Err(problem) => {
                 let where_it_is = self.file.set_aside();
                 let text = format!(
-                    "The answers in lessons are lost to this window: {}: {problem}. {where_it_is}",
+                    "This window starts without the answers in lessons: {}: {problem}. {where_it_is}",
                     self.file.shown()
                 );
                 (Answers::default(), Some(text))

@@ -61,7 +61,7 @@ impl KeptFile {
         }
     }
 
-    /// A name under which it can be kept aside.
+    /// A name under which the file can be kept aside.
     fn free_name(&self) -> PathBuf {
         let ending = self.path.extension().unwrap_or_default().to_string_lossy();
         let named = |number: u32| self.path.with_extension(format!("{ending}.old{number}"));

@@ -54,7 +54,7 @@ impl Default for Memory {
 struct Place {
     /// The upper left corner with its frame, on systems that report it.
     position: Option<[f32; 2]>,
-    /// The inner size while it is not maximised.
+    /// The inner size of the window while it is not maximised.
     size: [f32; 2],
     maximised: bool,
 }
@@ -77,7 +77,7 @@ impl Memory {
         Ok((memory, problems))
     }
 
-    /// Writes the text of its file.
+    /// Writes the text of the file.
     #[must_use]
     pub fn to_text(&self) -> String {
         toml::to_string(self).unwrap_or_default()

@@ -241,8 +241,8 @@ impl Files {
                 None
             }
             Ok(None) => Some(Notice::done(
-                "Another window of Gamow is open. Answers in lessons are kept from both; of the settings those are kept \
-                 that were changed last.",
+                "Another window of Gamow is open. The answers in lessons of both are kept; of the \
+                    settings, those that were changed last.",
             )),
             Err(error) => Some(Notice::error(advice(&format!("{}: {error}", files::shown(&self.folder))))),
         }

@@ -27,9 +27,9 @@ pub struct Ranges {
 /// The curves of a point as it once moved and was seen, which stay while everything else changes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pin {
-    /// The point, with the number whose colour it has.
+    /// The point, with the number whose colour the pin has.
     pub point: Point,
-    /// Key of its curves, without the range of T.
+    /// Key of the pin's curves, without the range of T.
     pub key: CurvesKey,
 }
 

@@ -59,7 +59,7 @@ impl State {
         CurvesKey { range: self.plotted_times(quantity), ..self.curve_key(point) }
     }
 
-    /// The same of a pinned one, which keeps its model whatever the views show now.
+    /// Returns the key of a pinned curve, which keeps its model whatever the views show now.
     #[must_use]
     pub fn pinned_key(&self, pin: &Pin, quantity: Quantity) -> CurvesKey {
         let stereo = self.document.settings.plots.plot == PlotTab::Stereo;

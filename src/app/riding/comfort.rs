@@ -58,7 +58,7 @@ impl Comfort {
         self.exposure_ev
     }
 
-    /// Whether it is still on its way to `target_ev`, or the vignette has not gone yet.
+    /// Whether the exposure is still on its way to `target_ev`, or the vignette has not gone yet.
     #[must_use]
     pub fn is_on_its_way(&self, target_ev: f64) -> bool {
         self.exposure_ev != Some(target_ev) || self.vignette > 0.0

@@ -50,6 +50,6 @@ pub struct Saddle {
 pub struct Push {
     /// Direction of the push.
     pub direction: Direction,
-    /// Whether it brakes: then it ends at rest.
+    /// Whether the push brakes: then it ends at rest.
     pub brakes: bool,
 }

@@ -13,11 +13,12 @@ use crate::scene::Track;
 const SAMPLES: u32 = 201;
 
 /// Why there are no numbers of a point by a command.
-const BACKWARD: &str =
-    "`gamow curve` and `gamow eval` take what moves towards +x, and the selected point moves the other way.";
+const BACKWARD: &str = "`gamow curve` and `gamow eval` need a point that moves towards +x, and the selected one moves the \
+        other way.";
 
 /// Why there are none of a point on a wheel that does not roll.
-const SLIPS: &str = "`gamow curve` and `gamow eval` take wheels that roll, and that of the selected point turns at a speed of its own.";
+const SLIPS: &str = "`gamow curve` and `gamow eval` know only wheels that roll, and that of the selected \
+    point turns at a speed of its own.";
 
 /// Returns `speed` as beta, or as rapidity where beta does not express all of it.
 fn speed_setting(speed: Speed) -> Result<SpeedSetting, SpeedError> {

@@ -91,7 +91,7 @@ impl App {
             }
             Product::Report => {
                 let Some(course) = self.state.course().cloned() else {
-                    return self.tell(ui.ctx(), Notice::error("No lesson is gone through."));
+                    return self.tell(ui.ctx(), Notice::error("No lesson is open."));
                 };
                 let base = Box::new(self.state.lesson_base());
                 // The fit that stands in its tab.
@@ -101,7 +101,7 @@ impl App {
             Product::Worksheet | Product::LabSheet | Product::TeachersPage => {
                 let lesson = self.state.course().map(|course| Box::new(course.lesson().clone()));
                 let Some((lesson, sheet)) = lesson.zip(product.sheet()) else {
-                    return self.tell(ui.ctx(), Notice::error("No lesson is gone through."));
+                    return self.tell(ui.ctx(), Notice::error("No lesson is open."));
                 };
                 self.begin(ui.ctx(), Job::Sheet(lesson, sheet, path), name, 1);
             }

@@ -54,9 +54,9 @@ struct Underway {
 pub struct Progress<'a> {
     /// Name of the product.
     pub name: &'a str,
-    /// Part of it that is written.
+    /// Fraction of the product that is written.
     pub written: Written,
-    /// Number of all its frames.
+    /// Number of all the progress's frames.
     pub frames: u32,
 }
 

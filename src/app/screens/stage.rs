@@ -17,9 +17,9 @@ pub enum Part {
 /// The temporary modes of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Stage {
-    /// Whether it has the whole screen.
+    /// Whether the window has the whole screen.
     pub full_screen: bool,
-    /// The part that is alone in it.
+    /// The part of the window that is shown alone.
     pub maximised: Option<Part>,
     /// Whether the views have a window of their own besides, for a projector.
     pub projector: bool,
@@ -34,7 +34,7 @@ impl Stage {
         Self { full_screen: true, maximised: None, projector: false, before: Some(false) }
     }
 
-    /// Whether it is shown to an audience: large writing, and no controls.
+    /// Whether the window is shown to an audience: large writing, and no controls.
     #[must_use]
     pub const fn is_presented(&self) -> bool {
         self.before.is_some()
@@ -53,7 +53,7 @@ impl Stage {
         self.maximised = if self.maximised == Some(part) { None } else { Some(part) };
     }
 
-    /// The number of the view that is alone in it.
+    /// The number of the view that is shown alone.
     #[must_use]
     pub const fn maximised_pane(&self) -> Option<usize> {
         match self.maximised {

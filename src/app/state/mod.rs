@@ -116,7 +116,7 @@ impl State {
         Self::in_scene(settings, scene.into())
     }
 
-    /// The same of a scene that is ready to be drawn.
+    /// The state with these settings in a scene that is ready to be drawn.
     pub(in crate::app) fn in_scene(settings: Settings, scene: ReadyScene) -> Self {
         let (document, notice) = Document::new(settings, scene);
         let frame = Frame::before_the_first(&document.settings);

@@ -15,7 +15,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// Returns the name of the body that it is on.
+    /// Returns the name of the body that the point is on.
     #[must_use]
     pub fn what<'a>(&self, scene: &'a Scene) -> &'a str {
         let nameless = if self.is_tracked() { "tracked point" } else { "point" };
@@ -42,7 +42,7 @@ impl Point {
         Some(Self { track, ..self })
     }
 
-    /// Whether it is the scene's own.
+    /// Whether the point is the scene's own.
     const fn is_tracked(&self) -> bool {
         self.number == FIRST
     }

@@ -58,7 +58,7 @@ impl App {
         self.refines && quality.refine && quality.renderer != RendererChoice::Mesh && !is_measuring
     }
 
-    /// This window, whose pictures stay as their method draws them: then they do not depend on how long it has been.
+    /// Returns this window without refinement of still views, so that its pictures do not depend on how long they have been shown.
     #[must_use]
     pub fn without_refinement(self) -> Self {
         Self { refines: false, ..self }

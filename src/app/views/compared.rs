@@ -20,7 +20,7 @@ impl State {
         }
     }
 
-    /// Calls `asked` with the settings of a picture: the changed ones of the comparison if it `is_second`.
+    /// Calls `asked` with the settings of the first picture of a comparison, or with the changed ones of the second if `is_second`.
     pub(in crate::app) fn of_picture<R>(&mut self, is_second: bool, asked: impl FnOnce(&mut Self) -> R) -> R {
         let kept = self.enter(is_second);
         let found = asked(self);
@@ -43,7 +43,7 @@ impl State {
         self.with_what_it_shows(&format!("{} view", pane.eye.name()), pane)
     }
 
-    /// This `name` with the difference between `pane` and the other picture of the eye.
+    /// Returns `name` followed by the difference between `pane` and the other picture of the eye.
     fn with_what_it_shows(&self, name: &str, pane: EyePane) -> String {
         match self.document.settings.compared_names() {
             Some(names) => format!("{name}: {}", names[pane.index()]),

@@ -22,9 +22,9 @@ const OUTSIDE: f64 = 0.6;
 pub struct Job {
     /// The eye's view, as seen.
     pub view: View,
-    /// Speed by which it is corrected.
+    /// Speed for which the picture is corrected.
     pub speed: Speed,
-    /// Appearance of its light.
+    /// Appearance of the light.
     pub appearance: Appearance,
     /// Scene that is drawn.
     pub scene: PreparedScene,

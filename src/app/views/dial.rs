@@ -34,7 +34,7 @@ pub struct Dial {
     pub turn: f64,
     /// The proper time that a turn of it takes, units of the scene.
     pub period: f64,
-    /// The turns that it has made, where they are counted.
+    /// The turns that the dial has made, where they are counted.
     pub count: Option<f64>,
 }
 

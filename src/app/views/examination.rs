@@ -49,7 +49,7 @@ type HeatMaps = Vec<(Eye, ColorImage)>;
 /// The outcome of one method.
 struct Outcome {
     method: Method,
-    /// Number of the sight in which it was measured.
+    /// Number of the sight in which the outcome was measured.
     sight: u64,
     figures: Result<Figures, String>,
     maps: HeatMaps,

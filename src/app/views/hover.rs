@@ -27,12 +27,12 @@ pub struct Hovered {
     pub name: String,
     /// Doppler factor of the light of it that is received, where that is shown.
     pub doppler_factor: Option<f64>,
-    /// Remarks on the point of it: a line each.
+    /// Remarks on the point under the pointer: a line each.
     pub lines: Vec<String>,
 }
 
 impl Hovered {
-    /// Returns its name, with the shift of its light.
+    /// Returns the name of the body, with the shift of its light.
     #[must_use]
     pub fn title(&self) -> String {
         let shift = self.doppler_factor.map(|factor| format!("   D = {}", number_text::fixed(factor, 3)));
@@ -52,7 +52,7 @@ impl State {
         let (doppler_factor, mut lines) = match self.document.settings.geometry() {
             Geometry::Rest => {
                 let there = view.of_group(track.motion).place_when_shown(track.point());
-                let is = if track.spin.is_some() { "riding along seen" } else { "at rest" };
+                let is = if track.spin.is_some() { "seen from its frame" } else { "at rest" };
                 let place = self.place(self.document.settings.rest_place(there.to_array()));
                 (None, vec![format!("{is} at {place}")])
             }

@@ -32,7 +32,8 @@ pub const LAYOUTS: [(Layout, &str, &str); 13] = [
     (
         Layout::Dubois,
         "Anaglyph, colours",
-        "For red-cyan glasses: as near to the colours as can be (Dubois). Pure red is dark to the right eye.",
+        "For red-cyan glasses: colours as faithful as they allow (Dubois). Pure red is dark to the right \
+            eye.",
     ),
     (Layout::Overlay, "Overlay", "The left eye in blue and the right eye in orange, added."),
     (Layout::OverUnder, "Over-under", "The left eye's picture above the right eye's."),
@@ -49,7 +50,8 @@ pub const LAYOUTS: [(Layout, &str, &str); 13] = [
     (
         Layout::Rows,
         "Interleaved rows",
-        "Rows of the screen in turn, the topmost the left eye's, for screens that are polarised so.",
+        "Rows of the left and the right eye's picture in turn, the topmost the left eye's, for screens \
+            whose rows are polarised in turn.",
     ),
     (Layout::Flicker, "Flicker", "One after the other, three times a second: depth shows without glasses."),
 ];

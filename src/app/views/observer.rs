@@ -22,7 +22,7 @@ use crate::settings::{PlotTab, Settings, Subject};
 pub struct Correction {
     /// Speed of the correction.
     pub speed: Speed,
-    /// Whether it was found by the fit; else it is the scene's own.
+    /// Whether the speed was found by the fit; otherwise it is the scene's own.
     pub is_fitted: bool,
 }
 

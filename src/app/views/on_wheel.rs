@@ -56,7 +56,7 @@ impl State {
         Some(OnWheel { share: r / spin.radius, angle, turning: omega.abs() * r, on_ground })
     }
 
-    /// The same as `view` shows it.
+    /// Place of a point on its wheel as `view` shows it.
     #[must_use]
     pub fn on_wheel_in(&self, track: &Track, view: &View) -> Option<OnWheel> {
         let group = view.of_group(track.motion);

@@ -57,7 +57,7 @@ impl Arrangement {
         Self { picture: *picture, is_comparing, corrected: window.corrected, apart, title }
     }
 
-    /// The same without the corrected picture.
+    /// Returns this arrangement without the corrected picture.
     #[must_use]
     pub const fn without_corrected(self) -> Self {
         Self { corrected: false, ..self }
@@ -151,7 +151,7 @@ pub fn on_screen(ui: &Ui, composition: Composition, rect: Rect) -> Composition {
 pub struct EyePane {
     /// Eye that the picture belongs to.
     pub eye: Eye,
-    /// Whether it is the second of two pictures of one eye.
+    /// Whether the pane shows the second of two pictures of one eye.
     pub is_second: bool,
     /// In points; its edges lie on pixel edges, so that the picture is shown pixel for pixel, unless it is squeezed.
     pub rect: Rect,
@@ -203,7 +203,7 @@ impl EyePane {
         })
     }
 
-    /// Whether it takes the mouse: where both eyes' pictures are, the left eye does.
+    /// Whether the pane takes the mouse: where both eyes' pictures share a place, the left eye's does.
     #[must_use]
     pub fn takes_the_mouse(&self) -> bool {
         !self.is_shared || self.eye == Eye::Left

@@ -12,7 +12,7 @@ pub struct ReferenceSteps {
     pub scene: PreparedScene,
     /// View of the picture.
     pub view: View,
-    /// Appearance of its light.
+    /// Appearance of the light.
     pub appearance: Appearance,
     /// Rays per pixel and direction.
     pub samples: u32,

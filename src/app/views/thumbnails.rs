@@ -20,9 +20,9 @@ use crate::settings::Settings;
 pub struct Look {
     /// Width and height, pixels.
     pub size: [u32; 2],
-    /// Whether it is in a light window.
+    /// Whether the thumbnail is shown in a light window.
     pub in_light_window: bool,
-    /// Eye that sees it.
+    /// Eye whose view the thumbnail shows.
     pub eye: Eye,
 }
 

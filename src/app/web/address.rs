@@ -50,7 +50,7 @@ impl Fragment {
         lesson.into_iter().chain(presents).chain(pairs).collect::<Vec<_>>().join("&")
     }
 
-    /// Whether it leaves open what is shown, so that a newcomer may be welcomed.
+    /// Whether the address leaves open what is shown, so that a newcomer may be welcomed.
     pub fn welcomes(&self) -> bool {
         *self == Self::default()
     }

@@ -5,7 +5,7 @@ use eframe::egui::Rangef;
 /// A label that belongs to a place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
-    /// The place that its middle should be at.
+    /// The place that the span's middle should be at.
     pub middle: f32,
     /// Width of the span.
     pub width: f32,

@@ -51,7 +51,7 @@ pub fn button(ui: &mut Ui, icon: Icon, name: &str, size: Vec2, selected: bool) -
     drawn(ui, response, icon, name, selected)
 }
 
-/// The same in `rect`, over what else is there.
+/// A button with an `icon` in `rect`, over what else is there.
 pub fn button_in(ui: &Ui, rect: Rect, icon: Icon, name: &str) -> Response {
     let response = ui.interact(rect, ui.scope_id().with(("button", name)), Sense::click());
     drawn(ui, response, icon, name, false)

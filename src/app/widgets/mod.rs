@@ -55,7 +55,7 @@ pub fn row(ui: &mut Ui, name: &str, tip: &str, widget: impl FnOnce(&mut Ui)) {
     named_row(ui, name, tip, widget);
 }
 
-/// The same; where its name is.
+/// Draws a row as [`row`], and returns the response of its name.
 fn named_row(ui: &mut Ui, name: &str, tip: &str, widget: impl FnOnce(&mut Ui)) -> Response {
     let row = ui.horizontal(|ui| {
         let size = vec2(NAME_WIDTH, ui.spacing().interact_size.y);
@@ -89,7 +89,7 @@ pub enum Edit {
     Kept,
     /// Another value.
     Changed,
-    /// The default, by a double click.
+    /// The default value, after a double click.
     Restored,
 }
 
@@ -111,7 +111,7 @@ pub struct NumberRow<'a> {
 }
 
 impl NumberRow<'_> {
-    /// Shows it; true if `value` changed, or is as `usual` again.
+    /// Shows the row; true if `value` changed, or was reset to `default`.
     pub fn show(&self, ui: &mut Ui, value: &mut f64, default: f64) -> bool {
         let edit = self.edit(ui, value);
         if edit == Edit::Restored {
@@ -120,7 +120,7 @@ impl NumberRow<'_> {
         edit != Edit::Kept
     }
 
-    /// The same where `value`, as what it spans, is in units of the scene: shows it in `unit`.
+    /// Shows the row in `unit`, where `value` and its range are in units of the scene; true if `value` changed.
     pub fn show_in(&self, ui: &mut Ui, unit: Unit, value: &mut f64, default: f64) -> bool {
         let edit = self.edit_in(ui, unit, value);
         if edit == Edit::Restored {
@@ -129,7 +129,7 @@ impl NumberRow<'_> {
         edit != Edit::Kept
     }
 
-    /// Shows it, for a number that has no usual value: what was done to `value`.
+    /// Shows the row for a number without a default; returns the edit of `value`.
     pub fn edit(&self, ui: &mut Ui, value: &mut f64) -> Edit {
         let (mut changed, mut restored) = (false, false);
         let tip = format!("{}\n{DOUBLE_CLICK}", self.tip);
@@ -145,7 +145,7 @@ impl NumberRow<'_> {
         }
     }
 
-    /// The same for a number in units of the scene, shown in `unit`.
+    /// Shows the row in `unit`, for a number in units of the scene that has no default: the edit of `value`.
     pub fn edit_in(&self, ui: &mut Ui, unit: Unit, value: &mut f64) -> Edit {
         let [slider, typed] = [&self.slider, &self.typed].map(|span| shown_span(unit, span));
         let decimals = if unit == Unit::OWN { self.decimals } else { unit.decimals(3).into() };

@@ -21,10 +21,10 @@ use crate::scene::Scene;
 /// Measures speed against accuracy: each method's cost on this machine, its error against the f64 reference, and
 /// what follows for its use.
 ///
-/// Views are of the tracked point seen approaching (at x = -3 R, R being its distance at x = 0), abreast (x = 0)
-/// and receding (x = +3 R), from rest to gamma = 1000. Nothing is stored from earlier runs. Costs are those of the
-/// fastest of several runs; build with --release to have them mean something. They, and what rests on them, differ from run
-/// to run; errors do not. In JSON `timed` names those that do.
+/// Views are of the tracked point seen approaching (at x = -3 R, R being its distance at x = 0), abreast (x = 0) and
+/// receding (x = +3 R), from rest to gamma = 1000. Nothing is stored from earlier runs. Costs are those of the
+/// fastest of several runs; they mean something only in a release build. Costs, and what rests on them, differ from
+/// run to run; errors do not. In JSON `timed` names what differs.
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES, after_long_help = HELP)]
 pub struct AccuracyArgs {
@@ -34,7 +34,7 @@ pub struct AccuracyArgs {
     /// Size of one eye's picture, pixels.
     #[arg(long, default_value_t = Size([480, 360]), value_name = "WxH")]
     size: Size,
-    /// Fewer views, places and runs.
+    /// Measure fewer views, places and runs.
     #[arg(long)]
     quick: bool,
     /// Draw cost against error into this SVG file.

@@ -74,7 +74,7 @@ pub struct Setting {
 pub struct Circumstances {
     /// Speed beta.
     pub beta: f64,
-    /// The same as Lorentz factor.
+    /// Speed as Lorentz factor.
     pub gamma: f64,
     /// Place where the tracked point is seen.
     pub place: Place,
@@ -85,7 +85,7 @@ pub struct Circumstances {
 pub struct RendererReport {
     /// Name of the renderer.
     pub method: String,
-    /// Whether it is what the others are held against; then its errors are 0 by definition.
+    /// Whether this is the renderer that the others are compared with; then its errors are 0 by definition.
     pub is_reference: bool,
     /// Greatest promised distance of any point from where it is seen, pixels, if there is a promise.
     pub bound_px: Option<f64>,
@@ -98,7 +98,7 @@ pub struct RendererReport {
 }
 
 impl RendererReport {
-    /// Whether it is a ray test in f32: it is neither the reference nor made of triangles.
+    /// Whether the renderer tests rays in f32: it is neither the reference nor made of triangles.
     #[must_use]
     pub const fn is_rays(&self) -> bool {
         !self.is_reference && self.bound_px.is_none()
@@ -142,7 +142,7 @@ pub struct PictureErrors {
 pub struct FormulaReport {
     /// Name of the form, with its precision.
     pub formula: String,
-    /// Whether it is what the others are held against.
+    /// Whether this is the form that the others are compared with.
     pub is_reference: bool,
     /// Median over the views of the nanoseconds per point, one thread.
     pub point_ns: f64,
@@ -173,7 +173,7 @@ pub struct FormulaRow {
 pub struct PublishedReport {
     /// Median over the views of the nanoseconds per point.
     pub published_ns: f64,
-    /// The same of the exact model.
+    /// Median of the nanoseconds per point of the exact model.
     pub exact_ns: f64,
     /// View by view: the right eye's line of sight.
     pub views: Vec<PublishedRow>,
@@ -187,7 +187,7 @@ pub struct PublishedRow {
     pub view: Circumstances,
     /// Angle between the lines of sight.
     pub line_of_sight_arcseconds: Option<Spread>,
-    /// The same in the picture.
+    /// Distance of the two places in the picture, pixels.
     pub pixels: Option<Spread>,
 }
 
@@ -201,7 +201,7 @@ pub struct EffectsReport {
     pub view: Circumstances,
     /// Milliseconds per picture of one eye with everything on.
     pub all_on_ms: f64,
-    /// By how much the same picture differed when it was timed again, relatively: less is noise.
+    /// Relative difference of the cost when the same picture was timed again: smaller differences are noise.
     pub repeatability: f64,
     /// Entries for each effect that is left out, and one for all.
     pub without: Vec<EffectRow>,

@@ -5,34 +5,33 @@ pub mod list;
 use std::io::Write as _;
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{ArgGroup, Args};
 
 use crate::files::whole::{ensure_ending, write_whole};
 use crate::lesson::Library;
 use crate::lesson::worksheet::{self, Sheet};
 
-/// Writes what goes with a lesson on paper: the worksheet with its questions, the task and the data of its lab, a page for
-/// whoever teaches. One of them at least must be named.
+/// Writes what goes with a lesson on paper: the worksheet with its questions, the task and the data of its lab, a
+/// page for whoever teaches. At least one of them must be named.
 #[derive(Debug, Args)]
-#[command(before_help = EXAMPLES)]
-#[group(id = "sheets", required = true, multiple = true, args = ["worksheet", "lab", "teacher"])]
+#[command(before_help = EXAMPLES, group = ArgGroup::new("sheets").required(true).multiple(true))]
 pub struct LessonArgs {
     /// Name of the lesson or preset (`gamow --list`), or a file.
     #[arg(value_name = "NAME|FILE.md")]
     name: PathBuf,
-    /// The worksheet that is written: questions and room for answers.
-    #[arg(long, value_name = "FILE.html")]
+    /// Write the worksheet to this file: questions with room for answers.
+    #[arg(long, value_name = "FILE.html", group = "sheets")]
     worksheet: Option<PathBuf>,
-    /// The answers in place of the worksheet.
+    /// Write the answers in place of the worksheet.
     #[arg(long, requires = "worksheet")]
     answers: bool,
-    /// The sheet of its lab that is written, with the data.
-    #[arg(long, value_name = "FILE.html")]
+    /// Write the sheet of the lab to this file, with its data.
+    #[arg(long, value_name = "FILE.html", group = "sheets")]
     lab: Option<PathBuf>,
-    /// The page that is written for whoever teaches: aim, minutes, what to say, what pupils answer, what can go wrong.
-    #[arg(long, value_name = "FILE.html")]
+    /// Write the teacher's page to this file: aim, minutes, what to say, what pupils answer, what can go wrong.
+    #[arg(long, value_name = "FILE.html", group = "sheets")]
     teacher: Option<PathBuf>,
-    /// A folder with lessons of one's own, beside the program's.
+    /// A folder with your own lessons, beside the program's.
     #[arg(long, value_name = "DIR")]
     lessons: Option<PathBuf>,
 }

@@ -36,7 +36,7 @@ pub enum Target<'a> {
 }
 
 impl Target<'_> {
-    /// The kind of file that shows it.
+    /// The kind of file that shows the target.
     pub const fn file_kind(self) -> FileKind {
         match self {
             Self::Point(_) | Self::Body(_) => FileKind::Exr,

@@ -31,20 +31,21 @@ use crate::time_range::time_within;
 
 /// Follows a point through a stereo sequence and measures its angles, as CSV.
 ///
-/// Takes files of one observation time each: measurements (.exr) or pictures (.png) in a layout that has both eyes' whole
-/// pictures, such as side by side. Those of `gamow render` record all else; of a photograph flags tell it.
+/// Takes files of one observation time each: measurements (.exr) or pictures (.png) in a layout that has both eyes'
+/// whole pictures, such as side by side. Those of `gamow render` record everything else; for photographs, flags give
+/// it.
 ///
 /// The columns are the observation time, the separation of the eyes (with roll and turn, in radians, of a head that is tilted
 /// or turned), the angles from each eye, their differences, and the standard deviations of these: what `gamow fit` reads.
 ///
 /// The standard deviations follow from how pixels sample what is seen. The middle of a disc of radius r pixels has
-/// 0.15/sqrt(r) pixels in each direction, in each eye; a mark on a surface, by how its surroundings bend, a hundredth of one or
-/// less, and up to 0.3 beside an outline. Errors against the truth were measured to be 0.7 to 1.4 times as large, of a mark 0.4 to
-/// 0.8 times; those of dtheta a third where both eyes have the point equally high. They say nothing of what pixels do not
-/// decide: the middle of a large body is not quite where its centre is seen.
+/// 0.15/sqrt(r) pixels in each direction, in each eye; a mark on a surface, by how its surroundings bend, a hundredth
+/// of one or less, and up to 0.3 beside an outline. Errors against the truth were measured to be 0.7 to 1.4 times as
+/// large, of a mark 0.4 to 0.8 times; those of dtheta a third where both eyes have the point equally high. They do
+/// not cover what pixels do not decide: the middle of a large body is not quite where its centre is seen.
 ///
-/// A mark on a wheel is followed round. A fit takes it for a point that does not turn unless it is told where on its wheel
-/// the mark is; of a --point in files of `gamow render` that is said here.
+/// A mark on a wheel is followed round. A fit takes it for a point that does not turn, unless flags say where on its
+/// wheel the mark is; for a --point in files of `gamow render` a remark gives these flags.
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES)]
 pub struct MeasureArgs {
@@ -55,7 +56,7 @@ pub struct MeasureArgs {
     target: TargetArgs,
     #[command(flatten)]
     out: OutArgs,
-    #[command(flatten, next_help_heading = "Of photographs, and of what a file does not record")]
+    #[command(flatten, next_help_heading = "Photographs, and what a file does not record")]
     taken: TakenArgs,
 }
 
@@ -83,7 +84,7 @@ struct TargetArgs {
     /// In .exr files: the mark on a body's surface at these rest-frame coordinates; on a wheel that turns, those at t' = 0.
     #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]
     point: Option<[f64; 3]>,
-    /// In .exr files: the middle of the body that the scene calls so, or that has this number.
+    /// In .exr files: the middle of the body of this name in the scene, or of this number.
     #[arg(long, value_name = "NAME|NUMBER")]
     object: Option<String>,
     /// In .png files: the middle of all pixels of this colour.
@@ -236,7 +237,7 @@ impl TakenArgs {
         }
         anyhow::ensure!(
             missing.is_empty(),
-            "it does not record {}, which is needed then",
+            "it does not record {}, which must then be given",
             missing.join(", ")
         );
         Ok(settings)
@@ -314,7 +315,7 @@ fn sheet(picture: &Picture, size: [u32; 2]) -> anyhow::Result<Sheet> {
     let layout = picture.layout;
     let has_both = layout.loses_nothing() && picture.eyes().len() == 2;
     anyhow::ensure!(has_both, "its layout, {}, does not have the whole pictures of both eyes", layout.name());
-    Sheet::of_file(picture, picture.size.0, size).context("it no longer has the size in which it was made")
+    Sheet::of_file(picture, picture.size.0, size).context("its size has changed since it was made")
 }
 
 /// Azimuth and elevation of a place in a picture, radians.

@@ -42,16 +42,17 @@ impl Remark {
     fn text(&self) -> String {
         match self {
             Self::Parts { eye, parts } => format!(
-                "the {} eye has the colour in {parts} separate places, and the middle of all is measured",
+                "in the {} eye's picture the colour is in {parts} separate places; the middle of all is \
+                    measured",
                 EYES[*eye]
             ),
             Self::OffPlane { tenths_px } => format!(
-                "the colour is in places that cannot be one point, unless it turns with a wheel: the left and the right \
-                 eye's lines of sight miss each other by {} px",
+                "the colour is in places that cannot be one point, unless it turns with a wheel: the lines \
+                    of sight of the two eyes miss each other by {} px",
                 *tenths_px as f64 / 10.0
             ),
-            Self::Diverging => "the colour is in places that cannot be one point: the left and the right eye's lines of sight \
-                 diverge; the eyes may be swapped"
+            Self::Diverging => "the colour is in places that cannot be one point: the lines of sight of \
+                the two eyes diverge; the eyes may be swapped"
                 .to_owned(),
             Self::Turning(advice) => format!("the target turns with a wheel: {advice}"),
         }

@@ -7,7 +7,7 @@ use relativity_core::{
 
 /// The paper's model as its Appendix A prints it.
 pub const APPENDIX_A: Model = Model::Published(PublishedVariant::AppendixA);
-/// The same with the sign of the text.
+/// The paper's model with the sign of its text.
 pub const TEXT_SIGN: Model = Model::Published(PublishedVariant::TextSign);
 
 /// Returns the name of `model` in the figures.

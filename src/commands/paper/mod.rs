@@ -23,13 +23,13 @@ use crate::platform::{files, sizes};
 
 /// Reproduces the paper: its figures as SVG, CSV and PNG, and a report with its numbers beside ours.
 ///
-/// Every number that the paper states stands beside that of its own model (Appendix A) and of the exact model, with its
-/// errata explained. What cannot be reproduced is said. The report is report.html, one page that holds its figures, and
-/// the same as report.md.
+/// Every number that the paper states stands beside that of its own model (Appendix A) and of the exact model, with
+/// its errata explained. The report names what cannot be reproduced. It is written as report.html, one page with its
+/// figures, and as report.md.
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES)]
 pub struct PaperArgs {
-    /// Folder to write to; it is made if it is not there.
+    /// Folder to write to; it is created if it does not exist.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }

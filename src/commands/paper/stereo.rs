@@ -18,13 +18,13 @@ use crate::studio::{Sheet, Studio};
 /// A row of frames, as one figure of the paper shows them.
 #[derive(Debug)]
 pub struct Figure {
-    /// Name of its files.
+    /// Name of the figure's files.
     pub name: &'static str,
     /// Caption of the figure.
     pub caption: &'static str,
-    /// The preset that it is drawn with.
+    /// The preset that the figure is drawn with.
     preset: &'static str,
-    /// Whether it shows the cyclist itself, at rest.
+    /// Whether the figure shows the cyclist itself, at rest.
     at_rest: bool,
     /// Places x where the tracked point is seen in each frame.
     places: &'static [f64],
@@ -78,9 +78,9 @@ const REST_WAVELENGTH_NM: f64 = 700.0;
 /// A drawn frame.
 #[derive(Debug)]
 pub struct Frame {
-    /// Name of its file.
+    /// Name of the frame's file.
     pub file: String,
-    /// The settings that draw it.
+    /// The settings that draw the frame.
     pub settings: Settings,
     /// Observation time T.
     pub time: f64,
@@ -128,7 +128,7 @@ impl Figure {
         Ok(Frame { file, settings, time, seen: setup.seen(Model::Exact, time)? })
     }
 
-    /// Returns the settings of its preset, for print.
+    /// Returns the settings of the figure's preset, for print.
     fn settings(&self) -> Settings {
         let preset = Preset::named(self.preset).expect("tests draw every figure");
         let mut settings = preset.settings.clone();

@@ -85,7 +85,7 @@ impl TimeArgs {
             Some((velocity, place)) => passage_times(&velocity.speed, place, settings.pair())?,
             None => Some([0.0, settings.ride.duration()]),
         };
-        let passage = passage.context("a scene at rest passes at no time; --from and --to are needed")?;
+        let passage = passage.context("a scene at rest never passes; --from and --to are needed")?;
         Ok([self.from.unwrap_or(passage[0]), self.to.unwrap_or(passage[1])])
     }
 }

@@ -15,8 +15,7 @@ fn is_asked_for(settings: &Settings) -> bool {
     settings.look.projection == ProjectionChoice::Vr180
 }
 
-/// These settings, with the picture that headsets take where they ask for it: both eyes side by side, square, and nothing
-/// else.
+/// Returns these settings with the picture that headsets take, where they ask for one: both eyes side by side, square, and nothing else.
 ///
 /// # Errors
 /// Another layout, or another shape.

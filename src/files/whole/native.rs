@@ -45,7 +45,7 @@ impl OutArgs {
 /// Those of `write`, and of standard output, which keeps what reached it before. One that is closed is remarked on.
 pub fn write_out(write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>) -> anyhow::Result<()> {
     if closed::is_stdout_closed() {
-        messages::remark(format_args!("gamow: {STDOUT} is closed, or thrown away: nothing of this is kept"));
+        messages::remark(format_args!("gamow: {STDOUT} is closed or discarded: this output is lost"));
     }
     say(write)
 }
@@ -101,7 +101,7 @@ pub fn write_whole(
     write_whole_through(path, |file| file, write)
 }
 
-/// The same with what `through` makes of the file.
+/// Writes a file whole or not at all, through the writer that `through` makes of it.
 fn write_whole_through<W: Write>(
     path: &Path,
     through: impl FnOnce(File) -> W,

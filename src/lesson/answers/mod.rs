@@ -86,7 +86,7 @@ impl Answers {
         way.drop_cleared();
     }
 
-    /// Merges `other` into it: of each answer the later one stays.
+    /// Merges `other` into the answers: of each answer the later one stays.
     pub fn merge(&mut self, other: &Self) {
         for (name, way) in &other.0 {
             self.0.entry(name.clone()).or_default().merge(way);

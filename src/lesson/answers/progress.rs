@@ -43,7 +43,7 @@ impl KeptStep {
 }
 
 impl LessonProgress {
-    /// Returns whether anything was done in it.
+    /// Returns whether anything was done in the lesson progress.
     #[must_use]
     pub fn is_begun(&self) -> bool {
         let is_under_way = self.place.as_ref().is_some_and(|place| place.value != Place::START);
@@ -133,7 +133,7 @@ impl LessonProgress {
         steps.flatten().chain(place).fold(self.cleared, Moment::max)
     }
 
-    /// Returns the date of its latest change, drafts included.
+    /// Returns the date of the lesson progress's latest change, drafts included.
     pub(super) fn latest(&self) -> Moment {
         self.draft.as_ref().map_or(0, |draft| draft.at).max(self.latest_answer())
     }
@@ -147,7 +147,7 @@ impl LessonProgress {
 }
 
 impl Record {
-    /// Whether it can be of `step`.
+    /// Whether the record can belong to `step`.
     fn fits(&self, step: &Step) -> bool {
         let is_answer = match (&self.outcome, &step.prediction) {
             (Some(Outcome::Made { answer, .. }), Some(asked)) => answer.fits(&asked.kind),

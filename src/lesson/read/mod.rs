@@ -34,10 +34,11 @@ const BLOCKS: [&str; 5] = ["state", "play", "number", "point", "curve"];
 const SECONDS: f64 = 4.0;
 const MOST_SECONDS: f64 = 120.0;
 /// Correct contents of blocks, for error messages.
-const NUMBER: &str = "`truth = \"gain\"` (the name of a value), and if it likes `unit = \"times\"`, `decimals = 2`, `within = 0.1`";
+const NUMBER: &str = "`truth = \"gain\"` (the name of a value), and optionally `unit = \"times\"`, \
+    `decimals = 2`, `within = 0.1`";
 const POINT: &str = "`body = \"front tyre\"`";
 const CURVE: &str = "`of = \"doppler\"`, `from = 0` and `to = 3`";
-const PLAY: &str = "`time = 5` or `beta = 0.9`, and if it likes `seconds = 4`";
+const PLAY: &str = "`time = 5` or `beta = 0.9`, and optionally `seconds = 4`";
 /// Default tolerance of a number, as a part of the truth.
 const WITHIN: f64 = 0.1;
 
@@ -71,7 +72,7 @@ impl Lesson {
         let text = files::read_to_string(path).map_err(|reason| LessonError::Read {
             source_name: source_name.clone(),
             reason: match reason.kind() {
-                ErrorKind::InvalidData => "it is no text in UTF-8, as which a lesson is saved".to_owned(),
+                ErrorKind::InvalidData => "it is not text in UTF-8, as a lesson must be".to_owned(),
                 _ if files::is_folder(path) => {
                     "it is a folder; a lesson is a file of Markdown (.md)".to_owned()
                 }
@@ -312,7 +313,7 @@ fn animation(block: &Block) -> Result<Animation, Wrong> {
     }
     match ends[..] {
         [to] => Ok(Animation { to, seconds }),
-        _ => Err((block.line, "what plays goes to one of: time, beta, gamma, rapidity".to_owned())),
+        _ => Err((block.line, "a block ```play sets one of: time, beta, gamma, rapidity".to_owned())),
     }
 }
 
@@ -330,7 +331,7 @@ impl Part {
         let (found, text) = self.blocks(blocks, blocks)?;
         match found.first() {
             None => Ok(text),
-            Some(block) => Err((block.line - 1, format!("a block ```{} can not stand {place}", block.kind))),
+            Some(block) => Err((block.line - 1, format!("a block ```{} cannot stand {place}", block.kind))),
         }
     }
 }

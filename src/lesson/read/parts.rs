@@ -9,7 +9,7 @@ use crate::platform::messages;
 pub struct Part {
     /// Heading of the part; empty for the text before the first.
     pub title: String,
-    /// The number of lines before its first.
+    /// The number of lines before the part's first.
     pub line: usize,
     /// Text below the heading.
     pub text: String,
@@ -20,7 +20,7 @@ pub struct Part {
 pub struct Block {
     /// Kind of the block, from its first fence.
     pub kind: String,
-    /// Number of its first line in the file, from 1.
+    /// Number of the block's first line in the file, from 1.
     pub line: usize,
     /// Lines of the block.
     pub text: String,
@@ -143,7 +143,7 @@ impl Part {
             if !allowed.contains(&kind) {
                 return Err((
                     number,
-                    format!("a block ```{kind} can not stand here, but ```{}", allowed.join(", ```")),
+                    format!("a block ```{kind} cannot stand here; these can: ```{}", allowed.join(", ```")),
                 ));
             }
             if blocks.iter().any(|block| block.kind == kind) {
@@ -209,7 +209,7 @@ fn is_indented(line: &str) -> bool {
     line.starts_with("  ") || line.starts_with('\t')
 }
 
-/// These lines without those that are empty at both ends.
+/// Returns these `lines` as a text, without the empty ones at both ends.
 fn text(lines: &[(usize, &str)]) -> Text {
     let is_written = |(_, line): &(usize, &str)| !line.trim().is_empty();
     let Some(first) = lines.iter().position(is_written) else { return Text::default() };

@@ -128,9 +128,9 @@ fn what_is_wrong_is_named_with_its_line() {
         ("### Explain", "### Because", "rods.md:44: unknown part `Because`"),
         ("- [x] longer,", "- [ ] longer,", "rods.md:21: a list of choices has at least two"),
         ("seconds = 2", "second = 2", "rods.md:34: unknown field `second`"),
-        ("time = 5\n", "time = 5\nbeta = 0.5\n", "rods.md:33: what plays goes to one of"),
+        ("time = 5\n", "time = 5\nbeta = 0.5\n", "rods.md:33: a block ```play sets one of"),
         ("\"contraction\"", "\"contractions\"", "rods.md:53: no value is called `contractions`"),
-        ("A rod comes.", "```play\ntime = 1\n```", "rods.md:19: a block ```play can not stand here"),
+        ("A rod comes.", "```play\ntime = 1\n```", "rods.md:19: a block ```play cannot stand here"),
         ("### Observe", "### Observed", "rods.md:37: unknown part"),
         ("### Observe", "### Reveal", "rods.md:37: a second `Reveal` in this step: the first is in line 30"),
     ];
@@ -183,7 +183,7 @@ fn what_cannot_be_worked_out_is_named_with_its_line() {
         (
             "A rod comes.",
             "At {gama:.2}.",
-            "rods.md:19: no value is called `gama`: there are 73, most like it gamma, gain",
+            "rods.md:19: no value is called `gama`: there are 73; the nearest are gamma, gain",
         ),
         ("A rod comes.", "At {t of sphere:.2}.", "rods.md:19: Rods has no body called `sphere`: there are "),
         ("A rod comes.", "Its $\\frac{1}{2$ comes.", "rods.md:19: "),
@@ -224,7 +224,7 @@ fn a_lesson_that_is_no_text_is_told() {
     let path = folder.path().join("latin.md");
     std::fs::write(&path, b"---\ntitle: L\xe4nge\n---\n").expect("it is written");
     assert!(
-        told("latin.md").ends_with("it is no text in UTF-8, as which a lesson is saved"),
+        told("latin.md").ends_with("it is not text in UTF-8, as a lesson must be"),
         "{}",
         told("latin.md")
     );

@@ -8,7 +8,7 @@ use super::here::{Here, Value};
 pub const VALUES: &[Value] = &[
     Value {
         name: "stereo_length",
-        what: "how long two eyes take it to be, from end to end",
+        what: "length at which two eyes place it, from end to end",
         work_out: |here| {
             let [dx, dy, dz] = here.stereo_span()?;
             Some(math::hypot(math::hypot(dx, dy), dz))
@@ -16,7 +16,7 @@ pub const VALUES: &[Value] = &[
     },
     Value {
         name: "stereo_turn",
-        what: "by how much two eyes take it to be turned from the motion, degrees",
+        what: "its turn from the motion as two eyes place it, degrees",
         work_out: |here| {
             let [dx, dy, _] = here.stereo_span()?;
             Some(math::atan2(dy.abs(), dx.abs()).to_degrees())

@@ -21,7 +21,7 @@ pub struct Fitted {
 }
 
 impl Fitted {
-    /// By how many standard errors it is off, up or down.
+    /// Deviation from the truth in standard errors, up or down.
     #[must_use]
     pub fn sigmas_off(&self) -> f64 {
         ((self.estimate.value - self.truth) / self.estimate.uncertainty).abs()

@@ -24,7 +24,7 @@ pub struct Here<'a> {
     pub scene: &'a Scene,
     /// Point of the scene.
     pub track: Track,
-    /// The body that it is on, if it is on one.
+    /// The body that the point is on, if it is on one.
     pub body: Option<usize>,
     /// Observation time T.
     pub time: f64,

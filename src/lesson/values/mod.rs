@@ -27,7 +27,7 @@ use crate::platform::{messages, sizes};
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
-/// This many values with similar names are suggested.
+/// Number of values with similar names that are suggested.
 const NEAREST: usize = 5;
 
 /// Returns every value, in the order of the documentation.
@@ -80,7 +80,8 @@ impl<'a> ValueRequest<'a> {
             known.sort_by_key(|known| strsim::damerau_levenshtein(&known.to_lowercase(), &sought));
             let (count, nearest) = (known.len(), known[..NEAREST.min(known.len())].join(", "));
             format!(
-                "no value is called `{}`: there are {count}, most like it {nearest}; `assets/lessons/README.md` lists all",
+                "no value is called `{}`: there are {count}; the nearest are {nearest}; \
+                    `assets/lessons/README.md` lists all",
                 messages::excerpt(self.name)
             )
         })
@@ -103,7 +104,7 @@ pub fn value(text: &str, settings: &Settings, scene: &Scene) -> Result<f64, Stri
     value_with(text, settings, scene, &Fit::new())
 }
 
-/// The same with a `fit` of it, which is made at most once.
+/// Returns the value of `text` with a `fit` of the state, which is made at most once.
 fn value_with(text: &str, settings: &Settings, scene: &Scene, fit: &Fit) -> Result<f64, String> {
     let asked = ValueRequest::parse(text)?;
     let value = asked.value()?;

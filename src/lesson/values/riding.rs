@@ -112,7 +112,7 @@ impl Here<'_> {
         (self.settings.velocity(self.track.motion).beta() == 0.0).then_some(x)
     }
 
-    /// Distance at which the rider passes it.
+    /// Distance at which the rider passes the point.
     fn aside(&self) -> f64 {
         let [_, y, z] = self.settings.rest_place(self.track.axle());
         math::hypot(y, z)

@@ -28,7 +28,7 @@ fn what_cannot_be_told_is_named_with_its_line() {
     assert_eq!(wrong("a\n{gane:.2}").0, 1);
     let told = wrong("{gane:.2}").1;
     assert!(told.starts_with("no value is called `gane`: there are "), "{told}");
-    assert!(told.contains("most like it gain, ") && told.len() < 200, "{told}");
+    assert!(told.contains("the nearest are gain, ") && told.len() < 200, "{told}");
     assert!(wrong("{D of tandem:.2}").1.contains("has no body called `tandem`: there are "));
     assert!(wrong("{D at noon:.2}").1.contains("must be a number"));
 }

@@ -19,7 +19,7 @@ use super::sizes;
 
 /// The text in the file at `path`, of [`sizes::TEXT_BYTES`] at most.
 pub fn read_to_string(path: &Path) -> io::Result<String> {
-    let not_text = |_| io::Error::new(io::ErrorKind::InvalidData, "it is no text in UTF-8");
+    let not_text = |_| io::Error::new(io::ErrorKind::InvalidData, "it is not text in UTF-8");
     String::from_utf8(read(path, sizes::TEXT_BYTES)?).map_err(not_text)
 }
 
@@ -34,9 +34,9 @@ mod tests {
         std::fs::write(&path, "four").expect("it is written");
         assert_eq!(read(&path, 4).expect("it is short enough"), b"four");
         let problem = read(&path, 3).expect_err("it is longer").to_string();
-        assert_eq!(problem, "it is longer than 0 MB, the most that is read of such a file");
+        assert_eq!(problem, "it is longer than 0 MB, the limit for such a file");
         std::fs::write(&path, b"\xff").expect("it is written");
-        assert_eq!(read_to_string(&path).expect_err("no text").to_string(), "it is no text in UTF-8");
+        assert_eq!(read_to_string(&path).expect_err("no text").to_string(), "it is not text in UTF-8");
     }
 
     /// A file of the kernel's log, which only some users may read, and which gives nothing more once all was read.

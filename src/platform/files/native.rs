@@ -56,7 +56,7 @@ fn at_once() -> OpenOptions {
     options
 }
 
-/// The same: only names that [`names::is_device`] knows would be waited for.
+/// Returns options that open a file without waiting: only names that [`names::is_device`] knows would be waited for.
 #[cfg(not(unix))]
 fn at_once() -> OpenOptions {
     OpenOptions::new()
@@ -110,7 +110,7 @@ pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
         (&mut file).take(most + 1).read_to_end(&mut bytes)?;
     }
     if size.max(bytes.len() as u64) > most {
-        let problem = format!("it is longer than {} MB, the most that is read of such a file", most >> 20);
+        let problem = format!("it is longer than {} MB, the limit for such a file", most >> 20);
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, problem));
     }
     Ok(bytes)
@@ -200,7 +200,7 @@ pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
 
 /// The name by which a file in `folder` calls that at `path`, for whoever has both: the way down from the folder, or from
 /// the one around it to itself or the folders in it. A longer way would tell where the files of their owner lie: then it is
-/// the name alone, and so it is where there is no such file. `None` if it is no text.
+/// the name alone, and so it is where there is no such file. `None` if it is not UTF-8.
 #[must_use]
 pub fn name_from(folder: &Path, path: &Path) -> Option<String> {
     let near = || {

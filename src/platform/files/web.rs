@@ -30,7 +30,7 @@ pub fn take_in(path: &Path, bytes: Vec<u8>) {
 /// Those of the browser.
 pub fn deliver(path: &Path, bytes: Vec<u8>) -> io::Result<()> {
     if let Some(name) = kept_name(path) {
-        let text = String::from_utf8(bytes).map_err(|_| io::Error::other("it is no text"))?;
+        let text = String::from_utf8(bytes).map_err(|_| io::Error::other("it is not text in UTF-8"))?;
         return storage::write(name, &text);
     }
     let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -84,7 +84,7 @@ pub const fn check_replaceable(_: &Path) -> io::Result<()> {
 pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     let bytes = open(path)?.into_inner();
     if bytes.len() as u64 > most {
-        let problem = format!("it is longer than {} MB, the most that is read of such a file", most >> 20);
+        let problem = format!("it is longer than {} MB, the limit for such a file", most >> 20);
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, problem));
     }
     Ok(bytes)

@@ -243,7 +243,7 @@ class Scene:
 
     Args:
         source: name of a preset ('cyclist'); path of a scene file; TOML text; a dict as in TOML, such as
-            {'name': 'Ball', 'object': [{'shape': 'sphere', 'center': (0, 3, 2), 'radius': 0.5}]}; another Scene. The street
+            {'name': 'Ball', 'object': [{'shape': 'sphere', 'centre': (0, 3, 2), 'radius': 0.5}]}; another Scene. The street
             without it.
 
     Lengths are in the scene's unit, places in the rest frame of their group. `State(scene=scene)` shows it; one from text or a

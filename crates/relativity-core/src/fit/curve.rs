@@ -23,7 +23,7 @@ impl Trial {
         self.wanted_angles(model, pair, time, [true, true])
     }
 
-    /// The same, with 0 for what is not `wanted`.
+    /// Delta-phi and Delta-theta at `time`, with 0 for a difference that is not `wanted`.
     pub fn wanted_angles(
         &self,
         model: Model,
@@ -37,7 +37,7 @@ impl Trial {
         self.cone_pair(model, pair, time).0.wanted_angle_differences(wanted).into()
     }
 
-    /// The same with the gradients.
+    /// Delta-phi and Delta-theta at `time`, with their gradients.
     pub fn slopes(&self, model: Model, pair: &[Aperture; 2], time: f64, wanted: [bool; 2]) -> Slopes {
         if let Some(rolling) = &self.rolling {
             return rolling.slopes(self, model, pair, time - self.passage_time, wanted);

@@ -66,7 +66,7 @@ pub(super) fn descent(problem: &Problem, start: Free, patience: usize) -> Descen
     descended(At { problem, free: start, keeps_speed: false }, patience)
 }
 
-/// The same with the speed of `start`.
+/// Goes a few steps from a `start` whose speed is kept.
 pub(super) fn descent_at_speed(problem: &Problem, start: Free, patience: usize) -> Descent {
     descended(At { problem, free: start, keeps_speed: true }, patience)
 }

@@ -89,7 +89,7 @@ pub enum FitError {
         value: f64,
         /// Standard error; infinite if the data do not depend on the parameter.
         standard_error: f64,
-        /// The parameter that can make up for it.
+        /// The parameter whose change can compensate for this one.
         partner: &'static str,
         /// Correlation between the two parameters.
         correlation: f64,
@@ -130,7 +130,7 @@ fn spread(standard_error: f64) -> String {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum NotConverged {
     /// None of the objects tried at first shows finite disparities.
-    #[error("no object to start from has finite disparities")]
+    #[error("no starting point of the search has finite disparities")]
     NoStart,
     /// The sum of squares was still falling.
     #[error("after {evaluations} evaluations of the curves the sum of squares still falls")]

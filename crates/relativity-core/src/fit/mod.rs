@@ -83,8 +83,8 @@ pub struct Fit {
 pub struct OtherSide {
     /// Values of beta, y, z, x0 there.
     pub values: [f64; 4],
-    /// By how much chi squared is larger there, with the variance of a weighed residual that the covariance has: the square of the
-    /// number of standard deviations by which noise must mislead for this side to be the true one.
+    /// Excess of chi squared on that side, with the variance of a weighed residual that the covariance has: the
+    /// square of the number of standard deviations by which noise must mislead for this side to be the true one.
     pub excess: f64,
 }
 

@@ -29,7 +29,7 @@ pub(crate) struct Row {
     pub pair: usize,
     /// Delta-phi and Delta-theta; 0 where there is no reading.
     pub values: [f64; 2],
-    /// 1/sigma of each; 0 where it is not fitted.
+    /// 1/sigma of each reading; 0 where it is not fitted.
     pub weights: [f64; 2],
 }
 

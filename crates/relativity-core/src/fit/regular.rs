@@ -97,8 +97,7 @@ fn height(u: f64, scale: f64) -> f64 {
     (u * (u + 2.0 * scale)).sqrt()
 }
 
-/// By how much |z| may rise until the sum of squares, least at u = `best` with standard error `error`, has risen by
-/// one variance.
+/// Returns the rise of |z| at which the sum of squares, least at u = `best` with standard error `error`, has risen by one variance.
 fn rise(best: f64, error: f64, scale: f64) -> f64 {
     if best < 0.0 {
         // best + hypot(best, error), without the subtraction

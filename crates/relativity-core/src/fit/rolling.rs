@@ -44,7 +44,7 @@ impl Rolling {
         [if wanted[0] { dphi } else { 0.0 }, if wanted[1] { dtheta } else { 0.0 }]
     }
 
-    /// The same with the gradients.
+    /// Delta-phi and Delta-theta of the point, with their gradients.
     pub(crate) fn slopes(
         &self,
         trial: &Trial,

@@ -64,7 +64,7 @@ struct Shape {
     /// When its disparity is largest, smallest, and first reaches half its extreme, in units of the distance, from
     /// the time of passage.
     times: [f64; FEATURES],
-    /// Distance at which it is as large as the data.
+    /// Distance at which the curve is as large as the data.
     distance: f64,
 }
 

@@ -34,7 +34,7 @@ impl Trial {
 /// A point on a wheel of known size that rolls without slipping.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rolling {
-    /// W, the radius on which it rolls, above 0.
+    /// W, the radius on which the wheel rolls, above 0.
     pub radius: f64,
     /// Distance of the point from the axle, in radii, in [0, 1].
     pub rho: f64,

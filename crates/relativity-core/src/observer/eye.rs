@@ -12,9 +12,9 @@ pub(super) type Terms = [f64; 5];
 
 /// An eye on the ground, from the middle between both.
 pub(super) struct EyeOnGround {
-    /// dt, by how much later than the middle's its event is.
+    /// dt, the delay of the eye's event after the middle's.
     later: f64,
-    /// From the middle's place to its own.
+    /// From the middle's place to the eye's.
     offset: [f64; 3],
     /// dt - dx and dt + dx.
     later_less_x: f64,

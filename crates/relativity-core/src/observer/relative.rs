@@ -161,7 +161,7 @@ impl RelativeMotion {
         Some(LinesOfSight { each, mean, difference, normal, excess })
     }
 
-    /// The same in these axes.
+    /// Returns the lines of sight in these axes.
     pub fn lines_of_sight_there(
         &self,
         pair: [Aperture; 2],
@@ -179,7 +179,7 @@ impl RelativeMotion {
 
 const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// By how much one of two velocities leads the other along each, at most rounding away from the truth where both are near 1.
+/// The lead of one of two velocities over the other along each, at most rounding away from the truth where both are near 1.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lead {
     /// The point's velocity along the observer's direction, less the observer's speed: beta `v_x`/V - V.

@@ -74,5 +74,5 @@ fn sum_that_cancels_least(direct: Terms, others: &[Terms]) -> f64 {
     others.iter().fold(&direct, smaller).iter().sum()
 }
 
-/// By how much terms have to be smaller.
+/// Factor by which terms have to be smaller.
 const FAR_SMALLER: f64 = 4.0;

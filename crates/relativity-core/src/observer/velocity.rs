@@ -77,13 +77,13 @@ impl ObserverVelocity {
         self.direction.map(|part| magnitude * part)
     }
 
-    /// Whether it is none.
+    /// Whether the observer rests.
     #[must_use]
     pub fn is_rest(&self) -> bool {
         self.speed == Speed::REST
     }
 
-    /// Whether it is along the street, one way or the other.
+    /// Whether the velocity is along the street, one way or the other.
     #[must_use]
     pub fn is_along_street(&self) -> bool {
         self.sine == 0.0

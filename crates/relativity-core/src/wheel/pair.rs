@@ -43,7 +43,7 @@ struct Step {
 pub(crate) struct EventStep {
     pub place: [f64; 3],
     pub time: f64,
-    /// By how much its time is longer than its x.
+    /// Time of the step less its x.
     pub time_less_x: f64,
 }
 
@@ -164,7 +164,7 @@ impl WheelPoint {
         self.disparity_of(speed, &seen, [observation_time; 2])
     }
 
-    /// The same in a published model.
+    /// Returns the disparity of the point for two apertures in a published model.
     pub(crate) fn published_disparity(
         &self,
         speed: &Speed,

@@ -11,7 +11,8 @@ pub const NEWTON_STEPS: u32 = 20;
 /// rounding of its first width.
 pub const MAX_STEPS: u32 = NEWTON_STEPS + f64::MANTISSA_DIGITS + 1;
 
-/// By how much later than the hub a point `r` from it is seen, by the clocks of the rest frame: the root in [-r, r].
+/// Returns the delay of the emission that is seen of a point `r` from the hub, after the one seen of the hub, by the
+/// clocks of the rest frame: the root in [-r, r].
 ///
 /// `hub` is from the camera's event, in the rest frame; `phase` is the point's angle when the hub is seen, which falls by
 /// `omega` per unit of time. |omega r| is below 1.
@@ -29,7 +30,7 @@ pub fn seen_later<F: Elementary>(hub: [F; 3], r: F, phase: F, omega: F) -> F {
     root([-r, r], light_cone(hub, r, phase, omega))
 }
 
-/// By how much too late a point of the wheel would be, and how that rises with what it is later than the hub.
+/// Returns a function of the point's delay after the hub: by how much its light would arrive too late, and the derivative of that.
 fn light_cone<F: Elementary>([x, y, z]: [F; 3], r: F, phase: F, omega: F) -> impl Fn(F) -> (F, F) {
     let far = (x * x + y * y + z * z).sqrt();
     let angle = turning_from(phase, omega);
@@ -44,8 +45,8 @@ fn light_cone<F: Elementary>([x, y, z]: [F; 3], r: F, phase: F, omega: F) -> imp
     }
 }
 
-/// By how much later than the hub a point `r` from it is where it is at one time of the ground, by the clocks of the rest
-/// frame: the root in [-r, r] of later = -`beta q_x`, Kepler's equation. Otherwise as [`seen_later`].
+/// Returns the delay, by the clocks of the rest frame, of a point `r` from the hub after the hub, both at one time of
+/// the ground: the root in [-r, r] of later = -`beta q_x`, Kepler's equation. Otherwise as [`seen_later`].
 #[must_use]
 pub fn measured_later<F: Elementary>(beta: F, r: F, phase: F, omega: F) -> F {
     let angle = turning_from(phase, omega);

@@ -23,7 +23,7 @@ pub struct Around {
     axis: [f64; 2],
     /// The v of its middle.
     v: f64,
-    /// The most that it reaches to both sides from there, radians.
+    /// The largest angle about the baseline between the body's middle and a point of it, radians.
     reach: f64,
     /// The range of v in the picture.
     half_height: f64,
@@ -103,7 +103,7 @@ fn reach(
     if k < 1.0 { 2.0 * asin(k) } else { PI }
 }
 
-/// In how many directions a body is looked for beside the line through the eye along x.
+/// Number of directions in which a body's extent beside the line through the eye along x is tested.
 const DIRECTIONS: u32 = 32;
 
 /// Whether all `pieces` are on one side of the line through the eye along x.

@@ -76,7 +76,7 @@ pub fn surface<S: Simd>(simd: S, group: &Group, body: &Body<S>, ray: &Ray<S>) ->
     }
 }
 
-/// Returns those of three `distances` whose lines exist.
+/// Returns the three `distances` to pattern lines, 1e30 where a line does not exist.
 #[inline(always)]
 fn of_lines<S: Simd>(sines: V3<S>, distances: V3<S>) -> V3<S> {
     V3::new(of_line(sines.x, distances.x), of_line(sines.y, distances.y), of_line(sines.z, distances.z))

@@ -58,7 +58,7 @@ pub struct PacketRenderer {
 }
 
 impl PacketRenderer {
-    /// `None` on a processor without registers for it.
+    /// Returns a renderer for this processor; `None` where it has no vector registers.
     pub fn new() -> Option<Self> {
         Some(Self { level: widest()? })
     }

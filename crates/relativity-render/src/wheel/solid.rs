@@ -223,7 +223,7 @@ impl<'a> Course<'a> {
         &self.body.solid
     }
 
-    /// q at `s`, from the body's centre, and q'.
+    /// Returns the place q in the body at the ray's parameter `s`, from the body's centre, and its derivative q'.
     pub fn at(&self, s: f64) -> [DVec3; 2] {
         let turn = self.turn_at(s);
         let place = about_y(self.ray.start + self.ray.direction * s, -turn);

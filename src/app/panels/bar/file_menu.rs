@@ -17,70 +17,55 @@ const WIDTH: f32 = 230.0;
 type Entry = (&'static str, Command, &'static str);
 
 const OPEN: [Entry; 2] = [
-    ("Open…", Command::Choose(Purpose::Open), "A scene, a state, a picture by this program, or data as CSV."),
-    ("Own data…", Command::Choose(Purpose::OpenData), "Fits measured disparities, as CSV."),
+    (
+        "Open…",
+        Command::Choose(Purpose::Open),
+        "Opens a scene, a state, a picture by this program, or data as CSV.",
+    ),
+    ("Own data…", Command::Choose(Purpose::OpenData), "Opens measured disparities (CSV) and fits them."),
 ];
 
 const SAVE: [Entry; 10] = [
-    ("Save picture…", save(Product::Picture), "The views as they are, as PNG. It remembers its state."),
-    ("Save plots as SVG…", save(Product::PlotsSvg), "What the shown tab plots, as a drawing."),
-    ("Save plots as CSV…", save(Product::PlotsCsv), "What the shown tab plots, as a table."),
-    ("Save fit…", save(Product::Fit), "What the Fit tab found, as JSON."),
-    (
-        "Save film…",
-        save(Product::Film),
-        "T runs through its range once: a GIF, an animated PNG, or a folder of pictures.",
-    ),
-    ("Save state…", save(Product::State), "All that is set, as TOML."),
-    (
-        "Report of the lesson…",
-        save(Product::Report),
-        "What was predicted and seen in each step, as a page to keep or to print.",
-    ),
-    (
-        "Worksheet of the lesson…",
-        save(Product::Worksheet),
-        "The questions with room for answers, as a page to print.",
-    ),
-    (
-        "Lab of the lesson…",
-        save(Product::LabSheet),
-        "What is measured by hand, with its data, as a page to print.",
-    ),
-    (
-        "Teacher’s page of the lesson…",
-        save(Product::TeachersPage),
-        "Aim, minutes, what to say, and the answers, as a page to print.",
-    ),
+    save("Save picture…", Product::Picture),
+    save("Save plots as SVG…", Product::PlotsSvg),
+    save("Save plots as CSV…", Product::PlotsCsv),
+    save("Save fit…", Product::Fit),
+    save("Save film…", Product::Film),
+    save("Save state…", Product::State),
+    save("Report of the lesson…", Product::Report),
+    save("Worksheet of the lesson…", Product::Worksheet),
+    save("Lab of the lesson…", Product::LabSheet),
+    save("Teacher’s page of the lesson…", Product::TeachersPage),
 ];
 
 const COPY: [Entry; 6] = [
-    ("Copy picture", Command::Copy(Copied::Picture), "The views as they are."),
+    ("Copy picture", Command::Copy(Copied::Picture), "Copies the views as they are."),
     (
         "Copy values",
         Command::Copy(Copied::Values),
-        "What both eyes see of the selected point at T, for a spreadsheet.",
+        "Copies what both eyes see of the selected point at T, for a spreadsheet.",
     ),
     (
         "Copy link",
         Command::Copy(Copied::Link),
-        "One line, gamow:?…, that says all that is shown: Open…, `gamow --state` and `gamow render --state` take it.",
+        "Copies one line, gamow:?…, that holds everything shown. Open…, `gamow --state` and `gamow render \
+            --state` take it.",
     ),
-    ("Copy command", Command::Copy(Copied::Command), "The `gamow` line that opens a window that shows this."),
+    ("Copy command", Command::Copy(Copied::Command), "Copies the `gamow` command that opens this window."),
     (
         "Copy render command",
         Command::Copy(Copied::RenderCommand),
-        "The `gamow render` line that draws this picture.",
+        "Copies the `gamow render` command that draws this picture.",
     ),
     (
         "Copy curve command",
         Command::Copy(Copied::CurveCommand),
-        "The `gamow curve` line that gives the numbers of the selected point's curves.",
+        "Copies the `gamow curve` command that computes the selected point's curves.",
     ),
 ];
 
-const fn save(product: Product) -> Command {
-    Command::Choose(Purpose::Save(product))
+const fn save(label: &'static str, product: Product) -> Entry {
+    (label, Command::Choose(Purpose::Save(product)), product.tip())
 }
 
 /// Shows the menu's button.
@@ -96,7 +81,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             }
         }
     });
-    menu.response.on_hover_text("Open, save and copy.");
+    menu.response.on_hover_text("Opens, saves and copies.");
 }
 
 /// An entry of the menu, with the keys that do the same.
@@ -119,10 +104,10 @@ fn obstacle(state: &State, command: &Command) -> Option<&'static str> {
     match product {
         Product::PlotsSvg | Product::PlotsCsv if !is_plotted => Some("The plots are hidden."),
         Product::PlotsSvg if tab == PlotTab::Accuracy => Some("This tab is a table: save it as CSV."),
-        Product::Fit if !is_plotted || tab != PlotTab::Fit => Some("It is made in the Fit tab."),
-        Product::Report if state.course().is_none() => Some("No lesson is gone through."),
+        Product::Fit if !is_plotted || tab != PlotTab::Fit => Some("Open the Fit tab first."),
+        Product::Report if state.course().is_none() => Some("No lesson is open."),
         _ if product.sheet().is_some() => match state.course() {
-            None => Some("No lesson is gone through."),
+            None => Some("No lesson is open."),
             Some(course) if *product == Product::LabSheet && course.lesson().lab.is_none() => {
                 Some("This lesson has no lab.")
             }

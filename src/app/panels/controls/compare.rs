@@ -7,8 +7,9 @@ use crate::app::widgets::row;
 use crate::flags::choices::Compare;
 use crate::settings::{ComparisonError, Look};
 
-const TIP: &str = "Shows the left eye twice, in place of both eyes: the first picture as all else is set, the second as chosen here. \
-    A gaze that follows does so in each; both have one field of view.   Key: B";
+const TIP: &str = "Shows two pictures of the left eye in place of both eyes': the first as everything else \
+    is set, the second as chosen here. A gaze that follows does so in each; both have one field of view.   \
+    Key: B";
 
 /// The choices with their names, and tooltips about the picture that each shows second.
 const CHOICES: [(Compare, &str, &str); 5] = [
@@ -34,7 +35,7 @@ const fn problem_text(problem: &ComparisonError) -> &'static str {
         ComparisonError::Layout(_) => "Needs the layout side by side or over-under.",
         ComparisonError::Headset => "A headset shows two eyes.",
         ComparisonError::Light => "D² needs the light “One λ”: no other has an exponent.",
-        ComparisonError::Alike => "The first picture is so already.",
+        ComparisonError::Alike => "The first picture shows this already.",
         ComparisonError::NoDoppler => "D² needs the geometry as seen: else D is 1 everywhere.",
     }
 }

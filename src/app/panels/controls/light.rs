@@ -18,21 +18,33 @@ use crate::settings::Light;
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let before = state.document.settings.light;
     let (mut light, default) = (before, state.defaults().light);
-    row(ui, "Light", "What light the bodies send, and how it becomes a colour.", |ui| {
+    row(ui, "Light", "Chooses the light that the bodies send, and how it becomes a colour.", |ui| {
         choice(ui, &mut light.colour, &COLOURS[..3]);
     });
     row(ui, "", "", |ui| _ = choice(ui, &mut light.colour, &COLOURS[3..]));
     if light.colour == Colour::Glowing {
         temperature().show(ui, &mut light.temperature, default.temperature);
     }
-    row(ui, "Doppler", "Whether motion shifts the wavelength.\nλ received = λ at rest / D", |ui| {
-        choice(ui, &mut light.doppler_shift, &SHIFTS);
-    });
+    row(
+        ui,
+        "Doppler",
+        "Shifts the wavelength by the motion, or leaves it as at rest.\nλ received = λ at \
+        rest / D",
+        |ui| {
+            choice(ui, &mut light.doppler_shift, &SHIFTS);
+        },
+    );
     intensity_row(ui, &mut light);
-    row(ui, "UV and IR", "Light received as ultraviolet or infrared, which eyes do not see.", |ui| {
-        choice(ui, &mut light.invisible, &UNSEEN);
-    });
-    row(ui, "Shading", "How form is shown.", |ui| {
+    row(
+        ui,
+        "UV and IR",
+        "Chooses how light is drawn that is received as ultraviolet or infrared, which \
+        eyes do not see.",
+        |ui| {
+            choice(ui, &mut light.invisible, &UNSEEN);
+        },
+    );
+    row(ui, "Shading", "Chooses how the form of bodies is shown.", |ui| {
         choice(ui, &mut light.shading, &SHADINGS);
     });
     exposure_rows(
@@ -41,18 +53,23 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         &mut light.exposure,
         default.exposure,
     );
-    row(ui, "Background", "What rests with the eyes.", |ui| {
-        ui.checkbox(&mut light.sky, "Sky").on_hover_text("A sky behind the scene.");
-        let tip = "A road or a grid on the ground, at rest. A road is shadowed where wheels touch it: exact there, a drawn \
-                   sign around it.";
+    row(ui, "Background", "Chooses the background, which rests with the eyes.", |ui| {
+        ui.checkbox(&mut light.sky, "Sky").on_hover_text("Shows a sky behind the scene.");
+        let tip = "Shows a road or a grid on the ground, at rest. Wheels leave a contact shadow on a road: \
+            exact where they touch it, only suggested around that.";
         ui.checkbox(&mut light.ground, "Ground").on_hover_text(tip);
-        let tip = "What stands around the scene, at rest: houses and lamp posts.";
+        let tip = "Shows what stands around the scene, at rest: houses and lamp posts.";
         ui.checkbox(&mut light.surroundings, "Street").on_hover_text(tip);
     });
     if state.document.settings.ride.is_on() {
-        row(ui, "Street", "Colours of road, ground, house fronts and sky while you ride.", |ui| {
-            choice(ui, &mut light.street_colours, &STREETS);
-        });
+        row(
+            ui,
+            "Street",
+            "Chooses the colours of road, ground, house fronts and sky while you ride.",
+            |ui| {
+                choice(ui, &mut light.street_colours, &STREETS);
+            },
+        );
     }
     if light != before {
         commands.push(Command::Light(light));
@@ -62,7 +79,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 fn temperature() -> NumberRow<'static> {
     NumberRow {
         name: "Temperature",
-        tip: "Temperature H of what glows. It is seen at D·H.",
+        tip: "Sets the temperature H of glowing bodies, which are seen at D·H.",
         slider: 600.0..=10_000.0,
         typed: TEMPERATURE_K,
         decimals: 2,
@@ -72,7 +89,7 @@ fn temperature() -> NumberRow<'static> {
 
 /// Shows the exponent of the brightness: light of one wavelength follows it, any other follows Planck's law.
 fn intensity_row(ui: &mut Ui, light: &mut Light) {
-    let tip = "How much brighter the Doppler factor D makes light.";
+    let tip = "Chooses how much brighter the Doppler factor D makes light.";
     row(ui, "Intensity", tip, |ui| match light.colour {
         Colour::OneWavelength => _ = choice(ui, &mut light.intensity_exponent.0, &EXPONENTS[..2]),
         Colour::Glowing => _ = ui.weak("Planck's law at D·H: no exponent"),
@@ -86,11 +103,12 @@ fn intensity_row(ui: &mut Ui, light: &mut Light) {
 
 /// Whether the exposure is automatic, and the number.
 fn exposure_rows(ui: &mut Ui, automatic_ev: f64, exposure: &mut Exposure, default: Exposure) {
-    let tip = "Brightness of the picture: light × 2^EV, with a shoulder instead of clipping.";
+    let tip = "Sets the brightness of the picture: light × 2^EV. The brightest light is compressed, not \
+        clipped.";
     row(ui, "Exposure", tip, |ui| {
         let automatic = format!("auto ({} EV)", number_text::fixed(automatic_ev, 1));
-        let tip = "Found from the speeds and the lights of the scene, so it is steady while time runs: \
-            midway between the light at rest and the brightest that can be seen.";
+        let tip = "Finds the exposure from the speeds and the lights of the scene, so that it is steady \
+            while time runs: midway between the light at rest and the brightest that can be seen.";
         ui.selectable_value(&mut exposure.0, None, automatic).on_hover_text(tip);
         if ui.selectable_label(exposure.0.is_some(), "set").on_hover_text(tip).clicked() {
             exposure.0 = exposure.0.or(Some(automatic_ev));
@@ -115,13 +133,15 @@ const COLOURS: [(Colour, &str, &str); 5] = [
     (
         Colour::White,
         "White",
-        "Each body reflects daylight (6504 K) of a lamp that rides along: a quarter at every wavelength, the rest about its own.",
+        "Each body reflects the daylight (6504 K) of a lamp that rides along: a quarter of it at every \
+            wavelength, the rest around the body's own.",
     ),
     (
         Colour::StreetDaylight,
         "Daylight",
-        "The same lit by the street's daylight, which comes from all sides there: what moves is lit bluer and brighter from ahead, \
-         redder and dimmer from behind. Its light is shifted again on its way to the eye. Needs the Doppler shift.",
+        "Each body reflects the street's daylight, which comes from all sides there: what moves is lit \
+            bluer and brighter from ahead, redder and dimmer from behind. Its light is shifted again on \
+            its way to the eye. Needs the Doppler shift.",
     ),
     (Colour::False, "False", "The colour tells the Doppler factor: grey at D = 1, blue above, red below."),
 ];
@@ -130,9 +150,9 @@ const UNSEEN: [(bool, &str, &str); 2] = [
     (
         true,
         "Hatched",
-        "It keeps its form in grey: infrared with rising lines (/), ultraviolet with falling ones (\\).",
+        "Drawn in grey with a hatch: rising lines for infrared (/), falling ones for ultraviolet (\\).",
     ),
-    (false, "Black", "As eyes see it."),
+    (false, "Black", "Drawn black, as eyes see it."),
 ];
 
 const SHIFTS: [(bool, &str, &str); 2] = [
@@ -145,18 +165,14 @@ const EXPONENTS: [(Option<f64>, &str, &str); 4] = [
     (
         Some(PAPER_INTENSITY_EXPONENT),
         "D² paper",
-        "The paper's: the flux of a point, beside what a camera riding along gets.",
+        "The paper's exponent: the flux of a point source, relative to what a camera riding along receives.",
     ),
     (
         Some(SPECIFIC_INTENSITY_EXPONENT),
         "D³ photons",
         "Number of photons from a surface, or its power per unit of frequency: I(ν)/ν³ is invariant.",
     ),
-    (
-        Some(BOLOMETRIC_INTENSITY_EXPONENT),
-        "D⁴ surface",
-        "What a surface of one wavelength shows: its radiance.",
-    ),
+    (Some(BOLOMETRIC_INTENSITY_EXPONENT), "D⁴ surface", "The radiance of a surface of one wavelength."),
 ];
 
 const STREETS: [(StreetColours, &str, &str); 3] = [

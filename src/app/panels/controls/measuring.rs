@@ -9,15 +9,15 @@ use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::row;
 
-const RULER: &str = "The next drag in a view lays a ruler: it shows the angle between the lines of sight to its ends, and stays until it \
-    is taken away.   Key: R";
-const STOPWATCH: &str = "Measures T between two presses, and what the selected point's clock goes on by meanwhile, as it is seen.\n\
-    Keys: T starts and stops, Shift+T shows it or takes it away";
+const RULER: &str = "Lays a ruler by the next drag in a view. It shows the angle between the lines of \
+    sight to its ends, and stays until you remove it.   Key: R";
+const STOPWATCH: &str = "Measures T between two presses, and the time that the selected point's clock is \
+    seen to show meanwhile.\nKeys: T starts and stops, Shift+T shows or hides it";
 const CLOCK: &str = "Shows in each view a clock that rests beside you, to compare the others with, and counts the turns of every clock.";
 
 /// Shows the row of measuring tools.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
-    row(ui, "Measure", "What is measured with in the views.", |ui| {
+    row(ui, "Measure", "Chooses what to measure with in the views.", |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let is_on = state.scratch.angle_ruler != AngleRuler::Off;
         if ui.selectable_label(is_on, "Angle").on_hover_text(RULER).clicked() {
@@ -29,7 +29,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         }
         let mut window = state.document.settings.window;
         let clock = Checkbox::new(&mut window.resting_clock, "clock");
-        let reason = "It is one of the clocks: these are off.";
+        let reason = "Needs the clocks, which are off.";
         let response =
             ui.add_enabled(window.dials, clock).on_hover_text(CLOCK).on_disabled_hover_text(reason);
         if response.accessible_name("clock beside you").changed() {

@@ -65,7 +65,8 @@ fn few(ui: &mut Ui, state: &State, commands: &mut Commands) {
     motion(ui, state, commands);
     ride::button(ui, state, commands);
     ui.add_space(theme::GAP);
-    let tip = "Shows all controls, of path, look, light and quality, and all plots. The palette (Ctrl+P) leads back.";
+    let tip = "Shows all controls (path, look, light, quality) and all plots. The palette (Ctrl+P) leads \
+        back.";
     if ui.button("More controls").on_hover_text(tip).clicked() {
         commands.push(Command::ToggleSimple);
     }
@@ -91,8 +92,9 @@ fn motion(ui: &mut Ui, state: &State, commands: &mut Commands) {
 
 fn separation_row(ui: &mut Ui, unit: Unit, motion: &mut Motion, default: Motion) {
     let row = NumberRow {
-        name: "Eyes apart d",
-        tip: "Separation of the eyes' apertures. With the head held straight they rest at x = −d/2 (left) and x = +d/2 (right).",
+        name: "Separation d",
+        tip: "Sets the eye separation. With the head held straight they rest at x = \
+            −d/2 (left) and x = +d/2 (right).",
         slider: 0.0..=2.0,
         typed: 0.0..=MAX_LENGTH,
         decimals: 6,
@@ -110,8 +112,8 @@ fn path_rows(
 ) {
     let distance = NumberRow {
         name: "Distance y",
-        tip: "How far in front of the eyes the path runs: y of the scene's tracked point. \
-            The whole scene moves with it.",
+        tip: "Sets how far in front of the eyes the path runs: y of the scene's tracked point. The whole \
+            scene moves with it.",
         slider: 0.0..=20.0,
         typed: -MAX_LENGTH..=MAX_LENGTH,
         decimals: 6,
@@ -119,8 +121,8 @@ fn path_rows(
     };
     let height = NumberRow {
         name: "Height z",
-        tip: "How high above the eyes the path runs: z of the scene's tracked point. \
-            The whole scene moves with it.",
+        tip: "Sets how high above the eyes the path runs: z of the scene's tracked point. The whole scene \
+            moves with it.",
         slider: -5.0..=5.0,
         ..distance.clone()
     };
@@ -157,7 +159,7 @@ fn look(ui: &mut Ui, state: &State, commands: &mut Commands) {
 
 /// Shows the choice of the layout.
 fn layout_row(ui: &mut Ui, picture: Picture, commands: &mut Commands) {
-    let tip = "How the pictures of the two eyes are shown together.   Key: L";
+    let tip = "Chooses how the pictures of the two eyes are shown together.   Key: L";
     row(ui, "Layout", tip, |ui| {
         ComboBox::from_id_salt("layout")
             .selected_text(layouts::name(picture.layout))
@@ -177,8 +179,8 @@ fn layout_row(ui: &mut Ui, picture: Picture, commands: &mut Commands) {
         let mut is_swapped = picture.swapped.has(picture.layout);
         let swap = egui::Checkbox::new(&mut is_swapped, "swap eyes");
         let response = ui.add_enabled(picture.layout.has_both(), swap);
-        let tip = "Exchanges the two pictures in this layout, which is remembered for each.   Key: X";
-        if response.on_hover_text(tip).on_disabled_hover_text("It shows one eye.").changed() {
+        let tip = "Swaps the two pictures. Each layout remembers its own choice.   Key: X";
+        if response.on_hover_text(tip).on_disabled_hover_text("This layout shows one eye.").changed() {
             commands.push(Command::SwapEyes);
         }
     });
@@ -186,14 +188,14 @@ fn layout_row(ui: &mut Ui, picture: Picture, commands: &mut Commands) {
 
 fn geometry_row(ui: &mut Ui, geometry: &mut Geometry) {
     let mut chosen = if is_as_seen(*geometry) { Geometry::Seen } else { *geometry };
-    row(ui, "Geometry", "What the views show.   Keys: 1 2 3", |ui| {
+    row(ui, "Geometry", "Chooses what the views show.   Keys: 1 2 3", |ui| {
         if choice(ui, &mut chosen, &GEOMETRIES) {
             *geometry = chosen;
         }
     });
 }
 
-/// Whether it is what two eyes see, in some binocular model.
+/// Whether the geometry is what two eyes see, in some binocular model.
 const fn is_as_seen(geometry: Geometry) -> bool {
     matches!(geometry, Geometry::Seen | Geometry::OneCone | Geometry::Published)
 }
@@ -209,10 +211,10 @@ const GEOMETRIES: [(Geometry, &str, &str); 3] = [
 ];
 
 /// Remark where the published geometry cannot be shown.
-const UNPUBLISHED: &str = "The paper's eyes are along the motion: shown as seen.";
+const UNPUBLISHED: &str = "The published model has the eyes along the motion, so the views are as seen.";
 
 fn light_cones_row(ui: &mut Ui, geometry: &mut Geometry, is_along_motion: bool) {
-    let tip = "Which events the two eyes receive, with the geometry as seen.";
+    let tip = "Chooses which events the two eyes receive, with the geometry as seen.";
     let is_seen = is_as_seen(*geometry);
     let mut chosen = if is_seen { *geometry } else { Geometry::Seen };
     row(ui, "Eyes receive", tip, |ui| {
@@ -230,14 +232,14 @@ const LIGHT_CONES: [(Geometry, &str, &str); 3] = [
     (
         Geometry::OneCone,
         "One cone",
-        "One light cone for both eyes: as if both eyes received the same events, those that the middle between \
-        them receives.\nWhat then is missing comes from there being two.   Key: 4",
+        "One light cone for both eyes: as if both eyes received the same events, those of the middle \
+            between them.\nWhat disappears is due to there being two.   Key: 4",
     ),
     (
         Geometry::Published,
         "Published",
-        "The published model: in the right view what the left eye sees of each point at T − ΔT, measured from \
-        the left eye.",
+        "The published model: the right view shows of each point what the left eye sees at T − ΔT, \
+            measured from the left eye.",
     ),
 ];
 
@@ -249,15 +251,15 @@ fn more_rows(ui: &mut Ui, before: Window, unit: Unit, commands: &mut Commands) {
             while the Fit tab is shown, else by the one set here.";
         ui.checkbox(&mut window.corrected, "corrected").on_hover_text(corrected);
         ui.checkbox(&mut window.dials, "clocks").on_hover_text(dial::tip(unit, false));
-        let resting = "Outlines what moves where it would be seen at rest, in conformal views. Motion slides it by the \
-            rapidity, along the arrow.   Key: O";
+        let resting = "Outlines what moves where it would be seen if it were at rest, in conformal views. \
+            Motion slides it by the rapidity, along the arrow.   Key: O";
         ui.checkbox(&mut window.resting, "outline").on_hover_text(resting);
     });
     row(ui, "Below views", "Chooses what stands below the views.", |ui| {
         (ui.spacing_mut().item_spacing.x, ui.spacing_mut().icon_spacing) = (4.0, 2.0);
-        let spectrum = "Which wavelengths arrive of the selected point, among all that there are.";
+        let spectrum = "Shows which wavelengths arrive from the selected point, in the whole spectrum.";
         ui.checkbox(&mut window.spectrum, "spectrum").on_hover_text(spectrum);
-        ui.checkbox(&mut window.sentence, "sentence").on_hover_text("The moment in words.");
+        ui.checkbox(&mut window.sentence, "sentence").on_hover_text("Describes the moment in words.");
         let ruler = "Shows rapidity along the lower edge of conformal views, and above it the colours that a body passes \
             through.";
         ui.checkbox(&mut window.ruler, "ruler").on_hover_text(ruler);
@@ -268,7 +270,7 @@ fn more_rows(ui: &mut Ui, before: Window, unit: Unit, commands: &mut Commands) {
 }
 
 fn gaze_row(ui: &mut Ui, state: &State, look: &mut Look) {
-    let tip = "Where both eyes look, in parallel.   Drag in a view to look around.";
+    let tip = "Chooses where both eyes look, in parallel.   Drag in a view to look around.";
     let mut mode = GazeMode::from_choice(look.gaze);
     row(ui, "Gaze", tip, |ui| {
         if choice(ui, &mut mode, &GAZES) {
@@ -295,7 +297,7 @@ const GAZES: [(GazeMode, &str, &str); 4] = [
         "Point",
         "At the selected point: the mean of its two apparent directions, as in the paper.",
     ),
-    (GazeMode::Ahead, "Ahead", "Straight ahead along y, as somebody stands who waits for it to pass."),
+    (GazeMode::Ahead, "Ahead", "Straight ahead along y, like somebody who waits for it to pass."),
     (GazeMode::Fixed, "Fixed", "In the present direction, however the scene moves."),
 ];
 
@@ -327,7 +329,8 @@ impl GazeMode {
 fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, commands: &mut Commands) {
     let row_of_number = NumberRow {
         name: "Field of view",
-        tip: "Angle from the left to the right edge of each view.   Scroll over a view to zoom there.",
+        tip: "Sets the angle from the left to the right edge of each view.   Scroll over a view to zoom \
+            there.",
         slider: 10.0..=*look.fov_range().end(),
         typed: look.fov_range(),
         decimals: 1,
@@ -343,8 +346,8 @@ fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, commands: &mu
     }
     row(ui, "", "", |ui| {
         let mut is_auto = look.fov.0.is_none();
-        let tip = "Fits the field of view to all that moves with the scene, from 42° to 150° (wider in conformal views, narrower where it is far away). \
-            Where the gaze is another: 60°, ahead 110°.";
+        let tip = "Fits the field of view to all that moves with the scene, from 42° to 150° (wider in \
+            conformal views, narrower where it is far away). With another gaze it is 60°, or 110° ahead.";
         if ui.checkbox(&mut is_auto, "auto").on_hover_text(tip).changed() {
             look.fov = FieldOfView(Some(fov).filter(|_| !is_auto));
         }

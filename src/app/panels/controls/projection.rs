@@ -26,7 +26,7 @@ pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
 }
 
 fn projection_row(ui: &mut Ui, projection: &mut ProjectionChoice) {
-    let tip = "How lines of sight become places in the views. Measured values do not change.";
+    let tip = "Chooses how lines of sight become places in the pictures. Measured values do not change.";
     row(ui, "Pictures", tip, |ui| _ = choice(ui, projection, &PROJECTIONS));
 }
 
@@ -34,14 +34,16 @@ const PROJECTIONS: [(ProjectionChoice, &str, &str); 3] = [
     (
         ProjectionChoice::Mercator,
         "Conformal",
-        "Shows small shapes true everywhere: a globe stays round. Motion only slides the picture, by the rapidity, and two \
-        eyes can fuse it. What is far aside is enlarged. (V changes to the camera and back.)",
+        "Keeps the shape of small things everywhere: a globe stays round. Motion only slides the picture, \
+            by the rapidity, and two eyes can fuse it. Things far aside are enlarged. (V changes to the \
+            camera and back.)",
     ),
     (
         ProjectionChoice::Gaze,
         "Camera",
-        "Shows what a photograph does, as in the paper: straight lines stay straight, and what is far from the middle is \
-        stretched. A point is then at two heights in the two pictures, further apart than eyes can fuse.",
+        "Draws as a photograph does, as in the paper: straight lines stay straight, and what is far from \
+            the middle is stretched. A point then has two heights in the two pictures, which differ by \
+            more than eyes can fuse.",
     ),
     (
         ProjectionChoice::Parallel,
@@ -69,14 +71,15 @@ const SCREEN_DEPTHS: [(ScreenDepth, &str, &str); 3] = [
     (
         ScreenDepth::Infinity,
         "Infinity",
-        "What is infinitely far: the pictures are not shifted, and all stands out in front of the screen.",
+        "What is infinitely far away: the pictures are not shifted, and everything appears in front of the \
+            screen.",
     ),
-    (ScreenDepth::Distance, "Distance", "What is this far in front of the eyes."),
+    (ScreenDepth::Distance, "Distance", "Whatever is at a chosen distance in front of the eyes."),
 ];
 
 fn zero_parallax_rows(ui: &mut Ui, state: &State, look: &mut Look) {
-    let tip = "What appears to lie in the screen, in the same place in both pictures. Each picture is shifted as a \
-        whole for it; nothing that is measured changes.";
+    let tip = "Chooses what appears in the plane of the screen, in the same place of both pictures. Each \
+        picture is shifted as a whole; measured values do not change.";
     let before = match look.zero_parallax {
         ZeroParallax::Point => ScreenDepth::Point,
         ZeroParallax::Infinity => ScreenDepth::Infinity,
@@ -100,7 +103,7 @@ fn zero_parallax_rows(ui: &mut Ui, state: &State, look: &mut Look) {
     if let (ZeroParallax::Distance(distance), true) = (&mut look.zero_parallax, is_used) {
         let row_of_number = NumberRow {
             name: "Screen at",
-            tip: "How far in front of the eyes what is seen in the screen lies.",
+            tip: "Sets the distance at which objects appear in the plane of the screen.",
             slider: 0.5..=20.0,
             typed: DEPTH,
             decimals: 4,

@@ -15,7 +15,7 @@ use crate::settings::{BOUND_PX, Quality};
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let (before, default) = (state.document.settings.quality, state.defaults().quality);
     let mut quality = before;
-    let tip = "What draws the views.   The Accuracy tab shows what each costs, and how far it is off.";
+    let tip = "Chooses what draws the views.   The Accuracy tab shows the cost and the error of each.";
     row(ui, "Quality", tip, |ui| _ = choice(ui, &mut quality.renderer, &RENDERERS[..2]));
     row(ui, "", "", |ui| _ = choice(ui, &mut quality.renderer, &RENDERERS[2..]));
     match quality.renderer {
@@ -24,8 +24,8 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         RendererChoice::Rays | RendererChoice::Packets | RendererChoice::Reference => {}
     }
     row(ui, "", "", |ui| {
-        let tip =
-            "While nothing changes, the reference draws the views again with more and more rays per pixel.";
+        let tip = "Has the reference draw the views again while nothing changes, with more and more rays per \
+                pixel.";
         let checkbox = Checkbox::new(&mut quality.refine, "smoother when still");
         ui.add_enabled(threads::ARE_SEVERAL, checkbox).on_hover_text(tip).on_disabled_hover_text(
             "Only in the desktop program: it would stop the page for parts of a second.",
@@ -39,7 +39,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 /// Shows the goal of automatic quality, and its choice.
 fn goal_rows(ui: &mut Ui, state: &State, quality: &mut Quality, default: Quality) {
     let mut is_budget = matches!(quality.goal, Goal::Budget(_));
-    row(ui, "Limit", "The bound that the automatic choice stays within.", |ui| {
+    row(ui, "Limit", "Chooses the bound that the automatic choice keeps.", |ui| {
         if choice(ui, &mut is_budget, &GOALS) {
             quality.goal = if is_budget { Goal::Budget(Goal::USUAL_BUDGET_MS) } else { Goal::default() };
         }
@@ -74,20 +74,20 @@ const RENDERERS: [(RendererChoice, &str, &str); 5] = [
     (
         RendererChoice::Reference,
         "Reference",
-        "A ray test per pixel on the CPU, in 64-bit floats: the truth that the others are held against.\n\
-        Made in the background when nothing moves; meanwhile the rays draw.",
+        "A ray test per pixel on the CPU, in 64-bit floats: the truth that the others are compared \
+            with.\nIt draws in the background when nothing moves; until it is done, the rays do.",
     ),
 ];
 
 const GOALS: [(bool, &str, &str); 2] = [
-    (false, "Max error", "No point is drawn further from where it is seen."),
-    (true, "Max time", "The pictures of a frame take no longer."),
+    (false, "Max error", "No point is drawn further than this from where it is seen."),
+    (true, "Max time", "The pictures of a frame take no longer than this."),
 ];
 
 fn bound() -> NumberRow<'static> {
     NumberRow {
         name: "Bound",
-        tip: "How far the mesh may draw a point from where it is seen. Coarser is faster.",
+        tip: "Sets how far the mesh may draw a point from where it is seen. Coarser is faster.",
         slider: 0.05..=4.0,
         typed: BOUND_PX,
         decimals: 3,
@@ -98,7 +98,8 @@ fn bound() -> NumberRow<'static> {
 fn error() -> NumberRow<'static> {
     NumberRow {
         name: "Error bound",
-        tip: "How far a point may be drawn from where it is seen. The cheapest method that keeps it draws.",
+        tip: "Sets how far a point may be drawn from where it is seen. The cheapest method within this \
+            bound draws.",
         slider: 0.001..=4.0,
         typed: ERROR_PX,
         decimals: 6,
@@ -109,7 +110,8 @@ fn error() -> NumberRow<'static> {
 fn budget() -> NumberRow<'static> {
     NumberRow {
         name: "Frame budget",
-        tip: "How long the pictures of a frame may take. The most accurate method that keeps it draws, or the cheapest.",
+        tip: "Sets how long the pictures of a frame may take. The most accurate method within this budget \
+            draws; if there is none, the cheapest.",
         slider: 1.0..=200.0,
         typed: BUDGET_MS,
         decimals: 2,

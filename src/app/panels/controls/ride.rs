@@ -14,8 +14,8 @@ use crate::settings::{MAX_LENGTH, PUSH, Riding};
 /// Width of the fields, points.
 const FIELD: f32 = 150.0;
 
-const SPEED_TIP: &str = "Pedals or brakes until this speed is reached: v/c, below 0 the other way, or like gamma:10. Before the \
-    start it is the speed to start with.";
+const SPEED_TIP: &str = "Pedals or brakes until this speed is reached: v/c, below 0 the other way, or like \
+    gamma:10. Before the start it sets the speed to start with.";
 const LEGS_TIP: &str = "The ride as numbers: durations by your clock at proper accelerations, like 2@0.5,4@0,2@-0.5. After the last \
     leg you coast.";
 
@@ -31,9 +31,9 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     push().show(ui, &mut ride.push, default.push);
     start(ui, state, &mut ride, &default);
     legs_row(ui, &mut ride);
-    row(ui, "Comfort", "Keeps a ride from making people ill.", |ui| {
+    row(ui, "Comfort", "Helps against motion sickness on a ride.", |ui| {
         let mut window = state.document.settings.window;
-        let tip = "Darkens the edges of the views while you look around: streaming there makes people ill.";
+        let tip = "Darkens the edges of the views while you look around: movement there makes people ill.";
         if ui.checkbox(&mut window.vignette, "Vignette while turning").on_hover_text(tip).changed() {
             commands.push(Command::Window(window));
         }
@@ -47,11 +47,12 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 pub fn button(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let is_on = state.document.settings.ride.is_on();
     let (text, tip) = if is_on {
-        ("Get off", "Stands beside the street again, where everything rides past.   Key: I")
+        ("Get off", "Puts you beside the street again, where everything rides past.   Key: I")
     } else {
         (
             "Get on and ride",
-            "Sits on a bicycle on the road, at rest at first. The arrow keys ↑ and ↓ pedal and brake.   Key: I",
+            "Puts you on a bicycle on the road, at first at rest. The arrow keys ↑ and ↓ pedal and brake.  \
+                 Key: I",
         )
     };
     row(ui, "Ride", tip, |ui| {
@@ -74,8 +75,8 @@ fn speed_row(ui: &mut Ui, state: &State, commands: &mut Commands) {
 fn push() -> NumberRow<'static> {
     NumberRow {
         name: "Push",
-        tip: "Proper acceleration of a push on the pedals or the brakes, in c per unit of your clock: what a balance on the \
-            bicycle shows.",
+        tip: "Sets the proper acceleration of a push on the pedals or the brakes, in c per unit of your \
+            clock: what an accelerometer on the bicycle shows.",
         slider: 0.05..=2.0,
         typed: PUSH,
         decimals: 6,

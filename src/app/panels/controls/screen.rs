@@ -18,12 +18,13 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     place(ui, state, commands);
 }
 
-const TIP: &str = "The disparities of all bodies in both views, as angles where you sit: from the least to the greatest across, \
-    and the largest up or down.\nUp to 1° across is comfortable; more than 2°, or 20′ up or down, few can fuse.";
+const TIP: &str = "Disparities of all bodies in both views, as angles from where you sit: from the least \
+    to the greatest across, and the greatest up or down.\nUp to 1° across is comfortable; few people can \
+    fuse more than 2°, or 20′ up or down.";
 
 /// Note in place of the gauge where two pictures of one eye are compared.
 const NO_PAIR: &str =
-    "Both views are of the left eye, beside each other to be compared: they are no pair to fuse.";
+    "Both views are the left eye's, side by side to be compared: they are not a pair to fuse.";
 
 /// Computed only while it is in sight.
 fn meter(ui: &mut Ui, state: &State) {
@@ -47,8 +48,8 @@ fn meter(ui: &mut Ui, state: &State) {
 }
 
 fn narrow(ui: &mut Ui, state: &State, commands: &mut Commands) {
-    let tip = "Brings the eyes nearer to each other until the range across is at most 1°, at the present T. It changes what is \
-        measured: all disparities shrink with d.";
+    let tip = "Brings the eyes together until the range across is at most 1°, at the present T. It changes \
+        what is measured: all disparities shrink with d.";
     let motion = state.document.settings.motion;
     let narrowed = state.scratch.narrowed.filter(|[_, d]| *d == motion.d);
     row(ui, "", "", |ui| {
@@ -58,7 +59,7 @@ fn narrow(ui: &mut Ui, state: &State, commands: &mut Commands) {
             commands.push(Command::Narrow);
         }
         if let Some([wide, _]) = narrowed
-            && ui.button("As before").on_hover_text("Restores the separation of the eyes.").clicked()
+            && ui.button("As before").on_hover_text("Restores the eye separation.").clicked()
         {
             commands.push(Command::Motion(Motion { d: wide, ..motion }));
         }
@@ -76,7 +77,8 @@ fn place(ui: &mut Ui, state: &State, commands: &mut Commands) {
     row(
         ui,
         "Screen",
-        "How wide the whole screen is, and how far from it you sit: by these the angles are known.",
+        "Width of the whole screen, and your distance from it. The angles at which you see the pictures \
+            follow from both.",
         |ui| {
             let mut is_auto = screen.screen_width.0.is_none();
             let mut width = screen.screen_width.0.unwrap_or(USUAL_WIDTH_CM);
@@ -85,7 +87,7 @@ fn place(ui: &mut Ui, state: &State, commands: &mut Commands) {
                 .add_enabled(!is_auto, field)
                 .on_hover_text("Width of the whole screen")
                 .accessible_name("Screen width");
-            let tip = "Takes 96 pixels for an inch, which is right for few projectors.";
+            let tip = "Assumes 96 pixels per inch, which is wrong for most projectors.";
             if ui.checkbox(&mut is_auto, "auto").on_hover_text(tip).changed() || changed.changed() {
                 screen.screen_width = ScreenWidth(Some(width).filter(|_| !is_auto));
             }
@@ -97,8 +99,8 @@ fn place(ui: &mut Ui, state: &State, commands: &mut Commands) {
             .on_hover_text("Your distance from the screen")
             .accessible_name("Viewing distance");
     });
-    row(ui, "Audience", "What is shown to one.", |ui| {
-        let tip = "Views, one plot and words, large, on the whole screen. Esc leaves.   Key: P";
+    row(ui, "Audience", "Shows the views to an audience.", |ui| {
+        let tip = "Fills the screen with the views, one plot and words, all large. Esc leaves.   Key: P";
         if ui.button("Present").on_hover_text(tip).clicked() {
             commands.push(Command::TogglePresenting);
         }

@@ -9,8 +9,8 @@ use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::number_text;
 use crate::units::Measures;
 
-const TIP: &str = "Speed of the scene in units of c.\nβ = v/c,   γ = 1/√(1 − β²),   η = artanh β\n\
-    The slider is finer towards 1.   Keys: ↑ ↓\nDouble-click the slider or its name to reset it.";
+const TIP: &str = "Sets the speed of the scene in units of c.\nβ = v/c,   γ = 1/√(1 − β²),   η = artanh \
+    β\nThe slider is finer towards 1.   Keys: ↑ ↓\nDouble-click the slider or its name to reset it.";
 
 /// A field in which the speed is typed: its parameter, symbol, name and tooltip.
 pub type Field = (SpeedParameter, &'static str, &'static str, &'static str);
@@ -38,7 +38,7 @@ pub fn show(
             ui.label(RichText::new(text).heading().strong()).on_hover_text(TIP);
             if let Some(speed) = measures.speed(&current.speed()) {
                 ui.label(speed)
-                    .on_hover_text("In a town where light is as fast as 30 km/h, as Gamow has it.");
+                    .on_hover_text("The same speed in Gamow's town, where light travels at 30 km/h.");
             }
         });
         name

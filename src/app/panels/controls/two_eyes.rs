@@ -30,8 +30,8 @@ fn head_rows(ui: &mut Ui, motion: &mut Motion, default: Motion) {
     row(
         ui,
         "Eyes",
-        "Which way the right eye is from the left one. Is a body really turned? One eye cannot messages, and two \
-        eyes each in their own way.",
+        "Chooses how the head is held. Is a body really turned? One eye cannot tell. Two eyes can, but \
+            what they see depends on how they are placed.",
         |ui| {
             let mut held = [motion.roll, motion.turn];
             if choice(ui, &mut held, &HELD) {
@@ -41,8 +41,9 @@ fn head_rows(ui: &mut Ui, motion: &mut Motion, default: Motion) {
     );
     let tilted = NumberRow {
         name: "Head tilted",
-        tip: "By how much the head tilts: the right eye is the higher one above 0°, straight above the left one at 90°.\n\
-            Eyes above each other see a rod abreast contracted, and not turned; eyes along the motion see it turned.",
+        tip: "Tilts the head: above 0° the right eye is the higher one, at 90° straight above the left \
+            one.\nEyes above each other see a rod abreast contracted, and not turned; eyes along the \
+            motion see it turned.",
         slider: -90.0..=90.0,
         typed: HEAD_DEGREES,
         decimals: 2,
@@ -50,8 +51,8 @@ fn head_rows(ui: &mut Ui, motion: &mut Motion, default: Motion) {
     };
     let turned = NumberRow {
         name: "Head turned",
-        tip: "By how much the head turns, to the left above 0°: at 90° the right eye is straight beyond the left one.\n\
-            Lines of sight then need not meet.",
+        tip: "Turns the head, above 0° to the left: at 90° the right eye is straight beyond the left \
+            one.\nLines of sight then need not meet.",
         ..tilted.clone()
     };
     tilted.show(ui, &mut motion.roll, default.roll);

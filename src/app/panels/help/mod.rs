@@ -1,4 +1,4 @@
-//! The help: what is shown, the words, and what keys and mouse do, from the same table that the keys act by.
+//! The help: what is shown, the glossary of the documentation, and what keys and mouse do, from the same table that the keys act by.
 
 mod words;
 
@@ -13,8 +13,8 @@ use crate::app::actions::ACTIONS;
 use crate::app::command::Command;
 use crate::app::overlay::Overlay;
 use crate::app::state::State;
-use crate::caption::times::TIMES;
-use words::{OWN_LICENCE, PAPER, PAPER_ADDRESS, WHAT, WORDS};
+use crate::app::widgets::markdown;
+use words::{OWN_LICENCE, PAPER, PAPER_ADDRESS, WHAT, glossary};
 
 /// Width and height of what scrolls, and how much of the window is left around it; points.
 const SIZE: [f32; 2] = [600.0, 440.0];
@@ -43,16 +43,16 @@ const SECTIONS: [(Section, &str); 6] = [
 ];
 
 const MOUSE: [(&str, &str); 12] = [
-    ("Rest on something in a view", "what it is, where and when"),
+    ("Point at something in a view", "read what it is, where and when"),
     ("Click in a view", "follow that point"),
     ("Shift-click", "compare one more point"),
     ("Drag in a view", "look around"),
     ("Scroll over a view", "zoom"),
     ("Double-click in a view", "frame the whole scene again"),
     ("Click or drag in a plot, on a worldline", "go to that T"),
-    ("Scroll, right-drag, double-click in a plot", "zoom, move, all of it"),
-    ("Shift-click in a plot", "a cursor: two tell the difference"),
-    ("Rest in a plot", "what the curves are there"),
+    ("Scroll, right-drag, double-click in a plot", "zoom, move, show all of it"),
+    ("Shift-click in a plot", "set a cursor; two show the difference"),
+    ("Point at a plot", "read the curves there"),
     ("Click in the map", "follow that point"),
     ("Drag, scroll, double-click in the map", "move, zoom, fit it"),
 ];
@@ -105,7 +105,7 @@ pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
 fn section(ui: &mut Ui, section: Section) {
     match section {
         Section::What => paragraphs(ui, &WHAT),
-        Section::Words => table(ui, "words", TIMES.iter().map(|time| (time.name, time.short)).chain(WORDS)),
+        Section::Words => markdown::show(ui, glossary()),
         Section::Keys => {
             let with_keys = ACTIONS.iter().filter(|action| !action.keys.is_empty());
             table(ui, "keys", with_keys.map(|action| (action.keys_text(), action.name)));

@@ -12,16 +12,12 @@ use crate::app::panels::Commands;
 use crate::app::theme;
 use crate::lesson::{Course, Place, Score};
 
-/// The pages to print: each button's name, its page and its tooltip.
-const PAGES: [(&str, Product, &str); 4] = [
-    ("Report…", Product::Report, "What was predicted and seen in each step, as a page to keep or to print"),
-    ("Worksheet…", Product::Worksheet, "The questions with room for answers, as a page to print"),
-    ("Lab…", Product::LabSheet, "What is measured by hand, with its data, as a page to print"),
-    (
-        "Teacher’s page…",
-        Product::TeachersPage,
-        "Aim, minutes, what to say, and the answers, as a page to print",
-    ),
+/// The pages to print: each button's name, and its page.
+const PAGES: [(&str, Product); 4] = [
+    ("Report…", Product::Report),
+    ("Worksheet…", Product::Worksheet),
+    ("Lab…", Product::LabSheet),
+    ("Teacher’s page…", Product::TeachersPage),
 ];
 
 /// Magnification of the sentence.
@@ -49,9 +45,9 @@ pub fn show(ui: &mut Ui, running: &Running, commands: &mut Commands) {
         if ui.button("Start over").on_hover_text(anew).clicked() {
             ask(commands, LessonCommand::BeginAnew);
         }
-        for (name, product, tip) in PAGES {
+        for (name, product) in PAGES {
             let is_there = product != Product::LabSheet || course.lesson().lab.is_some();
-            if is_there && ui.button(name).on_hover_text(tip).clicked() {
+            if is_there && ui.button(name).on_hover_text(product.tip()).clicked() {
                 commands.push(Command::Choose(Purpose::Save(product)));
             }
         }

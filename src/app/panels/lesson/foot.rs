@@ -47,7 +47,7 @@ fn lead_on(ui: &mut Ui, state: &State, running: &Running, commands: &mut Command
     let course = &running.course;
     let [_, can_go_on] = course.can_go();
     if running.is_running() {
-        if main(ui, "Finish", true).on_hover_text("Shows the end of it at once").clicked() {
+        if main(ui, "Finish", true).on_hover_text("Goes to the end of what is playing").clicked() {
             ask(commands, LessonCommand::Forward);
         }
     } else if course.asked().is_some() {
@@ -124,7 +124,7 @@ fn main(ui: &mut Ui, text: &str, is_enabled: bool) -> eframe::egui::Response {
 
 fn count_hands(ui: &mut Ui, course: &Course, commands: &mut Commands) {
     let mut is_class = course.is_class();
-    let tip = "For a class: how many raise their hands for each choice";
+    let tip = "Counts how many of a class raise their hands for each choice";
     if ui.checkbox(&mut is_class, "Count hands").on_hover_text(tip).changed() {
         ask(commands, LessonCommand::ToggleClass);
     }
@@ -132,7 +132,7 @@ fn count_hands(ui: &mut Ui, course: &Course, commands: &mut Commands) {
 
 fn set_up_again(ui: &mut Ui, commands: &mut Commands) {
     let button = Button::new("Set up again").frame_when_inactive(false);
-    if ui.add(button).on_hover_text("Restores the state that the lesson has here").clicked() {
+    if ui.add(button).on_hover_text("Restores the state of this step").clicked() {
         ask(commands, LessonCommand::SetUp);
     }
 }

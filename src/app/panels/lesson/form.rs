@@ -145,9 +145,9 @@ fn remark(text: &str) -> Option<String> {
 pub fn hint(ui: &mut Ui, state: &State, course: &Course) {
     let is_marked = course.draft.is_some();
     match predicted_place::hint(state) {
-        Some(_) if is_marked => ui.label("It has a cross in the views. Another click moves it."),
+        Some(_) if is_marked => ui.label("A cross in the views marks it. Click again to move it."),
         Some(hint) => ui.label(hint),
-        None if is_marked => ui.label("It is drawn in the plot. Draw over it to change it."),
+        None if is_marked => ui.label("Your curve is in the plot. Draw over it to change it."),
         None => ui.label("Draw the curve that you expect in the plot: press and drag."),
     };
 }

@@ -82,7 +82,7 @@ impl Ruler {
         Self { logarithmic: true, ..Self::of_height(height) }
     }
 
-    /// The same along a plot of this width.
+    /// Returns a ruler for powers of ten along a plot of this width.
     pub fn of_powers_along(width: f32) -> Self {
         Self { logarithmic: true, ..Self::of_time(Unit::OWN, width) }
     }

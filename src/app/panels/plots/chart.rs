@@ -36,7 +36,7 @@ pub(super) struct Chart<'a> {
     pub cursors: Vec<f64>,
     /// Values up to this are what rounding leaves of 0.
     pub rounding: f64,
-    /// About how high it is drawn, points.
+    /// About how high the chart is drawn, points.
     pub height: f32,
 }
 
@@ -50,9 +50,9 @@ pub(super) struct Trace<'a> {
     pub hue: Hue,
     /// Dashes of the line.
     pub dash: Dash,
-    /// Whether it is drawn strongly.
+    /// Whether the trace is drawn with a wide line.
     pub wide: bool,
-    /// Whether it is drawn faintly, as it was pinned.
+    /// Whether the trace is drawn faintly, since it is pinned.
     pub pale: bool,
     /// Whether a dot shows where it is at T.
     pub dot: bool,
@@ -118,7 +118,7 @@ impl Hue {
 const PALE: f32 = 0.7;
 
 impl Trace<'_> {
-    /// Whether it is of the point with this number, or of no point among several.
+    /// Whether the trace belongs to the point with this number, or to none of several points.
     pub fn is_of(&self, number: usize) -> bool {
         !matches!(self.hue, Hue::Point(of) if of != number)
     }

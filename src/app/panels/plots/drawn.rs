@@ -17,7 +17,7 @@ impl Dash {
 }
 
 impl<'a> Trace<'a> {
-    /// Draws it, T being `now`.
+    /// Draws the trace, T being `now`.
     pub fn draw(&self, plot: &mut PlotUi<'a>, visuals: &Visuals, now: f64) {
         let (width, colour) = (if self.wide { 2.0 } else { 1.2 }, self.colour(visuals));
         for piece in self.pieces {

@@ -188,7 +188,7 @@ pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &Chart<'_>, draw
     put(ui, response, label(chart.quantity), &block, drawn);
 }
 
-/// The same of these `rows`, the names of the lines in the plot of `what`.
+/// Draws a legend of these `rows`, the names of the lines in the plot of `what`.
 pub(super) fn show_rows(ui: &Ui, response: &PlotResponse<()>, what: &str, rows: Vec<Row>, drawn: &Drawn) {
     if !rows.is_empty() {
         put(ui, response, what, &Block::new(ui, rows, 1), drawn);

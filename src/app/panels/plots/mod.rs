@@ -114,7 +114,7 @@ fn tabs(ui: &mut Ui, state: &State, commands: &mut Commands) {
             }
             PlotTab::Angles => ("Angles", "φ and θ of the selected point, each eye"),
             PlotTab::Doppler => ("Doppler", "D of the selected point, each eye"),
-            PlotTab::Stereo => ("Stereo", "How far off two eyes take the selected point to be, and how deep"),
+            PlotTab::Stereo => ("Stereo", "Stereo gain, and how far away two eyes place the selected point"),
             PlotTab::Fit => ("Fit", "Speed and distance of the selected point, from noisy Δφ and Δθ alone"),
             PlotTab::Accuracy => ("Accuracy", "What each way to draw the views costs, and how far it is off"),
         };

@@ -66,10 +66,10 @@ fn buttons(ui: &mut Ui, state: &State, commands: &mut Commands) {
             commands.push(Command::Plotting(command));
         }
     };
-    let tip = "Keeps the curves of the selected point as they are now, whatever changes: to compare speeds, say. (K)";
+    let tip = "Keeps the present curves of the selected point, to compare speeds, for example. (K)";
     button(ui, "Pin", tip, PlotCommand::Pin);
     if !plotting.pins().is_empty() {
-        button(ui, "Unpin all", "Removes the curves that were kept. (Shift+K)", PlotCommand::Unpin);
+        button(ui, "Unpin all", "Removes all pinned curves. (Shift+K)", PlotCommand::Unpin);
     }
     let (name, tip) = match plotting.cursors() {
         [] => ("Cursor A", "Marks T, to read the curves there: so does a shift-click in a plot. (C)"),

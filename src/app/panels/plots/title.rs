@@ -41,8 +41,8 @@ pub(super) fn show(ui: &mut Ui, state: &State, chart: &Chart<'_>) {
     });
 }
 
-const ONE_CONE_TIP: &str = "Solid: as if both eyes received the same events. Dotted: each through its own light cone, exactly.\n\
-    What lies between the two comes from there being two light cones.";
+const ONE_CONE_TIP: &str = "Solid: as if both eyes received the same events. Dotted: each through its own \
+    light cone, exactly.\nThe difference is due to there being two light cones.";
 
 const PUBLISHED_TIP: &str =
     "Solid: what the views show, the paper's model. Dotted: each eye through its own light cone, exactly.";
@@ -51,19 +51,22 @@ const PUBLISHED_TIP: &str =
 const fn tip(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::DeltaPhi => {
-            "Azimuth as the left eye sees the point, less that of the right eye, at the observer's time T."
+            "Azimuth as the left eye sees the point, less that of the right eye, at the observation time T."
         }
         Quantity::DeltaTheta => {
-            "Elevation as the left eye sees the point, less that of the right eye, at the observer's time T."
+            "Elevation as the left eye sees the point, less that of the right eye, at the observation time \
+                T."
         }
         Quantity::DeltaU => {
-            "u as the left eye sees the point, less that of the right eye, at the observer's time T. u = arsinh(X/√(Y² + Z²)), \
-            along the line between the eyes, is a rapidity: motion slides it for both eyes alike, which drops out.\n\
-            Dashed: the same point at rest, where it is in its own frame, for eyes γd apart."
+            "u as the left eye sees the point, less that of the right eye, at the observation time T. u = \
+                arsinh(X/√(Y² + Z²)), along the line between the eyes, is a rapidity: motion slides it for \
+                both eyes alike, which drops out.\nDashed: the same point at rest, where it is in its own \
+                frame, for eyes γd apart."
         }
         Quantity::DeltaV => {
-            "v as the left eye sees the point, less that of the right eye, at the observer's time T. v = atan2(Z, Y) is the angle \
-            about the line between the eyes, up from straight ahead: the vertical parallax of a conformal picture."
+            "v as the left eye sees the point, less that of the right eye, at the observation time T. v = \
+                atan2(Z, Y) is the angle about the line between the eyes, up from straight ahead: the \
+                vertical parallax of a conformal picture."
         }
         Quantity::Phi => {
             "The direction the point is seen in, from the direction of motion towards straight ahead."
@@ -71,10 +74,10 @@ const fn tip(quantity: Quantity) -> &'static str {
         Quantity::Theta => "How high above the level of the eyes the point is seen.",
         Quantity::LogDoppler => "Received over emitted frequency: above 1 is a blueshift.",
         Quantity::LogGain => {
-            "How many times as far apart as they are the eyes would have to be for a point at rest to look as different to them."
+            "A point at rest in the same place would look as different to eyes this many times as far apart."
         }
         Quantity::LogDistance => {
-            "How far off the selected point is: as seen, as two eyes take it, and as measured."
+            "How far away the selected point is: as seen, as two eyes place it, and as measured."
         }
     }
 }

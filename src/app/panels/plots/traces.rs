@@ -216,7 +216,7 @@ fn of_points<'a>(
 /// The name of a distance, short and long.
 pub(super) const fn distance_words(kind: DistanceKind) -> [&'static str; 2] {
     match kind {
-        DistanceKind::Stereo => ["two eyes", "Where two eyes take it to be"],
+        DistanceKind::Stereo => ["two eyes", "Where two eyes place it"],
         DistanceKind::Seen(0) => ["left", "Where the left eye sees it"],
         DistanceKind::Seen(_) => ["right", "Where the right eye sees it"],
         DistanceKind::Measured => ["measured", "Where it is measured now"],

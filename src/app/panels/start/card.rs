@@ -45,7 +45,7 @@ pub struct Card<'a> {
     pub text: String,
     /// Longer description, for the tooltip.
     pub tip: String,
-    /// Remark that it is what is shown at present.
+    /// The remark on the card of the preset that is shown.
     pub state: Option<String>,
     /// Command of a click on the card.
     pub command: Command,

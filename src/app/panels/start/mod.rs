@@ -91,7 +91,7 @@ fn refused(ui: &mut Ui, refused: &[Refused]) {
     if let Some(more) = refused.len().checked_sub(MOST_REFUSED).filter(|more| *more > 0) {
         ui.colored_label(
             colour,
-            format!("{more} more lessons cannot be read: `gamow --lessons DIR --list` tells which."),
+            format!("{more} more lessons cannot be read: `gamow --lessons DIR --list` names them."),
         );
     }
 }

@@ -47,7 +47,7 @@ impl Quantity {
         matches!(self, Self::LogDoppler | Self::LogGain | Self::LogDistance)
     }
 
-    /// Whether it is a difference between what both eyes see.
+    /// Whether the quantity is a difference between what both eyes see.
     #[must_use]
     pub const fn is_disparity(self) -> bool {
         matches!(self, Self::DeltaPhi | Self::DeltaTheta | Self::DeltaU | Self::DeltaV)
@@ -80,7 +80,7 @@ pub enum Curve {
 }
 
 impl Curve {
-    /// Whether it is a difference between what both eyes see.
+    /// Whether the curve is a difference between what both eyes see.
     #[must_use]
     pub const fn is_disparity(self) -> bool {
         matches!(self, Self::DeltaPhi | Self::DeltaTheta | Self::DeltaU | Self::DeltaV | Self::RestingU)

@@ -16,7 +16,7 @@ const STEPS: [u32; 3] = [REFERENCE_SAMPLES, 4, 8];
 /// A picture, and how many rays per pixel and direction it is made of.
 #[derive(Debug)]
 pub struct Made {
-    /// Request that it fulfils.
+    /// Request that the picture fulfils.
     pub of: Request,
     /// Rays per pixel and direction.
     pub samples: u32,

@@ -8,15 +8,15 @@ use relativity_render::{Appearance, Method, PreparedScene, View};
 pub struct Request {
     /// View to draw.
     pub view: View,
-    /// Appearance of its light.
+    /// Appearance of the light.
     pub appearance: Appearance,
     /// Scene to draw.
     pub scene: PreparedScene,
-    /// Method that should draw it.
+    /// Method that should draw the view.
     pub method: Method,
-    /// Whether the reference is to draw it within the frame, too.
+    /// Whether the reference should draw the view within the frame, too.
     pub at_once: bool,
-    /// Whether the reference may make it smoother while nothing changes.
+    /// Whether the reference may make the view smoother while nothing changes.
     pub refine: bool,
 }
 
@@ -36,7 +36,7 @@ impl Request {
         (self.view, self.appearance) == (other.view, other.appearance) && self.scene == other.scene
     }
 
-    /// Whether it is the reference's to draw, in the background.
+    /// Whether the reference has to draw the view, in the background.
     pub fn is_for_reference(&self) -> bool {
         self.method.of_view(&self.view) == Method::Reference && !self.at_once
     }
@@ -51,7 +51,7 @@ impl Request {
         Self { method: Method::Reference, at_once: false, ..self.clone() }
     }
 
-    /// Returns the method that draws it within the frame.
+    /// Returns the method that draws the view within the frame.
     pub fn method_in_frame(&self) -> Method {
         if self.at_once { self.method.of_view(&self.view) } else { self.method.on_gpu(&self.view) }
     }

@@ -13,7 +13,7 @@ pub struct EyePicture {
     pub texture: TextureId,
     /// Request of the picture, and the method that drew it.
     drawn: Option<(Request, DrawnBy)>,
-    /// Number of its drawing among all.
+    /// Number of the picture's drawing among all.
     pub number: u64,
 }
 

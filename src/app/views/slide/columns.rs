@@ -16,7 +16,7 @@ pub struct Columns {
     /// x of u = 0 ahead, and points per unit of u; below 0 where the picture runs against the motion.
     zero: f64,
     pub per_unit: f64,
-    /// The size of writing over its default.
+    /// Text size relative to the default.
     pub scale: f32,
 }
 

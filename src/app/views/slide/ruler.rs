@@ -26,9 +26,10 @@ const LEAST_FINE: f64 = 5.0;
 /// The speeds that have ticks, the first to be named first.
 const SPEEDS: [f64; 17] =
     [0.0, 0.9, 0.5, 0.99, 0.999, 0.9999, 0.7, 0.8, 0.3, 0.6, 0.95, 0.1, 0.2, 0.4, 0.98, 0.995, 0.99999];
-const TIP: &str = "Measures rapidity: a speed slides everything by as much, from where it would be seen at rest to where it is \
-    seen. Zero is where things are seen abreast.\nη = artanh β\nThe colours are those of a passing body's light in that column: \
-    they stand still while it passes.\n1/D = γ (1 + β tanh u)";
+const TIP: &str = "Measures rapidity: a speed slides everything by that much, from where it would be seen \
+    at rest to where it is seen. Zero is where things are seen abreast.\nη = artanh β\nThe colours are \
+    those of a passing body's light in that column: they stand still while it passes.\n1/D = γ (1 + β tanh \
+    u)";
 
 /// Draws it along the lower edge of `pane`, which has these `columns`, with the spectrum.
 pub fn paint(

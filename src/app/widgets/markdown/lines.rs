@@ -87,7 +87,7 @@ pub struct Line {
     /// Spaces that are there only if something follows.
     spaces: Vec<Part>,
     pub width: f32,
-    /// Whether it is a displayed formula, alone and in the middle.
+    /// Whether the line is a displayed formula, alone and in the middle.
     pub is_displayed: bool,
 }
 

@@ -109,7 +109,7 @@ pub fn on_ring<S: Simd>(body: &Body<S>, place: V3<S>) -> Chart<S> {
     }
 }
 
-/// The normal of the side or of an end, not what lies between them where a pixel shows both.
+/// Returns the normal of the cylinder's side or of one of its ends: never a mean of both, where a pixel shows both.
 #[inline(always)]
 pub fn normal_of_cylinder<S: Simd>(body: &Body<S>, place: V3<S>) -> V3<S> {
     let half = body.halves();

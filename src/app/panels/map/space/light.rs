@@ -132,12 +132,12 @@ impl<'a> Light<'a> {
             return Some(told(&what, now, &ray.front()));
         }
         if let Some((eye, ray)) = eyes().find(|(_, ray)| self.off_front(&ray.front(), pointer) < NEAR) {
-            let what = format!("How far light has come that reaches the {} now", eye.name().to_lowercase());
+            let what = format!("Wave front of the light that reaches the {} now", eye.name().to_lowercase());
             return Some(told(&what, now, &ray.front()));
         }
         let front = self.fronts(state).find(|front| self.off_front(front, pointer) < NEAR)?;
         let every = state.measures().time.text(self.period(state), 3);
-        let what = format!("How far light has come that left at one of the times {every} apart");
+        let what = format!("Wave front of light that left at one of a series of times, {every} apart");
         Some(told(&what, self.worldline.received(front.happened), &front))
     }
 

@@ -25,7 +25,7 @@ impl Sheet {
         }
     }
 
-    /// The room it is drawn in.
+    /// The room the sheet is drawn in.
     pub fn room(&self) -> Rect {
         canvas::rect(&self.chart)
     }

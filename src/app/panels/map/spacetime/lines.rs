@@ -10,7 +10,7 @@ use crate::caption::times::HAPPENED;
 use crate::map::{Diagram, Event, Ray, StraightLine, worldline_of_eye};
 use crate::settings::Frame;
 
-/// Dashes of what is at one time of the frame that is not drawn, and of the light's shadow, points.
+/// Length and gap of dashes, points: for the line of simultaneity of the other frame, and for light projected onto the plane.
 const DASH: f32 = 6.0;
 const SPACE: f32 = 4.0;
 /// Eyes that are further apart than this have names of their own, points.
@@ -299,7 +299,9 @@ pub fn hover_text(sheet: &Sheet<'_>, pointer: Pos2) -> Option<String> {
         return Some("Light that runs along x at 45 degrees, and arrives now.".to_owned());
     }
     let [ground, other] = sheet.diagram.nows();
-    let told = |clocks: String| format!("All that is now, when the light is received, on {clocks} clocks.");
+    let told = |clocks: String| {
+        format!("Everything that happens now, when the light is received, by {clocks} clocks.")
+    };
     let named = [(other, whose(sheet)), (ground, "the ground's".to_owned())]
         .into_iter()
         .find(|(line, _)| near(*line));

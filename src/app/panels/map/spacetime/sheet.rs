@@ -40,7 +40,7 @@ impl Sheet<'_> {
         [Event { x: left, t: first }, Event { x: right, t: last }]
     }
 
-    /// The room it is drawn in.
+    /// The room the sheet is drawn in.
     pub fn room(&self) -> Rect {
         canvas::rect(&self.chart)
     }

@@ -67,8 +67,8 @@ fn automatic(ui: &mut Ui, state: &State, quality: &mut Quality) {
     let is_automatic = quality.renderer == RendererChoice::Auto;
     let chosen = state.frame.choices.first().filter(|_| is_automatic);
     let text = chosen.map_or_else(|| "automatic".to_owned(), |(_, choice)| format!("automatic: {choice}"));
-    let tip = "Draw the views by the method that costs least within the error bound, or errs least within the budget. \
-        Its line is in the plot.";
+    let tip = "Draws the views by the method that costs least within the error bound, or errs least within \
+        the budget. Its line is in the plot.";
     if ui.selectable_label(is_automatic, text).on_hover_text(tip).clicked() {
         quality.renderer = RendererChoice::Auto;
     }

@@ -11,7 +11,8 @@ use crate::number_text;
 const HEADS: [(&str, &str); 5] = [
     (
         "spokes",
-        "A search that costs less than the one that draws: each round takes a straight line for what is a curve to the spoke.",
+        "A cheaper search for spokes than the one that draws: in each round, straight lines stand for the \
+            spokes' curved paths.",
     ),
     ("ns", "Time per ray and body on this machine, one thread, nanoseconds."),
     (

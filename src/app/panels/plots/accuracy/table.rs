@@ -47,9 +47,9 @@ fn table_row(ui: &mut Ui, row: &Row<'_>, better: Option<Method>, chosen: Method,
     let text = if better.is_some() && !is_chosen { text.weak() } else { text };
     let label = ui.selectable_label(is_chosen, text);
     let lost = better.map_or_else(String::new, |better| {
-        format!(" It costs more than {} and is further off.", method_name(better))
+        format!(" It costs more than {} and is less accurate.", method_name(better))
     });
-    if label.on_hover_text(format!("Draw the views by {name}.{lost}")).clicked() {
+    if label.on_hover_text(format!("Draws the views by {name}.{lost}")).clicked() {
         *quality = quality.with_method(row.method);
     }
     let figures = match row.figures {

@@ -140,21 +140,17 @@ fn named_file(ui: &mut Ui, name: &str) {
 const DATA_FROM: [(DataFrom, &str, &str); 4] = [
     (DataFrom::Views, "as the views show", "The data are what the eyes see in the views."),
     (DataFrom::Exact, "from exact", "Each eye solves its own light cone."),
-    (
-        DataFrom::OneCone,
-        "from one cone",
-        "Both eyes receive the events that the middle between them receives.",
-    ),
+    (DataFrom::OneCone, "from one cone", "Both eyes receive the events of the middle between them."),
     (
         DataFrom::Published,
         "from published",
-        "The paper's binocular model. Fitted by the same, this is the paper's own fit.",
+        "The paper's binocular model. Fitted by the same model, it gives the paper's own fit.",
     ),
 ];
 
 fn model(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     let fitted = [
-        (Curves::Azimuth, "Δφ", "Fit Δφ", "Fits the differences in azimuth. They do not tell up from down."),
+        (Curves::Azimuth, "Δφ", "Fit Δφ", "Fits the differences in azimuth. They cannot tell up from down."),
         (Curves::Polar, "Δθ", "Fit Δθ", "Fits the differences in elevation."),
         (Curves::Both, "both", "Fit both", "Fits both curves at once, each weighed by its scatter."),
     ];
@@ -167,8 +163,8 @@ fn model(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
         MODELS.map(|(model, name, tip)| (model, name, format!("{tip}\n{}", data_remark(state, model))));
     let models = models.each_ref().map(|(model, name, tip)| (*model, *name, tip.as_str()));
     choice(ui, &mut setup.model, &models);
-    let tip = "Fits x₀, where the point is at t = 0, too: as if the time of passage were unknown.\n\
-        Else x₀ is known.";
+    let tip = "Fits x₀ too, the point's place at t = 0, as if the time of passage were unknown.\nOtherwise \
+        x₀ is known.";
     ui.checkbox(&mut setup.fit_x0, "x₀").on_hover_text(tip).accessible_name("Fit x₀");
     ui.add_space(8.0);
 }
@@ -178,7 +174,7 @@ const MODELS: [(Model, &str, &str); 3] = [
     (
         Model::OneCone,
         "one cone",
-        "As if both eyes received the same events: those that the middle between them receives.",
+        "As if both eyes received the same events: those of the middle between them.",
     ),
     (
         Model::Published(PublishedVariant::AppendixA),
@@ -193,7 +189,7 @@ fn data_remark(state: &State, model: Model) -> &'static str {
         return "";
     }
     match state.simulated_model() {
-        made if made == model => "So the data were made.",
+        made if made == model => "The data were made by this model.",
         Model::OneCone => "The data are those of one light cone for both eyes, so its fit is biased.",
         Model::Published(_) => "The data are those of the published model, so its fit is biased.",
         Model::Exact => "The data stay what the eyes see, so its fit is biased.",
@@ -230,7 +226,7 @@ fn range(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     let [mut from, mut to] = setup.fit_range.0.unwrap_or(plotted);
     let unit = state.measures().time;
     let field = |value| end_of_range(value, unit, plotted, 3);
-    let tip = "Over which T the samples are taken.";
+    let tip = "Range of T over which the samples are taken.";
     ui.label(RichText::new(state.clock().symbol).weak());
     let first = ui.add(field(&mut from)).on_hover_text(tip).accessible_name("Samples from T");
     ui.label(RichText::new("to").weak());

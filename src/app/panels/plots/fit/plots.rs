@@ -52,7 +52,7 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, commands: &mut Comman
     });
 }
 
-/// A half of what is plotted of a curve.
+/// One of the two plots of a curve: the fit above, or the residuals below.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Half {
     /// The readings and the fit.
@@ -146,7 +146,7 @@ struct Part<'h> {
     size: Vec2,
     /// Whether T is written along it.
     with_times: bool,
-    /// Heading inside the plot, if it has one.
+    /// Heading inside the plot, if the part has one.
     heading: Option<&'h str>,
 }
 

@@ -218,7 +218,7 @@ fn assumptions(outcome: &FitOutcome, fitted: &Fitted) -> Vec<String> {
             told.extend(remark.as_deref().map(sentence));
         }
         None if file.has_sigmas => {
-            told.push("Some readings have no sigma: all of a curve count alike.".to_owned());
+            told.push("Some readings have no sigma: all readings of a curve count alike.".to_owned());
         }
         None => told.push(
             "The file has no sigmas: all readings of a curve are taken to scatter alike, as much as the residuals do."
@@ -226,14 +226,14 @@ fn assumptions(outcome: &FitOutcome, fitted: &Fitted) -> Vec<String> {
         ),
     }
     if !outcome.key.setup.fit_x0 {
-        told.push("x₀ = 0 is taken for known: at t = 0 the point is abreast.".to_owned());
+        told.push("x₀ = 0 is taken as known: at t = 0 the point is abreast.".to_owned());
     }
     told.extend(other_side);
     told
 }
 
-const ON_A_WHEEL: &str = "The point is on a wheel that rolls: y, z and x₀ are its hub's, and where on the wheel the point is \
-    is taken for known.";
+const ON_A_WHEEL: &str = "The point is on a wheel that rolls: y, z and x₀ are its hub's, and the point's \
+    place on the wheel is taken as known.";
 
 fn notes(ui: &mut Ui, outcome: &FitOutcome, fitted: &Fitted) {
     let milliseconds = number_text::fixed(1e3 * outcome.elapsed.as_secs_f64(), 0);
@@ -273,8 +273,8 @@ impl Neglect {
             (Model::OneCone, _) => Self {
                 doing: "Taking one light cone for both eyes",
                 it_does: "It takes one light cone for both eyes",
-                reason: "Each eye receives events of its own: as far as the curves differ by that, it is taken for distance \
-                    and speed.",
+                reason: "Each eye receives events of its own; the fit puts the difference that this makes \
+                    down to distance and speed.",
             },
             (Model::Exact, Some(Model::Published(_))) => Self {
                 doing: "Having parallax where the data leave it out",
