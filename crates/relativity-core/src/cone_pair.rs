@@ -7,7 +7,6 @@
 use crate::aperture::Aperture;
 use crate::apparent::{LightCone, rounded};
 use crate::math::{self, Elementary};
-use crate::real::Real;
 use crate::source::SourcePoint;
 use crate::speed::Coefficients;
 
@@ -39,13 +38,13 @@ pub struct PointPair<F> {
     pub(crate) secondary: Aperture,
 }
 
-impl<F: Real> PointPair<F> {
-    /// Writes the disparities at these times; whether all times are inside the domain.
-    pub fn disparities(&self, times: &[F], dphi: &mut [F], dtheta: &mut [F]) -> bool {
+impl<F: Elementary> PointPair<F> {
+    /// Writes the disparities at these times; whether none of these is beyond the `limit`.
+    pub fn disparities(&self, times: &[F], limit: F, dphi: &mut [F], dtheta: &mut [F]) -> bool {
         let Self { coefficients, point, primary, secondary } = self;
         let mut is_inside = true;
         for ((&time, dphi), dtheta) in times.iter().zip(dphi).zip(dtheta) {
-            is_inside &= time.abs() <= F::MAX_COORDINATE;
+            is_inside &= time.abs() <= limit;
             let cones = ConePair::new(coefficients, *point, *primary, *secondary, time);
             (*dphi, *dtheta) = cones.wanted_angle_differences([true, true]);
         }

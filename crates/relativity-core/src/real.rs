@@ -46,7 +46,7 @@ mod sealed {
                     dphi: &mut [Self],
                     dtheta: &mut [Self],
                 ) -> bool {
-                    pair.disparities(times, dphi, dtheta)
+                    pair.disparities(times, <Self as super::Real>::MAX_COORDINATE, dphi, dtheta)
                 }
             })+
         };

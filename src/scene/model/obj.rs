@@ -89,10 +89,8 @@ impl Reader {
         let count = self.places.len();
         let number = word.parse::<i64>().ok().and_then(|number| match number {
             1.. => usize::try_from(number - 1).ok(),
-            _ => usize::try_from(-number)
-                .ok()
-                .filter(|back| *back > 0)
-                .and_then(|back| count.checked_sub(back)),
+            0 => None,
+            _ => usize::try_from(number.unsigned_abs()).ok().and_then(|back| count.checked_sub(back)),
         });
         let Some(place) = number.filter(|number| *number < count) else {
             return Err(format!("a face names corner {}, and so far there are {count}", shortened(word)));
