@@ -145,7 +145,7 @@ fn what_is_wrong_with_a_model_is_said_in_one_line() {
         (obj("v 0 0 0\nv 1 0 0\nf 1 2 3"), "line 3 of it: a face names corner 3, and so far there are 2"),
         (
             obj("v 0 0 0\nf -9223372036854775808 1 1"),
-            "line 3 of it: a face names corner -9223372036854775808, and so far there are 2",
+            "line 2 of it: a face names corner -9223372036854775808, and so far there are 1",
         ),
         (obj("v 0 0 0\nv 1 0 0\nf 1 2"), "line 3 of it: a face needs three corners"),
         (obj("v 0 0 x"), "line 1 of it: x is no number"),
