@@ -85,7 +85,7 @@ fn text(keyword: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
 ///
 /// # Errors
 ///
-/// Why a path cannot be given, or is no text.
+/// The reason why a path cannot be given; a path that is not UTF-8.
 pub fn word(keyword: &str, value: &Bound<'_, PyAny>) -> PyResult<Option<String>> {
     if let Ok(text) = value.extract::<String>() {
         return Ok(Some(text));

@@ -14,7 +14,7 @@ const DEEPEST: usize = 6;
 ///
 /// # Errors
 ///
-/// A key that is no text, a value that TOML has not, or tables in tables without end.
+/// A key that is not text, a value that TOML does not have, or tables within tables without end.
 pub fn table(dict: &Bound<'_, PyDict>, written: fn(&str) -> String) -> PyResult<Table> {
     table_within(dict, written, DEEPEST)
 }

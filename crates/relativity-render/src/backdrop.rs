@@ -232,7 +232,7 @@ impl Backdrop {
         }
     }
 
-    /// The same with the shadows of what touches the road.
+    /// Returns the backdrop with the shadows of what touches the road.
     pub(crate) fn with_contacts(self, contacts: &Contacts) -> Self {
         Self { contacts: *contacts, ..self }
     }
@@ -300,7 +300,7 @@ impl Backdrop {
         self.light.received(self.sky_above(seen.direction), seen.camera_per_ground)
     }
 
-    /// The same of a line of sight on the ground.
+    /// Returns the sky's paint along a line of sight on the ground.
     fn sky_above(&self, line_of_sight: DVec3) -> [f64; 3] {
         let nearness = 1.0 - (SKY_RISE * line_of_sight.z.abs()).min(1.0);
         mix(self.palette.zenith, self.palette.horizon, nearness * nearness)

@@ -95,7 +95,7 @@ pub enum Projection {
     Mercator {
         /// Unit vector along the baseline, from the left eye to the right one.
         right: DVec3,
-        /// By how much u the picture's content is moved to the right, this eye's image shift.
+        /// This eye's image shift: the u by which the picture's content is moved to the right.
         shift: f64,
     },
     /// Half of the sky: 180 by 180 degrees of longitude and latitude, about the level direction across the baseline that is
@@ -282,7 +282,7 @@ impl Camera {
         }
     }
 
-    /// The same for a picture across the gaze.
+    /// Returns the gaze that puts `direction` at this pixel of a picture across the gaze.
     fn level_gaze_with(&self, direction: DVec3, [u, v]: [f64; 2]) -> Gaze {
         let [width, height] = self.size.map(f64::from);
         // Right, up and forward of that pixel's line of sight.
@@ -296,7 +296,7 @@ impl Camera {
         Gaze { azimuth: azimuth + atan2(right, reach * sin_cos(elevation + steepness).1), elevation }
     }
 
-    /// The same for a picture parallel to `baseline`.
+    /// Returns the gaze that puts `direction` at this pixel of a picture parallel to `baseline`.
     fn slanted_gaze_with(&self, direction: DVec3, [u, v]: [f64; 2], baseline: DVec3, shift: f64) -> Gaze {
         let [width, height] = self.size.map(f64::from);
         let focal_length = self.focal_length_px();
@@ -313,7 +313,7 @@ impl Camera {
         across.turned_gaze_with(direction, [held(slant) + aside - shift, rise])
     }
 
-    /// The same for a conformal picture, whose content only slides as the gaze moves.
+    /// Returns the gaze that puts `direction` at this pixel of a conformal picture, whose content only slides as the gaze moves.
     fn slid_gaze_with(&self, direction: DVec3, [x, y]: [f64; 2], baseline: DVec3, shift: f64) -> Gaze {
         let [width, height] = self.size.map(f64::from);
         let off_middle = DVec2::new(x - 0.5 * width, 0.5 * height - y) / self.focal_length_px();
@@ -454,7 +454,7 @@ pub(crate) struct Gauge {
 }
 
 impl Gauge {
-    /// The same for places that are `reflected`.
+    /// Returns the gauge for places that are `reflected`.
     pub fn reflected(&self, reflected: impl Fn(DVec3) -> DVec3) -> Self {
         let Self { right, up, forward, middle } = *self;
         Self { right: reflected(right), up: reflected(up), forward: reflected(forward), middle }
@@ -532,7 +532,7 @@ impl LinesOfSight {
         )
     }
 
-    /// By how much that turns from there to the pixel on the right, and to the one below.
+    /// Returns the turn of the line of sight from this pixel to the one on the right, and to the one below.
     pub(crate) fn turns(&self, [u, v]: [f64; 2]) -> [DVec3; 2] {
         let Axes { right, up, .. } = self.axes;
         let Map::Flat { to_top_left } = self.map else { return self.turns_of(self.through([u, v])) };
@@ -542,7 +542,7 @@ impl LinesOfSight {
         [right, -up].map(|across| (across - sight * sight.dot(across)) / length)
     }
 
-    /// The same from the pixel with this line of `sight`.
+    /// Returns the turns of the line of sight from the pixel in which it is `sight`.
     pub(crate) fn turns_of(&self, sight: DVec3) -> [DVec3; 2] {
         let Axes { right, up, forward } = self.axes;
         let across = |side: DVec3| side - sight * sight.dot(side);

@@ -56,7 +56,7 @@ impl Cone {
         }
     }
 
-    /// The same where both eyes have one light cone, from the reflected `center`.
+    /// Returns the cone around a ball where both eyes have one light cone, from the reflected `center`.
     ///
     /// What an eye is shown of a point then it sees at another time, which is off by no more than light takes to it from
     /// the middle; in between the point appears on a straight line. So the cones of both ends hold it, if convex.

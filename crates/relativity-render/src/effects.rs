@@ -23,7 +23,7 @@ pub enum Spectrum {
     OnePlace,
     /// By a place in each of two: daylight, and the band of it that a body reflects most of.
     Daylight,
-    /// The same for the street's daylight, in the parts of [`crate::daylight`].
+    /// By a place in each of two, for the street's daylight in the parts of [`crate::daylight`].
     StreetDaylight,
     /// By the Doppler factor alone.
     Map,
@@ -51,7 +51,7 @@ impl Effects {
         Self { spectrum, doppler_shift, invisible, form }
     }
 
-    /// The same for what the street's daylight lights.
+    /// Returns the effects for what the street's daylight lights.
     pub(crate) fn in_street_daylight(self) -> Self {
         Self { spectrum: Spectrum::StreetDaylight, ..self }
     }

@@ -18,9 +18,9 @@ const MOST_EV: f64 = 6.0;
 
 /// The exposure (factors of 2) for what moves with these velocities and shines so, as `geometry` shows it.
 ///
-/// Of one wavelength, with the exponent n: midway between the light nearest to rest that can be seen and the brightest
-/// D^n that can, both over all D that the speeds reach and that leave a body's light visible. Of what glows and of white
-/// light: so that what passes abreast, at D = 1/gamma, comes out a middle grey, but at least 0 and at most 6.
+/// For one wavelength, with the exponent n, it lies midway between the light nearest to rest that can be seen and the brightest
+/// D^n that can, both over all D that the speeds reach and that leave a body's light visible. For what glows and for white
+/// light it is such that what passes abreast, at D = 1/gamma, comes out a middle grey, but at least 0 and at most 6.
 ///
 /// # Examples
 ///

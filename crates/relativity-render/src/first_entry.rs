@@ -153,7 +153,7 @@ impl Search<'_> {
         });
     }
 
-    /// The same of bodies whose numbers ascend.
+    /// Finds the first entry into bodies whose numbers ascend.
     fn first_in_order(&self, ray: &Ray) -> Option<Found> {
         let mut all = self.chosen.others.to_vec();
         if self.chosen.standing.is_some() {

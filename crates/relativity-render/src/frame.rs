@@ -23,7 +23,7 @@ pub struct Frame {
     /// Line of sight through the pole, unnormalised: its part along the optical axis is 1. In a conformal picture cosh u long,
     /// and the size of a pixel in u and v.
     pub base: [f32; 4],
-    /// By how much it changes from one pixel to the next on the right. In a conformal picture only e^u at the pole.
+    /// Change of that line from one pixel to the next on the right. In a conformal picture only e^u at the pole.
     pub right: [f32; 4],
     /// From one pixel to the next below. In a conformal picture the unit vector upwards at the pole, and e^-u there.
     pub down: [f32; 4],

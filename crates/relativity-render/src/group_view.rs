@@ -45,7 +45,7 @@ pub struct GroupView {
     pub(crate) view_geometry: Geometry,
     /// The group's velocity as the camera sees it.
     pub velocity: Velocity,
-    /// The same on the ground, on which its wheels roll.
+    /// The group's velocity on the ground, on which its wheels roll.
     pub on_ground: Velocity,
     /// Camera's event in the group's frame: (gamma (`a_x` - beta T), `a_y`, `a_z`), with the group's
     /// beta on the ground. Where both eyes have one light cone, that of the middle between them.
@@ -207,7 +207,7 @@ impl GroupView {
         }
     }
 
-    /// The same for what is at `distance` (ground frame, 0 or more). Where both eyes have one light cone the events
+    /// Returns the ray in the rest frame for what is at `distance` (ground frame, 0 or more). Where both eyes have one light cone the events
     /// along a line of sight lie on a curve in the rest frame: the ray touches it there.
     #[must_use]
     pub fn rest_ray_at(&self, line_of_sight: DVec3, distance: f64) -> RestRay {

@@ -38,7 +38,7 @@ pub struct Quaternion<S: Simd> {
     pub w: F<S>,
 }
 
-/// The same number for all.
+/// Returns a number that is the same in each lane.
 #[inline(always)]
 pub fn all<S: Simd>(simd: S, value: f32) -> F<S> {
     F::splat(simd, value)
@@ -108,7 +108,7 @@ impl<S: Simd> V3<S> {
         Self { x, y, z }
     }
 
-    /// The same for all.
+    /// A vector that is the same in each lane.
     #[inline(always)]
     pub fn all(simd: S, [x, y, z]: [f32; 3]) -> Self {
         Self { x: all(simd, x), y: all(simd, y), z: all(simd, z) }
@@ -237,7 +237,7 @@ impl<S: Simd> V3<S> {
 }
 
 impl<S: Simd> Quaternion<S> {
-    /// The same for all.
+    /// A quaternion that is the same in each lane.
     #[inline(always)]
     pub fn all(simd: S, [x, y, z, w]: [f32; 4]) -> Self {
         Self { v: V3::all(simd, [x, y, z]), w: all(simd, w) }

@@ -83,7 +83,7 @@ impl Light {
         self.shown_in_parts(appearance, doppler_factor, &[Part::OWN])
     }
 
-    /// The same where daylight is received in these `parts`, the hottest first.
+    /// Returns colour and unseen share where daylight is received in these `parts`, the hottest first.
     pub fn shown_in_parts(self, appearance: &Appearance, doppler_factor: f64, parts: &[Part]) -> ScreenLight {
         if self == Self::Map {
             return ScreenLight { colour: false_colour(log2(doppler_factor)), unseen: 0.0 };
@@ -190,7 +190,7 @@ fn reflected(tint: Option<f64>, shift: f64, log2_intensity: f64, received_shift:
     std::array::from_fn(|i| white[i] + own.hue[i] * exp2(level.min(1e3)))
 }
 
-/// By how much the parts of daylight with this `tint` have to be scaled for a largest component of 1 at rest.
+/// Returns the scales of the parts of daylight with this `tint` that give a largest component of 1 at rest.
 fn daylight(tint: Option<f64>) -> Levels {
     let white = -black_body(log2(DAYLIGHT_KELVIN)).log2_level;
     let Some(nm) = tint else { return Levels { glow: white, band: LOG2_DARK } };

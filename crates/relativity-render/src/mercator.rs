@@ -50,7 +50,7 @@ pub struct Patch {
 }
 
 impl Mercator {
-    /// The same for places that are `reflected`.
+    /// Returns the map for places that are `reflected`.
     #[must_use]
     pub fn reflected(&self, reflected: impl Fn(DVec3) -> DVec3) -> Self {
         let Axes { right, up, forward } = self.axes;
@@ -117,7 +117,7 @@ impl Mercator {
         [self.origin.x + u * self.px_per_unit, self.origin.y - v * self.px_per_unit]
     }
 
-    /// By how much the line of sight `sight` (unit vector) turns to the next pixel on the right, and to the one below.
+    /// Returns the turn of the line of sight `sight` (unit vector) to the next pixel on the right, and to the one below.
     ///
     /// dn/du = right - n (n . right) and dn/dv = right x n, both cosh u times shorter than 1. Of n = c right + t the first is
     /// t^2 right - c t, which is no difference of what is nearly the same.

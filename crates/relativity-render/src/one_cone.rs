@@ -29,7 +29,7 @@ const ALIKE: f64 = 1e-9;
 impl GroupView {
     /// The ray that touches, at `distance`, the curve of events along `line_of_sight`; without one, its limit.
     ///
-    /// Its origin, from the middle's event, is (gamma (`e_x` + beta e.u), `e_y`, `e_z`): in l (n.u) - |e + l n| = -e.u
+    /// The ray's origin, from the middle's event, is (gamma (`e_x` + beta e.u), `e_y`, `e_z`): in l (n.u) - |e + l n| = -e.u
     /// nothing is left of l.
     pub(crate) fn one_cone_ray(&self, line_of_sight: DVec3, distance: Option<f64>) -> RestRay {
         let Self { velocity, .. } = self;
@@ -103,7 +103,7 @@ pub(crate) fn delays(scene: &PreparedScene, view: &View) -> [f64; 2] {
 }
 
 impl GroupView {
-    /// The same for what is in the rest-frame ball at `center`; `None` where it is not much farther than the eye.
+    /// Returns the range of delays for what is in the rest-frame ball at `center`; `None` where it is not much farther than the eye.
     ///
     /// An event at P, from the middle, reaches the eye |P - e| - |P| later than the middle, which is -e.u and at most
     /// e^2/(2 (|P| - |e|)) more. The ball has exactly the directions u of a cone, and |P| is D times as far as in the rest

@@ -19,7 +19,7 @@ const SMALLEST_SHARE: f64 = 0.1;
 const NARROWEST_OF_ALL: f64 = 2.0 * DEGREE;
 /// Widest horizontal field of view that frames in flat pictures, radians. What reaches further is cropped.
 const WIDEST: f64 = 150.0 * DEGREE;
-/// The same in conformal pictures: u from -5.4 to 5.4.
+/// Widest horizontal field of view that frames in conformal pictures, radians: u from -5.4 to 5.4.
 const WIDEST_CONFORMAL: f64 = 179.5 * DEGREE;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Tangent that replaces all larger ones.
@@ -157,7 +157,7 @@ impl Framing {
         Self { gaze: Gaze::STRAIGHT_AHEAD, reach: [0.0; 2], lies }.shifted([0.0; 2])
     }
 
-    /// The same for pictures of the left and of the right eye with these image shifts ([`Projection::Parallel`]): the gaze
+    /// Returns the outline in pictures of the left and of the right eye with these image shifts ([`Projection::Parallel`]): the gaze
     /// turns along the rows alone, so that shifts made for [`Self::gaze`] are those for the new one, as good as (where that
     /// turns the pictures). What both pictures show of it is in the middle of them together.
     #[must_use]
@@ -211,7 +211,7 @@ impl Framing {
         self.fov_of(up * width / height / share).min(self.widest())
     }
 
-    /// The same with what conformal pictures show seen once more, slid this far along +x as the resting picture of what moves
+    /// Returns the outline with what conformal pictures show seen once more, slid this far along +x as the resting picture of what moves
     /// is; that of flat pictures stays.
     #[must_use]
     pub fn and_slid(&self, along_x: f64) -> Self {

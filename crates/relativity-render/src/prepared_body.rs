@@ -37,7 +37,7 @@ pub struct PreparedBody {
     /// Shape, placed at t' = 0, and the turn from its own axes to those of the rest frame.
     pub(crate) shape: Shape,
     pub(crate) turn: DQuat,
-    /// The same for the shaders.
+    /// Shape and turn for the shaders.
     pub(crate) placement: Placement,
     /// Whether its surface may coincide with another's.
     pub(crate) joint: Joint,

@@ -41,7 +41,7 @@ impl Ray {
         (offset, distance)
     }
 
-    /// The same ray, counted from its point nearest to `place`.
+    /// Returns the ray, counted from its point nearest to `place`.
     pub(crate) fn counted_from(&self, place: DVec3) -> Self {
         let (offset, distance) = self.nearest_to(place);
         Self { start: place + offset, from_camera: self.from_camera + distance, ..*self }

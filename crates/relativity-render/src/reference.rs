@@ -44,7 +44,7 @@ pub struct Hit {
     pub emission_time: f64,
     /// When the light left, by the clocks of the rest frame.
     pub proper_time: f64,
-    /// By how much the body had turned then since t' = 0, about +y, radians; 0 if it does not turn.
+    /// The angle by which the body had turned then since t' = 0, about +y, radians; 0 if it does not turn.
     pub turn: f64,
     /// Point of the body that was hit: its place at t' = 0, in the body as it was placed. Bodies that stand still
     /// in their group have it where they were hit.

@@ -61,7 +61,7 @@ struct Prepared {
     bodies: Vec<PreparedBody>,
     /// Shapes of the bodies for rays, side by side: a ray tests many, and reads nothing else of them.
     solids: Vec<Solid>,
-    /// The same of bodies that turn out of their places.
+    /// Shapes of the bodies that turn out of their places.
     turning: Vec<TurningSolid>,
     /// For each body its place among those, [`NONE`] if it is not there; none at all where no body is.
     turning_places: Vec<u32>,

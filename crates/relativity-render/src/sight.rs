@@ -308,7 +308,7 @@ impl Ruled {
         }
     }
 
-    /// By how much the straight line between these places is nearer to the baseline, in its midst, than the mean of both: it
+    /// Returns the length by which the straight line between these places is nearer to the baseline, in its midst, than the mean of both: it
     /// bows in a picture with cones for columns. At most s^2/(8 least), where s^2 is the square of what of it is across both
     /// the baseline and the way there, and `least` how near it comes.
     fn sag(&self, [first, last]: [DVec3; 2]) -> f64 {

@@ -159,7 +159,7 @@ impl Velocity {
         Ok(self.reflected_disparity(model.disparity(&self.speed, point, pair, observation_time)?))
     }
 
-    /// The same before the eyes of an `observer` who moves, at the event of the observer: the `pair` and all that is seen are in the
+    /// Returns the disparity before the eyes of an `observer` who moves, at the event of the observer: the `pair` and all that is seen are in the
     /// observer's axes.
     ///
     /// # Errors
@@ -236,7 +236,7 @@ impl Velocity {
         self.conformal_of(Model::Exact, &Speed::REST, resting.into(), &wide, observation_time)
     }
 
-    /// The same of what is reflected already.
+    /// Returns the disparity in a conformal picture of what is reflected already.
     fn conformal_of(
         &self,
         model: Model,
@@ -267,7 +267,7 @@ impl Velocity {
         Ok(Stereo { position: self.reflected(there.position.into()).to_array(), ..there })
     }
 
-    /// The same before the eyes of an `observer` who moves, as [`Self::disparity_before`].
+    /// Returns the stereo position before the eyes of an `observer` who moves, as [`Self::disparity_before`].
     ///
     /// # Errors
     ///

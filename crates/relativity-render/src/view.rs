@@ -79,7 +79,7 @@ pub struct View {
 }
 
 impl View {
-    /// The same view in a picture of another size (width and height, pixels).
+    /// Returns the view in a picture of another size (width and height, pixels).
     #[must_use]
     pub fn with_size(&self, size: [u32; 2]) -> Self {
         Self { camera: Camera { size, ..self.camera }, ..*self }
@@ -125,7 +125,7 @@ pub enum Colour {
     /// Each body reflects daylight of 6504 K, as if the lamp rode along with it: a quarter at every wavelength, the rest about the
     /// body's own.
     White,
-    /// The same lit by the street's daylight, which comes equally from all sides there: what moves receives it blue and bright
+    /// Each body reflects the street's daylight, which comes equally from all sides there: what moves receives it blue and bright
     /// ahead, red and dim behind, and its light is shifted again on its way to the eye. Needs the Doppler shift, and a camera that
     /// does not ride along with the scene; else as `white`.
     StreetDaylight,

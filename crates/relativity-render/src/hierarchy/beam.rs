@@ -25,7 +25,7 @@ pub struct Beam {
     planes: [Plane; 4],
     /// The middle ray's direction.
     axis: Vec3,
-    /// By how much other rays' differ from that at most.
+    /// The greatest difference of another ray's direction from the axis.
     spread: f32,
 }
 
@@ -94,7 +94,7 @@ impl Beam {
         Some(Self { planes, axis: axis.as_vec3(), spread })
     }
 
-    /// The same no wider than `rays` in it, the first and the last of which are in opposite corners of about a square; they
+    /// Returns the beam made no wider than `rays` in it, the first and the last of which are in opposite corners of about a square; they
     /// are counted from their points nearest to `middle`.
     #[must_use]
     pub fn around(&self, rays: &[Ray], middle: DVec3) -> Self {

@@ -153,7 +153,7 @@ impl Node {
         };
     }
 
-    /// The same with `count` others before it.
+    /// Returns the node with the numbers that it has once `count` nodes stand before its own.
     fn after(mut self, count: u32) -> Self {
         for (number, holds) in self.numbers.iter_mut().zip(self.holds) {
             if holds == Holds::Node {

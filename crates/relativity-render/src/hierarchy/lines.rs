@@ -13,7 +13,7 @@ pub struct Lines {
     /// Two directions across each and each other.
     across: [Side; 2],
     axis: [[f32; Self::MOST]; 3],
-    /// The same of one ray of each eight that follow each other.
+    /// The sides of one ray of each eight that follow each other.
     rows: [RowSide; 2],
 }
 

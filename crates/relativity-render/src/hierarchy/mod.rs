@@ -91,7 +91,7 @@ impl Hierarchy {
         dispatch!(Level::new(), simd => self.along_on(simd, looks, visit));
     }
 
-    /// The same where `simd` is in use.
+    /// Visits candidates as [`Self::along`] does, where the registers `simd` are in use already.
     #[inline(always)]
     pub fn along_on<S: Simd>(&self, simd: S, looks: &impl Looks, mut visit: impl FnMut(Candidate) -> f32) {
         if self.nodes.is_empty() {

@@ -66,7 +66,7 @@ impl MeshRenderer {
         }
     }
 
-    /// The same, to keep this bound from now on, pixels, above 0.
+    /// Sets the bound to keep from now on, pixels, above 0.
     pub const fn within(&mut self, bound_px: f64) -> &mut Self {
         self.bound_px = bound_px;
         self

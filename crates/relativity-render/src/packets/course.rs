@@ -28,7 +28,7 @@ pub struct Course<'a, S: Simd> {
     /// The angle by which the ray is turned back at `from`, and its change per distance.
     turn: F<S>,
     rate: F<S>,
-    /// By how much earlier places are shown per step from there.
+    /// The time by which places are shown earlier, per step from there.
     slowness: V3<S>,
     /// The curve is no faster, and not bent more.
     speed: F<S>,

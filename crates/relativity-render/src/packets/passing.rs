@@ -15,7 +15,7 @@ pub struct Middles<S: Simd> {
     /// Per distance, with a pixel around the middles of its pixels: no sample is further off them than 0.4 px, and nothing is
     /// widened by more than half a pixel. Without an end where its image is not small.
     spread: F<S>,
-    /// The same of half a pixel and 0.4 px.
+    /// The spread of half a pixel and 0.4 px.
     pixel: F<S>,
 }
 

@@ -12,13 +12,12 @@ pub struct Spin<S: Simd> {
     pub hub: V3<S>,
     /// The angular velocity about +y.
     pub omega: F<S>,
-    /// By how much the speed of the rim is below 1, and that of a ring's outermost circle below the rim's, along the
-    /// group's motion.
+    /// 1 less the speed of the rim, and the rim's speed less that of a ring's outermost circle, along the group's motion.
     pub below_light: F<S>,
     pub lag: F<S>,
 }
 
-/// By how much later places are shown than the hub, and how much earlier per step from there.
+/// The time by which places are shown later than the hub, and earlier per step from there.
 #[derive(Clone, Copy)]
 pub struct Later<S: Simd> {
     pub time: F<S>,
@@ -59,7 +58,7 @@ pub fn later<S: Simd>(simd: S, group: &Group, q: V3<S>, spin: &Spin<S>) -> Later
     later_from(V3::of_four(simd, frame.middle) + fine, q)
 }
 
-/// The same for the light to a camera event from which the hub is at `hub`.
+/// Returns the delay of places for the light to a camera event from which the hub is at `hub`.
 #[inline(always)]
 fn later_from<S: Simd>(hub: V3<S>, q: V3<S>) -> Later<S> {
     let largest = hub.abs().max_part().max(1e-12);

@@ -29,7 +29,7 @@ impl Covered {
         Self { right: on_surface(right), down: on_surface(down) }
     }
 
-    /// The same in other axes.
+    /// Returns the coverage in other axes.
     pub fn turned(self, turn: DQuat) -> Self {
         Self { right: turn * self.right, down: turn * self.down }
     }

@@ -164,7 +164,7 @@ impl GroupView {
         }
     }
 
-    /// By how much earlier what is shown happens, per step from `place`.
+    /// The time by which what is shown happens earlier, per step from `place`.
     fn slowness(&self, place: DVec3) -> DVec3 {
         if self.geometry == Geometry::Contracted {
             DVec3::X * self.velocity.beta()

@@ -30,8 +30,8 @@ pub struct TurningStart {
     pub placement: Placement,
     /// The middle of its axle, from the middle of its group; and omega, about +y.
     pub spin: [f32; 4],
-    /// By how much the speed of the rim is below 1, and by how much that of a ring's outermost circle is below the rim's;
-    /// both counted along the motion of its group.
+    /// 1 less the speed of the rim, and the rim's speed less that of a ring's outermost circle; both counted along the motion
+    /// of the group.
     pub rim: [f32; 2],
 }
 

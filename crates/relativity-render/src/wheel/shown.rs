@@ -32,7 +32,7 @@ impl GroupView {
         ((plus_x - x) * (minus_x + x) - y * y - z * z) / (time + distance)
     }
 
-    /// By how much later it shows what is at `from` + `step` than what is at `from`, without the difference.
+    /// Returns the time by which the view shows what is at `from` + `step` later than what is at `from`, without the difference of both.
     pub(crate) fn later(&self, from: DVec3, step: DVec3) -> f64 {
         if self.geometry == Geometry::Contracted {
             return -self.velocity.beta() * step.x;
@@ -42,7 +42,7 @@ impl GroupView {
         if sum > 0.0 { -(2.0 * v + step).dot(step) / sum } else { 0.0 }
     }
 
-    /// By how much later it shows what is further along a ray through `place`, per length along the unit vector
+    /// Returns the time by which the view shows what is further along a ray through `place` later, per length along the unit vector
     /// `direction`.
     pub(crate) fn rate_along(&self, place: DVec3, direction: DVec3) -> f64 {
         match self.geometry {

@@ -183,10 +183,10 @@ pub(super) struct Course<'a> {
     ray: &'a LocalRay,
     /// Centre of the body at t' = 0, from the sweep's middle.
     center: DVec3,
-    /// By how much the body has turned where it is shown at the parameter `turned_at`.
+    /// The angle by which the body has turned where it is shown at the parameter `turned_at`.
     turn: f64,
     turned_at: f64,
-    /// k, how much more that is per length along the ray.
+    /// k, the change of that angle per length along the ray.
     pub rate: f64,
     /// L: q is no faster.
     speed: f64,
@@ -213,7 +213,7 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// By how much the body has turned where it is shown at `s`.
+    /// The angle by which the body has turned where it is shown at `s`.
     fn turn_at(&self, s: f64) -> f64 {
         self.turn + self.rate * (s - self.turned_at)
     }

@@ -25,7 +25,7 @@ pub struct MaterialPoint {
 }
 
 impl Spin {
-    /// The same about an axle moved by `offset`.
+    /// Returns the spin about an axle that is moved by `offset`.
     #[must_use]
     pub fn moved(self, offset: [f64; 3]) -> Self {
         Self { hub: (DVec3::from(self.hub) + DVec3::from(offset)).to_array(), ..self }
@@ -53,7 +53,7 @@ impl Spin {
 
     /// Returns the place of the point that is at `rest` at t' = 0, at a time that depends on the place: from `axle_time`, that of the
     /// axle abreast of it, on by `later`, which follows from its distance from the axle and its angle at `axle_time`.
-    /// It turns at `omega`, as [`Self::omega`] has it.
+    /// The point turns at `omega`, as [`Self::omega`] has it.
     pub fn place_when(
         &self,
         rest: DVec3,
@@ -90,7 +90,7 @@ impl MaterialPoint {
         self.rest - self.spin.map_or(DVec3::ZERO, |spin| spin.off_axle(self.rest))
     }
 
-    /// The same moved by `offset`, and its axle with it.
+    /// Returns the point moved by `offset`, and its axle with it.
     #[must_use]
     pub fn moved(self, offset: [f64; 3]) -> Self {
         Self { rest: self.rest + DVec3::from(offset), spin: self.spin.map(|spin| spin.moved(offset)) }
