@@ -51,7 +51,7 @@ pub struct Measures {
 impl Units {
     /// Returns the measures in these units for `scene`: its own units where it does not say how long one is.
     #[must_use]
-    pub fn of(self, scene: &Scene) -> Measures {
+    pub fn measures(self, scene: &Scene) -> Measures {
         let Some(metres) = scene.metres.filter(|_| self != Self::Natural) else {
             return Measures::OWN;
         };
@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn one_event_has_its_numbers_in_three_units() {
         let texts = |units: Units| {
-            let measures = units.of(&cyclist());
+            let measures = units.measures(&cyclist());
             [measures.length.text(3.0, 4), measures.time.text(3.605_551, 4)]
         };
         assert_eq!(texts(Units::Natural), ["3.0000", "3.6056"]);
@@ -156,7 +156,7 @@ mod tests {
     #[test]
     fn light_is_as_fast_as_its_units_say() {
         let speed = |units: Units| {
-            let Measures { length, time, .. } = units.of(&cyclist());
+            let Measures { length, time, .. } = units.measures(&cyclist());
             length.shown(1.0) / time.shown(1.0)
         };
         assert_eq!(speed(Units::Natural), 1.0);
@@ -167,7 +167,7 @@ mod tests {
     #[test]
     fn what_is_shown_leads_back() {
         for units in [Units::Natural, Units::Metric, Units::Town] {
-            let Measures { length, time, .. } = units.of(&cyclist());
+            let Measures { length, time, .. } = units.measures(&cyclist());
             for unit in [length, time] {
                 assert!((unit.in_scene(unit.shown(-3.25)) + 3.25).abs() < 1e-15);
             }
@@ -178,7 +178,7 @@ mod tests {
     fn a_scene_of_no_known_size_has_its_own_units_only() {
         let scene = Scene { metres: None, ..cyclist() };
         for units in [Units::Natural, Units::Metric, Units::Town] {
-            assert_eq!(units.of(&scene), Measures::OWN);
+            assert_eq!(units.measures(&scene), Measures::OWN);
         }
         assert_eq!(Unit::OWN.text(-1.5, 2), "−1.50");
         assert_eq!((Unit::OWN.label("T"), Unit::OWN.suffix()), ("T".to_owned(), String::new()));
@@ -186,17 +186,17 @@ mod tests {
 
     #[test]
     fn a_dash_has_no_unit() {
-        assert_eq!(Units::Metric.of(&cyclist()).time.text(f64::NAN, 3), number_text::NONE);
+        assert_eq!(Units::Metric.measures(&cyclist()).time.text(f64::NAN, 3), number_text::NONE);
     }
 
     #[test]
     fn speeds_are_of_everyday_life_in_town() {
-        let measures = Units::Town.of(&cyclist());
+        let measures = Units::Town.measures(&cyclist());
         let text = |beta| measures.speed(&Speed::from_beta(beta).expect("a speed")).expect("in town");
         assert_eq!([0.0, 0.5, 0.9].map(text), ["0.0 km/h", "15.0 km/h", "27.0 km/h"]);
         assert_eq!(text(0.9999), "29.9970 km/h");
         assert_eq!(text(1.0 - 1e-9), "just below 30 km/h");
-        assert_eq!(Units::Metric.of(&cyclist()).speed(&Speed::REST), None);
+        assert_eq!(Units::Metric.measures(&cyclist()).speed(&Speed::REST), None);
     }
 
     #[test]

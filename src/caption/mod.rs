@@ -146,7 +146,7 @@ impl Moment {
     pub fn sentence(&self) -> String {
         let Measures { length, time: unit, .. } = self.measures;
         let (name, now) = (&self.name, value_text(unit, self.time));
-        let clock_now = format!("{} = {now}", ObserverClock::of(self.is_riding).symbol);
+        let clock_now = format!("{} = {now}", ObserverClock::new(self.is_riding).symbol);
         match self.shown {
             ShownPoint::Received(seen, eyes, clock) => {
                 let left = departure(&seen, eyes, unit, self.is_riding);

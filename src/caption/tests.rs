@@ -51,7 +51,8 @@ fn the_sentence_tells_times_wavelengths_and_colours_of_both_eyes() {
 #[test]
 fn a_sentence_has_the_units_of_the_window() {
     let scene = Scene::preset("cyclist").expect("a preset");
-    let told = |units: Units| moment(&settings(0.9, 0.1), 1.1).with_measures(units.of(&scene)).sentence();
+    let told =
+        |units: Units| moment(&settings(0.9, 0.1), 1.1).with_measures(units.measures(&scene)).sentence();
     // 0.65 m take light 2.168166621 ns, and 0.078 s at 30 km/h.
     let [metric, town] = [Units::Metric, Units::Town].map(told).map(|text| text.replace('\u{a0}', " "));
     let [[t, ..], _] = core(0.9, 0.1, 1.1);

@@ -74,7 +74,7 @@ pub const RIDING: ObserverClock = ObserverClock {
 impl ObserverClock {
     /// The clock of eyes that ride, or rest.
     #[must_use]
-    pub const fn of(is_riding: bool) -> &'static Self {
+    pub const fn new(is_riding: bool) -> &'static Self {
         if is_riding { &RIDING } else { &RESTING }
     }
 

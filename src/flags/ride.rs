@@ -25,7 +25,7 @@ impl RideLegs {
     ///
     /// # Errors
     /// More than 1000 legs, or more rapidity than 14.6, in words.
-    pub fn of(legs: Vec<Leg>) -> Result<Self, String> {
+    pub fn from_legs(legs: Vec<Leg>) -> Result<Self, String> {
         if legs.len() > MOST_LEGS {
             return Err(format!("a ride has at most {MOST_LEGS} legs"));
         }
@@ -59,8 +59,8 @@ impl FromStr for RideLegs {
     fn from_str(text: &str) -> Result<Self, String> {
         match text.trim() {
             "off" => Ok(Self(None)),
-            "coast" => Self::of(Vec::new()),
-            legs => Self::of(legs.split(',').map(leg).collect::<Result<Vec<_>, _>>()?),
+            "coast" => Self::from_legs(Vec::new()),
+            legs => Self::from_legs(legs.split(',').map(leg).collect::<Result<Vec<_>, _>>()?),
         }
     }
 }

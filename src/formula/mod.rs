@@ -116,7 +116,7 @@ impl Formula {
         ratex_layout::validate_layout(&laid_out)?;
         let list = ratex_layout::to_display_list(&laid_out);
         let formula = Self {
-            words: words::of(nodes).unwrap_or_else(|| on_one_line(tex)),
+            words: words::in_words(nodes).unwrap_or_else(|| on_one_line(tex)),
             width: list.width as f32,
             ascent: list.height as f32,
             descent: list.depth as f32,

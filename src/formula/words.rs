@@ -5,7 +5,7 @@ use ratex_parser::ParseNode;
 use ratex_parser::parse_node::AtomFamily;
 
 /// The formula of these nodes; `None` if there is one that no line can hold.
-pub(super) fn of(nodes: &[ParseNode]) -> Option<String> {
+pub(super) fn in_words(nodes: &[ParseNode]) -> Option<String> {
     /// Pairs that stand apart when each node is spoken alone, and their spelling.
     const CLOSER: [[&str; 2]; 7] =
         [[" ,", ","], [" ;", ";"], [" )", ")"], [" ]", "]"], ["( ", "("], ["(− ", "(−"], ["= − ", "= −"]];

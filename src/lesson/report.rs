@@ -106,6 +106,6 @@ fn curves(curve: &Curve, record: &Record, sight: &Sight<'_>) -> String {
         let pieces = sketch::pieces(drawn, times);
         lines.push(Line::in_pieces("drawn curve", BLACK, pieces).with(Stroke::Dashed));
     }
-    let unit = sight.settings.window.units.of(sight.scene).time;
+    let unit = sight.settings.window.units.measures(sight.scene).time;
     curve_plot::svg(curve, times, unit, lines)
 }

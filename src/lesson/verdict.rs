@@ -106,7 +106,7 @@ pub fn difference(curve: &Curve, points: &[[f64; 2]], sight: &Sight<'_>) -> Opti
     let off = rms(points, |time| curve.quantity.at(sight.settings, &sight.track, time))?;
     let [_, unit] = curve.quantity.axis();
     let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
-    let time = sight.settings.window.units.of(sight.scene).time;
+    let time = sight.settings.window.units.measures(sight.scene).time;
     let [from, to] = [first, last].map(|[at, _]| time.number(*at, 1));
     let off = number_text::significant(off, 2).replace('-', "−");
     Some(format!("rms difference {off}{unit} over T = {from} to {to}{}", time.suffix()))

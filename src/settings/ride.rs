@@ -106,7 +106,7 @@ impl Riding {
             Some(last) => last.duration += duration,
             None => legs.push(Leg { duration, acceleration }),
         }
-        Ok(Self { ride: RideLegs::of(legs)?, ..self.clone() })
+        Ok(Self { ride: RideLegs::from_legs(legs)?, ..self.clone() })
     }
 
     /// When its velocity changes: at the ends of its legs.

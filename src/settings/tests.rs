@@ -64,8 +64,9 @@ fn riding() -> impl Strategy<Value = Riding> {
     let leg = (0.0..=2.0, -1.0..=1.0)
         .prop_map(|(duration, along)| Leg { duration, acceleration: [along, 0.0, 0.0] });
     let legs = proptest::option::of(proptest::collection::vec(leg, 0..5));
-    let ride =
-        legs.prop_map(|legs| legs.map_or_else(RideLegs::default, |legs| RideLegs::of(legs).expect("slow")));
+    let ride = legs.prop_map(|legs| {
+        legs.map_or_else(RideLegs::default, |legs| RideLegs::from_legs(legs).expect("slow"))
+    });
     let speed = (choice_of_speed(), -1.0..=1.0).prop_map(|(parameter, share)| {
         let value = if parameter == SpeedParameter::Gamma { (2.0 + share) * 1.5 } else { 0.999 * share };
         StreetVelocity::new(parameter, value).expect("in range")

@@ -41,7 +41,7 @@ impl State {
     /// What cannot be worked out or shown of it.
     pub fn begin_lesson(&mut self, lesson: &Lesson) -> Result<(), LessonError> {
         let mut course = Course::new(lesson)?;
-        if let Some(way) = self.session.answers.of(lesson) {
+        if let Some(way) = self.session.answers.progress(lesson) {
             course.take_up(way);
         }
         let before =
@@ -141,7 +141,7 @@ impl State {
     pub fn recall_answers(&mut self, answers: &Answers) {
         self.session.answers.merge(answers);
         let Some(running) = &mut self.session.lesson else { return };
-        let way = self.session.answers.of(running.course.lesson());
+        let way = self.session.answers.progress(running.course.lesson());
         if let Some(way) = way.filter(|_| running.course.is_untouched()) {
             running.course.take_up(way);
             self.set_up();

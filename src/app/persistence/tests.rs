@@ -71,7 +71,7 @@ fn two_windows_keep_the_answers_of_both() {
     assert_eq!(loaded.notice, None);
     for name in ["turned", "rods"] {
         let lesson = Library::own().open(name).expect("it is there");
-        let way = loaded.answers.of(&lesson).expect("it was begun");
+        let way = loaded.answers.progress(&lesson).expect("it was begun");
         assert_eq!(way.record(&lesson, 0).outcome, Some(Outcome::Skipped), "{name}");
     }
 }

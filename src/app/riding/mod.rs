@@ -44,7 +44,7 @@ impl State {
     fn get_on(&mut self) {
         let across = self.document.scene.street.map_or(0.0, |[near, far, _]| 0.5 * (near + far));
         let mut settings = Settings::clone(&self.document.settings);
-        let legs = RideLegs::of(Vec::new()).expect("it has no legs");
+        let legs = RideLegs::from_legs(Vec::new()).expect("it has no legs");
         let push = settings.ride.push;
         settings.ride = Riding { ride: legs, ride_from: START, push, ..Riding::default() };
         settings.motion =

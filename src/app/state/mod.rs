@@ -206,13 +206,13 @@ impl State {
     /// The clock by which whoever looks counts.
     #[must_use]
     pub fn clock(&self) -> &'static ObserverClock {
-        ObserverClock::of(self.document.settings.ride.is_on())
+        ObserverClock::new(self.document.settings.ride.is_on())
     }
 
     /// The units that lengths and times are shown and typed in.
     #[must_use]
     pub fn measures(&self) -> Measures {
-        self.document.settings.window.units.of(&self.document.scene)
+        self.document.settings.window.units.measures(&self.document.scene)
     }
 
     /// First and last T of the scrubber and the plots.

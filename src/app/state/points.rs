@@ -161,7 +161,7 @@ impl Points {
 
     /// Returns the points that exist in `scene`, which may have been read again since they were chosen.
     #[must_use]
-    pub fn of(mut self, scene: &Scene) -> Self {
+    pub fn in_scene(mut self, scene: &Scene) -> Self {
         self.all[TRACKED].track = scene.track(None);
         for index in (TRACKED + 1..self.all.len()).rev() {
             match self.all[index].in_scene(scene) {

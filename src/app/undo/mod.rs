@@ -59,7 +59,7 @@ impl State {
             self.scratch.notice = Some(Notice::error(error).about(&scene));
             return;
         }
-        self.document.points = kept.points.of(&self.document.scene);
+        self.document.points = kept.points.in_scene(&self.document.scene);
         self.document.preset = kept.preset;
         if let Some((running, place)) = self.session.lesson.as_mut().zip(kept.place) {
             running.course.go_to(place);

@@ -95,7 +95,7 @@ impl Thumbnails {
     }
 
     /// Returns the thumbnail of `lesson`, once there is one; until it has this `look` it is noted as missing. Those in view come first.
-    pub fn of(&mut self, lesson: &Arc<Lesson>, look: Look, is_in_view: bool) -> Option<&TextureHandle> {
+    pub fn picture(&mut self, lesson: &Arc<Lesson>, look: Look, is_in_view: bool) -> Option<&TextureHandle> {
         let kept = self.kept.get(&Key::new(lesson, look));
         let is_missing = kept.is_none_or(|kept| kept.in_light_window != look.in_light_window);
         if is_missing && self.missing.as_ref().is_none_or(|(_, other)| is_in_view && !other) {

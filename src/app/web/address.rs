@@ -33,7 +33,7 @@ impl Fragment {
     }
 
     /// Returns the fragment of what `state` shows; `None` for what an address cannot carry, such as a file.
-    pub fn of(state: &State) -> Option<Self> {
+    pub fn from_state(state: &State) -> Option<Self> {
         let lesson = match state.course() {
             Some(course) if course.lesson().path.is_some() => return None,
             course => course.map(|course| course.lesson().name.clone()),

@@ -35,7 +35,8 @@ impl PageApp {
     /// Shows `app`, which the `runner` runs.
     pub fn new(app: App, runner: WebRunner) -> Self {
         let state = app.state();
-        let address = Address { document: state.document.clone(), fragment: Fragment::of(state), due: None };
+        let address =
+            Address { document: state.document.clone(), fragment: Fragment::from_state(state), due: None };
         Self { app, runner, address, is_lost: false }
     }
 
@@ -74,7 +75,7 @@ impl PageApp {
         }
         *due = None;
         *document = self.app.state().document.clone();
-        let now = Fragment::of(self.app.state());
+        let now = Fragment::from_state(self.app.state());
         if *fragment != now {
             page::replace_fragment(&now.as_ref().map(Fragment::to_text).unwrap_or_default());
             *fragment = now;
@@ -113,7 +114,8 @@ impl eframe::App for PageApp {
     }
 
     fn on_exit(&mut self) {
-        if let Some(fragment) = Fragment::of(self.app.state()).filter(|_| self.address.due.is_some()) {
+        if let Some(fragment) = Fragment::from_state(self.app.state()).filter(|_| self.address.due.is_some())
+        {
             page::replace_fragment(&fragment.to_text());
         }
         self.app.on_exit();

@@ -28,7 +28,7 @@ pub struct Answers(BTreeMap<String, LessonProgress>);
 impl Answers {
     /// Returns the way through `lesson`, if anything was done in it.
     #[must_use]
-    pub fn of(&self, lesson: &Lesson) -> Option<&LessonProgress> {
+    pub fn progress(&self, lesson: &Lesson) -> Option<&LessonProgress> {
         self.0.get(&named(lesson)).filter(|way| way.is_begun())
     }
 

@@ -159,7 +159,7 @@ proptest! {
             window.does(&Deed::Sync, 9999, &mut file);
         }
         let lesson = COURSES[0].lesson();
-        let kept = |number: usize| file.of(lesson).map_or_else(Record::default, |way| way.record(lesson, number));
+        let kept = |number: usize| file.progress(lesson).map_or_else(Record::default, |way| way.record(lesson, number));
         prop_assert_eq!(vec![kept(0), kept(1)], expected);
         prop_assert_eq!(Answers::of_text(&file.to_text()), Ok(file));
     }
@@ -178,7 +178,7 @@ fn an_old_window_does_not_bring_back_what_another_has_answered_since() {
     }
     let (lesson, made) =
         (lesson("x"), |choice| Some(Outcome::Made { answer: Answer::Choice(choice), confidence: None }));
-    let way = file.of(&lesson).expect("it was begun");
+    let way = file.progress(&lesson).expect("it was begun");
     assert_eq!([0, 1].map(|step| way.record(&lesson, step).outcome), [made(1), made(0)]);
 }
 
@@ -188,7 +188,7 @@ fn an_answer_is_later_than_all_that_is_known_even_where_the_clock_was_set_back()
     window.does(&Deed::Observe(0), 1_000_000, &mut file);
     window.does(&Deed::Observe(1), 5, &mut file);
     window.does(&Deed::Sync, 6, &mut file);
-    assert_eq!(file.of(&lesson("x")).expect("it was begun").record(&lesson("x"), 0).observed, Some(1));
+    assert_eq!(file.progress(&lesson("x")).expect("it was begun").record(&lesson("x"), 0).observed, Some(1));
 }
 
 #[test]

@@ -103,7 +103,7 @@ struct Buffer {
 pub(super) fn model(bytes: &[u8], beside: &dyn Fn(&str) -> Result<Vec<u8>, String>) -> Result<Model, String> {
     let (text, own) = if word(bytes, 0) == Some(MAGIC) { parts(bytes)? } else { (bytes, None) };
     let document: Document =
-        serde_json::from_slice(text).map_err(|error| format!("it is no glTF: {error}"))?;
+        serde_json::from_slice(text).map_err(|error| format!("it is not glTF: {error}"))?;
     if !document.asset.version.starts_with("2.") {
         return Err(format!("it is glTF {:?}, and must be 2.0", document.asset.version));
     }
@@ -149,10 +149,10 @@ fn data_at(uri: &str, beside: &dyn Fn(&str) -> Result<Vec<u8>, String>) -> Resul
     if let Some(data) = uri.strip_prefix("data:") {
         let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
         let decoded = encoded.and_then(|encoded| STANDARD.decode(encoded).ok());
-        return decoded.ok_or_else(|| "a buffer in it is no base64".to_owned());
+        return decoded.ok_or_else(|| "a buffer in it is not base64".to_owned());
     }
     let name = percent_encoding::percent_decode_str(uri).decode_utf8();
-    beside(&name.map_err(|_| "the name of a buffer in it is no text".to_owned())?)
+    beside(&name.map_err(|_| "the name of a buffer in it is not UTF-8 text".to_owned())?)
 }
 
 impl Document {

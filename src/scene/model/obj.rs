@@ -25,7 +25,7 @@ pub(super) fn model(bytes: &[u8], beside: &dyn Fn(&str) -> Result<Vec<u8>, Strin
 }
 
 fn text_of(bytes: &[u8]) -> Result<&str, String> {
-    std::str::from_utf8(bytes).map_err(|_| "it is no text in UTF-8".to_owned())
+    std::str::from_utf8(bytes).map_err(|_| "it is not text in UTF-8".to_owned())
 }
 
 /// The part of a file that was read.
@@ -131,7 +131,7 @@ impl Reader {
 }
 
 fn numbers(words: SplitWhitespace<'_>) -> Result<Vec<f64>, String> {
-    let number = |word: &str| word.parse().map_err(|_| format!("{} is no number", shortened(word)));
+    let number = |word: &str| word.parse().map_err(|_| format!("{} is not a number", shortened(word)));
     words.map(number).collect()
 }
 

@@ -35,7 +35,7 @@ impl Covered {
     }
 
     /// Returns the range of a coordinate with this gradient that is covered.
-    pub fn of(&self, gradient: DVec3) -> f64 {
+    pub fn range(&self, gradient: DVec3) -> f64 {
         hypot(gradient.dot(self.right), gradient.dot(self.down))
     }
 }
@@ -109,8 +109,8 @@ mod tests {
         let covered = Covered::new(DVec3::Y, normal, [DVec3::X, DVec3::Z]);
         // Along the surface, within the plane of ray and normal, a pixel is 1/cos wide.
         let along = DVec3::new(0.8, 0.6, 0.0);
-        assert!((covered.of(along) - 1.0 / 0.8).abs() < 1e-15);
-        assert!((covered.of(DVec3::Z) - 1.0).abs() < 1e-15);
-        assert!(covered.of(normal) < 1e-15);
+        assert!((covered.range(along) - 1.0 / 0.8).abs() < 1e-15);
+        assert!((covered.range(DVec3::Z) - 1.0).abs() < 1e-15);
+        assert!(covered.range(normal) < 1e-15);
     }
 }

@@ -29,14 +29,14 @@ pub fn face(half: DVec3, place: DVec3, normal: DVec3, covered: Covered) -> f64 {
     let pip = |off_a: f64, off_b: f64| {
         let distance = hypot(off_a, off_b);
         let gradient = (a * off_a + b * off_b) / distance.max(1e-30);
-        disc(distance, PIP_RADIUS * smaller, covered.of(gradient))
+        disc(distance, PIP_RADIUS * smaller, covered.range(gradient))
     };
     let corner_a = at_a - (PIP_PLACE * half_a).copysign(at_a);
     let corner_b = at_b - (PIP_PLACE * half_b).copysign(at_b);
     let on_first_diagonal = at_a * at_b > 0.0;
     let has_corner = if on_first_diagonal { number > 1.5 } else { number > 3.5 };
-    let rim = rim(half_a - at_a.abs(), RIM * smaller, covered.of(a));
-    let rims = rim.max(self::rim(half_b - at_b.abs(), RIM * smaller, covered.of(b)));
+    let rim = rim(half_a - at_a.abs(), RIM * smaller, covered.range(a));
+    let rims = rim.max(self::rim(half_b - at_b.abs(), RIM * smaller, covered.range(b)));
     let corners = if has_corner { pip(corner_a, corner_b) } else { 0.0 };
     let middle = if number % 2.0 > 0.5 { pip(at_a, at_b) } else { 0.0 };
     let sides = if number > 5.5 { pip(corner_a, at_b) } else { 0.0 };

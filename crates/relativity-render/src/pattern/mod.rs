@@ -105,8 +105,8 @@ impl Marking {
         let chart = self.form.chart(place, normal);
         let Chart { along, around, off_axis, .. } = chart;
         let [along_step, around_step] = [self.along_step, self.around_step];
-        let along_covered = covered.of(chart.along_gradient) / along_step;
-        let around_covered = covered.of(chart.around_gradient) / around_step;
+        let along_covered = covered.range(chart.along_gradient) / along_step;
+        let around_covered = covered.range(chart.around_gradient) / around_step;
         match self.ruling {
             Ruling::Faces => 0.0,
             Ruling::Graticule => {
@@ -124,7 +124,7 @@ impl Marking {
                     Form::Ring { radius, .. } => (radius * around, chart.around_gradient * radius),
                     _ => self.level(place, normal, self.form.half_length(), DVec3::Z),
                 };
-                0.5 - 0.5 * wave(level / along_step, covered.of(gradient) / along_step)
+                0.5 - 0.5 * wave(level / along_step, covered.range(gradient) / along_step)
             }
         }
     }
@@ -138,7 +138,7 @@ impl Marking {
     fn darkness_of_box(&self, half: DVec3, place: DVec3, normal: DVec3, covered: Covered) -> f64 {
         let wave_along = |axis: DVec3| {
             let (level, gradient) = self.level(place, normal, half.dot(axis), axis);
-            wave(level / self.along_step, covered.of(gradient) / self.along_step)
+            wave(level / self.along_step, covered.range(gradient) / self.along_step)
         };
         match self.ruling {
             Ruling::Faces => die::face(half, place, normal, covered),

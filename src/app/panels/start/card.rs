@@ -149,7 +149,7 @@ impl Card<'_> {
             ui.scroll_to_rect(rect, None);
         }
         let is_in_view = ui.is_rect_visible(rect);
-        let picture = thumbnails.of(self.lesson, look, is_in_view);
+        let picture = thumbnails.picture(self.lesson, look, is_in_view);
         if is_in_view {
             self.paint(ui, &response, written, picture);
         }

@@ -150,7 +150,7 @@ fn way_in(state: &State, lessons: &[&Arc<Lesson>]) -> Option<(String, Command)> 
     let next = lessons.iter().find(|lesson| state.session.next_lesson.as_ref() == Some(&lesson.name));
     let next = next.or(lessons.first())?;
     let command = Command::Lesson(LessonCommand::Open(next.name.clone()));
-    let word = if state.session.answers.of(next).is_some() { "Go on" } else { "Begin" };
+    let word = if state.session.answers.progress(next).is_some() { "Go on" } else { "Begin" };
     Some((format!("{word}: {}", next.title), command))
 }
 

@@ -62,7 +62,7 @@ pub fn both_eyes(ui: &Ui, room: Rect, lesson: &Arc<Lesson>, thumbnails: &mut Thu
     for (eye, corner) in Eye::BOTH.into_iter().zip([left, right]) {
         let rect = Rect::from_min_size(corner, size);
         let is_in_view = ui.is_rect_visible(rect);
-        let picture = thumbnails.of(lesson, look(ui, WIDEST, eye), is_in_view);
+        let picture = thumbnails.picture(lesson, look(ui, WIDEST, eye), is_in_view);
         if is_in_view {
             paint(ui, rect, CornerRadius::same(RADIUS), picture);
             let ink = theme::eye_colour(eye, &Visuals::dark());

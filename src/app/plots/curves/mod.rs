@@ -210,7 +210,7 @@ impl OfModel {
         Self { eyes, gains, distances, conformal }
     }
 
-    fn of(&self, curve: Curve) -> &[Vec<PlotPoint>] {
+    fn points(&self, curve: Curve) -> &[Vec<PlotPoint>] {
         if let Some(channel) = eyes_channel(curve) {
             return &self.eyes[channel..=channel];
         }
@@ -275,12 +275,12 @@ impl Curves {
         };
         match (model, &self.exact, curve) {
             (_, _, Curve::RestingU) => &self.resting,
-            _ if model == self.key.model => self.shown.of(curve),
+            _ if model == self.key.model => self.shown.points(curve),
             (Model::Published(_), _, Curve::DeltaPhi) => published(0),
             (Model::Published(_), _, Curve::DeltaTheta) => published(1),
             (Model::Published(_), _, Curve::DeltaU) => &self.published_conformal[0],
             (Model::Published(_), _, Curve::DeltaV) => &self.published_conformal[1],
-            (Model::Exact, Some(exact), _) => exact.of(curve),
+            (Model::Exact, Some(exact), _) => exact.points(curve),
             _ => &[],
         }
     }

@@ -31,11 +31,12 @@ impl<S: Simd> Chart<S> {
         let simd = self.along.simd;
         let [ruling, along_step, around_step] = pattern;
         if ruling > f32::from(Ruling::Chequer as u8) {
-            return 0.5 - wave(self.level / along_step, covered.of(self.level_gradient) / along_step) * 0.5;
+            return 0.5
+                - wave(self.level / along_step, covered.range(self.level_gradient) / along_step) * 0.5;
         }
         let (along, around) = (self.along / along_step, self.around / around_step);
-        let along_covered = covered.of(self.along_gradient) / along_step;
-        let around_covered = covered.of(self.around_gradient) / around_step;
+        let along_covered = covered.range(self.along_gradient) / along_step;
+        let around_covered = covered.range(self.around_gradient) / around_step;
         if ruling == f32::from(Ruling::Chequer as u8) {
             return 0.5 - wave(along, along_covered) * wave(around, around_covered) * 0.5;
         }

@@ -23,7 +23,7 @@ impl<S: Simd> Covered<S> {
 
     /// Returns the range of a coordinate with this gradient that is covered.
     #[inline(always)]
-    pub fn of(&self, gradient: V3<S>) -> F<S> {
+    pub fn range(&self, gradient: V3<S>) -> F<S> {
         let (right, down) = (gradient.dot(self.right), gradient.dot(self.down));
         (right * right + down * down).sqrt()
     }
@@ -68,7 +68,7 @@ fn sawtooth<S: Simd>(x: F<S>) -> F<S> {
 pub fn pip<S: Simd>(off: V3<S>, radius: F<S>, covered: &Covered<S>) -> F<S> {
     let simd = radius.simd;
     let distance = off.length();
-    let width = covered.of(off * (1.0 / distance.max(1e-30)));
+    let width = covered.range(off * (1.0 / distance.max(1e-30)));
     let wide = radius.max(width * 0.5);
     let share = (wide - distance) / width.max(1e-30) + 0.5;
     let size = radius / wide;

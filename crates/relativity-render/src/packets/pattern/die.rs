@@ -34,12 +34,12 @@ pub fn darkness_of_box<S: Simd>(
         return face(half, place, normal, covered);
     }
     let levels = (place - normal * (NUDGE as f32 * step) + half) / all(simd, step);
-    let along_x = wave(levels.x, covered.of(V3::all(simd, [1.0, 0.0, 0.0])) / step);
+    let along_x = wave(levels.x, covered.range(V3::all(simd, [1.0, 0.0, 0.0])) / step);
     if ruling != f32::from(Ruling::Chequer as u8) {
         return 0.5 - along_x * 0.5;
     }
-    let along_y = wave(levels.y, covered.of(V3::all(simd, [0.0, 1.0, 0.0])) / step);
-    let along_z = wave(levels.z, covered.of(V3::all(simd, [0.0, 0.0, 1.0])) / step);
+    let along_y = wave(levels.y, covered.range(V3::all(simd, [0.0, 1.0, 0.0])) / step);
+    let along_z = wave(levels.z, covered.range(V3::all(simd, [0.0, 0.0, 1.0])) / step);
     0.5 - along_x * along_y * along_z * 0.5
 }
 
@@ -59,8 +59,8 @@ fn face<S: Simd>(half: V3<S>, place: V3<S>, normal: V3<S>, covered: &Covered<S>)
     let corner_a = at_a - half_a * PIP_PLACE as f32 * sign_of(at_a);
     let corner_b = at_b - half_b * PIP_PLACE as f32 * sign_of(at_b);
     let (radius, edge) = (smaller * PIP_RADIUS as f32, smaller * RIM as f32);
-    let rim_a = rim(half_a - at_a.abs(), edge, covered.of(a));
-    let rim_b = rim(half_b - at_b.abs(), edge, covered.of(b));
+    let rim_a = rim(half_a - at_a.abs(), edge, covered.range(a));
+    let rim_b = rim(half_b - at_b.abs(), edge, covered.range(b));
     let on_first_diagonal = (at_a * at_b).simd_gt(0.0);
     let has_corner = number.simd_gt(select(on_first_diagonal, all(simd, 1.5), all(simd, 3.5)));
     let corners = pip(a * corner_a + b * corner_b, radius, covered);

@@ -30,7 +30,7 @@ pub struct Mark {
 }
 
 /// Returns all marks, in sight or not: each eye, the light that it receives, and the point now.
-pub fn of(sheet: &Sheet<'_>) -> Vec<Mark> {
+pub fn all(sheet: &Sheet<'_>) -> Vec<Mark> {
     let diagram = &sheet.diagram;
     let [left, right] = diagram.rays;
     let are_apart = sheet.place(left.left).distance(sheet.place(right.left)) > APART;

@@ -50,7 +50,7 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, commands: &mut Commands) {
     labels.keep_free(title.rect);
     axes::paint(ui, &sheet.painter, &sheet.chart, axes_of(state), &mut labels);
     lines::paint(&sheet, &mut labels);
-    let marks = marks::of(&sheet);
+    let marks = marks::all(&sheet);
     marks::paint(&sheet, &marks, &mut labels);
     lines::name(&sheet, &mut labels);
     title.paint(&sheet);
