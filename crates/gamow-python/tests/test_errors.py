@@ -78,7 +78,7 @@ def test_arrays_that_cannot_be_filled_are_refused():
     (gamow.fit, [3], {}, "data: must be the path of a CSV file, or a dict of arrays"),
     (gamow.fit, ["/nowhere.csv"], {}, "/nowhere.csv: "),
     (gamow.fit, [{"T": [0, 1], "dphi": [0, np.inf]}], {"d": 0.1}, "data: [1]: column dphi: a number must be finite"),
-    (gamow.fit, [{"T": [0, 1], "dphi": [0, 1]}], {"d": 0.1, "bootstrap": 1}, "bootstrap = 1: not 0"),
+    (gamow.fit, [{"T": [0, 1], "dphi": [0, 1]}], {"d": 0.1, "bootstrap": 1}, "bootstrap = 1: must be 0, or a number from 2 to 10000000"),
     (gamow.State, ["nowhere"], {}, "no preset is called `nowhere`"),
     (gamow.State, ["/nowhere.toml"], {}, "/nowhere.toml: cannot read these settings"),
     (gamow.State, ["beta = 3\n"], {}, "state:1: unknown setting `beta`"),
