@@ -81,7 +81,7 @@ fn text(keyword: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
     Ok(texts.join(","))
 }
 
-/// Returns the text that `value` is, or the path that it stands for, as `Scene` and those of `pathlib` do.
+/// Returns the text in `value`, or the path of an object that has one, such as a `Scene` or a `pathlib.Path`.
 ///
 /// # Errors
 ///

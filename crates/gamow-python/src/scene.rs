@@ -53,7 +53,7 @@ impl Scene {
         &self.scene.name
     }
 
-    /// How many metres a unit of length is; None if the scene leaves it open.
+    /// The length of a unit in metres; None if the scene leaves it open.
     #[getter]
     const fn metres(&self) -> Option<f64> {
         self.scene.metres
@@ -112,7 +112,7 @@ impl Scene {
     }
 }
 
-/// The source that a value of Python stands for.
+/// Returns the source that a value of Python names or holds.
 fn sourced(source: &Bound<'_, PyAny>) -> PyResult<Source> {
     if let Ok(scene) = source.cast::<Scene>() {
         return Ok(scene.get().source.clone());

@@ -1,4 +1,4 @@
-//! Extents of groups.
+//! The extent of a group: the box around its bodies, from whose middle they are placed.
 
 use glam::DVec3;
 

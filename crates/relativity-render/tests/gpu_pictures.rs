@@ -291,14 +291,12 @@ fn long_bodies_narrow_into_the_distance(renderers: &mut Renderers) {
 /// Sums of linear light in squares, in pixels of the brightest.
 fn light_in_squares(picture: &Picture) -> Vec<f64> {
     let [width, height] = picture.size.map(|v| v as usize);
-    let lit = |i: usize| {
-        picture.rgba[i][..3].iter().map(|level| (f64::from(*level) / 255.0).powf(2.2)).sum::<f64>()
-    };
-    let whole = (0..picture.rgba.len()).map(lit).fold(0.0, f64::max);
+    let whole = picture.rgba.iter().copied().map(light_of).fold(0.0, f64::max);
     let mut squares = vec![0.0; (width / SQUARE) * (height / SQUARE)];
     for v in 0..height {
         for u in 0..width {
-            squares[v / SQUARE * (width / SQUARE) + u / SQUARE] += lit(v * width + u) / whole;
+            squares[v / SQUARE * (width / SQUARE) + u / SQUARE] +=
+                light_of(picture.rgba[v * width + u]) / whole;
         }
     }
     squares
@@ -306,8 +304,12 @@ fn light_in_squares(picture: &Picture) -> Vec<f64> {
 
 /// Sum of linear light.
 fn light(picture: &Picture) -> f64 {
-    let encoded = picture.rgba.iter().flat_map(|pixel| &pixel[..3]);
-    encoded.map(|level| (f64::from(*level) / 255.0).powf(2.2)).sum()
+    picture.rgba.iter().copied().map(light_of).sum()
+}
+
+/// The linear light of a pixel.
+fn light_of(pixel: [u8; 4]) -> f64 {
+    pixel[..3].iter().map(|level| (f64::from(*level) / 255.0).powf(2.2)).sum()
 }
 
 fn every_speed_gives_a_picture(renderers: &mut Renderers) {

@@ -234,7 +234,7 @@ fn packets_meet_the_triangles_that_the_reference_meets() {
     assert!(covered > 10_000 && other * 1000 < covered, "{other} of {covered}");
 }
 
-/// The colours of a model's faces are those of the box that it stands for, away from edges.
+/// Away from edges, the faces of a box of triangles have the colours of our own box.
 #[test]
 fn packets_draw_a_box_of_triangles_as_the_box() {
     let mut renderers = renderers();

@@ -20,7 +20,7 @@ impl State {
         }
     }
 
-    /// Calls `asked` with the settings of the first picture of a comparison, or with the changed ones of the second if `is_second`.
+    /// Calls `asked` with the settings of one picture of a comparison: of the second, which has changes, if `is_second`.
     pub(in crate::app) fn of_picture<R>(&mut self, is_second: bool, asked: impl FnOnce(&mut Self) -> R) -> R {
         let kept = self.enter(is_second);
         let found = asked(self);

@@ -260,7 +260,7 @@ class Scene:
         """The name of the scene, as the window shows it."""
     @property
     def metres(self) -> float | None:
-        """How many metres a unit of length is; None if the scene leaves it open."""
+        """The length of a unit in metres; None if the scene leaves it open."""
     @property
     def objects(self) -> list[str]:
         """The names of all bodies: the one at index i has the number i in the channels left.id and right.id."""

@@ -82,13 +82,14 @@ impl Parts {
         };
         let part = |body: &PreparedBody| {
             let view = &divided_for[body.group];
-            let half_width = half_width(body, scene.solid(body.number), view);
+            // What numbers show is drawn as wide as it is.
+            let half_width = appearance.map(|_| half_width(body, scene.solid(body.number), view));
             Part {
                 division: division(body, view, bound_px),
-                instance: Instance::new(body, half_width, shot),
+                instance: Instance::new(body, half_width.unwrap_or_default(), shot),
                 group: body.group,
                 joint: body.joint,
-                is_thin: appearance.is_some() && half_width < half_pixel(body, view),
+                is_thin: half_width.is_some_and(|half_width| half_width < half_pixel(body, view)),
                 is_patterned: body.is_patterned,
                 turns: view.turns(body),
                 around: maps[body.group].map(|mercator| {

@@ -1,4 +1,4 @@
-//! Limits of models.
+//! The limits of a model: its number of triangles, its size, and how far away its corners may be.
 
 /// Greatest number of triangles in one model: they take about 600 MB while they are prepared.
 pub const MOST_TRIANGLES: usize = 5_000_000;

@@ -1,4 +1,4 @@
-//! Points of triangles.
+//! A point of a model: the number of its triangle, and the weights of the corners there.
 
 /// A point of a triangle.
 #[derive(Debug, Clone, Copy, PartialEq)]

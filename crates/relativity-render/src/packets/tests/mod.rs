@@ -118,7 +118,7 @@ impl Passing {
         seen.chain(ridden)
     }
 
-    /// All passages in flat pictures, and in conformal ones of a head held straight and of one that is not.
+    /// Returns every passage in flat pictures, and in conformal ones of a straight and of a tilted head.
     fn in_all_projections() -> impl Iterator<Item = Self> {
         let tilted = DVec3::new(0.9, 0.1, 0.42).normalize();
         let conformal = [DVec3::X, tilted].map(|right| Projection::Mercator { right, shift: 0.05 });

@@ -52,7 +52,7 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, commands: &mut Comman
     });
 }
 
-/// One of the two plots of a curve: the fit above, or the residuals below.
+/// The upper or the lower plot of a curve: its fit, or its residuals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Half {
     /// The readings and the fit.
