@@ -19,12 +19,13 @@ const MOST_SPEED_DECIMALS: f64 = 6.0;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Units {
-    /// The scene's own for both: c = 1.
+    /// The scene's own unit for lengths and times, c = 1: light travels one unit of length in one unit of time.
     #[default]
     Natural,
-    /// Metres and nanoseconds, where the scene gives the length of its unit.
+    /// Metres and nanoseconds: light takes 3.34 ns for a metre. The scene must say how many metres its unit is.
     Metric,
-    /// Metres and seconds as if c were 30 km/h, as in Gamow's town, where the scene gives the length of its unit.
+    /// Metres and seconds in Gamow's town, where c is 30 km/h and light takes 0.12 s for a metre. Nothing looks different: all that counts is v/c.
+    /// The scene must say how many metres its unit is.
     Town,
 }
 

@@ -170,6 +170,26 @@ impl Action {
     }
 }
 
+/// Returns the keys of these commands as they are labelled on a keyboard; empty if they have none.
+#[must_use]
+pub fn keys_of(commands: &[Command]) -> String {
+    let of =
+        |command: &Command| ACTIONS.iter().find(|action| action.command == *command).map(Action::keys_text);
+    commands.iter().filter_map(of).filter(|keys| !keys.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
+/// Returns `tip`, and behind it the keys of these commands.
+#[must_use]
+pub fn with_keys(tip: &str, commands: &[Command]) -> String {
+    let keys = keys_of(commands);
+    let heading = if keys.contains(", ") { "Keys" } else { "Key" };
+    match (tip, keys.as_str()) {
+        (_, "") => tip.to_owned(),
+        ("", _) => format!("{heading}: {keys}"),
+        _ => format!("{tip}   {heading}: {keys}"),
+    }
+}
+
 /// A key as it is written on a keyboard, after those held with it.
 fn keys_text(keys: KeyboardShortcut) -> String {
     let name = match keys.logical_key {

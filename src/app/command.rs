@@ -22,11 +22,11 @@ use crate::app::state::{Scratch, Session, State};
 use crate::app::views::eye::Eye;
 use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
-use crate::flags::choices::{GazeChoice, Layout};
+use crate::flags::choices::GazeChoice;
 use crate::map::Viewpoint;
 use crate::settings::{
-    Daylight, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset, Quality, Screen,
-    Settings, Window,
+    Daylight, FitSetup, Frame, Light, Look, Map, Motion, Picture, Playback, Plots, Presence, Preset, Quality,
+    Screen, Settings, Window,
 };
 use crate::time_range::time_within;
 
@@ -42,8 +42,8 @@ pub enum Command {
     Ride(RideCommand),
     /// New geometry, gaze or field of view.
     Look(Look),
-    /// Another layout of the eyes' pictures.
-    Layout(Layout),
+    /// Another layout of the eyes' pictures, or another way to make files of them.
+    Picture(Picture),
     /// Layouts further in the list of them, or back.
     NextLayout(isize),
     /// Shows conformal pictures, or if these are shown camera pictures, which look at the same.
@@ -78,6 +78,13 @@ pub enum Command {
     Window(Window),
     /// Another screen, or another place before it.
     Screen(Screen),
+    /// Gives the setting of this name this value, in the spelling of its flag.
+    Value {
+        /// Name of the setting.
+        name: &'static str,
+        /// The value.
+        value: String,
+    },
     /// Narrow the separation of the eyes until the views can be fused in comfort.
     Narrow,
     /// Go to this T.
@@ -220,7 +227,8 @@ impl State {
             Command::Motion(motion) => settings.motion = motion,
             Command::Ride(command) => self.apply_to_ride(command),
             Command::Look(look) => settings.look = look,
-            Command::Layout(layout) => settings.picture.layout = layout,
+            Command::Picture(picture) => settings.picture = picture,
+            Command::Value { name, value } => self.set_by_name(name, &value),
             Command::ToggleProjection => {
                 settings.look.projection = settings.look.projection.toggled();
             }

@@ -10,6 +10,7 @@ mod aids;
 pub mod args;
 mod awake;
 pub mod border;
+mod by_name;
 pub mod clock;
 pub mod command;
 mod debounce;

@@ -47,7 +47,7 @@ pub struct RectifyArgs {
     #[arg(long, value_name = "AZ,EL", allow_hyphen_values = true)]
     out_gaze: Option<GazeChoice>,
     /// Whether wavelengths are corrected too.
-    #[arg(long, default_value = "on", value_name = "ON|OFF", value_parser = switch)]
+    #[arg(long, default_value = "on", value_name = "on|off", value_parser = switch)]
     doppler_shift: OnOff,
     /// Exponent n of the received intensity D^n to divide by, as of `gamow render` [default: as the file records it, else
     /// surface]

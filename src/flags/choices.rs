@@ -17,16 +17,17 @@ use super::within;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum RendererChoice {
-    /// The cheapest that keeps `--error`, or the most accurate that keeps `--budget`.
+    /// The cheapest method that keeps a bound of the error (`--error`), or the most accurate that keeps a frame's budget of time (`--budget`).
     #[default]
     Auto,
-    /// A ray test per pixel on the GPU, in f32.
+    /// A ray test per pixel on the GPU, in 32-bit floats.
     Rays,
-    /// A ray test per pixel on the CPU, in f32, eight pixels at a time.
+    /// A ray test per pixel on the CPU, in 32-bit floats, eight pixels at a time.
     Packets,
-    /// Triangles on the GPU.
+    /// Triangles on the GPU, as many as keep the bound (`--bound-px`).
     Mesh,
-    /// A ray test per pixel on the CPU, in f64.
+    /// A ray test per pixel on the CPU, in 64-bit floats: the truth that the others are compared with. In the window it draws in the background
+    /// when nothing moves; until it is done, the rays do.
     Reference,
 }
 
@@ -117,17 +118,15 @@ pub enum GazeChoice {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ProjectionChoice {
-    /// Conformal: Mercator's projection with its poles at the ends of the line between the eyes. Small shapes are true
-    /// everywhere, and motion along that line slides the picture by the rapidity. Both eyes see a point in one row if the head
-    /// is held along the motion, or the point rests; else in two: of the paper's cyclist at 0.9 c up to 25 arcmin apart as it
-    /// comes to eyes turned by 20 degrees, 42 if they are tilted by 10, 65 if one is above the other. Enlarges what is far aside.
+    /// Conformal: Mercator's projection with its poles at the ends of the line between the eyes. Small things keep their shape everywhere: a globe
+    /// stays round. Motion along that line only slides the picture, by the rapidity, and two eyes can fuse it. Things far aside are enlarged.
     #[default]
     Mercator,
-    /// Camera: a flat picture across the gaze, as in the paper. Stretches what is far from its middle, where eyes cannot fuse
-    /// the two pictures.
+    /// Camera: a flat picture across the gaze, as a photograph and in the paper. Straight lines stay straight, and what is far from the middle is
+    /// stretched. A point then has two heights in the two pictures, which differ by more than eyes can fuse.
     Gaze,
-    /// Flat screens: planes parallel to the line between the eyes. Both eyes see a point in one row under the same condition as
-    /// in the conformal picture; stretches what is aside.
+    /// Flat screens: both pictures on planes along the line between the eyes, as two screens side by side would show them. Two eyes can fuse
+    /// them; what is aside is stretched.
     Parallel,
     /// Everything ahead, 180 x 180 degrees, for headsets. Drawn by the reference renderer; the field of view and
     /// the gaze's elevation are not used.

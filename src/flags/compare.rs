@@ -11,11 +11,12 @@ pub enum Compare {
     Off,
     /// The left eye's picture as seen.
     Seen,
-    /// The left eye's picture contracted only: where everything is measured to be at T.
+    /// The left eye's picture contracted only: where everything is measured to be at T, what Gamow drew.
     Contracted,
-    /// The left eye's picture at rest.
+    /// The left eye's picture at rest: what a camera that rides along photographs.
     Rest,
-    /// The left eye's picture with the received intensity D^2, the paper's.
+    /// The left eye's picture with the received intensity D^2, the paper's; both pictures have the exposure of the first. White bodies follow
+    /// Planck's law, and so look alike in both while the Doppler effect shifts.
     Paper,
 }
 

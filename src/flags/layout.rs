@@ -16,30 +16,30 @@ pub enum Layout {
     /// The left eye's picture on the left, the right eye's on the right.
     #[default]
     SideBySide,
-    /// Side by side for eyes that look in parallel without a viewer: no further apart than --picture-distance. A file
-    /// records how large it has to be shown for that.
+    /// Side by side for eyes that look in parallel, through the screen: no further apart than pupils are (--picture-distance), as far as the
+    /// screen's density is known (--screen-width). A file records how large it has to be shown for that.
     FreeViewing,
-    /// The other way round, for crossed eyes.
+    /// The other way round, for eyes that look at a point in front of the screen.
     CrossEyed,
     /// The left eye only.
     Left,
     /// The right eye only.
     Right,
-    /// Brightness of the left eye in red, of the right eye in cyan, for red-cyan glasses.
+    /// For red-cyan glasses: the left eye's brightness in red, the right eye's in cyan. No colour is lost.
     Anaglyph,
-    /// In colour for red-cyan glasses, by Dubois' least squares.
+    /// For red-cyan glasses: colours as faithful as they allow, by Dubois' least squares. Pure red is dark to the right eye.
     Dubois,
     /// The left eye in blue and the right eye in orange, added.
     Overlay,
     /// The left eye's picture above the right eye's.
     OverUnder,
-    /// Side by side, each at half its width, as 3-D televisions take it.
+    /// Side by side, each picture at half its width, as 3-D televisions and projectors take it.
     HalfSideBySide,
-    /// The left eye's picture above the right eye's, each at half its height, as 3-D televisions take it.
+    /// The left eye's picture above the right eye's, each at half its height, as 3-D televisions and projectors take it.
     HalfOverUnder,
-    /// Rows of the left and the right eye's picture in turn, for screens whose rows are polarised in turn.
+    /// Rows of the left and the right eye's picture in turn, the topmost the left eye's, for screens whose rows are polarised in turn.
     Rows,
-    /// The left eye's picture and the right eye's in turn, three times a second; a file is animated.
+    /// The left eye's picture and the right eye's in turn, three times a second: depth shows without glasses. A file is animated.
     Flicker,
 }
 

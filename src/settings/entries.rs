@@ -13,7 +13,7 @@ use crate::flags::words::{Shell, words};
 use crate::platform::files;
 
 /// The flags of all settings.
-static FLAGS: LazyLock<Command> = LazyLock::new(|| {
+pub(super) static FLAGS: LazyLock<Command> = LazyLock::new(|| {
     let flags = Command::new("settings").no_binary_name(true).disable_help_flag(true);
     Settings::augment_args_for_update(flags)
 });

@@ -1,9 +1,10 @@
 //! The one state: what the window remembers, the flags of the window and of `gamow render`, a state file, and what a
 //! picture records of how it was made.
 //!
-//! A setting is one field here. Its name is the flag and the file's key, its doc comment the help, its parser the
+//! A setting is one field here. Its name is the flag and the file's key, its doc comment the help and the window's tooltip, its parser the
 //! judge of its values, wherever they come from. A section is a heading of the help and a table of the file.
 
+mod about;
 mod all;
 mod appearance;
 mod comparison;
@@ -23,6 +24,7 @@ mod start;
 mod tests;
 mod views;
 
+pub use about::{About, about, about_all, meaning};
 pub use all::Settings;
 pub use comparison::{ComparisonError, NO_PAIR};
 pub use error::{SettingsError, problem_in_one_line};

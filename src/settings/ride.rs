@@ -28,17 +28,18 @@ const ROUNDING: f64 = 1e-12;
 #[command(next_help_heading = "Ride")]
 pub struct Riding {
     /// Ride of the eyes along the street, in place of resting beside it. Legs are durations by the rider's clock at proper accelerations, in c
-    /// per unit of that clock: `2@0.5,4@0,2@-0.5` speeds up for 2, coasts for 4 and brakes for 2. `coast` keeps its first speed. T is the rider's
-    /// clock then.
+    /// per unit of that clock: `2@0.5,4@0,2@-0.5` speeds up for 2, coasts for 4 and brakes for 2; after the last, one coasts. `coast` keeps its first
+    /// speed. T is the rider's clock then.
     #[arg(long, value_name = "off|coast|DURATION@ACCELERATION,...", allow_hyphen_values = true)]
     pub ride: RideLegs,
     /// Speed at which the ride starts: v/c, or like `gamma:10` and `rapidity:2`; below 0 towards -x.
     #[arg(long, value_name = "BETA|gamma:G|rapidity:R", allow_hyphen_values = true)]
     pub ride_speed: StreetVelocity,
-    /// Place x on the street where the ride starts.
+    /// Place x on the street where the ride starts, when the rider's clock and the street's clock there show 0.
     #[arg(long, value_name = "X", value_parser = within(-MAX_LENGTH..=MAX_LENGTH), allow_hyphen_values = true)]
     pub ride_from: f64,
-    /// Proper acceleration of a push on the pedals or the brakes in the window, c per unit of the rider's clock.
+    /// Proper acceleration of a push on the pedals or the brakes in the window, c per unit of the rider's clock: what an accelerometer on the bicycle
+    /// shows.
     #[arg(long, value_name = "A", value_parser = within(PUSH), allow_hyphen_values = true)]
     pub push: f64,
 }

@@ -29,13 +29,15 @@ pub struct Motion {
     #[command(flatten)]
     #[serde(flatten)]
     pub speed: SpeedSetting,
-    /// Separation of the eyes, which rest at x = -d/2 and +d/2 if the head is neither tilted nor turned.
+    /// Separation of the eyes. With the head held straight they rest at x = -d/2 (left) and x = +d/2 (right).
     #[arg(long, value_parser = within(0.0..=MAX_LENGTH), allow_hyphen_values = true)]
     pub d: f64,
-    /// Tilt of the head, degrees: above 0 the right eye is the higher one, at 90 straight above the left one.
+    /// Tilt of the head, degrees: above 0 the right eye is the higher one, at 90 straight above the left one. Eyes above each other see a rod
+    /// abreast contracted, and not turned; eyes along the motion see it turned.
     #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
     pub roll: f64,
     /// Turn of the head about the vertical, degrees: above 0 to the left; at 90 the right eye is straight beyond the left one, along y.
+    /// Lines of sight then need not meet.
     #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
     pub turn: f64,
     /// Additional distance beyond the scene's own, along y.
@@ -64,29 +66,35 @@ const WIDEST_CONFORMAL: f64 = 179.5;
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Look")]
 pub struct Look {
-    /// Geometry of the views.
+    /// Geometry of the views: each point where it is seen, where it is measured to be at T, or as if all were at rest.
     #[arg(long, value_enum)]
     pub geometry: Geometry,
-    /// The second of two pictures of the left eye, in place of the right eye's (with --layout side-by-side or
-    /// over-under): the first follows all other settings. A gaze that follows does so in each; both have one field of
-    /// view.
+    /// Two pictures of the left eye in place of both eyes': the first follows all other settings, the second is this one. A gaze that
+    /// follows does so in each; both have one field of view. The layout must be side by side or over-under.
     #[arg(long, value_enum)]
     #[serde(skip_serializing_if = "Compare::is_off")]
     pub compare: Compare,
-    /// Gaze of both eyes: at the middle of all that moves, at the tracked point, straight ahead, abreast at
-    /// the whole passage, or azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
+    /// Gaze of both eyes, in parallel: at the middle of all that moves (`whole`), at the selected point, straight ahead along y, abreast at
+    /// the whole passage, or fixed: azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
     #[arg(long, value_name = "whole|point|ahead|passage|AZ,EL", allow_hyphen_values = true)]
     pub gaze: GazeChoice,
-    /// Horizontal field of view of each eye, degrees, as it would be straight ahead; `auto` shows the whole scene
-    /// with a margin (usually 42 to 150), or the whole passage from 81 degrees left to 81 right, or further; with the
+    /// Horizontal field of view of each eye, degrees, as it would be straight ahead; `auto` fits it to all that moves with
+    /// the scene (usually 42 to 150, wider in conformal pictures), or to the whole passage, from 81 degrees left to 81 right or further; with the
     /// gaze ahead it is 110, with any other 60.
     #[arg(long, value_name = "auto|DEG", allow_hyphen_values = true)]
     pub fov: FieldOfView,
-    /// Projection of directions into a picture. What is measured does not depend on it.
+    /// Projection of lines of sight into a picture. What is measured does not depend on it.
+    ///
+    /// In conformal pictures and on flat screens, both eyes see a point in one row if the head is held along the motion, or the point rests;
+    /// else in two: of the paper's cyclist at 0.9 c up to 25 arcmin apart as it comes to eyes turned by 20 degrees, 42 if they are tilted by
+    /// 10, 65 if one is above the other.
     #[arg(long, value_enum)]
     pub projection: ProjectionChoice,
-    /// Zero parallax: what has the same place in both pictures, and so appears at the depth of the screen (not with
-    /// --projection gaze): the tracked point, what is infinitely far away, or what is this far ahead, 1e-9 to 1e12.
+    /// Zero parallax: what has the same place in both pictures, and so appears in the plane of the screen: the selected point (or the hub
+    /// that it turns about), what is infinitely far away, or what is this far ahead, 1e-9 to 1e12. Each picture is shifted as a whole; measured
+    /// values do not change.
+    ///
+    /// It takes pictures that two eyes can fuse: not those of --projection gaze.
     #[arg(long, value_name = "point|infinity|DISTANCE", allow_hyphen_values = true)]
     pub zero_parallax: ZeroParallax,
 }
@@ -126,35 +134,37 @@ pub struct Light {
     /// Temperature of bodies that glow, in kelvin, or in degrees Celsius like 1000C.
     #[arg(long, value_name = "K", value_parser = temperature)]
     pub temperature: f64,
-    /// Whether the Doppler effect shifts the wavelength.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    /// Whether the Doppler effect shifts the wavelength: received = at rest / D.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub doppler_shift: OnOff,
-    /// Exponent n of the received intensity D^n of light of one wavelength: `surface` (4, what a surface shows),
-    /// `photons` (3, their number, or the power per unit of frequency), `paper` (2), a number
-    /// from -10 to 10, or `off`.
+    /// Exponent n of the received intensity D^n of light of one wavelength: `surface` (4, the radiance of a surface), `photons` (3, their number, or
+    /// the power per unit of frequency), `paper` (2, the flux of a point source relative to what a camera riding along receives), a
+    /// number from -10 to 10, or `off`.
     #[arg(long, value_name = "surface|photons|paper|N|off", allow_hyphen_values = true)]
     pub intensity_exponent: IntensityExponent,
-    /// Exposure: light is multiplied by 2^EV, EV from -100 to 100; `auto` finds it from the speeds and the lights of the scene,
-    /// and brightens what glows by at most 6 EV, for what passes abreast. What glows at 1000 degrees Celsius and recedes at
-    /// 0.9 c needs about 80.
+    /// Exposure: light is multiplied by 2^EV, EV from -100 to 100; the brightest is compressed, not clipped. `auto` finds it from the speeds
+    /// and the lights of the scene, so that it is steady while time runs: midway between the light at rest and the brightest that can be seen.
+    ///
+    /// `auto` brightens what glows by at most 6 EV, for what passes abreast. What glows at 1000 degrees Celsius and recedes at 0.9 c needs
+    /// about 80.
     #[arg(long, value_name = "auto|EV", allow_hyphen_values = true)]
     pub exposure: Exposure,
     /// Whether what is received as ultraviolet or infrared keeps its form, in hatched grey (rising lines for infrared,
     /// falling ones for ultraviolet); eyes see nothing there.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub invisible: OnOff,
     /// Shading of the bodies.
     #[arg(long, value_enum)]
     pub shading: Shading,
-    /// Whether what rests around the scene is drawn: its groups that do not move, such as houses.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    /// Whether what rests around the scene is drawn: its groups that do not move, such as houses and lamp posts.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub surroundings: OnOff,
     /// Whether the scene's ground is drawn: its road, or a grid of one line per unit of length. A soft shadow lies on the road where
     /// wheels touch it: exact there, since both are one event, and only suggested around it.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub ground: OnOff,
-    /// Whether the sky is a gradient; otherwise it is plain.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    /// Whether the sky behind the scene is a gradient; otherwise it is plain.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub sky: OnOff,
     /// Colours of road, ground, house fronts and sky as a rider sees them: their paints count as grey. Eyes at rest see them as painted.
     #[arg(long, value_enum)]
@@ -208,15 +218,15 @@ pub struct Quality {
     /// Renderer of the views.
     #[arg(long, value_enum)]
     pub renderer: RendererChoice,
-    /// Greatest distance, pixels, at which the mesh renderer, where it is chosen, may draw a point from where it is seen.
+    /// Greatest distance, pixels, at which the mesh renderer, where it is chosen, may draw a point from where it is seen. Coarser is faster.
     #[arg(long, value_name = "PX", value_parser = within(BOUND_PX))]
     pub bound_px: f64,
     /// Goal of the automatic renderer.
     #[command(flatten)]
     #[serde(flatten)]
     pub goal: Goal,
-    /// Whether the views of the window get smoother while nothing changes.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    /// Whether the views of the window get smoother while nothing changes: the reference draws them again, with more and more rays per pixel.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub refine: OnOff,
 }
 
@@ -239,12 +249,12 @@ pub struct Picture {
     /// Layout of the pictures of the two eyes. Those of an .exr file are layers of their own.
     #[arg(long, value_enum)]
     pub layout: Layout,
-    /// The layouts whose eyes are swapped, like `anaglyph,rows`; `none` leaves all as described.
+    /// The layouts whose two pictures are swapped, like `anaglyph,rows`: each has its own choice. `none` leaves all as described.
     #[arg(long, value_name = "none|LAYOUTS")]
     pub swapped: Swapped,
     /// Labels: a letter above each of two pictures beside or above each other, and a bar between them. Both lie outside the
     /// pictures.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub labels: OnOff,
     /// Rays per pixel of the reference renderer: N x N.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
@@ -281,7 +291,8 @@ pub const PICTURE_MM: RangeInclusive<f64> = 10.0..=200.0;
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Screen")]
 pub struct Screen {
-    /// Width of the whole screen, centimetres; `auto` assumes 96 pixels per inch, which is wrong for most projectors.
+    /// Width of the whole screen, centimetres: with the viewer's distance it tells at which angles the pictures are seen. `auto` assumes 96 pixels
+    /// per inch, which is wrong for most projectors.
     #[arg(long, value_name = "auto|CM")]
     pub screen_width: ScreenWidth,
     /// Distance of the viewer from the screen, centimetres.
@@ -320,13 +331,13 @@ pub const RATE: RangeInclusive<f64> = 0.001..=1e6;
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Playback")]
 pub struct Playback {
-    /// Units of T per second of the wall clock.
+    /// Playback rate: units of T per second of the wall clock.
     #[arg(long, value_parser = within(RATE))]
     pub rate: f64,
-    /// Whether T starts again at the end.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    /// Whether T starts again at the end of its range.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub looping: OnOff,
-    /// First and last T; `auto` fits them to the selected point's passage.
+    /// First and last T; `auto` fits them to the selected point: approaching, abreast, receding.
     #[arg(long, value_name = "auto|FROM,TO", allow_hyphen_values = true)]
     pub range: TimeRange,
 }
@@ -341,18 +352,18 @@ impl Default for Playback {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PlotTab {
-    /// Disparities: how differently the eyes see each point.
+    /// Disparities, delta-phi and delta-theta or delta-u and delta-v: how differently the eyes see each point.
     #[default]
     Disparity,
-    /// Azimuth and elevation for each eye.
+    /// Azimuth phi and elevation theta of the selected point, for each eye.
     Angles,
-    /// Doppler factor for each eye.
+    /// Doppler factor D of the selected point, for each eye.
     Doppler,
-    /// Stereo position: where two eyes place the point.
+    /// Stereo gain, and how far away two eyes place the selected point.
     Stereo,
-    /// Speed and distance fitted to noisy disparities.
+    /// Speed and distance of the selected point, fitted to noisy disparities alone.
     Fit,
-    /// Cost and error of each renderer.
+    /// Cost and error of each way to draw the views.
     Accuracy,
 }
 
@@ -360,10 +371,11 @@ pub enum PlotTab {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Coordinates {
-    /// Azimuth and elevation: delta-phi and delta-theta.
+    /// Delta-phi and delta-theta: azimuth and elevation.
     #[default]
     Angles,
-    /// u and v, the coordinates of conformal pictures: delta-u and delta-v.
+    /// Delta-u and delta-v: the columns and rows of conformal pictures. Motion slides u by the rapidity for both eyes alike, so that delta-u of a
+    /// moving point is that of a resting one for eyes gamma d apart, dashed.
     Conformal,
 }
 
@@ -378,11 +390,12 @@ pub struct Plots {
     /// The coordinates of the disparity plots.
     #[arg(long, value_enum)]
     pub coordinates: Coordinates,
-    /// Whether the published model is drawn too, dashed.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    /// Whether the paper's approximate binocular model is plotted too, dashed: the right eye is the left one at T - delta-T, both angles measured
+    /// from the left eye.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub published: OnOff,
-    /// Whether the views show how far their pictures are off, while the Accuracy tab does.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    /// Whether the views show, while the Accuracy tab is open, how far each pixel's point is drawn from where it is seen.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub heat_map: OnOff,
 }
 
@@ -406,19 +419,19 @@ pub const MAX_SEED: u64 = 1 << f64::MANTISSA_DIGITS;
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Fit")]
 pub struct FitSetup {
-    /// Number of samples, evenly spread over the range.
+    /// Number of samples of each curve, evenly spread over the range of T.
     #[arg(long, value_name = "N", value_parser = samples)]
     pub fit_samples: usize,
-    /// Model by which samples are made: that of the views, or another.
+    /// Model by which the samples are simulated: that of the views, or another.
     #[arg(long, value_enum)]
     pub data_from: DataFrom,
-    /// First and last T of the samples; `auto` is as plotted.
+    /// First and last T of the samples; `auto` takes the range that the plots show.
     #[arg(long, value_name = "auto|FROM,TO", allow_hyphen_values = true)]
     pub fit_range: TimeRange,
-    /// Standard deviation of the noise, in per cent of each curve's range.
+    /// Standard deviation of the normal noise on each sample, per cent of its curve's range: of the highest value less the lowest.
     #[arg(long, value_name = "PERCENT", value_parser = within(NOISE_PERCENT))]
     pub noise_percent: f64,
-    /// Seed of the noise and of the bootstrap.
+    /// Seed of the noise and of the bootstrap: the same seed gives the same numbers, another seed other noise of the same strength.
     #[arg(long, value_name = "S", value_parser = seed)]
     pub seed: u64,
     /// Curves that are fitted.
@@ -427,8 +440,8 @@ pub struct FitSetup {
     /// The binocular model that is fitted.
     #[arg(long, value_enum)]
     pub model: Model,
-    /// Whether the time of passage is unknown and x0 fitted too.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    /// Whether x0 is fitted too, the point's place at t = 0, as if the time of passage were unknown; otherwise x0 is known.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub fit_x0: OnOff,
 }
 
@@ -451,14 +464,14 @@ impl Default for FitSetup {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum DataFrom {
-    /// The model of the views: exact, or one cone.
+    /// The model of the views, exact or one cone: the data are what the eyes see there.
     #[default]
     Views,
     /// Each eye solves its own light cone.
     Exact,
     /// Both eyes receive the events of the middle between them.
     OneCone,
-    /// The paper's model, which leaves out parallax.
+    /// The paper's binocular model, which leaves out parallax: fitted by the same model, it gives the paper's own fit.
     Published,
 }
 
@@ -487,10 +500,10 @@ fn seed(text: &str) -> Result<u64, String> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Face {
-    /// Places at the present T: a plan, and a view from the side.
+    /// Where everything is at the present T, from above and from the side.
     #[default]
     Space,
-    /// Spacetime: x against t.
+    /// When everything happens: x against t, light at 45 degrees.
     Spacetime,
 }
 
@@ -498,12 +511,12 @@ pub enum Face {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Frame {
-    /// Frame of the street and of the eyes.
+    /// Frame of the street, where eyes and houses rest.
     #[default]
     Ground,
-    /// Frame of everything that moves at the scene's speed.
+    /// Frame of everything that moves at the scene's speed: eyes and street ride past.
     Bicycle,
-    /// Frame in which whoever rides rests at this moment, counted from there; that of the ground while nobody rides.
+    /// Frame in which whoever rides rests at this moment, counted from there: the street rides past. That of the ground while nobody rides.
     Rider,
 }
 
@@ -514,7 +527,8 @@ pub enum Framing {
     /// The whole passage, past both eyes.
     #[default]
     Passage,
-    /// The followed body, close up: in space where it is seen, in spacetime where its points are now. It follows the body.
+    /// The selected body, close up: in space where it is seen and where two eyes place it, with the length of a rod; in spacetime where the
+    /// followed points are now, with their clocks.
     CloseUp,
 }
 
@@ -566,31 +580,32 @@ pub enum Theme {
 #[command(next_help_heading = "Window")]
 pub struct Window {
     /// The two eyes' views. Hidden views compute nothing.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub views: OnOff,
-    /// The left eye's picture corrected to the rest frame, beside the two. Hidden, it costs nothing.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
+    /// The left eye's picture with the distortion undone, beside the two: by the fitted speed while the Fit tab is shown, else by the one that is
+    /// set. Hidden, it costs nothing.
+    #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
     pub corrected: OnOff,
-    /// A strip below the views that shows which wavelengths arrive from the selected point.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    /// A strip below the views that shows which wavelengths arrive from the selected point, in the whole spectrum.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub spectrum: OnOff,
-    /// The sentence below the views, which describes the moment.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    /// The sentence below the views, which describes the moment in words.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub sentence: OnOff,
     /// The map: what happens, beside what is seen. Hidden, it computes nothing.
     #[arg(long, value_enum)]
     pub map: Presence,
-    /// Plots of curves over T.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    /// The plots of curves over T.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub plots: OnOff,
-    /// Controls beside the views.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    /// The controls beside the views.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub controls: OnOff,
     /// Few controls (speed, eye separation and T) and one plot, as in a new user's window.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
+    #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
     pub simple: OnOff,
     /// The numbers below the controls.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub readout: OnOff,
     /// Width of the controls, as a fraction of the window's.
     #[arg(long, value_name = "auto|SHARE")]
@@ -602,22 +617,23 @@ pub struct Window {
     #[arg(long, value_name = "auto|SHARE")]
     pub map_share: Share,
     /// At each followed point in the views, a clock that shows the body's proper time as the eye sees it.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub dials: OnOff,
-    /// In each view a clock that rests beside the eyes, to compare them with; and at every clock the number of turns
-    /// of its hand, since the step of a lesson began or since it showed 0.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
+    /// In each view a clock that rests beside the eyes, to compare the others with; and at every clock the number of turns of its hand, since the
+    /// step of a lesson began or since it showed 0.
+    #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
     pub resting_clock: OnOff,
-    /// Ruler of rapidity along the lower edge of conformal views, with the standing spectrum above it.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    /// Ruler of rapidity along the lower edge of conformal views, and above it the colours that a body passes through.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
     pub ruler: OnOff,
-    /// In conformal views, the outline of what moves where it would be seen if it were at rest, and the arrow by which motion slides it.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
+    /// In conformal views, the outline of what moves where it would be seen if it were at rest. Motion slides it by the rapidity, along the arrow.
+    #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
     pub resting: OnOff,
     /// On a ride, darkens the edges of the views while the head turns: movement there makes people ill.
-    #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
+    #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
     pub vignette: OnOff,
-    /// Units of the lengths and times that the window shows and takes. Files and flags always have the scene's own.
+    /// Units of lengths and times in the window and in saved plots. Data, states, flags and the records in pictures stay in the scene's own unit,
+    /// with c = 1.
     #[arg(long, value_enum)]
     pub units: Units,
     /// Colours of the window.

@@ -16,7 +16,9 @@ use relativity_render::Geometry;
 
 use super::Test;
 use super::picking::{FRONT_TYRE, ON_THE_TYRE, click};
-use super::support::{SEPARATION, cyclist, label_starting_with, labels, open, shown, window, window_of_size};
+use super::support::{
+    SEPARATION, cyclist, in_layout, label_starting_with, labels, open, shown, window, window_of_size,
+};
 
 pub const TESTS: &[Test] = &[
     ("the_second_picture_is_that_of_its_geometry_by_itself", second_picture_is_that_alone),
@@ -153,12 +155,12 @@ fn named_and_no_pair() {
 
 fn refused_with_a_reason() {
     let mut window = window_of_size(compared(Compare::Contracted), [1280.0, 1600.0], 1.0);
-    window.state_mut().ask(Command::Layout(Layout::Anaglyph));
+    window.state_mut().ask(in_layout(Layout::Anaglyph));
     window.run();
     window.get_by_label("Both eyes' view");
     let reason = "Needs the layout side by side or over-under.";
     assert!(labels(&window).iter().any(|label| label == reason));
-    window.state_mut().ask(Command::Layout(Layout::OverUnder));
+    window.state_mut().ask(in_layout(Layout::OverUnder));
     window.run();
     let [first, second] = ["Left eye view: as seen", SECOND].map(|name| window.get_by_label(name).rect());
     assert!(first.max.y < second.min.y);

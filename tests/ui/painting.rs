@@ -9,7 +9,7 @@ use gamow::flags::choices::{Layout, RendererChoice};
 use gamow::settings::{Quality, Theme};
 
 use super::Test;
-use super::support::{FRAME, cyclist};
+use super::support::{FRAME, cyclist, in_layout};
 
 pub const TESTS: &[Test] = &[
     ("what_changed_is_painted_as_the_whole_would_be", what_changed_is_painted),
@@ -93,7 +93,7 @@ fn what_changed_is_painted() {
     window.theme = Theme::Light;
     pair.asks(&Command::Window(window));
     for layout in [Layout::Anaglyph, Layout::SideBySide] {
-        pair.asks(&Command::Layout(layout));
+        pair.asks(&in_layout(layout));
     }
     pair.does("a smaller window", 3, |window| {
         window.set_size(vec2(840.0, 500.0));

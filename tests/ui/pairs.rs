@@ -15,7 +15,9 @@ use relativity_render::Composition;
 
 use super::Test;
 use super::picking::{FRONT_TYRE, ON_THE_TYRE, click};
-use super::support::{FRAME, SEPARATION, cyclist, label_starting_with, labels, window, window_of_size};
+use super::support::{
+    FRAME, SEPARATION, cyclist, in_layout, label_starting_with, labels, window, window_of_size,
+};
 
 pub const TESTS: &[Test] = &[
     ("in_every_layout_a_click_on_the_tyre_selects_it_and_resting_there_tells_it", clicking_in_every_layout),
@@ -70,7 +72,7 @@ fn clicking_in_every_layout() {
     for &layout in Layout::value_variants() {
         for eye in [0, 1] {
             // The scene's own point is selected again.
-            for command in [Command::Layout(layout), Command::Preset("cyclist")] {
+            for command in [in_layout(layout), Command::Preset("cyclist")] {
                 window.state_mut().ask(command);
             }
             window.run_steps(3);
@@ -154,13 +156,13 @@ fn swapped_eyes_are_remembered() {
     window.get_by_label("swap eyes").click();
     window.run();
     assert!(!left_of(&window));
-    window.state_mut().ask(Command::Layout(Layout::CrossEyed));
+    window.state_mut().ask(in_layout(Layout::CrossEyed));
     window.run();
     assert!(!left_of(&window));
     window.key_press(Key::X);
     window.run();
     assert!(left_of(&window));
-    window.state_mut().ask(Command::Layout(Layout::SideBySide));
+    window.state_mut().ask(in_layout(Layout::SideBySide));
     window.run();
     assert!(!left_of(&window));
     let swapped = window.state().state().document.settings.picture.swapped;
@@ -252,7 +254,7 @@ fn tiny_windows() {
         state.document.settings.window.corrected = true;
         let mut window = window_of_size(state, size, 1.5);
         for &layout in Layout::value_variants() {
-            window.state_mut().ask(Command::Layout(layout));
+            window.state_mut().ask(in_layout(layout));
             window.run_steps(2);
             window.render().expect("a picture");
         }

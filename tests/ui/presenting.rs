@@ -10,7 +10,7 @@ use gamow::settings::{Motion, Preset, Screen, Window};
 
 use super::Test;
 use super::layouts::assert_no_broken_numbers;
-use super::support::{cyclist, drag, label_starting_with, pane, window, window_of_size};
+use super::support::{cyclist, drag, in_layout, label_starting_with, pane, window, window_of_size};
 
 pub const TESTS: &[Test] = &[
     ("an_audience_has_views_a_plot_and_words_and_all_comes_back", an_audience_has_views_a_plot_and_words),
@@ -188,7 +188,7 @@ fn narrowing_is_offered() {
     window.run();
     let offer = "too much to fuse: narrow d";
     assert!(window.query_by_label(offer).is_none(), "nobody fuses pictures side by side");
-    window.state_mut().ask(Command::Layout(Layout::Dubois));
+    window.state_mut().ask(in_layout(Layout::Dubois));
     window.run();
     window.get_by_label(offer).click();
     window.run();

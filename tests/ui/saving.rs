@@ -19,7 +19,7 @@ use gamow::flags::words::words;
 use gamow::settings::{Motion, Playback, PlotTab, Plots, Quality, Settings};
 
 use super::Test;
-use super::support::{cyclist, labels, type_into, wait_for_file, window};
+use super::support::{cyclist, in_layout, labels, type_into, wait_for_file, window};
 
 pub const TESTS: &[Test] = &[
     ("a_saved_picture_opens_as_the_state_that_it_shows", a_saved_picture_opens_as_its_state),
@@ -151,7 +151,7 @@ fn a_saved_picture_has_the_pixels_of_the_views() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("left.png");
     let mut state = special();
-    state.apply(Command::Layout(Layout::Left));
+    state.apply(in_layout(Layout::Left));
     let mut window = window(state);
     let size = window.state().state().frame.picture_size;
     save(&mut window, "Save picture…", &path);
@@ -258,7 +258,7 @@ fn nothing_is_saved_to_a_pipe() {
 /// A short loop in small pictures.
 fn short_loop() -> State {
     let mut state = cyclist(0.9);
-    state.apply(Command::Layout(Layout::Left));
+    state.apply(in_layout(Layout::Left));
     state.apply(Command::Playback(Playback {
         rate: 10.0,
         range: TimeRange(Some([2.0, 6.0])),

@@ -1,5 +1,6 @@
 //! A window without a display, and what a test reads off it.
 
+use clap::ValueEnum as _;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Pos2, Rect, Vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -7,6 +8,7 @@ use egui_kittest::{Harness, HarnessBuilder};
 use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::state::State;
+use gamow::flags::choices::Layout;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::Settings;
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
@@ -35,6 +37,12 @@ pub fn cyclist(beta: f64) -> State {
     let mut settings = Settings { scene: "cyclist".to_owned(), ..Settings::default() };
     settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
     State::open(settings).expect("a preset")
+}
+
+/// The command that shows both eyes' pictures in this layout.
+pub fn in_layout(layout: Layout) -> Command {
+    let value = layout.to_possible_value().expect("it is a flag's value").get_name().to_owned();
+    Command::Value { name: "layout", value }
 }
 
 /// A window of the usual size that shows `state`.

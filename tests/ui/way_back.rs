@@ -12,7 +12,7 @@ use gamow::settings::{Motion, Settings};
 
 use super::Test;
 use super::picking::click;
-use super::support::{cyclist, drag, slider, type_into, window, window_of_size};
+use super::support::{cyclist, drag, in_layout, slider, type_into, window, window_of_size};
 
 pub const TESTS: &[Test] = &[
     ("a_drag_is_one_step_and_comes_back_by_keys_and_buttons", a_drag_is_one_step),
@@ -269,7 +269,7 @@ fn shifts_belong_to_their_scene() {
         ..cyclist(0.5).document.settings.motion
     };
     window.state_mut().ask(Command::Motion(motion));
-    window.state_mut().ask(Command::Layout(Layout::Anaglyph));
+    window.state_mut().ask(in_layout(Layout::Anaglyph));
     window.get_by_label("Fixed").click();
     window.run();
     // Quit, start again: as it was left.

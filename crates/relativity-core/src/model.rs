@@ -242,7 +242,7 @@ impl clap::ValueEnum for Model {
                 "As if both eyes received the same events: those that the middle between them receives"
             }
             Self::Published(PublishedVariant::AppendixA) => {
-                "The paper's binocular model as its Appendix A prints it"
+                "The paper's binocular model, as its Appendix A prints it: the right eye is the left one at T - delta-T, without parallax"
             }
             Self::Published(PublishedVariant::TextSign) => {
                 "The same with the sign of the delay that the paper's text gives"
@@ -256,14 +256,12 @@ impl clap::ValueEnum for Model {
 mod saved {
     use crate::published::PublishedVariant;
 
-    /// The models as files spell them, each with its former spelling.
+    /// The models as files spell them.
     #[derive(serde::Serialize, serde::Deserialize)]
     #[serde(rename_all = "kebab-case")]
     pub enum Model {
-        #[serde(alias = "Exact")]
         Exact,
         OneCone,
-        #[serde(alias = "Published")]
         Published,
         PublishedText,
     }

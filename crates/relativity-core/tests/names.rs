@@ -2,7 +2,7 @@
 #![cfg(all(feature = "clap", feature = "serde"))]
 
 use clap::ValueEnum;
-use relativity_core::{Curves, Model, PublishedVariant};
+use relativity_core::{Curves, Model};
 use serde::Deserialize;
 use serde::de::IntoDeserializer as _;
 use serde::de::value::Error;
@@ -21,12 +21,4 @@ fn a_name_is_the_flags_value_and_the_files() {
         assert_eq!(Curves::from_str(curves.name(), false), Ok(curves));
         assert_eq!(read(curves.name()), Ok(curves));
     }
-}
-
-#[test]
-fn settings_saved_under_the_former_names_can_be_read() {
-    let published = Model::Published(PublishedVariant::AppendixA);
-    assert_eq!([read("Exact"), read("Published")], [Ok(Model::Exact), Ok(published)]);
-    let curves = [Curves::Azimuth, Curves::Polar, Curves::Both];
-    assert_eq!(["Azimuth", "Polar", "Both"].map(read), curves.map(Ok));
 }

@@ -13,21 +13,21 @@ use crate::velocity::Velocity;
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum Geometry {
-    /// Exactly as seen, each eye through its own light cone: each ray meets the body when the light left it.
+    /// Exactly as seen, each eye by its own past light cone: each point where it was when its light left it, t = T - R.
     #[default]
     Seen,
-    /// Contracted only: where the body objectively is at the observation time, as if light were
+    /// Contracted only: where everything is measured to be at the observation time, x = x0 / gamma + beta T, as if light were
     /// instantaneous. What Gamow drew. No Doppler effect (D = 1).
     Contracted,
-    /// At rest: what a camera moving along with the body photographs at the same event. D = 1.
+    /// At rest: what a camera that rides along photographs at the same event. D = 1.
     Rest,
-    /// The paper's binocular model: the right eye sees, point by point, what the left eye saw a little
-    /// earlier or later, without parallax. Drawn by the mesh renderer.
+    /// The paper's binocular model: the right eye sees of each point what the left eye sees at T - Delta-T, without parallax. Drawn by the mesh
+    /// renderer.
     ///
     /// A view of it is the right eye's, from the left eye's camera; no ray leads back from there.
     Published,
-    /// One light cone for both eyes: as if both received the same events, those that the middle between them receives.
-    /// Drawn by the mesh renderer and by the reference.
+    /// One light cone for both eyes: as if both received the same events, those that the middle between them receives. What disappears is due to
+    /// there being two. Drawn by the mesh renderer and by the reference.
     ///
     /// The middle is where the camera has it: its own place less [`Camera::off_middle`].
     OneCone,
@@ -116,11 +116,10 @@ impl View {
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum Colour {
-    /// Each body one wavelength, as in the paper (once called `visible`).
+    /// Each body sends light of one wavelength (a spectral line), as in the paper.
     #[default]
-    #[cfg_attr(feature = "clap", value(alias = "visible"))]
     OneWavelength,
-    /// Each body glows: a black body of one temperature H, seen as one of the temperature D H.
+    /// Each body glows: a black body of one temperature H, seen as one of the temperature D H (Planck's law).
     Glowing,
     /// Each body reflects daylight of 6504 K, as if the lamp rode along with it: a quarter at every wavelength, the rest about the
     /// body's own.
@@ -139,9 +138,9 @@ pub enum Colour {
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum StreetColours {
-    /// Painted colours at any speed: something for motion to be seen against.
+    /// As painted, at any speed: something for motion to be seen against.
     Painted,
-    /// Doppler shifted, as grey paint in daylight; the strongest primary stays as painted, so that contrasts do.
+    /// Doppler shifted, bluer ahead and redder behind: paints count as grey, and the strongest primary stays as painted, so that contrasts do.
     #[default]
     Shifted,
     /// Doppler shifted and as bright as received: dazzling ahead, dark behind.

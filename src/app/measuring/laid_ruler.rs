@@ -39,7 +39,7 @@ const BAR: f32 = 7.0;
 /// Strokes of it, above what sets them off from the picture.
 const STROKES: [(f32, Color32); 2] = [(4.5, Color32::from_black_alpha(190)), (2.0, Color32::WHITE)];
 const TIP: &str = "The angle between the lines of sight to both ends. The error is half a pixel at each end, as it was when the ruler was \
-    laid.   Keys: R or Esc take it away";
+    laid.";
 
 /// Draws it into `pane`, if it is there.
 pub(in crate::app) fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) {

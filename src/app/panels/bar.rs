@@ -7,15 +7,17 @@ use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText, TextStyle, Ui, vec2};
 
 use super::Commands;
+use crate::app::actions::with_keys;
 use crate::app::command::Command;
 use crate::app::file_dialog::purpose::Purpose;
 use crate::app::files::recent::file_name;
 use crate::app::overlay::Overlay;
 use crate::app::state::State;
+use crate::app::widgets::explained_lazily;
 use crate::app::widgets::icons::{self, Icon};
 use crate::platform::files;
 use crate::scene::{PRESETS, Scene};
-use crate::settings::{Theme, Window};
+use crate::settings::{Theme, Window, about, meaning};
 use crate::units::Units;
 
 /// Room for a menu's entries before they scroll, points.
@@ -46,7 +48,10 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if ui
                 .button("Help")
-                .on_hover_text("Explains the window, its terms, keys and mouse.   Keys: ? or F1")
+                .on_hover_text(with_keys(
+                    "Explains the window, its terms, settings, keys and mouse.",
+                    &[Command::Toggle(Overlay::Help)],
+                ))
                 .clicked()
             {
                 commands.push(Command::Toggle(Overlay::Help));
@@ -71,8 +76,10 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 fn lessons(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let is_open = state.session.overlay == Some(Overlay::Start);
     let button = ui.add(Button::new("Lessons").selected(is_open));
-    if button.on_hover_text("Opens the start page, with the lessons and presets.   Key: S").clicked() {
-        commands.push(Command::Toggle(Overlay::Start));
+    let open = Command::Toggle(Overlay::Start);
+    let tip = with_keys("Opens the start page, with the lessons and presets.", std::slice::from_ref(&open));
+    if button.on_hover_text(tip).clicked() {
+        commands.push(open);
     }
 }
 
@@ -133,7 +140,8 @@ fn files(ui: &mut Ui, state: &State, commands: &mut Commands) {
             commands.push(Command::Open(path.clone()));
         }
     }
-    let tip = "Opens a scene, a state, data, or a picture with the state that it records.   Keys: Ctrl+O";
+    let tip = "Opens a scene, a state, data, or a picture with the state that it records.";
+    let tip = with_keys(tip, &[Command::Choose(Purpose::Open)]);
     if ui.button("Open…").on_hover_text(tip).clicked() {
         commands.push(Command::Choose(Purpose::Open));
     }
@@ -146,17 +154,17 @@ fn units(ui: &mut Ui, state: &State, commands: &mut Commands) {
         .width(92.0)
         .show_ui(ui, |ui| units_to_choose(ui, state, commands))
         .response
-        .on_hover_text(UNITS_TIP)
+        .on_hover_text(about("units"))
         .accessible_name("Units");
 }
 
 fn units_to_choose(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let (window, shown) = (state.document.settings.window, state.measures().units);
     let has_metres = state.document.scene.metres.is_some();
-    for (choice, name, tip) in UNITS {
+    for (choice, name) in UNITS {
         let is_there = has_metres || choice == Units::Natural;
         let response = ui.add_enabled(is_there, Button::selectable(shown == choice, name));
-        if response.on_hover_text(tip).on_disabled_hover_text(NO_METRES).clicked() {
+        if explained_lazily(response, || meaning(&choice)).on_disabled_hover_text(NO_METRES).clicked() {
             commands.push(Command::Window(Window { units: choice, ..window }));
         }
     }
@@ -174,44 +182,23 @@ fn way_back(ui: &mut Ui, state: &State, commands: &mut Commands) {
         state.defaults_source()
     );
     let buttons = [
-        (Icon::Undo, "Undo", "Undoes the last step.   Keys: Ctrl+Z", history.can_undo(), Command::Undo),
-        (
-            Icon::Redo,
-            "Redo",
-            "Redoes the step that was undone.   Keys: Ctrl+Shift+Z, Ctrl+Y",
-            history.can_redo(),
-            Command::Redo,
-        ),
+        (Icon::Undo, "Undo", "Undoes the last step.", history.can_undo(), Command::Undo),
+        (Icon::Redo, "Redo", "Redoes the step that was undone.", history.can_redo(), Command::Redo),
         (Icon::Reset, "Reset", &reset, !state.is_default(), Command::Reset),
     ];
     let apart = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 3.0);
     for (icon, name, tip, is_there, command) in buttons {
         let button = ui.add_enabled_ui(is_there, |ui| icons::button(ui, icon, name, vec2(26.0, 22.0), false));
-        if button.inner.on_hover_text(tip).on_disabled_hover_text(tip).clicked() {
+        let tip = with_keys(tip, std::slice::from_ref(&command));
+        if button.inner.on_hover_text(&tip).on_disabled_hover_text(&tip).clicked() {
             commands.push(command);
         }
     }
     ui.spacing_mut().item_spacing.x = apart;
 }
 
-const UNITS: [(Units, &str, &str); 3] = [
-    (
-        Units::Natural,
-        "c = 1",
-        "Lengths and times in the scene's own unit: light travels one unit of length \
-        in one unit of time.",
-    ),
-    (Units::Metric, "m, ns", "Metres and nanoseconds: light takes 3.34 ns for a metre."),
-    (
-        Units::Town,
-        "c = 30 km/h",
-        "Metres and seconds in Gamow's town, where light takes 0.12 s for a metre. Nothing looks different: \
-        all that counts is v/c.",
-    ),
-];
-
-const UNITS_TIP: &str = "Chooses the units of lengths and times in the window and in saved plots. Data, \
-    states, flags and the records in pictures stay in the scene's own unit, with c = 1.";
+const UNITS: [(Units, &str); 3] =
+    [(Units::Natural, "c = 1"), (Units::Metric, "m, ns"), (Units::Town, "c = 30 km/h")];
 
 const NO_METRES: &str = "This scene does not say how many metres its unit is.";
 
@@ -219,7 +206,7 @@ const NO_METRES: &str = "This scene does not say how many metres its unit is.";
 fn more(ui: &mut Ui, state: &State, with_parts: bool, commands: &mut Commands) {
     let stays_open = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let menu = MenuButton::new("More").config(stays_open).ui(ui, |ui| {
-        ui.label(RichText::new("Units").weak()).on_hover_text(UNITS_TIP);
+        ui.label(RichText::new("Units").weak()).on_hover_text(about("units"));
         units_to_choose(ui, state, commands);
         ui.separator();
         ui.horizontal(|ui| {
@@ -248,17 +235,17 @@ fn theme(ui: &mut Ui, state: &State, commands: &mut Commands) {
 /// Shows the switches of the parts of the window.
 fn parts(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut window = state.document.settings.window;
-    ui.toggle_value(&mut window.controls, "Controls").on_hover_text("Shows the controls and the readout");
-    ui.toggle_value(&mut window.plots, "Plots").on_hover_text("Shows the plots");
+    ui.toggle_value(&mut window.controls, "Controls").on_hover_text(about("controls"));
+    ui.toggle_value(&mut window.plots, "Plots").on_hover_text(about("plots"));
     let mut shows_map = state.frame.shows_map;
     if ui
         .toggle_value(&mut shows_map, "Map")
-        .on_hover_text("Shows the map: what happens, beside what is seen.   Key: M")
+        .on_hover_text(with_keys(about("map"), &[Command::ToggleMap]))
         .changed()
     {
         commands.push(Command::ToggleMap);
     }
-    ui.toggle_value(&mut window.views, "Views").on_hover_text("Shows the views of the eyes");
+    ui.toggle_value(&mut window.views, "Views").on_hover_text(about("views"));
     if window != state.document.settings.window {
         commands.push(Command::Window(window));
     }

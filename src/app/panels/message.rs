@@ -6,6 +6,7 @@ use eframe::egui::{
 };
 
 use super::Commands;
+use crate::app::actions::with_keys;
 use crate::app::command::Command;
 use crate::app::notice::Notice;
 use crate::app::state::State;
@@ -63,7 +64,7 @@ fn text(ui: &mut Ui, notice: &Notice, height: f32) {
 
 fn buttons(ui: &mut Ui, notice: &Notice, commands: &mut Commands) {
     let close = icons::button(ui, Icon::Remove, "Close message", vec2(22.0, 22.0), false);
-    if close.on_hover_text("Close.   Key: Esc").clicked() {
+    if close.on_hover_text(with_keys("Close.", &[Command::Close])).clicked() {
         commands.push(Command::CloseNotice);
     }
     if ui.button("Copy").on_hover_text("Copies the message").accessible_name("Copy message").clicked() {

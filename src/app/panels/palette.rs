@@ -12,7 +12,7 @@ use crate::app::lesson::session::LessonCommand;
 use crate::app::overlay::Overlay;
 use crate::app::pointer::Select;
 use crate::app::state::State;
-use crate::settings::Preset;
+use crate::settings::{About, Preset, Settings, about_all};
 
 /// Width, and the greatest height of the list, points.
 const SIZE: [f32; 2] = [480.0, 340.0];
@@ -55,7 +55,8 @@ pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
     let shown = area.show(ctx, |ui| {
         Frame::popup(ui.style()).inner_margin(Margin::same(10)).show(ui, |ui| {
             ui.set_width(width);
-            let field = TextEdit::singleline(&mut search.text).hint_text("Action or body");
+            let field =
+                TextEdit::singleline(&mut search.text).hint_text("Action, body, or setting and value");
             let field = ui.add(field.desired_width(f32::INFINITY)).accessible_name("Command");
             if is_new {
                 field.request_focus();
@@ -156,7 +157,29 @@ fn found(state: &State, text: &str) -> Vec<Entry> {
         let command = Command::Select(Select { track, body, add: false });
         Some(entry(format!("follow: {}", scene.name_of(body)), command))
     });
-    actions.chain(lessons).chain(presets).chain(bodies).filter(fits).take(MOST).collect()
+    let words_of = |about: &'static About| about.words.iter().map(|word| setting(about, &word.name));
+    let listed = actions.chain(lessons).chain(presets).chain(bodies).chain(settings().flat_map(words_of));
+    typed(state, &words).into_iter().chain(listed.filter(fits)).take(MOST).collect()
+}
+
+/// Returns the settings that are set by their names: all but those that belong to a scene, which are in no section.
+fn settings() -> impl Iterator<Item = &'static About> {
+    about_all().iter().filter(|about| !about.section.is_empty())
+}
+
+/// The entry that gives a setting this value.
+fn setting(about: &About, value: &str) -> Entry {
+    let command = Command::Value { name: about.name, value: value.to_owned() };
+    Entry { name: format!("{}: {value}", about.name.replace('-', " ")), keys: String::new(), command }
+}
+
+/// Returns an entry where `words` are those of a setting's name and then a value that it can have.
+fn typed(state: &State, words: &[&str]) -> Option<Entry> {
+    let (value, name) = words.split_last()?;
+    let name = name.join("-");
+    let about = settings().find(|about| about.name == name && about.is_open)?;
+    let can_be = Settings::clone(&state.document.settings).with_value(about.name, value).is_ok();
+    can_be.then(|| setting(about, value))
 }
 
 #[cfg(test)]
@@ -164,7 +187,7 @@ mod tests {
     use super::*;
 
     fn names(text: &str) -> Vec<String> {
-        found(&State::open(crate::settings::Settings::default()).expect("a preset"), text)
+        found(&State::open(Settings::default()).expect("a preset"), text)
             .into_iter()
             .map(|entry| entry.name)
             .collect()
@@ -179,10 +202,37 @@ mod tests {
 
     #[test]
     fn every_lesson_is_begun_by_its_title() {
-        let state = State::open(crate::settings::Settings::default()).expect("a preset");
+        let state = State::open(Settings::default()).expect("a preset");
         let found = found(&state, "lesson: rods");
         let open = LessonCommand::Open("rods".to_owned());
         assert_eq!(found.into_iter().map(|entry| entry.command).collect::<Vec<_>>(), [Command::Lesson(open)]);
+    }
+
+    #[test]
+    fn a_setting_is_found_by_its_name_and_a_value() {
+        assert_eq!(names("sky off"), ["sky: off"]);
+        assert_eq!(names("beta 0.99"), ["beta: 0.99"]);
+        assert_eq!(names("depth shift 2"), ["depth shift: 2"]);
+        assert!(names("beta 1.5").is_empty(), "no body is that fast");
+    }
+
+    #[test]
+    fn a_setting_is_set_as_by_its_control() {
+        let mut state = State::open(Settings::default()).expect("a preset");
+        let set = |state: &mut State, name, value: &str| {
+            state.perform(Command::Value { name, value: value.to_owned() });
+        };
+        set(&mut state, "gamma", "7");
+        set(&mut state, "sky", "off");
+        let settings = &state.document.settings;
+        assert_eq!((settings.motion.speed.speed().gamma(), settings.light.sky), (7.0, false));
+        // A light window shows light pictures, as after its button.
+        state.document.settings.light.light = crate::settings::Daylight::Off;
+        set(&mut state, "theme", "light");
+        assert_eq!(state.document.settings.light.light, crate::settings::Daylight::Theme);
+        set(&mut state, "gamma", "0.5");
+        assert!(state.scratch.notice.is_some(), "a value that cannot be had is refused in words");
+        assert_eq!(state.document.settings.motion.speed.speed().gamma(), 7.0);
     }
 
     #[test]

@@ -7,6 +7,7 @@ use eframe::egui::{
 };
 
 use super::Commands;
+use crate::app::actions::with_keys;
 use crate::app::command::Command;
 use crate::app::measuring::stopwatch::{Stopwatch, StopwatchCommand};
 use crate::app::state::State;
@@ -21,9 +22,13 @@ const WIDTH: f32 = 200.0;
 const ABOVE: f32 = 26.0;
 /// Narrower views than this have none.
 const NARROWEST_VIEW: f32 = WIDTH + 4.0 * MARGIN;
-const TIP: &str = "Measures T between two presses, and the time that the selected point's clock is seen to \
-    show meanwhile. The error is the step of T from one frame to the next.   Keys: T starts and stops, \
-    Shift+T hides it";
+
+/// What the stopwatch measures, and the keys that start, stop, show and hide it.
+pub(super) fn tip() -> String {
+    let tip = "Measures T between two presses, and the time that the selected point's clock is seen to show meanwhile. The error is the step of T \
+        from one frame to the next.";
+    with_keys(tip, &[StopwatchCommand::Press, StopwatchCommand::Toggle].map(Command::Stopwatch))
+}
 
 /// Shows it in the corner of `pane`.
 pub fn show(ui: &mut Ui, state: &State, pane: EyePane, commands: &mut Commands) {
@@ -65,7 +70,7 @@ fn contents(ui: &mut Ui, state: &State, commands: &mut Commands) {
             ("Close stopwatch", StopwatchCommand::Toggle),
         ] {
             let shown = if command == StopwatchCommand::Toggle { "×" } else { name };
-            let response = ui.add(Button::new(RichText::new(shown).small())).on_hover_text(TIP);
+            let response = ui.add(Button::new(RichText::new(shown).small())).on_hover_text(tip());
             response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
             if response.clicked() {
                 commands.push(Command::Stopwatch(command));

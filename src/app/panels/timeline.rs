@@ -10,6 +10,7 @@ use eframe::egui::{
 };
 
 use super::Commands;
+use crate::app::actions::with_keys;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::theme;
@@ -17,10 +18,8 @@ use crate::app::widgets;
 use crate::app::widgets::apart::{Span, apart};
 use crate::app::widgets::icons::{self, Icon};
 use crate::flags::{MAX_TIME, TimeRange};
-use crate::settings::{Playback, RATE};
+use crate::settings::{Playback, RATE, about};
 use crate::units::Unit;
-
-const TIME_TIP: &str = "Observation time T: when the light is received.   Keys: ← →, Home, End";
 
 /// Widths of the transport's buttons with T's name and the gaps around them, of the words around the numbers of the rate
 /// and of the range, of the menu's button, and of a number without its digits and of one of these; points.
@@ -93,31 +92,32 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 fn transport(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.spacing_mut().item_spacing.x = 4.0;
     let buttons = [
-        (Icon::Start, "To the start", "Key: Home", 28.0, Command::TimeInRange(0.0)),
-        (Icon::Back, "Step back", "Key: ←", 28.0, Command::Step(-1)),
+        (Icon::Start, "To the start", 28.0, Command::TimeInRange(0.0)),
+        (Icon::Back, "Step back", 28.0, Command::Step(-1)),
         if state.scratch.playing {
-            (Icon::Pause, "Pause", "Key: space", 46.0, Command::TogglePlaying)
+            (Icon::Pause, "Pause", 46.0, Command::TogglePlaying)
         } else {
-            (Icon::Play, "Play", "Key: space", 46.0, Command::TogglePlaying)
+            (Icon::Play, "Play", 46.0, Command::TogglePlaying)
         },
-        (Icon::Forward, "Step forwards", "Key: →", 28.0, Command::Step(1)),
-        (Icon::End, "To the end", "Key: End", 28.0, Command::TimeInRange(1.0)),
+        (Icon::Forward, "Step forwards", 28.0, Command::Step(1)),
+        (Icon::End, "To the end", 28.0, Command::TimeInRange(1.0)),
     ];
     let few = state.document.settings.window.simple;
-    for (icon, name, key, width, command) in buttons {
+    for (icon, name, width, command) in buttons {
         if few && command != Command::TogglePlaying {
             continue;
         }
         let pressed = icon == Icon::Pause;
         let response = icons::button(ui, icon, name, egui::vec2(width, 26.0), pressed);
-        if response.on_hover_text(format!("{name}\n{key}")).clicked() {
+        if response.on_hover_text(with_keys(name, std::slice::from_ref(&command))).clicked() {
             commands.push(command);
         }
     }
 }
 
 fn time(ui: &mut Ui, state: &State, commands: &mut Commands) {
-    ui.label(state.clock().symbol).on_hover_text(format!("{}   Keys: ← →, Home, End", state.clock().tip));
+    let tip = time_tip(state);
+    ui.label(state.clock().symbol).on_hover_text(&tip);
     let mut time = state.document.time;
     let [from, to] = state.time_range();
     let unit = state.measures().time;
@@ -128,9 +128,15 @@ fn time(ui: &mut Ui, state: &State, commands: &mut Commands) {
         .min_decimals(unit.decimals(3).into())
         .max_decimals(unit.decimals(most).into());
     let response = ui.add_sized([time_width(state), ui.spacing().interact_size.y], number);
-    if widgets::explained(response, TIME_TIP).accessible_name("T, typed").changed() {
+    if widgets::explained(response, tip).accessible_name("T, typed").changed() {
         commands.push(Command::Time(time));
     }
+}
+
+/// What T is, and the keys that set it.
+fn time_tip(state: &State) -> String {
+    let ends = [Command::TimeInRange(0.0), Command::TimeInRange(1.0)];
+    with_keys(state.clock().tip, &[&[Command::Step(-1), Command::Step(1)][..], &ends].concat())
 }
 
 /// Rate, looping and range, from the right; what is not `shown` of them is in a menu.
@@ -169,13 +175,13 @@ fn rate(ui: &mut Ui, state: &State, playback: &mut Playback) {
         .speed(unit.shown(0.01))
         .max_decimals(unit.decimals(3).into())
         .suffix(" / s"); // behind the unit
-    let rate = ui.add(rate).on_hover_text("T per second of your own clock");
+    let rate = ui.add(rate).on_hover_text(about("rate"));
     rate.accessible_name("Playback rate");
 }
 
 fn looping(ui: &mut Ui, playback: &mut Playback) {
     let repeat = icons::button(ui, Icon::Loop, "Loop", vec2(28.0, 24.0), playback.looping);
-    if repeat.on_hover_text("Starts again at the end").clicked() {
+    if repeat.on_hover_text(about("looping")).clicked() {
         playback.looping = !playback.looping;
     }
 }
@@ -184,7 +190,7 @@ fn looping(ui: &mut Ui, playback: &mut Playback) {
 fn range(ui: &mut Ui, state: &State, playback: &mut Playback) {
     let [mut from, mut to] = state.time_range();
     let mut fitted = playback.range.0.is_none();
-    let tip = "Fits the range to the selected point: approaching, abreast, receding.";
+    let tip = about("range");
     if ui
         .add(Checkbox::new(&mut fitted, "auto"))
         .on_hover_text(tip)
@@ -210,7 +216,7 @@ fn scrubber(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.spacing_mut().slider_width = ui.available_width();
     // T may lie outside the range; only a drag brings it inside.
     let slider = Slider::new(&mut time, from..=to).show_value(false).clamping(SliderClamping::Never);
-    let response = widgets::explained(ui.add(slider), TIME_TIP).accessible_name("Observation time T");
+    let response = widgets::explained(ui.add(slider), time_tip(state)).accessible_name("Observation time T");
     if response.changed() {
         commands.push(Command::Time(time));
     }

@@ -8,58 +8,27 @@ use crate::app::views::eye::Eye;
 use crate::flags::choices::Layout;
 use crate::settings::Picture;
 
-/// The layouts, with their names and uses.
-pub const LAYOUTS: [(Layout, &str, &str); 13] = [
-    (Layout::SideBySide, "Side by side", "The left eye's picture on the left, the right eye's on the right."),
-    (
-        Layout::FreeViewing,
-        "Free viewing",
-        "For eyes that look in parallel, through the screen: no further apart than pupils are (--picture-distance), as \
-        far as the screen's density is known (--screen-width).",
-    ),
-    (
-        Layout::CrossEyed,
-        "Cross-eyed",
-        "The other way round, for eyes that look at a point in front of the screen.",
-    ),
-    (Layout::Left, "Left eye", "The left eye only."),
-    (Layout::Right, "Right eye", "The right eye only."),
-    (
-        Layout::Anaglyph,
-        "Anaglyph",
-        "For red-cyan glasses: the left eye's brightness in red, the right eye's in cyan. No colour is lost.",
-    ),
-    (
-        Layout::Dubois,
-        "Anaglyph, colours",
-        "For red-cyan glasses: colours as faithful as they allow (Dubois). Pure red is dark to the right \
-            eye.",
-    ),
-    (Layout::Overlay, "Overlay", "The left eye in blue and the right eye in orange, added."),
-    (Layout::OverUnder, "Over-under", "The left eye's picture above the right eye's."),
-    (
-        Layout::HalfSideBySide,
-        "Half side by side",
-        "Each picture at half its width, as 3-D televisions and projectors take it.",
-    ),
-    (
-        Layout::HalfOverUnder,
-        "Half over-under",
-        "Each picture at half its height, as 3-D televisions and projectors take it.",
-    ),
-    (
-        Layout::Rows,
-        "Interleaved rows",
-        "Rows of the left and the right eye's picture in turn, the topmost the left eye's, for screens \
-            whose rows are polarised in turn.",
-    ),
-    (Layout::Flicker, "Flicker", "One after the other, three times a second: depth shows without glasses."),
+/// The layouts, with their names.
+pub const LAYOUTS: [(Layout, &str); 13] = [
+    (Layout::SideBySide, "Side by side"),
+    (Layout::FreeViewing, "Free viewing"),
+    (Layout::CrossEyed, "Cross-eyed"),
+    (Layout::Left, "Left eye"),
+    (Layout::Right, "Right eye"),
+    (Layout::Anaglyph, "Anaglyph"),
+    (Layout::Dubois, "Anaglyph, colours"),
+    (Layout::Overlay, "Overlay"),
+    (Layout::OverUnder, "Over-under"),
+    (Layout::HalfSideBySide, "Half side by side"),
+    (Layout::HalfOverUnder, "Half over-under"),
+    (Layout::Rows, "Interleaved rows"),
+    (Layout::Flicker, "Flicker"),
 ];
 
 /// Returns the name of `layout`.
 #[must_use]
 pub fn name(layout: Layout) -> &'static str {
-    LAYOUTS.iter().find(|(of, ..)| *of == layout).map_or("", |(_, name, _)| name)
+    LAYOUTS.iter().find(|(of, _)| *of == layout).map_or("", |(_, name)| name)
 }
 
 /// The title of a picture that both eyes share.
@@ -102,7 +71,7 @@ mod tests {
 
     #[test]
     fn every_layout_has_a_name_in_the_order_of_the_flags() {
-        let named: Vec<_> = LAYOUTS.iter().map(|(layout, ..)| *layout).collect();
+        let named: Vec<_> = LAYOUTS.iter().map(|(layout, _)| *layout).collect();
         assert_eq!(named, Layout::value_variants());
     }
 }

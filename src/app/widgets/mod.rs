@@ -8,6 +8,7 @@ pub mod markdown;
 
 use std::ops::RangeInclusive;
 
+use clap::ValueEnum;
 use eframe::egui::{
     self, Align, Align2, Button, Color32, DragValue, Id, Layout, PointerButton, Rect, Response, RichText,
     Sense, Slider, SliderClamping, TextEdit, TextStyle, TextWrapMode, Ui, UiBuilder, Vec2, emath::Numeric,
@@ -20,6 +21,7 @@ use crate::app::persistence::folded;
 use crate::app::theme;
 use crate::flags::MAX_TIME;
 use crate::number_text;
+use crate::settings::meaning;
 use crate::units::Unit;
 
 /// Width of the names in front of the widgets.
@@ -203,14 +205,36 @@ pub fn explained(response: Response, tip: impl Into<egui::WidgetText>) -> Respon
     response
 }
 
-/// Buttons side by side, one of them chosen; each with its own tip. True if another was chosen.
-pub fn choice<T: PartialEq + Copy>(ui: &mut Ui, value: &mut T, options: &[(T, &str, &str)]) -> bool {
+/// Buttons side by side, one of them chosen; each tells on hover what its value means. True if another was chosen.
+pub fn choice<T: ValueEnum + PartialEq + Copy>(ui: &mut Ui, value: &mut T, options: &[(T, &str)]) -> bool {
+    buttons(ui, value, options, |button, option| explained_lazily(button, || meaning(&option)))
+}
+
+/// Buttons side by side as of [`choice`], for values that have no sentence of their own: `tip` explains them all.
+pub fn choice_of<T: PartialEq + Copy>(ui: &mut Ui, value: &mut T, options: &[(T, &str)], tip: &str) -> bool {
+    buttons(ui, value, options, |button, _| button.on_hover_text(tip))
+}
+
+fn buttons<T: PartialEq + Copy>(
+    ui: &mut Ui,
+    value: &mut T,
+    options: &[(T, &str)],
+    explained: impl Fn(Response, T) -> Response,
+) -> bool {
     ui.spacing_mut().item_spacing.x = 3.0;
-    let mut changed = false;
-    for (option, name, tip) in options {
-        changed |= ui.selectable_value(value, *option, *name).on_hover_text(*tip).changed();
-    }
-    changed
+    let chosen = |&(option, name): &(T, &str)| {
+        let button = ui.selectable_value(value, option, name);
+        explained(button, option).changed()
+    };
+    options.iter().map(chosen).fold(false, |any, changed| any | changed)
+}
+
+/// Explains a widget on hover by a text that is made only then.
+pub fn explained_lazily(response: Response, tip: impl FnOnce() -> String) -> Response {
+    response.on_hover_ui(|ui| {
+        ui.set_max_width(ui.spacing().tooltip_width);
+        ui.label(tip());
+    })
 }
 
 /// A field in which a number is typed exactly, as [`typed_text`].

@@ -10,17 +10,17 @@ use crate::model::Model;
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Curves {
-    /// Delta-phi only: the azimuthal fit.
+    /// Delta-phi only, the differences in azimuth: they cannot tell up from down.
     #[cfg_attr(feature = "clap", value(name = "dphi"))]
-    #[cfg_attr(feature = "serde", serde(rename = "dphi", alias = "Azimuth"))]
+    #[cfg_attr(feature = "serde", serde(rename = "dphi"))]
     Azimuth,
-    /// Delta-theta only: the polar fit.
+    /// Delta-theta only, the differences in elevation.
     #[cfg_attr(feature = "clap", value(name = "dtheta"))]
-    #[cfg_attr(feature = "serde", serde(rename = "dtheta", alias = "Polar"))]
+    #[cfg_attr(feature = "serde", serde(rename = "dtheta"))]
     Polar,
-    /// Both curves at once.
+    /// Both curves at once, each weighed by its scatter.
     #[default]
-    #[cfg_attr(feature = "serde", serde(rename = "both", alias = "Both"))]
+    #[cfg_attr(feature = "serde", serde(rename = "both"))]
     Both,
 }
 

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Button, Ui};
 
-use crate::app::actions::{ACTIONS, Action};
+use crate::app::actions::keys_of;
 use crate::app::command::Command;
 use crate::app::file_dialog::purpose::{Product, Purpose};
 use crate::app::orders::Copied;
@@ -86,8 +86,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 
 /// An entry of the menu, with the keys that do the same.
 fn entry(ui: &mut Ui, state: &State, (name, command, tip): &Entry, commands: &mut Commands) {
-    let keys = ACTIONS.iter().find(|action| action.command == *command).map(Action::keys_text);
-    let button = Button::new(*name).shortcut_text(keys.unwrap_or_default());
+    let button = Button::new(*name).shortcut_text(keys_of(std::slice::from_ref(command)));
     let obstacle = obstacle(state, command);
     let response = ui.add_enabled(obstacle.is_none(), button).on_hover_text(*tip);
     let response = response.on_disabled_hover_text(obstacle.unwrap_or_default());

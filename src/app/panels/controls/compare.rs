@@ -2,31 +2,20 @@
 
 use eframe::egui::{Button, ComboBox, RichText, Ui};
 
+use crate::app::actions::with_keys;
+use crate::app::command::Command;
 use crate::app::state::State;
-use crate::app::widgets::row;
+use crate::app::widgets::{explained_lazily, row};
 use crate::flags::choices::Compare;
-use crate::settings::{ComparisonError, Look};
+use crate::settings::{ComparisonError, Look, about, meaning};
 
-const TIP: &str = "Shows two pictures of the left eye in place of both eyes': the first as everything else \
-    is set, the second as chosen here. A gaze that follows does so in each; both have one field of view.   \
-    Key: B";
-
-/// The choices with their names, and tooltips about the picture that each shows second.
-const CHOICES: [(Compare, &str, &str); 5] = [
-    (Compare::Off, "nothing: two eyes", "The pictures of two eyes."),
-    (Compare::Seen, "as seen", "The second picture is as seen."),
-    (
-        Compare::Contracted,
-        "contracted",
-        "The second picture is contracted only: where everything is measured to be at T, what Gamow drew.",
-    ),
-    (Compare::Rest, "at rest", "The second picture is at rest: what a camera that rides along photographs."),
-    (
-        Compare::Paper,
-        "D² paper",
-        "The second picture has the intensity D², the paper's; both have the exposure of the first.\nWhite bodies follow \
-        Planck's law, and so look alike in both, while the Doppler effect shifts.",
-    ),
+/// The choices with their names.
+const CHOICES: [(Compare, &str); 5] = [
+    (Compare::Off, "nothing: two eyes"),
+    (Compare::Seen, "as seen"),
+    (Compare::Contracted, "contracted"),
+    (Compare::Rest, "at rest"),
+    (Compare::Paper, "D² paper"),
 ];
 
 /// Returns the reason why a choice cannot be had, in the words of the controls.
@@ -45,14 +34,15 @@ pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
     let settings = &state.document.settings;
     let refused = settings.check_two_pictures().err();
     let problem = settings.check_comparison().err();
-    let name = |of| CHOICES.iter().find(|(choice, ..)| *choice == of).map_or("", |(_, name, _)| name);
-    row(ui, "Compare with", TIP, |ui| {
+    let name = |of| CHOICES.iter().find(|(choice, _)| *choice == of).map_or("", |(_, name)| name);
+    let tip = with_keys(about("compare"), &[Command::NextComparison]);
+    row(ui, "Compare with", &tip, |ui| {
         let reason = refused.as_ref().map_or("", problem_text);
         ui.add_enabled_ui(refused.is_none(), |ui| {
             let list = ComboBox::from_id_salt("compare").selected_text(name(look.compare)).width(150.0);
             let list = list.show_ui(ui, |ui| choices(ui, state, look));
             list.response
-                .on_hover_text(TIP)
+                .on_hover_text(&tip)
                 .on_disabled_hover_text(reason)
                 .accessible_name("Second picture of the eye");
         });
@@ -64,11 +54,11 @@ pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
 
 /// Shows the choices; one that changes nothing cannot be had.
 fn choices(ui: &mut Ui, state: &State, look: &mut Look) {
-    for (choice, name, tip) in CHOICES {
+    for (choice, name) in CHOICES {
         let refused = state.document.settings.check_compared_with(choice).err();
         let button = ui.add_enabled(refused.is_none(), Button::selectable(choice == look.compare, name));
         let reason = refused.as_ref().map_or("", problem_text);
-        if button.on_hover_text(tip).on_disabled_hover_text(reason).clicked() {
+        if explained_lazily(button, || meaning(&choice)).on_disabled_hover_text(reason).clicked() {
             look.compare = choice;
         }
     }

@@ -2,36 +2,41 @@
 
 use eframe::egui::{Checkbox, Ui};
 
+use crate::app::actions::with_keys;
 use crate::app::command::Command;
 use crate::app::measuring::angle_ruler::{AngleRuler, RulerCommand};
 use crate::app::measuring::stopwatch::{Stopwatch, StopwatchCommand};
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, stopwatch};
 use crate::app::state::State;
 use crate::app::widgets::row;
+use crate::settings::about;
 
 const RULER: &str = "Lays a ruler by the next drag in a view. It shows the angle between the lines of \
-    sight to its ends, and stays until you remove it.   Key: R";
-const STOPWATCH: &str = "Measures T between two presses, and the time that the selected point's clock is \
-    seen to show meanwhile.\nKeys: T starts and stops, Shift+T shows or hides it";
-const CLOCK: &str = "Shows in each view a clock that rests beside you, to compare the others with, and counts the turns of every clock.";
+    sight to its ends, and stays until you remove it.";
 
 /// Shows the row of measuring tools.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     row(ui, "Measure", "Chooses what to measure with in the views.", |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let is_on = state.scratch.angle_ruler != AngleRuler::Off;
-        if ui.selectable_label(is_on, "Angle").on_hover_text(RULER).clicked() {
+        if ui
+            .selectable_label(is_on, "Angle")
+            .on_hover_text(with_keys(RULER, &[Command::Ruler(RulerCommand::Toggle)]))
+            .clicked()
+        {
             commands.push(Command::Ruler(RulerCommand::Toggle));
         }
         let is_on = state.scratch.stopwatch != Stopwatch::Hidden;
-        if ui.selectable_label(is_on, "Stopwatch").on_hover_text(STOPWATCH).clicked() {
+        if ui.selectable_label(is_on, "Stopwatch").on_hover_text(stopwatch::tip()).clicked() {
             commands.push(Command::Stopwatch(StopwatchCommand::Toggle));
         }
         let mut window = state.document.settings.window;
         let clock = Checkbox::new(&mut window.resting_clock, "clock");
         let reason = "Needs the clocks, which are off.";
-        let response =
-            ui.add_enabled(window.dials, clock).on_hover_text(CLOCK).on_disabled_hover_text(reason);
+        let response = ui
+            .add_enabled(window.dials, clock)
+            .on_hover_text(about("resting-clock"))
+            .on_disabled_hover_text(reason);
         if response.accessible_name("clock beside you").changed() {
             commands.push(Command::Window(window));
         }

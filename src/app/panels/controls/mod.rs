@@ -14,16 +14,17 @@ use eframe::egui::{self, ComboBox, RichText, ScrollArea, Ui};
 use relativity_render::Geometry;
 
 use super::Commands;
+use crate::app::actions::with_keys;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::state::defaults::Section;
 use crate::app::theme;
 use crate::app::views::dial;
 use crate::app::views::layouts::{self, LAYOUTS};
-use crate::app::widgets::{Edit, NumberRow, choice, row, section};
+use crate::app::widgets::{Edit, NumberRow, choice, choice_of, explained_lazily, row, section};
 use crate::flags::FieldOfView;
 use crate::flags::choices::GazeChoice;
-use crate::settings::{Look, MAX_LENGTH, Motion, Picture, USUAL_FOV, Window};
+use crate::settings::{Look, MAX_LENGTH, Motion, Picture, USUAL_FOV, Window, about, meaning};
 use crate::units::Unit;
 
 /// Room for the list of layouts before it scrolls, points.
@@ -93,8 +94,7 @@ fn motion(ui: &mut Ui, state: &State, commands: &mut Commands) {
 fn separation_row(ui: &mut Ui, unit: Unit, motion: &mut Motion, default: Motion) {
     let row = NumberRow {
         name: "Separation d",
-        tip: "Sets the eye separation. With the head held straight they rest at x = \
-            −d/2 (left) and x = +d/2 (right).",
+        tip: about("d"),
         slider: 0.0..=2.0,
         typed: 0.0..=MAX_LENGTH,
         decimals: 6,
@@ -159,27 +159,27 @@ fn look(ui: &mut Ui, state: &State, commands: &mut Commands) {
 
 /// Shows the choice of the layout.
 fn layout_row(ui: &mut Ui, picture: Picture, commands: &mut Commands) {
-    let tip = "Chooses how the pictures of the two eyes are shown together.   Key: L";
-    row(ui, "Layout", tip, |ui| {
+    let tip = with_keys(about("layout"), &[Command::NextLayout(1)]);
+    row(ui, "Layout", &tip, |ui| {
         ComboBox::from_id_salt("layout")
             .selected_text(layouts::name(picture.layout))
             .width(118.0)
             .height(LAYOUTS_HEIGHT)
             .show_ui(ui, |ui| {
-                for (layout, name, tip) in LAYOUTS {
+                for (layout, name) in LAYOUTS {
                     let choice = ui.selectable_label(layout == picture.layout, name);
-                    if choice.on_hover_text(tip).clicked() {
-                        commands.push(Command::Layout(layout));
+                    if explained_lazily(choice, || meaning(&layout)).clicked() {
+                        commands.push(Command::Picture(Picture { layout, ..picture }));
                     }
                 }
             })
             .response
-            .on_hover_text(tip)
+            .on_hover_text(&tip)
             .accessible_name("Layout of the pictures");
         let mut is_swapped = picture.swapped.has(picture.layout);
         let swap = egui::Checkbox::new(&mut is_swapped, "swap eyes");
         let response = ui.add_enabled(picture.layout.has_both(), swap);
-        let tip = "Swaps the two pictures. Each layout remembers its own choice.   Key: X";
+        let tip = with_keys(about("swapped"), &[Command::SwapEyes]);
         if response.on_hover_text(tip).on_disabled_hover_text("This layout shows one eye.").changed() {
             commands.push(Command::SwapEyes);
         }
@@ -188,7 +188,8 @@ fn layout_row(ui: &mut Ui, picture: Picture, commands: &mut Commands) {
 
 fn geometry_row(ui: &mut Ui, geometry: &mut Geometry) {
     let mut chosen = if is_as_seen(*geometry) { Geometry::Seen } else { *geometry };
-    row(ui, "Geometry", "Chooses what the views show.   Keys: 1 2 3", |ui| {
+    let keys = GEOMETRIES.map(|(geometry, _)| Command::Geometry(geometry));
+    row(ui, "Geometry", &with_keys(about("geometry"), &keys), |ui| {
         if choice(ui, &mut chosen, &GEOMETRIES) {
             *geometry = chosen;
         }
@@ -200,24 +201,18 @@ const fn is_as_seen(geometry: Geometry) -> bool {
     matches!(geometry, Geometry::Seen | Geometry::OneCone | Geometry::Published)
 }
 
-const GEOMETRIES: [(Geometry, &str, &str); 3] = [
-    (Geometry::Seen, "As seen", "Each point where it was when its light left it: exact.\nt = T − R"),
-    (
-        Geometry::Contracted,
-        "Contracted",
-        "Where everything is at T, as if light were instantaneous: what Gamow drew.\nx = x₀/γ + βT",
-    ),
-    (Geometry::Rest, "At rest", "What a camera that rides along photographs."),
-];
+const GEOMETRIES: [(Geometry, &str); 3] =
+    [(Geometry::Seen, "As seen"), (Geometry::Contracted, "Contracted"), (Geometry::Rest, "At rest")];
 
 /// Remark where the published geometry cannot be shown.
 const UNPUBLISHED: &str = "The published model has the eyes along the motion, so the views are as seen.";
 
 fn light_cones_row(ui: &mut Ui, geometry: &mut Geometry, is_along_motion: bool) {
     let tip = "Chooses which events the two eyes receive, with the geometry as seen.";
+    let tip = with_keys(tip, &[Command::Geometry(Geometry::OneCone)]);
     let is_seen = is_as_seen(*geometry);
     let mut chosen = if is_seen { *geometry } else { Geometry::Seen };
-    row(ui, "Eyes receive", tip, |ui| {
+    row(ui, "Eyes receive", &tip, |ui| {
         if ui.add_enabled_ui(is_seen, |ui| choice(ui, &mut chosen, &LIGHT_CONES)).inner {
             *geometry = chosen;
         }
@@ -227,42 +222,23 @@ fn light_cones_row(ui: &mut Ui, geometry: &mut Geometry, is_along_motion: bool) 
     }
 }
 
-const LIGHT_CONES: [(Geometry, &str, &str); 3] = [
-    (Geometry::Seen, "Exact", "Each eye receives the events on its own past light cone."),
-    (
-        Geometry::OneCone,
-        "One cone",
-        "One light cone for both eyes: as if both eyes received the same events, those of the middle \
-            between them.\nWhat disappears is due to there being two.   Key: 4",
-    ),
-    (
-        Geometry::Published,
-        "Published",
-        "The published model: the right view shows of each point what the left eye sees at T − ΔT, \
-            measured from the left eye.",
-    ),
-];
+const LIGHT_CONES: [(Geometry, &str); 3] =
+    [(Geometry::Seen, "Exact"), (Geometry::OneCone, "One cone"), (Geometry::Published, "Published")];
 
 /// Shows the switches of what is shown besides the eyes' pictures.
 fn more_rows(ui: &mut Ui, before: Window, unit: Unit, commands: &mut Commands) {
     let mut window = before;
     row(ui, "Also show", "Chooses what stands beside the views, and what is drawn into them.", |ui| {
-        let corrected = "Shows the left eye's picture with the distortion undone, beside the two: by the fitted β \
-            while the Fit tab is shown, else by the one set here.";
-        ui.checkbox(&mut window.corrected, "corrected").on_hover_text(corrected);
+        ui.checkbox(&mut window.corrected, "corrected").on_hover_text(about("corrected"));
         ui.checkbox(&mut window.dials, "clocks").on_hover_text(dial::tip(unit, false));
-        let resting = "Outlines what moves where it would be seen if it were at rest, in conformal views. \
-            Motion slides it by the rapidity, along the arrow.   Key: O";
+        let resting = with_keys(about("resting"), &[Command::ToggleResting]);
         ui.checkbox(&mut window.resting, "outline").on_hover_text(resting);
     });
     row(ui, "Below views", "Chooses what stands below the views.", |ui| {
         (ui.spacing_mut().item_spacing.x, ui.spacing_mut().icon_spacing) = (4.0, 2.0);
-        let spectrum = "Shows which wavelengths arrive from the selected point, in the whole spectrum.";
-        ui.checkbox(&mut window.spectrum, "spectrum").on_hover_text(spectrum);
-        ui.checkbox(&mut window.sentence, "sentence").on_hover_text("Describes the moment in words.");
-        let ruler = "Shows rapidity along the lower edge of conformal views, and above it the colours that a body passes \
-            through.";
-        ui.checkbox(&mut window.ruler, "ruler").on_hover_text(ruler);
+        ui.checkbox(&mut window.spectrum, "spectrum").on_hover_text(about("spectrum"));
+        ui.checkbox(&mut window.sentence, "sentence").on_hover_text(about("sentence"));
+        ui.checkbox(&mut window.ruler, "ruler").on_hover_text(about("ruler"));
     });
     if window != before {
         commands.push(Command::Window(window));
@@ -270,10 +246,10 @@ fn more_rows(ui: &mut Ui, before: Window, unit: Unit, commands: &mut Commands) {
 }
 
 fn gaze_row(ui: &mut Ui, state: &State, look: &mut Look) {
-    let tip = "Chooses where both eyes look, in parallel.   Drag in a view to look around.";
+    let tip = format!("{} Drag in a view to look around.", about("gaze"));
     let mut mode = GazeMode::from_choice(look.gaze);
-    row(ui, "Gaze", tip, |ui| {
-        if choice(ui, &mut mode, &GAZES) {
+    row(ui, "Gaze", &tip, |ui| {
+        if choice_of(ui, &mut mode, &GAZES, &tip) {
             *look = mode.chosen(state);
         }
     });
@@ -290,15 +266,11 @@ enum GazeMode {
     Fixed,
 }
 
-const GAZES: [(GazeMode, &str, &str); 4] = [
-    (GazeMode::Whole, "Whole", "At the whole scene: the middle of all that moves.   Key: F"),
-    (
-        GazeMode::Point,
-        "Point",
-        "At the selected point: the mean of its two apparent directions, as in the paper.",
-    ),
-    (GazeMode::Ahead, "Ahead", "Straight ahead along y, like somebody who waits for it to pass."),
-    (GazeMode::Fixed, "Fixed", "In the present direction, however the scene moves."),
+const GAZES: [(GazeMode, &str); 4] = [
+    (GazeMode::Whole, "Whole"),
+    (GazeMode::Point, "Point"),
+    (GazeMode::Ahead, "Ahead"),
+    (GazeMode::Fixed, "Fixed"),
 ];
 
 impl GazeMode {
@@ -327,10 +299,10 @@ impl GazeMode {
 }
 
 fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, commands: &mut Commands) {
+    let tip = format!("{} Scroll over a view to zoom there.", about("fov"));
     let row_of_number = NumberRow {
         name: "Field of view",
-        tip: "Sets the angle from the left to the right edge of each view.   Scroll over a view to zoom \
-            there.",
+        tip: &tip,
         slider: 10.0..=*look.fov_range().end(),
         typed: look.fov_range(),
         decimals: 1,
@@ -346,13 +318,11 @@ fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, commands: &mu
     }
     row(ui, "", "", |ui| {
         let mut is_auto = look.fov.0.is_none();
-        let tip = "Fits the field of view to all that moves with the scene, from 42° to 150° (wider in \
-            conformal views, narrower where it is far away). With another gaze it is 60°, or 110° ahead.";
-        if ui.checkbox(&mut is_auto, "auto").on_hover_text(tip).changed() {
+        if ui.checkbox(&mut is_auto, "auto").on_hover_text(&tip).changed() {
             look.fov = FieldOfView(Some(fov).filter(|_| !is_auto));
         }
-        let tip = "Holds the whole scene in the views, with an automatic field of view.   Key: F\n\
-            Double-click in a view does the same.";
+        let tip = "Holds the whole scene in the views, with an automatic field of view, as a double click in a view does.";
+        let tip = with_keys(tip, &[Command::Frame]);
         if ui.button("Frame").on_hover_text(tip).clicked() {
             commands.push(Command::Frame);
         }

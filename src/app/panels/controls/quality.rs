@@ -9,14 +9,14 @@ use crate::app::widgets::{Edit, NumberRow, choice, named_text, row};
 use crate::flags::choices::RendererChoice;
 use crate::flags::{BUDGET_MS, ERROR_PX, Goal};
 use crate::platform::threads;
-use crate::settings::{BOUND_PX, Quality};
+use crate::settings::{BOUND_PX, Quality, about};
 
 /// Shows the controls of the quality.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let (before, default) = (state.document.settings.quality, state.defaults().quality);
     let mut quality = before;
-    let tip = "Chooses what draws the views.   The Accuracy tab shows the cost and the error of each.";
-    row(ui, "Quality", tip, |ui| _ = choice(ui, &mut quality.renderer, &RENDERERS[..2]));
+    let tip = format!("{} The Accuracy tab shows the cost and the error of each.", about("renderer"));
+    row(ui, "Quality", &tip, |ui| _ = choice(ui, &mut quality.renderer, &RENDERERS[..2]));
     row(ui, "", "", |ui| _ = choice(ui, &mut quality.renderer, &RENDERERS[2..]));
     match quality.renderer {
         RendererChoice::Auto => goal_rows(ui, state, &mut quality, default),
@@ -24,10 +24,8 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         RendererChoice::Rays | RendererChoice::Packets | RendererChoice::Reference => {}
     }
     row(ui, "", "", |ui| {
-        let tip = "Has the reference draw the views again while nothing changes, with more and more rays per \
-                pixel.";
         let checkbox = Checkbox::new(&mut quality.refine, "smoother when still");
-        ui.add_enabled(threads::ARE_SEVERAL, checkbox).on_hover_text(tip).on_disabled_hover_text(
+        ui.add_enabled(threads::ARE_SEVERAL, checkbox).on_hover_text(about("refine")).on_disabled_hover_text(
             "Only in the desktop program: it would stop the page for parts of a second.",
         );
     });
@@ -38,10 +36,15 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 
 /// Shows the goal of automatic quality, and its choice.
 fn goal_rows(ui: &mut Ui, state: &State, quality: &mut Quality, default: Quality) {
-    let mut is_budget = matches!(quality.goal, Goal::Budget(_));
+    let is_budget = matches!(quality.goal, Goal::Budget(_));
     row(ui, "Limit", "Chooses the bound that the automatic choice keeps.", |ui| {
-        if choice(ui, &mut is_budget, &GOALS) {
-            quality.goal = if is_budget { Goal::Budget(Goal::USUAL_BUDGET_MS) } else { Goal::default() };
+        let is_error = !is_budget;
+        ui.spacing_mut().item_spacing.x = 3.0;
+        if ui.selectable_label(is_error, "Max error").on_hover_text(about("error")).clicked() && is_budget {
+            quality.goal = Goal::default();
+        }
+        if ui.selectable_label(is_budget, "Max time").on_hover_text(about("budget")).clicked() && is_error {
+            quality.goal = Goal::Budget(Goal::USUAL_BUDGET_MS);
         }
     });
     let edit = match &mut quality.goal {
@@ -58,36 +61,18 @@ fn goal_rows(ui: &mut Ui, state: &State, quality: &mut Quality, default: Quality
     }
 }
 
-const RENDERERS: [(RendererChoice, &str, &str); 5] = [
-    (
-        RendererChoice::Auto,
-        "Automatic",
-        "The cheapest that keeps an error bound, or the most accurate that keeps a frame's budget of time.",
-    ),
-    (RendererChoice::Rays, "Rays", "A ray test per pixel on the GPU, in 32-bit floats."),
-    (
-        RendererChoice::Packets,
-        "Packets",
-        "A ray test per pixel on the CPU, in 32-bit floats, eight pixels at a time.",
-    ),
-    (RendererChoice::Mesh, "Mesh", "Triangles on the GPU, as many as keep the bound."),
-    (
-        RendererChoice::Reference,
-        "Reference",
-        "A ray test per pixel on the CPU, in 64-bit floats: the truth that the others are compared \
-            with.\nIt draws in the background when nothing moves; until it is done, the rays do.",
-    ),
-];
-
-const GOALS: [(bool, &str, &str); 2] = [
-    (false, "Max error", "No point is drawn further than this from where it is seen."),
-    (true, "Max time", "The pictures of a frame take no longer than this."),
+const RENDERERS: [(RendererChoice, &str); 5] = [
+    (RendererChoice::Auto, "Automatic"),
+    (RendererChoice::Rays, "Rays"),
+    (RendererChoice::Packets, "Packets"),
+    (RendererChoice::Mesh, "Mesh"),
+    (RendererChoice::Reference, "Reference"),
 ];
 
 fn bound() -> NumberRow<'static> {
     NumberRow {
         name: "Bound",
-        tip: "Sets how far the mesh may draw a point from where it is seen. Coarser is faster.",
+        tip: about("bound-px"),
         slider: 0.05..=4.0,
         typed: BOUND_PX,
         decimals: 3,
@@ -98,8 +83,7 @@ fn bound() -> NumberRow<'static> {
 fn error() -> NumberRow<'static> {
     NumberRow {
         name: "Error bound",
-        tip: "Sets how far a point may be drawn from where it is seen. The cheapest method within this \
-            bound draws.",
+        tip: about("error"),
         slider: 0.001..=4.0,
         typed: ERROR_PX,
         decimals: 6,
@@ -110,8 +94,7 @@ fn error() -> NumberRow<'static> {
 fn budget() -> NumberRow<'static> {
     NumberRow {
         name: "Frame budget",
-        tip: "Sets how long the pictures of a frame may take. The most accurate method within this budget \
-            draws; if there is none, the cheapest.",
+        tip: about("budget"),
         slider: 1.0..=200.0,
         typed: BUDGET_MS,
         decimals: 2,

@@ -2,6 +2,7 @@
 
 use eframe::egui::{Id, RichText, Ui};
 
+use crate::app::actions::with_keys;
 use crate::app::command::Command;
 use crate::app::panels::Commands;
 use crate::app::riding::saddle::RideCommand;
@@ -9,15 +10,13 @@ use crate::app::state::State;
 use crate::app::widgets::{NumberRow, row, typed_text};
 use crate::flags::{RideLegs, StreetVelocity};
 use crate::number_text;
-use crate::settings::{MAX_LENGTH, PUSH, Riding};
+use crate::settings::{MAX_LENGTH, PUSH, Riding, about};
 
 /// Width of the fields, points.
 const FIELD: f32 = 150.0;
 
 const SPEED_TIP: &str = "Pedals or brakes until this speed is reached: v/c, below 0 the other way, or like \
     gamma:10. Before the start it sets the speed to start with.";
-const LEGS_TIP: &str = "The ride as numbers: durations by your clock at proper accelerations, like 2@0.5,4@0,2@-0.5. After the last \
-    leg you coast.";
 
 /// Shows the rows of the section.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -33,8 +32,11 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     legs_row(ui, &mut ride);
     row(ui, "Comfort", "Helps against motion sickness on a ride.", |ui| {
         let mut window = state.document.settings.window;
-        let tip = "Darkens the edges of the views while you look around: movement there makes people ill.";
-        if ui.checkbox(&mut window.vignette, "Vignette while turning").on_hover_text(tip).changed() {
+        if ui
+            .checkbox(&mut window.vignette, "Vignette while turning")
+            .on_hover_text(about("vignette"))
+            .changed()
+        {
             commands.push(Command::Window(window));
         }
     });
@@ -47,16 +49,16 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 pub fn button(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let is_on = state.document.settings.ride.is_on();
     let (text, tip) = if is_on {
-        ("Get off", "Puts you beside the street again, where everything rides past.   Key: I")
+        ("Get off", "Puts you beside the street again, where everything rides past.")
     } else {
         (
             "Get on and ride",
-            "Puts you on a bicycle on the road, at first at rest. The arrow keys ↑ and ↓ pedal and brake.  \
-                 Key: I",
+            "Puts you on a bicycle on the road, at first at rest. The arrow keys ↑ and ↓ pedal and brake.",
         )
     };
-    row(ui, "Ride", tip, |ui| {
-        if ui.button(text).on_hover_text(tip).clicked() {
+    let tip = with_keys(tip, &[Command::Ride(RideCommand::Toggle)]);
+    row(ui, "Ride", &tip, |ui| {
+        if ui.button(text).on_hover_text(&tip).clicked() {
             commands.push(Command::Ride(RideCommand::Toggle));
         }
     });
@@ -73,37 +75,28 @@ fn speed_row(ui: &mut Ui, state: &State, commands: &mut Commands) {
 }
 
 fn push() -> NumberRow<'static> {
-    NumberRow {
-        name: "Push",
-        tip: "Sets the proper acceleration of a push on the pedals or the brakes, in c per unit of your \
-            clock: what an accelerometer on the bicycle shows.",
-        slider: 0.05..=2.0,
-        typed: PUSH,
-        decimals: 6,
-        suffix: "",
-    }
+    NumberRow { name: "Push", tip: about("push"), slider: 0.05..=2.0, typed: PUSH, decimals: 6, suffix: "" }
 }
 
 fn start(ui: &mut Ui, state: &State, ride: &mut Riding, default: &Riding) {
     let place = NumberRow {
         name: "Starts at x",
-        tip: "Place on the street where the ride starts, when your clock and the street's clock there show 0.",
+        tip: about("ride-from"),
         slider: -50.0..=50.0,
         typed: -MAX_LENGTH..=MAX_LENGTH,
         decimals: 6,
         suffix: "",
     };
     place.show_in(ui, state.measures().length, &mut ride.ride_from, default.ride_from);
-    let tip = "Speed at the start: v/c, below 0 the other way, or like gamma:10.";
     let shown = ride.ride_speed.to_string();
-    if let Some(speed) = checked(ui, "Starts with β", tip, &shown, str::parse) {
+    if let Some(speed) = checked(ui, "Starts with β", about("ride-speed"), &shown, str::parse) {
         ride.ride_speed = speed;
     }
 }
 
 fn legs_row(ui: &mut Ui, ride: &mut Riding) {
     let shown = ride.ride.to_string();
-    let typed = checked(ui, "Legs", LEGS_TIP, &shown, str::parse::<RideLegs>);
+    let typed = checked(ui, "Legs", about("ride"), &shown, str::parse::<RideLegs>);
     if let Some(legs) = typed {
         ride.ride = legs;
     }

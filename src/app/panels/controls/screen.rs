@@ -2,6 +2,7 @@
 
 use eframe::egui::{Button, Ui};
 
+use crate::app::actions::with_keys;
 use crate::app::command::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
@@ -9,7 +10,7 @@ use crate::app::theme;
 use crate::app::widgets::{dot, named_text, number, row};
 use crate::flags::{SCREEN_CM, ScreenWidth};
 use crate::number_text;
-use crate::settings::{Motion, VIEWING_CM};
+use crate::settings::{Motion, VIEWING_CM, about};
 
 /// Shows the controls of the screen.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -74,38 +75,31 @@ fn narrow(ui: &mut Ui, state: &State, commands: &mut Commands) {
 
 fn place(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut screen = state.document.settings.screen;
-    row(
-        ui,
-        "Screen",
-        "Width of the whole screen, and your distance from it. The angles at which you see the pictures \
-            follow from both.",
-        |ui| {
-            let mut is_auto = screen.screen_width.0.is_none();
-            let mut width = screen.screen_width.0.unwrap_or(USUAL_WIDTH_CM);
-            let field = number(&mut width).range(SCREEN_CM).speed(1.0).max_decimals(1).suffix(" cm wide");
-            let changed = ui
-                .add_enabled(!is_auto, field)
-                .on_hover_text("Width of the whole screen")
-                .accessible_name("Screen width");
-            let tip = "Assumes 96 pixels per inch, which is wrong for most projectors.";
-            if ui.checkbox(&mut is_auto, "auto").on_hover_text(tip).changed() || changed.changed() {
-                screen.screen_width = ScreenWidth(Some(width).filter(|_| !is_auto));
-            }
-        },
-    );
+    let tip = about("screen-width");
+    row(ui, "Screen", tip, |ui| {
+        let mut is_auto = screen.screen_width.0.is_none();
+        let mut width = screen.screen_width.0.unwrap_or(USUAL_WIDTH_CM);
+        let field = number(&mut width).range(SCREEN_CM).speed(1.0).max_decimals(1).suffix(" cm wide");
+        let changed = ui.add_enabled(!is_auto, field).on_hover_text(tip).accessible_name("Screen width");
+        if ui.checkbox(&mut is_auto, "auto").on_hover_text(tip).changed() || changed.changed() {
+            screen.screen_width = ScreenWidth(Some(width).filter(|_| !is_auto));
+        }
+    });
     row(ui, "", "", |ui| {
         let field = number(&mut screen.viewing_distance).range(VIEWING_CM).speed(1.0).max_decimals(1);
         ui.add(field.suffix(" cm away"))
-            .on_hover_text("Your distance from the screen")
+            .on_hover_text(about("viewing-distance"))
             .accessible_name("Viewing distance");
     });
     row(ui, "Audience", "Shows the views to an audience.", |ui| {
-        let tip = "Fills the screen with the views, one plot and words, all large. Esc leaves.   Key: P";
+        let tip = "Fills the screen with the views, one plot and words, all large. Esc leaves.";
+        let tip = with_keys(tip, &[Command::TogglePresenting]);
         if ui.button("Present").on_hover_text(tip).clicked() {
             commands.push(Command::TogglePresenting);
         }
         let mut is_open = state.session.stage.projector;
-        if ui.checkbox(&mut is_open, "second window").on_hover_text(PROJECTOR_TIP).changed() {
+        let tip = with_keys(PROJECTOR_TIP, &[Command::ToggleProjector]);
+        if ui.checkbox(&mut is_open, "second window").on_hover_text(tip).changed() {
             commands.push(Command::ToggleProjector);
         }
     });
@@ -115,7 +109,7 @@ fn place(ui: &mut Ui, state: &State, commands: &mut Commands) {
 }
 
 const PROJECTOR_TIP: &str = "Shows the views, and a lesson's words, in a window for a projector, on the other screen if there is one, while the controls stay here. Keys and mouse \
-    work there, too.   Key: W";
+    work there, too.";
 
 /// Width of a screen on a desk, cm: what is changed first where none is set.
 const USUAL_WIDTH_CM: f64 = 53.0;

@@ -4,23 +4,30 @@ use eframe::egui::{
     self, Align, Align2, FontId, Label, Layout, Rect, RichText, Sense, Slider, TextStyle, Ui, vec2,
 };
 
-use crate::app::widgets;
+use crate::app::actions::with_keys;
+use crate::app::command::Command;
+use crate::app::widgets::{self, DOUBLE_CLICK};
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::number_text;
+use crate::settings::about;
 use crate::units::Measures;
 
-const TIP: &str = "Sets the speed of the scene in units of c.\nβ = v/c,   γ = 1/√(1 − β²),   η = artanh \
-    β\nThe slider is finer towards 1.   Keys: ↑ ↓\nDouble-click the slider or its name to reset it.";
+const TIP: &str = "Sets the speed of the scene in units of c.\nβ = v/c,   γ = 1/√(1 − β²),   η = artanh β\nThe slider is finer towards 1.";
 
-/// A field in which the speed is typed: its parameter, symbol, name and tooltip.
-pub type Field = (SpeedParameter, &'static str, &'static str, &'static str);
+/// A field in which the speed is typed: its parameter, symbol and name.
+pub type Field = (SpeedParameter, &'static str, &'static str);
 
 /// The fields for β, γ and η.
 pub const FIELDS: [Field; 3] = [
-    (SpeedParameter::Beta, "β", "Beta, typed", "β = v/c, from 0 to below 1. Enter applies it."),
-    (SpeedParameter::Gamma, "γ", "Gamma, typed", "γ = 1/√(1 − β²), from 1 to 1e30. Enter applies it."),
-    (SpeedParameter::Rapidity, "η", "Rapidity, typed", "η = artanh β, from 0 to 69.77. Enter applies it."),
+    (SpeedParameter::Beta, "β", "Beta, typed"),
+    (SpeedParameter::Gamma, "γ", "Gamma, typed"),
+    (SpeedParameter::Rapidity, "η", "Rapidity, typed"),
 ];
+
+fn tip() -> String {
+    let keys = [Command::NudgeSpeed(1), Command::NudgeSpeed(-1)];
+    format!("{}\n{DOUBLE_CLICK}", with_keys(TIP, &keys))
+}
 
 /// Shows it, in these units too where they have one for speeds, with the fields `shown`; a speed if the user gave one, or the
 /// `usual` one.
@@ -32,10 +39,10 @@ pub fn show(
     shown: &[Field],
 ) -> Option<SpeedSetting> {
     let title = ui.horizontal(|ui| {
-        let name = ui.add(Label::new("Speed").selectable(false)).on_hover_text(TIP);
+        let name = ui.add(Label::new("Speed").selectable(false)).on_hover_text(tip());
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let text = format!("β = {}", number_text::beta(&current.speed()));
-            ui.label(RichText::new(text).heading().strong()).on_hover_text(TIP);
+            ui.label(RichText::new(text).heading().strong()).on_hover_text(tip());
             if let Some(speed) = measures.speed(&current.speed()) {
                 ui.label(speed)
                     .on_hover_text("The same speed in Gamow's town, where light travels at 30 km/h.");
@@ -58,7 +65,7 @@ fn slider(
     let mut position = current.slider_position();
     ui.spacing_mut().slider_width = ui.available_width();
     let slider = Slider::new(&mut position, 0.0..=1.0).show_value(false).smart_aim(false);
-    let response = widgets::explained(ui.add(slider), TIP).accessible_name("Speed β");
+    let response = widgets::explained(ui.add(slider), tip()).accessible_name("Speed β");
     ui.ctx().accesskit_node_builder(response.id, |node| {
         // The slider's own number is a place along it.
         node.clear_numeric_value();
@@ -109,7 +116,8 @@ fn fields(ui: &mut Ui, current: SpeedSetting, fields: &[Field]) -> Option<SpeedS
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;
         let width = ((ui.available_width() - 74.0) / 3.0).max(20.0);
-        for &(parameter, symbol, name, tip) in fields {
+        for &(parameter, symbol, name) in fields {
+            let tip = &format!("{} Enter applies it.", about(parameter.name()));
             ui.label(symbol).on_hover_text(tip);
             let Some(typed) = widgets::exact_number(ui, name, tip, &current.text(parameter), width) else {
                 continue;

@@ -7,9 +7,9 @@ use super::{projection, screen};
 use crate::app::command::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
-use crate::app::widgets::{NumberRow, choice, row};
+use crate::app::widgets::{NumberRow, choice_of, row};
 use crate::flags::HEAD_DEGREES;
-use crate::settings::Motion;
+use crate::settings::{Motion, about};
 
 /// Shows the controls of the two eyes.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -27,55 +27,28 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 
 /// Shows the direction of the eyes from each other: a choice of three, and the tilt and turn of the head.
 fn head_rows(ui: &mut Ui, motion: &mut Motion, default: Motion) {
-    row(
-        ui,
-        "Eyes",
-        "Chooses how the head is held. Is a body really turned? One eye cannot tell. Two eyes can, but \
-            what they see depends on how they are placed.",
-        |ui| {
-            let mut held = [motion.roll, motion.turn];
-            if choice(ui, &mut held, &HELD) {
-                [motion.roll, motion.turn] = held;
-            }
-        },
-    );
+    row(ui, "Eyes", HELD_TIP, |ui| {
+        let mut held = [motion.roll, motion.turn];
+        if choice_of(ui, &mut held, &HELD, HELD_TIP) {
+            [motion.roll, motion.turn] = held;
+        }
+    });
     let tilted = NumberRow {
         name: "Head tilted",
-        tip: "Tilts the head: above 0° the right eye is the higher one, at 90° straight above the left \
-            one.\nEyes above each other see a rod abreast contracted, and not turned; eyes along the \
-            motion see it turned.",
+        tip: about("roll"),
         slider: -90.0..=90.0,
         typed: HEAD_DEGREES,
         decimals: 2,
         suffix: "°",
     };
-    let turned = NumberRow {
-        name: "Head turned",
-        tip: "Turns the head, above 0° to the left: at 90° the right eye is straight beyond the left \
-            one.\nLines of sight then need not meet.",
-        ..tilted.clone()
-    };
+    let turned = NumberRow { name: "Head turned", tip: about("turn"), ..tilted.clone() };
     tilted.show(ui, &mut motion.roll, default.roll);
     turned.show(ui, &mut motion.turn, default.turn);
 }
 
 /// Tilt and turn of eyes that are along and across the motion.
-const HELD: [([f64; 2], &str, &str); 3] = [
-    (
-        [0.0, 0.0],
-        "Along",
-        "Beside each other, along the motion: the paper's. Two eyes see a rod abreast turned by arctan β and \
-        shortened to √(1 − β⁴).",
-    ),
-    (
-        [90.0, 0.0],
-        "Above",
-        "The right eye above the left one: two eyes see a rod abreast not turned, contracted to 1/γ.",
-    ),
-    (
-        [0.0, 90.0],
-        "Behind",
-        "The right eye beyond the left one, across the motion and along the line of sight of what is \
-        abreast. Lines of sight need not meet.",
-    ),
-];
+const HELD: [([f64; 2], &str); 3] = [([0.0, 0.0], "Along"), ([90.0, 0.0], "Above"), ([0.0, 90.0], "Behind")];
+
+const HELD_TIP: &str = "Chooses how the head is held: the eyes beside each other along the motion, as in the paper; the right eye above the left \
+    one; or the right eye beyond the left one, along the line of sight of what is abreast.\nIs a body really turned? One eye cannot tell. Two \
+    eyes along the motion see a rod abreast turned by arctan β and shortened to √(1 − β⁴); two eyes above each other see it contracted to 1/γ, and not turned.";

@@ -9,11 +9,12 @@ use eframe::egui::{
 };
 
 use super::Commands;
-use crate::app::actions::ACTIONS;
+use crate::app::actions::{ACTIONS, keys_of};
 use crate::app::command::Command;
 use crate::app::overlay::Overlay;
 use crate::app::state::State;
 use crate::app::widgets::markdown;
+use crate::settings::about_all;
 use words::{OWN_LICENCE, PAPER, PAPER_ADDRESS, WHAT, glossary};
 
 /// Width and height of what scrolls, and how much of the window is left around it; points.
@@ -27,15 +28,17 @@ const CAUSES: f32 = 170.0;
 enum Section {
     What,
     Words,
+    Settings,
     Keys,
     Mouse,
     Paper,
     Licences,
 }
 
-const SECTIONS: [(Section, &str); 6] = [
+const SECTIONS: [(Section, &str); 7] = [
     (Section::What, "What is this?"),
     (Section::Words, "Words"),
+    (Section::Settings, "Settings"),
     (Section::Keys, "Keys"),
     (Section::Mouse, "Mouse"),
     (Section::Paper, "Paper"),
@@ -106,6 +109,7 @@ fn section(ui: &mut Ui, section: Section) {
     match section {
         Section::What => paragraphs(ui, &WHAT),
         Section::Words => markdown::show(ui, glossary()),
+        Section::Settings => settings(ui),
         Section::Keys => {
             let with_keys = ACTIONS.iter().filter(|action| !action.keys.is_empty());
             table(ui, "keys", with_keys.map(|action| (action.keys_text(), action.name)));
@@ -136,6 +140,21 @@ fn licences(ui: &mut Ui, area: ScrollArea) {
             ui.label(*line);
         }
     });
+}
+
+/// Shows every setting by its name, which the palette, the command line and files have in common.
+fn settings(ui: &mut Ui) {
+    let key = keys_of(&[Command::Toggle(Overlay::Palette)]);
+    ui.label(format!(
+        "The palette ({key}) sets each of them: type its name and a value, such as “beta 0.99” or “sky off”. On the command \
+        line they are flags (--beta 0.99), and in a state's file the same words (beta = 0.99)."
+    ));
+    for headed in about_all().chunk_by(|before, after| before.section == after.section) {
+        let section = headed[0].section;
+        ui.add_space(6.0);
+        ui.label(RichText::new(if section.is_empty() { "Scene and points" } else { section }).weak());
+        table(ui, section, headed.iter().map(|about| (about.name, about.sentence.as_str())));
+    }
 }
 
 fn paragraphs(ui: &mut Ui, texts: &[&str]) {

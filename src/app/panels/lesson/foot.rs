@@ -3,6 +3,7 @@
 use eframe::egui::{Align, Button, Layout, RichText, Ui, vec2};
 
 use super::asked::ask;
+use crate::app::actions::with_keys;
 use crate::app::command::Command;
 use crate::app::lesson::session::{LessonCommand, Running};
 use crate::app::overlay::Overlay;
@@ -21,7 +22,11 @@ pub fn show(ui: &mut Ui, state: &State, running: &Running, commands: &mut Comman
         ui.horizontal(|ui| {
             let [can_go_back, _] = course.can_go();
             let back = Button::new("Back").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false);
-            if ui.add_enabled(can_go_back, back).on_hover_text("Key: PageUp").clicked() {
+            if ui
+                .add_enabled(can_go_back, back)
+                .on_hover_text(with_keys("", &[Command::ShowNext(-1)]))
+                .clicked()
+            {
                 ask(commands, LessonCommand::Back);
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| lead_on(ui, state, running, commands));
@@ -63,7 +68,7 @@ fn lead_on(ui: &mut Ui, state: &State, running: &Running, commands: &mut Command
             ask(commands, LessonCommand::Skip);
         }
     } else if can_go_on {
-        if main(ui, "Next", true).on_hover_text("Key: PageDown").clicked() {
+        if main(ui, "Next", true).on_hover_text(with_keys("", &[Command::ShowNext(1)])).clicked() {
             ask(commands, LessonCommand::Forward);
         }
     } else {

@@ -15,7 +15,7 @@ use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::widgets::choice;
 use crate::caption::capitalised;
-use crate::settings::{Face, Frame, Framing};
+use crate::settings::{Face, Frame, Framing, meaning};
 
 /// Height of the strip.
 const STRIP_HEIGHT: f32 = 26.0;
@@ -51,26 +51,12 @@ fn face(ui: &mut Ui, state: &State, below: Rect, commands: &mut Commands) {
     }
 }
 
-const FACES: [(Face, &str, &str); 2] = [
-    (Face::Space, "Space", "Where everything is, from above and from the side."),
-    (Face::Spacetime, "Spacetime", "When everything happens: x against t, light at 45 degrees."),
-];
-
-const CLOSE_UP: &str = "Follows the selected body: in space where it is seen and where two eyes place it, with the length of a \
-                        rod; in spacetime where the followed points are now, with their clocks.";
+const FACES: [(Face, &str); 2] = [(Face::Space, "Space"), (Face::Spacetime, "Spacetime")];
 
 fn strip(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut map = state.document.settings.map;
     let rider = capitalised(&state.document.scene.rider);
-    let frames = [
-        (Frame::Ground, "Ground", "In the frame of the street, where eyes and houses rest.   Key: G"),
-        (Frame::Bicycle, &rider, "In the frame of who rides along: eyes and street ride past.   Key: G"),
-        (
-            Frame::Rider,
-            "Mine",
-            "In the frame in which I rest at this moment, counted from me: the street rides past.   Key: G",
-        ),
-    ];
+    let frames = [(Frame::Ground, "Ground"), (Frame::Bicycle, &rider), (Frame::Rider, "Mine")];
     let frames = if state.document.settings.ride.is_on() { &frames[..] } else { &frames[..2] };
     ui.horizontal_centered(|ui| {
         choice(ui, &mut map.face, &FACES);
@@ -78,7 +64,7 @@ fn strip(ui: &mut Ui, state: &State, commands: &mut Commands) {
         choice(ui, &mut map.frame, frames);
         ui.separator();
         let mut is_close_up = map.framing == Framing::CloseUp;
-        ui.toggle_value(&mut is_close_up, "Close-up").on_hover_text(CLOSE_UP);
+        ui.toggle_value(&mut is_close_up, "Close-up").on_hover_text(meaning(&Framing::CloseUp));
         map.framing = if is_close_up { Framing::CloseUp } else { Framing::Passage };
     });
     if map != state.document.settings.map {

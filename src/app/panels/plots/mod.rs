@@ -34,7 +34,8 @@ use crate::app::plots::curves::{Curves, Quantity};
 use crate::app::plots::look::quantities;
 use crate::app::state::State;
 use crate::app::theme;
-use crate::settings::{Coordinates, PlotTab};
+use crate::app::widgets::explained_lazily;
+use crate::settings::{Coordinates, PlotTab, about, meaning};
 
 /// Height of a plot's title and of the numbers along T, points.
 const ABOVE_AND_BELOW: f32 = 60.0;
@@ -108,24 +109,20 @@ fn over_time(ui: &mut Ui, state: &State, curves: &[Curves], commands: &mut Comma
 fn tabs(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut plots = state.document.settings.plots;
     for &tab in PlotTab::value_variants() {
-        let (name, tip) = match tab {
-            PlotTab::Disparity => {
-                ("Disparity", "Δφ and Δθ, or Δu and Δv: how differently the eyes see each point")
-            }
-            PlotTab::Angles => ("Angles", "φ and θ of the selected point, each eye"),
-            PlotTab::Doppler => ("Doppler", "D of the selected point, each eye"),
-            PlotTab::Stereo => ("Stereo", "Stereo gain, and how far away two eyes place the selected point"),
-            PlotTab::Fit => ("Fit", "Speed and distance of the selected point, from noisy Δφ and Δθ alone"),
-            PlotTab::Accuracy => ("Accuracy", "What each way to draw the views costs, and how far it is off"),
+        let name = match tab {
+            PlotTab::Disparity => "Disparity",
+            PlotTab::Angles => "Angles",
+            PlotTab::Doppler => "Doppler",
+            PlotTab::Stereo => "Stereo",
+            PlotTab::Fit => "Fit",
+            PlotTab::Accuracy => "Accuracy",
         };
-        ui.selectable_value(&mut plots.plot, tab, name).on_hover_text(tip);
+        explained_lazily(ui.selectable_value(&mut plots.plot, tab, name), || meaning(&tab));
     }
-    let tip = "Draws the paper's approximate binocular model too, dashed:\n\
-        the right eye is the left one at T − ΔT, both angles measured from the left eye.";
     let with_published = plots.plot == PlotTab::Disparity;
     if !matches!(plots.plot, PlotTab::Fit | PlotTab::Accuracy) {
         let published = egui::Checkbox::new(&mut plots.published, "Published");
-        ui.add_enabled(with_published, published).on_hover_text(tip);
+        ui.add_enabled(with_published, published).on_hover_text(about("published"));
     }
     if plots.plot == PlotTab::Disparity {
         coordinates(ui, &mut plots.coordinates);
@@ -141,20 +138,13 @@ fn coordinates(ui: &mut Ui, chosen: &mut Coordinates) {
         Coordinates::Angles => "Angles",
         Coordinates::Conformal => "u and v (conformal)",
     };
-    let tip = |coordinates| match coordinates {
-        Coordinates::Angles => "Δφ and Δθ: azimuth and elevation.",
-        Coordinates::Conformal => {
-            "Δu and Δv: the columns and rows of conformal pictures. Motion slides u by the rapidity for both eyes alike, so \
-            that Δu of a moving point is that of a resting one for eyes γd apart, dashed."
-        }
-    };
     let shown = ComboBox::from_id_salt("coordinates").selected_text(name(*chosen)).show_ui(ui, |ui| {
         for &coordinates in Coordinates::value_variants() {
-            ui.selectable_value(chosen, coordinates, name(coordinates)).on_hover_text(tip(coordinates));
+            let button = ui.selectable_value(chosen, coordinates, name(coordinates));
+            explained_lazily(button, || meaning(&coordinates));
         }
     });
-    let tip = "The coordinates in which the disparities are plotted.";
-    shown.response.on_hover_text(tip).accessible_name("Coordinates of the disparities");
+    shown.response.on_hover_text(about("coordinates")).accessible_name("Coordinates of the disparities");
 }
 
 fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &Chart<'_>, commands: &mut Commands) {

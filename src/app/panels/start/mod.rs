@@ -10,6 +10,7 @@ use eframe::egui::{Button, Key, Memory, RichText, ScrollArea, TextStyle, Ui, UiB
 
 use self::card::{Card, Cards};
 use super::Commands;
+use crate::app::actions::with_keys;
 use crate::app::command::Command;
 use crate::app::lesson::session::LessonCommand;
 use crate::app::overlay::Overlay;
@@ -135,7 +136,10 @@ fn introduction(ui: &mut Ui, state: &State, lessons: &[&Arc<Lesson>], commands: 
             }
         }
         let around = Button::new(RichText::new("Look around").size(INTRODUCTION * body));
-        let tip = "Closes this page.   Key: Esc. It comes back with S, or Lessons above.";
+        let tip = with_keys(
+            "Closes this page. Lessons, above, brings it back.",
+            &[Command::Toggle(Overlay::Start)],
+        );
         if ui.add(around).on_hover_text(tip).clicked() {
             commands.push(Command::Toggle(Overlay::Start));
         }

@@ -2,6 +2,7 @@
 
 use eframe::egui::{Align, Pos2, Rect, Stroke, Ui};
 
+use crate::app::actions::with_keys;
 use crate::app::command::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
@@ -47,16 +48,19 @@ pub fn is_offered(state: &State, area: Rect) -> bool {
 pub fn offer(ui: &mut Ui, state: &State, strip: Rect, commands: &mut Commands) {
     let is_panorama = state.document.settings.is_panorama();
     let (name, tip) = if is_panorama {
-        ("Two views", "Leaves the panorama.   Key: U")
+        ("Two views", "Leaves the panorama.")
     } else {
         (
             "Panorama",
             "Shows the whole passage at once, the left eye's strip above the right eye's. The columns of a point differ by its \
-             disparity.   Key: U",
+             disparity.",
         )
     };
     let after_name = strip.with_min_x(strip.min.x + theme::text_scale(ui.style()) * AFTER_NAME);
-    if strip_button(ui, after_name, Align::Min, name).on_hover_text(tip).clicked() {
+    if strip_button(ui, after_name, Align::Min, name)
+        .on_hover_text(with_keys(tip, &[Command::TogglePanorama]))
+        .clicked()
+    {
         commands.push(Command::TogglePanorama);
     }
 }

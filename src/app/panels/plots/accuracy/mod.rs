@@ -16,10 +16,11 @@ use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::views::examination::Examination;
 use crate::app::views::heat_map;
+use crate::app::widgets::explained_lazily;
 use crate::flags::choices::RendererChoice;
 use crate::number_text;
 use crate::platform::threads;
-use crate::settings::Quality;
+use crate::settings::{Quality, about, meaning};
 
 /// The remark below figures that are complete.
 const MEASURED: &str = if threads::ARE_SEVERAL {
@@ -67,9 +68,8 @@ fn automatic(ui: &mut Ui, state: &State, quality: &mut Quality) {
     let is_automatic = quality.renderer == RendererChoice::Auto;
     let chosen = state.frame.choices.first().filter(|_| is_automatic);
     let text = chosen.map_or_else(|| "automatic".to_owned(), |(_, choice)| format!("automatic: {choice}"));
-    let tip = "Draws the views by the method that costs least within the error bound, or errs least within \
-        the budget. Its line is in the plot.";
-    if ui.selectable_label(is_automatic, text).on_hover_text(tip).clicked() {
+    let tip = || format!("{} Its line is in the plot.", meaning(&RendererChoice::Auto));
+    if explained_lazily(ui.selectable_label(is_automatic, text), tip).clicked() {
         quality.renderer = RendererChoice::Auto;
     }
 }
@@ -77,8 +77,7 @@ fn automatic(ui: &mut Ui, state: &State, quality: &mut Quality) {
 /// The heat map's switch and scale, and what the figures are.
 pub fn caption(ui: &mut Ui, state: &State, examination: &Examination, commands: &mut Commands) {
     let mut plots = state.document.settings.plots;
-    let tip = "Shows in the views how far each pixel's point is drawn from where it is seen.";
-    if ui.add(Checkbox::new(&mut plots.heat_map, "Heat map")).on_hover_text(tip).changed() {
+    if ui.add(Checkbox::new(&mut plots.heat_map, "Heat map")).on_hover_text(about("heat-map")).changed() {
         commands.push(Command::Plots(plots));
     }
     if plots.heat_map {

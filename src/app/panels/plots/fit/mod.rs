@@ -15,9 +15,9 @@ use crate::app::fitting::Fitting;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::theme;
-use crate::app::widgets::{choice, end_of_range, fitted, number};
+use crate::app::widgets::{end_of_range, explained_lazily, fitted, number};
 use crate::flags::TimeRange;
-use crate::settings::{DataFrom, FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT};
+use crate::settings::{DataFrom, FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT, about, meaning};
 use crate::units::Unit;
 
 /// Width of the table, and least width of the plots.
@@ -106,17 +106,18 @@ fn data(ui: &mut Ui, state: &State, setup: &mut FitSetup, commands: &mut Command
             commands.push(Command::Simulate);
         }
     } else {
-        let shown = DATA_FROM.iter().find(|(from, ..)| *from == setup.data_from);
+        let shown = DATA_FROM.iter().find(|(from, _)| *from == setup.data_from);
         ComboBox::from_id_salt("data from")
-            .selected_text(shown.map_or("", |(_, name, _)| name))
+            .selected_text(shown.map_or("", |(_, name)| name))
             .width(112.0)
             .show_ui(ui, |ui| {
-                for (from, name, tip) in DATA_FROM {
-                    ui.selectable_value(&mut setup.data_from, from, name).on_hover_text(tip);
+                for (from, name) in DATA_FROM {
+                    let button = ui.selectable_value(&mut setup.data_from, from, name);
+                    explained_lazily(button, || meaning(&from));
                 }
             })
             .response
-            .on_hover_text("Model by which the samples are simulated.")
+            .on_hover_text(about("data-from"))
             .accessible_name("Data from");
     }
     let tip = "Fits measured disparities: a CSV file with the columns T, dphi or dtheta or both, optionally sigma_dphi, sigma_dtheta and d.\n\
@@ -137,50 +138,33 @@ fn named_file(ui: &mut Ui, name: &str) {
     ui.add(label).accessible_name(format!("Data from {name}"));
 }
 
-const DATA_FROM: [(DataFrom, &str, &str); 4] = [
-    (DataFrom::Views, "as the views show", "The data are what the eyes see in the views."),
-    (DataFrom::Exact, "from exact", "Each eye solves its own light cone."),
-    (DataFrom::OneCone, "from one cone", "Both eyes receive the events of the middle between them."),
-    (
-        DataFrom::Published,
-        "from published",
-        "The paper's binocular model. Fitted by the same model, it gives the paper's own fit.",
-    ),
+const DATA_FROM: [(DataFrom, &str); 4] = [
+    (DataFrom::Views, "as the views show"),
+    (DataFrom::Exact, "from exact"),
+    (DataFrom::OneCone, "from one cone"),
+    (DataFrom::Published, "from published"),
 ];
 
 fn model(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
-    let fitted = [
-        (Curves::Azimuth, "Δφ", "Fit Δφ", "Fits the differences in azimuth. They cannot tell up from down."),
-        (Curves::Polar, "Δθ", "Fit Δθ", "Fits the differences in elevation."),
-        (Curves::Both, "both", "Fit both", "Fits both curves at once, each weighed by its scatter."),
-    ];
+    let fitted = [(Curves::Azimuth, "Δφ"), (Curves::Polar, "Δθ"), (Curves::Both, "both")];
     ui.label(RichText::new("Fit").weak());
-    for (curves, text, name, tip) in fitted {
-        ui.selectable_value(&mut setup.curves, curves, text).on_hover_text(tip).accessible_name(name);
+    for (curves, text) in fitted {
+        let button = ui.selectable_value(&mut setup.curves, curves, text);
+        explained_lazily(button, || meaning(&curves)).accessible_name(format!("Fit {text}"));
     }
     ui.label(RichText::new("by").weak());
-    let models =
-        MODELS.map(|(model, name, tip)| (model, name, format!("{tip}\n{}", data_remark(state, model))));
-    let models = models.each_ref().map(|(model, name, tip)| (*model, *name, tip.as_str()));
-    choice(ui, &mut setup.model, &models);
-    let tip = "Fits x₀ too, the point's place at t = 0, as if the time of passage were unknown.\nOtherwise \
-        x₀ is known.";
-    ui.checkbox(&mut setup.fit_x0, "x₀").on_hover_text(tip).accessible_name("Fit x₀");
+    for (model, name) in MODELS {
+        let tip = || format!("{}\n{}", meaning(&model), data_remark(state, model));
+        explained_lazily(ui.selectable_value(&mut setup.model, model, name), tip);
+    }
+    ui.checkbox(&mut setup.fit_x0, "x₀").on_hover_text(about("fit-x0")).accessible_name("Fit x₀");
     ui.add_space(8.0);
 }
 
-const MODELS: [(Model, &str, &str); 3] = [
-    (Model::Exact, "exact", "Each eye solves its own light cone."),
-    (
-        Model::OneCone,
-        "one cone",
-        "As if both eyes received the same events: those of the middle between them.",
-    ),
-    (
-        Model::Published(PublishedVariant::AppendixA),
-        "published",
-        "The paper's binocular model: the right eye is the left one at T − ΔT, without parallax.",
-    ),
+const MODELS: [(Model, &str); 3] = [
+    (Model::Exact, "exact"),
+    (Model::OneCone, "one cone"),
+    (Model::Published(PublishedVariant::AppendixA), "published"),
 ];
 
 /// Describes the samples of the Fit tab, as seen from a `model` that is to fit them.
@@ -201,24 +185,19 @@ fn samples(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
         simulated(ui, setup);
     }
     let seed = number(&mut setup.seed).range(0..=MAX_SEED).speed(0.1).update_while_editing(false);
-    let tip = "Seed of the noise and of the bootstrap: the same seed gives the same numbers.\n\
-        Drag it to see other noise of the same strength.";
-    named(ui, "seed", "Seed", tip, seed);
+    named(ui, "seed", "Seed", about("seed"), seed);
 }
 
 fn simulated(ui: &mut Ui, setup: &mut FitSetup) {
     let count = number(&mut setup.fit_samples).range(FIT_SAMPLES).speed(2.0);
-    let tip = "Number of samples of each curve, evenly spread over T.";
-    named(ui, "samples", "Number of samples", tip, count);
+    named(ui, "samples", "Number of samples", about("fit-samples"), count);
     let noise = number(&mut setup.noise_percent)
         .range(NOISE_PERCENT)
         .speed(0.02)
         .max_decimals(3)
         .update_while_editing(false)
         .suffix(" %");
-    let tip =
-        "Standard deviation of the normal noise on each sample.\nσ = noise × (highest − lowest of the curve)";
-    named(ui, "noise", "Noise", tip, noise);
+    named(ui, "noise", "Noise", about("noise-percent"), noise);
 }
 
 fn range(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
@@ -226,7 +205,7 @@ fn range(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     let [mut from, mut to] = setup.fit_range.0.unwrap_or(plotted);
     let unit = state.measures().time;
     let field = |value| end_of_range(value, unit, plotted, 3);
-    let tip = "Range of T over which the samples are taken.";
+    let tip = about("fit-range");
     ui.label(RichText::new(state.clock().symbol).weak());
     let first = ui.add(field(&mut from)).on_hover_text(tip).accessible_name("Samples from T");
     ui.label(RichText::new("to").weak());
@@ -235,7 +214,7 @@ fn range(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
         setup.fit_range = TimeRange(Some([from, to]));
     }
     let reset = egui::Button::new("as plotted").selected(setup.fit_range.0.is_none());
-    if ui.add(reset).on_hover_text("Samples the range of T that the other plots show.").clicked() {
+    if ui.add(reset).on_hover_text(tip).clicked() {
         setup.fit_range = TimeRange(None);
     }
 }
