@@ -1,0 +1,65 @@
+//! The section of plots: what is plotted against T.
+
+use clap::{Args, ValueEnum};
+use serde::Serialize;
+
+use crate::flags::{OnOff, switch};
+
+/// The quantity that is plotted against T.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PlotTab {
+    /// Disparities, delta-phi and delta-theta or delta-u and delta-v: how differently the eyes see each point.
+    #[default]
+    Disparity,
+    /// Azimuth phi and elevation theta of the selected point, for each eye.
+    Angles,
+    /// Doppler factor D of the selected point, for each eye.
+    Doppler,
+    /// Stereo gain, and how far away two eyes place the selected point.
+    Stereo,
+    /// Speed and distance of the selected point, fitted to noisy disparities alone.
+    Fit,
+    /// Cost and error of each way to draw the views.
+    Accuracy,
+}
+
+/// The coordinates of the disparity plots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Coordinates {
+    /// Delta-phi and delta-theta: azimuth and elevation.
+    #[default]
+    Angles,
+    /// Delta-u and delta-v: the columns and rows of conformal pictures. Motion slides u by the rapidity for both eyes alike, so that delta-u of a
+    /// moving point is that of a resting one for eyes gamma d apart, dashed.
+    Conformal,
+}
+
+/// The contents of the plots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+#[command(next_help_heading = "Plots")]
+pub struct Plots {
+    /// Tab of the plots.
+    #[arg(long, value_enum)]
+    pub plot: PlotTab,
+    /// The coordinates of the disparity plots.
+    #[arg(long, value_enum)]
+    pub coordinates: Coordinates,
+    /// Whether the paper's approximate binocular model is plotted too, dashed: the right eye is the left one at T - delta-T, both angles measured
+    /// from the left eye.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
+    pub published: OnOff,
+    /// Whether the views show, while the Accuracy tab is open, how far each pixel's point is drawn from where it is seen.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
+    pub heat_map: OnOff,
+}
+
+impl Plots {
+    /// Whether the disparities of u and v are plotted.
+    #[must_use]
+    pub fn is_conformal(&self) -> bool {
+        self.plot == PlotTab::Disparity && self.coordinates == Coordinates::Conformal
+    }
+}
