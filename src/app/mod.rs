@@ -8,6 +8,7 @@ mod actions;
 mod aids;
 #[cfg(feature = "desktop")]
 pub mod args;
+mod audience_page;
 mod awake;
 pub mod border;
 mod by_name;
@@ -25,12 +26,12 @@ mod graphics;
 mod icon;
 #[cfg(feature = "desktop")]
 pub mod launch;
-mod layout;
 pub mod lesson;
 pub mod measuring;
 pub mod notice;
 pub mod orders;
 pub mod overlay;
+mod page;
 pub mod painting;
 mod panels;
 pub mod persistence;
@@ -53,6 +54,7 @@ mod wavelength_colour;
 #[cfg(not(feature = "desktop"))]
 pub mod web;
 mod widgets;
+mod window_layout;
 #[cfg(feature = "desktop")]
 mod worker;
 
@@ -69,30 +71,27 @@ use files::reader::Reader;
 use files::watch::Watch;
 use fitting::Fitting;
 use gpu_errors::GpuErrors;
-use layout::{Beside, Layout, LessonPart, Presentation};
 use lesson::session::Running;
 use notice::Notice;
 use overlay::Overlay;
-use panels::{Commands, plots::Plotted, presented::Words};
+use panels::{Commands, plots::Plotted};
 use persistence::Keeper;
 use plots::curves::Curves;
 use riding::saddle::{Direction, RideCommand};
 use saving::Saver;
 use screens::full_screen::FullScreen;
 use screens::other_screen::Screen;
-use screens::stage::Part;
 use state::State;
 use views::corrected::Corrected;
 use views::examination::Examination;
 use views::eyes::{Chosen, EyePictures};
-use views::panes::{Arrangement, Content};
+use views::panes::Arrangement;
 use views::thumbnails::Thumbnails;
 #[cfg(not(feature = "desktop"))]
 use web::{watch::Watch, worker};
 
 use crate::flags::MAX_TIME;
-use crate::lesson::Course;
-use crate::settings::{PlotTab, Presence, Window};
+use crate::settings::PlotTab;
 
 /// The application: the whole window.
 pub struct App {
@@ -423,177 +422,6 @@ impl App {
         self.state.session.overlay == Some(Overlay::Start)
     }
 
-    /// Shows the start page, below the bar where there is one.
-    fn show_start(&mut self, ui: &mut Ui, area: Rect) {
-        self.fitting.rest();
-        self.update_examination(ui, &[], false);
-        self.corrected = None;
-        let mut page = area;
-        if !self.state.session.stage.is_presented() {
-            let bar;
-            (bar, page) = layout::below_bar(area);
-            self.panel(ui, "bar", bar.shrink2(INSET), panels::bar::show);
-        }
-        let mut thumbnails = std::mem::take(&mut self.thumbnails);
-        self.panel(ui, "start", page, |ui, state, commands| {
-            panels::start::show(ui, state, &mut thumbnails, commands);
-        });
-        thumbnails.go_on(ui.ctx());
-        self.thumbnails = thumbnails;
-        self.message(ui.ctx(), page, area);
-    }
-
-    /// Returns the part of a lesson that is shown.
-    fn lesson_part(&self) -> LessonPart {
-        match &self.state.session.lesson {
-            None => LessonPart::Nothing,
-            Some(Running { is_folded: true, .. }) => LessonPart::Strip,
-            Some(_) => LessonPart::Panel,
-        }
-    }
-
-    /// Shows all the parts that there is room for.
-    fn show_parts(&mut self, ui: &mut Ui, area: Rect) {
-        let ctx = ui.ctx().clone();
-        let (window, plots) = (self.state.shown_window(), self.state.document.settings.plots);
-        let lesson = self.lesson_part();
-        let layout = Layout::new(area, lesson, window, &self.arranged(ui), plots.plot);
-        let layout = layout.with_only(area, self.state.session.stage.maximised);
-        // Its numbers would tell what is being predicted.
-        let is_asked = self.state.course().and_then(Course::asked).is_some();
-        let layout = if is_asked { layout.without_readout() } else { layout };
-        self.measure_pictures(ui, &layout.panes);
-        self.choose_methods(ui, &layout.panes);
-        self.state.frame.shows_map = layout.map.is_some();
-        let inset = |rect: Rect| rect.shrink2(INSET);
-        self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
-        if let Some(rect) = layout.lesson {
-            let rect = rect.with_max_y(rect.max.y - theme::GAP);
-            self.panel(ui, "lesson", rect.with_min_x(rect.min.x + theme::GAP), panels::lesson::show);
-        }
-        if let Some(rect) = layout.controls {
-            self.panel(ui, "controls", inset(rect), panels::controls::show);
-        }
-        self.panel(ui, "timeline", inset(layout.timeline), panels::timeline::show);
-        self.titles(ui, &layout);
-        for &pane in &layout.panes {
-            self.interact(ui, pane);
-        }
-        if let Some(rect) = layout.map {
-            self.panel(ui, "map", rect, panels::map::show);
-        }
-        let plots_are_shown = layout.plots.is_some() && !self.state.shows_sketch();
-        self.update_fit(&ctx, plots_are_shown);
-        self.update_examination(ui, &layout.panes, plots_are_shown);
-        if let Some(rect) = layout.plots {
-            if plots_are_shown {
-                self.update_curves();
-            }
-            let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
-            let examination = self.examination.take();
-            let plotted = Plotted { curves: &curves, fitting: &fitting, examination: examination.as_ref() };
-            self.panel(ui, "plots", rect, |ui, state, commands| {
-                panels::plots::show(ui, state, plotted, commands);
-            });
-            (self.curves, self.fitting, self.examination) = (curves, fitting, examination);
-        }
-        if let Some(rect) = layout.readout {
-            self.panel(ui, "readout", inset(rect), panels::readout::show);
-        }
-        self.paint_all(ui, &layout.panes);
-        if let Some(rect) = layout.spectrum {
-            self.panel(ui, "spectrum", rect, |ui, state, _| panels::spectrum::show(ui, state));
-        }
-        if let Some(rect) = layout.sentence {
-            self.panel(ui, "sentence", rect, |ui, state, _| panels::sentence::show(ui, state));
-        }
-        for &border in &layout.borders {
-            self.panel(ui, "borders", area, |ui, state, commands| {
-                panels::borders::show(ui, state, border, commands);
-            });
-        }
-        self.message(&ctx, layout.message_room(area), area);
-        self.corrected.take_if(|_| !layout.shows(Content::Corrected));
-        self.forget_composed(&layout.panes);
-    }
-
-    /// Returns the panel to show beside the words for an audience.
-    fn beside_words(&self) -> Beside {
-        let plot =
-            if self.state.document.settings.plots.plot == PlotTab::Fit && self.state.sketched().is_none() {
-                Beside::Fit
-            } else {
-                Beside::Plot
-            };
-        match (self.lesson_part(), self.state.shown_window()) {
-            (LessonPart::Nothing, _) => plot,
-            (_, Window { map: Presence::On, .. }) if !self.state.shows_sketch() => Beside::Map,
-            (_, Window { plots: true, .. }) => plot,
-            _ => Beside::Nothing,
-        }
-    }
-
-    /// Shows the views, one plot and the words, large.
-    fn show_presented(&mut self, ui: &mut Ui, area: Rect) {
-        let beside = self.beside_words();
-        let what = self.words();
-        let words = Words { what: &what, area, beside };
-        let presentation = Presentation::new(area, &self.arranged(ui), beside, words.needed(ui.ctx()));
-        self.measure_pictures(ui, &presentation.panes);
-        self.choose_methods(ui, &presentation.panes);
-        self.update_fit(ui.ctx(), beside == Beside::Fit);
-        self.update_examination(ui, &presentation.panes, false);
-        for &pane in &presentation.panes {
-            self.interact(ui, pane);
-        }
-        self.state.frame.shows_map = beside == Beside::Map && presentation.plot.is_some();
-        if let Some(rect) = presentation.plot {
-            self.beside(ui, beside, rect);
-        }
-        self.paint_all(ui, &presentation.panes);
-        self.forget_composed(&presentation.panes);
-        let views = presentation.panes.iter().map(|pane| pane.rect).reduce(Rect::union);
-        self.message(ui.ctx(), views.unwrap_or(area), area);
-        views::halo::paint(ui.ctx());
-        if let Some(rect) = presentation.words {
-            self.show_words(ui, rect, words);
-        }
-    }
-
-    /// Tells which words an audience has.
-    fn words(&self) -> String {
-        let State { document, session, .. } = &self.state;
-        let lesson = session.lesson.as_ref().map(panels::lesson::what_is_shown);
-        lesson.or_else(|| document.preset.map(|preset| preset.name.to_owned())).unwrap_or_default()
-    }
-
-    /// Shows an audience the `words` of the lesson, else those of the preset.
-    fn show_words(&mut self, ui: &mut Ui, rect: Rect, words: Words<'_>) {
-        self.panel(ui, "words", rect, |ui, state, commands| {
-            words.show(ui, |ui| match state.session.lesson {
-                Some(_) => panels::lesson::presented::show(ui, state, commands),
-                None => panels::presented::preset(ui, state, words.beside),
-            });
-        });
-    }
-
-    /// Shows the panel `beside` the words for an audience, at `rect`.
-    fn beside(&mut self, ui: &mut Ui, beside: Beside, rect: Rect) {
-        if beside == Beside::Map {
-            self.panel(ui, "map", rect, panels::map::show_presented);
-            return;
-        }
-        if !self.state.shows_sketch() {
-            self.update_curves();
-        }
-        let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
-        let plotted = Plotted { curves: &curves, fitting: &fitting, examination: None };
-        self.panel(ui, "plots", rect, |ui, state, commands| {
-            panels::plots::show_one(ui, state, plotted, commands);
-        });
-        (self.curves, self.fitting) = (curves, fitting);
-    }
-
     /// Shows the message, if there is one, at the top of `room`.
     fn message(&mut self, ctx: &egui::Context, room: Rect, area: Rect) {
         let mut commands = Commands::new();
@@ -606,24 +434,6 @@ impl App {
         let State { document, frame, .. } = &self.state;
         let cm_per_point = frame.cm_per_pixel * f64::from(ui.pixels_per_point());
         Arrangement::new(&document.settings, cm_per_point, self.text_scale)
-    }
-
-    /// Maximises the part of the window whose title is double-clicked, or restores all others. Widgets in a title are above
-    /// it and take clicks first.
-    fn titles(&mut self, ui: &mut Ui, layout: &Layout) {
-        let height = theme::TITLE_HEIGHT;
-        let panes = layout.panes.iter().enumerate().map(|(number, pane)| {
-            let number = self.state.session.stage.maximised_pane().unwrap_or(number);
-            let title =
-                Rect::from_min_max(pane.rect.left_top() - egui::vec2(0.0, height), pane.rect.right_top());
-            (Part::Pane(number), title)
-        });
-        let strip = |rect: Rect| rect.with_max_y((rect.min.y + height).min(rect.max.y));
-        let map = layout.map.map(|rect| (Part::Map, strip(rect)));
-        let plots = layout.plots.map(|rect| (Part::Plots, strip(rect)));
-        for (part, title) in panes.chain(map).chain(plots).collect::<Vec<_>>() {
-            self.panel(ui, "titles", title, |ui, _, commands| panels::borders::title(ui, part, commands));
-        }
     }
 }
 

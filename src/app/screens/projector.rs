@@ -3,12 +3,12 @@
 use eframe::egui::{Context, Ui, ViewportBuilder, ViewportClass, ViewportCommand, ViewportId};
 
 use crate::app::command::Command;
-use crate::app::layout::{self, Presentation};
 use crate::app::panels::presented::{self, Words};
 use crate::app::screens::other_screen::{Screen, other_screen};
 use crate::app::views::eyes::EyePictures;
 use crate::app::views::halo;
 use crate::app::widgets::name_window;
+use crate::app::window_layout::{self, Presentation};
 use crate::app::{App, actions, theme};
 
 /// The name of the projector's window.
@@ -97,7 +97,7 @@ impl App {
         });
         let panes = match &lesson {
             Some((_, lesson)) => lesson.panes.clone(),
-            None => layout::views(area, &arranged),
+            None => window_layout::views(area, &arranged),
         };
         // What is off is examined in pictures of the other window's size.
         let (size, examination) = (self.state.frame.picture_size, self.examination.take());

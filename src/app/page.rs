@@ -1,0 +1,125 @@
+//! The page with all the parts of the window that there is room for, and the start page in their place.
+
+use eframe::egui::{self, Rect, Ui};
+
+use super::panels::plots::Plotted;
+use super::screens::stage::Part;
+use super::views::panes::Content;
+use super::window_layout::{self, LessonPart, WindowLayout};
+use super::{App, INSET, panels, theme};
+use crate::app::lesson::session::Running;
+use crate::lesson::Course;
+
+impl App {
+    /// Shows the start page, below the bar where there is one.
+    pub(super) fn show_start(&mut self, ui: &mut Ui, area: Rect) {
+        self.fitting.rest();
+        self.update_examination(ui, &[], false);
+        self.corrected = None;
+        let mut page = area;
+        if !self.state.session.stage.is_presented() {
+            let bar;
+            (bar, page) = window_layout::below_bar(area);
+            self.panel(ui, "bar", bar.shrink2(INSET), panels::bar::show);
+        }
+        let mut thumbnails = std::mem::take(&mut self.thumbnails);
+        self.panel(ui, "start", page, |ui, state, commands| {
+            panels::start::show(ui, state, &mut thumbnails, commands);
+        });
+        thumbnails.go_on(ui.ctx());
+        self.thumbnails = thumbnails;
+        self.message(ui.ctx(), page, area);
+    }
+
+    /// Returns the part of a lesson that is shown.
+    pub(super) fn lesson_part(&self) -> LessonPart {
+        match &self.state.session.lesson {
+            None => LessonPart::Nothing,
+            Some(Running { is_folded: true, .. }) => LessonPart::Strip,
+            Some(_) => LessonPart::Panel,
+        }
+    }
+
+    /// Shows all the parts that there is room for.
+    pub(super) fn show_parts(&mut self, ui: &mut Ui, area: Rect) {
+        let ctx = ui.ctx().clone();
+        let (window, plots) = (self.state.shown_window(), self.state.document.settings.plots);
+        let lesson = self.lesson_part();
+        let layout = WindowLayout::new(area, lesson, window, &self.arranged(ui), plots.plot);
+        let layout = layout.with_only(area, self.state.session.stage.maximised);
+        // Its numbers would tell what is being predicted.
+        let is_asked = self.state.course().and_then(Course::asked).is_some();
+        let layout = if is_asked { layout.without_readout() } else { layout };
+        self.measure_pictures(ui, &layout.panes);
+        self.choose_methods(ui, &layout.panes);
+        self.state.frame.shows_map = layout.map.is_some();
+        let inset = |rect: Rect| rect.shrink2(INSET);
+        self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
+        if let Some(rect) = layout.lesson {
+            let rect = rect.with_max_y(rect.max.y - theme::GAP);
+            self.panel(ui, "lesson", rect.with_min_x(rect.min.x + theme::GAP), panels::lesson::show);
+        }
+        if let Some(rect) = layout.controls {
+            self.panel(ui, "controls", inset(rect), panels::controls::show);
+        }
+        self.panel(ui, "timeline", inset(layout.timeline), panels::timeline::show);
+        self.titles(ui, &layout);
+        for &pane in &layout.panes {
+            self.interact(ui, pane);
+        }
+        if let Some(rect) = layout.map {
+            self.panel(ui, "map", rect, panels::map::show);
+        }
+        let plots_are_shown = layout.plots.is_some() && !self.state.shows_sketch();
+        self.update_fit(&ctx, plots_are_shown);
+        self.update_examination(ui, &layout.panes, plots_are_shown);
+        if let Some(rect) = layout.plots {
+            if plots_are_shown {
+                self.update_curves();
+            }
+            let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
+            let examination = self.examination.take();
+            let plotted = Plotted { curves: &curves, fitting: &fitting, examination: examination.as_ref() };
+            self.panel(ui, "plots", rect, |ui, state, commands| {
+                panels::plots::show(ui, state, plotted, commands);
+            });
+            (self.curves, self.fitting, self.examination) = (curves, fitting, examination);
+        }
+        if let Some(rect) = layout.readout {
+            self.panel(ui, "readout", inset(rect), panels::readout::show);
+        }
+        self.paint_all(ui, &layout.panes);
+        if let Some(rect) = layout.spectrum {
+            self.panel(ui, "spectrum", rect, |ui, state, _| panels::spectrum::show(ui, state));
+        }
+        if let Some(rect) = layout.sentence {
+            self.panel(ui, "sentence", rect, |ui, state, _| panels::sentence::show(ui, state));
+        }
+        for &border in &layout.borders {
+            self.panel(ui, "borders", area, |ui, state, commands| {
+                panels::borders::show(ui, state, border, commands);
+            });
+        }
+        self.message(&ctx, layout.message_room(area), area);
+        self.corrected.take_if(|_| !layout.shows(Content::Corrected));
+        self.forget_composed(&layout.panes);
+    }
+
+    /// Maximises the part of the window whose title is double-clicked, or restores all others. Widgets in a title are above
+    /// it and take clicks first.
+    fn titles(&mut self, ui: &mut Ui, layout: &WindowLayout) {
+        let height = theme::TITLE_HEIGHT;
+        let panes = layout.panes.iter().enumerate().map(|(number, pane)| {
+            let number = self.state.session.stage.maximised_pane().unwrap_or(number);
+            let title =
+                Rect::from_min_max(pane.rect.left_top() - egui::vec2(0.0, height), pane.rect.right_top());
+            (Part::Pane(number), title)
+        });
+        let strip = |rect: Rect| rect.with_max_y((rect.min.y + height).min(rect.max.y));
+        let map = layout.map.map(|rect| (Part::Map, strip(rect)));
+        let plots = layout.plots.map(|rect| (Part::Plots, strip(rect)));
+        for (part, title) in panes.chain(map).chain(plots).collect::<Vec<_>>() {
+            self.panel(ui, "titles", title, |ui, _, commands| panels::borders::title(ui, part, commands));
+        }
+    }
+}

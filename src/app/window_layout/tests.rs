@@ -1,0 +1,212 @@
+//! Layouts of windows of every size: parts stay apart, inside, and large enough.
+
+use super::*;
+use crate::settings::Settings;
+
+fn layout(width: f32, height: f32) -> WindowLayout {
+    sized([width, height], Window::default())
+}
+
+#[test]
+fn the_smallest_supported_window_holds_every_part_but_the_wavelengths() {
+    let layout = layout(800.0, 600.0);
+    assert_eq!(layout.panes.len(), 2);
+    assert!(layout.spectrum.is_none() && layout.sentence.is_some());
+    for pane in &layout.panes {
+        assert!(pane.rect.width() >= 225.0 && pane.rect.height() >= 165.0, "{pane:?}");
+    }
+    for (part, least) in [(layout.controls, 300.0), (layout.readout, 200.0), (layout.plots, 230.0)] {
+        let part = part.expect("shown");
+        assert!(part.width() >= 320.0 && part.height() >= least, "{part:?}");
+    }
+    let taller = sized([1024.0, 700.0], Window::default());
+    assert!(taller.spectrum.is_some() && taller.sentence.is_some());
+}
+
+fn layout_of(area: Rect, window: Window, tab: PlotTab) -> WindowLayout {
+    let settings = Settings { window, ..Settings::default() };
+    let arranged = Arrangement::new(&settings, 2.54 / 96.0, 1.0);
+    WindowLayout::new(area, LessonPart::Nothing, window, &arranged, tab)
+}
+
+fn sized(size: [f32; 2], window: Window) -> WindowLayout {
+    layout_of(Rect::from_min_size(pos2(0.0, 0.0), size.into()), window, PlotTab::Disparity)
+}
+
+#[test]
+fn the_map_stands_beside_the_plots_where_there_is_room_and_leaves_the_views_as_large() {
+    for size in [[1280.0, 800.0], [1920.0, 1080.0], [3840.0, 2160.0]] {
+        let with_map = sized(size, Window::default());
+        let without = sized(size, Window { map: Presence::Off, ..Window::default() });
+        let (map, plots) = (with_map.map.expect("shown"), with_map.plots.expect("shown"));
+        assert!(map.width() >= 380.0 && map.height() >= 270.0 && plots.width() >= 530.0, "{size:?}");
+        assert_eq!((with_map.panes, without.map), (without.panes, None));
+    }
+}
+
+#[test]
+fn the_fit_keeps_its_plots_unless_the_map_is_asked_for() {
+    let area = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 800.0));
+    let layout = |map| layout_of(area, Window { map, ..Window::default() }, PlotTab::Fit);
+    assert!(layout(Presence::Auto).map.is_none() && layout(Presence::On).map.is_some());
+}
+
+#[test]
+fn a_small_window_has_a_map_in_place_of_the_plots_when_asked() {
+    let size = [1024.0, 600.0];
+    let unasked = sized(size, Window::default());
+    assert!(unasked.map.is_none() && unasked.plots.is_some());
+    let asked = sized(size, Window { map: Presence::On, ..Window::default() });
+    assert_eq!((asked.map, asked.plots), (unasked.plots, None));
+}
+
+#[test]
+fn without_views_the_map_has_their_place_and_alone_all_of_it() {
+    let no_views = Window { views: false, ..Window::default() };
+    let with_plots = sized([800.0, 600.0], no_views);
+    assert!(with_plots.map.is_some() && with_plots.plots.is_some());
+    let alone = sized([800.0, 600.0], Window { plots: false, controls: false, ..no_views });
+    let map = alone.map.expect("shown");
+    assert!(map.width() >= 780.0 && map.height() >= 470.0, "{map:?}");
+}
+
+/// Returns the places of the parts.
+fn parts(layout: &WindowLayout) -> Vec<Rect> {
+    let singles =
+        [layout.controls, layout.readout, layout.map, layout.plots, layout.spectrum, layout.sentence];
+    let always = [layout.bar, layout.timeline].into_iter();
+    always.chain(singles.into_iter().flatten()).chain(layout.panes.iter().map(|pane| pane.rect)).collect()
+}
+
+fn assert_apart(parts: &[Rect], size: [f32; 2]) {
+    let window = Rect::from_min_size(pos2(0.0, 0.0), size.into());
+    for (i, a) in parts.iter().enumerate() {
+        assert!(window.expand(1e-3).contains_rect(*a), "{size:?}: {a:?}");
+        for b in &parts[i + 1..] {
+            let overlap = a.intersect(*b);
+            assert!(overlap.width() <= 1e-3 || overlap.height() <= 1e-3, "{size:?}: {a:?} {b:?}");
+        }
+    }
+}
+
+const SIZES: [[f32; 2]; 8] = [
+    [1.0, 1.0],
+    [100.0, 50.0],
+    [400.0, 300.0],
+    [561.0, 321.0],
+    [800.0, 600.0],
+    [1024.0, 600.0],
+    [1920.0, 1080.0],
+    [3840.0, 2160.0],
+];
+
+#[test]
+fn parts_stay_inside_the_window_and_do_not_overlap() {
+    for size in SIZES {
+        assert_apart(&parts(&layout(size[0], size[1])), size);
+    }
+}
+
+#[test]
+fn no_share_pushes_a_part_out_or_into_another() {
+    let shares = [None, Some(0.0), Some(1e-9), Some(0.1), Some(0.5), Some(0.9), Some(1.0)].map(Share);
+    for size in SIZES {
+        for side_share in shares {
+            for strip_share in shares {
+                for map_share in shares {
+                    let window =
+                        Window { side_share, strip_share, map_share, map: Presence::On, ..Window::default() };
+                    let layout = sized(size, window);
+                    assert_apart(&parts(&layout), size);
+                    let default = sized(size, Window { map: Presence::On, ..Window::default() });
+                    assert!(layout.panes.is_empty() == default.panes.is_empty(), "{size:?}");
+                    for border in &layout.borders {
+                        assert!(border.rect.is_finite(), "{border:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_border_that_is_dragged_stands_at_the_pointer() {
+    let size = [1600.0, 1000.0];
+    let all = sized(size, Window::default()).borders;
+    assert_eq!(
+        all.iter().map(|border| border.split).collect::<Vec<_>>(),
+        [Split::Side, Split::Strip, Split::Map]
+    );
+    for border in all {
+        let there = border.rect.center() + vec2(-40.0, 30.0);
+        let dragged = sized(size, border.split.with(Window::default(), border.share_at(there)));
+        let now = dragged.borders.into_iter().find(|now| now.split == border.split).expect("still there");
+        let off = now.rect.center() - there;
+        let off = if border.split.is_upright() { off.x } else { off.y };
+        assert!(off.abs() < 1.0, "{border:?} {now:?}");
+    }
+}
+
+#[test]
+fn one_part_alone_has_all_between_bar_and_timeline() {
+    for size in SIZES {
+        let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());
+        for part in [Part::Pane(0), Part::Pane(1), Part::Map, Part::Plots, Part::Pane(9)] {
+            let default = sized(size, Window { map: Presence::On, ..Window::default() });
+            let alone = default.clone().with_only(area, Some(part));
+            assert_apart(&parts(&alone), size);
+            if alone == default {
+                continue;
+            }
+            let shown = [alone.map, alone.plots]
+                .into_iter()
+                .flatten()
+                .chain(alone.panes.iter().map(|pane| pane.rect));
+            let [shown] = shown.collect::<Vec<_>>()[..] else { panic!("{part:?}") };
+            assert!(shown.width() > size[0] - 20.0 && shown.height() > size[1] - 160.0, "{size:?} {part:?}");
+        }
+    }
+    assert_ne!(
+        layout(800.0, 600.0)
+            .with_only(Rect::from_min_size(Pos2::ZERO, vec2(800.0, 600.0)), Some(Part::Plots)),
+        layout(800.0, 600.0)
+    );
+}
+
+#[test]
+fn an_audience_has_all_parts_apart_and_large() {
+    for size in SIZES {
+        let arranged = Arrangement::new(&Settings::default(), 2.54 / 96.0, 1.6);
+        let area = Rect::from_min_size(Pos2::ZERO, size.into());
+        for beside in [Beside::Nothing, Beside::Plot, Beside::Map, Beside::Fit] {
+            for need in [None, Some(0.0), Some(0.3 * size[1]), Some(f32::INFINITY)] {
+                let shown = Presentation::new(area, &arranged, beside, need);
+                let parts = shown.words.into_iter().chain(shown.plot);
+                let all: Vec<Rect> = parts.chain(shown.panes.iter().map(|pane| pane.rect)).collect();
+                assert_apart(&all, size);
+                if size[0] < 800.0 {
+                    continue;
+                }
+                let words = shown.words.expect("words");
+                assert_eq!((shown.panes.len(), shown.plot.is_some()), (2, beside != Beside::Nothing));
+                assert!(
+                    words.width() > 0.3 * size[0] && words.height() > 40.0,
+                    "{words:?} {beside:?} {need:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn pictures_grow_where_the_words_need_less() {
+    let arranged = Arrangement::new(&Settings::default(), 2.54 / 96.0, 1.6);
+    let area = Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 800.0));
+    for beside in [Beside::Nothing, Beside::Plot, Beside::Map, Beside::Fit] {
+        let heights = [0.0, 300.0, 1000.0, f32::INFINITY].map(|need| {
+            let shown = Presentation::new(area, &arranged, beside, Some(need));
+            shown.panes[0].rect.height()
+        });
+        assert!(heights.is_sorted_by(|a, b| a >= b) && heights[0] > heights[3], "{beside:?} {heights:?}");
+    }
+}
