@@ -1,10 +1,13 @@
 //! A pinhole camera at an aperture: lines of sight of pixels, and pixels of lines of sight.
 
+mod lines_of_sight;
+
 use glam::{DVec2, DVec3};
 use relativity_core::Aperture;
 use relativity_core::math::{asin, asinh, atan, atan2, hypot, sin_cos, sinh, tan};
 use std::f64::consts::{FRAC_PI_2, PI};
 
+pub use self::lines_of_sight::LinesOfSight;
 pub use crate::axes::{Axes, MAX_ELEVATION};
 use crate::axes::{LEAST_ACROSS, level_across};
 use crate::mercator::{MOST_ASIDE, MOST_SHIFTED, Mercator};
@@ -461,168 +464,5 @@ impl Gauge {
     }
 }
 
-/// The lines of sight of one camera, for many pixels: its angles are turned into vectors once.
-#[derive(Debug, Clone, Copy)]
-pub struct LinesOfSight {
-    axes: Axes,
-    focal_length_px: f64,
-    map: Map,
-}
-
-/// The highest rectangle of a conformal picture whose middle row is found between the outer ones, radians.
-const MOST_ROWS_AROUND: f64 = 3.0;
-
-/// The map of a picture's places to directions.
-#[derive(Debug, Clone, Copy)]
-enum Map {
-    /// On a plane, whose top left corner is there, in pixels.
-    Flat { to_top_left: DVec3 },
-    /// By longitude and latitude, a picture of this size being half of the sky.
-    Round { size: [f64; 2] },
-    /// Onto a conformal map of the sky.
-    Mercator(Mercator),
-}
-
-impl LinesOfSight {
-    /// Returns the rays of `camera`.
-    #[must_use]
-    pub fn new(camera: &Camera) -> Self {
-        let axes = camera.axes();
-        let Axes { right, up, forward } = axes;
-        let focal_length_px = camera.focal_length_px();
-        let size = camera.size.map(f64::from);
-        let map = if let Projection::Vr180 { .. } = camera.projection {
-            Map::Round { size }
-        } else if let Some(mercator) = camera.mercator() {
-            Map::Mercator(mercator)
-        } else {
-            let to_left = 0.5 * size[0] - camera.middle(&axes) * focal_length_px;
-            Map::Flat { to_top_left: forward * focal_length_px - right * to_left + up * (0.5 * size[1]) }
-        };
-        Self { axes, focal_length_px, map }
-    }
-
-    /// Unit vector from the aperture through the point `[u, v]` of the picture, in pixels.
-    #[must_use]
-    pub fn through(&self, [u, v]: [f64; 2]) -> DVec3 {
-        let Axes { right, up, forward } = self.axes;
-        match self.map {
-            Map::Flat { to_top_left } => (to_top_left + right * u - up * v).normalize(),
-            Map::Round { size: [width, height] } => {
-                let (sine, cosine) = sin_cos(PI * (u / width - 0.5));
-                let (height, level) = sin_cos(PI * (0.5 - v / height));
-                (forward * cosine + right * sine) * level + up * height
-            }
-            Map::Mercator(mercator) => mercator.line_of_sight(mercator.coordinates_at([u, v])),
-        }
-    }
-
-    /// Unit vectors through the middle of the rectangle between these places of the picture, in pixels, and through its corners.
-    pub(crate) fn around(&self, [left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> (DVec3, [DVec3; 4]) {
-        if let Map::Mercator(mercator) = self.map {
-            let [low, high] = [[left, bottom], [right, top]].map(|place| mercator.coordinates_at(place));
-            if high.y - low.y < MOST_ROWS_AROUND {
-                return mercator.lines_of_sight_around(low, high);
-            }
-        }
-        let middle = self.through([0.5 * (left + right), 0.5 * (top + bottom)]);
-        (
-            middle,
-            [[left, top], [right, top], [left, bottom], [right, bottom]].map(|place| self.through(place)),
-        )
-    }
-
-    /// Returns the turn of the line of sight from this pixel to the one on the right, and to the one below.
-    pub(crate) fn turns(&self, [u, v]: [f64; 2]) -> [DVec3; 2] {
-        let Axes { right, up, .. } = self.axes;
-        let Map::Flat { to_top_left } = self.map else { return self.turns_of(self.through([u, v])) };
-        let unnormalised = to_top_left + right * u - up * v;
-        let length = unnormalised.length();
-        let sight = unnormalised / length;
-        [right, -up].map(|across| (across - sight * sight.dot(across)) / length)
-    }
-
-    /// Returns the turns of the line of sight from the pixel in which it is `sight`.
-    pub(crate) fn turns_of(&self, sight: DVec3) -> [DVec3; 2] {
-        let Axes { right, up, forward } = self.axes;
-        let across = |side: DVec3| side - sight * sight.dot(side);
-        match self.map {
-            Map::Flat { .. } => {
-                [right, -up].map(|side| across(side) * (sight.dot(forward) / self.focal_length_px))
-            }
-            Map::Round { size: [width, height] } => {
-                let along_row = right * sight.dot(forward) - forward * sight.dot(right);
-                [along_row * (PI / width), across(-up).normalize_or_zero() * (PI / height)]
-            }
-            Map::Mercator(mercator) => mercator.turns(sight),
-        }
-    }
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use std::f64::consts::FRAC_PI_2;
-
-    fn camera() -> Camera {
-        Camera::new(Aperture::default(), Gaze { azimuth: FRAC_PI_2, elevation: 0.0 }, FRAC_PI_2, [200, 100])
-    }
-
-    #[test]
-    fn a_pointer_far_outside_the_smallest_picture_gives_a_gaze() {
-        // A view of one pixel, dragged by a pointer that is a window away: |u| is thousands.
-        let camera = Camera { horizontal_fov: 0.7, size: [1, 1], ..camera() };
-        let right = DVec3::X;
-        let projections = [
-            Projection::Gaze,
-            Projection::Parallel { right, shift: 0.0 },
-            Projection::Mercator { right, shift: 0.0 },
-        ];
-        for projection in projections {
-            let camera = Camera { projection, ..camera };
-            for from in [[4000.0, 3.0], [-4000.0, -400.0], [0.5, 4000.0]] {
-                let sight = camera.line_of_sight(from);
-                assert!((sight.length() - 1.0).abs() < 1e-12, "{projection:?} {from:?}: {sight}");
-                let gaze = camera.gaze_with(sight, [-200.0, 10.0]);
-                assert!(gaze.azimuth.is_finite() && gaze.elevation.is_finite(), "{projection:?}: {gaze:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn looking_ahead_has_x_on_the_right_and_z_up() {
-        let camera = camera();
-        let [u, v] = camera.pixel(DVec3::new(1.0, 1.0, 0.0)).expect("in front");
-        assert!((u - 200.0).abs() < 1e-9 && (v - 50.0).abs() < 1e-9);
-        let [u, v] = camera.pixel(DVec3::new(0.0, 1.0, 0.5)).expect("in front");
-        assert!((u - 100.0).abs() < 1e-9 && v.abs() < 1e-9);
-        assert!(camera.pixel(DVec3::NEG_Y).is_none());
-    }
-
-    #[test]
-    fn a_gaze_holds_a_direction_at_a_pixel() {
-        for azimuth in [-3.0, 0.1, 1.5] {
-            for elevation in [-1.0, 0.0, 0.6] {
-                let gaze = Gaze { azimuth, elevation };
-                let from = Camera { gaze, ..camera() };
-                for pixel in [[100.0, 50.0], [3.0, 90.0], [180.0, 20.0]] {
-                    let direction = from.line_of_sight(pixel);
-                    let to = Camera { horizontal_fov: 1.0, ..from };
-                    let to = Camera { gaze: to.gaze_with(direction, pixel), ..to };
-                    let [u, v] = to.pixel(direction).expect("in front");
-                    assert!((u - pixel[0]).abs() < 1e-9 && (v - pixel[1]).abs() < 1e-9, "{gaze:?} {pixel:?}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn pixel_and_line_of_sight_are_inverse() {
-        let mut camera = camera();
-        camera.gaze = Gaze { azimuth: 2.0, elevation: 0.7 };
-        for pixel in [[0.5, 0.5], [13.0, 77.25], [199.5, 99.5]] {
-            let [u, v] = camera.pixel(camera.line_of_sight(pixel)).expect("in front");
-            assert!((u - pixel[0]).abs() < 1e-9 && (v - pixel[1]).abs() < 1e-9);
-        }
-    }
-}
+mod tests;

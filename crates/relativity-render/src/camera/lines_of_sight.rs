@@ -1,0 +1,106 @@
+//! Lines of sight of many pixels of one camera.
+
+use glam::DVec3;
+use relativity_core::math::sin_cos;
+use std::f64::consts::PI;
+
+use super::{Axes, Camera, Projection};
+use crate::mercator::Mercator;
+
+/// The lines of sight of one camera, for many pixels: its angles are turned into vectors once.
+#[derive(Debug, Clone, Copy)]
+pub struct LinesOfSight {
+    axes: Axes,
+    focal_length_px: f64,
+    map: Map,
+}
+
+/// The highest rectangle of a conformal picture whose middle row is found between the outer ones, radians.
+const MOST_ROWS_AROUND: f64 = 3.0;
+
+/// The map of a picture's places to directions.
+#[derive(Debug, Clone, Copy)]
+enum Map {
+    /// On a plane, whose top left corner is there, in pixels.
+    Flat { to_top_left: DVec3 },
+    /// By longitude and latitude, a picture of this size being half of the sky.
+    Round { size: [f64; 2] },
+    /// Onto a conformal map of the sky.
+    Mercator(Mercator),
+}
+
+impl LinesOfSight {
+    /// Returns the rays of `camera`.
+    #[must_use]
+    pub fn new(camera: &Camera) -> Self {
+        let axes = camera.axes();
+        let Axes { right, up, forward } = axes;
+        let focal_length_px = camera.focal_length_px();
+        let size = camera.size.map(f64::from);
+        let map = if let Projection::Vr180 { .. } = camera.projection {
+            Map::Round { size }
+        } else if let Some(mercator) = camera.mercator() {
+            Map::Mercator(mercator)
+        } else {
+            let to_left = 0.5 * size[0] - camera.middle(&axes) * focal_length_px;
+            Map::Flat { to_top_left: forward * focal_length_px - right * to_left + up * (0.5 * size[1]) }
+        };
+        Self { axes, focal_length_px, map }
+    }
+
+    /// Unit vector from the aperture through the point `[u, v]` of the picture, in pixels.
+    #[must_use]
+    pub fn through(&self, [u, v]: [f64; 2]) -> DVec3 {
+        let Axes { right, up, forward } = self.axes;
+        match self.map {
+            Map::Flat { to_top_left } => (to_top_left + right * u - up * v).normalize(),
+            Map::Round { size: [width, height] } => {
+                let (sine, cosine) = sin_cos(PI * (u / width - 0.5));
+                let (height, level) = sin_cos(PI * (0.5 - v / height));
+                (forward * cosine + right * sine) * level + up * height
+            }
+            Map::Mercator(mercator) => mercator.line_of_sight(mercator.coordinates_at([u, v])),
+        }
+    }
+
+    /// Unit vectors through the middle of the rectangle between these places of the picture, in pixels, and through its corners.
+    pub(crate) fn around(&self, [left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> (DVec3, [DVec3; 4]) {
+        if let Map::Mercator(mercator) = self.map {
+            let [low, high] = [[left, bottom], [right, top]].map(|place| mercator.coordinates_at(place));
+            if high.y - low.y < MOST_ROWS_AROUND {
+                return mercator.lines_of_sight_around(low, high);
+            }
+        }
+        let middle = self.through([0.5 * (left + right), 0.5 * (top + bottom)]);
+        (
+            middle,
+            [[left, top], [right, top], [left, bottom], [right, bottom]].map(|place| self.through(place)),
+        )
+    }
+
+    /// Returns the turn of the line of sight from this pixel to the one on the right, and to the one below.
+    pub(crate) fn turns(&self, [u, v]: [f64; 2]) -> [DVec3; 2] {
+        let Axes { right, up, .. } = self.axes;
+        let Map::Flat { to_top_left } = self.map else { return self.turns_of(self.through([u, v])) };
+        let unnormalised = to_top_left + right * u - up * v;
+        let length = unnormalised.length();
+        let sight = unnormalised / length;
+        [right, -up].map(|across| (across - sight * sight.dot(across)) / length)
+    }
+
+    /// Returns the turns of the line of sight from the pixel in which it is `sight`.
+    pub(crate) fn turns_of(&self, sight: DVec3) -> [DVec3; 2] {
+        let Axes { right, up, forward } = self.axes;
+        let across = |side: DVec3| side - sight * sight.dot(side);
+        match self.map {
+            Map::Flat { .. } => {
+                [right, -up].map(|side| across(side) * (sight.dot(forward) / self.focal_length_px))
+            }
+            Map::Round { size: [width, height] } => {
+                let along_row = right * sight.dot(forward) - forward * sight.dot(right);
+                [along_row * (PI / width), across(-up).normalize_or_zero() * (PI / height)]
+            }
+            Map::Mercator(mercator) => mercator.turns(sight),
+        }
+    }
+}
