@@ -46,13 +46,13 @@ impl SpeedParameter {
 #[derive(Debug, Clone, Copy, Args)]
 #[group(multiple = false)]
 pub struct SpeedArgs {
-    /// Speed as beta = v/c, 0 <= beta < 1.
+    /// Speed as β = v/c, from 0 to below 1.
     #[arg(long, value_parser = finite_number, allow_hyphen_values = true)]
     pub beta: Option<f64>,
-    /// Speed as Lorentz factor gamma = 1 / sqrt(1 - beta^2), 1 to 1e30.
+    /// Speed as Lorentz factor γ = 1/√(1 − β²), from 1 to 1e30.
     #[arg(long, value_parser = finite_number, allow_hyphen_values = true)]
     pub gamma: Option<f64>,
-    /// Speed as rapidity artanh(beta), 0 to 69.77.
+    /// Speed as rapidity η = artanh β, from 0 to 69.77.
     #[arg(long, value_parser = finite_number, allow_hyphen_values = true)]
     pub rapidity: Option<f64>,
 }

@@ -242,7 +242,7 @@ impl clap::ValueEnum for Model {
                 "As if both eyes received the same events: those that the middle between them receives"
             }
             Self::Published(PublishedVariant::AppendixA) => {
-                "The paper's binocular model, as its Appendix A prints it: the right eye is the left one at T - delta-T, without parallax"
+                "The paper's binocular model, as its Appendix A prints it: the right eye is the left one at T − ΔT, without parallax"
             }
             Self::Published(PublishedVariant::TextSign) => {
                 "The same with the sign of the delay that the paper's text gives"

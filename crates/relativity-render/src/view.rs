@@ -13,15 +13,15 @@ use crate::velocity::Velocity;
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum Geometry {
-    /// Exactly as seen, each eye by its own past light cone: each point where it was when its light left it, t = T - R.
+    /// Exactly as seen, each eye by its own past light cone: each point where it was when its light left it, t = T − R.
     #[default]
     Seen,
-    /// Contracted only: where everything is measured to be at the observation time, x = x0 / gamma + beta T, as if light were
+    /// Contracted only: where everything is measured to be at the observation time, x = x₀/γ + βT, as if light were
     /// instantaneous. What Gamow drew. No Doppler effect (D = 1).
     Contracted,
     /// At rest: what a camera that rides along photographs at the same event. D = 1.
     Rest,
-    /// The paper's binocular model: the right eye sees of each point what the left eye sees at T - Delta-T, without parallax. Drawn by the mesh
+    /// The paper's binocular model: the right eye sees of each point what the left eye sees at T − ΔT, without parallax. Drawn by the mesh
     /// renderer.
     ///
     /// A view of it is the right eye's, from the left eye's camera; no ray leads back from there.
@@ -119,7 +119,7 @@ pub enum Colour {
     /// Each body sends light of one wavelength (a spectral line), as in the paper.
     #[default]
     OneWavelength,
-    /// Each body glows: a black body of one temperature H, seen as one of the temperature D H (Planck's law).
+    /// Each body glows: a black body of one temperature H, seen as one of the temperature D·H (Planck's law).
     Glowing,
     /// Each body reflects daylight of 6504 K, as if the lamp rode along with it: a quarter at every wavelength, the rest about the
     /// body's own.

@@ -26,6 +26,8 @@ const MOST: usize = 200;
 struct Entry {
     name: String,
     keys: String,
+    /// The sentence about what it sets; empty where its name says all.
+    sentence: &'static str,
     command: Command,
 }
 
@@ -121,7 +123,8 @@ fn row(ui: &mut Ui, entry: &Entry, is_chosen: bool) -> Response {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.label(RichText::new(&entry.keys).text_style(TextStyle::Small).weak());
             ui.with_layout(Layout::left_to_right(Align::Center).with_main_justify(false), |ui| {
-                ui.selectable_label(is_chosen, &entry.name)
+                let label = ui.selectable_label(is_chosen, &entry.name);
+                if entry.sentence.is_empty() { label } else { label.on_hover_text(entry.sentence) }
             })
             .inner
         })
@@ -141,9 +144,10 @@ fn found(state: &State, text: &str) -> Vec<Entry> {
     let actions = ACTIONS.iter().map(|action| Entry {
         name: action.name.to_owned(),
         keys: action.keys_text(),
+        sentence: "",
         command: action.command.clone(),
     });
-    let entry = |name: String, command| Entry { name, keys: String::new(), command };
+    let entry = |name: String, command| Entry { name, keys: String::new(), sentence: "", command };
     let presets =
         Preset::all().iter().map(|preset| entry(format!("preset: {}", preset.title), Command::State(preset)));
     let library = state.library();
@@ -157,7 +161,8 @@ fn found(state: &State, text: &str) -> Vec<Entry> {
         let command = Command::Select(Select { track, body, add: false });
         Some(entry(format!("follow: {}", scene.name_of(body)), command))
     });
-    let words_of = |about: &'static About| about.words.iter().map(|word| setting(about, &word.name));
+    let words_of =
+        |about: &'static About| about.words.iter().map(|word| setting(about, &word.name, &word.sentence));
     let listed = actions.chain(lessons).chain(presets).chain(bodies).chain(settings().flat_map(words_of));
     typed(state, &words).into_iter().chain(listed.filter(fits)).take(MOST).collect()
 }
@@ -167,10 +172,12 @@ fn settings() -> impl Iterator<Item = &'static About> {
     about_all().iter().filter(|about| !about.section.is_empty())
 }
 
-/// The entry that gives a setting this value.
-fn setting(about: &About, value: &str) -> Entry {
+/// The entry that gives a setting this value, with the sentence about the value if there is one.
+fn setting(about: &'static About, value: &str, meaning: &'static str) -> Entry {
+    let name = format!("{}: {value}", about.name.replace('-', " "));
+    let sentence = if meaning.is_empty() { &about.sentence } else { meaning };
     let command = Command::Value { name: about.name, value: value.to_owned() };
-    Entry { name: format!("{}: {value}", about.name.replace('-', " ")), keys: String::new(), command }
+    Entry { name, keys: String::new(), sentence, command }
 }
 
 /// Returns an entry where `words` are those of a setting's name and then a value that it can have.
@@ -179,7 +186,7 @@ fn typed(state: &State, words: &[&str]) -> Option<Entry> {
     let name = name.join("-");
     let about = settings().find(|about| about.name == name && about.is_open)?;
     let can_be = Settings::clone(&state.document.settings).with_value(about.name, value).is_ok();
-    can_be.then(|| setting(about, value))
+    can_be.then(|| setting(about, value, ""))
 }
 
 #[cfg(test)]

@@ -41,7 +41,7 @@ pub struct FitSetup {
     /// The binocular model that is fitted.
     #[arg(long, value_enum)]
     pub model: Model,
-    /// Whether x0 is fitted too, the point's place at t = 0, as if the time of passage were unknown; otherwise x0 is known.
+    /// Whether x₀ is fitted too, the point's place at t = 0, as if the time of passage were unknown; otherwise x₀ is known.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub fit_x0: OnOff,
 }

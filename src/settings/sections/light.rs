@@ -18,10 +18,10 @@ pub struct Light {
     /// Temperature of bodies that glow, in kelvin, or in degrees Celsius like 1000C.
     #[arg(long, value_name = "K", value_parser = temperature)]
     pub temperature: f64,
-    /// Whether the Doppler effect shifts the wavelength: received = at rest / D.
+    /// Whether the Doppler effect shifts the wavelength: λ received = λ at rest / D.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub doppler_shift: OnOff,
-    /// Exponent n of the received intensity D^n of light of one wavelength: `surface` (4, the radiance of a surface), `photons` (3, their number, or
+    /// Exponent n of the received intensity Dⁿ of light of one wavelength: `surface` (4, the radiance of a surface), `photons` (3, their number, or
     /// the power per unit of frequency), `paper` (2, the flux of a point source relative to what a camera riding along receives), a
     /// number from -10 to 10, or `off`.
     #[arg(long, value_name = "surface|photons|paper|N|off", allow_hyphen_values = true)]

@@ -17,7 +17,7 @@ pub struct Motion {
     #[command(flatten)]
     #[serde(flatten)]
     pub speed: SpeedSetting,
-    /// Separation of the eyes. With the head held straight they rest at x = -d/2 (left) and x = +d/2 (right).
+    /// Separation of the eyes. With the head held straight they rest at x = −d/2 (left) and x = +d/2 (right).
     #[arg(long, value_parser = within(0.0..=MAX_LENGTH), allow_hyphen_values = true)]
     pub d: f64,
     /// Tilt of the head, degrees: above 0 the right eye is the higher one, at 90 straight above the left one. Eyes above each other see a rod

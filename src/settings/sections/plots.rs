@@ -9,10 +9,10 @@ use crate::flags::{OnOff, switch};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PlotTab {
-    /// Disparities, delta-phi and delta-theta or delta-u and delta-v: how differently the eyes see each point.
+    /// Disparities, Δφ and Δθ or Δu and Δv: how differently the eyes see each point.
     #[default]
     Disparity,
-    /// Azimuth phi and elevation theta of the selected point, for each eye.
+    /// Azimuth φ and elevation θ of the selected point, for each eye.
     Angles,
     /// Doppler factor D of the selected point, for each eye.
     Doppler,
@@ -28,11 +28,11 @@ pub enum PlotTab {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Coordinates {
-    /// Delta-phi and delta-theta: azimuth and elevation.
+    /// Δφ and Δθ: azimuth and elevation.
     #[default]
     Angles,
-    /// Delta-u and delta-v: the columns and rows of conformal pictures. Motion slides u by the rapidity for both eyes alike, so that delta-u of a
-    /// moving point is that of a resting one for eyes gamma d apart, dashed.
+    /// Δu and Δv: the columns and rows of conformal pictures. Motion slides u by the rapidity for both eyes alike, so that Δu of a
+    /// moving point is that of a resting one for eyes γd apart, dashed.
     Conformal,
 }
 
@@ -47,7 +47,7 @@ pub struct Plots {
     /// The coordinates of the disparity plots.
     #[arg(long, value_enum)]
     pub coordinates: Coordinates,
-    /// Whether the paper's approximate binocular model is plotted too, dashed: the right eye is the left one at T - delta-T, both angles measured
+    /// Whether the paper's approximate binocular model is plotted too, dashed: the right eye is the left one at T − ΔT, both angles measured
     /// from the left eye.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub published: OnOff,

@@ -10,11 +10,11 @@ use crate::model::Model;
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Curves {
-    /// Delta-phi only, the differences in azimuth: they cannot tell up from down.
+    /// Δφ only: the differences in azimuth, which cannot tell up from down.
     #[cfg_attr(feature = "clap", value(name = "dphi"))]
     #[cfg_attr(feature = "serde", serde(rename = "dphi"))]
     Azimuth,
-    /// Delta-theta only, the differences in elevation.
+    /// Δθ only: the differences in elevation.
     #[cfg_attr(feature = "clap", value(name = "dtheta"))]
     #[cfg_attr(feature = "serde", serde(rename = "dtheta"))]
     Polar,

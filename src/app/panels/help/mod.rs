@@ -5,7 +5,7 @@ mod words;
 use std::sync::LazyLock;
 
 use eframe::egui::{
-    Align2, Context, Grid, Id, RichText, ScrollArea, TextStyle, TextWrapMode, Ui, Window, vec2,
+    Align2, Context, Grid, Id, Label, RichText, ScrollArea, TextStyle, TextWrapMode, Ui, Window, vec2,
 };
 
 use super::Commands;
@@ -179,6 +179,6 @@ fn table(ui: &mut Ui, id: &str, rows: impl Iterator<Item = (impl Into<String>, &
 fn cell(ui: &mut Ui, width: f32, text: RichText) {
     ui.scope(|ui| {
         ui.set_width(width);
-        ui.label(text);
+        ui.add(Label::new(text).wrap());
     });
 }
