@@ -90,6 +90,7 @@ pub mod mercator;
 mod mesh;
 #[doc(hidden)]
 pub mod mirrors;
+mod models;
 mod one_cone;
 mod outline;
 mod packets;

@@ -203,6 +203,11 @@ impl PreparedScene {
         Some(&self.0.models[place].1)
     }
 
+    /// The triangles of each body that is made of these, by its number.
+    pub(crate) fn models(&self) -> impl Iterator<Item = &Arc<Triangles>> {
+        self.0.models.iter().map(|(_, triangles)| triangles)
+    }
+
     /// Whether any body is made of triangles.
     #[must_use]
     pub fn has_triangles(&self) -> bool {

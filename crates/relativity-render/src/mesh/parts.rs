@@ -62,7 +62,7 @@ impl Parts {
     /// Replaces all by the bodies that `shot` can show, divided to keep `bound_px`. In pictures thin ones are drawn
     /// wider, and faded.
     pub fn refill(&mut self, shot: &Shot<'_>, bound_px: f64) {
-        let Shot { scene, views, divided_for, appearance } = *shot;
+        let Shot { scene, views, divided_for, appearance, .. } = *shot;
         let projections: Vec<_> = views.iter().map(Projection::new).collect();
         let maps: Vec<_> = views.iter().map(|view| view.camera.mercator()).collect();
         let ball = |body: &PreparedBody| {

@@ -110,8 +110,9 @@ impl<S: Simd> Meetings<S> {
         let is_lit_by_the_street = effects.spectrum() == Spectrum::StreetDaylight;
         let placed = Body::new(simd, &shown.placement);
         let spin = Spin::new(simd, shown);
-        let facing = is_lit_by_the_street
-            .then(|| facing_of(simd, Kind::Box, Turns::Not, &group, &placed, self.place, self.normal, &spin));
+        let facing = is_lit_by_the_street.then(|| {
+            facing_of(simd, Kind::Model, Turns::Not, &group, &placed, self.place, self.normal, &spin)
+        });
         let colour = received_colour(effects, tables, light, self.doppler, self.normal, facing, hatched);
         let mut factors = [[0.0; LANES]; 3];
         for lane in 0..LANES {

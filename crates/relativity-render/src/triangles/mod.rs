@@ -13,6 +13,7 @@
 mod crossing;
 mod error;
 mod limits;
+pub(crate) mod packed;
 pub mod point;
 
 use std::sync::Arc;

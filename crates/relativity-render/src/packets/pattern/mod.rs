@@ -69,7 +69,7 @@ fn darkness<S: Simd>(
             let covered = covered_by_pixel(group, body, ray, normal, distance);
             chart::on_cylinder(body, pattern, place, normal).darkness(pattern, &covered)
         }
-        Kind::Box => {
+        Kind::Box | Kind::Model => {
             let normal = die::normal_of_box(body, place);
             let covered = covered_by_pixel(group, body, ray, normal, distance);
             die::darkness_of_box(body, pattern, place, normal, &covered)
