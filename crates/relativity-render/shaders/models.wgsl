@@ -174,14 +174,21 @@ fn first_met(row: u32, start: vec3f, direction: vec3f, behind: f32, is_two_sided
     return first;
 }
 
-// The unit normal of a triangle, on the side from which a ray along `direction` comes. Lengths are brought up to 1 before they are squared.
-fn normal_of(triangle: Triangle, direction: vec3f) -> vec3f {
+// The unit normal of a triangle, on the side from which its corners run counter-clockwise. Lengths are brought up to 1 before they are
+// squared.
+fn outward(triangle: Triangle) -> vec3f {
     let u = triangle.b - triangle.a;
     let v = triangle.c - triangle.a;
     let largest = max(max(length_of_largest(u), length_of_largest(v)), 1e-30);
     let across = cross(u / largest, v / largest);
     let normal = across / max(length_of_largest(across), 1e-30);
-    return normal * (-sign_of(dot(normal, direction)) / max(length(normal), 1e-30));
+    return normal / max(length(normal), 1e-30);
+}
+
+// The same, on the side from which a ray along `direction` comes.
+fn normal_of(triangle: Triangle, direction: vec3f) -> vec3f {
+    let normal = outward(triangle);
+    return normal * -sign_of(dot(normal, direction));
 }
 
 fn length_of_largest(v: vec3f) -> f32 {

@@ -6,7 +6,7 @@ use crate::shape::Shape;
 /// Defines the kinds: one line each, with its name and its files in `shaders/` for the ray test, for the pixels of that, for the corners
 /// and for patterns.
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $kind:ident: $test:literal, [$($pixels:literal),+], $corners:literal, $pattern:literal;)+) => {
+    ($($(#[$doc:meta])* $kind:ident: [$($test:literal),+], [$($pixels:literal),+], [$($corners:literal),+], $pattern:literal;)+) => {
         /// A kind of shape.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum Kind {
@@ -21,7 +21,7 @@ macro_rules! kinds {
             pub const fn impostor(self) -> &'static str {
                 match self {
                     $(Self::$kind => source!(
-                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "impostor", $test, $pattern, $($pixels),+
+                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "impostor", $($test),+, $pattern, $($pixels),+
                     ),)+
                 }
             }
@@ -30,7 +30,7 @@ macro_rules! kinds {
             pub const fn mesh(self) -> &'static str {
                 match self {
                     $(Self::$kind => source!(
-                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", $test, "mesh", "mesh_turning", $corners, $pattern
+                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", $($test),+, "mesh", "mesh_turning", $($corners),+, $pattern
                     ),)+
                 }
             }
@@ -40,15 +40,15 @@ macro_rules! kinds {
 
 kinds! {
     /// A tube with rounded ends; a ball is one without a length.
-    Tube: "tube", ["impostor_shape"], "mesh_tube", "pattern_tube";
+    Tube: ["tube"], ["impostor_shape"], ["mesh_tube", "mesh_shape"], "pattern_tube";
     /// A torus, as the shape `Ring`.
-    Ring: "ring", ["impostor_shape"], "mesh_ring", "pattern_ring";
+    Ring: ["ring"], ["impostor_shape"], ["mesh_ring", "mesh_shape"], "pattern_ring";
     /// A box, as the shape `Box`.
-    Box: "box", ["impostor_shape"], "mesh_box", "pattern_box";
+    Box: ["box"], ["impostor_shape"], ["mesh_box", "mesh_shape"], "pattern_box";
     /// A cylinder with flat ends.
-    Cylinder: "cylinder", ["impostor_shape"], "mesh_cylinder", "pattern_cylinder";
+    Cylinder: ["cylinder"], ["impostor_shape"], ["mesh_cylinder", "mesh_shape"], "pattern_cylinder";
     /// A model of triangles, in its box.
-    Model: "box", ["models", "impostor_model"], "mesh_box", "pattern_box";
+    Model: ["models", "model"], ["impostor_model"], ["mesh_model"], "pattern_box";
 }
 
 impl Kind {

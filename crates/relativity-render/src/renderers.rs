@@ -69,6 +69,8 @@ pub enum Method {
     /// both eyes, alone or among groups, the bound is kept, too. A conformal picture has no bound where the line through the
     /// eyes meets a body, infinitely far aside: of a wheel around that line at most 1 % of the pixels show another body than
     /// is seen within the bound, up to 0.99 c and as seen (`tests/gpu_wheels.rs`); contracted at 0.9999 c up to 12 % did.
+    ///
+    /// Models keep the bound (`tests/gpu_models.rs`) unless that takes more than two million triangles; and the background shows nowhere between triangles.
     Mesh {
         /// Greatest distance at which any point may be drawn from where it is seen, pixels, above 0.
         bound_px: f64,
@@ -145,18 +147,6 @@ impl fmt::Display for Method {
     }
 }
 
-impl PreparedScene {
-    /// Whether `method` draws all of its bodies.
-    ///
-    /// # Errors
-    ///
-    /// Models of triangles by the mesh renderer.
-    pub fn drawn_by(&self, method: Method) -> Result<(), Undrawn> {
-        let is_mesh = matches!(method, Method::Mesh { .. });
-        if is_mesh && self.has_triangles() { Err(Undrawn::TrianglesByMesh) } else { Ok(()) }
-    }
-}
-
 /// The renderers, each made when it is first needed.
 #[derive(Debug, Default)]
 pub struct Renderers {
@@ -205,7 +195,6 @@ impl Renderers {
     ) -> Result<Method, GpuError> {
         view.drawn_on_gpu()?;
         let method = self.in_place_of_rays(method.on_gpu(view), scene)?;
-        scene.drawn_by(method)?;
         let scopes = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?.error_scopes();
         if method == Method::Packets
             && let (Some(gpu), Some(packets)) = (&self.gpu, &self.packets)
@@ -257,7 +246,6 @@ impl Renderers {
     ) -> Result<Picture, GpuError> {
         view.drawn()?;
         let method = self.with_room_for_models(method.of_view(view), scene)?;
-        scene.drawn_by(method)?;
         if method == Method::Packets
             && let Some(packets) = &self.packets
         {
@@ -300,7 +288,6 @@ impl Renderers {
     ) -> Result<HitImage, GpuError> {
         part.drawn()?;
         let method = self.with_room_for_models(method.of_view(part), scene)?;
-        scene.drawn_by(method)?;
         if method == Method::Reference {
             return Ok(scene.hit_image(part));
         }

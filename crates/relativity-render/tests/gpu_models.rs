@@ -10,8 +10,8 @@ use std::process::ExitCode;
 use gpu_support::scenes::{conformal_views, parallel_views, speeds, time_seen_at, view_following};
 use models::{ball_model, box_model, exact_box, scene_of, soup, view};
 use relativity_render::{
-    Appearance, Body, Colour, Geometry, Group, Hit, HitImage, Method, Motion, PreparedScene, Renderers,
-    Shading, Shape, Velocity, View,
+    Appearance, Body, Colour, Geometry, Group, Hit, HitImage, Method, Model, Motion, PreparedScene,
+    Renderers, Shading, Shape, Velocity, View,
 };
 use support::{documented, spread};
 
@@ -24,6 +24,13 @@ fn main() -> ExitCode {
         ("edges_are_as_smooth_as_the_references", edges_are_as_smooth_as_the_references),
         ("models_are_told_from_other_bodies_by_depth", models_are_told_from_other_bodies_by_depth),
         ("each_scene_has_its_own_models", each_scene_has_its_own_models),
+        ("a_mesh_keeps_its_bound", a_mesh_keeps_its_bound),
+        ("a_mesh_has_no_gaps", a_mesh_has_no_gaps),
+        ("a_mesh_has_the_colours_of_the_reference", a_mesh_has_the_colours_of_the_reference),
+        (
+            "the_published_model_shows_a_box_of_triangles_as_a_box",
+            the_published_model_shows_a_box_of_triangles_as_a_box,
+        ),
     ])
 }
 
@@ -165,21 +172,113 @@ fn levels_off(drawn: &[[u8; 4]], truth: &[[u8; 4]], counts: impl Fn(usize) -> bo
     pixels.fold((0, 0), |(worst, count), (_, pair)| (worst.max(off(pair).unwrap_or(0)), count + 1))
 }
 
-fn colours_agree_with_the_reference(renderers: &mut Renderers) {
-    let levels = documented(RENDERERS, "away from outlines colours are within ");
+/// A ball of large triangles, painted.
+fn painted_ball() -> Model {
     let mut model = ball_model(MIDDLE, 0.6, 6);
     model.paints = (0..model.corners.len() as u32).map(|i| spread::<3>(i).map(|part| part as f32)).collect();
-    let scene = scene_of(model);
+    model
+}
+
+/// Checks that inside triangles the pictures of a painted ball by `method` are the reference's within these `levels`.
+fn assert_colours(renderers: &mut Renderers, method: Method, levels: f64) {
+    let scene = scene_of(painted_ball());
     for beta in [0.0, 0.7, 0.99] {
         let view = view(beta, Geometry::Seen, [160, 120]);
         let expected = scene.hit_image(&view);
         for appearance in appearances() {
-            let [truth, drawn] = [Method::Reference, Method::Rays].map(|method| {
+            let [truth, drawn] = [Method::Reference, method].map(|method| {
                 renderers.picture(method, &scene, &view, &appearance, 1).expect("device works").rgba
             });
             let (off, count) = levels_off(&drawn, &truth, |i| is_inside(&expected, i));
             assert!(count > 500 && f64::from(off) <= levels, "{off} levels at {beta}, {appearance:?}");
         }
+    }
+}
+
+fn colours_agree_with_the_reference(renderers: &mut Renderers) {
+    assert_colours(renderers, Method::Rays, documented(RENDERERS, "away from outlines colours are within "));
+}
+
+fn a_mesh_has_the_colours_of_the_reference(renderers: &mut Renderers) {
+    let levels = documented(RENDERERS, "colours away from outlines are within ");
+    assert_colours(renderers, Method::Mesh { bound_px: 0.1 }, levels);
+}
+
+/// Every pixel shows the triangle that the reference shows there or within the bound of there, and what it shows is seen there.
+fn a_mesh_keeps_its_bound(renderers: &mut Renderers) {
+    let geometries = [Geometry::Seen, Geometry::Contracted, Geometry::OneCone, Geometry::Rest];
+    let models = [(box_model(), 2.0), (painted_ball(), 0.5), (soup(true), 0.5)];
+    for (view, (geometry, (model, bound_px))) in views()
+        .step_by(2)
+        .zip(geometries.iter().zip(models.iter().cycle().flat_map(|model| [model; 3])).cycle())
+    {
+        let (scene, mut view) = (scene_of(model.clone()), View { geometry: *geometry, ..view });
+        if *geometry == Geometry::OneCone {
+            (view.camera.aperture.x, view.camera.off_middle.x) = (0.3, 0.3);
+        }
+        let truth = scene.hit_image(&view).hits;
+        let drawn =
+            renderers.hits(Method::Mesh { bound_px: *bound_px }, &scene, &view).expect("device works").hits;
+        let triangle = |hit: &Option<Hit>| hit.and_then(|hit| hit.triangle).map(|point| point.triangle);
+        for (i, (truth, drawn)) in truth.iter().zip(&drawn).enumerate() {
+            let is_off = triangle(truth) != triangle(drawn);
+            assert!(
+                !is_off
+                    || [0.25, 0.5, 0.75, 1.0].iter().any(|share| is_nearby(
+                        &scene,
+                        &view,
+                        i,
+                        drawn.as_ref(),
+                        share * bound_px
+                    )),
+                "pixel {i}, {geometry:?}, gamma {}: {drawn:?} for {truth:?}",
+                view.speed.gamma()
+            );
+            let Some(hit) = drawn else { continue };
+            let place = view
+                .apparent_position(hit.rest_position.to_array())
+                .and_then(|place| view.camera.pixel(place));
+            let [u, v] = place.expect("it is in front");
+            let width = view.camera.size[0] as usize;
+            let off = (u - (i % width) as f64 - 0.5).hypot(v - (i / width) as f64 - 0.5);
+            assert!(off < *bound_px, "pixel {i}, {geometry:?}, gamma {}: {off} px off", view.speed.gamma());
+        }
+    }
+}
+
+/// Triangles are divided differently, and nowhere does the background show between them.
+fn a_mesh_has_no_gaps(renderers: &mut Renderers) {
+    let scene = scene_of(ball_model(MIDDLE, 0.6, 7));
+    for beta in [0.0, 0.9, 0.999] {
+        let view = view(beta, Geometry::Seen, [240, 180]);
+        let truth = scene.hit_image(&view).hits;
+        let drawn = renderers.hits(Method::Mesh { bound_px: 0.5 }, &scene, &view).expect("device works").hits;
+        let is_within = |i: usize| {
+            let around =
+                [0, 1, 239, 240, 241].iter().flat_map(|step| [i.checked_sub(*step), i.checked_add(*step)]);
+            around.flatten().all(|i| truth.get(i).is_some_and(Option::is_some))
+        };
+        let gaps = (0..drawn.len()).filter(|&i| drawn[i].is_none() && is_within(i)).count();
+        assert!(gaps == 0 && drawn.iter().flatten().count() > 3000, "{gaps} gaps at {beta}");
+    }
+}
+
+/// Both meshes are of the same faces, though not of the same triangles.
+fn the_published_model_shows_a_box_of_triangles_as_a_box(renderers: &mut Renderers) {
+    let scenes = [PreparedScene::moving(&[Body::white(exact_box())]), scene_of(box_model())];
+    for beta in [0.0, 0.6, 0.95] {
+        let view = view(beta, Geometry::Published, [96, 72]);
+        let [expected, found] = [&scenes[0], &scenes[1]].map(|scene| {
+            renderers.hits(Method::Mesh { bound_px: 0.1 }, scene, &view).expect("device works").hits
+        });
+        let (mut both, mut either) = (0, 0);
+        for pair in expected.iter().zip(&found) {
+            either += usize::from(pair.0.is_some() || pair.1.is_some());
+            let (Some(expected), Some(found)) = pair else { continue };
+            // A pixel is about 0.03 wide there, and more of a face that is seen aslant.
+            both += usize::from(expected.rest_position.distance(found.rest_position) < 0.02);
+        }
+        assert!(both > 500 && 100 * both > 97 * either, "{both} of {either} at {beta}");
     }
 }
 

@@ -200,23 +200,6 @@ fn packets_draw_a_box_of_triangles_as_the_box() {
 }
 
 #[test]
-fn other_renderers_refuse_models() {
-    let (scene, view) = (scene_of(box_model()), view(0.5, Geometry::Published, [8, 6]));
-    for method in [Method::Reference, Method::Rays, Method::Mesh { bound_px: 0.5 }] {
-        let error =
-            renderers().picture(method, &scene, &view, &Appearance::default(), 1).expect_err("it is refused");
-        assert!(
-            error.to_string().starts_with("models from files are not drawn by the mesh renderer"),
-            "{error}"
-        );
-        assert_eq!(
-            renderers().hits(method, &scene, &view).expect_err("it is refused").to_string(),
-            error.to_string()
-        );
-    }
-}
-
-#[test]
 fn what_is_no_model_is_refused() {
     let refused = |change: &dyn Fn(&mut Model)| {
         let mut model = box_model();

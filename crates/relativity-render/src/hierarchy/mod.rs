@@ -9,6 +9,7 @@ mod boxes;
 mod build;
 mod lines;
 mod pieces;
+mod slabs;
 #[cfg(test)]
 mod testing;
 
@@ -18,6 +19,7 @@ use glam::Vec3;
 pub use beam::{Beam, Line, Looks};
 pub use lines::Lines;
 pub use pieces::{Piece, pieces};
+pub use slabs::Slabs;
 
 use self::boxes::{Boxes, WIDTH};
 use crate::lanes::{Simd, SimdFloat, bits};

@@ -89,7 +89,9 @@ impl Parts {
                 instance: Instance::new(body, half_width.unwrap_or_default(), shot),
                 group: body.group,
                 joint: body.joint,
-                is_thin: half_width.is_some_and(|half_width| half_width < half_pixel(body, view)),
+                // A model is drawn as it is, however thin.
+                is_thin: body.triangles.is_none()
+                    && half_width.is_some_and(|half_width| half_width < half_pixel(body, view)),
                 is_patterned: body.is_patterned,
                 turns: view.turns(body),
                 around: maps[body.group].map(|mercator| {
@@ -168,7 +170,7 @@ impl Instance {
             turn,
             light: shot.light(body),
             width_brightness_index: [half_width as f32, body.brightness as f32, body.index()],
-            pattern: body.pattern(),
+            pattern: shot.pattern(body),
             spin,
             rim,
             copy: FLAT,

@@ -56,6 +56,8 @@ pub struct Triangles {
     middle: DVec3,
     half: DVec3,
     fingerprint: u64,
+    /// Greatest length of an edge, as `relative_length` has it.
+    longest_edge: f64,
 }
 
 impl Triangles {
@@ -95,12 +97,19 @@ impl Triangles {
             middle,
             half: half.max(DVec3::splat(LEAST_SIDE * largest)),
             fingerprint: 0,
+            longest_edge: 0.0,
         };
         prepared.hierarchy = Hierarchy::new(prepared.pieces(), DVec3::ZERO);
         if prepared.hierarchy.is_empty() {
             return Err(TrianglesError::NoArea);
         }
         prepared.fingerprint = prepared.hashed();
+        let longest = |triangle: u32| {
+            let [a, b, c] = prepared.corners_of(triangle);
+            [b - a, c - b, a - c].map(|edge| prepared.relative_length(edge)).into_iter().fold(0.0, f64::max)
+        };
+        prepared.longest_edge =
+            (0..prepared.faces.len() as u32).into_par_iter().map(longest).reduce(|| 0.0, f64::max);
         Ok(prepared)
     }
 
@@ -189,8 +198,18 @@ impl Triangles {
         (TrianglePoint { triangle, weights }, axes * facing(across, axes.transpose() * direction))
     }
 
+    /// Length of an edge in sides of the box: the sum of what it is along each axis.
+    pub(crate) fn relative_length(&self, edge: DVec3) -> f64 {
+        (edge.abs() / (2.0 * self.half)).element_sum()
+    }
+
+    /// Returns the greatest number of segments of a whole side of the box that no edge is longer than; 1 if one is.
+    pub(crate) fn least_segments(&self) -> u32 {
+        (1.0 / self.longest_edge).clamp(1.0, 512.0) as u32
+    }
+
     /// Returns the corners of the triangle of this number, from the middle of the box.
-    fn corners_of(&self, triangle: u32) -> [DVec3; 3] {
+    pub(crate) fn corners_of(&self, triangle: u32) -> [DVec3; 3] {
         self.faces[triangle as usize].map(|corner| self.corners[corner as usize].as_dvec3())
     }
 

@@ -56,11 +56,7 @@ struct Records<'a> {
 impl Triangles {
     /// Packs them for the shaders.
     pub(crate) fn packed(&self) -> Packed {
-        let room = ROOM * self.half.length() as f32;
-        let mut records = Records { triangles: self, nodes: Vec::new(), leaves: Vec::new(), depth: 0, room };
-        let mut all: Vec<_> = self.hierarchy.children(0).collect();
-        records.add_node(&mut all, 1);
-        let Records { mut nodes, leaves, depth, .. } = records;
+        let Records { mut nodes, leaves, depth, .. } = Records::new(self);
         let first = nodes.len() as u32;
         for link in nodes.iter_mut().flat_map(|[a, _, b, _]| [&mut a[3], &mut b[3]]) {
             if *link & IS_LEAF != 0 {
@@ -69,6 +65,12 @@ impl Triangles {
         }
         let triangles = leaves.into_iter().flat_map(|triangle| self.record(triangle));
         Packed { texels: nodes.into_iter().flatten().chain(triangles).collect(), waiting: depth }
+    }
+
+    /// Returns the record of the first triangle when they are packed, and the numbers of all in the order of their records.
+    pub(crate) fn packed_order(&self) -> (u32, Vec<u32>) {
+        let Records { nodes, leaves, .. } = Records::new(self);
+        (nodes.len() as u32, leaves)
     }
 
     /// Returns whether they are seen from both sides.
@@ -98,7 +100,15 @@ impl Triangles {
     }
 }
 
-impl Records<'_> {
+impl<'a> Records<'a> {
+    fn new(triangles: &'a Triangles) -> Self {
+        let room = ROOM * triangles.half.length() as f32;
+        let mut records = Self { triangles, nodes: Vec::new(), leaves: Vec::new(), depth: 0, room };
+        let mut all: Vec<_> = triangles.hierarchy.children(0).collect();
+        records.add_node(&mut all, 1);
+        records
+    }
+
     /// Adds the node around `children`, at this depth, and what is in it; returns its link.
     fn add_node(&mut self, children: &mut [Child], depth: usize) -> u32 {
         self.depth = self.depth.max(depth);
