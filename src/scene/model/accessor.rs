@@ -2,6 +2,7 @@
 
 use gltf::Accessor;
 use gltf::accessor::{DataType, Dimensions};
+use gltf::buffer::View;
 
 /// The numbers that a part of a model needs.
 pub struct Needed {
@@ -22,6 +23,12 @@ pub const COLOURS: Needed = Needed {
     types: &[DataType::U8, DataType::U16, DataType::F32],
     dimensions: &[Dimensions::Vec3, Dimensions::Vec4],
     words: "VEC3 or VEC4 of bytes, unsigned shorts or floats, as colours are",
+};
+/// Places of corners in a texture.
+pub const TEXTURE_PLACES: Needed = Needed {
+    types: &[DataType::U8, DataType::U16, DataType::F32],
+    dimensions: &[Dimensions::Vec2],
+    words: "VEC2 of bytes, unsigned shorts or floats, as places in a texture are",
 };
 /// Numbers of corners.
 pub const INDICES: Needed = Needed {
@@ -46,10 +53,16 @@ pub fn check(accessor: &Accessor<'_>, needed: &Needed, buffers: &[Vec<u8>]) -> R
         return Err(format!("accessor {number} has elements of {size} bytes, one every {stride}"));
     }
     let is_there = || {
-        let all = view.offset().checked_add(view.length())?;
+        data_of(&view, buffers)?;
         let end = accessor.count().checked_sub(1)?.checked_mul(stride)?.checked_add(size)?;
         let end = accessor.offset().checked_add(end)?;
-        (all <= buffers.get(view.buffer().index())?.len() && end <= view.length()).then_some(())
+        (end <= view.length()).then_some(())
     };
     is_there().ok_or_else(|| format!("accessor {number} reaches beyond its data"))
+}
+
+/// Returns the bytes of a view, if all of them are there.
+pub fn data_of<'a>(view: &View<'_>, buffers: &'a [Vec<u8>]) -> Option<&'a [u8]> {
+    let end = view.offset().checked_add(view.length())?;
+    buffers.get(view.buffer().index())?.get(view.offset()..end)
 }

@@ -1,8 +1,8 @@
 //! glTF 2.0, as text with files beside it (`.gltf`) or in one piece (`.glb`).
 //!
-//! Reference: Khronos Group, *glTF 2.0 Specification* (2021). The triangles of the nodes of its scene are read, with base colour factors and
-//! colours of corners, both linear. Textures, skins, morphing and animations are passed over, as are lines and points; compressed and sparse
-//! data are refused.
+//! Reference: Khronos Group, *glTF 2.0 Specification* (2021), and its extension `KHR_texture_transform`. The triangles of the nodes of its
+//! scene are read, with base colour factors and colours of corners, both linear, and base colour textures. Other textures, skins, morphing
+//! and animations are passed over, as are lines and points; compressed and sparse data are refused.
 //!
 //! The crate `gltf` reads text and numbers. It trusts indices, types and lengths, which are checked before they reach it; no file is
 //! read but by `beside`.
@@ -16,13 +16,17 @@ use base64::engine::general_purpose::STANDARD;
 use glam::{DMat4, DQuat, DVec3};
 use gltf::buffer::Source;
 use gltf::json::{Path, validation};
+use gltf::mesh::util::{ReadColors, ReadIndices, ReadTexCoords};
 use gltf::mesh::{Mode, Semantic};
 use gltf::scene::Transform;
+use gltf::texture::{Info, WrappingMode};
 use gltf::{Document, Gltf, Node, Primitive};
-use relativity_render::Model;
+use relativity_core::math;
+use relativity_render::{Model, Wrap};
 
-use super::accessor::{COLOURS, INDICES, PLACES, check};
+use super::accessor::{COLOURS, INDICES, PLACES, TEXTURE_PLACES, check, data_of};
 use super::limits::check_count;
+use super::textures::Textures;
 use crate::platform::sizes;
 
 /// Extensions that a file may require.
@@ -30,16 +34,22 @@ const KNOWN: [&str; 2] = ["KHR_materials_unlit", "KHR_texture_transform"];
 /// Length of the head of a `.glb`, bytes.
 const HEAD: u32 = 12;
 
+/// Reads files that a model names.
+type Beside<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
+
 /// Reads a model; `beside` reads the files that it names.
-pub(super) fn model(bytes: &[u8], beside: &dyn Fn(&str) -> Result<Vec<u8>, String>) -> Result<Model, String> {
+pub(super) fn model(bytes: &[u8], beside: Beside<'_>) -> Result<Model, String> {
     let Gltf { document, blob } = document(bytes)?;
     let buffers = buffers(&document, blob, beside)?;
-    let mut model = Model::default();
+    let mut reader =
+        Reader { document: &document, buffers, beside, textures: Textures::new(), model: Model::default() };
     for (node, placed) in placed_nodes(&document)? {
         for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
-            add(&primitive, &buffers, placed, &mut model)?;
+            reader.add(&primitive, placed)?;
         }
     }
+    let Reader { textures, mut model, .. } = reader;
+    textures.put_into(&mut model);
     Ok(model)
 }
 
@@ -93,13 +103,13 @@ fn wrong(path: &str, error: validation::Error) -> Option<String> {
 fn buffers(
     document: &Document,
     mut blob: Option<Vec<u8>>,
-    beside: &dyn Fn(&str) -> Result<Vec<u8>, String>,
+    beside: Beside<'_>,
 ) -> Result<Vec<Vec<u8>>, String> {
     let mut all = Vec::new();
     let mut length = 0;
     for buffer in document.buffers() {
         let data = match buffer.source() {
-            Source::Uri(uri) => data_at(uri, beside)?,
+            Source::Uri(uri) => data_at(uri, "a buffer", beside)?,
             Source::Bin => blob.take().ok_or_else(|| format!("buffer {} has no data", buffer.index()))?,
         };
         length += data.len() as u64;
@@ -114,15 +124,15 @@ fn buffers(
     Ok(all)
 }
 
-/// Returns the data at `uri`: in itself, or in a file beside.
-fn data_at(uri: &str, beside: &dyn Fn(&str) -> Result<Vec<u8>, String>) -> Result<Vec<u8>, String> {
+/// Returns the data at `uri`, those of `what`: in itself, or in a file beside.
+fn data_at(uri: &str, what: &str, beside: Beside<'_>) -> Result<Vec<u8>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
         let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
         let decoded = encoded.and_then(|encoded| STANDARD.decode(encoded).ok());
-        return decoded.ok_or_else(|| "a buffer in it is not base64".to_owned());
+        return decoded.ok_or_else(|| format!("{what} in it is not base64"));
     }
     let name = percent_encoding::percent_decode_str(uri).decode_utf8();
-    beside(&name.map_err(|_| "the name of a file in it is not UTF-8 text".to_owned())?)
+    beside(&name.map_err(|_| format!("the name of {what} in it is not UTF-8 text"))?)
 }
 
 /// Returns the nodes of the scene, and from the axes of each to those of the scene.
@@ -172,65 +182,143 @@ fn turn(quaternion: [f64; 4]) -> DQuat {
     if turn.length_squared() > 0.0 { turn.normalize() } else { DQuat::IDENTITY }
 }
 
-/// Adds the triangles of `primitive` to `model`, as `placed`.
-fn add(
-    primitive: &Primitive<'_>,
-    buffers: &[Vec<u8>],
-    placed: DMat4,
-    model: &mut Model,
-) -> Result<(), String> {
-    let mode = primitive.mode();
-    let (Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan, Some(places)) =
-        (mode, primitive.get(&Semantic::Positions))
-    else {
-        return Ok(());
-    };
-    let count = places.count();
-    check(&places, &PLACES, buffers)?;
-    check_count(model.corners.len().saturating_add(count) / 3)?;
-    let reader = primitive.reader(|buffer| buffers.get(buffer.index()).map(Vec::as_slice));
-    let indices: Vec<u32> = match primitive.indices() {
-        Some(indices) => {
-            check(&indices, &INDICES, buffers)?;
-            reader.read_indices().into_iter().flat_map(gltf::mesh::util::ReadIndices::into_u32).collect()
-        }
-        None => (0..count as u32).collect(),
-    };
-    if let Some(index) = indices.iter().find(|&&index| index as usize >= count) {
-        return Err(format!("a triangle names corner {index}, and its mesh has {count}"));
-    }
-    let triangles = if mode == Mode::Triangles { indices.len() / 3 } else { indices.len().saturating_sub(2) };
-    if triangles == 0 {
-        return Ok(());
-    }
-    check_count(model.triangles.len() + triangles)?;
-    model.paints.extend(paints(primitive, count, buffers)?);
-    let first = model.corners.len() as u32;
-    let is_mirrored = placed.determinant() < 0.0;
-    model.triangles.extend((0..triangles).map(|number| {
-        let [a, b, c] = corners_of(mode, number).map(|place| first + indices[place]);
-        if is_mirrored { [a, c, b] } else { [a, b, c] }
-    }));
-    let corner = |corner: [f32; 3]| placed.transform_point3(DVec3::from(corner.map(f64::from))).to_array();
-    model.corners.extend(reader.read_positions().into_iter().flatten().map(corner));
-    Ok(())
+/// A model that is being read.
+struct Reader<'a> {
+    document: &'a Document,
+    buffers: Vec<Vec<u8>>,
+    beside: Beside<'a>,
+    /// By the numbers that the file has for them.
+    textures: Textures<usize>,
+    model: Model,
 }
 
-/// Returns the paints of the `count` corners of `primitive`: its material's, times their own.
-fn paints(primitive: &Primitive<'_>, count: usize, buffers: &[Vec<u8>]) -> Result<Vec<[f32; 3]>, String> {
-    let [red, green, blue, _] = primitive.material().pbr_metallic_roughness().base_color_factor();
-    let factor = [red, green, blue];
-    let Some(colours) = primitive.get(&Semantic::Colors(0)) else {
-        return Ok(vec![factor.map(|part| part.clamp(0.0, 1.0)); count]);
-    };
-    check(&colours, &COLOURS, buffers)?;
-    if colours.count() != count {
-        return Err("a mesh has not as many colours as corners".to_owned());
+impl Reader<'_> {
+    /// Adds the triangles of `primitive`, as `placed`.
+    fn add(&mut self, primitive: &Primitive<'_>, placed: DMat4) -> Result<(), String> {
+        let mode = primitive.mode();
+        let (Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan, Some(places)) =
+            (mode, primitive.get(&Semantic::Positions))
+        else {
+            return Ok(());
+        };
+        let count = places.count();
+        check(&places, &PLACES, &self.buffers)?;
+        check_count(self.model.corners.len().saturating_add(count) / 3)?;
+        let indices = self.indices(primitive, count)?;
+        let triangles =
+            if mode == Mode::Triangles { indices.len() / 3 } else { indices.len().saturating_sub(2) };
+        if triangles == 0 {
+            return Ok(());
+        }
+        check_count(self.model.triangles.len() + triangles)?;
+        self.add_paints(primitive, count)?;
+        let texture = self.add_texture_places(primitive, count)?;
+        let model = &mut self.model;
+        let first = model.corners.len() as u32;
+        let is_mirrored = placed.determinant() < 0.0;
+        model.triangles.extend((0..triangles).map(|number| {
+            let [a, b, c] = corners_of(mode, number).map(|place| first + indices[place]);
+            if is_mirrored { [a, c, b] } else { [a, b, c] }
+        }));
+        model.texture_numbers.resize(model.triangles.len(), texture);
+        let corner =
+            |corner: [f32; 3]| placed.transform_point3(DVec3::from(corner.map(f64::from))).to_array();
+        let reader = primitive.reader(|buffer| self.buffers.get(buffer.index()).map(Vec::as_slice));
+        model.corners.extend(reader.read_positions().into_iter().flatten().map(corner));
+        Ok(())
     }
-    let reader = primitive.reader(|buffer| buffers.get(buffer.index()).map(Vec::as_slice));
-    let colours = reader.read_colors(0).into_iter().flat_map(gltf::mesh::util::ReadColors::into_rgb_f32);
-    let paint = |own: [f32; 3]| std::array::from_fn(|part| (own[part] * factor[part]).clamp(0.0, 1.0));
-    Ok(colours.map(paint).collect())
+
+    /// The numbers of corners of `primitive`, which has `count` of them, as its triangles name them.
+    fn indices(&self, primitive: &Primitive<'_>, count: usize) -> Result<Vec<u32>, String> {
+        let Some(indices) = primitive.indices() else { return Ok((0..count as u32).collect()) };
+        check(&indices, &INDICES, &self.buffers)?;
+        let reader = primitive.reader(|buffer| self.buffers.get(buffer.index()).map(Vec::as_slice));
+        let indices: Vec<u32> = reader.read_indices().into_iter().flat_map(ReadIndices::into_u32).collect();
+        match indices.iter().find(|&&index| index as usize >= count) {
+            Some(index) => Err(format!("a triangle names corner {index}, and its mesh has {count}")),
+            None => Ok(indices),
+        }
+    }
+
+    /// Adds the paints of the `count` corners of `primitive`: its material's, times their own.
+    fn add_paints(&mut self, primitive: &Primitive<'_>, count: usize) -> Result<(), String> {
+        let [red, green, blue, _] = primitive.material().pbr_metallic_roughness().base_color_factor();
+        let factor = [red, green, blue];
+        let paint = |own: [f32; 3]| std::array::from_fn(|part| (own[part] * factor[part]).clamp(0.0, 1.0));
+        let Some(colours) = primitive.get(&Semantic::Colors(0)) else {
+            self.model.paints.extend(std::iter::repeat_n(paint([1.0; 3]), count));
+            return Ok(());
+        };
+        check(&colours, &COLOURS, &self.buffers)?;
+        if colours.count() != count {
+            return Err("a mesh has not as many colours as corners".to_owned());
+        }
+        let reader = primitive.reader(|buffer| self.buffers.get(buffer.index()).map(Vec::as_slice));
+        let colours = reader.read_colors(0).into_iter().flat_map(ReadColors::into_rgb_f32);
+        self.model.paints.extend(colours.map(paint));
+        Ok(())
+    }
+
+    /// Adds the places of the `count` corners of `primitive` in its texture, and returns the number of that.
+    fn add_texture_places(&mut self, primitive: &Primitive<'_>, count: usize) -> Result<u32, String> {
+        let material = primitive.material();
+        let info = material.pbr_metallic_roughness().base_color_texture();
+        let found = info.and_then(|info| {
+            let transform = info.texture_transform();
+            let set = transform.and_then(|transform| transform.tex_coord()).unwrap_or(info.tex_coord());
+            Some((primitive.get(&Semantic::TexCoords(set))?, info, set))
+        });
+        let Some((places, info, set)) = found else {
+            self.model.texture_places.extend(std::iter::repeat_n([0.0; 2], count));
+            return Ok(Model::NO_TEXTURE);
+        };
+        check(&places, &TEXTURE_PLACES, &self.buffers)?;
+        if places.count() != count {
+            return Err("a mesh has not as many places in its texture as corners".to_owned());
+        }
+        let reader = primitive.reader(|buffer| self.buffers.get(buffer.index()).map(Vec::as_slice));
+        let places = reader.read_tex_coords(set).into_iter().flat_map(ReadTexCoords::into_f32);
+        self.model.texture_places.extend(places.map(|place| transformed(&info, place)));
+        self.texture(&info.texture())
+    }
+
+    /// Returns the number of a `texture`, which is read unless it was before.
+    fn texture(&mut self, texture: &gltf::Texture<'_>) -> Result<u32, String> {
+        let sampler = texture.sampler();
+        let wrap = [sampler.wrap_s(), sampler.wrap_t()].map(|mode| match mode {
+            WrappingMode::Repeat => Wrap::Repeat,
+            WrappingMode::MirroredRepeat => Wrap::Mirror,
+            WrappingMode::ClampToEdge => Wrap::Clamp,
+        });
+        let number = texture.source().index();
+        // The crate takes for granted that an image says where it is, and of which kind.
+        let image = &self.document.as_json().images[number];
+        let (document, buffers, beside) = (self.document, &self.buffers, self.beside);
+        self.textures.number(texture.index(), wrap, || {
+            let name = format!("image {number}");
+            match (&image.uri, image.buffer_view) {
+                (Some(uri), _) if uri.starts_with("data:") => Ok((data_at(uri, "an image", beside)?, name)),
+                (Some(uri), _) => Ok((data_at(uri, "an image", beside)?, uri.clone())),
+                (None, Some(view)) => {
+                    let view = document.views().nth(view.value());
+                    let data = view.and_then(|view| data_of(&view, buffers));
+                    Ok((data.ok_or_else(|| format!("{name} reaches beyond its data"))?.to_vec(), name))
+                }
+                (None, None) => Err(format!("{name} has no data")),
+            }
+        })
+    }
+}
+
+/// Returns a place in the texture of `info`, as its `KHR_texture_transform` moves it.
+///
+/// The rotation is that of Khronos's own viewer: as seen on the picture, it turns the places counter-clockwise.
+fn transformed(info: &Info<'_>, place: [f32; 2]) -> [f32; 2] {
+    let Some(transform) = info.texture_transform() else { return place };
+    let ([du, dv], [width, height]) = (transform.offset(), transform.scale());
+    let (sine, cosine) = math::sin_cos(f64::from(transform.rotation()));
+    let [u, v] = [place[0] * width, place[1] * height].map(f64::from);
+    [(cosine * u + sine * v) as f32 + du, (cosine * v - sine * u) as f32 + dv]
 }
 
 /// The places, in the list of indices, of the corners of the triangle of this number.

@@ -6,6 +6,9 @@ use relativity_render::{Model, Shape, Triangles};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
+mod ridden;
+mod textures;
+
 use super::read_model;
 use crate::scene::Scene;
 
