@@ -12,25 +12,25 @@ pub struct Needed {
     words: &'static str,
 }
 
-/// Places of corners.
+/// The numbers of corners' places.
 pub const PLACES: Needed = Needed {
     types: &[DataType::F32],
     dimensions: &[Dimensions::Vec3],
     words: "VEC3 of floats, as places are",
 };
-/// Colours of corners.
+/// The numbers of corners' colours.
 pub const COLOURS: Needed = Needed {
     types: &[DataType::U8, DataType::U16, DataType::F32],
     dimensions: &[Dimensions::Vec3, Dimensions::Vec4],
     words: "VEC3 or VEC4 of bytes, unsigned shorts or floats, as colours are",
 };
-/// Places of corners in a texture.
+/// The numbers of corners' places in a texture.
 pub const TEXTURE_PLACES: Needed = Needed {
     types: &[DataType::U8, DataType::U16, DataType::F32],
     dimensions: &[Dimensions::Vec2],
     words: "VEC2 of bytes, unsigned shorts or floats, as places in a texture are",
 };
-/// Numbers of corners.
+/// The numbers by which triangles name their corners.
 pub const INDICES: Needed = Needed {
     types: &[DataType::U8, DataType::U16, DataType::U32],
     dimensions: &[Dimensions::Scalar],

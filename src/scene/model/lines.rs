@@ -7,7 +7,7 @@ use std::str::{Lines as TextLines, SplitWhitespace};
 
 use super::limits::check_count;
 
-/// What is wrong with a file, and how many of its lines have been read.
+/// The first problem of a file, and the number of lines that have been read.
 #[derive(Default)]
 pub struct Problems {
     line: Cell<usize>,
@@ -68,7 +68,7 @@ impl<'a> Lines<'a> {
         Ok(())
     }
 
-    /// Three coordinates, and three parts of an sRGB colour if there are any.
+    /// Takes a corner: three coordinates, and three parts of an sRGB colour if there are any.
     fn corner(&mut self, words: SplitWhitespace<'_>) -> Result<(), String> {
         let words: Vec<&str> = words.collect();
         let numbers = words.iter().map(|word| number(word)).collect::<Result<Vec<_>, _>>()?;
@@ -86,7 +86,7 @@ impl<'a> Lines<'a> {
         Ok(())
     }
 
-    /// One coordinate in a texture, or more.
+    /// Takes a place in a texture: one coordinate or more.
     fn in_texture(&mut self, words: SplitWhitespace<'_>) -> Result<(), String> {
         let words: Vec<&str> = words.chain(["0"]).take(2).collect();
         words.iter().try_for_each(|word| number(word).map(drop))?;
@@ -99,6 +99,7 @@ impl<'a> Lines<'a> {
         Ok(())
     }
 
+    /// Takes a face: the numbers of three corners or more, with places in a texture if there are any.
     fn face(&mut self, words: SplitWhitespace<'_>) -> Result<(), String> {
         self.line.push('f');
         let mut count: usize = 0;

@@ -1,4 +1,4 @@
-//! Pictures of textures: PNG and JPEG, told apart by how they begin.
+//! The pictures of textures: PNG and JPEG, distinguished by their first bytes.
 
 use std::io::Cursor;
 

@@ -1,6 +1,6 @@
 //! The scene of a model that is opened by itself: it rides on Gamow's street, in place of the cyclist.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 use relativity_render::Model;
@@ -49,7 +49,7 @@ fn path_within(path: &Path, folder: &Path) -> Result<String, String> {
     let real = |path: &Path| {
         files::canonical(path).map_err(|error| format!("cannot read {}: {error}", files::shown(path)))
     };
-    let (own, around) = (real(path)?, real(folder)?);
+    let (own, around) = (real(path)?, if files::HAS_FOLDERS { real(folder)? } else { PathBuf::new() });
     let within = own.strip_prefix(&around).map_err(|_| {
         format!("{} must lie in the folder of the scene file, or in a folder there", files::shown(path))
     })?;
@@ -57,7 +57,7 @@ fn path_within(path: &Path, folder: &Path) -> Result<String, String> {
     parts.map(|parts| parts.join("/")).ok_or_else(|| "its name is not UTF-8 text".to_owned())
 }
 
-/// The way in which a model stands on the road.
+/// The placement of a model on the road.
 struct Stand {
     scale: f64,
     /// The turn about the upright axis, degrees.

@@ -41,7 +41,8 @@ impl<Key: Eq + Hash> Textures<Key> {
         Ok(number)
     }
 
-    /// Gives them to `model`, which says for every triangle and every corner where they are; without any, it says nothing of that.
+    /// Moves the textures into `model`, which names one for every triangle and a place for every corner; without textures, these lists are
+    /// emptied.
     pub fn put_into(self, model: &mut Model) {
         if self.all.is_empty() {
             (model.texture_numbers, model.texture_places) = (Vec::new(), Vec::new());

@@ -8,5 +8,5 @@ pub const MOST_COORDINATE: f64 = 1e6;
 pub const LEAST_SIZE: f64 = 1e-6;
 /// Greatest number of texels of all textures of a model, those of 8192x8192: with their copies they take 360 MB.
 pub const MOST_TEXELS: u64 = 1 << 26;
-/// Greatest magnitude of a place in a texture, in its widths or heights: up to there f32 tells the texels of most textures apart.
+/// Greatest magnitude of a place in a texture, in its widths or heights: beyond, f32 has steps of a thousandth of the texture.
 pub const MOST_WRAPS: f32 = 1e4;

@@ -34,12 +34,12 @@ pub struct Texture {
 /// The continuation of a texture beyond its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Wrap {
-    /// It begins anew.
+    /// Copies of the texture follow each other.
     #[default]
     Repeat,
-    /// It goes back and forth.
+    /// Copies follow each other, every second one mirrored.
     Mirror,
-    /// Its edge goes on.
+    /// The texels at the edge are continued.
     Clamp,
 }
 
@@ -50,7 +50,7 @@ pub struct MipMap {
     pub texels: Vec<[u8; 4]>,
     /// Size of each, and the number of its first texel; the texture itself comes first.
     pub levels: Vec<Level>,
-    /// As [`Texture::wrap`].
+    /// The continuation of the texture, see [`Texture::wrap`].
     pub wrap: [Wrap; 2],
 }
 
@@ -78,7 +78,7 @@ impl Wrap {
 }
 
 impl MipMap {
-    /// Makes the copies of `texture`, which has as many texels as its size says, and at least one.
+    /// Makes the copies of `texture`, whose size is not 0 and counts its texels.
     pub(super) fn new(texture: Texture) -> Self {
         let Texture { size, texels, wrap } = texture;
         let mut map = Self { texels, levels: vec![Level { size, first: 0 }], wrap };
