@@ -194,7 +194,7 @@ impl Renderers {
         target: &mut EyeTarget,
     ) -> Result<Method, GpuError> {
         view.drawn_on_gpu()?;
-        let method = self.in_place_of_rays(method.on_gpu(view), scene)?;
+        let method = self.in_place_of_rays(method.on_gpu(view), scene, view)?;
         let scopes = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?.error_scopes();
         if method == Method::Packets
             && let (Some(gpu), Some(packets)) = (&self.gpu, &self.packets)
@@ -212,22 +212,38 @@ impl Renderers {
     }
 
     /// Returns `method`, or the packets for rays on a device that cannot draw these.
-    fn in_place_of_rays(&mut self, method: Method, scene: &PreparedScene) -> Result<Method, GpuError> {
+    fn in_place_of_rays(
+        &mut self,
+        method: Method,
+        scene: &PreparedScene,
+        view: &View,
+    ) -> Result<Method, GpuError> {
         let has_rays = self.gpu.as_ref().is_none_or(Gpu::has_rays);
         if method == Method::Rays && !has_rays && self.packets.is_some() {
             return Ok(Method::Packets);
         }
-        self.with_room_for_models(method, scene)
+        self.with_room_for_models(method, scene, view)
     }
 
-    /// Returns `method`, with the models of `scene` on the device if it draws there; or the packets where the device has no room for them.
-    fn with_room_for_models(&mut self, method: Method, scene: &PreparedScene) -> Result<Method, GpuError> {
+    /// Returns `method`, with the models of `scene` on the device if it draws there; or the packets where the device has no room for them, or
+    /// textures are to be seen, of which a device draws only the average colours: the reference where the packets do not know `view`.
+    fn with_room_for_models(
+        &mut self,
+        method: Method,
+        scene: &PreparedScene,
+        view: &View,
+    ) -> Result<Method, GpuError> {
         let Some(gpu) = self.gpu.as_ref().filter(|_| !method.is_on_cpu()) else { return Ok(method) };
         let scopes = gpu.error_scopes();
         let has_room = self.canvas.get_or_insert_with(|| Canvas::new(gpu)).load_models(gpu, scene);
         scopes.close()?;
-        let stands_in = if self.packets.is_some() { Method::Packets } else { Method::Reference };
-        Ok(if has_room { method } else { stands_in })
+        if has_room && !scene.has_textures() {
+            return Ok(method);
+        }
+        let packets = Some(Method::Packets).filter(|_| self.packets.is_some());
+        let stands_in =
+            packets.into_iter().chain([Method::Reference]).find(|method| method.of_view(view) == *method);
+        Ok(stands_in.unwrap_or(method))
     }
 
     /// The picture of `view` by `method`, the reference with `samples` times `samples` rays per pixel.
@@ -245,7 +261,7 @@ impl Renderers {
         samples: u32,
     ) -> Result<Picture, GpuError> {
         view.drawn()?;
-        let method = self.with_room_for_models(method.of_view(view), scene)?;
+        let method = self.with_room_for_models(method.of_view(view), scene, view)?;
         if method == Method::Packets
             && let Some(packets) = &self.packets
         {
@@ -287,7 +303,7 @@ impl Renderers {
         part: &View,
     ) -> Result<HitImage, GpuError> {
         part.drawn()?;
-        let method = self.with_room_for_models(method.of_view(part), scene)?;
+        let method = self.with_room_for_models(method.of_view(part), scene, part)?;
         if method == Method::Reference {
             return Ok(scene.hit_image(part));
         }

@@ -208,10 +208,9 @@ impl PreparedScene {
         self.0.models.iter().map(|(_, triangles)| triangles)
     }
 
-    /// Whether any body is made of triangles.
-    #[must_use]
-    pub fn has_triangles(&self) -> bool {
-        !self.0.models.is_empty()
+    /// Whether any body is made of triangles with textures.
+    pub(crate) fn has_textures(&self) -> bool {
+        self.models().any(|triangles| !triangles.textures().is_empty())
     }
 
     /// Boxes around the bodies of the group of this number that keep their places in it.

@@ -15,7 +15,7 @@
 
 use glam::Vec3;
 
-use super::Triangles;
+use super::{TrianglePoint, Triangles};
 use crate::hierarchy::{Child, Content};
 
 /// Four words, which the shaders take for floats or for bits.
@@ -80,10 +80,10 @@ impl Triangles {
 
     fn record(&self, triangle: u32) -> [Texel; TEXELS] {
         let corners = self.faces[triangle as usize];
-        let paint = |corner: usize, part: usize| {
-            let paint = self.paints.get(corners[corner] as usize).map_or(1.0, |paint| paint[part]);
-            (paint.clamp(0.0, 1.0) * 65535.0).round() as u32
-        };
+        // Of textures, the average.
+        let paints = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]
+            .map(|weights| self.paint_over(TrianglePoint { triangle, weights }, |_| 1.0));
+        let paint = |corner: usize, part: usize| (paints[corner][part] * 65535.0).round() as u32;
         let both = |low: u32, high: u32| low | high << 16;
         let [a, b, c] = corners.map(|corner| self.corners[corner as usize]);
         [

@@ -75,5 +75,6 @@ pub fn soup(is_two_sided: bool) -> Model {
         triangles: (0..1000).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect(),
         paints: (0..3000).map(paint).collect(),
         is_two_sided,
+        ..Model::default()
     }
 }
