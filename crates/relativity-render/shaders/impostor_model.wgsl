@@ -67,7 +67,13 @@ fn sample_of_model(fragment: Fragment, index: u32) -> Sample {
     let facing = facing_of(body, hit.place, hit.normal, Spin(vec3f(0.0), 0.0, 0.0, 0.0));
     let colour = received_colour(fragment.light, hit.ray.doppler, hit.normal, facing, pixel)
         * fragment.index_brightness.y;
-    let paint = paint_at(u32(fragment.pattern.x), hit.triangle & ~IS_LEAF, hit.weights);
+    let row = u32(fragment.pattern.x);
+    let record = hit.triangle & ~IS_LEAF;
+    let normal = body_from_rest(hit.normal, body);
+    let distance = (hit.ray.to_centre + hit.beyond) * hit.ray.ground_per_rest;
+    // A sample is half a pixel wide.
+    let paint = paint_at(row, record, hit.weights)
+        * texture_at(row, record, hit.weights, body, hit.ray, normal, distance, 0.5);
     let shown = select(paint, vec3f(dot(paint, LUMINANCE)), fragment.pattern.z > 0.0);
     return Sample(vec4f(colour * shown, 1.0), depth(hit.ray, hit.beyond));
 }

@@ -385,7 +385,7 @@ fn picture(fragment: Fragment, @builtin(front_facing) is_front: bool) -> Picture
     let facing = facing_of(body_of(fragment), measure.place, measure.normal, turning);
     var colour = received_colour(fragment.light, measure.doppler, measure.normal, facing, fragment.position.xy)
         * fragment.width_brightness_index.y
-        * paint_in(fragment, measure.place);
+        * paint_in(fragment, measure);
     if PATTERNS {
         let spin = spin_of(fragment.spin, fragment.rim);
         let there = standing(body_of(fragment), measure.place, spin);

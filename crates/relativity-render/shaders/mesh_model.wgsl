@@ -36,9 +36,9 @@ fn normal_in(fragment: Fragment) -> vec3f {
     return rest_from_body(current_normal, body_of(fragment));
 }
 
-// The paint at `place`, from the body's middle.
-fn paint_in(fragment: Fragment, place: vec3f) -> vec3f {
-    let first = body_from_rest(place, body_of(fragment)) - current.a;
+fn paint_in(fragment: Fragment, measure: Measure) -> vec3f {
+    let body = body_of(fragment);
+    let first = body_from_rest(measure.place, body) - current.a;
     let u = current.b - current.a;
     let v = current.c - current.a;
     let scale = 1.0 / max(max(length_of_largest(u), length_of_largest(v)), 1e-30);
@@ -47,8 +47,12 @@ fn paint_in(fragment: Fragment, place: vec3f) -> vec3f {
     let second = dot(cross(first * scale, v * scale), across) / divisor;
     let third = dot(cross(u * scale, first * scale), across) / divisor;
     let weights = clamp(vec3f(1.0 - second - third, second, third), vec3f(0.0), vec3f(1.0));
-    let sum = weights.x + weights.y + weights.z;
-    let paint = paint_at(u32(fragment.pattern.x), record_in(fragment), weights / sum);
+    let shares = weights / (weights.x + weights.y + weights.z);
+    let row = u32(fragment.pattern.x);
+    let record = record_in(fragment);
+    let normal = body_from_rest(measure.normal, body);
+    let paint = paint_at(row, record, shares)
+        * texture_at(row, record, shares, body, measure.ray, normal, measure.distance, 1.0);
     return select(paint, vec3f(dot(paint, LUMINANCE)), fragment.pattern.z > 0.0);
 }
 

@@ -6,7 +6,7 @@ fn normal_in(fragment: Fragment) -> vec3f {
     return fragment.normal / max(length(fragment.normal), 1e-30);
 }
 
-fn paint_in(fragment: Fragment, place: vec3f) -> vec3f {
+fn paint_in(fragment: Fragment, measure: Measure) -> vec3f {
     return vec3f(1.0);
 }
 

@@ -39,8 +39,12 @@ struct Sheared {
 
 // The texel of this number in a record of the model that begins with `row`.
 fn texel(row: u32, record: u32, number: u32) -> vec4u {
+    return texel_at(row, 4u * record + number);
+}
+
+// The texel of this number in the model that begins with `row`.
+fn texel_at(row: u32, place: u32) -> vec4u {
     let bits = firstTrailingBit(textureDimensions(models).x);
-    let place = 4u * record + number;
     return textureLoad(models, vec2u(place & ((1u << bits) - 1u), row + (place >> bits)), 0);
 }
 

@@ -48,7 +48,7 @@ kinds! {
     /// A cylinder with flat ends.
     Cylinder: ["cylinder"], ["impostor_shape"], ["mesh_cylinder", "mesh_shape"], "pattern_cylinder";
     /// A model of triangles, in its box.
-    Model: ["models", "model"], ["impostor_model"], ["mesh_model"], "pattern_box";
+    Model: ["models", "textures", "model"], ["impostor_model"], ["mesh_model"], "pattern_box";
 }
 
 impl Kind {

@@ -225,8 +225,8 @@ impl Renderers {
         self.with_room_for_models(method, scene, view)
     }
 
-    /// Returns `method`, with the models of `scene` on the device if it draws there; or the packets where the device has no room for them, or
-    /// textures are to be seen, of which a device draws only the average colours: the reference where the packets do not know `view`.
+    /// Returns `method`, with the models of `scene` on the device if it draws there; or the packets where the device has no room for them,
+    /// the reference where the packets do not know `view`.
     fn with_room_for_models(
         &mut self,
         method: Method,
@@ -237,7 +237,7 @@ impl Renderers {
         let scopes = gpu.error_scopes();
         let has_room = self.canvas.get_or_insert_with(|| Canvas::new(gpu)).load_models(gpu, scene);
         scopes.close()?;
-        if has_room && !scene.has_textures() {
+        if has_room {
             return Ok(method);
         }
         let packets = Some(Method::Packets).filter(|_| self.packets.is_some());

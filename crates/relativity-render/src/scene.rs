@@ -208,11 +208,6 @@ impl PreparedScene {
         self.0.models.iter().map(|(_, triangles)| triangles)
     }
 
-    /// Whether any body is made of triangles with textures.
-    pub(crate) fn has_textures(&self) -> bool {
-        self.models().any(|triangles| !triangles.textures().is_empty())
-    }
-
     /// Boxes around the bodies of the group of this number that keep their places in it.
     pub(crate) fn hierarchy(&self, group: usize) -> &Hierarchy {
         &self.0.hierarchies[group]

@@ -7,15 +7,19 @@
 //! |---|---|---|
 //! | 0 | middle of the first box, its link | first corner, number of the triangle |
 //! | 1 | half of its sides, 0 | second corner, paint |
-//! | 2 | middle of the second box, its link | third corner, 0 |
+//! | 2 | middle of the second box, its link | third corner, its places |
 //! | 3 | half of its sides, 0 | paint |
 //!
 //! A link is the number of a node; or, with the highest bit set, the record of the first triangle of a leaf, and in the two bits below one
 //! less than how many follow. Paint is 16 bits a reflectance.
+//!
+//! Behind the records of a model with textures come two texels for each triangle, whose number its record has (0 is none): the places of its
+//! corners in its texture, and the number of the texture's header. That is one texel: width, height, wrapping, and the number of the
+//! first of its words. The words are the texels of all textures and their smaller copies.
 
 use glam::Vec3;
 
-use super::{TrianglePoint, Triangles};
+use super::{Model, TrianglePoint, Triangles};
 use crate::hierarchy::{Child, Content};
 
 /// Four words, which the shaders take for floats or for bits.
@@ -63,8 +67,38 @@ impl Triangles {
                 *link += first;
             }
         }
-        let triangles = leaves.into_iter().flat_map(|triangle| self.record(triangle));
-        Packed { texels: nodes.into_iter().flatten().chain(triangles).collect(), waiting: depth }
+        let triangles = leaves.iter().flat_map(|&triangle| self.record(triangle));
+        let mut texels: Vec<_> = nodes.into_iter().flatten().chain(triangles).collect();
+        if !self.textures.is_empty() {
+            self.add_textures(&leaves, TEXELS * first as usize, &mut texels);
+        }
+        Packed { texels, waiting: depth }
+    }
+
+    /// Adds the textures of the triangles in `leaves`, whose records begin with the texel of this number.
+    fn add_textures(&self, leaves: &[u32], records: usize, texels: &mut Vec<Texel>) {
+        let headers = texels.len() + 2 * leaves.len();
+        for (record, &triangle) in leaves.iter().enumerate() {
+            let number = self.texture_numbers.get(triangle as usize).copied().unwrap_or(Model::NO_TEXTURE);
+            if number == Model::NO_TEXTURE {
+                texels.extend([Texel::default(); 2]);
+                continue;
+            }
+            texels[records + TEXELS * record + 2][3] = texels.len() as u32;
+            let places = self.faces[triangle as usize].map(|corner| self.texture_places[corner as usize]);
+            let [[au, av], [bu, bv], [cu, cv]] = places.map(|place| place.map(f32::to_bits));
+            texels.extend([[au, av, bu, bv], [cu, cv, (headers as u32) + number, 0]]);
+        }
+        let mut words = 4 * (headers + self.textures.len());
+        for texture in &self.textures {
+            let ([width, height], [across, down]) = (texture.levels[0].size, texture.wrap);
+            texels.push([width, height, across as u32 | (down as u32) << 8, words as u32]);
+            words += texture.texels.len();
+        }
+        let words = self.textures.iter().flat_map(|texture| &texture.texels).copied().map(u32::from_le_bytes);
+        let words: Vec<_> = words.collect();
+        texels
+            .extend(words.chunks(4).map(|chunk| std::array::from_fn(|i| chunk.get(i).copied().unwrap_or(0))));
     }
 
     /// Returns the record of the first triangle when they are packed, and the numbers of all in the order of their records.
@@ -80,9 +114,8 @@ impl Triangles {
 
     fn record(&self, triangle: u32) -> [Texel; TEXELS] {
         let corners = self.faces[triangle as usize];
-        // Of textures, the average.
         let paints = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]
-            .map(|weights| self.paint_over(TrianglePoint { triangle, weights }, |_| 1.0));
+            .map(|weights| self.corner_paint(TrianglePoint { triangle, weights }));
         let paint = |corner: usize, part: usize| (paints[corner][part] * 65535.0).round() as u32;
         let both = |low: u32, high: u32| low | high << 16;
         let [a, b, c] = corners.map(|corner| self.corners[corner as usize]);
@@ -165,7 +198,6 @@ fn texel(place: Vec3, word: u32) -> Texel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::triangles::Model;
 
     /// Triangles of all sizes, strewn about.
     fn strewn(count: u32) -> Triangles {

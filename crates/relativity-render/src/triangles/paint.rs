@@ -52,7 +52,7 @@ impl Triangles {
     }
 
     /// Returns the paint of the corners, mixed at `point`.
-    fn corner_paint(&self, point: TrianglePoint) -> [f64; 3] {
+    pub(super) fn corner_paint(&self, point: TrianglePoint) -> [f64; 3] {
         if self.paints.is_empty() {
             return [1.0; 3];
         }
