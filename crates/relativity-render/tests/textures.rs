@@ -141,7 +141,7 @@ fn wrapped_textures_go_on_as_they_say() {
 #[test]
 fn from_afar_a_texture_is_its_average() {
     let chequer = |size: u32| {
-        let texel = |i: u32| if (i % size + i / size) % 2 == 0 { [255; 4] } else { [0, 0, 0, 255] };
+        let texel = |i: u32| if (i % size + i / size).is_multiple_of(2) { [255; 4] } else { [0, 0, 0, 255] };
         Texture { size: [size; 2], texels: (0..size * size).map(texel).collect(), wrap: [Wrap::Repeat; 2] }
     };
     for beta in [0.0, 0.9] {

@@ -137,17 +137,8 @@ fn data_at(uri: &str, what: &str, beside: Beside<'_>) -> Result<Vec<u8>, String>
 
 /// Returns the nodes of the scene, and from the axes of each to those of the scene.
 fn placed_nodes(document: &Document) -> Result<Vec<(Node<'_>, DMat4)>, String> {
-    let roots: Vec<Node<'_>> = match document.default_scene().or_else(|| document.scenes().next()) {
-        Some(scene) => scene.nodes().collect(),
-        None => {
-            let mut is_child = vec![false; document.nodes().len()];
-            document
-                .nodes()
-                .flat_map(|node| node.children())
-                .for_each(|child| is_child[child.index()] = true);
-            document.nodes().filter(|node| !is_child[node.index()]).collect()
-        }
-    };
+    let scene = document.default_scene().or_else(|| document.scenes().next());
+    let roots: Vec<Node<'_>> = scene.map_or_else(|| roots(document), |scene| scene.nodes().collect());
     let mut is_seen = vec![false; document.nodes().len()];
     let mut waiting: Vec<_> = roots.into_iter().rev().map(|root| (root, DMat4::IDENTITY)).collect();
     let mut placed = Vec::new();
@@ -161,6 +152,13 @@ fn placed_nodes(document: &Document) -> Result<Vec<(Node<'_>, DMat4)>, String> {
         placed.push((node, own));
     }
     Ok(placed)
+}
+
+/// Returns the nodes that are in no other.
+fn roots(document: &Document) -> Vec<Node<'_>> {
+    let mut is_child = vec![false; document.nodes().len()];
+    document.nodes().flat_map(|node| node.children()).for_each(|child| is_child[child.index()] = true);
+    document.nodes().filter(|node| !is_child[node.index()]).collect()
 }
 
 fn transform(node: &Node<'_>) -> DMat4 {

@@ -53,7 +53,7 @@ fn library(name: &str, beside: &dyn Fn(&str) -> Result<Vec<u8>, String>) -> Resu
             "map_Kd" => (rest.is_empty()).then_some("a file"),
             "Kd" => {
                 let numbers = rest.split_whitespace().take(3).map(str::parse::<f64>);
-                (numbers.filter(Result::is_ok).count() < 3).then_some("three numbers")
+                (numbers.flatten().count() < 3).then_some("three numbers")
             }
             _ => continue,
         };

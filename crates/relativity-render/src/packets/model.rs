@@ -8,7 +8,7 @@ use super::body::{Body, Group, Ray, own_ray};
 use super::colour::Hatched;
 use super::look::Look;
 use super::pattern::shift;
-use super::received::Place;
+use super::received::Element;
 use super::spin::Spin;
 use super::tables::Tables;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3};
@@ -126,7 +126,7 @@ impl<S: Simd> Meetings<S> {
         let (group, seen) = (look.group(look.scene.group_of(number)), look.seen(number));
         let (body, spin) = (Body::new(simd, &seen.shown.placement), Spin::new(simd, &seen.shown));
         let Self { place, normal, doppler, .. } = *self;
-        let there = Place { group: &group, seen: &seen, body: &body, spin: &spin, place, normal, doppler };
+        let there = Element { group: &group, seen: &seen, body: &body, spin: &spin, place, normal, doppler };
         let colour = there.colour(simd, look, appearance, tables, hatched);
         let mut factors = [[0.0; LANES]; 3];
         for lane in 0..LANES {

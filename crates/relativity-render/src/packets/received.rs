@@ -10,8 +10,8 @@ use crate::effects::Spectrum;
 use crate::lanes::{F, Simd, V3};
 use crate::view::Appearance;
 
-/// A place where eight rays meet a body, and the Doppler factor of the light from there.
-pub struct Place<'a, S: Simd> {
+/// A surface element where eight rays meet a body, and the Doppler factor of the light from there.
+pub struct Element<'a, S: Simd> {
     pub group: &'a Group<'a>,
     pub seen: &'a Seen<'a>,
     pub body: &'a Body<S>,
@@ -22,7 +22,7 @@ pub struct Place<'a, S: Simd> {
     pub doppler: F<S>,
 }
 
-impl<S: Simd> Place<'_, S> {
+impl<S: Simd> Element<'_, S> {
     /// Linear sRGB of the light that is received from there, without pattern and paint.
     #[inline(always)]
     pub fn colour(

@@ -9,7 +9,7 @@ use super::met::Met;
 use super::pattern::mark;
 use super::places::{PACKETS, packet_places, write_one};
 use super::ray::TileSights;
-use super::received::Place;
+use super::received::Element;
 use super::tables::Tables;
 use super::tile::{Owner, Packet, TileContents};
 use super::turning::standing;
@@ -163,7 +163,7 @@ impl<S: Simd> TileContents<S, 4> {
                     Met::new(simd, look, owner, packet);
                 let Surface { place, normal, .. } = surface;
                 let there =
-                    Place { group: &group, seen: &seen, body: &body, spin: &spin, place, normal, doppler };
+                    Element { group: &group, seen: &seen, body: &body, spin: &spin, place, normal, doppler };
                 let colour = there.colour(simd, look, appearance, tables, hatched);
                 if seen.body.marking.is_none() {
                     return (colour, test.alpha);

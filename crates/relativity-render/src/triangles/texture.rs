@@ -87,7 +87,7 @@ impl MipMap {
             let [rows, columns] = [1, 0].map(|side| Shares::new(last.size[side], next.size[side]));
             for row in 0..next.size[1] {
                 for column in 0..next.size[0] {
-                    let texel = map.average(last, columns.of(column), rows.of(row));
+                    let texel = map.average(last, &columns.of(column), rows.of(row));
                     map.texels.push(texel);
                 }
             }
@@ -100,7 +100,7 @@ impl MipMap {
     fn average(
         &self,
         level: Level,
-        columns: impl Iterator<Item = (u32, f64)> + Clone,
+        columns: &(impl Iterator<Item = (u32, f64)> + Clone),
         rows: impl Iterator<Item = (u32, f64)>,
     ) -> [u8; 4] {
         let mut sum = [0.0; 3];
