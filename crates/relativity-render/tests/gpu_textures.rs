@@ -9,7 +9,9 @@ mod support;
 use std::process::ExitCode;
 
 use models::{scene_of, view};
-use relativity_render::{Appearance, Colour, Geometry, HitImage, Method, Model, Renderers, Texture, Wrap};
+use relativity_render::{
+    Appearance, Colour, Gaze, Geometry, HitImage, Method, Model, Renderers, Texture, View, Wrap,
+};
 
 fn main() -> ExitCode {
     gpu_support::run(&[("textures_are_the_references", textures_are_the_references)])
@@ -29,7 +31,7 @@ fn waves(wrap: [Wrap; 2]) -> Texture {
 
 /// A plate of four triangles, two of which have one texture, one another and one none, with this many copies of each across it.
 fn plate(copies: f32) -> Model {
-    let corners = [[-1.0, 3.6, 0.0], [1.0, 4.4, 0.0], [1.0, 4.4, 1.0], [-1.0, 3.6, 1.0], [0.0, 4.0, 0.5]];
+    let corners = [[-1.0, 4.4, 0.0], [1.0, 3.6, 0.0], [1.0, 3.6, 1.0], [-1.0, 4.4, 1.0], [0.0, 4.0, 0.5]];
     let places = [[-0.3, 1.0], [0.8, 1.1], [1.0, -0.2], [0.0, 0.0], [0.45, 0.5]];
     Model {
         corners: corners.to_vec(),
@@ -68,7 +70,13 @@ fn textures_are_the_references(renderers: &mut Renderers) {
             (Geometry::Contracted, 0.6),
             (Geometry::OneCone, 0.6),
         ] {
-            let view = view(beta, geometry, [120, 90]);
+            // When it is seen about abreast.
+            let mut view = View {
+                observation_time: if geometry == Geometry::Contracted { 0.0 } else { 4.0 },
+                ..view(beta, geometry, [120, 90])
+            };
+            let middle = view.apparent_position([0.0, 4.0, 0.5]).expect("inside the domain");
+            view.camera.gaze = Gaze::along(middle.to_array());
             let hits = scene.hit_image(&view);
             for (method, samples, most) in [(Method::Rays, 2, 3), (Method::Mesh { bound_px: 0.1 }, 1, 6)] {
                 if method.of_view(&view) != method {
@@ -84,7 +92,11 @@ fn textures_are_the_references(renderers: &mut Renderers) {
                     assert!(off <= Some(most), "{context}: {:?} for {:?}", found[i], expected[i]);
                     compared += 1;
                 }
-                assert!(compared > 300, "{compared}");
+                assert!(
+                    compared > 100,
+                    "{method}, {geometry:?} at {beta}: {compared} of {}",
+                    hits.hits.iter().flatten().count()
+                );
             }
         }
     }
