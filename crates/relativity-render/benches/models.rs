@@ -42,8 +42,10 @@ fn compare(name: &str, scene: &PreparedScene, view: &View) {
     let rays = f64::from(SIZE[0] * SIZE[1]) / 1e6;
     let covered = scene.hit_image(view).hits.iter().flatten().count() as f64 / rays / 1e4;
     println!("{name}, {covered:.0} % covered, {}x{}:", SIZE[0], SIZE[1]);
+    let before = processor_s();
     let reference_s = fastest(|| drop(scene.hit_image(view)));
-    println!("  reference: {:.2} million rays/s", rays / reference_s);
+    let per_core = ROUNDS as f64 * rays / (processor_s() - before);
+    println!("  reference: {:.2} million rays/s, {per_core:.2} a core", rays / reference_s);
     let mut renderers = Renderers::new(Gpu::headless().ok());
     let appearance = Appearance { colour: Colour::White, ..Appearance::default() };
     let packets_s = fastest(|| {
@@ -101,6 +103,13 @@ fn fastest(mut work: impl FnMut()) -> f64 {
         start.elapsed().as_secs_f64()
     };
     (0..ROUNDS).map(|_| run()).fold(f64::INFINITY, f64::min)
+}
+
+/// Seconds that all processors have worked for this process, where Linux tells them in hundredths.
+fn processor_s() -> f64 {
+    let status = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    let fields = status.rsplit(')').next().unwrap_or_default().split_whitespace();
+    fields.skip(11).take(2).filter_map(|ticks| ticks.parse::<f64>().ok()).sum::<f64>() / 100.0
 }
 
 /// A line of what Linux tells of this process' memory, MB; 0 elsewhere.
