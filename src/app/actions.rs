@@ -144,6 +144,7 @@ pub static ACTIONS: &[Action] = &[
     action("fit simulated data", &[], Command::Simulate),
     action("save the picture", &[with_control(Key::S)], save(Product::Picture)),
     action("save the state", &[with_control_and_shift(Key::S)], save(Product::State)),
+    action("save the scene of the model", &[], save(Product::Scene)),
     action("save the plots as a drawing", &[], save(Product::PlotsSvg)),
     action("save the plots as a table", &[], save(Product::PlotsCsv)),
     action("save a film", &[], save(Product::Film)),

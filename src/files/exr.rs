@@ -30,6 +30,9 @@ const NO_WAVELENGTH_NM: f64 = 0.0;
 /// The angle on a wheel of what turns on none, and of nothing: no angle, which lie in [-pi, pi].
 pub const NO_ANGLE: f32 = -10.0;
 
+/// The number of the triangle of what is made of none, and of nothing.
+const NO_TRIANGLE: f32 = -1.0;
+
 /// A measured quantity, in a channel of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Channel {
@@ -59,6 +62,12 @@ pub enum Channel {
     RestY,
     /// Height of that place.
     RestZ,
+    /// Number of the triangle in its model, -1 where none is seen. Numbers up to 2^24 are exact in f32, which is more than a model has.
+    Triangle,
+    /// Barycentric coordinates of that place: the weight of the triangle's second corner; 0 where none is seen.
+    TriangleB,
+    /// The weight of its third corner; 0 where none is seen.
+    TriangleC,
 }
 
 /// The definition of a [`Channel`].
@@ -89,7 +98,7 @@ const fn corrected(
 
 impl Channel {
     /// Every channel.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 15] = [
         Self::Id,
         Self::Group,
         Self::Distance,
@@ -102,6 +111,9 @@ impl Channel {
         Self::RestX,
         Self::RestY,
         Self::RestZ,
+        Self::Triangle,
+        Self::TriangleB,
+        Self::TriangleC,
     ];
 
     const fn definition(self) -> Definition {
@@ -119,6 +131,11 @@ impl Channel {
             Self::RestX => same("rest_x", 0.0, |hit, _| hit.rest_position.x),
             Self::RestY => same("rest_y", 0.0, |hit, _| hit.rest_position.y),
             Self::RestZ => same("rest_z", 0.0, |hit, _| hit.rest_position.z),
+            Self::Triangle => same("triangle", NO_TRIANGLE, |hit, _| {
+                hit.triangle.map_or(NO_TRIANGLE.into(), |point| f64::from(point.triangle))
+            }),
+            Self::TriangleB => same("triangle_b", 0.0, |hit, _| triangle_weight(hit, 0)),
+            Self::TriangleC => same("triangle_c", 0.0, |hit, _| triangle_weight(hit, 1)),
         }
     }
 
@@ -163,6 +180,11 @@ pub struct Light<'a> {
 fn material_angle(hit: &Hit, light: &Light<'_>) -> f64 {
     let spin = light.scene.bodies()[hit.body].spin;
     spin.map_or(f64::from(NO_ANGLE), |spin| spin.angle(hit.material_position))
+}
+
+/// Returns the weight of a triangle's second corner, or of its third: `corner` is 0 or 1.
+fn triangle_weight(hit: &Hit, corner: usize) -> f64 {
+    hit.triangle.map_or(0.0, |point| f64::from(point.weights[corner]))
 }
 
 /// Returns `value` as files store it: beyond f32 its largest number.
@@ -308,8 +330,8 @@ fn opened<R: Read + Seek>(input: R) -> anyhow::Result<Reader<R>> {
         let values = (size.0 as u64).checked_mul(size.1 as u64).and_then(|n| n.checked_mul(channels as u64));
         anyhow::ensure!(
             values.is_some_and(|values| values <= most),
-            "it has {}x{} pixels of {channels} channels; the limit is {most} values, those of 4729x4729 \
-                pixels of 24",
+            "it has {}x{} pixels of {channels} channels; the limit is {most} values, those of 4230x4230 \
+                pixels of 30",
             size.0,
             size.1
         );

@@ -22,6 +22,14 @@ pub enum SceneError {
     /// Neither a preset nor a path.
     #[error("no scene is called `{name}`: there are {list}; for a file, give a name ending in .toml", name = messages::excerpt(.0), list = PRESETS.join(", "))]
     UnknownPreset(String),
+    /// A model that cannot be read.
+    #[error("{source_name}: {reason}")]
+    Model {
+        /// Name of the file.
+        source_name: String,
+        /// Reason why the model cannot be read.
+        reason: String,
+    },
     /// A file with wrong contents.
     #[error("{source_name}:{line}: {problem}")]
     Content {

@@ -8,13 +8,13 @@ use toml::de::DeTable;
 
 use super::content::{Scene, SceneGroup};
 use super::error::{Located, Problem};
-use super::model::{ModelFiles, model};
+use super::model::{ModelFiles, model, scene_text};
 use super::names;
 use super::object::{Object, object};
 use super::presets;
 use super::table::Table;
 use super::wheel::{Changes, wheel};
-use crate::platform::sizes;
+use crate::platform::{files, sizes};
 
 /// Default word for whatever rides past.
 const RIDER: &str = "rider";
@@ -27,6 +27,15 @@ pub(super) fn scene(text: &str) -> Result<Scene, Located> {
 /// The scene that the text of a file in this folder describes, in which its models are.
 pub(super) fn scene_in(text: &str, folder: &Path) -> Result<Scene, Located> {
     changed_scene(text, Changes::default(), ModelFiles::Folder(folder))
+}
+
+/// The scene in which the model at `path` rides on Gamow's street.
+pub(super) fn scene_of_model(path: &Path) -> Result<Scene, String> {
+    let folder = files::folder_of(path);
+    scene_in(&scene_text(path, folder)?, folder).map_err(|located| match located.problem {
+        Problem::Model { reason, .. } => reason,
+        problem => problem.to_string(),
+    })
 }
 
 /// The scene that a file's text describes, with these changes to its wheels.

@@ -21,7 +21,7 @@ use std::path::Path;
 use crate::platform::files;
 pub use content::{Scene, SceneGroup, Track};
 pub use error::{Problem, SceneError};
-pub use model::read_model;
+pub use model::{is_model, read_model, scene_text};
 pub use presets::{PRESETS, looks_like_a_name};
 
 impl Scene {
@@ -37,12 +37,15 @@ impl Scene {
         self.with_riding_along(file::own_bicycle())
     }
 
-    /// The scene in a file.
+    /// The scene in a file: of a model, the one in which it rides on Gamow's street.
     ///
     /// # Errors
     /// One line that names the file, the line in it, what is wrong and what would be right.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         let source_name = files::shown(path);
+        if is_model(path) {
+            return file::scene_of_model(path).map_err(|reason| SceneError::Model { source_name, reason });
+        }
         match files::read_to_string(path) {
             Ok(text) => file::scene_in(&text, files::folder_of(path))
                 .map_err(|located| located.in_source(&text, &source_name)),

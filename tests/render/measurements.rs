@@ -81,7 +81,7 @@ fn assert_on_light_cone(
     velocities: &[Velocity],
 ) -> Vec<usize> {
     let channels = channels(&folder.join("hits.exr"));
-    assert_eq!(channels.len(), 24);
+    assert_eq!(channels.len(), 30);
     let [azimuth, elevation] = gaze.map(f64::to_radians);
     let mut pixels = vec![0; velocities.len()];
     let gaze = Gaze { azimuth, elevation };
@@ -109,6 +109,7 @@ fn assert_on_light_cone(
             near("emission_time", expected.retarded_time);
             near("proper_time", expected.proper_time);
             assert_eq!(value("material_angle"), -10.0);
+            assert_eq!(["triangle", "triangle_b", "triangle_c"].map(value), [-1.0, 0.0, 0.0]);
             near("doppler", expected.doppler_factor);
             near("intensity", expected.intensity(4.0));
             let rest_nm = scene.bodies[body].emission.wavelength_nm().expect("none is white");
@@ -168,7 +169,7 @@ fn each_group_of_a_scene_is_measured_by_its_own_speed() {
     let pixel = 80f64.to_radians() / f64::from(WIDTH);
     assert!((row[2] - left).abs() < 0.5 * pixel && (row[3] - right).abs() < 0.5 * pixel, "{text}");
     run_gamow(folder.path(), "rectify hits.exr --beta 0.6 --backward --out corrected.exr");
-    assert_eq!(self::channels(&folder.path().join("corrected.exr")).len(), 24);
+    assert_eq!(self::channels(&folder.path().join("corrected.exr")).len(), 30);
 }
 
 /// A ball that rides over the observer.
@@ -255,4 +256,45 @@ fn each_point_of_a_rolling_wheel_is_measured_by_its_own_light_cone() {
     }
     let head_on = ((1.0 + BETA) / (1.0 - BETA)).sqrt() as f32;
     assert!(least > 1.0 / head_on && least < 0.8 && most < head_on && most > 1.2, "{least} to {most}");
+}
+
+/// A pixel of a model names a triangle, and the weights of its corners are those of the place that it shows; both stay when the file is
+/// corrected.
+#[test]
+fn a_pixel_of_a_model_names_a_point_of_a_triangle() {
+    let folder = folder();
+    let corners = [[-1.0, 3.0, 0.0], [1.0, 3.5, 0.0], [0.0, 3.0, 1.5], [1.0, 3.0, 1.5]].map(DVec3::from);
+    let faces = [[0, 1, 2], [1, 3, 2]];
+    let vertices = corners.iter().map(|place| format!("v {} {} {}\n", place.x, place.y, place.z));
+    let triangles = faces.iter().map(|[a, b, c]| format!("f {} {} {}\n", a + 1, b + 1, c + 1));
+    let file = vertices.chain(triangles).collect::<String>();
+    std::fs::write(folder.path().join("sail.obj"), file).expect("it is written");
+    std::fs::write(
+        folder.path().join("sail.toml"),
+        "name = \"Sail\"\n\n[[model]]\npath = \"sail.obj\"\nup = \"z\"\n",
+    )
+    .expect("it is written");
+    render(
+        folder.path(),
+        "--scene sail.toml --beta 0.6 --d 0 --fov 70 --gaze 90,10 --time 3.5 --projection gaze --out hits.exr",
+    );
+    run_gamow(folder.path(), "rectify hits.exr --beta 0.6 --out corrected.exr");
+    for file in ["hits.exr", "corrected.exr"] {
+        let channels = channels(&folder.path().join(file));
+        let mut shown = [0; 2];
+        for pixel in 0..channels["left.id"].len() {
+            let value = |name: &str| f64::from(channels[&format!("left.{name}")][pixel]);
+            if value("id") < 0.0 {
+                assert_eq!(["triangle", "triangle_b", "triangle_c"].map(value), [-1.0, 0.0, 0.0]);
+                continue;
+            }
+            let triangle = value("triangle") as usize;
+            shown[triangle] += 1;
+            let [a, b, c] = faces[triangle].map(|corner| corners[corner]);
+            let place = a + (b - a) * value("triangle_b") + (c - a) * value("triangle_c");
+            let rest = DVec3::from(["rest_x", "rest_y", "rest_z"].map(value));
+            assert!(place.distance(rest) < 1e-5, "{file}, pixel {pixel}: {place} for {rest}");
+        }
+        assert!(shown.iter().all(|&pixels| pixels > 30), "{file}: {shown:?}");
+    }
 }

@@ -266,7 +266,7 @@ struct Measure {
 // show the nearer. Where the ray misses the body, there is the triangle alone.
 fn measure(fragment: Fragment) -> Measure {
     let ray = rest_ray(fragment.position.xy);
-    let normal = fragment.normal / max(length(fragment.normal), 1e-30);
+    let normal = normal_in(fragment);
     if MAP == 3u {
         let distance = length(fragment.apparent);
         var depth = 1.0 / (1.0 + distance);
@@ -378,12 +378,14 @@ struct Picture {
 }
 
 @fragment
-fn picture(fragment: Fragment) -> Picture {
+fn picture(fragment: Fragment, @builtin(front_facing) is_front: bool) -> Picture {
+    prepare(fragment, is_front);
     let measure = measure(fragment);
     let turning = spin_of(fragment.spin, fragment.rim);
     let facing = facing_of(body_of(fragment), measure.place, measure.normal, turning);
     var colour = received_colour(fragment.light, measure.doppler, measure.normal, facing, fragment.position.xy)
-        * fragment.width_brightness_index.y;
+        * fragment.width_brightness_index.y
+        * paint_in(fragment, measure);
     if PATTERNS {
         let spin = spin_of(fragment.spin, fragment.rim);
         let there = standing(body_of(fragment), measure.place, spin);
@@ -411,7 +413,8 @@ struct Hit {
 }
 
 @fragment
-fn hits(fragment: Fragment) -> Hit {
+fn hits(fragment: Fragment, @builtin(front_facing) is_front: bool) -> Hit {
+    prepare(fragment, is_front);
     if is_of_other_copy(fragment) {
         discard;
     }
@@ -422,7 +425,7 @@ fn hits(fragment: Fragment) -> Hit {
         ),
         bitcast<vec4u>(vec4f(
             place_of_hit(body_of(fragment), measure.place, spin_of(fragment.spin, fragment.rim)),
-            0.0,
+            part_in(fragment),
         )),
         measure.depth,
     );

@@ -12,6 +12,7 @@ use crate::effects::Constant;
 use crate::frame::Frame;
 use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
+use crate::models::Models;
 use crate::palette;
 use crate::reference::HitImage;
 use crate::scene::PreparedScene;
@@ -26,6 +27,8 @@ pub struct Canvas {
     layer_layout: wgpu::BindGroupLayout,
     /// The tables of colours.
     tables: wgpu::TextureView,
+    /// The models of the scene drawn last.
+    models: Models,
     /// The last pass for each [`StreetVariant`], of flat pictures and of conformal ones.
     last_passes: [[LastPass; 2]; StreetVariant::COUNT],
 }
@@ -42,10 +45,16 @@ pub struct Measures {
 impl Canvas {
     pub fn new(gpu: &Gpu) -> Self {
         let device = &gpu.device;
-        let frame_layout = bind_group_layout(device, &[uniform_entry(), texture_entry(1)]);
+        let frame_layout = bind_group_layout(device, &[uniform_entry(), texture_entry(1), models_entry(2)]);
         let layer_layout = bind_group_layout(device, &[texture_entry(0)]);
         let tables = tables(gpu);
-        Self { frame_layout, layer_layout, tables, last_passes: Default::default() }
+        let models = Models::new(gpu);
+        Self { frame_layout, layer_layout, tables, models, last_passes: Default::default() }
+    }
+
+    /// Takes the models of `scene` onto the device, unless they are there; whether it can hold them.
+    pub fn load_models(&mut self, gpu: &Gpu, scene: &PreparedScene) -> bool {
+        self.models.load(gpu, scene)
     }
 
     /// The last pass of pictures like that of `frame`.
@@ -76,7 +85,8 @@ impl Canvas {
         target: &mut EyeTarget,
     ) {
         let views = scene.group_views(&view.with_size(target.size()));
-        let shot = Shot { scene, views: &views, divided_for: &views, appearance: Some(appearance) };
+        let models = &self.models;
+        let shot = Shot { scene, models, views: &views, divided_for: &views, appearance: Some(appearance) };
         drawing.load(gpu, &mut target.vertices, &shot);
         let frames = Frame::of_groups(scene, &views, appearance);
         fill_frame_buffer(gpu, &mut target.frames, &frames);
@@ -117,7 +127,8 @@ impl Canvas {
     ) -> Result<HitImage, GpuError> {
         let (views, divided_for) = (scene.group_views(part), scene.group_views(whole));
         let mut vertices = vertex_buffer(gpu, 0);
-        let shot = Shot { scene, views: &views, divided_for: &divided_for, appearance: None };
+        let models = &self.models;
+        let shot = Shot { scene, models, views: &views, divided_for: &divided_for, appearance: None };
         drawing.load(gpu, &mut vertices, &shot);
         let frames = Frame::of_groups(scene, &views, &Appearance::default());
         let measures = self.measure(gpu, part.camera.size, &frames, |pass, frames| {
@@ -158,11 +169,12 @@ impl Canvas {
     }
 
     fn frame_bind_groups(&self, gpu: &Gpu, frames: &wgpu::Buffer, count: usize) -> Vec<wgpu::BindGroup> {
-        let tables = wgpu::BindingResource::TextureView(&self.tables);
+        let [tables, models] = [&self.tables, self.models.view()].map(wgpu::BindingResource::TextureView);
         let group = |frame| {
             let entries = [
                 wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(frame) },
                 wgpu::BindGroupEntry { binding: 1, resource: tables.clone() },
+                wgpu::BindGroupEntry { binding: 2, resource: models.clone() },
             ];
             bind_group(gpu, &self.frame_layout, &entries)
         };
@@ -290,11 +302,19 @@ pub fn uniform_entry() -> wgpu::BindGroupLayoutEntry {
 }
 
 pub fn texture_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    sampled_entry(binding, wgpu::TextureSampleType::Float { filterable: false })
+}
+
+fn models_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    sampled_entry(binding, wgpu::TextureSampleType::Uint)
+}
+
+fn sampled_entry(binding: u32, sample_type: wgpu::TextureSampleType) -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry {
         binding,
         visibility: wgpu::ShaderStages::FRAGMENT,
         ty: wgpu::BindingType::Texture {
-            sample_type: wgpu::TextureSampleType::Float { filterable: false },
+            sample_type,
             view_dimension: wgpu::TextureViewDimension::D2,
             multisampled: false,
         },

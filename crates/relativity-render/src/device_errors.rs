@@ -74,6 +74,7 @@ impl DeviceErrors {
 /// Waits for what a device refuses of what this thread asks of it.
 #[derive(Debug)]
 pub struct ErrorScopes {
+    /// The last that was opened is the first to be closed, or dropped.
     scopes: [wgpu::ErrorScopeGuard; 3],
     answers: Answers,
 }
@@ -81,7 +82,8 @@ pub struct ErrorScopes {
 impl ErrorScopes {
     pub(crate) fn open(device: &wgpu::Device, answers: Answers) -> Self {
         let kinds = [ErrorFilter::Validation, ErrorFilter::OutOfMemory, ErrorFilter::Internal];
-        Self { scopes: kinds.map(|kind| device.push_error_scope(kind)), answers }
+        let [validation, memory, internal] = kinds.map(|kind| device.push_error_scope(kind));
+        Self { scopes: [internal, memory, validation], answers }
     }
 
     /// Ends the wait. A browser answers later: what it refuses here is an error where the next wait ends.
@@ -90,9 +92,8 @@ impl ErrorScopes {
     ///
     /// The first that was refused.
     pub fn close(self) -> Result<(), GpuError> {
-        let Self { scopes: [validation, memory, internal], answers } = self;
-        // The last that was opened is the first to be closed.
-        let refused = answers.to([internal, memory, validation].map(wgpu::ErrorScopeGuard::pop));
+        let Self { scopes, answers } = self;
+        let refused = answers.to(scopes.map(wgpu::ErrorScopeGuard::pop));
         match refused {
             None => Ok(()),
             Some(wgpu::Error::OutOfMemory { .. }) => Err(GpuError::OutOfMemory),

@@ -10,10 +10,11 @@ use crate::gpu::Gpu;
 use crate::group_view::GroupView;
 use crate::kind::Kind;
 use crate::light::Light;
+use crate::models::Models;
 use crate::pipelines::{Key, Output, Pipelines};
 use crate::prepared_body::PreparedBody;
 use crate::scene::PreparedScene;
-use crate::view::Appearance;
+use crate::view::{Appearance, Colour};
 use crate::wheel::packed::{TurningStart, Turns};
 
 /// A request for a drawing.
@@ -21,6 +22,8 @@ use crate::wheel::packed::{TurningStart, Turns};
 pub struct Shot<'a> {
     /// Scene with the bodies to draw.
     pub scene: &'a PreparedScene,
+    /// Its models on the device.
+    pub models: &'a Models,
     /// Views of the scene's groups, one each.
     pub views: &'a [GroupView],
     /// The views that triangles are made for: `views`, unless these show a magnified part of a picture.
@@ -79,6 +82,15 @@ impl Shot<'_> {
     /// `body` as its group's view shows it, for the shaders.
     pub fn shown(&self, body: &PreparedBody) -> TurningStart {
         self.views[body.group].shown(body, self.scene.groups()[body.group].extent.middle)
+    }
+
+    /// Returns the pattern of `body` for the shaders; of a model the row that it begins with, 1 if it is seen from both sides, and 1 if of
+    /// its paint only the luminance is shown.
+    pub fn pattern(&self, body: &PreparedBody) -> [f32; 3] {
+        let Some(triangles) = &body.triangles else { return body.pattern() };
+        let is_grey = self.appearance.is_some_and(|appearance| appearance.colour == Colour::False);
+        let both = [triangles.is_two_sided(), is_grey].map(|holds| f32::from(u8::from(holds)));
+        [self.models.row(triangles) as f32, both[0], both[1]]
     }
 
     /// The light of `body` for the shaders; numbers have none.

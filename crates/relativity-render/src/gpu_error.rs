@@ -81,10 +81,4 @@ pub enum Undrawn {
          that is defined point by point"
     )]
     HalfOfSkyPublished,
-    /// A model of triangles by the mesh renderer, which alone draws the published model.
-    #[error(
-        "models from files are not drawn by the mesh renderer, nor in the published model, which it alone draws: choose the \
-         reference, the packets or the rays, and for one light cone the reference"
-    )]
-    TrianglesByMesh,
 }

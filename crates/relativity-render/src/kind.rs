@@ -3,9 +3,10 @@
 use crate::shaders::source;
 use crate::shape::Shape;
 
-/// Defines the kinds: one line each, with its name and its files in `shaders/` for the ray test, for the corners and for patterns.
+/// Defines the kinds: one line each, with its name and its files in `shaders/` for the ray test, for the pixels of that, for the corners
+/// and for patterns.
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $kind:ident: $test:literal, $corners:literal, $pattern:literal;)+) => {
+    ($($(#[$doc:meta])* $kind:ident: [$($test:literal),+], [$($pixels:literal),+], [$($corners:literal),+], $pattern:literal;)+) => {
         /// A kind of shape.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum Kind {
@@ -20,7 +21,7 @@ macro_rules! kinds {
             pub const fn impostor(self) -> &'static str {
                 match self {
                     $(Self::$kind => source!(
-                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "impostor", $test, $pattern
+                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "impostor", $($test),+, $pattern, $($pixels),+
                     ),)+
                 }
             }
@@ -29,7 +30,7 @@ macro_rules! kinds {
             pub const fn mesh(self) -> &'static str {
                 match self {
                     $(Self::$kind => source!(
-                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", $test, "mesh", "mesh_turning", $corners, $pattern
+                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", $($test),+, "mesh", "mesh_turning", $($corners),+, $pattern
                     ),)+
                 }
             }
@@ -39,13 +40,15 @@ macro_rules! kinds {
 
 kinds! {
     /// A tube with rounded ends; a ball is one without a length.
-    Tube: "tube", "mesh_tube", "pattern_tube";
+    Tube: ["tube"], ["impostor_shape"], ["mesh_tube", "mesh_shape"], "pattern_tube";
     /// A torus, as the shape `Ring`.
-    Ring: "ring", "mesh_ring", "pattern_ring";
+    Ring: ["ring"], ["impostor_shape"], ["mesh_ring", "mesh_shape"], "pattern_ring";
     /// A box, as the shape `Box`.
-    Box: "box", "mesh_box", "pattern_box";
+    Box: ["box"], ["impostor_shape"], ["mesh_box", "mesh_shape"], "pattern_box";
     /// A cylinder with flat ends.
-    Cylinder: "cylinder", "mesh_cylinder", "pattern_cylinder";
+    Cylinder: ["cylinder"], ["impostor_shape"], ["mesh_cylinder", "mesh_shape"], "pattern_cylinder";
+    /// A model of triangles, in its box.
+    Model: ["models", "textures", "model"], ["impostor_model"], ["mesh_model"], "pattern_box";
 }
 
 impl Kind {

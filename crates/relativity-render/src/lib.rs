@@ -90,6 +90,7 @@ pub mod mercator;
 mod mesh;
 #[doc(hidden)]
 pub mod mirrors;
+mod models;
 mod one_cone;
 mod outline;
 mod packets;
@@ -144,7 +145,7 @@ pub use renderers::{Method, Renderers};
 pub use scene::{Group, PreparedScene};
 pub use shape::Shape;
 pub use target::EyeTarget;
-pub use triangles::{Model, TrianglePoint, Triangles, TrianglesError};
+pub use triangles::{Model, Texture, TrianglePoint, Triangles, TrianglesError, Wrap};
 pub use velocity::{Motion, Velocity};
 pub use view::{Appearance, Colour, Geometry, Shading, StreetColours, View};
 pub use wheel::spin::{MaterialPoint, Spin};

@@ -116,6 +116,15 @@ impl Technique {
         conservative: false,
     };
 
+    /// Returns how vertices become triangles for bodies of this `kind`: those of models show both sides, unless their shaders leave one out.
+    fn primitive_of(&self, kind: Kind) -> wgpu::PrimitiveState {
+        let is_two_sided = kind == Kind::Model;
+        wgpu::PrimitiveState {
+            cull_mode: self.primitive.cull_mode.filter(|_| !is_two_sided),
+            ..self.primitive
+        }
+    }
+
     /// Returns all constants of the shaders.
     pub fn constants(&self, key: Key) -> Vec<Constant> {
         let (effects, is_thin, is_patterned) = match key.output {
@@ -194,7 +203,7 @@ impl Pipelines {
                 compilation_options: compilation_options.clone(),
                 buffers: self.technique.buffers,
             },
-            primitive: self.technique.primitive,
+            primitive: self.technique.primitive_of(key.kind),
             depth_stencil: Some(nearest()),
             multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
             fragment: Some(wgpu::FragmentState {

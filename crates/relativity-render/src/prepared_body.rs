@@ -128,7 +128,7 @@ impl PreparedBody {
             emission: body.emission,
             emission_number: 0,
             brightness: body.brightness,
-            kind: Kind::from_shape(&body.shape),
+            kind: if body.triangles.is_some() { Kind::Model } else { Kind::from_shape(&body.shape) },
             shape: body.shape,
             turn,
             placement: Placement::new(&body.shape, turn, extent.middle),
@@ -164,7 +164,7 @@ impl PreparedBody {
         let first = place(self.placement.place_radius);
         let second = match self.kind {
             Kind::Tube => Some(place(self.placement.form)).filter(|second| *second != first),
-            Kind::Ring | Kind::Box | Kind::Cylinder => None,
+            Kind::Ring | Kind::Box | Kind::Cylinder | Kind::Model => None,
         };
         [Some(first), second].into_iter().flatten()
     }

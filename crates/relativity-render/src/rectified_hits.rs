@@ -29,7 +29,7 @@ impl Rectification {
     ///
     /// Wavelengths are multiplied by the D of this rectification's speed and intensities divided by D^n, as
     /// `appearance` has it: at the true speed each body has its colour at rest, at any other the rest of the
-    /// Doppler effect stays. Patterns are where the hits are, and `hits` are of `scene`.
+    /// Doppler effect stays. Patterns and textures are where the hits are, and `hits` are of `scene`.
     #[must_use]
     pub fn picture_of_hits(
         &self,
@@ -50,7 +50,7 @@ impl Rectification {
             let doppler_factor = hit.doppler_factor / doppler_factor;
             let received = Received { rest_normal: hit.rest_normal, doppler_factor, facing: None, place };
             let colour = surface_colour(appearance, &scene.bodies()[hit.body], received, &hatch);
-            let colour = scene.painted(colour, &hit, appearance);
+            let colour = scene.painted(colour, &hit, || Covered::NOTHING, appearance);
             let mark = scene.mark(&hit, Covered::NOTHING);
             colour.map(|part| part * mark)
         };

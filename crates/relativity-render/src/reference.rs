@@ -258,10 +258,11 @@ impl PreparedScene {
         self.pixels(view, &group_views, &lines_of_sight, samples, wanted, |met| {
             let rays = met.places.iter().zip(met.sights).zip(met.hits);
             let sum = rays.fold([0.0; 3], |sum: [f64; 3], ((&place, &line_of_sight), &hit)| {
-                let mark = |hit: &Hit| {
+                let covered = |hit: &Hit| {
                     let turns = lines_of_sight.turns(place).map(|turn| turn / f64::from(samples));
-                    self.mark(hit, self.covered(hit, &group_views, line_of_sight, turns))
+                    self.covered(hit, &group_views, line_of_sight, turns)
                 };
+                let mark = |hit: &Hit| self.mark(hit, covered(hit));
                 let surface = |hit: &Hit| {
                     let facing = self.facing(appearance, &group_views, hit);
                     let Hit { rest_normal, doppler_factor, .. } = *hit;
@@ -269,6 +270,7 @@ impl PreparedScene {
                     self.painted(
                         surface_colour(appearance, &self.bodies()[hit.body], received, &hatch),
                         hit,
+                        || covered(hit),
                         appearance,
                     )
                 };

@@ -45,6 +45,10 @@ pub enum Method {
     /// wheel touches the road D falls from 1 within 1/gamma^2 of its radius, and f32 has the place to 1e-7 of it. Spokes are met
     /// where a ray first enters them, also where it runs along one in the wheel's plane: `tests/spokes.rs` finds no pixel of
     /// a thousand views, gamma to 1000, that shows what is seen nowhere within that many pixels.
+    ///
+    /// Of models (`tests/gpu_models.rs`, to gamma = 1e30) no ray passes between triangles that share corners; models of triangles show another
+    /// triangle at up to 0.01 % of the pixels that a thousand small ones cover, each within 0.05 px of the one that is seen there.
+    /// Each of a pixel's four samples looks for itself. On the device a triangle takes 64 bytes, and its share of the boxes 15 to 35.
     Rays,
     /// A ray test per pixel on the CPU, in f32, eight pixels at a time.
     ///
@@ -65,6 +69,8 @@ pub enum Method {
     /// both eyes, alone or among groups, the bound is kept, too. A conformal picture has no bound where the line through the
     /// eyes meets a body, infinitely far aside: of a wheel around that line at most 1 % of the pixels show another body than
     /// is seen within the bound, up to 0.99 c and as seen (`tests/gpu_wheels.rs`); contracted at 0.9999 c up to 12 % did.
+    ///
+    /// Models keep the bound (`tests/gpu_models.rs`) unless that takes more than two million triangles; and the background shows nowhere between triangles.
     Mesh {
         /// Greatest distance at which any point may be drawn from where it is seen, pixels, above 0.
         bound_px: f64,
@@ -141,18 +147,6 @@ impl fmt::Display for Method {
     }
 }
 
-impl PreparedScene {
-    /// Whether `method` draws all of its bodies. The rays have the packets draw a scene with models of triangles.
-    ///
-    /// # Errors
-    ///
-    /// Models of triangles by the mesh renderer.
-    pub fn drawn_by(&self, method: Method) -> Result<(), Undrawn> {
-        let is_mesh = matches!(method, Method::Mesh { .. });
-        if is_mesh && self.has_triangles() { Err(Undrawn::TrianglesByMesh) } else { Ok(()) }
-    }
-}
-
 /// The renderers, each made when it is first needed.
 #[derive(Debug, Default)]
 pub struct Renderers {
@@ -185,7 +179,8 @@ impl Renderers {
         self.gpu.as_ref()
     }
 
-    /// Draws `scene` into `target`, whose size overrides the camera's, by the GPU's substitute for `method`.
+    /// Draws `scene` into `target`, whose size overrides the camera's, by the GPU's substitute for `method`, and returns the method that drew:
+    /// the packets stand in for the rays where the device cannot draw these, or has no room for the scene's models.
     ///
     /// # Errors
     ///
@@ -197,39 +192,58 @@ impl Renderers {
         view: &View,
         appearance: &Appearance,
         target: &mut EyeTarget,
-    ) -> Result<(), GpuError> {
+    ) -> Result<Method, GpuError> {
         view.drawn_on_gpu()?;
+        let method = self.in_place_of_rays(method.on_gpu(view), scene, view)?;
         let scopes = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?.error_scopes();
-        let method = self.in_place_of_rays(method.on_gpu(view), scene);
-        scene.drawn_by(method)?;
         if method == Method::Packets
             && let (Some(gpu), Some(packets)) = (&self.gpu, &self.packets)
         {
             target.write(gpu, &packets.picture(scene, &view.with_size(target.size()), appearance));
-            return scopes.close();
+            return scopes.close().map(|()| method);
         }
         if let (Method::Reference, Some(gpu)) = (method, &self.gpu) {
             target.write(gpu, &scene.picture(&view.with_size(target.size()), appearance, 1));
-            return scopes.close();
+            return scopes.close().map(|()| method);
         }
         let (gpu, canvas, drawing) = self.drawing(method)?;
         canvas.paint(gpu, drawing, scene, view, appearance, target);
-        scopes.close()
+        scopes.close().map(|()| method)
     }
 
-    /// Returns `method`, or the packets for rays on a device that cannot draw these, or in a scene with models of triangles.
-    fn in_place_of_rays(&self, method: Method, scene: &PreparedScene) -> Method {
+    /// Returns `method`, or the packets for rays on a device that cannot draw these.
+    fn in_place_of_rays(
+        &mut self,
+        method: Method,
+        scene: &PreparedScene,
+        view: &View,
+    ) -> Result<Method, GpuError> {
         let has_rays = self.gpu.as_ref().is_none_or(Gpu::has_rays);
-        let method = self.drawing_triangles(method, scene);
-        if method == Method::Rays && !has_rays && self.packets.is_some() { Method::Packets } else { method }
+        if method == Method::Rays && !has_rays && self.packets.is_some() {
+            return Ok(Method::Packets);
+        }
+        self.with_room_for_models(method, scene, view)
     }
 
-    /// Returns `method`, or the packets for rays in a scene with models of triangles, which these do not draw.
-    fn drawing_triangles(&self, method: Method, scene: &PreparedScene) -> Method {
-        if method != Method::Rays || !scene.has_triangles() {
-            return method;
+    /// Returns `method`, with the models of `scene` on the device if it draws there; or the packets where the device has no room for them,
+    /// the reference where the packets do not know `view`.
+    fn with_room_for_models(
+        &mut self,
+        method: Method,
+        scene: &PreparedScene,
+        view: &View,
+    ) -> Result<Method, GpuError> {
+        let Some(gpu) = self.gpu.as_ref().filter(|_| !method.is_on_cpu()) else { return Ok(method) };
+        let scopes = gpu.error_scopes();
+        let has_room = self.canvas.get_or_insert_with(|| Canvas::new(gpu)).load_models(gpu, scene);
+        scopes.close()?;
+        if has_room {
+            return Ok(method);
         }
-        if self.packets.is_some() { Method::Packets } else { Method::Reference }
+        let packets = Some(Method::Packets).filter(|_| self.packets.is_some());
+        let stands_in =
+            packets.into_iter().chain([Method::Reference]).find(|method| method.of_view(view) == *method);
+        Ok(stands_in.unwrap_or(method))
     }
 
     /// The picture of `view` by `method`, the reference with `samples` times `samples` rays per pixel.
@@ -247,8 +261,7 @@ impl Renderers {
         samples: u32,
     ) -> Result<Picture, GpuError> {
         view.drawn()?;
-        let method = self.drawing_triangles(method.of_view(view), scene);
-        scene.drawn_by(method)?;
+        let method = self.with_room_for_models(method.of_view(view), scene, view)?;
         if method == Method::Packets
             && let Some(packets) = &self.packets
         {
@@ -290,8 +303,7 @@ impl Renderers {
         part: &View,
     ) -> Result<HitImage, GpuError> {
         part.drawn()?;
-        let method = self.drawing_triangles(method.of_view(part), scene);
-        scene.drawn_by(method)?;
+        let method = self.with_room_for_models(method.of_view(part), scene, part)?;
         if method == Method::Reference {
             return Ok(scene.hit_image(part));
         }

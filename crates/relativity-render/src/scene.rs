@@ -203,10 +203,9 @@ impl PreparedScene {
         Some(&self.0.models[place].1)
     }
 
-    /// Whether any body is made of triangles.
-    #[must_use]
-    pub fn has_triangles(&self) -> bool {
-        !self.0.models.is_empty()
+    /// The triangles of each body that is made of these, by its number.
+    pub(crate) fn models(&self) -> impl Iterator<Item = &Arc<Triangles>> {
+        self.0.models.iter().map(|(_, triangles)| triangles)
     }
 
     /// Boxes around the bodies of the group of this number that keep their places in it.

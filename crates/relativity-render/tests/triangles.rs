@@ -3,84 +3,16 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use relativity_core::{Aperture, Speed};
 use relativity_render::{
-    Appearance, Body, Camera, Colour, Gaze, Geometry, HitImage, Method, Model, PreparedScene, Renderers,
-    Shape, TrianglesError, View,
+    Appearance, Body, Colour, Geometry, HitImage, Method, Model, PreparedScene, Renderers, Shape,
+    TrianglesError, View,
 };
 
+mod models;
 mod support;
-use support::{centred, spread};
+use models::{ball_model, box_model, exact_box, scene_of, soup, view};
 
 const GEOMETRIES: [Geometry; 4] = [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone];
-
-/// A view of the box from (-1, 3, 2) to (1, 5, 3) and what takes its place.
-fn view(beta: f64, geometry: Geometry, size: [u32; 2]) -> View {
-    let speed = Speed::from_beta(beta).expect("a speed");
-    let camera = Camera::new(Aperture::pair(0.1)[1], Gaze::STRAIGHT_AHEAD, 0.6, size);
-    let mut view = View { camera, speed, observation_time: 4.5, geometry };
-    let centre = view.apparent_position([0.0, 4.0, 0.5]).expect("inside the domain");
-    view.camera.gaze = Gaze::along(centre.to_array());
-    view
-}
-
-fn exact_box() -> Shape {
-    Shape::Box { center: [0.0, 4.0, 0.5], half: [1.0, 0.75, 0.5], turn: [0.0, 0.0, 0.0, 1.0] }
-}
-
-/// The corners and the twelve triangles of that box.
-fn box_model() -> Model {
-    let corner = |i: usize| {
-        let side = |bit: usize, half: f64| if i & bit == 0 { -half } else { half };
-        [side(1, 1.0), 4.0 + side(2, 0.75), 0.5 + side(4, 0.5)]
-    };
-    let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    let triangles = faces.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
-    Model { corners: (0..8).map(corner).collect(), triangles, ..Model::default() }
-}
-
-/// A ball of `rings` times twice as many squares, each of two triangles.
-fn ball_model(center: [f64; 3], radius: f64, rings: u32) -> Model {
-    let turns = 2 * rings;
-    let corner = |i: u32| {
-        let (polar, azimuth) = (
-            PI * f64::from(i / turns) / f64::from(rings),
-            2.0 * PI * f64::from(i % turns) / f64::from(turns),
-        );
-        let (x, y, z) = (polar.sin() * azimuth.cos(), polar.sin() * azimuth.sin(), polar.cos());
-        (DVec3::from(center) + radius * DVec3::new(x, y, z)).to_array()
-    };
-    let square = |i: u32| {
-        let (ring, turn) = (i / turns, i % turns);
-        let at = |ring: u32, turn: u32| ring * turns + turn % turns;
-        let [a, b, c, d] = [at(ring, turn), at(ring + 1, turn), at(ring + 1, turn + 1), at(ring, turn + 1)];
-        [[a, b, c], [a, c, d]]
-    };
-    Model {
-        corners: (0..(rings + 1) * turns).map(corner).collect(),
-        triangles: (0..rings * turns).flat_map(square).collect(),
-        ..Model::default()
-    }
-}
-
-/// A thousand triangles about the box's middle, anyhow, with colours.
-fn soup(is_two_sided: bool) -> Model {
-    let corner = |i: u32| {
-        let middle = centred(spread(i / 3)) * DVec3::new(1.0, 0.75, 0.5);
-        (DVec3::new(0.0, 4.0, 0.5) + middle + 0.15 * centred(spread(i + 7))).to_array()
-    };
-    let paint = |i: u32| spread::<3>(i + 11).map(|part| part as f32);
-    Model {
-        corners: (0..3000).map(corner).collect(),
-        triangles: (0..1000).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect(),
-        paints: (0..3000).map(paint).collect(),
-        is_two_sided,
-    }
-}
-
-fn scene_of(model: Model) -> PreparedScene {
-    PreparedScene::moving(&[Body::of_triangles(model.prepared().expect("a model"))])
-}
 
 fn hits_of(model: Model, view: &View) -> HitImage {
     scene_of(model).hit_image(view)
@@ -197,7 +129,7 @@ fn paint_is_mixed_between_corners_and_is_no_effect_of_false_colours() {
     assert!(picture.iter().zip(&plain).any(|(map, white)| map != white && map[2] > 0));
 }
 
-/// A renderer of packets, and of rays as far as they are drawn by these.
+/// Renderers without a device.
 fn renderers() -> Renderers {
     Renderers::new(None)
 }
@@ -211,8 +143,8 @@ fn packets_meet_the_triangles_that_the_reference_meets() {
         for beta in [0.0, 0.9, 0.9999] {
             let view = view(beta, geometry, [96, 72]);
             let expected = scene.hit_image(&view).hits;
-            for method in [Method::Packets, Method::Rays] {
-                let found = renderers.hits(method, &scene, &view).expect("it needs no device").hits;
+            {
+                let found = renderers.hits(Method::Packets, &scene, &view).expect("it needs no device").hits;
                 for (expected, found) in expected.iter().zip(&found) {
                     covered += u32::from(expected.is_some());
                     other += u32::from(expected.is_some() != found.is_some());
@@ -264,23 +196,6 @@ fn packets_draw_a_box_of_triangles_as_the_box() {
             }
             assert!(compared > 200, "{compared}");
         }
-    }
-}
-
-#[test]
-fn other_renderers_refuse_models() {
-    let (scene, view) = (scene_of(box_model()), view(0.5, Geometry::Published, [8, 6]));
-    for method in [Method::Reference, Method::Rays, Method::Mesh { bound_px: 0.5 }] {
-        let error =
-            renderers().picture(method, &scene, &view, &Appearance::default(), 1).expect_err("it is refused");
-        assert!(
-            error.to_string().starts_with("models from files are not drawn by the mesh renderer"),
-            "{error}"
-        );
-        assert_eq!(
-            renderers().hits(method, &scene, &view).expect_err("it is refused").to_string(),
-            error.to_string()
-        );
     }
 }
 

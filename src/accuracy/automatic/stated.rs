@@ -41,10 +41,7 @@ pub fn candidates(goal: Goal, has_gpu: bool, scene: &PreparedScene, view: &View)
         Goal::Budget(_) => MESH_BOUNDS_PX.map(mesh).into(),
     };
     let all = [(Method::Reference, 0.0)].into_iter().chain(exact).chain(meshes);
-    let is_drawn = |method: Method| {
-        let can_draw = method.of_view(view) == method && scene.drawn_by(method).is_ok();
-        (has_gpu || method.is_on_cpu()) && can_draw
-    };
+    let is_drawn = |method: Method| (has_gpu || method.is_on_cpu()) && method.of_view(view) == method;
     all.filter(|(method, _)| is_drawn(*method))
         .map(|(method, error_px)| Candidate { method, error_px })
         .collect()

@@ -76,6 +76,9 @@ impl Chooser {
     fn begin(&mut self, state: &State) {
         let folder = self.folder.take().or_else(|| files::canonical(Path::new(".")).ok()).unwrap_or_default();
         self.purpose = state.scratch.chooser;
+        // The scene of a model belongs beside it.
+        let model = state.scene_file().filter(|_| self.purpose == Some(Purpose::Save(Product::Scene)));
+        let folder = model.map_or(folder, |model| files::folder_of(model).to_owned());
         self.path = match self.purpose {
             Some(Purpose::Save(product)) => {
                 let scene = Path::new(&state.document.settings.scene).file_stem().unwrap_or_default();

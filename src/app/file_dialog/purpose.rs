@@ -26,6 +26,8 @@ pub enum Product {
     PlotsCsv,
     /// The state, as TOML.
     State,
+    /// The scene in which a model rides, as TOML.
+    Scene,
     /// T running through its range once.
     Film,
     /// The fit, as JSON.
@@ -48,6 +50,7 @@ impl Product {
             Self::Picture => "picture",
             Self::PlotsSvg | Self::PlotsCsv => "plots",
             Self::State => "state",
+            Self::Scene => "scene",
             Self::Film => "film",
             Self::Fit => "fit",
             Self::Report => "report",
@@ -65,6 +68,7 @@ impl Product {
             Self::PlotsSvg => "Saves the curves of the shown tab, as a drawing.",
             Self::PlotsCsv => "Saves the curves of the shown tab, as a table.",
             Self::State => "Saves all settings, as TOML.",
+            Self::Scene => "Saves the scene in which the opened model rides, to move it or to add to it.",
             Self::Film => {
                 "Saves T running through its range once: a GIF, an animated PNG, or a folder of pictures."
             }
@@ -106,7 +110,7 @@ impl Product {
             Self::Picture => &["png"],
             Self::PlotsSvg => &["svg"],
             Self::PlotsCsv => &["csv"],
-            Self::State => &["toml"],
+            Self::State | Self::Scene => &["toml"],
             Self::Film => &["gif", "png"],
             Self::Fit => &["json"],
             Self::Report | Self::Worksheet | Self::LabSheet | Self::TeachersPage => &["html"],
@@ -120,6 +124,7 @@ impl Product {
             Self::Picture => "",
             Self::PlotsSvg | Self::PlotsCsv => "-plots",
             Self::State => "-state",
+            Self::Scene => "-scene",
             Self::Film => "-film",
             Self::Fit => "-fit",
             Self::Report => "-report",
@@ -161,12 +166,13 @@ impl Purpose {
     #[must_use]
     pub const fn title(self) -> &'static str {
         match self {
-            Self::Open => "Open a scene, a state, a picture or data",
+            Self::Open => "Open a scene, a model, a state, a picture or data",
             Self::OpenData => "Fit own data",
             Self::Save(Product::Picture) => "Save the picture",
             Self::Save(Product::PlotsSvg) => "Save the plots as SVG",
             Self::Save(Product::PlotsCsv) => "Save the plots as CSV",
             Self::Save(Product::State) => "Save the state",
+            Self::Save(Product::Scene) => "Save the scene of the model",
             Self::Save(Product::Film) => "Save a film",
             Self::Save(Product::Fit) => "Save the fit",
             Self::Save(Product::Report) => "Save the report of the lesson",

@@ -236,3 +236,28 @@ impl Reader {
         None
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A model that is dropped is a scene, and a broken one is named in one line.
+    #[test]
+    fn a_model_is_shown_as_a_scene() {
+        let folder = tempfile::tempdir().expect("there is a place for temporary files");
+        let path = folder.path().join("tent.obj");
+        let read = |text: &str| {
+            std::fs::write(&path, text).expect("it is writable");
+            Errand { path: path.clone(), purpose: Use::Show, settings: Settings::default() }.read().contents
+        };
+        let shown = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("it is right");
+        let Contents::Settings { settings, scene, is_scene } = shown else { panic!("{shown:?}") };
+        assert_eq!((Path::new(&settings.scene), is_scene), (path.as_path(), true));
+        assert_eq!((scene.scene.name.as_str(), scene.scene.groups.len()), ("tent", 2));
+        let error = read("v 0 0 0\nf 1 2 3\n").expect_err("it is wrong");
+        assert!(
+            error.ends_with("tent.obj: line 2 of it: a face names corner 2, and so far there are 1"),
+            "{error}"
+        );
+    }
+}

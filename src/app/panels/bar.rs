@@ -140,7 +140,7 @@ fn files(ui: &mut Ui, state: &State, commands: &mut Commands) {
             commands.push(Command::Open(path.clone()));
         }
     }
-    let tip = "Opens a scene, a state, data, or a picture with the state that it records.";
+    let tip = "Opens a scene, a model, a state, data, or a picture with the state that it records.";
     let tip = with_keys(tip, &[Command::Choose(Purpose::Open)]);
     if ui.button("Open…").on_hover_text(tip).clicked() {
         commands.push(Command::Choose(Purpose::Open));

@@ -88,6 +88,10 @@ fn product_settings(ui: &mut Ui, state: &State, product: Product, chooser: &mut 
         Product::State => {
             "All settings, T and the selected point. Opening the file restores them.".to_owned()
         }
+        Product::Scene => {
+            "The scene in which the model rides, as text to edit. Its file stays in the folder of the model, or in one around that."
+                .to_owned()
+        }
         Product::Report => {
             "What was predicted and seen in each step of the lesson, as a page to print from a browser."
                 .to_owned()

@@ -346,8 +346,6 @@ fn drawn_by(state: &State, eye: Eye, drawn: Method) -> Option<String> {
         return (choice.error_px > UNSEEN_PX || !choice.holds).then(|| format!("automatic: {choice}"));
     };
     match drawn {
-        // The packets stand in for the rays.
-        Method::Rays if state.document.prepared.has_triangles() => Some("packets".to_owned()),
         Method::Rays if set == Method::Rays => None,
         Method::Rays => Some("rays, until the reference is done".to_owned()),
         Method::Packets => Some("packets".to_owned()),
@@ -495,7 +493,6 @@ impl Marker {
 
 #[cfg(test)]
 mod tests {
-    use relativity_render::{Body, Model};
 
     use super::*;
     use crate::accuracy::Choice;
@@ -526,13 +523,7 @@ mod tests {
         assert_eq!(drawn_by(&state, Eye::Left, Method::Packets).as_deref(), Some("packets"));
         state.document.settings.quality.renderer = RendererChoice::Rays;
         assert_eq!(drawn_by(&state, Eye::Left, Method::Rays), None);
-        // The packets draw models in place of the rays.
-        let corners = vec![[0.0, 3.0, 0.0], [1.0, 3.0, 0.0], [0.0, 3.0, 1.0]];
-        let model = Model { corners, triangles: vec![[0, 1, 2]], ..Model::default() };
-        let triangle = Body::of_triangles(model.prepared().expect("it has an area"));
-        let mut scene = Scene::preset("two-balls").expect("it is a preset");
-        scene.bodies[0] = triangle;
-        let state = State::new(Settings::clone(&state.document.settings), scene);
-        assert_eq!(drawn_by(&state, Eye::Left, Method::Rays).as_deref(), Some("packets"));
+        // The packets stand in for the rays where a device has no room for a scene's models.
+        assert_eq!(drawn_by(&state, Eye::Left, Method::Packets).as_deref(), Some("packets"));
     }
 }

@@ -14,6 +14,7 @@ use crate::files::whole::write_whole;
 use crate::flags::choices::{Compare, RendererChoice, Size};
 use crate::flags::words::Shell;
 use crate::platform::files;
+use crate::scene::is_model;
 #[cfg(feature = "desktop")]
 use crate::settings::link_of_pairs as link_to;
 use crate::settings::{Daylight, Settings};
@@ -105,6 +106,10 @@ impl App {
                 };
                 self.begin(ui.ctx(), Job::Sheet(lesson, sheet, path), name, 1);
             }
+            Product::Scene => match self.state.scene_file().filter(|model| is_model(model)) {
+                Some(model) => self.begin(ui.ctx(), Job::Scene(model.to_owned(), path), name, 1),
+                None => self.tell(ui.ctx(), Notice::error("No model is open.")),
+            },
             Product::PlotsSvg | Product::PlotsCsv => {
                 let is_drawing = product == Product::PlotsSvg;
                 let text = if is_drawing { self.plots_svg() } else { self.plots_csv() };

@@ -14,7 +14,8 @@ use crate::flags::words::Shell;
 use crate::lesson::worksheet::{self, Sheet};
 use crate::lesson::{Course, Lesson, report};
 use crate::number_text;
-use crate::scene::{Scene, Track};
+use crate::platform::files;
+use crate::scene::{Scene, Track, scene_text};
 use crate::settings::Settings;
 use crate::studio::Studio;
 use crate::studio::film::{FRAMES_PER_SECOND, FilmKind, Stopped, Written};
@@ -38,6 +39,8 @@ pub enum Job {
     Clipboard(SceneSnapshot),
     /// A film of the frames at these T.
     Film(SceneSnapshot, Vec<f64>, FilmKind, PathBuf),
+    /// The scene in which the model in the first file rides.
+    Scene(PathBuf, PathBuf),
     /// The numbers of a fit, as JSON.
     Fit(Box<FitKey>, PathBuf),
     /// Report of a lesson, whose states build on these settings; with a fit.
@@ -85,6 +88,7 @@ impl Job {
         match self {
             Self::Picture(_, path)
             | Self::Film(.., path)
+            | Self::Scene(_, path)
             | Self::Fit(_, path)
             | Self::Report(.., path)
             | Self::Sheet(.., path) => path,
@@ -117,6 +121,12 @@ impl Job {
                     format!("Saved {}: {} frames, {seconds:.1} s, {size}.", name_of(&path), times.len());
                 let command = kind.mp4_command(&path, Shell::here());
                 Ok(Made::Film(path, text, command))
+            }
+            Self::Scene(model, path) => {
+                let text = scene_text(&model, files::folder_of(&path)).map_err(anyhow::Error::msg)?;
+                write_whole(&path, |file| Ok(file.write_all(text.as_bytes())?))?;
+                let text = format!("Saved {}.", name_of(&path));
+                Ok(Made::File(path, text))
             }
             Self::Report(course, base, key, path) => {
                 // Of what cannot be fitted there is no table.

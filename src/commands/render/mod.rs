@@ -19,7 +19,7 @@ use crate::studio::film::FilmKind;
 /// Draws what both eyes see, without a window, a display or a GPU.
 ///
 /// Without flags: the cyclist at beta = 0.9 on Gamow's street, seen with d = 0.1. A `.png` file is a picture, an `.exr` file holds what every pixel shows (body, distance,
-/// time of emission, proper time, place at rest, angle on a wheel, Doppler factor, ...), and with --frames a folder takes a sequence.
+/// time of emission, proper time, place at rest, angle on a wheel, triangle of a model, Doppler factor, ...), and with --frames a folder takes a sequence.
 ///
 /// With --projection vr180 a picture is half of the sky for a headset: both eyes side by side, each square (2048x2048 unless
 /// --size says another), without bar and letters, in a file whose name ends in `_180x180_LR.png`.

@@ -29,6 +29,11 @@ impl ModelFiles<'_> {
         if path.contains('\\') || !Path::new(path).components().all(is_below) {
             return Err(leaves());
         }
+        if !files::HAS_FOLDERS {
+            // There are only the files that the user gave.
+            return files::read(Path::new(path), sizes::MODEL_BYTES)
+                .map_err(|error| format!("cannot read {path}: {error}"));
+        }
         let place = folder.join(path);
         let unread = |error: io::Error| format!("cannot read {path}: {error}");
         let (around, place) =

@@ -4,14 +4,21 @@ mod accessor;
 mod files;
 mod gltf;
 mod limits;
+mod lines;
 mod obj;
+mod picture;
+mod ridden;
 #[cfg(test)]
 mod tests;
+mod textures;
+
+use std::path::Path;
 
 use glam::{DMat3, DVec3};
 use relativity_render::{Body, Model};
 
 pub(super) use self::files::ModelFiles;
+pub use self::ridden::text as scene_text;
 use super::error::{Located, Problem};
 use super::object::{Object, brightness};
 use super::table::Table;
@@ -50,7 +57,7 @@ pub(super) fn model(table: &Table) -> Result<Object, Located> {
 /// The turn from the axes of the file to those of scenes, whose z axis points upwards.
 fn upright(table: &Table) -> Result<DMat3, Located> {
     match table.string("up")? {
-        None | Some("y") => Ok(DMat3::from_cols(DVec3::X, DVec3::Z, DVec3::NEG_Y)),
+        None | Some("y") => Ok(upright_axes()),
         Some("z") => Ok(DMat3::IDENTITY),
         Some(_) => {
             Err(table.wrong("up", "\"y\", as in glTF, or \"z\": the axis of the file that points upwards"))
@@ -58,11 +65,26 @@ fn upright(table: &Table) -> Result<DMat3, Located> {
     }
 }
 
+/// The same where the file's y axis points upwards.
+fn upright_axes() -> DMat3 {
+    DMat3::from_cols(DVec3::X, DVec3::Z, DVec3::NEG_Y)
+}
+
+/// Endings of the files of models.
+const ENDINGS: [&str; 3] = ["glb", "gltf", "obj"];
+
+/// Whether the file at `path` is a model, by its ending.
+#[must_use]
+pub fn is_model(path: &Path) -> bool {
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    ending.is_some_and(|ending| ENDINGS.iter().any(|known| known.eq_ignore_ascii_case(ending)))
+}
+
 /// Reads the model in the file at `path`, by its ending.
 fn read(files: &ModelFiles<'_>, path: &str) -> Result<Model, String> {
     let ending = path.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_ascii_lowercase());
     let beside = |name: &str| files.read(&beside(path, name));
-    if !["glb", "gltf", "obj"].contains(&ending.as_str()) {
+    if !ENDINGS.contains(&ending.as_str()) {
         return Err("it must end in .glb, .gltf or .obj".to_owned());
     }
     parsed(&ending, &files.read(path)?, &beside)

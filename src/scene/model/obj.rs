@@ -1,141 +1,120 @@
-//! Wavefront OBJ: corners, faces, and the colours of corners and materials.
+//! Wavefront OBJ: corners, faces, and the colours and textures of materials.
 //!
-//! Faces are divided from their first corner, as flat convex ones may be. Everything else in a file (normals, textures, lines,
-//! smoothing) is passed over.
+//! Faces are divided from their first corner, as flat convex ones may be. Everything else in a file (normals, lines, smoothing) is
+//! passed over. The crate `tobj` reads what [`lines`](super::lines) have been checked of it: numbers in f64, and faces by material.
 
 use std::collections::HashMap;
-use std::str::SplitWhitespace;
+use std::path::Path;
 
-use relativity_render::Model;
 use relativity_render::colour::srgb_decoded;
+use relativity_render::{Model, Wrap};
+use tobj::{LoadError, LoadOptions, MTLLoadResult, Material, Mesh};
 
-use super::limits::check_count;
+use super::lines::{Lines, Problems, text_of};
+use super::textures::Textures;
 
 /// Paint of what has none.
 const WHITE: [f32; 3] = [1.0; 3];
 
 /// Reads a model; `beside` reads the files that it names.
 pub(super) fn model(bytes: &[u8], beside: &dyn Fn(&str) -> Result<Vec<u8>, String>) -> Result<Model, String> {
-    let text = text_of(bytes)?;
-    let mut reader = Reader::default();
-    for (number, line) in text.lines().enumerate() {
-        reader.line(line, beside).map_err(|problem| format!("line {} of it: {problem}", number + 1))?;
+    let problems = Problems::default();
+    let mut lines = Lines::new(text_of(bytes)?, &problems);
+    let options =
+        LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..LoadOptions::default() };
+    let library = |name: &Path| {
+        let read = library(&name.to_string_lossy(), beside);
+        read.unwrap_or_else(|problem| {
+            problems.add(&problem);
+            Err(LoadError::OpenFileFailed)
+        })
+    };
+    let loaded = tobj::load_obj_buf(&mut lines, &options, library);
+    problems.first()?;
+    let (meshes, materials) = loaded.map_err(|error| problems.located(&error.to_string()))?;
+    let materials = materials.map_err(|error| problems.located(&error.to_string()))?;
+    let (mut model, mut textures) = (Model::default(), Textures::new());
+    for tobj::Model { mesh, .. } in &meshes {
+        let material = mesh.material_id.and_then(|number| materials.get(number));
+        add(mesh, material, beside, &mut model, &mut textures)?;
     }
-    Ok(reader.model)
+    textures.put_into(&mut model);
+    Ok(model)
 }
 
-fn text_of(bytes: &[u8]) -> Result<&str, String> {
-    std::str::from_utf8(bytes).map_err(|_| "it is not text in UTF-8".to_owned())
-}
-
-/// The part of a file that was read.
-#[derive(Default)]
-struct Reader {
-    places: Vec<[f64; 3]>,
-    colours: Vec<Option<[f32; 3]>>,
-    materials: HashMap<String, [f32; 3]>,
-    paint: Option<[f32; 3]>,
-    /// Numbers of the model's corners, by that in the file and the paint of its material, as bits.
-    corners: HashMap<(usize, [u32; 3]), u32>,
-    model: Model,
-}
-
-impl Reader {
-    fn line(&mut self, line: &str, beside: &dyn Fn(&str) -> Result<Vec<u8>, String>) -> Result<(), String> {
-        let line = line.split('#').next().unwrap_or_default().trim();
-        let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
-        match word {
-            "v" => self.corner(rest.split_whitespace()),
-            "f" => self.face(rest.split_whitespace()),
-            "mtllib" => self.library(rest.trim(), beside),
-            "usemtl" => {
-                self.paint = self.materials.get(rest.trim()).copied();
-                Ok(())
+/// Reads the materials in the file called `name`: their diffuse colours, linear, and textures.
+fn library(name: &str, beside: &dyn Fn(&str) -> Result<Vec<u8>, String>) -> Result<MTLLoadResult, String> {
+    let bytes = beside(&name.replace('\\', "/"))?;
+    let mut kept = String::new();
+    for line in text_of(&bytes)?.lines() {
+        let (word, rest) = line.trim().split_once(char::is_whitespace).unwrap_or((line.trim(), ""));
+        let needed = match word {
+            "newmtl" => (rest.is_empty()).then_some("a name"),
+            "map_Kd" => (rest.is_empty()).then_some("a file"),
+            "Kd" => {
+                let numbers = rest.split_whitespace().take(3).map(str::parse::<f64>);
+                (numbers.flatten().count() < 3).then_some("three numbers")
             }
-            _ => Ok(()),
-        }
-    }
-
-    /// Three coordinates, and three parts of an sRGB colour if there are any.
-    fn corner(&mut self, words: SplitWhitespace<'_>) -> Result<(), String> {
-        let numbers = numbers(words)?;
-        let (&[x, y, z], rest) = numbers.split_first_chunk().ok_or("a corner needs three coordinates")?;
-        self.places.push([x, y, z]);
-        let colour = <[f64; 3]>::try_from(rest).ok();
-        if colour.is_some_and(|colour| colour.iter().any(|part| !(0.0..=1.0).contains(part))) {
-            return Err("each part of a colour must lie between 0 and 1".to_owned());
-        }
-        self.colours.push(colour.map(|colour| colour.map(|part| srgb_decoded(part) as f32)));
-        Ok(())
-    }
-
-    fn face(&mut self, words: SplitWhitespace<'_>) -> Result<(), String> {
-        let mut corners = Vec::new();
-        for word in words {
-            let number = word.split('/').next().unwrap_or_default();
-            corners.push(self.corner_called(number)?);
-        }
-        let [first, rest @ ..] = &corners[..] else { return Err("a face needs three corners".to_owned()) };
-        if rest.len() < 2 {
-            return Err("a face needs three corners".to_owned());
-        }
-        check_count(self.model.triangles.len() + rest.len() - 1)?;
-        self.model.triangles.extend(rest.array_windows().map(|&[second, third]| [*first, second, third]));
-        Ok(())
-    }
-
-    /// Returns the number of the model's corner that a face calls so: from 1, or below 0 from the last one back.
-    fn corner_called(&mut self, word: &str) -> Result<u32, String> {
-        let count = self.places.len();
-        let number = word.parse::<i64>().ok().and_then(|number| match number {
-            1.. => usize::try_from(number - 1).ok(),
-            0 => None,
-            _ => usize::try_from(number.unsigned_abs()).ok().and_then(|back| count.checked_sub(back)),
-        });
-        let Some(place) = number.filter(|number| *number < count) else {
-            return Err(format!("a face names corner {}, and so far there are {count}", shortened(word)));
+            _ => continue,
         };
-        let paint = self.colours[place].or(self.paint).unwrap_or(WHITE);
-        let model = &mut self.model;
-        Ok(*self.corners.entry((place, paint.map(f32::to_bits))).or_insert_with(|| {
-            model.corners.push(self.places[place]);
-            model.paints.push(paint);
-            model.corners.len() as u32 - 1
-        }))
-    }
-
-    /// Reads the diffuse colours, linear, of the materials in the file called `name`.
-    fn library(
-        &mut self,
-        name: &str,
-        beside: &dyn Fn(&str) -> Result<Vec<u8>, String>,
-    ) -> Result<(), String> {
-        let bytes = beside(name)?;
-        let mut material = String::new();
-        for line in text_of(&bytes)?.lines() {
-            let (word, rest) = line.trim().split_once(char::is_whitespace).unwrap_or((line, ""));
-            match word {
-                "newmtl" => rest.trim().clone_into(&mut material),
-                "Kd" => {
-                    let parts = numbers(rest.split_whitespace())?;
-                    let colour = parts
-                        .first_chunk::<3>()
-                        .ok_or_else(|| format!("Kd in {name} needs three numbers"))?;
-                    self.materials.insert(material.clone(), colour.map(|part| part.clamp(0.0, 1.0) as f32));
-                }
-                _ => {}
-            }
+        if let Some(needed) = needed {
+            return Err(format!("{word} in {name} needs {needed}"));
         }
-        Ok(())
+        kept.extend([word, " ", rest.trim(), "\n"]);
     }
+    Ok(tobj::load_mtl_buf(&mut kept.as_bytes()))
 }
 
-fn numbers(words: SplitWhitespace<'_>) -> Result<Vec<f64>, String> {
-    let number = |word: &str| word.parse().map_err(|_| format!("{} is not a number", shortened(word)));
-    words.map(number).collect()
+/// Adds the triangles of a mesh of one material to `model`.
+fn add(
+    mesh: &Mesh,
+    material: Option<&Material>,
+    beside: &dyn Fn(&str) -> Result<Vec<u8>, String>,
+    model: &mut Model,
+    textures: &mut Textures<String>,
+) -> Result<(), String> {
+    let texture = match material.and_then(|material| material.diffuse_texture.as_ref()) {
+        Some(name) if !mesh.texcoord_indices.is_empty() => Some(texture(name, beside, textures)?),
+        _ => None,
+    };
+    let diffuse =
+        material.and_then(|material| material.diffuse).map(|colour| colour.map(|part| part.clamp(0.0, 1.0)));
+    // Beside a texture, black is what some programs write for no colour.
+    let diffuse = diffuse.filter(|colour| texture.is_none() || *colour != [0.0; 3]);
+    let paint = diffuse.map_or(WHITE, |colour| colour.map(|part| part as f32));
+    let (places, colours) = (mesh.positions.as_chunks::<3>().0, mesh.vertex_color.as_chunks::<3>().0);
+    let in_textures = mesh.texcoords.as_chunks::<2>().0;
+    let mut numbers = HashMap::new();
+    for (at, &corner) in mesh.indices.iter().enumerate() {
+        let in_texture = texture.map(|_| mesh.texcoord_indices[at] as usize);
+        let number = *numbers.entry((corner, in_texture)).or_insert_with(|| {
+            let own = colours[corner as usize];
+            let own = (!own[0].is_nan()).then(|| own.map(|part| srgb_decoded(part) as f32));
+            model.corners.push(places[corner as usize]);
+            model.paints.push(own.unwrap_or(paint));
+            // The first row of a picture is at the top.
+            let place = in_texture.map_or([0.0, 1.0], |number| in_textures[number]);
+            model.texture_places.push([place[0] as f32, (1.0 - place[1]) as f32]);
+            model.corners.len() as u32 - 1
+        });
+        match model.triangles.last_mut().filter(|_| at % 3 != 0) {
+            Some(triangle) => triangle[at % 3] = number,
+            None => model.triangles.push([number; 3]),
+        }
+    }
+    model.texture_numbers.resize(model.triangles.len(), texture.unwrap_or(Model::NO_TEXTURE));
+    Ok(())
 }
 
-/// The beginning of a word, for a message.
-fn shortened(word: &str) -> String {
-    word.chars().take(20).collect()
+/// Returns the number of the texture in the file called `name`.
+fn texture(
+    name: &str,
+    beside: &dyn Fn(&str) -> Result<Vec<u8>, String>,
+    textures: &mut Textures<String>,
+) -> Result<u32, String> {
+    if name.starts_with('-') {
+        return Err(format!("map_Kd {name} has options, which are not known here"));
+    }
+    let name = name.replace('\\', "/");
+    textures.number(name.clone(), [Wrap::Repeat; 2], || Ok((beside(&name)?, name)))
 }

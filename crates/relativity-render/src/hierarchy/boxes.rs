@@ -42,6 +42,13 @@ impl<S: Simd> BoxesOn<S> {
         (dot(self.center, direction), dot(self.half, size))
     }
 
+    /// Returns the middles of the boxes along the axis of this number, and half of their sides there.
+    #[inline(always)]
+    pub fn across(&self, axis: usize) -> (F<S>, F<S>) {
+        let part = |v: V3<S>| [v.x, v.y, v.z][axis];
+        (part(self.center), part(self.half))
+    }
+
     /// No place in a box is farther from the middle of the group.
     #[inline(always)]
     pub fn farthest(&self) -> F<S> {

@@ -9,6 +9,7 @@ mod boxes;
 mod build;
 mod lines;
 mod pieces;
+mod slabs;
 #[cfg(test)]
 mod testing;
 
@@ -18,6 +19,7 @@ use glam::Vec3;
 pub use beam::{Beam, Line, Looks};
 pub use lines::Lines;
 pub use pieces::{Piece, pieces};
+pub use slabs::Slabs;
 
 use self::boxes::{Boxes, WIDTH};
 use crate::lanes::{Simd, SimdFloat, bits};
@@ -54,6 +56,26 @@ enum Holds {
     Piece,
 }
 
+/// A box of a node, and what is in it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Child {
+    /// The middle of the box, from that of the group.
+    pub center: Vec3,
+    /// Half of its sides.
+    pub half: Vec3,
+    /// The node or the body in it.
+    pub content: Content,
+}
+
+/// What a box holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Content {
+    /// The node of this number.
+    Node(usize),
+    /// The body of this number, or a piece of it.
+    Body(u32),
+}
+
 /// A candidate: a body that may be met, in its box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Candidate {
@@ -73,6 +95,20 @@ impl Hierarchy {
     /// Whether there is nothing in it.
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
+    }
+
+    /// The boxes in the node of this number; the first is around all.
+    pub fn children(&self, node: usize) -> impl Iterator<Item = Child> {
+        let node = &self.nodes[node];
+        (0..WIDTH).filter_map(|lane| {
+            let content = match node.holds[lane] {
+                Holds::Nothing => return None,
+                Holds::Node => Content::Node(node.numbers[lane] as usize),
+                Holds::Body | Holds::Piece => Content::Body(node.numbers[lane]),
+            };
+            let Candidate { center, half, .. } = node.candidate(lane, 0.0);
+            Some(Child { center, half, content })
+        })
     }
 
     /// Whether `beam` may meet anything.

@@ -122,6 +122,11 @@ impl Solid {
         self.form.normal(position - self.center)
     }
 
+    /// Returns a vector along the axes of a box in those of the rest frame.
+    pub(crate) fn rest_from_box(&self, vector: DVec3) -> DVec3 {
+        if let Form::Block { axes, .. } = self.form { axes * vector } else { vector }
+    }
+
     /// Half the least width it is seen with along the unit vector `direction` from afar.
     pub(crate) fn half_width(&self, direction: DVec3) -> f64 {
         self.form.half_width(direction)

@@ -51,7 +51,20 @@ pub fn division(body: &PreparedBody, view: &GroupView, bound_px: f64) -> Divisio
         focal_length_px: view.camera.focal_length_px(),
         bound_px: 0.25 * bound_px,
     };
-    match &body.surface() {
+    match (&body.surface(), &body.triangles) {
+        (Surface::Box(surface), Some(model)) => {
+            let most =
+                [0, 1, 2].map(|axis| curvature.of_edges(surface, axis)).into_iter().fold(0.0, f64::max);
+            let segments = segments(2.0 * most, model.least_segments());
+            Division::Model { fingerprint: model.fingerprint(), segments }
+        }
+        (surface, _) => of_surface(surface, &curvature),
+    }
+}
+
+/// The division of a body that is no model.
+fn of_surface(surface: &Surface, curvature: &Curvature<'_>) -> Division {
+    match surface {
         Surface::Tube(tube) => {
             let arc = curvature.of_arcs(tube);
             let side = || curvature.greatest(|t, angle, h| tube.side(t + h, angle));

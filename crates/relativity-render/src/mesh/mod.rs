@@ -10,6 +10,7 @@
 
 mod copies;
 mod division;
+mod model;
 mod parts;
 mod template;
 
@@ -24,7 +25,7 @@ use crate::pipelines::{Pipelines, Technique};
 pub use parts::Instance;
 use parts::Parts;
 pub use template::Corner;
-use template::Division;
+use template::{Division, Template};
 
 /// Draws triangles that keep a bound on the picture.
 #[derive(Debug)]
@@ -33,8 +34,13 @@ pub struct MeshRenderer {
     bound_px: f64,
     parts: Parts,
     templates: HashMap<Division, Loaded>,
+    /// The divisions of models among these, the last that was drawn last.
+    of_models: Vec<Division>,
     batches: Batches<Instance, Division>,
 }
+
+/// Greatest number of divided models that are kept, unless more are drawn at once.
+const MOST_KEPT: usize = 4;
 
 /// A template on the device.
 #[derive(Debug)]
@@ -62,6 +68,7 @@ impl MeshRenderer {
             bound_px: f64::INFINITY,
             parts: Parts::default(),
             templates: HashMap::new(),
+            of_models: Vec::new(),
             batches: Batches::new(pipelines),
         }
     }
@@ -79,8 +86,12 @@ impl Drawing for MeshRenderer {
         self.batches.refill(gpu, vertices, shot, self.parts.runs());
         for batch in self.batches.iter() {
             let division = batch.template;
-            self.templates.entry(division).or_insert_with(|| Loaded::new(gpu, division));
+            self.templates.entry(division).or_insert_with(|| {
+                let template = division.template(shot.scene.models());
+                Loaded::new(gpu, &template)
+            });
         }
+        self.forget_models();
     }
 
     fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
@@ -95,9 +106,23 @@ impl Drawing for MeshRenderer {
     }
 }
 
+impl MeshRenderer {
+    /// Forgets the triangles of models that were not drawn for some time: those of two eyes are kept.
+    fn forget_models(&mut self) {
+        let divisions = self.batches.iter().map(|batch| batch.template);
+        let drawn: Vec<_> = divisions.filter(|division| matches!(division, Division::Model { .. })).collect();
+        self.of_models.retain(|division| !drawn.contains(division));
+        self.of_models.extend(&drawn);
+        let most = MOST_KEPT.max(2 * drawn.len());
+        let too_many = self.of_models.len().saturating_sub(most);
+        for division in self.of_models.drain(..too_many) {
+            self.templates.remove(&division);
+        }
+    }
+}
+
 impl Loaded {
-    fn new(gpu: &Gpu, division: Division) -> Self {
-        let template = division.template();
+    fn new(gpu: &Gpu, template: &Template) -> Self {
         let (vertex, index) = (wgpu::BufferUsages::VERTEX, wgpu::BufferUsages::INDEX);
         Self {
             corners: buffers::filled(gpu, "corners", vertex, &template.corners),

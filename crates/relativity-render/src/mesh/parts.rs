@@ -62,7 +62,7 @@ impl Parts {
     /// Replaces all by the bodies that `shot` can show, divided to keep `bound_px`. In pictures thin ones are drawn
     /// wider, and faded.
     pub fn refill(&mut self, shot: &Shot<'_>, bound_px: f64) {
-        let Shot { scene, views, divided_for, appearance } = *shot;
+        let Shot { scene, views, divided_for, appearance, .. } = *shot;
         let projections: Vec<_> = views.iter().map(Projection::new).collect();
         let maps: Vec<_> = views.iter().map(|view| view.camera.mercator()).collect();
         let ball = |body: &PreparedBody| {
@@ -89,7 +89,9 @@ impl Parts {
                 instance: Instance::new(body, half_width.unwrap_or_default(), shot),
                 group: body.group,
                 joint: body.joint,
-                is_thin: half_width.is_some_and(|half_width| half_width < half_pixel(body, view)),
+                // A model is drawn as it is, however thin.
+                is_thin: body.triangles.is_none()
+                    && half_width.is_some_and(|half_width| half_width < half_pixel(body, view)),
                 is_patterned: body.is_patterned,
                 turns: view.turns(body),
                 around: maps[body.group].map(|mercator| {
@@ -168,7 +170,7 @@ impl Instance {
             turn,
             light: shot.light(body),
             width_brightness_index: [half_width as f32, body.brightness as f32, body.index()],
-            pattern: body.pattern(),
+            pattern: shot.pattern(body),
             spin,
             rim,
             copy: FLAT,

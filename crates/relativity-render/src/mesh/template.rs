@@ -2,10 +2,12 @@
 
 use relativity_core::math;
 use std::f64::consts::{FRAC_PI_2, TAU};
+use std::sync::Arc;
 
 use bytemuck::{Pod, Zeroable};
 
 use crate::kind::Kind;
+use crate::triangles::Triangles;
 
 /// The division of a shape: its number of steps each way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -18,6 +20,8 @@ pub enum Division {
     Box { along: [u32; 3] },
     /// A cylinder: segments around, from the middle of each end to its rim, and along the side.
     Cylinder { around: u32, end: u32, side: u32 },
+    /// The model with this fingerprint: segments along any side of its box, if they were as long as edges may be.
+    Model { fingerprint: u64, segments: u32 },
 }
 
 /// Mirror of the shaders' `Corner`.
@@ -38,7 +42,7 @@ impl Corner {
 }
 
 /// The corners of a division, and the triangles between them.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Template {
     pub corners: Vec<Corner>,
     pub triangles: Vec<u32>,
@@ -52,11 +56,12 @@ impl Division {
             Self::Ring { .. } => Kind::Ring,
             Self::Box { .. } => Kind::Box,
             Self::Cylinder { .. } => Kind::Cylinder,
+            Self::Model { .. } => Kind::Model,
         }
     }
 
-    /// Returns corners and triangles, counter-clockwise as seen from outside.
-    pub fn template(self) -> Template {
+    /// Returns corners and triangles, counter-clockwise as seen from outside; of a model those of the one among `models` that it divides.
+    pub fn template<'a>(self, mut models: impl Iterator<Item = &'a Arc<Triangles>>) -> Template {
         match self {
             Self::Tube { around, end, side } => grid(&tube_profile(end, side), around),
             Self::Ring { around, tube } => {
@@ -68,6 +73,10 @@ impl Division {
             }
             Self::Box { along } => box_template(along),
             Self::Cylinder { around, end, side } => grid(&cylinder_profile(end, side), around),
+            Self::Model { fingerprint, segments } => {
+                let model = models.find(|model| model.fingerprint() == fingerprint);
+                model.map_or_else(Template::default, |model| model.template(segments))
+            }
         }
     }
 }

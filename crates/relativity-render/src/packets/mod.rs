@@ -24,6 +24,7 @@ mod passing;
 mod pattern;
 mod places;
 mod ray;
+mod received;
 mod ring;
 mod shading;
 mod shape;

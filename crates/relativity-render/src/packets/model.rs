@@ -5,17 +5,16 @@
 use glam::DVec3;
 
 use super::body::{Body, Group, Ray, own_ray};
-use super::colour::{Hatched, received_colour};
-use super::daylight::facing_of;
-use super::look::{Look, Seen};
+use super::colour::Hatched;
+use super::look::Look;
+use super::pattern::shift;
+use super::received::Element;
 use super::spin::Spin;
 use super::tables::Tables;
-use crate::effects::Spectrum;
-use crate::kind::Kind;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3};
+use crate::pattern::Covered;
 use crate::triangles::Triangles;
 use crate::view::Appearance;
-use crate::wheel::packed::Turns;
 
 /// The meetings of eight rays with a model.
 #[derive(Debug, Clone, Copy)]
@@ -46,11 +45,21 @@ pub struct ModelPart<S: Simd, const N: usize> {
 }
 
 impl<S: Simd> Meetings<S> {
-    /// Returns the meetings of these rays with `triangles` in the box that is `body`.
-    pub fn new(simd: S, triangles: &Triangles, body: &Body<S>, ray: &Ray<S>) -> Self {
+    /// Returns the meetings of these rays with `triangles` in the box that is `body`: of `side` times `side` samples to a pixel.
+    pub fn new(
+        simd: S,
+        triangles: &Triangles,
+        group: &Group<'_>,
+        body: &Body<S>,
+        ray: &Ray<S>,
+        side: f64,
+    ) -> Self {
         let own = own_ray(simd, body, ray);
         let along = body.place.dot(ray.direction);
         let to_middle = ray.to_centre + along;
+        let shifts = (!triangles.textures().is_empty()).then(|| {
+            ray.steps.map(|step| body.body_from_rest(shift(group, ray, step) * ray.ground_per_rest))
+        });
         let mut holds = [0_i32; LANES];
         let mut distances = [0.0; LANES];
         let mut numbers = [0.0; LANES];
@@ -70,7 +79,18 @@ impl<S: Simd> Meetings<S> {
             let place = start + direction * crossing.distance;
             put(&mut places, lane, place.to_array());
             put(&mut normals, lane, crossing.normal.to_array());
-            put(&mut paints, lane, triangles.paint(crossing.point));
+            let covered = || {
+                let distance = (f64::from(to_middle[lane]) + crossing.distance) / side;
+                let shift = |shift: V3<S>| DVec3::from(shift.lane(lane).map(f64::from)) * distance;
+                shifts.map_or(Covered::NOTHING, |shifts| {
+                    Covered::new(direction, crossing.normal, shifts.map(shift))
+                })
+            };
+            put(
+                &mut paints,
+                lane,
+                triangles.paint_over(crossing.point, |gradient| covered().range(gradient)),
+            );
         }
         let distance = F::simd_from(simd, distances);
         Self {
@@ -104,20 +124,15 @@ impl<S: Simd> Meetings<S> {
         hatched: Hatched<'_>,
     ) -> V3<S> {
         let (group, seen) = (look.group(look.scene.group_of(number)), look.seen(number));
-        let Seen { body, shown, .. } = &seen;
-        let effects = look.effects(body.group, Turns::Not, appearance);
-        let light = look.light(body, Turns::Not, appearance);
-        let is_lit_by_the_street = effects.spectrum() == Spectrum::StreetDaylight;
-        let placed = Body::new(simd, &shown.placement);
-        let spin = Spin::new(simd, shown);
-        let facing = is_lit_by_the_street
-            .then(|| facing_of(simd, Kind::Box, Turns::Not, &group, &placed, self.place, self.normal, &spin));
-        let colour = received_colour(effects, tables, light, self.doppler, self.normal, facing, hatched);
+        let (body, spin) = (Body::new(simd, &seen.shown.placement), Spin::new(simd, &seen.shown));
+        let Self { place, normal, doppler, .. } = *self;
+        let there = Element { group: &group, seen: &seen, body: &body, spin: &spin, place, normal, doppler };
+        let colour = there.colour(simd, look, appearance, tables, hatched);
         let mut factors = [[0.0; LANES]; 3];
         for lane in 0..LANES {
             put(&mut factors, lane, appearance.paint(self.paint.lane(lane).map(f64::from)));
         }
-        colour.times(vectors(simd, factors)) * (body.brightness as f32)
+        colour.times(vectors(simd, factors))
     }
 }
 

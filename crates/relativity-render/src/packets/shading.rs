@@ -1,20 +1,20 @@
 //! The colours of a tile.
 
 use super::backdrop::{behind, part};
-use super::colour::{Hatched, received_colour};
-use super::daylight::facing_of;
+use super::body::Surface;
+use super::colour::Hatched;
 use super::encode::encoded;
 use super::look::Look;
 use super::met::Met;
 use super::pattern::mark;
 use super::places::{PACKETS, packet_places, write_one};
 use super::ray::TileSights;
+use super::received::Element;
 use super::tables::Tables;
 use super::tile::{Owner, Packet, TileContents};
 use super::turning::standing;
 use crate::backdrop::Part;
 use crate::candidates::Rows;
-use crate::effects::Spectrum;
 use crate::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select};
 use crate::tiles::Tile;
 use crate::view::Appearance;
@@ -161,32 +161,17 @@ impl<S: Simd> TileContents<S, 4> {
             || {
                 let Met { group, seen, body, spin, ray, surface, test, doppler, distance } =
                     Met::new(simd, look, owner, packet);
-                let (kind, turns) = (seen.body.kind, seen.turns);
-                let effects = look.effects(owner.group, turns, appearance);
-                let light = look.light(seen.body, turns, appearance);
-                let is_lit_by_the_street = effects.spectrum() == Spectrum::StreetDaylight;
-                let facing = is_lit_by_the_street.then(|| {
-                    facing_of(simd, kind, turns, &group, &body, surface.place, surface.normal, &spin)
-                });
-                let colour =
-                    received_colour(effects, tables, light, doppler, surface.normal, facing, hatched);
-                let colour = colour * (seen.body.brightness as f32);
+                let Surface { place, normal, .. } = surface;
+                let there =
+                    Element { group: &group, seen: &seen, body: &body, spin: &spin, place, normal, doppler };
+                let colour = there.colour(simd, look, appearance, tables, hatched);
                 if seen.body.marking.is_none() {
                     return (colour, test.alpha);
                 }
-                let there = standing(simd, kind, turns, &group, &body, surface.place, &spin);
+                let (kind, turns) = (seen.body.kind, seen.turns);
+                let there = standing(simd, kind, turns, &group, &body, place, &spin);
                 let pattern = seen.body.pattern();
-                let mark = mark(
-                    simd,
-                    kind,
-                    &group,
-                    &there.body,
-                    pattern,
-                    there.place,
-                    surface.normal,
-                    ray,
-                    distance,
-                );
+                let mark = mark(simd, kind, &group, &there.body, pattern, there.place, normal, ray, distance);
                 (colour * mark, test.alpha)
             },
         )

@@ -19,7 +19,7 @@ pub fn surface<S: Simd>(simd: S, kind: Kind, group: &Group, body: &Body<S>, ray:
             #[inline(always)]
             || ring::surface(simd, body, ray),
         ),
-        Kind::Box => simd.vectorize(
+        Kind::Box | Kind::Model => simd.vectorize(
             #[inline(always)]
             || block::surface(simd, group, body, ray),
         ),
@@ -36,7 +36,7 @@ pub fn middle<S: Simd>(kind: Kind, body: &Body<S>) -> V3<S> {
     match kind {
         Kind::Tube => tube::middle(body),
         Kind::Ring => ring::middle(body),
-        Kind::Box | Kind::Cylinder => block::middle(body),
+        Kind::Box | Kind::Cylinder | Kind::Model => block::middle(body),
     }
 }
 
@@ -46,6 +46,6 @@ pub fn around<S: Simd>(kind: Kind, body: &Body<S>) -> Capsule<S> {
     match kind {
         Kind::Tube => tube::around(body),
         Kind::Ring => ring::around(body),
-        Kind::Box | Kind::Cylinder => block::around(body),
+        Kind::Box | Kind::Cylinder | Kind::Model => block::around(body),
     }
 }

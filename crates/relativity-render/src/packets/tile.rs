@@ -293,7 +293,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         let samples = samples.map(|offset| {
             let is_centre = offset == [0.0, 0.0];
             let ray = if is_centre { ray } else { rest_ray(simd, &group, sights.of_sample(place, offset)) };
-            Meetings::new(simd, triangles, placed, &ray)
+            Meetings::new(simd, triangles, &group, placed, &ray, (N as f64).sqrt())
         });
         let at = all(simd, owner as f32);
         let mut is_seen = false;

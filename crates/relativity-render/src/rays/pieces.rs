@@ -102,7 +102,8 @@ impl Pieces {
     fn add(&mut self, body: &PreparedBody, shot: &Shot<'_>, thin_px: f64) {
         let (template, turns) = (Piece::new(body, shot), shot.views[body.group].turns(body));
         for rectangle in &self.rectangles {
-            let is_thin = rectangle.radius_px < thin_px;
+            // Each sample of a model looks for itself, however thin that is.
+            let is_thin = rectangle.radius_px < thin_px && body.kind != Kind::Model;
             let list = (is_thin, body.group, body.kind, body.is_patterned, turns);
             self.lists.entry(list).or_default().push(template.placed(rectangle));
         }
@@ -215,7 +216,7 @@ impl Piece {
             form,
             turn,
             light: shot.light(body),
-            pattern: body.pattern(),
+            pattern: shot.pattern(body),
             spin,
             rim,
         }

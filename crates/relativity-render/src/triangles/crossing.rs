@@ -7,7 +7,7 @@
 use glam::DVec3;
 
 use super::{TrianglePoint, Triangles, facing};
-use crate::hierarchy::Line;
+use crate::hierarchy::Slabs;
 use crate::ray::Ray;
 
 /// The place where a ray meets a triangle.
@@ -40,7 +40,7 @@ impl Triangles {
         // What f32 may be off by along the ray, of boxes beside triangles.
         let room = 1e-6 * self.half.length();
         let mut first: Option<(f64, u32, [f64; 2])> = None;
-        self.hierarchy.along(&Line::new(&ray, DVec3::ZERO), |candidate| {
+        self.hierarchy.along(&Slabs::new(&ray, DVec3::ZERO), |candidate| {
             let triangle = candidate.body;
             if let Some((distance, weights)) = self.met(&sheared, triangle)
                 && distance > behind

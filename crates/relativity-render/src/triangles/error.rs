@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::limits::{LEAST_SIZE, MOST_COORDINATE, MOST_TRIANGLES};
+use super::limits::{LEAST_SIZE, MOST_COORDINATE, MOST_TEXELS, MOST_TRIANGLES, MOST_WRAPS};
 
 /// Why a model cannot be drawn, in one sentence.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -57,5 +57,32 @@ pub enum TrianglesError {
         number: usize,
         /// The paint of the corner.
         paint: [f32; 3],
+    },
+    /// Textures of more texels than are kept.
+    #[error("the textures of the model have {texels} texels, and {MOST_TEXELS} are the most")]
+    ManyTexels {
+        /// Number of texels of all its textures.
+        texels: u64,
+    },
+    /// A texture that has not the texels of its size, or none.
+    #[error("texture {number} of the model has not as many texels as its size needs")]
+    Texture {
+        /// Number of the texture, from 0.
+        number: usize,
+    },
+    /// Textures for some triangles only, places for some corners only, or a texture that there is not.
+    #[error(
+        "each triangle of the model must name one of its textures or none, and each corner a place in it"
+    )]
+    TextureCount,
+    /// A place in a texture that is not finite, or too far away.
+    #[error(
+        "corner {number} of the model is at {place:?} in its texture, and places must lie between -{MOST_WRAPS:e} and {MOST_WRAPS:e}"
+    )]
+    TexturePlace {
+        /// Number of the corner, from 0.
+        number: usize,
+        /// The place of the corner in its texture.
+        place: [f32; 2],
     },
 }

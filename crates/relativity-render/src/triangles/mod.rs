@@ -8,40 +8,32 @@
 //! A triangle reflects the daylight of a lamp that rides along, as a white body does, times its paint: three reflectances, one for each
 //! primary of linear sRGB. The same three hold at every Doppler factor. That is the approximation *grey paint* of the street: of what
 //! white paint would reflect in a primary it is off by at most the greatest difference between the paint's own primaries, which is 0
-//! for grey paint and 1 for a saturated colour.
+//! for grey paint and 1 for a saturated colour. Paint is what the corners have, times the [`texture`].
 
 mod crossing;
 mod error;
 mod limits;
+mod model;
+pub(crate) mod packed;
+mod paint;
 pub mod point;
-
-use std::sync::Arc;
+pub mod texture;
 
 use glam::{DVec3, Vec3};
 use relativity_core::threads::prelude::*;
 
 pub use self::error::TrianglesError;
-pub use self::limits::{LEAST_SIZE, MOST_COORDINATE, MOST_TRIANGLES};
+pub use self::limits::{LEAST_SIZE, MOST_COORDINATE, MOST_TEXELS, MOST_TRIANGLES, MOST_WRAPS};
+pub use self::model::Model;
 pub use self::point::TrianglePoint;
+pub use self::texture::{Texture, Wrap};
 use crate::hierarchy::{Hierarchy, Piece};
 use crate::intersect::{Entry, Form, Solid};
 use crate::ray::Ray;
+use texture::MipMap;
 
 /// The least side of the box around triangles, as a part of its greatest: that of a flat model is not 0.
 const LEAST_SIDE: f64 = 1e-4;
-
-/// Corners and triangles of a model, not yet prepared.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Model {
-    /// Corners, in the rest frame of the group.
-    pub corners: Vec<[f64; 3]>,
-    /// Three corners of each triangle, counter-clockwise as seen from outside.
-    pub triangles: Vec<[u32; 3]>,
-    /// Paint of each corner: reflectances in linear sRGB, 0 to 1, which mix evenly between corners. None at all is white paint.
-    pub paints: Vec<[f32; 3]>,
-    /// Whether triangles are seen from both sides; else only from where their corners run counter-clockwise.
-    pub is_two_sided: bool,
-}
 
 /// Triangles in a box, prepared for rays.
 #[derive(Debug)]
@@ -50,11 +42,16 @@ pub struct Triangles {
     corners: Vec<Vec3>,
     faces: Vec<[u32; 3]>,
     paints: Vec<[f32; 3]>,
+    textures: Vec<MipMap>,
+    texture_numbers: Vec<u32>,
+    texture_places: Vec<[f32; 2]>,
     is_two_sided: bool,
     hierarchy: Hierarchy,
     middle: DVec3,
     half: DVec3,
     fingerprint: u64,
+    /// Greatest length of an edge, as `relative_length` has it.
+    longest_edge: f64,
 }
 
 impl Triangles {
@@ -67,10 +64,12 @@ impl Triangles {
     /// # Errors
     ///
     /// No triangle with an area; more than [`MOST_TRIANGLES`]; a corner that is not finite or beyond [`MOST_COORDINATE`]; a model smaller
-    /// than [`LEAST_SIZE`]; a triangle with a corner that there is not; paint that is not between 0 and 1, or not for every corner.
+    /// than [`LEAST_SIZE`]; a triangle with a corner that there is not; paint that is not between 0 and 1, or not for every corner; textures
+    /// without texels or with more than [`MOST_TEXELS`], for other than every triangle, or whose places are beyond [`MOST_WRAPS`].
     pub fn new(model: Model) -> Result<Self, TrianglesError> {
         model.check()?;
-        let Model { corners, triangles, paints, is_two_sided } = model;
+        let Model { corners, triangles, paints, textures, texture_numbers, texture_places, is_two_sided } =
+            model;
         let used = triangles.iter().flatten().map(|&corner| DVec3::from(corners[corner as usize]));
         let [low, high] = used.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], corner| {
             [low.min(corner), high.max(corner)]
@@ -89,17 +88,27 @@ impl Triangles {
             corners,
             faces: triangles,
             paints,
+            textures: textures.into_iter().map(MipMap::new).collect(),
+            texture_numbers,
+            texture_places,
             is_two_sided,
             hierarchy: Hierarchy::default(),
             middle,
             half: half.max(DVec3::splat(LEAST_SIDE * largest)),
             fingerprint: 0,
+            longest_edge: 0.0,
         };
         prepared.hierarchy = Hierarchy::new(prepared.pieces(), DVec3::ZERO);
         if prepared.hierarchy.is_empty() {
             return Err(TrianglesError::NoArea);
         }
         prepared.fingerprint = prepared.hashed();
+        let longest = |triangle: u32| {
+            let [a, b, c] = prepared.corners_of(triangle);
+            [b - a, c - b, a - c].map(|edge| prepared.relative_length(edge)).into_iter().fold(0.0, f64::max)
+        };
+        prepared.longest_edge =
+            (0..prepared.faces.len() as u32).into_par_iter().map(longest).reduce(|| 0.0, f64::max);
         Ok(prepared)
     }
 
@@ -130,21 +139,6 @@ impl Triangles {
     /// The corners that triangles have, from the middle of the box.
     pub fn corners(&self) -> impl Iterator<Item = DVec3> {
         self.faces.iter().flatten().map(|&corner| self.corners[corner as usize].as_dvec3())
-    }
-
-    /// Returns the paint at a `point`: reflectances in linear sRGB.
-    #[must_use]
-    pub fn paint(&self, point: TrianglePoint) -> [f64; 3] {
-        if self.paints.is_empty() {
-            return [1.0; 3];
-        }
-        let [second, third] = point.weights;
-        let weights = [1.0 - second - third, second, third];
-        let corners = self.faces[point.triangle as usize];
-        std::array::from_fn(|part| {
-            let of_corner = |(corner, weight): (u32, f32)| weight * self.paints[corner as usize][part];
-            f64::from(corners.into_iter().zip(weights).map(of_corner).sum::<f32>()).clamp(0.0, 1.0)
-        })
     }
 
     /// Returns the first entry of `ray` into these triangles in the box `solid`, in front of the camera.
@@ -188,8 +182,18 @@ impl Triangles {
         (TrianglePoint { triangle, weights }, axes * facing(across, axes.transpose() * direction))
     }
 
+    /// Length of an edge in sides of the box: the sum of what it is along each axis.
+    pub(crate) fn relative_length(&self, edge: DVec3) -> f64 {
+        (edge.abs() / (2.0 * self.half)).element_sum()
+    }
+
+    /// Returns the greatest number of segments of a whole side of the box that no edge is longer than; 1 if one is.
+    pub(crate) fn least_segments(&self) -> u32 {
+        (1.0 / self.longest_edge).clamp(1.0, 512.0) as u32
+    }
+
     /// Returns the corners of the triangle of this number, from the middle of the box.
-    fn corners_of(&self, triangle: u32) -> [DVec3; 3] {
+    pub(crate) fn corners_of(&self, triangle: u32) -> [DVec3; 3] {
         self.faces[triangle as usize].map(|corner| self.corners[corner as usize].as_dvec3())
     }
 
@@ -205,11 +209,16 @@ impl Triangles {
 
     /// FNV-1a over words of four bytes.
     fn hashed(&self) -> u64 {
-        let floats =
-            self.corners.iter().flat_map(Vec3::to_array).chain(self.paints.iter().flatten().copied());
+        let floats = self.corners.iter().flat_map(Vec3::to_array);
+        let floats = floats.chain(self.paints.iter().flatten().copied());
+        let floats = floats.chain(self.texture_places.iter().flatten().copied());
         let sides = u32::from(self.is_two_sided);
         let middle = self.middle.to_array().map(f64::to_bits);
+        let texels =
+            self.textures.iter().flat_map(|texture| &texture.texels).copied().map(u32::from_le_bytes);
+        let wraps = self.textures.iter().flat_map(|texture| texture.wrap).map(|wrap| wrap as u32);
         let words = floats.map(f32::to_bits).chain(self.faces.iter().flatten().copied()).chain([sides]);
+        let words = words.chain(self.texture_numbers.iter().copied()).chain(texels).chain(wraps);
         let words = words.map(u64::from).chain(middle);
         words.fold(0xcbf2_9ce4_8422_2325, |hash: u64, word| (hash ^ word).wrapping_mul(0x0100_0000_01b3))
     }
@@ -224,45 +233,5 @@ fn facing(across: DVec3, direction: DVec3) -> DVec3 {
 impl PartialEq for Triangles {
     fn eq(&self, other: &Self) -> bool {
         self.fingerprint == other.fingerprint && self.faces.len() == other.faces.len()
-    }
-}
-
-impl Model {
-    /// Prepares the model, to be shared by bodies.
-    ///
-    /// # Errors
-    ///
-    /// As [`Triangles::new`].
-    pub fn prepared(self) -> Result<Arc<Triangles>, TrianglesError> {
-        Triangles::new(self).map(Arc::new)
-    }
-
-    fn check(&self) -> Result<(), TrianglesError> {
-        if self.triangles.len() > MOST_TRIANGLES {
-            return Err(TrianglesError::TooMany { count: self.triangles.len() });
-        }
-        if !self.paints.is_empty() && self.paints.len() != self.corners.len() {
-            return Err(TrianglesError::PaintCount {
-                paints: self.paints.len(),
-                corners: self.corners.len(),
-            });
-        }
-        let is_far = |corner: &[f64; 3]| {
-            corner.iter().any(|part| !(-MOST_COORDINATE..=MOST_COORDINATE).contains(part))
-        };
-        if let Some(number) = self.corners.iter().position(is_far) {
-            return Err(TrianglesError::Coordinate { number, place: self.corners[number] });
-        }
-        let is_unreal = |paint: &[f32; 3]| paint.iter().any(|part| !(0.0..=1.0).contains(part));
-        if let Some(number) = self.paints.iter().position(is_unreal) {
-            return Err(TrianglesError::Paint { number, paint: self.paints[number] });
-        }
-        let count = self.corners.len();
-        let lacks = |triangle: &[u32; 3]| triangle.iter().any(|&corner| corner as usize >= count);
-        match self.triangles.iter().position(lacks) {
-            Some(triangle) => Err(TrianglesError::NoCorner { triangle, count }),
-            None if self.triangles.is_empty() => Err(TrianglesError::NoArea),
-            None => Ok(()),
-        }
     }
 }

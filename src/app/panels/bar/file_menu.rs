@@ -8,6 +8,7 @@ use crate::app::file_dialog::purpose::{Product, Purpose};
 use crate::app::orders::Copied;
 use crate::app::panels::Commands;
 use crate::app::state::State;
+use crate::scene::is_model;
 use crate::settings::PlotTab;
 
 /// Width of the menu, points.
@@ -20,18 +21,19 @@ const OPEN: [Entry; 2] = [
     (
         "Open…",
         Command::Choose(Purpose::Open),
-        "Opens a scene, a state, a picture by this program, or data as CSV.",
+        "Opens a scene, a model, a state, a picture by this program, or data as CSV.",
     ),
     ("Own data…", Command::Choose(Purpose::OpenData), "Opens measured disparities (CSV) and fits them."),
 ];
 
-const SAVE: [Entry; 10] = [
+const SAVE: [Entry; 11] = [
     save("Save picture…", Product::Picture),
     save("Save plots as SVG…", Product::PlotsSvg),
     save("Save plots as CSV…", Product::PlotsCsv),
     save("Save fit…", Product::Fit),
     save("Save film…", Product::Film),
     save("Save state…", Product::State),
+    save("Save scene of the model…", Product::Scene),
     save("Report of the lesson…", Product::Report),
     save("Worksheet of the lesson…", Product::Worksheet),
     save("Lab of the lesson…", Product::LabSheet),
@@ -104,6 +106,7 @@ fn obstacle(state: &State, command: &Command) -> Option<&'static str> {
         Product::PlotsSvg | Product::PlotsCsv if !is_plotted => Some("The plots are hidden."),
         Product::PlotsSvg if tab == PlotTab::Accuracy => Some("This tab is a table: save it as CSV."),
         Product::Fit if !is_plotted || tab != PlotTab::Fit => Some("Open the Fit tab first."),
+        Product::Scene if !state.scene_file().is_some_and(is_model) => Some("Open or drop a model first."),
         Product::Report if state.course().is_none() => Some("No lesson is open."),
         _ if product.sheet().is_some() => match state.course() {
             None => Some("No lesson is open."),

@@ -96,7 +96,7 @@ impl Meter {
         request: &Request,
         method: Method,
         target: &mut EyeTarget,
-    ) -> Result<(), GpuError> {
+    ) -> Result<Method, GpuError> {
         if !self.is_on {
             return draw(renderers, gpu, request, method, target);
         }
@@ -104,13 +104,13 @@ impl Meter {
         let is_due =
             self.awaited == 0 && self.automatic.costs().is_due(method, geometry, self.clock.elapsed_ms());
         if !is_due {
-            draw(renderers, gpu, request, method, target)?;
+            let drew = draw(renderers, gpu, request, method, target)?;
             self.automatic.costs().note(method, geometry, None, self.clock.elapsed_ms());
-            return Ok(());
+            return Ok(drew);
         }
         gpu.wait()?;
         let start = Instant::now();
-        draw(renderers, gpu, request, method, target)?;
+        let drew = draw(renderers, gpu, request, method, target)?;
         let (sender, [width, height]) = (self.sender.clone(), target.size().map(f64::from));
         gpu.when_finished(move || {
             // The window may be gone.
@@ -120,7 +120,7 @@ impl Meter {
         self.awaited += 1;
         gpu.wait()?;
         self.receive();
-        Ok(())
+        Ok(drew)
     }
 
     /// Notes the costs that the device has reported.
@@ -133,18 +133,18 @@ impl Meter {
     }
 }
 
-/// Draws `request` by `method` into `target`.
+/// Draws `request` by `method` into `target`, and returns the method that drew.
 fn draw(
     renderers: &mut Renderers,
     gpu: &Gpu,
     request: &Request,
     method: Method,
     target: &mut EyeTarget,
-) -> Result<(), GpuError> {
+) -> Result<Method, GpuError> {
     let Request { scene, view, appearance, .. } = request;
     if method == Method::Reference {
         target.write(gpu, &scene.picture(view, appearance, REFERENCE_SAMPLES));
-        return Ok(());
+        return Ok(method);
     }
     renderers.draw(method, scene, view, appearance, target)
 }

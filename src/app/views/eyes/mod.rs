@@ -161,7 +161,7 @@ impl EyePictures {
             let by = DrawnBy { method, samples: Some(*samples) };
             return picture.shown(request, by, drawings, |target| {
                 target.write(gpu, made);
-                Ok(())
+                Ok(method)
             });
         }
         picture.shown(request, DrawnBy { method, samples: None }, drawings, |target| {
@@ -188,7 +188,7 @@ impl EyePictures {
         let by = DrawnBy { method: Method::Reference, samples: Some(*samples) };
         let written = picture.shown(of, by, drawings, |target| {
             target.write(gpu, made);
-            Ok(())
+            Ok(Method::Reference)
         });
         written.ok()
     }

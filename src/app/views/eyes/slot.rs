@@ -11,13 +11,13 @@ use super::request::{Request, ShownPicture};
 pub struct EyePicture {
     pub target: EyeTarget,
     pub texture: TextureId,
-    /// Request of the picture, and the method that drew it.
-    drawn: Option<(Request, DrawnBy)>,
+    /// Request of the picture, how it was to be drawn, and the method that drew it.
+    drawn: Option<(Request, DrawnBy, Method)>,
     /// Number of the picture's drawing among all.
     pub number: u64,
 }
 
-/// The method that drew a picture.
+/// How a picture is to be drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrawnBy {
     /// Method of the drawing.
@@ -35,24 +35,24 @@ pub struct ComposedPicture {
 }
 
 impl EyePicture {
-    /// Returns the picture, after `draw` has drawn the request `by` this method, unless it is up to date.
+    /// Returns the picture, after `draw` has drawn the request `by` this method or what it says stood in for that, unless it is up to date.
     pub fn shown(
         &mut self,
         request: &Request,
         by: DrawnBy,
         drawings: &mut u64,
-        draw: impl FnOnce(&mut EyeTarget) -> Result<(), GpuError>,
+        draw: impl FnOnce(&mut EyeTarget) -> Result<Method, GpuError>,
     ) -> Result<ShownPicture, GpuError> {
-        let is_up_to_date =
-            self.drawn.as_ref().is_some_and(|(of, drawn)| *drawn == by && of.shows_as(request));
-        if !is_up_to_date {
-            self.drawn = None;
-            draw(&mut self.target)?;
-            self.drawn = Some((request.clone(), by));
-            *drawings += 1;
-            self.number = *drawings;
+        let up_to_date = self.drawn.as_ref().filter(|(of, drawn, _)| *drawn == by && of.shows_as(request));
+        if let Some(&(.., method)) = up_to_date {
+            return Ok(ShownPicture { texture: self.texture, method });
         }
-        Ok(ShownPicture { texture: self.texture, method: by.method })
+        self.drawn = None;
+        let method = draw(&mut self.target)?;
+        self.drawn = Some((request.clone(), by, method));
+        *drawings += 1;
+        self.number = *drawings;
+        Ok(ShownPicture { texture: self.texture, method })
     }
 }
 

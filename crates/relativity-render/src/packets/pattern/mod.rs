@@ -69,7 +69,7 @@ fn darkness<S: Simd>(
             let covered = covered_by_pixel(group, body, ray, normal, distance);
             chart::on_cylinder(body, pattern, place, normal).darkness(pattern, &covered)
         }
-        Kind::Box => {
+        Kind::Box | Kind::Model => {
             let normal = die::normal_of_box(body, place);
             let covered = covered_by_pixel(group, body, ray, normal, distance);
             die::darkness_of_box(body, pattern, place, normal, &covered)
@@ -96,7 +96,7 @@ fn covered_by_pixel<S: Simd>(
 /// Returns the shift in the rest frame of the place seen, from pixel to pixel along `across`, per ground distance, without its part
 /// along the ray. As `GroupView::shift` has it, but for one light cone of both eyes.
 #[inline(always)]
-fn shift<S: Simd>(group: &Group, ray: &Ray<S>, across: V3<S>) -> V3<S> {
+pub fn shift<S: Simd>(group: &Group, ray: &Ray<S>, across: V3<S>) -> V3<S> {
     let turn = (across - ray.sight * ray.sight.dot(across)) * ray.scale;
     let [beta, _, _, gamma] = group.frame.speed;
     match group.geometry {

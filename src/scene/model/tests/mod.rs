@@ -6,6 +6,9 @@ use relativity_render::{Model, Shape, Triangles};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
+mod ridden;
+mod textures;
+
 use super::read_model;
 use crate::scene::Scene;
 
@@ -66,6 +69,11 @@ fn gltf() -> Value {
         ],
         "buffers": [{ "byteLength": data.len(), "uri": format!("data:application/octet-stream;base64,{}", STANDARD.encode(&data)) }]
     })
+}
+
+/// Numbers that take the places of others.
+fn sparse() -> Value {
+    json!({ "count": 1, "indices": { "bufferView": 0, "componentType": 5123 }, "values": { "bufferView": 0 } })
 }
 
 /// The same in one piece.
@@ -161,7 +169,28 @@ fn what_is_wrong_with_a_model_is_said_in_one_line() {
             gltf(&|it| it["nodes"][1]["children"] = json!([0])),
             "node 0 is in its tree twice: nodes must not form circles",
         ),
-        (gltf(&|it| it["nodes"][0]["children"] = json!([7])), "there is no node 7"),
+        (
+            gltf(&|it| it["nodes"][0]["children"] = json!([7])),
+            "nodes[0].children[0] names something that there is not",
+        ),
+        (
+            gltf(&|it| it["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = json!(7)),
+            "there is no accessor 7",
+        ),
+        (gltf(&|it| it["nodes"][1]["mesh"] = json!(3)), "nodes[1].mesh names something that there is not"),
+        (
+            gltf(&|it| it["accessors"][0]["type"] = json!("VEC2")),
+            "accessor 0 must be VEC3 of floats, as places are",
+        ),
+        (
+            gltf(&|it| it["accessors"][0]["sparse"] = sparse()),
+            "accessor 0 is sparse, which is not known here",
+        ),
+        (
+            gltf(&|it| it["bufferViews"][0]["byteStride"] = json!(8)),
+            "accessor 0 has elements of 12 bytes, one every 8",
+        ),
+        (gltf(&|it| it["accessors"][0]["count"] = json!(0)), "accessor 0 reaches beyond its data"),
         (gltf(&|it| it["asset"]["version"] = json!("1.0")), "it is glTF \"1.0\", and must be 2.0"),
         (
             gltf(&|it| it["extensionsRequired"] = json!(["KHR_draco_mesh_compression"])),

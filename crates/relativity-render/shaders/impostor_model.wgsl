@@ -1,0 +1,102 @@
+// What the samples of a rectangle show of a model of triangles: each looks into the model for itself.
+//
+// Of a model `Piece.pattern` is the row that it begins with, whether it is seen from both sides, and whether of its paint only the
+// luminance is shown.
+
+struct OfModel {
+    triangle: u32,
+    ray: Ray,
+    // Rest-frame distance along the ray beyond the middle of its group.
+    beyond: f32,
+    // The point, from the body's middle.
+    place: vec3f,
+    normal: vec3f,
+    number: u32,
+    weights: vec3f,
+}
+
+fn model_at(fragment: Fragment, place: vec2f) -> OfModel {
+    let ray = rest_ray(place);
+    let body = body_of(fragment);
+    let row = u32(fragment.pattern.x);
+    let own = own_ray(body, ray);
+    let along = dot(body.place, ray.direction);
+    let behind = -(ray.to_centre + along);
+    let reach = length(body.form.xyz);
+    if !(dot(own.nearest, own.nearest) < reach * reach) {
+        return OfModel(0u, ray, 0.0, vec3f(0.0), vec3f(0.0), 0u, vec3f(0.0));
+    }
+    let met = first_met(row, own.nearest, own.direction, behind, fragment.pattern.y > 0.0);
+    let triangle = triangle_at(row, met.triangle & ~IS_LEAF);
+    let there = triangle.a * met.weights.x + triangle.b * met.weights.y + triangle.c * met.weights.z;
+    let normal = normal_of(triangle, own.direction);
+    return OfModel(
+        met.triangle,
+        ray,
+        along + met.distance,
+        rest_from_body(there, body),
+        rest_from_body(normal, body),
+        triangle.number,
+        met.weights,
+    );
+}
+
+struct Sample {
+    @location(0) colour: vec4f,
+    @builtin(frag_depth) depth: f32,
+}
+
+@fragment
+fn picture(fragment: Fragment, @builtin(sample_index) index: u32) -> Sample {
+    return sample_of_model(fragment, index);
+}
+
+@fragment
+fn picture_sample(fragment: Fragment, @builtin(sample_index) index: u32) -> Sample {
+    return sample_of_model(fragment, index);
+}
+
+fn sample_of_model(fragment: Fragment, index: u32) -> Sample {
+    let pixel = floor(fragment.position.xy) + 0.5;
+    let hit = model_at(fragment, pixel + vec2f(SAMPLE_U[index], SAMPLE_V[index]));
+    let body = body_of(fragment);
+    let height = frame.middle.z + body.place.z + hit.place.z;
+    if !(hit.triangle != 0u && height >= frame.ground.z) {
+        discard;
+    }
+    let facing = facing_of(body, hit.place, hit.normal, Spin(vec3f(0.0), 0.0, 0.0, 0.0));
+    let colour = received_colour(fragment.light, hit.ray.doppler, hit.normal, facing, pixel)
+        * fragment.index_brightness.y;
+    let row = u32(fragment.pattern.x);
+    let record = hit.triangle & ~IS_LEAF;
+    let normal = body_from_rest(hit.normal, body);
+    let distance = (hit.ray.to_centre + hit.beyond) * hit.ray.ground_per_rest;
+    // A sample is half a pixel wide.
+    let paint = paint_at(row, record, hit.weights)
+        * texture_at(row, record, hit.weights, body, hit.ray, normal, distance, 0.5);
+    let shown = select(paint, vec3f(dot(paint, LUMINANCE)), fragment.pattern.z > 0.0);
+    return Sample(vec4f(colour * shown, 1.0), depth(hit.ray, hit.beyond));
+}
+
+// Floats as their bits: OpenGL ES does not draw to 32-bit floats.
+struct Hit {
+    // Number of the body, ground distance, Doppler factor, 1 (a hit).
+    @location(0) measures: vec4u,
+    // The point, in the rest frame, and the number of its triangle.
+    @location(1) place: vec4u,
+    @builtin(frag_depth) depth: f32,
+}
+
+@fragment
+fn hits(fragment: Fragment) -> Hit {
+    let hit = model_at(fragment, fragment.position.xy);
+    if hit.triangle == 0u {
+        discard;
+    }
+    let distance = (hit.ray.to_centre + hit.beyond) * hit.ray.ground_per_rest;
+    return Hit(
+        bitcast<vec4u>(vec4f(fragment.index_brightness.x, distance, hit.ray.doppler, 1.0)),
+        bitcast<vec4u>(vec4f(hit.place, f32(hit.number))),
+        depth(hit.ray, hit.beyond),
+    );
+}

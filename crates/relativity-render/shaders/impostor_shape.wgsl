@@ -1,0 +1,96 @@
+// What the pixels of a rectangle show of a body with a shape of its own.
+
+// What a pixel shows of a body, and how deep inside the outline each of its samples lies, in pixels.
+struct Shaded {
+    colour: vec4f,
+    depth: f32,
+    clearances: vec4f,
+}
+
+fn shaded(fragment: Fragment) -> Shaded {
+    let ray = rest_ray(fragment.position.xy);
+    let body = body_of(fragment);
+    let spin = spin_of(fragment.spin, fragment.rim);
+    let hit = surface_when_shown(body, ray, spin);
+    // How fast the ray moves across the outline from pixel to pixel.
+    let distance = ray.to_centre + hit.beyond;
+    let gradient = -max(distance, 0.0) * movement(ray, hit.outward);
+    var clearance = hit.clearance;
+    var alpha = 1.0;
+    if THIN {
+        let half_pixel = 0.5 * length(gradient);
+        alpha = min(hit.half_width / max(half_pixel, 1e-30), 1.0);
+        clearance += max(half_pixel - hit.half_width, 0.0);
+    }
+    let height = frame.middle.z + middle(body).z + hit.place.z;
+    // So that what is no number is nowhere: where light leaves farther away than f32 can say.
+    if !(distance > 0.0 && height >= frame.ground.z) {
+        discard;
+    }
+    let doppler = doppler_of(body, hit.place, hit.normal, ray.sight, ray.doppler, spin);
+    let facing = facing_of(body, hit.place, hit.normal, spin);
+    var colour = received_colour(fragment.light, doppler, hit.normal, facing, fragment.position.xy)
+        * fragment.index_brightness.y;
+    if PATTERNS {
+        let there = standing(body, hit.place, spin);
+        let ground_distance = distance * ray.ground_per_rest;
+        colour *= mark(there.body, fragment.pattern, there.place, hit.normal, ray, ground_distance);
+    }
+    let clearances = vec4f(clearance) + gradient.x * SAMPLE_U + gradient.y * SAMPLE_V;
+    return Shaded(vec4f(colour * alpha, alpha), depth(ray, hit.beyond), clearances);
+}
+
+struct Picture {
+    @location(0) colour: vec4f,
+    @builtin(frag_depth) depth: f32,
+    @builtin(sample_mask) samples: u32,
+}
+
+@fragment
+fn picture(fragment: Fragment) -> Picture {
+    let shaded = shaded(fragment);
+    let inside = select(vec4u(0u), vec4u(1u, 2u, 4u, 8u), shaded.clearances > vec4f(0.0));
+    return Picture(shaded.colour, shaded.depth, inside.x + inside.y + inside.z + inside.w);
+}
+
+struct Sample {
+    @location(0) colour: vec4f,
+    @builtin(frag_depth) depth: f32,
+}
+
+// The same sample by sample, at four times the cost: for OpenGL, where wgpu cannot write a sample mask.
+@fragment
+fn picture_sample(fragment: Fragment, @builtin(sample_index) index: u32) -> Sample {
+    let shaded = shaded(fragment);
+    if !(shaded.clearances[index] > 0.0) {
+        discard;
+    }
+    return Sample(shaded.colour, shaded.depth);
+}
+
+// Floats as their bits: OpenGL ES does not draw to 32-bit floats.
+struct Hit {
+    // Number of the body, ground distance, Doppler factor, 1 (a hit).
+    @location(0) measures: vec4u,
+    // The point, in the rest frame, as `place_of_hit` has it.
+    @location(1) place: vec4u,
+    @builtin(frag_depth) depth: f32,
+}
+
+@fragment
+fn hits(fragment: Fragment) -> Hit {
+    let ray = rest_ray(fragment.position.xy);
+    let body = body_of(fragment);
+    let spin = spin_of(fragment.spin, fragment.rim);
+    let hit = surface_when_shown(body, ray, spin);
+    let distance = ray.to_centre + hit.beyond;
+    if !(hit.clearance > 0.0 && distance > 0.0) {
+        discard;
+    }
+    let doppler = doppler_of(body, hit.place, hit.normal, ray.sight, ray.doppler, spin);
+    return Hit(
+        bitcast<vec4u>(vec4f(fragment.index_brightness.x, distance * ray.ground_per_rest, doppler, 1.0)),
+        bitcast<vec4u>(vec4f(place_of_hit(body, hit.place, spin), 0.0)),
+        depth(ray, hit.beyond),
+    );
+}

@@ -1,0 +1,61 @@
+// Corners of a model's triangles, divided, and what their pixels show. `Instance.pattern` is as `Piece.pattern`.
+
+struct Shape {
+    place: vec3f,
+    normal: vec3f,
+}
+
+// profile: place from the middle of the model's box, along its axes; turn: the record of the triangle in thousands (of 4096) and ones,
+// which are small enough to come out of an interpolation as they are. They stand in the place of a normal.
+fn corner_place(corner: Corner, body: Body) -> Shape {
+    return Shape(rest_from_body(corner.profile.xyz, body), vec3f(corner.turn, 0.0));
+}
+
+// Of triangles that are seen from one side, those that show the other are not drawn: where the pixel has a straight ray that says which it
+// is, since the image of a triangle that is seen aslant may be turned by less than the bound.
+fn prepare(fragment: Fragment, is_front: bool) {
+    current = triangle_at(u32(fragment.pattern.x), record_in(fragment));
+    current_place = body_from_rest(fragment.place, body_of(fragment));
+    let outside = outward(current);
+    var is_seen = is_front;
+    if MAP < 3u {
+        is_seen = dot(rest_from_body(outside, body_of(fragment)), rest_ray(fragment.position.xy).direction) < 0.0;
+    }
+    if !is_seen && fragment.pattern.y == 0.0 {
+        discard;
+    }
+    current_normal = select(-outside, outside, is_seen);
+}
+
+fn record_in(fragment: Fragment) -> u32 {
+    let parts = vec2u(round(fragment.normal.xy));
+    return parts.x * 4096u + parts.y;
+}
+
+fn normal_in(fragment: Fragment) -> vec3f {
+    return rest_from_body(current_normal, body_of(fragment));
+}
+
+fn paint_in(fragment: Fragment, measure: Measure) -> vec3f {
+    let body = body_of(fragment);
+    let first = body_from_rest(measure.place, body) - current.a;
+    let u = current.b - current.a;
+    let v = current.c - current.a;
+    let scale = 1.0 / max(max(length_of_largest(u), length_of_largest(v)), 1e-30);
+    let across = cross(u * scale, v * scale);
+    let divisor = max(dot(across, across), 1e-30);
+    let second = dot(cross(first * scale, v * scale), across) / divisor;
+    let third = dot(cross(u * scale, first * scale), across) / divisor;
+    let weights = clamp(vec3f(1.0 - second - third, second, third), vec3f(0.0), vec3f(1.0));
+    let shares = weights / (weights.x + weights.y + weights.z);
+    let row = u32(fragment.pattern.x);
+    let record = record_in(fragment);
+    let normal = body_from_rest(measure.normal, body);
+    let paint = paint_at(row, record, shares)
+        * texture_at(row, record, shares, body, measure.ray, normal, measure.distance, 1.0);
+    return select(paint, vec3f(dot(paint, LUMINANCE)), fragment.pattern.z > 0.0);
+}
+
+fn part_in(fragment: Fragment) -> f32 {
+    return f32(current.number);
+}

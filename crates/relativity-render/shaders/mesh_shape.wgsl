@@ -1,0 +1,15 @@
+// What the pixels of a mesh show of a body with a shape of its own.
+
+fn prepare(fragment: Fragment, is_front: bool) {}
+
+fn normal_in(fragment: Fragment) -> vec3f {
+    return fragment.normal / max(length(fragment.normal), 1e-30);
+}
+
+fn paint_in(fragment: Fragment, measure: Measure) -> vec3f {
+    return vec3f(1.0);
+}
+
+fn part_in(fragment: Fragment) -> f32 {
+    return 0.0;
+}

@@ -1,0 +1,46 @@
+//! The light that is received from where rays meet a body.
+
+use super::body::{Body, Group};
+use super::colour::{Hatched, received_colour};
+use super::daylight::facing_of;
+use super::look::{Look, Seen};
+use super::spin::Spin;
+use super::tables::Tables;
+use crate::effects::Spectrum;
+use crate::lanes::{F, Simd, V3};
+use crate::view::Appearance;
+
+/// A surface element where eight rays meet a body, and the Doppler factor of the light from there.
+pub struct Element<'a, S: Simd> {
+    pub group: &'a Group<'a>,
+    pub seen: &'a Seen<'a>,
+    pub body: &'a Body<S>,
+    pub spin: &'a Spin<S>,
+    /// From the middle of the body.
+    pub place: V3<S>,
+    pub normal: V3<S>,
+    pub doppler: F<S>,
+}
+
+impl<S: Simd> Element<'_, S> {
+    /// Linear sRGB of the light that is received from there, without pattern and paint.
+    #[inline(always)]
+    pub fn colour(
+        &self,
+        simd: S,
+        look: &Look<'_>,
+        appearance: &Appearance,
+        tables: &Tables,
+        hatched: Hatched<'_>,
+    ) -> V3<S> {
+        let &Self { group, seen, body, spin, place, normal, doppler } = self;
+        let (kind, turns) = (seen.body.kind, seen.turns);
+        let effects = look.effects(seen.body.group, turns, appearance);
+        let light = look.light(seen.body, turns, appearance);
+        let is_lit_by_the_street = effects.spectrum() == Spectrum::StreetDaylight;
+        let facing =
+            is_lit_by_the_street.then(|| facing_of(simd, kind, turns, group, body, place, normal, spin));
+        let colour = received_colour(effects, tables, light, doppler, normal, facing, hatched);
+        colour * (seen.body.brightness as f32)
+    }
+}
