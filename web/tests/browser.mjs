@@ -53,6 +53,20 @@ export async function launch({ graphics = true, scale = 1 } = {}) {
     });
 }
 
+// Counts the answers of the page's workers, and keeps the tasks that held its thread for over 50 ms.
+function countAnswers() {
+    globalThis.answers = 0;
+    globalThis.Worker = class extends Worker {
+        constructor(...given) {
+            super(...given);
+            this.addEventListener('message', ({ data }) => { globalThis.answers += data.length === 2; });
+        }
+    };
+    globalThis.longTasks = [];
+    const note = list => globalThis.longTasks.push(...list.getEntries().map(entry => Math.round(entry.duration)));
+    new PerformanceObserver(note).observe({ entryTypes: ['longtask'] });
+}
+
 // A page with the window in it.
 export class Window {
     constructor(page, address) {
@@ -74,6 +88,7 @@ export class Window {
         await session.send('Browser.setDownloadBehavior', {
             behavior: 'allow', downloadPath: window.folder, browserContextId: context.id,
         });
+        await page.evaluateOnNewDocument(countAnswers);
         await page.goto(address + fragment, { timeout: PATIENCE });
         await window.shown();
         return window;
@@ -171,6 +186,16 @@ export class Window {
             for (let i = 0; i < data.length; i += 16) seen.add(data[i] << 16 | data[i + 1] << 8 | data[i + 2]);
             return seen.size;
         }, picture);
+    }
+
+    // The number of pictures that workers have drawn.
+    answers() {
+        return this.page.evaluate(() => globalThis.answers);
+    }
+
+    // The milliseconds of the tasks that held the page's thread for over 50 ms since the last call, the longest first.
+    longTasks() {
+        return this.page.evaluate(() => globalThis.longTasks.splice(0).sort((a, b) => b - a));
     }
 
     // Closes the page; it must have had no problem.

@@ -131,6 +131,25 @@ test('a picture is saved', () => inWindow('#scene=rods&beta=0.7', async window =
     assert.equal(bytes.subarray(1, 4).toString(), 'PNG');
 }));
 
+test('workers draw thumbnails, and make still views smoother', async t => {
+    await inWindow('', async window => {
+        await window.longTasks();
+        await eventually('ten thumbnails', async () => await window.answers() >= 10);
+        t.diagnostic(`start page, tasks of over 50 ms: ${await window.longTasks()}`);
+        assert.equal(window.page.workers().length, 1);
+    });
+    await inWindow('#scene=rods&beta=0.7', async window => {
+        await window.longTasks();
+        await eventually('two smoother pictures of each eye', async () => await window.answers() === 4);
+        await sleep(1000);
+        t.diagnostic(`still views, tasks of over 50 ms: ${await window.longTasks()}`);
+        assert.equal(window.page.workers().length, 2);
+        // What is moved is drawn anew.
+        await window.press('ArrowRight');
+        await eventually('pictures of the next moment', async () => await window.answers() > 4);
+    });
+});
+
 test('the window is resized', () => inWindow('#scene=globe&beta=0.9', async window => {
     for (const [width, height] of [[800, 600], [1600, 1000]]) {
         await window.page.setViewport({ width, height, deviceScaleFactor: 0 });

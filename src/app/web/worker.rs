@@ -9,7 +9,8 @@ use std::time::Duration;
 
 use eframe::egui::Context;
 
-pub use crate::app::steps::{Step, Wanted};
+pub use super::background_work::BackgroundWork;
+pub use crate::app::steps::{Step, Wanted, Work};
 use crate::platform::clock::Instant;
 use crate::platform::web::tasks;
 

@@ -14,6 +14,8 @@ mod crossing;
 mod error;
 mod limits;
 pub mod point;
+#[cfg(feature = "serde")]
+pub(crate) mod shared;
 
 use std::sync::Arc;
 
