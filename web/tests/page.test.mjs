@@ -47,6 +47,18 @@ test('the speed slider is dragged, and a point is clicked', () => inWindow('#sce
     await eventually('the clicked point', async () => (await window.settings()).get('point'));
 }));
 
+test('a finger taps a point, and drags the speed', () => inWindow('#scene=globe&beta=0.5', async window => {
+    await window.page.touchscreen.tap(...POINT);
+    await eventually('the tapped point', async () => (await window.settings()).get('point'));
+    const finger = await window.page.touchscreen.touchStart(...SPEED.from);
+    for (let x = SPEED.from[0]; x <= SPEED.to[0]; x += 16) {
+        await finger.move(x, SPEED.from[1]);
+        await sleep(60);
+    }
+    await finger.end();
+    await eventually('the dragged speed', async () => Number((await window.settings()).get('beta')) > 0.6);
+}));
+
 // Columns of a table whose cells hold no commas.
 const table = text => {
     const [head, ...rows] = text.trimEnd().split(/\r?\n/).map(line => line.split(','));
