@@ -6,8 +6,7 @@ use std::rc::{Rc, Weak};
 
 use eframe::egui::Context;
 
-use super::DEFECT;
-use super::worker::Worker;
+use super::page_worker::Worker;
 use crate::app::steps::{Message, Step, Wanted, Work};
 use crate::platform::web::instances::{Asked, Heard, Instance, answer, fail, listen};
 use crate::platform::web::page;
@@ -134,7 +133,7 @@ impl<W: Work, L: 'static> Shared<W, L> {
             }
             (Heard::Failed(problem), place) => {
                 log::error!("{problem}");
-                page::show_problem(DEFECT);
+                page::show_defect();
                 (place, None)
             }
             (Heard::Result(number, bytes), place) => {

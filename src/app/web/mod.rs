@@ -3,6 +3,7 @@
 mod address;
 mod background_work;
 mod page_app;
+mod page_worker;
 pub mod watch;
 pub mod worker;
 
@@ -28,10 +29,6 @@ use crate::settings::Settings;
 const NO_GRAPHICS: &str = "The window cannot be drawn: this browser offers neither WebGPU nor WebGL 2, or they are switched off. \
     A current Firefox, Chrome, Edge or Safari has one of them; in its settings it may be called hardware acceleration.";
 
-/// The sentence after a defect of the program.
-const DEFECT: &str = "The program has stopped: this is a defect. What was shown is in the address, and the answers in lessons \
-    are kept. The browser's console has the details.";
-
 /// Returns the address of this page with these `pairs` of a setting and its value.
 pub fn link_to(pairs: &str) -> String {
     format!("{}#{pairs}", page::address())
@@ -48,7 +45,7 @@ pub fn start() {
     let report = panic::take_hook();
     panic::set_hook(Box::new(move |info| {
         report(info);
-        page::show_problem(DEFECT);
+        page::show_defect();
     }));
     tasks::spawn(open(runner));
 }
