@@ -1,8 +1,11 @@
-//! Steps of a job that is done in the background, as long as it is wanted.
+//! Background work: jobs in steps, each for as long as it is wanted.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
 use crate::platform::clock::Instant;
 
@@ -49,4 +52,28 @@ impl<R> Step<R> {
             Self::Last(result) => Step::Last(result.map(make)),
         }
     }
+}
+
+/// A value that can be sent to another instance of the program.
+pub trait Message: Serialize + DeserializeOwned + Send + 'static {}
+
+impl<T: Serialize + DeserializeOwned + Send + 'static> Message for T {}
+
+/// Work of one kind, whose jobs and results are values alone: another thread can do it, or another instance of the program.
+pub trait Work: Sized + 'static {
+    /// Name of the kind.
+    #[cfg_attr(feature = "desktop", expect(dead_code, reason = "another instance is told it"))]
+    const NAME: &'static str;
+    /// The part that many jobs have in common, and that is large.
+    type Base: Message + Clone + PartialEq;
+    /// The rest of a job.
+    type Job: Message;
+    /// The result of a job.
+    type Result: Message;
+
+    /// Prepares the first step of a job.
+    fn begin(base: Self::Base, job: Self::Job) -> Self;
+
+    /// Does the next step.
+    fn step(&mut self, wanted: &Wanted) -> Step<Self::Result>;
 }

@@ -7,7 +7,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 
 use eframe::egui::Context;
 
-pub use crate::app::steps::{Step, Wanted};
+pub use crate::app::steps::{Step, Wanted, Work};
 use crate::platform::threads::{self, JoinHandle};
 
 /// The thread; it waits without using the processor, and ends with this.
@@ -96,6 +96,50 @@ impl<J, R> Drop for Worker<J, R> {
         self.jobs = channel().0;
         // An error means that its work panicked, which has been reported.
         let _ = self.thread.take().map(JoinHandle::join);
+    }
+}
+
+/// A job of work with its label.
+type Labelled<W, L> = (L, <W as Work>::Base, <W as Work>::Job);
+
+/// Work of one kind in a thread of its own; the label of a job comes back with its result.
+pub struct BackgroundWork<W: Work, L>(Worker<Labelled<W, L>, (L, W::Result)>);
+
+impl<W: Work, L: Clone + Send + 'static> BackgroundWork<W, L> {
+    /// Starts the thread. Each result is announced by a repaint.
+    pub fn new(ctx: &Context) -> Self {
+        let begin = |(label, base, job)| (label, W::begin(base, job));
+        let step = |(label, work): &mut (L, W), wanted: &Wanted| {
+            let label = label.clone();
+            work.step(wanted).map(|result| (label, result))
+        };
+        Self(Worker::in_steps(ctx.clone(), begin, step))
+    }
+
+    /// Does the job next, instead of what still waits.
+    pub fn request(&self, label: L, base: W::Base, job: W::Job) {
+        self.0.request((label, base, job));
+    }
+
+    /// Gives up what is running or waiting.
+    pub fn stop(&self) {
+        self.0.stop();
+    }
+
+    /// Returns the newest result since the last call, with the label of its job.
+    pub fn result(&self) -> Option<(L, W::Result)> {
+        self.0.result()
+    }
+
+    /// Whether the newest job's result has yet to be received, as [`Worker::is_pending`].
+    pub fn is_pending(&self) -> bool {
+        self.0.is_pending()
+    }
+
+    /// Whether the window goes on while it works: always, as it has a thread.
+    #[expect(clippy::unused_self, reason = "a page's work may have to be done by its one thread")]
+    pub const fn is_apart(&self) -> bool {
+        true
     }
 }
 

@@ -2,6 +2,7 @@
 
 /// An aperture (an eye, a pinhole) at rest on the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Aperture {
     /// Place along the direction of motion.
     pub x: f64,

@@ -43,6 +43,7 @@ pub const MIN_RADIUS: f64 = 1e-60;
 
 /// The speed at which a wheel turns.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Turning {
     /// Rolls without slipping: in its rest frame the ground passes its rim at the speed of the rim.
     #[default]

@@ -33,6 +33,7 @@ pub enum SpeedError {
 /// Each accessor is within [`crate::MAX_ERROR_UNITS`] units of `2^-53 (|f| + |x df/dx|)`, x being the parameter
 /// it was built from. Measured (`tests/oracle`, 15,000 speeds): median 0.1, 99 % 2, worst 3.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Speed {
     beta: f64,
     gamma: f64,

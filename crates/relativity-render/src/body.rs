@@ -10,6 +10,7 @@ use crate::wheel::spin::Spin;
 
 /// The light that a body emits, alike in all directions in its rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Emission {
     /// Light of one wavelength, nm, above 0.
     Wavelength(f64),
@@ -31,6 +32,7 @@ impl Emission {
 /// A pattern on a body. The own z axis of a tube (from `from` to `to`), of a cylinder and of a ring is its axis; a ball
 /// has the axes of the rest frame, a box its own.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Pattern {
     /// No pattern.
     #[default]
@@ -63,6 +65,7 @@ pub enum Pattern {
 
 /// A shape, and the light it sends.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Body {
     /// Place and form of the body; of a model, the box around its triangles.
     pub shape: Shape,
@@ -76,6 +79,7 @@ pub struct Body {
     pub spin: Option<Spin>,
     /// Triangles of a model, which take the place of the box's own surface. They neither turn nor carry a pattern, and their light is
     /// [`Emission::White`].
+    #[cfg_attr(feature = "serde", serde(with = "crate::triangles::shared"))]
     pub triangles: Option<Arc<Triangles>>,
 }
 

@@ -4,6 +4,7 @@ use crate::colour::srgb_level;
 
 /// A picture of 8 bits per component, row by row from the top left.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Picture {
     /// Width and height, pixels.
     pub size: [u32; 2],

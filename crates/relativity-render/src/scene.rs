@@ -78,6 +78,9 @@ struct Prepared {
     balls: Vec<Capsule>,
     /// Triangles of bodies that are made of these, with the numbers of the bodies, which ascend.
     models: Vec<(usize, Arc<Triangles>)>,
+    /// Groups from which it was prepared.
+    #[cfg(feature = "serde")]
+    source: Vec<(Motion, Vec<Body>)>,
 }
 
 /// A group, and the box around it.
@@ -98,6 +101,8 @@ impl PreparedScene {
         let (mut bodies, mut solids, mut capsules) = (Vec::new(), Vec::new(), Vec::new());
         let (mut turning, mut turning_places) = (Vec::<TurningSolid>::new(), Vec::new());
         let mut prepared = Vec::new();
+        #[cfg(feature = "serde")]
+        let mut source = Vec::new();
         for (number, Group { motion, bodies: own }) in groups.into_iter().enumerate() {
             let first = bodies.len();
             solids.extend(own.iter().map(|body| Solid::new(&body.shape)));
@@ -117,6 +122,8 @@ impl PreparedScene {
             find_joints(&mut bodies[first..], &solids[first..]);
             find_patterned(&mut bodies[first..]);
             prepared.push(PreparedGroup { motion, bodies: first..bodies.len(), extent });
+            #[cfg(feature = "serde")]
+            source.push((motion, own.to_vec()));
         }
         if prepared.is_empty() {
             prepared.push(PreparedGroup { motion: Motion::Scene, bodies: 0..0, extent: Extent::new([]) });
@@ -158,6 +165,8 @@ impl PreparedScene {
             capsules,
             balls,
             models,
+            #[cfg(feature = "serde")]
+            source,
         }))
     }
 
@@ -294,6 +303,27 @@ impl PreparedScene {
 impl PartialEq for PreparedScene {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+/// The written form of a scene: its groups, from which reading prepares it anew.
+#[cfg(feature = "serde")]
+mod saved {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    use super::{Body, Group, Motion, PreparedScene};
+
+    impl Serialize for PreparedScene {
+        fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+            self.0.source.serialize(serializer)
+        }
+    }
+
+    impl<'de> Deserialize<'de> for PreparedScene {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            let groups = Vec::<(Motion, Vec<Body>)>::deserialize(deserializer)?;
+            Ok(Self::new(groups.iter().map(|(motion, bodies)| Group { motion: *motion, bodies })))
+        }
     }
 }
 

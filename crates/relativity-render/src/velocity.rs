@@ -23,6 +23,7 @@ use crate::wheel::spin::MaterialPoint;
 /// # Ok::<(), relativity_core::SpeedError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Velocity {
     /// Magnitude of the velocity.
     pub speed: Speed,
@@ -32,6 +33,7 @@ pub struct Velocity {
 
 /// The motion of a group of bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Motion {
     /// At the scene's speed along +x.
     #[default]

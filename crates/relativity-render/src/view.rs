@@ -67,6 +67,7 @@ impl Geometry {
 
 /// The view of one aperture: everything that decides which point of which body a pixel shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct View {
     /// The camera at the aperture.
     pub camera: Camera,
@@ -162,6 +163,7 @@ pub enum Shading {
 /// The looks of a picture. Each effect that is off costs nothing.
 #[expect(clippy::struct_excessive_bools, reason = "they are independent switches")]
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Appearance {
     /// Light that bodies emit.
     pub colour: Colour,

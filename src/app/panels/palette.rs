@@ -161,8 +161,9 @@ fn found(state: &State, text: &str) -> Vec<Entry> {
         let command = Command::Select(Select { track, body, add: false });
         Some(entry(format!("follow: {}", scene.name_of(body)), command))
     });
-    let words_of =
-        |about: &'static About| about.words.iter().map(|word| setting(about, &word.name, &word.sentence));
+    let words_of = |about: &'static About| {
+        about.words.iter().map(move |word| setting(about, &word.name, &word.sentence))
+    };
     let listed = actions.chain(lessons).chain(presets).chain(bodies).chain(settings().flat_map(words_of));
     typed(state, &words).into_iter().chain(listed.filter(fits)).take(MOST).collect()
 }

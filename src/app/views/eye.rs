@@ -1,7 +1,9 @@
 //! The two eyes, left and right.
 
+use serde::{Deserialize, Serialize};
+
 /// An eye, of two.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Eye {
     /// Left eye, the primary aperture.
     Left,

@@ -1,37 +1,47 @@
 //! A picture by the reference renderer, drawn in steps: one where there are threads, else bands of rows, between which the window goes on.
 
 use relativity_render::{Appearance, Picture, PreparedScene, View};
+use serde::{Deserialize, Serialize};
 
 use crate::accuracy::REFERENCE_SAMPLES;
-use crate::app::worker::{Step, Wanted};
+use crate::app::worker::{Step, Wanted, Work};
 use crate::platform::threads;
 
-/// The drawing of a picture.
-pub struct ReferenceSteps {
-    /// Scene that is drawn.
-    pub scene: PreparedScene,
+/// A picture to draw.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Drawing {
     /// View of the picture.
     pub view: View,
     /// Appearance of the light.
     pub appearance: Appearance,
     /// Rays per pixel and direction.
     pub samples: u32,
+}
+
+/// The drawing of a picture.
+pub struct ReferenceSteps {
+    /// Scene that is drawn.
+    scene: PreparedScene,
+    drawing: Drawing,
     /// Pixels that were drawn, row by row.
     drawn: Vec<[u8; 4]>,
 }
 
-impl ReferenceSteps {
-    /// Begins the picture of `view`.
-    pub const fn new(scene: PreparedScene, view: View, appearance: Appearance, samples: u32) -> Self {
-        Self { scene, view, appearance, samples, drawn: Vec::new() }
+impl Work for ReferenceSteps {
+    const NAME: &'static str = "reference";
+    type Base = PreparedScene;
+    type Job = Drawing;
+    type Result = Picture;
+
+    fn begin(scene: PreparedScene, drawing: Drawing) -> Self {
+        Self { scene, drawing, drawn: Vec::new() }
     }
 
-    /// Does the next step.
-    pub fn step(&mut self, wanted: &Wanted) -> Step<Picture> {
+    fn step(&mut self, wanted: &Wanted) -> Step<Picture> {
         if threads::ARE_SEVERAL {
             return Step::Last(self.whole(wanted));
         }
-        let Self { scene, view, appearance, samples, drawn } = self;
+        let Self { scene, drawing: Drawing { view, appearance, samples }, drawn } = self;
         let size = view.camera.size;
         let row = drawn.len() / (size[0] as usize).max(1);
         let band = scene.picture_band(view, appearance, *samples, row as u32);
@@ -41,12 +51,47 @@ impl ReferenceSteps {
         drawn.extend(band);
         Step::More
     }
+}
 
+impl ReferenceSteps {
     /// Draws all of the picture at once; `None` if it is no longer wanted.
     fn whole(&self, wanted: &Wanted) -> Option<Picture> {
-        let Self { scene, view, appearance, samples, .. } = self;
+        let Self { scene, drawing: Drawing { view, appearance, samples }, .. } = self;
         let picture = || scene.picture_while(view, appearance, *samples, &|| wanted.holds());
         // What is shown without it can wait; what is not there yet cannot.
         if *samples > REFERENCE_SAMPLES { threads::on_half(picture) } else { picture() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use relativity_core::{Aperture, Speed};
+    use relativity_render::{Camera, Gaze, Geometry};
+
+    use super::*;
+    use crate::scene::{PRESETS, Scene};
+
+    /// Returns the value as another instance of the program reads it.
+    fn sent<T: Serialize + serde::de::DeserializeOwned>(value: &T) -> T {
+        let text = serde_json::to_string(value).expect("it can be written");
+        serde_json::from_str(&text).expect("what is written can be read")
+    }
+
+    #[test]
+    fn what_is_sent_is_drawn_alike() {
+        let speed = Speed::from_gamma(1e9).expect("it is one");
+        for name in PRESETS {
+            let scene = Scene::preset(name).expect("it is a preset").prepared();
+            let camera = Camera::new(Aperture::pair(0.1)[1], Gaze::STRAIGHT_AHEAD, 1.2, [24, 18]);
+            let view = View { camera, speed, observation_time: 3.1, geometry: Geometry::Seen };
+            let drawing = Drawing { view, appearance: Appearance::default(), samples: 1 };
+            let there = sent(&drawing);
+            assert_eq!(there, drawing);
+            let drawn = |scene: &PreparedScene, Drawing { view, appearance, samples }: Drawing| {
+                scene.picture(&view, &appearance, samples)
+            };
+            let picture = drawn(&scene, drawing);
+            assert!(sent(&picture) == picture && drawn(&sent(&scene), there) == picture, "{name}");
+        }
     }
 }

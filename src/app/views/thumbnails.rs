@@ -6,17 +6,18 @@ use std::sync::Arc;
 
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use relativity_render::Picture;
+use serde::{Deserialize, Serialize};
 
 use crate::accuracy::REFERENCE_SAMPLES;
 use crate::app::state::State;
 use crate::app::views::eye::Eye;
-use crate::app::views::reference_steps::ReferenceSteps;
-use crate::app::worker::{Step, Wanted, Worker};
+use crate::app::views::reference_steps::{Drawing, ReferenceSteps};
+use crate::app::worker::{BackgroundWork, Step, Wanted, Work};
 use crate::lesson::Lesson;
 use crate::settings::Settings;
 
 /// The look of a thumbnail, which it depends on beside its lesson.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Look {
     /// Width and height, pixels.
     pub size: [u32; 2],
@@ -26,11 +27,24 @@ pub struct Look {
     pub eye: Eye,
 }
 
-/// A thumbnail to draw.
-#[derive(Debug)]
-struct Job {
-    lesson: Arc<Lesson>,
-    look: Look,
+/// The drawing of a thumbnail; there is nothing to draw where its lesson cannot be shown.
+pub struct ThumbnailSteps(Option<ReferenceSteps>);
+
+impl Work for ThumbnailSteps {
+    const NAME: &'static str = "thumbnail";
+    type Base = ();
+    /// Settings of the lesson, in TOML, if there are any; and the look.
+    type Job = (Option<String>, Look);
+    type Result = Option<Picture>;
+
+    fn begin((): (), (settings, look): (Option<String>, Look)) -> Self {
+        Self(settings.and_then(|settings| steps(&settings, look)))
+    }
+
+    fn step(&mut self, wanted: &Wanted) -> Step<Option<Picture>> {
+        let Some(steps) = &mut self.0 else { return Step::Last(Some(None)) };
+        steps.step(wanted).map(Some)
+    }
 }
 
 /// The key of a thumbnail: a preset may be called like a lesson.
@@ -48,13 +62,6 @@ impl Key {
     }
 }
 
-/// A drawn thumbnail; empty where there is nothing to draw.
-struct DrawnThumbnail {
-    key: Key,
-    in_light_window: bool,
-    image: Option<ColorImage>,
-}
-
 /// A kept thumbnail. In a window that has since changed its theme, it stays until the other is drawn.
 struct KeptThumbnail {
     in_light_window: bool,
@@ -64,10 +71,10 @@ struct KeptThumbnail {
 /// The thumbnails that were drawn, the one that is drawn now, and the one that comes next.
 #[derive(Default)]
 pub struct Thumbnails {
-    worker: Option<Worker<Job, DrawnThumbnail>>,
+    worker: Option<BackgroundWork<ThumbnailSteps, (Key, bool)>>,
     kept: HashMap<Key, KeptThumbnail>,
     /// The first that is missing, and whether it is in view.
-    missing: Option<(Job, bool)>,
+    missing: Option<(Arc<Lesson>, Look, bool)>,
     /// Number of thumbnails drawn.
     count: usize,
 }
@@ -82,14 +89,20 @@ impl Thumbnails {
     /// Whether none is being drawn.
     #[must_use]
     pub fn is_settled(&self) -> bool {
-        !self.worker.as_ref().is_some_and(Worker::is_pending)
+        !self.worker.as_ref().is_some_and(BackgroundWork::is_pending)
     }
 
     /// Takes in what was drawn.
     pub fn receive(&mut self, ctx: &Context) {
-        let Some(drawn) = self.worker.as_ref().and_then(Worker::result) else { return };
-        let DrawnThumbnail { key, in_light_window, image } = drawn;
-        let texture = image.map(|image| ctx.load_texture(&key.name, image, TextureOptions::LINEAR));
+        let Some(((key, in_light_window), picture)) = self.worker.as_ref().and_then(BackgroundWork::result)
+        else {
+            return;
+        };
+        let texture = picture.map(|Picture { size, rgba }| {
+            let size = size.map(|side| side as usize);
+            let image = ColorImage::from_rgba_unmultiplied(size, rgba.as_flattened());
+            ctx.load_texture(&key.name, image, TextureOptions::LINEAR)
+        });
         self.kept.insert(key, KeptThumbnail { in_light_window, texture });
         self.count += 1;
     }
@@ -98,8 +111,8 @@ impl Thumbnails {
     pub fn picture(&mut self, lesson: &Arc<Lesson>, look: Look, is_in_view: bool) -> Option<&TextureHandle> {
         let kept = self.kept.get(&Key::new(lesson, look));
         let is_missing = kept.is_none_or(|kept| kept.in_light_window != look.in_light_window);
-        if is_missing && self.missing.as_ref().is_none_or(|(_, other)| is_in_view && !other) {
-            self.missing = Some((Job { lesson: Arc::clone(lesson), look }, is_in_view));
+        if is_missing && self.missing.as_ref().is_none_or(|(.., other)| is_in_view && !other) {
+            self.missing = Some((Arc::clone(lesson), look, is_in_view));
         }
         kept.and_then(|kept| kept.texture.as_ref())
     }
@@ -107,39 +120,23 @@ impl Thumbnails {
     /// Has the first of those drawn that were noted as missing, unless another is being drawn.
     pub fn go_on(&mut self, ctx: &Context) {
         let missing = self.missing.take();
-        let Some((job, _)) = missing.filter(|_| self.is_settled()) else { return };
-        self.worker.get_or_insert_with(|| Worker::in_steps(ctx.clone(), begin, step)).request(job);
+        let Some((lesson, look, _)) = missing.filter(|_| self.is_settled()) else { return };
+        let settings = lesson.settings(0, true, &Settings::default()).ok();
+        let settings = settings.map(|settings| settings.to_toml());
+        let label = (Key::new(&lesson, look), look.in_light_window);
+        let worker = self.worker.get_or_insert_with(|| BackgroundWork::new(ctx));
+        worker.request(label, (), (settings, look));
     }
 }
 
-/// Begins a thumbnail; there is nothing to draw where its lesson cannot be shown.
-fn begin(job: Job) -> (Job, Option<ReferenceSteps>) {
-    let steps = steps(&job);
-    (job, steps)
-}
-
-fn step(
-    (Job { lesson, look }, steps): &mut (Job, Option<ReferenceSteps>),
-    wanted: &Wanted,
-) -> Step<DrawnThumbnail> {
-    let drawn = steps.as_mut().map_or(Step::Last(None), |steps| steps.step(wanted));
-    let image = match drawn {
-        Step::More => return Step::More,
-        Step::Last(picture) => picture.map(|Picture { size, rgba }| {
-            ColorImage::from_rgba_unmultiplied(size.map(|side| side as usize), rgba.as_flattened())
-        }),
-    };
-    let (key, in_light_window) = (Key::new(lesson, *look), look.in_light_window);
-    Step::Last(Some(DrawnThumbnail { key, in_light_window, image }))
-}
-
 /// The drawing of the first step of a lesson, after its reveal; `None` where it cannot be shown.
-fn steps(Job { lesson, look: Look { size, in_light_window, eye } }: &Job) -> Option<ReferenceSteps> {
-    let settings = lesson.settings(0, true, &Settings::default()).ok()?;
+fn steps(settings: &str, Look { size, in_light_window, eye }: Look) -> Option<ReferenceSteps> {
+    let settings = Settings::default().with_toml(settings, "the lesson").ok()?;
     let mut state = State::open(settings).ok()?;
-    state.frame.picture_size = *size;
-    let (view, appearance) = (state.view(*eye, *size), state.appearance(*in_light_window));
-    Some(ReferenceSteps::new(state.document.prepared.clone(), view, appearance, REFERENCE_SAMPLES))
+    state.frame.picture_size = size;
+    let (view, appearance) = (state.view(eye, size), state.appearance(in_light_window));
+    let drawing = Drawing { view, appearance, samples: REFERENCE_SAMPLES };
+    Some(ReferenceSteps::begin(state.document.prepared.clone(), drawing))
 }
 
 #[cfg(test)]
@@ -151,8 +148,12 @@ mod tests {
     fn every_lesson_and_preset_has_a_picture_of_its_own_size() {
         let look = Look { size: [22, 13], in_light_window: false, eye: Eye::Left };
         for lesson in Library::own().all() {
-            let steps = steps(&Job { lesson: Arc::clone(lesson), look }).expect("it can be shown");
-            let picture = steps.scene.picture(&steps.view, &steps.appearance, steps.samples);
+            let settings = lesson.settings(0, true, &Settings::default()).expect("they can be");
+            let wanted = Wanted::new(1, Arc::new(1.into()), Arc::default());
+            let mut steps = ThumbnailSteps::begin((), (Some(settings.to_toml()), look));
+            let Step::Last(Some(Some(picture))) = steps.step(&wanted) else {
+                panic!("{} cannot be shown", lesson.name)
+            };
             assert_eq!(picture.size, look.size, "{}", lesson.name);
             let first = picture.rgba[0];
             assert!(picture.rgba.iter().any(|pixel| *pixel != first), "{} shows nothing", lesson.name);

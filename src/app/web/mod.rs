@@ -1,7 +1,9 @@
 //! The window in a browser: opened in the page's canvas, or replaced by a sentence with the reason. The page's address holds the state.
 
 mod address;
+mod background_work;
 mod page_app;
+mod page_worker;
 pub mod watch;
 pub mod worker;
 
@@ -16,35 +18,46 @@ use crate::app::notice::Notice;
 use crate::app::persistence::{Keeper, Loaded, recall};
 use crate::app::screens::stage::Stage;
 use crate::app::state::State;
+use crate::app::steps::Work as _;
+use crate::app::views::{reference_steps::ReferenceSteps, thumbnails::ThumbnailSteps};
 use crate::app::{App, graphics, painting};
 use crate::platform::files;
-use crate::platform::web::{page, tasks};
+use crate::platform::web::{instances, page, tasks};
 use crate::settings::Settings;
 
 /// The sentence for a browser without graphics.
 const NO_GRAPHICS: &str = "The window cannot be drawn: this browser offers neither WebGPU nor WebGL 2, or they are switched off. \
     A current Firefox, Chrome, Edge or Safari has one of them; in its settings it may be called hardware acceleration.";
 
-/// The sentence after a defect of the program.
-const DEFECT: &str = "The program has stopped: this is a defect. What was shown is in the address, and the answers in lessons \
-    are kept. The browser's console has the details.";
-
 /// Returns the address of this page with these `pairs` of a setting and its value.
 pub fn link_to(pairs: &str) -> String {
     format!("{}#{pairs}", page::address())
 }
 
-/// Opens the window in the page.
+/// Opens the window in the page; in an instance beside it, does the work that this is for.
 pub fn start() {
     // Errors alone: what libraries warn of is no concern of a user's.
     let _ = eframe::WebLogger::init(log::LevelFilter::Error);
+    if let Some(kind) = instances::own_kind() {
+        return serve(&kind);
+    }
     let runner = WebRunner::new();
     let report = panic::take_hook();
     panic::set_hook(Box::new(move |info| {
         report(info);
-        page::show_problem(DEFECT);
+        page::show_defect();
     }));
     tasks::spawn(open(runner));
+}
+
+/// Does work of this kind for the page that has started this instance.
+fn serve(kind: &str) {
+    panic::set_hook(Box::new(|info| instances::fail(&info.to_string())));
+    match kind {
+        ReferenceSteps::NAME => background_work::serve::<ReferenceSteps>(),
+        ThumbnailSteps::NAME => background_work::serve::<ThumbnailSteps>(),
+        _ => instances::fail("there is no such work"),
+    }
 }
 
 /// Opens the window, and shows a problem in its place if that fails.
@@ -60,8 +73,6 @@ async fn open(runner: WebRunner) {
             painting::install(&cc.egui_ctx, render_state);
         }
         let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).kept_by(keeper);
-        // Each band of rows with that many rays would keep the page's one thread for too long.
-        let app = app.without_refinement();
         Ok(Box::new(PageApp::new(app, own)) as Box<dyn eframe::App>)
     };
     match runner.start(canvas, options, Box::new(create)).await {

@@ -1,6 +1,7 @@
 //! The browser in place of an operating system: the page, its storage, downloads, and time between two frames.
 
 pub mod download;
+pub mod instances;
 pub mod locks;
 pub mod page;
 pub mod storage;

@@ -49,6 +49,14 @@ pub fn show_problem(problem: &str) {
     tell("gamow-problem");
 }
 
+/// Has the page say that the program has stopped by a defect of its own, in place of the window.
+pub fn show_defect() {
+    show_problem(
+        "The program has stopped: this is a defect. What was shown is in the address, and the answers in lessons are kept. The \
+        browser's console has the details.",
+    );
+}
+
 fn tell(event: &str) {
     if let (Some(window), Ok(event)) = (window(), Event::new(event)) {
         let _ = window.dispatch_event(&event);

@@ -47,6 +47,7 @@ const MOST_SLANT: f64 = FRAC_PI_2 - 1e-6;
 /// Pixel coordinates run right and down from the image's top left corner; the centre of pixel (i, j)
 /// lies at (i + 0.5, j + 0.5).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Camera {
     /// Place of the pinhole on the ground.
     pub aperture: Aperture,
@@ -71,6 +72,7 @@ pub struct Camera {
 
 /// The place of a camera's picture plane, and the map of directions to it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Projection {
     /// Across the gaze, the horizon level.
     #[default]

@@ -13,6 +13,7 @@ use crate::wheel::spin::{Spin, about_y};
 
 /// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Shape {
     /// A ball of any size.
     Sphere {

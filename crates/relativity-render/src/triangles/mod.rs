@@ -17,6 +17,8 @@ mod model;
 pub(crate) mod packed;
 mod paint;
 pub mod point;
+#[cfg(feature = "serde")]
+pub(crate) mod shared;
 pub mod texture;
 
 use glam::{DVec3, Vec3};
@@ -98,18 +100,23 @@ impl Triangles {
             fingerprint: 0,
             longest_edge: 0.0,
         };
-        prepared.hierarchy = Hierarchy::new(prepared.pieces(), DVec3::ZERO);
+        prepared.find_order();
         if prepared.hierarchy.is_empty() {
             return Err(TrianglesError::NoArea);
         }
         prepared.fingerprint = prepared.hashed();
-        let longest = |triangle: u32| {
-            let [a, b, c] = prepared.corners_of(triangle);
-            [b - a, c - b, a - c].map(|edge| prepared.relative_length(edge)).into_iter().fold(0.0, f64::max)
-        };
-        prepared.longest_edge =
-            (0..prepared.faces.len() as u32).into_par_iter().map(longest).reduce(|| 0.0, f64::max);
         Ok(prepared)
+    }
+
+    /// Finds what follows from the corners: the hierarchy, and the longest edge.
+    fn find_order(&mut self) {
+        self.hierarchy = Hierarchy::new(self.pieces(), DVec3::ZERO);
+        let longest = |triangle: u32| {
+            let [a, b, c] = self.corners_of(triangle);
+            [b - a, c - b, a - c].map(|edge| self.relative_length(edge)).into_iter().fold(0.0, f64::max)
+        };
+        self.longest_edge =
+            (0..self.faces.len() as u32).into_par_iter().map(longest).reduce(|| 0.0, f64::max);
     }
 
     /// The middle of the box around them, in the rest frame of the group.

@@ -33,6 +33,7 @@ pub struct Texture {
 
 /// The continuation of a texture beyond its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Wrap {
     /// Copies of the texture follow each other.
     #[default]
@@ -45,6 +46,7 @@ pub enum Wrap {
 
 /// A texture, and copies of half its size, a quarter, and so on down to one texel.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MipMap {
     /// Texels of the texture and of all its copies, one after the other: as [`Texture::texels`].
     pub texels: Vec<[u8; 4]>,
@@ -56,6 +58,7 @@ pub struct MipMap {
 
 /// A texture or a copy of it among the texels of a [`MipMap`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Level {
     /// Width and height, texels.
     pub size: [u32; 2],

@@ -6,6 +6,7 @@ use relativity_core::math;
 
 /// The turning of a body about an axle along y, which rests in the frame of its group.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spin {
     /// Any point of the axle, in the rest frame.
     pub hub: [f64; 3],

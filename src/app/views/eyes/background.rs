@@ -7,8 +7,8 @@ use relativity_render::Picture;
 use super::request::Request;
 use crate::accuracy::REFERENCE_SAMPLES;
 use crate::app::debounce::Debounce;
-use crate::app::views::reference_steps::ReferenceSteps;
-use crate::app::worker::{Wanted, Worker};
+use crate::app::views::reference_steps::{Drawing, ReferenceSteps};
+use crate::app::worker::BackgroundWork;
 
 /// Rays per pixel and direction of the steps in which pictures get smoother: the first has as many as any other picture.
 const STEPS: [u32; 3] = [REFERENCE_SAMPLES, 4, 8];
@@ -26,7 +26,7 @@ pub struct Made {
 
 /// The background drawing of one eye.
 pub struct Background {
-    worker: Worker<(Request, u32), Made>,
+    worker: BackgroundWork<ReferenceSteps, (Request, u32)>,
     stillness: Debounce<Request>,
     requested: Option<(Request, u32)>,
     /// Newest picture.
@@ -40,16 +40,8 @@ pub struct Background {
 impl Background {
     /// Returns a background without a picture yet.
     pub fn new(ctx: &Context) -> Self {
-        let begin = |(of, samples): (Request, u32)| {
-            let steps = ReferenceSteps::new(of.scene.clone(), of.view, of.appearance, samples);
-            (of, steps)
-        };
-        let step = |(of, steps): &mut (Request, ReferenceSteps), wanted: &Wanted| {
-            let of = of.clone();
-            steps.step(wanted).map(|picture| Made { of, samples: steps.samples, picture })
-        };
         Self {
-            worker: Worker::in_steps(ctx.clone(), begin, step),
+            worker: BackgroundWork::new(ctx),
             stillness: Debounce::default(),
             requested: None,
             done: None,
@@ -73,6 +65,9 @@ impl Background {
 
     /// A smoother picture than the one of `request` that another method has drawn, if it may be and once there is one.
     pub fn smoother(&mut self, ctx: &Context, request: &Request) -> Option<&Made> {
+        if !self.worker.is_apart() {
+            return None;
+        }
         let is_still = self.stillness.is_still(ctx, request);
         self.update(request, STEPS[1], is_still);
         let is_made = !std::mem::take(&mut self.is_awaited);
@@ -88,12 +83,13 @@ impl Background {
 
     /// Receives what is done, and begins the next step, the `first` before all, if it `may_begin`.
     fn update(&mut self, request: &Request, first: u32, may_begin: bool) {
-        if let Some(done) = self.worker.result() {
-            self.done = Some(done);
+        if let Some(((of, samples), picture)) = self.worker.result() {
+            self.done = Some(Made { of, samples, picture });
         }
         let made = self.done.as_ref().filter(|made| made.of == *request).map_or(0, |made| made.samples);
         self.is_awaited = made < first;
-        let is_wanted = |step: &u32| *step > made && *step >= first && (*step == first || request.refine);
+        let may_refine = request.refine && self.worker.is_apart();
+        let is_wanted = |step: &u32| *step > made && *step >= first && (*step == first || may_refine);
         let next = STEPS.into_iter().find(is_wanted);
         self.is_refining = !self.is_awaited && next.is_some();
         self.requested.take_if(|(of, samples)| {
@@ -106,7 +102,8 @@ impl Background {
         let Some(samples) = next.filter(|_| may_begin) else { return };
         let is_requested = |(of, step): &(Request, u32)| of == request && *step == samples;
         if !self.requested.as_ref().is_some_and(is_requested) {
-            self.worker.request((request.clone(), samples));
+            let drawing = Drawing { view: request.view, appearance: request.appearance, samples };
+            self.worker.request((request.clone(), samples), request.scene.clone(), drawing);
             self.requested = Some((request.clone(), samples));
         }
     }

@@ -1,0 +1,211 @@
+//! Work of one kind in another instance of the program, beside the page's thread.
+
+use std::cell::{Cell, RefCell};
+use std::collections::VecDeque;
+use std::rc::{Rc, Weak};
+
+use eframe::egui::Context;
+
+use super::page_worker::Worker;
+use crate::app::steps::{Message, Step, Wanted, Work};
+use crate::platform::web::instances::{Asked, Heard, Instance, answer, fail, listen};
+use crate::platform::web::page;
+
+/// Work of one kind in an instance of its own, which is started for the first job; the label of a job comes back with its result. Where
+/// the browser has no workers that load modules, the work is done in steps between the frames of the page.
+pub struct BackgroundWork<W: Work, L>(Rc<Shared<W, L>>);
+
+struct Shared<W: Work, L> {
+    ctx: Context,
+    place: RefCell<Place<W>>,
+    labels: RefCell<VecDeque<(u64, L)>>,
+    results: RefCell<VecDeque<(u64, W::Result)>>,
+    newest: Cell<u64>,
+    received: Cell<u64>,
+    stopped: Cell<u64>,
+}
+
+/// A job with its number.
+type Numbered<W> = (u64, <W as Work>::Base, <W as Work>::Job);
+
+/// The place where the work is done.
+enum Place<W: Work> {
+    /// No place is chosen before the first job.
+    Open,
+    /// An instance that does not listen yet, and the newest job.
+    Starting(Instance, Option<Numbered<W>>),
+    /// An instance, and what jobs had in common when it was last sent.
+    Apart(Instance, Option<W::Base>),
+    /// The page itself, between two frames.
+    Page(Worker<Numbered<W>, (u64, W::Result)>),
+}
+
+impl<W: Work, L: 'static> BackgroundWork<W, L> {
+    /// Nothing is started yet. Each result is announced by a repaint.
+    pub fn new(ctx: &Context) -> Self {
+        Self(Rc::new(Shared {
+            ctx: ctx.clone(),
+            place: RefCell::new(Place::Open),
+            labels: RefCell::default(),
+            results: RefCell::default(),
+            newest: Cell::new(0),
+            received: Cell::new(0),
+            stopped: Cell::new(0),
+        }))
+    }
+
+    /// Does the job next, instead of what still waits.
+    pub fn request(&self, label: L, base: W::Base, job: W::Job) {
+        let shared = &self.0;
+        let number = shared.newest.get() + 1;
+        shared.newest.set(number);
+        shared.labels.borrow_mut().push_back((number, label));
+        let mut place = shared.place.borrow_mut();
+        if let Place::Open = *place {
+            *place = Shared::begun(shared);
+        }
+        place.send((number, base, job));
+    }
+
+    /// Gives up what is running or waiting.
+    pub fn stop(&self) {
+        let shared = &self.0;
+        shared.stopped.set(shared.newest.get());
+        shared.labels.borrow_mut().clear();
+        match &mut *shared.place.borrow_mut() {
+            Place::Open => {}
+            Place::Starting(_, waiting) => *waiting = None,
+            Place::Apart(instance, _) => instance.stop(shared.newest.get()),
+            Place::Page(worker) => worker.stop(),
+        }
+    }
+
+    /// Returns the newest result since the last call, with the label of its job.
+    pub fn result(&self) -> Option<(L, W::Result)> {
+        let shared = &self.0;
+        if let Place::Page(worker) = &*shared.place.borrow() {
+            shared.results.borrow_mut().extend(worker.result());
+        }
+        let (number, result) = shared.results.borrow_mut().drain(..).last()?;
+        shared.received.set(number);
+        let mut labels = shared.labels.borrow_mut();
+        while labels.front().is_some_and(|(first, _)| *first < number) {
+            labels.pop_front();
+        }
+        let (_, label) = labels.pop_front_if(|(first, _)| *first == number)?;
+        Some((label, result))
+    }
+
+    /// Whether the newest job's result has yet to be received.
+    pub fn is_pending(&self) -> bool {
+        self.0.newest.get() > self.0.received.get().max(self.0.stopped.get())
+    }
+
+    /// Whether the window goes on while it works.
+    pub fn is_apart(&self) -> bool {
+        !matches!(*self.0.place.borrow(), Place::Page(_))
+    }
+}
+
+impl<W: Work, L: 'static> Shared<W, L> {
+    /// The place of the work: an instance if the browser has one.
+    fn begun(shared: &Rc<Self>) -> Place<W> {
+        let shared = Rc::downgrade(shared);
+        let hear = move |heard| {
+            if let Some(shared) = Weak::upgrade(&shared) {
+                shared.hear(heard);
+            }
+        };
+        match Instance::start(W::NAME, hear) {
+            Some(instance) => Place::Starting(instance, None),
+            None => Place::on_page(),
+        }
+    }
+
+    /// Takes in a message of the instance.
+    fn hear(&self, heard: Heard) {
+        let place = std::mem::replace(&mut *self.place.borrow_mut(), Place::Open);
+        let (mut place, waiting) = match (heard, place) {
+            (Heard::Ready, Place::Starting(instance, waiting)) => (Place::Apart(instance, None), waiting),
+            (Heard::Failed(problem), Place::Starting(_, waiting)) => {
+                log::warn!("{problem}");
+                (Place::on_page(), waiting)
+            }
+            (Heard::Failed(problem), place) => {
+                log::error!("{problem}");
+                page::show_defect();
+                (place, None)
+            }
+            (Heard::Result(number, bytes), place) => {
+                match postcard::from_bytes(&bytes) {
+                    Ok(result) => self.results.borrow_mut().push_back((number, result)),
+                    Err(error) => log::error!("the result of {}: {error}", W::NAME),
+                }
+                (place, None)
+            }
+            (Heard::Ready, place) => (place, None),
+        };
+        if let Some(waiting) = waiting {
+            place.send(waiting);
+        }
+        self.place.replace(place);
+        self.ctx.request_repaint();
+    }
+}
+
+impl<W: Work> Place<W> {
+    /// Work in steps between the frames of the page.
+    fn on_page() -> Self {
+        let begin = |(number, base, job)| (number, W::begin(base, job));
+        Self::Page(Worker::in_steps(Context::default(), begin, |(number, work): &mut (u64, W), wanted| {
+            work.step(wanted).map(|result| (*number, result))
+        }))
+    }
+
+    /// Has the job done next.
+    fn send(&mut self, (number, base, job): Numbered<W>) {
+        match self {
+            Self::Open => {}
+            Self::Starting(_, waiting) => *waiting = Some((number, base, job)),
+            Self::Page(worker) => worker.request((number, base, job)),
+            Self::Apart(instance, sent) => {
+                let is_known = sent.as_ref() == Some(&base);
+                let common = (!is_known).then(|| encoded(&base));
+                if !instance.request(number, common.as_deref(), &encoded(&job)) {
+                    log::error!("a job of {} could not be sent", W::NAME);
+                }
+                *sent = Some(base);
+            }
+        }
+    }
+}
+
+/// Does the work of this kind in this instance, for the page.
+pub fn serve<W: Work>() {
+    let begin = |(number, base, job)| (number, W::begin(base, job));
+    let step = |(number, work): &mut (u64, W), wanted: &Wanted| {
+        let Step::Last(result) = work.step(wanted) else { return Step::More };
+        result.iter().for_each(|result| answer(*number, &encoded(result)));
+        Step::<()>::Last(None)
+    };
+    let worker = Worker::in_steps(Context::default(), begin, step);
+    let mut known = None;
+    listen(move |asked| match asked {
+        Asked::Stop => worker.stop(),
+        Asked::Job(number, base, job) => {
+            let base = base.map_or(Ok(known.take()), |base| postcard::from_bytes(&base).map(Some));
+            match (base, postcard::from_bytes(&job)) {
+                (Ok(Some(base)), Ok(job)) => {
+                    known = Some(W::Base::clone(&base));
+                    worker.request((number, base, job));
+                }
+                _ => fail(&format!("a job of {} cannot be read", W::NAME)),
+            }
+        }
+    });
+}
+
+/// The bytes of a message.
+fn encoded(message: &impl Message) -> Vec<u8> {
+    postcard::to_stdvec(message).expect("messages are numbers, texts and lists whose lengths are known")
+}

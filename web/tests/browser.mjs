@@ -1,0 +1,207 @@
+// Opens the page in a browser without a screen, and gives the tests what they need to drive it.
+import { createServer } from 'node:http';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { extname, join, normalize } from 'node:path';
+import puppeteer from 'puppeteer-core';
+
+const SITE = process.env.SITE ?? 'target/page';
+const TYPES = {
+    '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm', '.png': 'image/png',
+    '.txt': 'text/plain', '.webmanifest': 'application/manifest+json',
+};
+const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+const NOTHING = ['--disable-gpu', '--disable-webgl', '--disable-3d-apis'];
+// A slow machine without a GPU takes its time.
+const PATIENCE = 180_000;
+
+export const sleep = milliseconds => new Promise(done => setTimeout(done, milliseconds));
+
+// Returns what `find` finds, once that is something.
+export async function eventually(what, find, patience = PATIENCE) {
+    const end = Date.now() + patience;
+    for (;;) {
+        const found = await find();
+        if (found) return found;
+        if (Date.now() > end) throw new Error(`${what}: nothing in ${patience / 1000} s`);
+        await sleep(100);
+    }
+}
+
+// Hands out the files of the page as any web server does, without headers of its own.
+export async function serve() {
+    const server = createServer((request, response) => {
+        const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
+        const file = join(SITE, path.endsWith('/') ? `${path}index.html` : path);
+        if (!existsSync(file)) return response.writeHead(404).end();
+        response.writeHead(200, { 'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream' });
+        response.end(readFileSync(file));
+    });
+    await new Promise(done => server.listen(0, '127.0.0.1', done));
+    return { address: `http://localhost:${server.address().port}/`, close: () => server.close() };
+}
+
+export async function launch({ graphics = true, scale = 1 } = {}) {
+    return puppeteer.launch({
+        executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+        defaultViewport: { width: 1280, height: 800, deviceScaleFactor: 0 },
+        args: [
+            '--no-sandbox', '--disable-dev-shm-usage', '--window-size=1400,1000', `--force-device-scale-factor=${scale}`,
+            ...(graphics ? WEBGL : NOTHING),
+        ],
+        timeout: PATIENCE, protocolTimeout: 2 * PATIENCE,
+    });
+}
+
+// Counts the answers of the page's workers, and keeps the tasks that held its thread for over 50 ms.
+function countAnswers() {
+    globalThis.answers = 0;
+    globalThis.Worker = class extends Worker {
+        constructor(...given) {
+            super(...given);
+            this.addEventListener('message', ({ data }) => { globalThis.answers += data.length === 2; });
+        }
+    };
+    globalThis.longTasks = [];
+    const note = list => globalThis.longTasks.push(...list.getEntries().map(entry => Math.round(entry.duration)));
+    new PerformanceObserver(note).observe({ entryTypes: ['longtask'] });
+}
+
+// A page with the window in it.
+export class Window {
+    constructor(page, address) {
+        Object.assign(this, { page, address, problems: [] });
+        page.on('pageerror', error => this.problems.push(`not caught: ${error.message}`));
+        page.on('requestfailed', request => this.problems.push(`not loaded: ${request.url()}`));
+        page.on('console', message => {
+            if (message.type() === 'error') this.problems.push(message.text());
+        });
+    }
+
+    // Opens the page with this fragment of its address, in a profile of its own, and waits for the window.
+    static async open(browser, address, fragment = '') {
+        const context = await browser.createBrowserContext();
+        const page = await context.newPage();
+        const window = new Window(page, address);
+        window.folder = mkdtempSync(join(tmpdir(), 'gamow-'));
+        const session = await page.createCDPSession();
+        await session.send('Browser.setDownloadBehavior', {
+            behavior: 'allow', downloadPath: window.folder, browserContextId: context.id,
+        });
+        await page.evaluateOnNewDocument(countAnswers);
+        await page.goto(address + fragment, { timeout: PATIENCE });
+        await window.shown();
+        return window;
+    }
+
+    async shown() {
+        const is_shown = () => document.getElementById('loading').hidden;
+        await this.page.waitForFunction(is_shown, { timeout: PATIENCE });
+    }
+
+    // The first problem that the page shows in place of the window.
+    problem() {
+        return this.page.evaluate(() => {
+            const problem = document.getElementById('problem');
+            return problem.hidden ? '' : problem.textContent;
+        });
+    }
+
+    // The settings in the address.
+    async settings() {
+        const hash = await this.page.evaluate(() => location.hash);
+        return new URLSearchParams(hash.slice(1));
+    }
+
+    stored(name) {
+        return this.page.evaluate(name => localStorage.getItem(name), name);
+    }
+
+    async press(...keys) {
+        for (const key of keys.slice(0, -1)) await this.page.keyboard.down(key);
+        await this.page.keyboard.press(keys.at(-1), { delay: 60 });
+        for (const key of keys.slice(0, -1)) await this.page.keyboard.up(key);
+        await sleep(300);
+    }
+
+    // Asks for an action by its name, in the palette of commands.
+    async act(name) {
+        await this.press('Control', 'p');
+        await sleep(700);
+        await this.page.keyboard.type(name, { delay: 30 });
+        await sleep(500);
+        await this.press('Enter');
+        await sleep(500);
+    }
+
+    async click(x, y) {
+        await this.page.mouse.move(x, y);
+        await sleep(150);
+        await this.page.mouse.down();
+        await sleep(80);
+        await this.page.mouse.up();
+    }
+
+    async drag(from, to) {
+        const at = part => from.map((start, i) => start + (to[i] - start) * part);
+        await this.page.mouse.move(...from);
+        await sleep(150);
+        await this.page.mouse.down();
+        for (let step = 1; step <= 8; step += 1) {
+            await this.page.mouse.move(...at(step / 8));
+            await sleep(60);
+        }
+        await this.page.mouse.up();
+    }
+
+    // Drops a file with this text onto the window.
+    drop(name, text) {
+        return this.page.evaluate(([name, text]) => {
+            const dataTransfer = new DataTransfer();
+            dataTransfer.items.add(new File([text], name));
+            const canvas = document.getElementById('gamow');
+            for (const kind of ['dragenter', 'dragover', 'drop']) {
+                const options = { dataTransfer, bubbles: true, cancelable: true, clientX: 300, clientY: 300 };
+                canvas.dispatchEvent(new DragEvent(kind, options));
+            }
+        }, [name, text]);
+    }
+
+    // The name and the bytes of the next download.
+    async download() {
+        const name = await eventually('a download', () => readdirSync(this.folder).find(name => !name.endsWith('.crdownload')));
+        const bytes = readFileSync(join(this.folder, name));
+        rmSync(join(this.folder, name));
+        return { name, bytes };
+    }
+
+    // The number of different colours in a part of the window, of every fourth pixel.
+    async colours(clip) {
+        const picture = await this.page.screenshot({ type: 'png', clip, encoding: 'base64' });
+        return this.page.evaluate(async picture => {
+            const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${picture}`)).blob());
+            const canvas = new OffscreenCanvas(bitmap.width, bitmap.height), pen = canvas.getContext('2d');
+            pen.drawImage(bitmap, 0, 0);
+            const { data } = pen.getImageData(0, 0, bitmap.width, bitmap.height), seen = new Set();
+            for (let i = 0; i < data.length; i += 16) seen.add(data[i] << 16 | data[i + 1] << 8 | data[i + 2]);
+            return seen.size;
+        }, picture);
+    }
+
+    // The number of pictures that workers have drawn.
+    answers() {
+        return this.page.evaluate(() => globalThis.answers);
+    }
+
+    // The milliseconds of the tasks that held the page's thread for over 50 ms since the last call, the longest first.
+    longTasks() {
+        return this.page.evaluate(() => globalThis.longTasks.splice(0).sort((a, b) => b - a));
+    }
+
+    // Closes the page; it must have had no problem.
+    async close() {
+        rmSync(this.folder, { recursive: true, force: true });
+        await this.page.browserContext().close();
+        if (this.problems.length > 0) throw new Error(`problems in the console: ${this.problems.join('; ')}`);
+    }
+}

@@ -1,0 +1,257 @@
+// The page in Chromium, by WebGL in software.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { Window, eventually, launch, serve, sleep } from './browser.mjs';
+
+// The desktop program, for its numbers.
+const GAMOW = process.env.GAMOW ?? 'target/release/gamow';
+// Places in a window of 1280 by 800 points: both eyes' views, the speed slider, a point of a globe.
+const VIEWS = { x: 4, y: 64, width: 938, height: 240 };
+const SPEED = { from: [1019, 78], to: [1150, 78] };
+const POINT = [200, 150];
+
+let server, browser;
+before(async () => {
+    server = await serve();
+    browser = await launch();
+});
+after(async () => {
+    await browser?.close();
+    server?.close();
+});
+
+// Opens the window, has `use` use it, and closes it; the console must have had no errors.
+async function inWindow(fragment, use) {
+    const window = await Window.open(browser, server.address, fragment);
+    await use(window);
+    assert.equal(await window.problem(), '');
+    await window.close();
+}
+
+test('the first picture comes, and an address is what is shown', () => inWindow('#beta=0.9&scene=globe', async window => {
+    await eventually('a picture', async () => await window.colours(VIEWS) > 200);
+    await window.press('ArrowUp');
+    await eventually('another speed in the address', async () => (await window.settings()).get('beta') !== '0.9');
+    const settings = await window.settings();
+    assert.equal(settings.get('scene'), 'globe');
+    assert.ok(Number(settings.get('beta')) > 0.9);
+}));
+
+test('the speed slider is dragged, and a point is clicked', () => inWindow('#scene=globe&beta=0.5', async window => {
+    await window.drag(SPEED.from, SPEED.to);
+    await eventually('the dragged speed', async () => Number((await window.settings()).get('beta')) !== 0.5);
+    await window.click(...POINT);
+    await eventually('the clicked point', async () => (await window.settings()).get('point'));
+}));
+
+test('a finger taps a point, and drags the speed', () => inWindow('#scene=globe&beta=0.5', async window => {
+    await window.page.touchscreen.tap(...POINT);
+    await eventually('the tapped point', async () => (await window.settings()).get('point'));
+    const finger = await window.page.touchscreen.touchStart(...SPEED.from);
+    for (let x = SPEED.from[0]; x <= SPEED.to[0]; x += 16) {
+        await finger.move(x, SPEED.from[1]);
+        await sleep(60);
+    }
+    await finger.end();
+    await eventually('the dragged speed', async () => Number((await window.settings()).get('beta')) > 0.6);
+}));
+
+// Columns of a table whose cells hold no commas.
+const table = text => {
+    const [head, ...rows] = text.trimEnd().split(/\r?\n/).map(line => line.split(','));
+    return rows.map(row => Object.fromEntries(head.map((name, i) => [name, row[i]])));
+};
+
+test('the numbers of a curve are those of the desktop, digit by digit', { skip: !existsSync(GAMOW) && `no ${GAMOW}` }, () => {
+    return inWindow('#scene=cube&beta=0.9&point=0,6,0.5', async window => {
+        await window.act('save the plots as a table');
+        await window.press('Enter');
+        const { name, bytes } = await window.download();
+        assert.match(name, /\.csv$/);
+        const rows = table(bytes.toString());
+        assert.ok(rows.length > 50, `${rows.length} rows`);
+        const lines = rows.map(row => [0.9, row.d, 6, 0.5, 0, row.T].join(','));
+        const desktop = execFileSync(GAMOW, ['eval'], { input: `beta,d,y,z,x0,T\n${lines.join('\n')}\n` });
+        const expected = table(desktop.toString());
+        const angles = ({ dphi, dtheta }) => `${dphi} ${dtheta}`;
+        assert.deepEqual(rows.map(angles), expected.map(angles));
+    });
+});
+
+test('a lesson is predicted, revealed and remembered', () => inWindow('#lesson=rods', async window => {
+    await sleep(1500);
+    await window.press('3');
+    await window.press('PageDown');
+    const answers = await eventually('an answer', () => window.stored('gamow/answers.json'));
+    assert.match(answers, /rods/);
+    await sleep(6000);
+    await window.press('1');
+    assert.equal((await window.settings()).get('lesson'), 'rods');
+    await window.page.reload();
+    await window.shown();
+    assert.equal((await window.settings()).get('lesson'), 'rods');
+    assert.match(await window.stored('gamow/answers.json'), /rods/);
+}));
+
+test('a link leads to the same state', () => inWindow('#beta=0.99&scene=wheel&colour=glowing', async window => {
+    await window.press('ArrowRight');
+    await sleep(2500);
+    const link = await window.page.evaluate(() => location.hash);
+    const other = await Window.open(browser, server.address, link);
+    await other.press('ArrowUp');
+    await other.press('ArrowDown');
+    await sleep(2500);
+    const settings = Object.fromEntries(await other.settings());
+    assert.deepEqual(settings, Object.fromEntries(new URLSearchParams(link.slice(1))));
+    await other.close();
+}));
+
+test('another fragment is followed', () => inWindow('#beta=0.6', async window => {
+    await window.page.evaluate(() => { location.hash = '#scene=train&beta=0.8'; });
+    await sleep(1500);
+    await window.press('ArrowUp');
+    await eventually('the train', async () => {
+        const settings = await window.settings();
+        return settings.get('scene') === 'train' && Number(settings.get('beta')) > 0.8;
+    });
+}));
+
+test('a scene is dropped, and a wrong one is refused', () => inWindow('#beta=0.6', async window => {
+    await window.press('Escape');
+    const ball = '[[object]]\nshape = "sphere"\ncentre = [0, 3, 1]\nradius = 0.5\n';
+    await window.drop('mine.toml', `name = "Mine"\n${ball}`);
+    await sleep(2500);
+    await window.act('save the state');
+    await window.press('Enter');
+    const { bytes } = await window.download();
+    assert.match(bytes.toString(), /scene = "mine.toml"/);
+    await window.drop('wrong.toml', 'name = "Wrong"\n');
+    await sleep(1500);
+    await window.act('save the state');
+    await window.press('Enter');
+    assert.match((await window.download()).bytes.toString(), /scene = "mine.toml"/);
+}));
+
+// The text that a PNG keeps under this name.
+const textInPng = (bytes, name) => {
+    for (let at = 8; at < bytes.length; at += 12 + bytes.readUInt32BE(at)) {
+        const chunk = bytes.subarray(at + 8, at + 8 + bytes.readUInt32BE(at));
+        if (bytes.toString('latin1', at + 4, at + 8) === 'iTXt' && chunk.toString('latin1').startsWith(`${name}\0`)) {
+            return chunk.subarray(chunk.lastIndexOf(0) + 1).toString();
+        }
+    }
+    return '';
+};
+
+test('a saved picture is that of the desktop, byte for byte', { skip: !existsSync(GAMOW) && `no ${GAMOW}` }, () => {
+    return inWindow('#scene=rods&beta=0.7&renderer=reference', async window => {
+        await window.press('Control', 's');
+        await sleep(700);
+        await window.press('Enter');
+        const { name, bytes } = await window.download();
+        assert.equal(name, 'rods.png');
+        const [, ...words] = textInPng(bytes, 'Parameters').split(' ');
+        const drawn = join(window.folder, 'drawn.png');
+        execFileSync(GAMOW, [...words, '--out', drawn]);
+        assert.ok(bytes.equals(readFileSync(drawn)));
+    });
+});
+
+test('workers draw thumbnails, and make still views smoother', async t => {
+    await inWindow('', async window => {
+        await window.longTasks();
+        await eventually('ten thumbnails', async () => await window.answers() >= 10);
+        t.diagnostic(`start page, tasks of over 50 ms: ${await window.longTasks()}`);
+        assert.equal(window.page.workers().length, 1);
+    });
+    await inWindow('#scene=rods&beta=0.7', async window => {
+        await window.longTasks();
+        await eventually('two smoother pictures of each eye', async () => await window.answers() === 4);
+        await sleep(1000);
+        t.diagnostic(`still views, tasks of over 50 ms: ${await window.longTasks()}`);
+        assert.equal(window.page.workers().length, 2);
+        // What is moved is drawn anew.
+        await window.press('ArrowRight');
+        await eventually('pictures of the next moment', async () => await window.answers() > 4);
+    });
+});
+
+test('the window is resized', () => inWindow('#scene=globe&beta=0.9', async window => {
+    for (const [width, height] of [[800, 600], [1600, 1000]]) {
+        await window.page.setViewport({ width, height, deviceScaleFactor: 0 });
+        await sleep(1500);
+        const size = await window.page.evaluate(() => {
+            const { width, height } = document.getElementById('gamow');
+            return [width, height];
+        });
+        assert.deepEqual(size, [width, height]);
+        assert.ok(await window.colours({ x: 20, y: 60, width: width - 40, height: height - 120 }) > 200);
+    }
+}));
+
+test('a lost context is told in a sentence, and the state is in the address', async () => {
+    const window = await Window.open(browser, server.address, '#beta=0.8');
+    await window.page.evaluate(() => {
+        const canvas = document.getElementById('gamow');
+        canvas.getContext('webgl2').getExtension('WEBGL_lose_context').loseContext();
+    });
+    await eventually('a sentence', async () => /graphics/.test(await window.problem()));
+    assert.equal((await window.settings()).get('beta'), '0.8');
+    await window.page.evaluate(() => document.querySelector('#problem button').click());
+    await sleep(500);
+    await window.shown();
+    assert.equal(await window.problem(), '');
+    await window.page.browserContext().close();
+});
+
+test('the mode for an audience is in the address', () => inWindow('#present&beta=0.9', async window => {
+    await eventually('a picture', async () => await window.colours({ x: 50, y: 100, width: 1180, height: 500 }) > 200);
+    await window.press('Escape');
+    await eventually('the mode has ended', async () => !(await window.settings()).has('present'));
+}));
+
+test('after the first visit no network is needed', () => inWindow('#scene=globe', async window => {
+    await window.page.evaluate(() => navigator.serviceWorker.ready);
+    await eventually('the files are kept', () => window.page.evaluate(async () => {
+        const registration = await navigator.serviceWorker.getRegistration();
+        return registration.active?.state === 'activated';
+    }));
+    const { address } = server;
+    server.close();
+    try {
+        await window.page.reload();
+        await window.shown();
+        await eventually('a picture', async () => await window.colours(VIEWS) > 200);
+    } finally {
+        server = await serve();
+    }
+    assert.notEqual(address, server.address);
+}));
+
+test('a screen of two pixels a point is drawn sharply', async () => {
+    const sharp = await launch({ scale: 2 });
+    try {
+        const window = await Window.open(sharp, server.address, '#scene=globe&beta=0.9');
+        const width = await window.page.evaluate(() => document.getElementById('gamow').width);
+        assert.equal(width, 2 * await window.page.evaluate(() => innerWidth));
+        await eventually('a picture', async () => await window.colours(VIEWS) > 200);
+        await window.close();
+    } finally {
+        await sharp.close();
+    }
+});
+
+test('without graphics a sentence says so', async () => {
+    const blind = await launch({ graphics: false });
+    try {
+        const page = await blind.newPage();
+        await page.goto(server.address);
+        await page.waitForFunction(() => !document.getElementById('problem').hidden, { timeout: 60_000 });
+        assert.match(await page.evaluate(() => document.getElementById('problem').textContent), /WebGPU nor WebGL 2/);
+    } finally {
+        await blind.close();
+    }
+});
