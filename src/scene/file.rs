@@ -8,7 +8,7 @@ use toml::de::DeTable;
 
 use super::content::{Scene, SceneGroup};
 use super::error::{Located, Problem};
-use super::model::{ModelFiles, model, scene_text};
+use super::model::{ModelFiles, model, ridden};
 use super::names;
 use super::object::{Object, object};
 use super::presets;
@@ -32,7 +32,7 @@ pub(super) fn scene_in(text: &str, folder: &Path) -> Result<Scene, Located> {
 /// The scene in which the model at `path` rides on Gamow's street.
 pub(super) fn scene_of_model(path: &Path) -> Result<Scene, String> {
     let folder = files::folder_of(path);
-    scene_in(&scene_text(path, folder)?, folder).map_err(|located| match located.problem {
+    scene_in(&ridden::text(path, folder)?, folder).map_err(|located| match located.problem {
         Problem::Model { reason, .. } => reason,
         problem => problem.to_string(),
     })
