@@ -2,6 +2,7 @@
 
 use std::path::Path;
 use std::rc::Rc;
+use std::sync::OnceLock;
 
 use relativity_render::{Body, Motion, Velocity};
 use toml::de::DeTable;
@@ -11,7 +12,7 @@ use super::error::{Located, Problem};
 use super::model::{ModelFiles, model, ridden};
 use super::names;
 use super::object::{Object, object};
-use super::presets;
+use super::presets::{self, PRESETS};
 use super::table::Table;
 use super::wheel::{Changes, wheel};
 use crate::platform::{files, sizes};
@@ -72,15 +73,21 @@ fn street(top: &Table) -> Result<Option<[f64; 3]>, Located> {
     Ok(street)
 }
 
-/// The preset of that name.
+/// The preset of that name, which is read once.
 pub(super) fn preset(name: &str) -> Option<Scene> {
-    changed_preset(name, Changes::default())
+    static READ: [OnceLock<Scene>; PRESETS.len()] = [const { OnceLock::new() }; PRESETS.len()];
+    let number = PRESETS.iter().position(|preset| *preset == name)?;
+    if let Some(scene) = READ[number].get() {
+        return Some(scene.clone());
+    }
+    let scene = changed_preset(name, Changes::default())?;
+    Some(READ[number].get_or_init(|| scene).clone())
 }
 
 fn changed_preset(name: &str, changes: Changes) -> Option<Scene> {
     let text = presets::text(name)?;
     Some(
-        changed_scene(text, changes, ModelFiles::Nowhere)
+        changed_scene(text, changes, ModelFiles::Preset)
             .unwrap_or_else(|_| unreachable!("tests read every preset")),
     )
 }
