@@ -1,6 +1,6 @@
-//! A tram of 1,178 triangles, as Wavefront OBJ with colours: `assets/models/tram.obj`.
+//! A tram of 1,178 triangles, as Wavefront OBJ with colours: `assets/scenes/tram.obj`.
 //!
-//! `cargo run --example tram > assets/models/tram.obj`
+//! `cargo run --example tram > assets/scenes/tram.obj`
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;

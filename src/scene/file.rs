@@ -2,16 +2,17 @@
 
 use std::path::Path;
 use std::rc::Rc;
+use std::sync::OnceLock;
 
 use relativity_render::{Body, Motion, Velocity};
 use toml::de::DeTable;
 
 use super::content::{Scene, SceneGroup};
 use super::error::{Located, Problem};
-use super::model::{ModelFiles, model, scene_text};
+use super::model::{ModelFiles, model, ridden};
 use super::names;
 use super::object::{Object, object};
-use super::presets;
+use super::presets::{self, PRESETS};
 use super::table::Table;
 use super::wheel::{Changes, wheel};
 use crate::platform::{files, sizes};
@@ -32,7 +33,7 @@ pub(super) fn scene_in(text: &str, folder: &Path) -> Result<Scene, Located> {
 /// The scene in which the model at `path` rides on Gamow's street.
 pub(super) fn scene_of_model(path: &Path) -> Result<Scene, String> {
     let folder = files::folder_of(path);
-    scene_in(&scene_text(path, folder)?, folder).map_err(|located| match located.problem {
+    scene_in(&ridden::text(path, folder)?, folder).map_err(|located| match located.problem {
         Problem::Model { reason, .. } => reason,
         problem => problem.to_string(),
     })
@@ -72,15 +73,21 @@ fn street(top: &Table) -> Result<Option<[f64; 3]>, Located> {
     Ok(street)
 }
 
-/// The preset of that name.
+/// The preset of that name, which is read once.
 pub(super) fn preset(name: &str) -> Option<Scene> {
-    changed_preset(name, Changes::default())
+    static READ: [OnceLock<Scene>; PRESETS.len()] = [const { OnceLock::new() }; PRESETS.len()];
+    let number = PRESETS.iter().position(|preset| *preset == name)?;
+    if let Some(scene) = READ[number].get() {
+        return Some(scene.clone());
+    }
+    let scene = changed_preset(name, Changes::default())?;
+    Some(READ[number].get_or_init(|| scene).clone())
 }
 
 fn changed_preset(name: &str, changes: Changes) -> Option<Scene> {
     let text = presets::text(name)?;
     Some(
-        changed_scene(text, changes, ModelFiles::Nowhere)
+        changed_scene(text, changes, ModelFiles::Preset)
             .unwrap_or_else(|_| unreachable!("tests read every preset")),
     )
 }

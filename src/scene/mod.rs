@@ -21,7 +21,8 @@ use std::path::Path;
 use crate::platform::files;
 pub use content::{Scene, SceneGroup, Track};
 pub use error::{Problem, SceneError};
-pub use model::{is_model, read_model, scene_text};
+pub use model::ridden::text as scene_text;
+pub use model::{is_model, read_model};
 pub use presets::{PRESETS, looks_like_a_name};
 
 impl Scene {

@@ -1,7 +1,7 @@
 //! The scenes that are compiled in.
 
 /// Names of the presets; the first is the default.
-pub const PRESETS: [&str; 12] = [
+pub const PRESETS: [&str; 13] = [
     "street",
     "cyclist",
     "cube",
@@ -14,6 +14,7 @@ pub const PRESETS: [&str; 12] = [
     "two-balls",
     "post-office",
     "tunnel",
+    "tram",
 ];
 
 /// The scene file of a preset.
@@ -31,8 +32,14 @@ pub(super) fn text(name: &str) -> Option<&'static str> {
         "lattice" => include_str!("../../assets/scenes/lattice.toml"),
         "post-office" => include_str!("../../assets/scenes/post-office.toml"),
         "tunnel" => include_str!("../../assets/scenes/tunnel.toml"),
+        "tram" => include_str!("../../assets/scenes/tram.toml"),
         _ => return None,
     })
+}
+
+/// The file of a model in a preset.
+pub(super) fn model_file(name: &str) -> Option<&'static [u8]> {
+    (name == "tram.obj").then_some(include_bytes!("../../assets/scenes/tram.obj"))
 }
 
 /// Whether there are wheels in the preset of that name, or in what it includes.

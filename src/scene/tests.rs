@@ -199,7 +199,7 @@ fn presets_are_found_by_name_only() {
     assert_eq!(Scene::preset("cyclist.toml"), None);
     assert_eq!(
         Scene::open("cycle").expect_err("no such scene").to_string(),
-        "no scene is called `cycle`: there are street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel; \
+        "no scene is called `cycle`: there are street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel, tram; \
          for a file, give a name ending in .toml"
     );
 }
@@ -469,7 +469,7 @@ fn shapes_and_scenes_are_known_by_name() {
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclists\""),
-        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel"
+        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel, tram"
     );
 }
 

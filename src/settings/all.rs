@@ -20,7 +20,7 @@ use crate::scene::PRESETS;
 #[derive(Debug, Clone, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 pub struct Settings {
-    /// Scene: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel) or a scene file.
+    /// Scene: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel, tram) or a scene file.
     #[arg(long, value_name = "PRESET|FILE", value_parser = OsStringValueParser::new().try_map(scene_name))]
     pub scene: String,
     /// Observation time T, -1e12 to 1e12 [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]

@@ -27,7 +27,7 @@ macro_rules! files {
 }
 
 /// The names of all, and their files; the first is the start.
-const FILES: [(&str, &str); 25] = files![
+const FILES: [(&str, &str); 26] = files![
     "street",
     "overhead",
     "approaching",
@@ -39,6 +39,7 @@ const FILES: [(&str, &str); 25] = files![
     "die",
     "globe",
     "train",
+    "tram",
     "rolling-wheel",
     "panorama",
     "lattice",

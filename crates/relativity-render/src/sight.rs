@@ -54,6 +54,8 @@ struct Sight<'a> {
 struct Seen<'a> {
     /// Image of the ball around the body; `None` from inside.
     ball: Option<Ball>,
+    /// Image of the middle of that ball, from inside.
+    middle: Option<DVec3>,
     bounds: Bounds<'a>,
     /// Images of its pieces, once they were needed.
     images: OnceCell<Vec<Option<Image>>>,
@@ -105,7 +107,9 @@ fn outline(scene: &PreparedScene, views: &[View]) -> Outline {
     let balls: Vec<_> = sights.iter().flat_map(balls).collect();
     let surrounds = sights.iter().flat_map(|sight| &sight.bodies).any(|body| body.ball.is_none());
     let sum: DVec3 = balls.iter().map(|ball| ball.center.normalize_or_zero()).sum();
-    let framing = sum.try_normalize().map(|towards| match views[0].camera.projection {
+    // From within the balls around all bodies, such as that around a long one nearby, their middles tell where they are.
+    let middles = || sights.iter().map(Sight::middles).sum::<DVec3>().try_normalize();
+    let framing = sum.try_normalize().or_else(middles).map(|towards| match views[0].camera.projection {
         PictureProjection::Parallel { right, .. } => framed_parallel_to(right, &sights, towards),
         PictureProjection::Mercator { right, .. } => framed_about(right, &sights, towards),
         PictureProjection::Gaze | PictureProjection::Vr180 { .. } => framed(&sights, towards),
@@ -198,12 +202,14 @@ impl<'a> Sight<'a> {
             let around = scene.ball_around(body);
             let center = projection.apparent_centre(view.reflected_from_camera(around.from), around.radius);
             let ball = center.map(|center| Ball { center, radius: around.radius });
+            let point = || projection.apparent_centre(view.reflected_from_camera(around.from), 0.0);
+            let middle = if ball.is_none() { point() } else { None };
             let bounds = match (scene.turning(body.number), &body.block) {
                 (Some(turning), _) => Bounds::Turning(turning.ring_around()),
                 (None, Some(block)) => Bounds::Block(**block),
                 (None, None) => Bounds::Capsules(scene.capsules(body)),
             };
-            Seen { ball, bounds, images: OnceCell::new() }
+            Seen { ball, middle, bounds, images: OnceCell::new() }
         };
         let bodies = scene.bodies()[group.bodies.clone()].iter().map(seen).collect();
         Self { eye, view: *view, projection, bodies }
@@ -213,6 +219,12 @@ impl<'a> Sight<'a> {
     fn balls(&self) -> impl Iterator<Item = Ball> {
         let balls = self.bodies.iter().filter_map(|body| body.ball);
         balls.map(|ball| Ball { center: self.view.velocity.reflected(ball.center), ..ball })
+    }
+
+    /// The sum of the directions in which the middles of the bodies are seen, on the ground.
+    fn middles(&self) -> DVec3 {
+        let middles = self.bodies.iter().filter_map(|body| body.middle);
+        middles.map(|middle| self.view.velocity.reflected(middle).normalize_or_zero()).sum()
     }
 
     /// Widens `found` so that it holds every body.

@@ -28,7 +28,7 @@ use crate::scene::Scene;
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES, after_long_help = HELP)]
 pub struct AccuracyArgs {
-    /// Scene: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel) or a scene file.
+    /// Scene: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel, tram) or a scene file.
     #[arg(long, default_value = "cyclist", value_name = "PRESET|FILE")]
     scene: String,
     /// Size of one eye's picture, pixels.

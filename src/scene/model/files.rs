@@ -4,12 +4,15 @@ use std::io;
 use std::path::{Component, Path};
 
 use crate::platform::{files, sizes};
+use crate::scene::presets;
 
 /// The place of the files of a scene's models.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::scene) enum ModelFiles<'a> {
     /// Nowhere: the scene is a text without a file.
     Nowhere,
+    /// Compiled in, with the scene.
+    Preset,
     /// In this folder, that of the scene file.
     Folder(&'a Path),
 }
@@ -21,8 +24,13 @@ impl ModelFiles<'_> {
     ///
     /// A path that leaves the folder; a file that there is not, that is no regular file, or of more than [`sizes::MODEL_BYTES`].
     pub fn read(&self, path: &str) -> Result<Vec<u8>, String> {
-        let Self::Folder(folder) = self else {
-            return Err("a model needs a scene file, in whose folder it is".to_owned());
+        let folder = match self {
+            Self::Nowhere => return Err("a model needs a scene file, in whose folder it is".to_owned()),
+            Self::Preset => {
+                let file = presets::model_file(path).ok_or_else(|| format!("there is no {path}"))?;
+                return Ok(file.to_vec());
+            }
+            Self::Folder(folder) => folder,
         };
         let leaves = || format!("{path} must lie in the folder of the scene file, or in a folder there");
         let is_below = |part: Component| matches!(part, Component::Normal(_) | Component::CurDir);

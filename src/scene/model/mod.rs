@@ -7,7 +7,7 @@ mod limits;
 mod lines;
 mod obj;
 mod picture;
-mod ridden;
+pub mod ridden;
 #[cfg(test)]
 mod tests;
 mod textures;
@@ -18,7 +18,6 @@ use glam::{DMat3, DVec3};
 use relativity_render::{Body, Model};
 
 pub(super) use self::files::ModelFiles;
-pub use self::ridden::text as scene_text;
 use super::error::{Located, Problem};
 use super::object::{Object, brightness};
 use super::table::Table;

@@ -21,6 +21,8 @@ pub mod point;
 pub(crate) mod shared;
 pub mod texture;
 
+use std::sync::Arc;
+
 use glam::{DVec3, Vec3};
 use relativity_core::threads::prelude::*;
 
@@ -240,5 +242,16 @@ fn facing(across: DVec3, direction: DVec3) -> DVec3 {
 impl PartialEq for Triangles {
     fn eq(&self, other: &Self) -> bool {
         self.fingerprint == other.fingerprint && self.faces.len() == other.faces.len()
+    }
+}
+
+impl Model {
+    /// Prepares the model, to be shared by bodies.
+    ///
+    /// # Errors
+    ///
+    /// As [`Triangles::new`].
+    pub fn prepared(self) -> Result<Arc<Triangles>, TrianglesError> {
+        Triangles::new(self).map(Arc::new)
     }
 }

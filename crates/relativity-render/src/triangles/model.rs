@@ -1,9 +1,8 @@
 //! Models as they are given: corners, triangles, paint and textures.
 
-use std::sync::Arc;
-
+use super::error::TrianglesError;
 use super::limits::{MOST_COORDINATE, MOST_TEXELS, MOST_TRIANGLES, MOST_WRAPS};
-use super::{Texture, Triangles, TrianglesError};
+use super::texture::Texture;
 
 /// Corners and triangles of a model, not yet prepared.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -29,15 +28,7 @@ impl Model {
     /// The texture number of triangles that have none.
     pub const NO_TEXTURE: u32 = u32::MAX;
 
-    /// Prepares the model, to be shared by bodies.
-    ///
-    /// # Errors
-    ///
-    /// As [`Triangles::new`].
-    pub fn prepared(self) -> Result<Arc<Triangles>, TrianglesError> {
-        Triangles::new(self).map(Arc::new)
-    }
-
+    /// Finds what [`Triangles`](super::Triangles) refuse.
     pub(super) fn check(&self) -> Result<(), TrianglesError> {
         if self.triangles.len() > MOST_TRIANGLES {
             return Err(TrianglesError::TooMany { count: self.triangles.len() });
