@@ -15,7 +15,7 @@ use crate::settings::{PlotTab, Presence, Window};
 pub struct Layout {
     /// Bar with scene, theme and help.
     pub bar: Rect,
-    /// The lesson that is gone through, on the left.
+    /// The lesson that is gone through: on the left, in an upright window as narrow as a phone's at the bottom.
     pub lesson: Option<Rect>,
     /// Speed, path, view, light.
     pub controls: Option<Rect>,
@@ -191,7 +191,11 @@ impl Layout {
     pub fn with_only(self, area: Rect, part: Option<Part>) -> Self {
         let (bar, below) = split_top(area, BAR_HEIGHT);
         let lesson = self.lesson;
-        let below = below.with_min_x(lesson.map_or(below.min.x, |lesson| lesson.max.x));
+        let below = match lesson {
+            Some(lesson) if lesson.min.y > below.min.y => below.with_max_y(lesson.min.y),
+            Some(lesson) => below.with_min_x(lesson.max.x),
+            None => below,
+        };
         let (middle, timeline) = split_top(below, below.height() - TIMELINE_HEIGHT);
         let pane = |number: usize, rect: Rect| {
             let rect = rect.with_min_y((rect.min.y + TITLE_HEIGHT).min(rect.max.y));
@@ -221,8 +225,12 @@ impl LessonPart {
         }
     }
 
-    /// Returns the part on the left of `rect`, and the rest of it.
+    /// Returns the part on the left of `rect`, or at the bottom of one that is narrow and upright, and the rest of it.
     fn split_off(self, rect: Rect) -> (Option<Rect>, Rect) {
+        if self == Self::Panel && rect.width() < NARROWEST_WITH_CONTROLS.min(rect.height()) {
+            let (rest, lesson) = split_top(rect, (1.0 - LESSON_SHARE) * rect.height());
+            return (Some(lesson), rest);
+        }
         let width = match self {
             Self::Nothing => return (None, rect),
             Self::Strip => LESSON_STRIP_WIDTH,
@@ -537,6 +545,23 @@ mod tests {
     fn parts_stay_inside_the_window_and_do_not_overlap() {
         for size in SIZES {
             assert_apart(&parts(&layout(size[0], size[1])), size);
+        }
+    }
+
+    #[test]
+    fn a_phone_has_its_lesson_below_the_views() {
+        let area = Rect::from_min_size(pos2(0.0, 0.0), vec2(360.0, 740.0));
+        let settings = Settings::default();
+        let arranged = Arrangement::new(&settings, 2.54 / 96.0, 1.0);
+        let window = Window { plots: false, map: Presence::Off, ..settings.window };
+        let layout = Layout::new(area, LessonPart::Panel, window, &arranged, PlotTab::Disparity);
+        let lesson = layout.lesson.expect("shown");
+        assert_eq!((lesson.width(), lesson.max.y), (360.0, 740.0));
+        assert!(lesson.height() >= 300.0, "{lesson:?}");
+        let alone = layout.clone().with_only(area, Some(Part::Pane(0)));
+        for layout in [layout, alone] {
+            assert_apart(&[parts(&layout), vec![lesson]].concat(), [360.0, 740.0]);
+            assert!(layout.timeline.max.y <= lesson.min.y && layout.timeline.width() == 360.0);
         }
     }
 
