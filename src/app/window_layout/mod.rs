@@ -18,7 +18,7 @@ use crate::settings::{PlotTab, Presence, Window};
 pub struct WindowLayout {
     /// Bar with scene, theme and help.
     pub bar: Rect,
-    /// The lesson that is gone through, on the left.
+    /// The lesson that is gone through: on the left, in an upright window as narrow as a phone's at the bottom.
     pub lesson: Option<Rect>,
     /// Speed, path, view, light.
     pub controls: Option<Rect>,
@@ -194,7 +194,11 @@ impl WindowLayout {
     pub fn with_only(self, area: Rect, part: Option<Part>) -> Self {
         let (bar, below) = split_top(area, BAR_HEIGHT);
         let lesson = self.lesson;
-        let below = below.with_min_x(lesson.map_or(below.min.x, |lesson| lesson.max.x));
+        let below = match lesson {
+            Some(lesson) if lesson.min.y > below.min.y => below.with_max_y(lesson.min.y),
+            Some(lesson) => below.with_min_x(lesson.max.x),
+            None => below,
+        };
         let (middle, timeline) = split_top(below, below.height() - TIMELINE_HEIGHT);
         let pane = |number: usize, rect: Rect| {
             let rect = rect.with_min_y((rect.min.y + TITLE_HEIGHT).min(rect.max.y));
@@ -224,8 +228,12 @@ impl LessonPart {
         }
     }
 
-    /// Returns the part on the left of `rect`, and the rest of it.
+    /// Returns the part on the left of `rect`, or at the bottom of one that is narrow and upright, and the rest of it.
     fn split_off(self, rect: Rect) -> (Option<Rect>, Rect) {
+        if self == Self::Panel && rect.width() < NARROWEST_WITH_CONTROLS.min(rect.height()) {
+            let (rest, lesson) = split_top(rect, (1.0 - LESSON_SHARE) * rect.height());
+            return (Some(lesson), rest);
+        }
         let width = match self {
             Self::Nothing => return (None, rect),
             Self::Strip => LESSON_STRIP_WIDTH,

@@ -108,6 +108,23 @@ fn parts_stay_inside_the_window_and_do_not_overlap() {
 }
 
 #[test]
+fn a_phone_has_its_lesson_below_the_views() {
+    let area = Rect::from_min_size(pos2(0.0, 0.0), vec2(360.0, 740.0));
+    let settings = Settings::default();
+    let arranged = Arrangement::new(&settings, 2.54 / 96.0, 1.0);
+    let window = Window { plots: false, map: Presence::Off, ..settings.window };
+    let layout = WindowLayout::new(area, LessonPart::Panel, window, &arranged, PlotTab::Disparity);
+    let lesson = layout.lesson.expect("shown");
+    assert_eq!((lesson.width(), lesson.max.y), (360.0, 740.0));
+    assert!(lesson.height() >= 300.0, "{lesson:?}");
+    let alone = layout.clone().with_only(area, Some(Part::Pane(0)));
+    for layout in [layout, alone] {
+        assert_apart(&[parts(&layout), vec![lesson]].concat(), [360.0, 740.0]);
+        assert!(layout.timeline.max.y <= lesson.min.y && layout.timeline.width() == 360.0);
+    }
+}
+
+#[test]
 fn no_share_pushes_a_part_out_or_into_another() {
     let shares = [None, Some(0.0), Some(1e-9), Some(0.1), Some(0.5), Some(0.9), Some(1.0)].map(Share);
     for size in SIZES {
