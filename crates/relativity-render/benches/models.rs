@@ -105,14 +105,14 @@ fn fastest(mut work: impl FnMut()) -> f64 {
     (0..ROUNDS).map(|_| run()).fold(f64::INFINITY, f64::min)
 }
 
-/// Seconds that all processors have worked for this process, where Linux tells them in hundredths.
+/// Returns the processor time of this process in seconds, from Linux in hundredths; 0 elsewhere.
 fn processor_s() -> f64 {
     let status = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
     let fields = status.rsplit(')').next().unwrap_or_default().split_whitespace();
     fields.skip(11).take(2).filter_map(|ticks| ticks.parse::<f64>().ok()).sum::<f64>() / 100.0
 }
 
-/// A line of what Linux tells of this process' memory, MB; 0 elsewhere.
+/// Returns a line of this process' memory in Linux, MB; 0 elsewhere.
 fn memory_mb(name: &str) -> f64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(':'));

@@ -36,7 +36,7 @@ impl Models {
 
     /// Makes it the texture of the models of `scene`, unless it is. Returns whether the device can hold them; else it stays as it was.
     ///
-    /// A triangle takes 64 bytes, and its share of the nodes about 20.
+    /// A triangle takes 64 bytes, and its share of the nodes 16 to 64.
     pub fn load(&mut self, gpu: &Gpu, scene: &PreparedScene) -> bool {
         let wanted = each_once(scene);
         if wanted.is_empty() || are_same(&wanted, self.held.iter().map(|(model, _)| model)) {
