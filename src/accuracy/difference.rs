@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 use relativity_core::math;
-use relativity_render::camera::LinesOfSight;
 use relativity_render::{GroupView, Hit, HitImage, PreparedScene, View};
 use serde::Serialize;
 
@@ -66,7 +65,7 @@ impl Difference {
     #[must_use]
     pub fn new(scene: &PreparedScene, view: &View, reference: &HitImage, shown: &HitImage) -> Self {
         let group_views = scene.group_views(view);
-        let lines_of_sight = LinesOfSight::new(&view.camera);
+        let lines_of_sight = view.camera.lines_of_sight();
         let width = view.camera.size[0] as usize;
         let pairs = reference.hits.iter().zip(&shown.hits).enumerate();
         let pixels: Vec<_> = pairs

@@ -5,7 +5,7 @@
 use std::hint::black_box;
 
 use glam::{DVec2, DVec3};
-use relativity_render::camera::LinesOfSight;
+use relativity_render::lines_of_sight::LinesOfSight;
 use relativity_render::wheel::rounds::Search;
 use relativity_render::{Geometry, GroupView, HitImage, PreparedScene, View};
 use serde::Serialize;
@@ -65,7 +65,7 @@ impl RoundsError {
         let has_rays = matches!(view.geometry, Geometry::Seen | Geometry::Contracted | Geometry::Rest);
         let views = scene.group_views(view);
         let pixels = if has_rays { turned_pixels(scene, image) } else { Vec::new() };
-        let lines_of_sight = LinesOfSight::new(&view.camera);
+        let lines_of_sight = view.camera.lines_of_sight();
         let samples = |(pixel, body): (DVec2, usize)| Sample {
             body,
             view: &views[scene.group_of(body)],

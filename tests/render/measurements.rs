@@ -282,9 +282,9 @@ fn a_pixel_of_a_model_names_a_point_of_a_triangle() {
     for file in ["hits.exr", "corrected.exr"] {
         let channels = channels(&folder.path().join(file));
         let mut shown = [0; 2];
-        for pixel in 0..channels["left.id"].len() {
+        for (pixel, &id) in channels["left.id"].iter().enumerate() {
             let value = |name: &str| f64::from(channels[&format!("left.{name}")][pixel]);
-            if value("id") < 0.0 {
+            if id < 0.0 {
                 assert_eq!(["triangle", "triangle_b", "triangle_c"].map(value), [-1.0, 0.0, 0.0]);
                 continue;
             }

@@ -10,7 +10,6 @@ use std::time::Instant;
 use glam::DVec3;
 use relativity_core::threads::prelude::*;
 use relativity_core::{Aperture, Speed};
-use relativity_render::camera::LinesOfSight;
 use relativity_render::{Body, Camera, Gaze, Geometry, PreparedScene, Shape, View};
 
 const ROUNDS: usize = 3;
@@ -79,7 +78,7 @@ fn tubes(count: u32) -> Vec<Body> {
 
 /// Pixels that show a body, every ray tested against every body, on as many threads as the renderer uses.
 fn loop_over_all(scene: &PreparedScene, view: &View) -> usize {
-    let lines_of_sight = LinesOfSight::new(&view.camera);
+    let lines_of_sight = view.camera.lines_of_sight();
     let [width, height] = view.camera.size;
     let hits_of_row = |v: u32| {
         let centers = (0..width).map(|u| [f64::from(u) + 0.5, f64::from(v) + 0.5]);

@@ -118,11 +118,11 @@ fn met_triangle(ray: Sheared, triangle: Triangle, is_two_sided: bool, behind: f3
 }
 
 // Where the ray enters a box and leaves it; of one that holds nothing it leaves before.
-fn passed(center: vec3f, half: vec3f, start: vec3f, reciprocal: vec3f) -> vec2f {
-    let middles = (center - start) * reciprocal;
+fn passed(middle: vec3f, half: vec3f, start: vec3f, reciprocal: vec3f) -> vec2f {
+    let centred = (middle - start) * reciprocal;
     let reaches = half * abs(reciprocal);
-    let enters = middles - reaches;
-    let leaves = middles + reaches;
+    let enters = centred - reaches;
+    let leaves = centred + reaches;
     return vec2f(max(enters.x, max(enters.y, enters.z)), min(leaves.x, min(leaves.y, leaves.z)));
 }
 

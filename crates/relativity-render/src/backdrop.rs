@@ -6,11 +6,12 @@
 use glam::{DVec2, DVec3, Vec3Swizzles as _};
 use relativity_core::math;
 
-use crate::camera::{Camera, LinesOfSight};
+use crate::camera::Camera;
 use crate::colour::mix;
 use crate::contact::{Contacts, DARKEST, FARTHEST};
 use crate::cover::{band_cover, line_cover, repeated_cover};
 use crate::effects::{Constant, number};
+use crate::lines_of_sight::LinesOfSight;
 use crate::street::{self, Front, Paints};
 use crate::street_light::StreetLight;
 use crate::street_sight::{GroundLine, StreetSight, StreetVariant};
@@ -226,7 +227,7 @@ impl Backdrop {
             road: appearance.road,
             fronts: appearance.fronts.map(|y| y - aperture.y).filter(|y| *y > 0.0),
             contacts: Contacts::default(),
-            lines_of_sight: LinesOfSight::new(camera),
+            lines_of_sight: camera.lines_of_sight(),
             street,
             light: street.light(appearance),
         }

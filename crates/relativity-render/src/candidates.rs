@@ -5,10 +5,10 @@ use std::borrow::Cow;
 
 use relativity_core::threads::prelude::*;
 
-use crate::camera::LinesOfSight;
 use crate::cap::Cap;
 use crate::cone::Cone;
 use crate::group_view::GroupView;
+use crate::lines_of_sight::LinesOfSight;
 use crate::prepared_body::PreparedBody;
 use crate::scene::PreparedScene;
 use crate::tiles::{TILE_SIDE, Tile};
@@ -130,7 +130,7 @@ impl<'a> Division<'a> {
             let turning = scene.spinning_in(bodies).filter(|&body| scene.turning(body).is_some());
             turning.for_each(|body| add(&scene.bodies()[body]));
         }
-        Self { scene, views, lines_of_sight: LinesOfSight::new(&view.camera), others }
+        Self { scene, views, lines_of_sight: view.camera.lines_of_sight(), others }
     }
 
     /// Has all least tiles of `tile` drawn, in which nothing but the `candidates` may be seen.

@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 
-use crate::camera::LinesOfSight;
 use crate::canvas::Measures;
 use crate::reference::{Hit, HitImage, Turned};
 use crate::scene::PreparedScene;
@@ -13,7 +12,7 @@ use crate::wheel::spin::about_y;
 impl Measures {
     /// Returns the hits of `scene` in `view`; the numbers that the shader does not write are computed in f64.
     pub fn hit_image(&self, scene: &PreparedScene, view: &View) -> HitImage {
-        let lines_of_sight = LinesOfSight::new(&view.camera);
+        let lines_of_sight = view.camera.lines_of_sight();
         let group_views = scene.group_views(view);
         let size = view.camera.size;
         let width = size[0] as usize;

@@ -86,6 +86,7 @@ mod ipt;
 mod kind;
 mod lanes;
 mod light;
+pub mod lines_of_sight;
 pub mod mercator;
 mod mesh;
 #[doc(hidden)]

@@ -15,8 +15,9 @@ use relativity_core::doppler::intensity_factor;
 use relativity_core::math::{atan, sinh};
 use relativity_core::threads::prelude::*;
 
-use crate::camera::{Camera, Gaze, LinesOfSight, Projection};
+use crate::camera::{Camera, Gaze, Projection};
 use crate::colour::{linear_srgb, mix, srgb_decoded};
+use crate::lines_of_sight::LinesOfSight;
 use crate::picture::{Picture, encoded};
 use crate::reference::sample_grid;
 use crate::tone::{toned, untoned};
@@ -69,7 +70,7 @@ impl Rectification {
     /// From a picture of `ground`, taken on the ground, to one of `rest`, which moves along at `velocity`.
     #[must_use]
     pub fn new(ground: Camera, rest: Camera, velocity: Velocity) -> Self {
-        Self { ground, rest, velocity, lines_of_sight: LinesOfSight::new(&rest) }
+        Self { ground, rest, velocity, lines_of_sight: rest.lines_of_sight() }
     }
 
     /// The moving camera that has what `ground` has in its centre in its own, equally large, its picture across its gaze; or

@@ -7,7 +7,6 @@
 use glam::{DQuat, DVec3};
 
 use crate::backdrop::Backdrop;
-use crate::camera::LinesOfSight;
 use crate::candidates::BAND;
 use crate::cap::Cap;
 use crate::contact::Contacts;
@@ -17,6 +16,7 @@ use crate::group_view::{GroupView, RestRay};
 use crate::hatch::Hatch;
 use crate::hierarchy::Lines;
 use crate::intersect::Entry;
+use crate::lines_of_sight::LinesOfSight;
 use crate::pattern::Covered;
 use crate::picture::{Picture, encoded};
 use crate::ray::Ray;
@@ -195,7 +195,7 @@ impl PreparedScene {
     /// Returns the hits at the centre of every pixel of `view`.
     #[must_use]
     pub fn hit_image(&self, view: &View) -> HitImage {
-        let lines_of_sight = LinesOfSight::new(&view.camera);
+        let lines_of_sight = view.camera.lines_of_sight();
         let group_views = self.group_views(view);
         let hits = self.pixels(view, &group_views, &lines_of_sight, 1, &|_| true, |met| met.hits[0]);
         HitImage { size: view.camera.size, hits }
@@ -250,7 +250,7 @@ impl PreparedScene {
         samples: u32,
         wanted: &(dyn Fn(u32) -> bool + Sync),
     ) -> Vec<[u8; 4]> {
-        let lines_of_sight = LinesOfSight::new(&view.camera);
+        let lines_of_sight = view.camera.lines_of_sight();
         let hatch = Hatch::new(view.camera.size, appearance.light);
         let group_views = self.group_views(view);
         let contacts = Contacts::new(self, &group_views, appearance);

@@ -1,7 +1,7 @@
 //! The tiles of a picture.
 
-use crate::camera::LinesOfSight;
 use crate::cap::Cap;
+use crate::lines_of_sight::LinesOfSight;
 
 /// Side of a tile that is not halved any more, pixels; those at the right and lower edge may be smaller.
 pub const TILE_SIDE: u32 = 8;

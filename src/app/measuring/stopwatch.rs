@@ -8,6 +8,10 @@ use crate::app::views::eye::Eye;
 use crate::scene::Track;
 use crate::settings::Motion;
 
+/// What the stopwatch measures, for tooltips.
+pub const TIP: &str = "Measures T between two presses, and the time that the selected point's clock is seen to show meanwhile. \
+    The error is the step of T from one frame to the next.";
+
 /// The state of the stopwatch.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Stopwatch {

@@ -9,7 +9,7 @@ use eframe::egui::{
 use super::Commands;
 use crate::app::actions::with_keys;
 use crate::app::command::Command;
-use crate::app::measuring::stopwatch::{Stopwatch, StopwatchCommand};
+use crate::app::measuring::stopwatch::{Stopwatch, StopwatchCommand, TIP};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::views::panes::EyePane;
@@ -22,13 +22,6 @@ const WIDTH: f32 = 200.0;
 const ABOVE: f32 = 26.0;
 /// Narrower views than this have none.
 const NARROWEST_VIEW: f32 = WIDTH + 4.0 * MARGIN;
-
-/// What the stopwatch measures, and the keys that start, stop, show and hide it.
-pub(super) fn tip() -> String {
-    let tip = "Measures T between two presses, and the time that the selected point's clock is seen to show meanwhile. The error is the step of T \
-        from one frame to the next.";
-    with_keys(tip, &[StopwatchCommand::Press, StopwatchCommand::Toggle].map(Command::Stopwatch))
-}
 
 /// Shows it in the corner of `pane`.
 pub fn show(ui: &mut Ui, state: &State, pane: EyePane, commands: &mut Commands) {
@@ -64,13 +57,15 @@ fn contents(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.horizontal(|ui| {
         let is_running = matches!(state.scratch.stopwatch, Stopwatch::Running(_));
         let press = if is_running { "Stop" } else { "Start" };
+        let tip =
+            with_keys(TIP, &[StopwatchCommand::Press, StopwatchCommand::Toggle].map(Command::Stopwatch));
         for (name, command) in [
             (press, StopwatchCommand::Press),
             ("Clear", StopwatchCommand::Reset),
             ("Close stopwatch", StopwatchCommand::Toggle),
         ] {
             let shown = if command == StopwatchCommand::Toggle { "×" } else { name };
-            let response = ui.add(Button::new(RichText::new(shown).small())).on_hover_text(tip());
+            let response = ui.add(Button::new(RichText::new(shown).small())).on_hover_text(&tip);
             response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
             if response.clicked() {
                 commands.push(Command::Stopwatch(command));

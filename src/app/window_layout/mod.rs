@@ -2,10 +2,12 @@
 //! order in which they depend on each other: controls first, then what follows them in the same frame.
 
 mod presentation;
+mod rects;
 
-use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
+use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
 pub use self::presentation::{Beside, Presentation};
+use self::rects::{large_enough, split_left, split_right, split_top};
 use crate::app::border::{Border, Split};
 use crate::app::screens::stage::Part;
 use crate::app::theme::{GAP, TITLE_HEIGHT};
@@ -342,33 +344,10 @@ fn side_parts(side: Rect, readout: bool) -> (Option<Rect>, Option<Rect>) {
     (Some(controls), large_enough(readout))
 }
 
-fn large_enough(rect: Rect) -> Option<Rect> {
-    let shrunk = rect.shrink(GAP / 2.0);
-    (shrunk.width() >= 40.0 && shrunk.height() >= 40.0).then_some(shrunk)
-}
-
 /// The bar of a window with this inner `area`, and what is below it.
 #[must_use]
 pub fn below_bar(area: Rect) -> (Rect, Rect) {
     split_top(area, BAR_HEIGHT)
-}
-
-fn split_top(rect: Rect, height: f32) -> (Rect, Rect) {
-    let y = rect.min.y + height.clamp(0.0, rect.height().max(0.0));
-    (Rect::from_min_max(rect.min, pos2(rect.max.x, y)), Rect::from_min_max(pos2(rect.min.x, y), rect.max))
-}
-
-fn split_left(rect: Rect, width: f32) -> (Rect, Rect) {
-    let x = rect.min.x + width;
-    (Rect::from_min_max(rect.min, pos2(x, rect.max.y)), Rect::from_min_max(pos2(x, rect.min.y), rect.max))
-}
-
-fn split_right(rect: Rect, width: f32) -> (Rect, Option<Rect>) {
-    let x = rect.max.x - width;
-    (
-        Rect::from_min_max(rect.min, pos2(x, rect.max.y)),
-        Some(Rect::from_min_size(pos2(x, rect.min.y), vec2(width, rect.height()))),
-    )
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use eframe::egui::Rect;
 
-use super::{large_enough, split_left, split_top};
+use super::rects::{large_enough, split_left, split_top};
 use crate::app::theme::GAP;
 use crate::app::views::panes::{Arrangement, Pane};
 

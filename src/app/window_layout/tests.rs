@@ -1,5 +1,7 @@
 //! Layouts of windows of every size: parts stay apart, inside, and large enough.
 
+use eframe::egui::pos2;
+
 use super::*;
 use crate::settings::Settings;
 

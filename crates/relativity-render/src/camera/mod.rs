@@ -1,15 +1,13 @@
 //! A pinhole camera at an aperture: lines of sight of pixels, and pixels of lines of sight.
 
-mod lines_of_sight;
-
 use glam::{DVec2, DVec3};
 use relativity_core::Aperture;
 use relativity_core::math::{asin, asinh, atan, atan2, hypot, sin_cos, sinh, tan};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-pub use self::lines_of_sight::LinesOfSight;
 pub use crate::axes::{Axes, MAX_ELEVATION};
 use crate::axes::{LEAST_ACROSS, level_across};
+use crate::lines_of_sight::{LinesOfSight, Map};
 use crate::mercator::{MOST_ASIDE, MOST_SHIFTED, Mercator};
 use crate::velocity::Velocity;
 
@@ -268,10 +266,28 @@ impl Camera {
         }
     }
 
+    /// Returns the lines of sight of its pixels: for many of them, since its angles are turned into vectors once.
+    #[must_use]
+    pub fn lines_of_sight(&self) -> LinesOfSight {
+        let axes = self.axes();
+        let Axes { right, up, forward } = axes;
+        let focal_length_px = self.focal_length_px();
+        let size = self.size.map(f64::from);
+        let map = if let Projection::Vr180 { .. } = self.projection {
+            Map::Round { size }
+        } else if let Some(mercator) = self.mercator() {
+            Map::Mercator(mercator)
+        } else {
+            let to_left = 0.5 * size[0] - self.middle(&axes) * focal_length_px;
+            Map::Flat { to_top_left: forward * focal_length_px - right * to_left + up * (0.5 * size[1]) }
+        };
+        LinesOfSight { axes, focal_length_px, map }
+    }
+
     /// Unit vector from the aperture through the point `[u, v]` of the picture, in pixels.
     #[must_use]
     pub fn line_of_sight(&self, pixel: [f64; 2]) -> DVec3 {
-        LinesOfSight::new(self).through(pixel)
+        self.lines_of_sight().through(pixel)
     }
 
     /// The gaze with which something along `direction` (any length above 0) appears at `pixel`, the horizon staying

@@ -274,7 +274,7 @@ mod tests {
 
     use super::*;
     use crate::backdrop::Backdrop;
-    use crate::camera::{Camera, Gaze, LinesOfSight, Projection};
+    use crate::camera::{Camera, Gaze, Projection};
     use crate::colour::srgb_encoded;
     use crate::lanes::LANES;
     use crate::packets::encode::encoded;
@@ -359,7 +359,7 @@ mod tests {
             for appearance in appearances() {
                 let (reference, frame) =
                     (Backdrop::new(&camera, Geometry::Seen, &appearance), frame(camera, &appearance));
-                let sights = LinesOfSight::new(&camera);
+                let sights = camera.lines_of_sight();
                 let mut check = |[u, v]: [u32; 2], found: [[f32; 3]; LANES]| {
                     for (u, found) in (u..).zip(found) {
                         let expected =

@@ -10,7 +10,6 @@ use std::slice::{self, Iter};
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 
-use crate::camera::LinesOfSight;
 use crate::capsule::Capsule;
 use crate::drawing::{Shot, Trait};
 use crate::footprint::{Bound, Footprint, Projection, Rectangle};
@@ -158,7 +157,7 @@ fn least_shown(radius: f64, view: &GroupView) -> f64 {
 fn add_candidates(scene: &PreparedScene, group: usize, view: &GroupView, bounds: Bounds, out: &mut Vec<u32>) {
     let prepared = &scene.groups()[group];
     let picture = Tile { corner: [0, 0], size: view.camera.size };
-    let cap = picture.cap(&LinesOfSight::new(&view.camera));
+    let cap = picture.cap(&view.camera.lines_of_sight());
     let beam = scene.beam(group, view, &cap).filter(|_| bounds == Bounds::Tight);
     let Some(beam) = beam else {
         out.extend(prepared.bodies.clone().map(|body| body as u32));

@@ -5,8 +5,8 @@ use eframe::egui::{Checkbox, Ui};
 use crate::app::actions::with_keys;
 use crate::app::command::Command;
 use crate::app::measuring::angle_ruler::{AngleRuler, RulerCommand};
-use crate::app::measuring::stopwatch::{Stopwatch, StopwatchCommand};
-use crate::app::panels::{Commands, stopwatch};
+use crate::app::measuring::stopwatch::{Stopwatch, StopwatchCommand, TIP};
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::row;
 use crate::settings::about;
@@ -27,7 +27,8 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             commands.push(Command::Ruler(RulerCommand::Toggle));
         }
         let is_on = state.scratch.stopwatch != Stopwatch::Hidden;
-        if ui.selectable_label(is_on, "Stopwatch").on_hover_text(stopwatch::tip()).clicked() {
+        let keys = [StopwatchCommand::Press, StopwatchCommand::Toggle].map(Command::Stopwatch);
+        if ui.selectable_label(is_on, "Stopwatch").on_hover_text(with_keys(TIP, &keys)).clicked() {
             commands.push(Command::Stopwatch(StopwatchCommand::Toggle));
         }
         let mut window = state.document.settings.window;

@@ -7,10 +7,10 @@ use super::super::body::{Body as PacketBody, Group as PacketGroup};
 use super::super::ray::{line_of_sight, rest_ray};
 use super::super::testing::at_every_level;
 use super::mark;
-use crate::camera::LinesOfSight;
 use crate::colour::srgb_encoded;
 use crate::frame::Frame;
 use crate::lanes::{F, LANES, Simd, SimdBase as _, SimdFrom as _, V3, all};
+use crate::lines_of_sight::LinesOfSight;
 use crate::pattern::Covered;
 use crate::reference::Hit;
 use crate::{Appearance, Body, Camera, Gaze, Geometry, GroupView, Pattern, PreparedScene, Shape, View};
@@ -88,7 +88,7 @@ fn marks_are_the_references() {
     let (mut worst, mut checked) = (0.0f64, 0);
     for (geometry, beta) in geometries {
         let view = view(geometry, beta);
-        let sights = LinesOfSight::new(&view.camera);
+        let sights = view.camera.lines_of_sight();
         for shape in SHAPES {
             for pattern in PATTERNS {
                 let body = Body { pattern, ..Body::new(shape, 600.0) };

@@ -4,15 +4,15 @@ use glam::DVec3;
 use relativity_core::math::sin_cos;
 use std::f64::consts::PI;
 
-use super::{Axes, Camera, Projection};
+use crate::axes::Axes;
 use crate::mercator::Mercator;
 
 /// The lines of sight of one camera, for many pixels: its angles are turned into vectors once.
 #[derive(Debug, Clone, Copy)]
 pub struct LinesOfSight {
-    axes: Axes,
-    focal_length_px: f64,
-    map: Map,
+    pub(crate) axes: Axes,
+    pub(crate) focal_length_px: f64,
+    pub(crate) map: Map,
 }
 
 /// The highest rectangle of a conformal picture whose middle row is found between the outer ones, radians.
@@ -20,7 +20,7 @@ const MOST_ROWS_AROUND: f64 = 3.0;
 
 /// The map of a picture's places to directions.
 #[derive(Debug, Clone, Copy)]
-enum Map {
+pub(crate) enum Map {
     /// On a plane, whose top left corner is there, in pixels.
     Flat { to_top_left: DVec3 },
     /// By longitude and latitude, a picture of this size being half of the sky.
@@ -30,24 +30,6 @@ enum Map {
 }
 
 impl LinesOfSight {
-    /// Returns the rays of `camera`.
-    #[must_use]
-    pub fn new(camera: &Camera) -> Self {
-        let axes = camera.axes();
-        let Axes { right, up, forward } = axes;
-        let focal_length_px = camera.focal_length_px();
-        let size = camera.size.map(f64::from);
-        let map = if let Projection::Vr180 { .. } = camera.projection {
-            Map::Round { size }
-        } else if let Some(mercator) = camera.mercator() {
-            Map::Mercator(mercator)
-        } else {
-            let to_left = 0.5 * size[0] - camera.middle(&axes) * focal_length_px;
-            Map::Flat { to_top_left: forward * focal_length_px - right * to_left + up * (0.5 * size[1]) }
-        };
-        Self { axes, focal_length_px, map }
-    }
-
     /// Unit vector from the aperture through the point `[u, v]` of the picture, in pixels.
     #[must_use]
     pub fn through(&self, [u, v]: [f64; 2]) -> DVec3 {
