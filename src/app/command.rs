@@ -82,7 +82,7 @@ pub enum Command {
     Value {
         /// Name of the setting.
         name: &'static str,
-        /// The value.
+        /// New value of the setting.
         value: String,
     },
     /// Narrow the separation of the eyes until the views can be fused in comfort.

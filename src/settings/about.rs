@@ -1,5 +1,5 @@
-//! What is said about each setting and about its values, in one place: their doc comments, which are the help of the flags, the tooltips of the
-//! window, the help's page of settings and the entries of the palette.
+//! The sentences about settings and their values, in one place: their doc comments. They are the help of the flags, the tooltips of the window, the
+//! help's page of settings and the entries of the palette.
 
 use std::sync::LazyLock;
 
@@ -26,7 +26,7 @@ pub struct About {
 /// A value that is a word.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Word {
-    /// The word.
+    /// Spelling of the word.
     pub name: String,
     /// The sentence about it; empty where that about the setting says it.
     pub sentence: String,

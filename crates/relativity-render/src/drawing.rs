@@ -22,7 +22,7 @@ use crate::wheel::packed::{TurningStart, Turns};
 pub struct Shot<'a> {
     /// Scene with the bodies to draw.
     pub scene: &'a PreparedScene,
-    /// Its models on the device.
+    /// The scene's models on the device.
     pub models: &'a Models,
     /// Views of the scene's groups, one each.
     pub views: &'a [GroupView],

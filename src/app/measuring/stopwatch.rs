@@ -8,7 +8,7 @@ use crate::app::views::eye::Eye;
 use crate::scene::Track;
 use crate::settings::Motion;
 
-/// What the stopwatch measures, for tooltips.
+/// The tooltip of the stopwatch.
 pub const TIP: &str = "Measures T between two presses, and the time that the selected point's clock is seen to show meanwhile. \
     The error is the step of T from one frame to the next.";
 

@@ -67,7 +67,7 @@ pub struct Child {
     pub content: Content,
 }
 
-/// What a box holds.
+/// The contents of a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Content {
     /// The node of this number.

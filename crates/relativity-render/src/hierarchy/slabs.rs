@@ -74,7 +74,8 @@ mod tests {
                 }
                 found += u32::from(nearest < f32::INFINITY);
             }
-            assert!(met > 100 && found < met + met / 50 + 5, "{found} for {met}");
+            // Rays along the axes are only three, and meet few boxes.
+            assert!(met > 50 && found < met + met / 50 + 5, "{found} for {met}");
         }
     }
 }

@@ -203,7 +203,7 @@ mod tests {
     fn strewn(count: u32) -> Triangles {
         let part = |i: u32, k: u32| (f64::from(i) * f64::from(k).sqrt()).fract();
         let corner = |i: u32| {
-            let (triangle, size) = (i / 3, part(i / 3, 11).powi(4));
+            let (triangle, size) = (i / 3, part(i / 3 + 1, 11).powi(4));
             [2, 3, 5].map(|k| part(triangle, k) + size * part(i, k + 5))
         };
         let triangles = (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();

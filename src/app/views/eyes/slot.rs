@@ -17,7 +17,7 @@ pub struct EyePicture {
     pub number: u64,
 }
 
-/// How a picture is to be drawn.
+/// The way in which a picture is to be drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrawnBy {
     /// Method of the drawing.
