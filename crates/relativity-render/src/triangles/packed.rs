@@ -199,12 +199,12 @@ fn texel(place: Vec3, word: u32) -> Texel {
 mod tests {
     use super::*;
 
-    /// Triangles of all sizes, strewn about.
+    /// Triangles of all sizes that have an area in f32, strewn about.
     fn strewn(count: u32) -> Triangles {
         let part = |i: u32, k: u32| (f64::from(i) * f64::from(k).sqrt()).fract();
         let corner = |i: u32| {
-            let (triangle, size) = (i / 3, part(i / 3 + 1, 11).powi(4));
-            [2, 3, 5].map(|k| part(triangle, k) + size * part(i, k + 5))
+            let (triangle, size) = (i / 3, 0.001 + part(i / 3, 11).powi(4));
+            [2, 3, 5].map(|k| part(triangle, k) + size * part(i * i, k + 5))
         };
         let triangles = (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
         let model = Model { corners: (0..3 * count).map(corner).collect(), triangles, ..Model::default() };
