@@ -146,8 +146,9 @@ fn licences(ui: &mut Ui, area: ScrollArea) {
 fn settings(ui: &mut Ui) {
     let key = keys_of(&[Command::Toggle(Overlay::Palette)]);
     ui.label(format!(
-        "The palette ({key}) sets each of them: type its name and a value, such as “beta 0.99” or “sky off”. On the command \
-        line they are flags (--beta 0.99), and in a state's file the same words (beta = 0.99)."
+        "The palette ({key}) sets them: type a name and a value, such as “beta 0.99” or “sky off”. On the command line they \
+        are flags (--beta 0.99), and in a state's file the same words (beta = 0.99). Scene, time and points are chosen in the \
+        window itself."
     ));
     for headed in about_all().chunk_by(|before, after| before.section == after.section) {
         let section = headed[0].section;
