@@ -233,7 +233,8 @@ impl Renderers {
         scene: &PreparedScene,
         view: &View,
     ) -> Result<Method, GpuError> {
-        let Some(gpu) = self.gpu.as_ref().filter(|_| !method.is_on_cpu()) else { return Ok(method) };
+        let is_needed = !method.is_on_cpu() && scene.models().next().is_some();
+        let Some(gpu) = self.gpu.as_ref().filter(|_| is_needed) else { return Ok(method) };
         let scopes = gpu.error_scopes();
         let has_room = self.canvas.get_or_insert_with(|| Canvas::new(gpu)).load_models(gpu, scene);
         scopes.close()?;
