@@ -54,3 +54,18 @@ fn body_of(fragment: Fragment) -> Body {
 // The four samples of a pixel, from its centre, in the standard places.
 const SAMPLE_U = vec4f(-0.125, 0.375, -0.375, 0.125);
 const SAMPLE_V = vec4f(-0.375, -0.125, 0.125, 0.375);
+
+// A sample of a picture.
+struct Sample {
+    @location(0) colour: vec4f,
+    @builtin(frag_depth) depth: f32,
+}
+
+// Floats as their bits: OpenGL ES does not draw to 32-bit floats.
+struct Hit {
+    // Number of the body, ground distance, Doppler factor, 1 (a hit).
+    @location(0) measures: vec4u,
+    // The point, in the rest frame, as `place_of_hit` has it, and of a model the number of its triangle.
+    @location(1) place: vec4u,
+    @builtin(frag_depth) depth: f32,
+}

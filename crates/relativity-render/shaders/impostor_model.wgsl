@@ -41,11 +41,6 @@ fn model_at(fragment: Fragment, place: vec2f) -> OfModel {
     );
 }
 
-struct Sample {
-    @location(0) colour: vec4f,
-    @builtin(frag_depth) depth: f32,
-}
-
 @fragment
 fn picture(fragment: Fragment, @builtin(sample_index) index: u32) -> Sample {
     return sample_of_model(fragment, index);
@@ -76,15 +71,6 @@ fn sample_of_model(fragment: Fragment, index: u32) -> Sample {
         * texture_at(row, record, hit.weights, body, hit.ray, normal, distance, 0.5);
     let shown = select(paint, vec3f(dot(paint, LUMINANCE)), fragment.pattern.z > 0.0);
     return Sample(vec4f(colour * shown, 1.0), depth(hit.ray, hit.beyond));
-}
-
-// Floats as their bits: OpenGL ES does not draw to 32-bit floats.
-struct Hit {
-    // Number of the body, ground distance, Doppler factor, 1 (a hit).
-    @location(0) measures: vec4u,
-    // The point, in the rest frame, and the number of its triangle.
-    @location(1) place: vec4u,
-    @builtin(frag_depth) depth: f32,
 }
 
 @fragment

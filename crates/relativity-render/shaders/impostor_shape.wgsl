@@ -53,11 +53,6 @@ fn picture(fragment: Fragment) -> Picture {
     return Picture(shaded.colour, shaded.depth, inside.x + inside.y + inside.z + inside.w);
 }
 
-struct Sample {
-    @location(0) colour: vec4f,
-    @builtin(frag_depth) depth: f32,
-}
-
 // The same sample by sample, at four times the cost: for OpenGL, where wgpu cannot write a sample mask.
 @fragment
 fn picture_sample(fragment: Fragment, @builtin(sample_index) index: u32) -> Sample {
@@ -66,15 +61,6 @@ fn picture_sample(fragment: Fragment, @builtin(sample_index) index: u32) -> Samp
         discard;
     }
     return Sample(shaded.colour, shaded.depth);
-}
-
-// Floats as their bits: OpenGL ES does not draw to 32-bit floats.
-struct Hit {
-    // Number of the body, ground distance, Doppler factor, 1 (a hit).
-    @location(0) measures: vec4u,
-    // The point, in the rest frame, as `place_of_hit` has it.
-    @location(1) place: vec4u,
-    @builtin(frag_depth) depth: f32,
 }
 
 @fragment
