@@ -4,13 +4,21 @@
 //! `cargo bench -p relativity-render --bench models` prints them for a ball that rides past at beta = 0.9, from far and from near.
 //! Memory is read where the system tells it.
 
+#[path = "../tests/models/mod.rs"]
+#[expect(dead_code, reason = "shared with tests of models")]
+mod models;
+#[path = "../tests/support/mod.rs"]
+mod support;
+
 use std::time::Instant;
 
 use relativity_core::{Aperture, Speed};
 use relativity_render::{
-    Appearance, Body, Camera, Colour, EyeTarget, Gaze, Geometry, Gpu, Method, Model, PreparedScene,
-    Renderers, Shape, View,
+    Appearance, Body, Camera, Colour, EyeTarget, Gaze, Geometry, Gpu, Method, PreparedScene, Renderers,
+    Shape, View,
 };
+
+use models::ball_model;
 
 const ROUNDS: usize = 3;
 const SIZE: [u32; 2] = [960, 720];
@@ -19,7 +27,7 @@ const MIDDLE: [f64; 3] = [0.0, 4.0, 0.5];
 fn main() {
     let start = Instant::now();
     let before = memory_mb("VmRSS");
-    let triangles = ball(500).prepared().expect("a model");
+    let triangles = ball_model(MIDDLE, 0.6, 500).prepared().expect("a model");
     let prepared_s = start.elapsed().as_secs_f64();
     let count = triangles.count() as f64 / 1e6;
     let scene = PreparedScene::moving(&[Body::of_triangles(triangles)]);
@@ -61,28 +69,6 @@ fn compare(name: &str, scene: &PreparedScene, view: &View) {
         };
         draw();
         println!("  {method}: {:.0} ms on {}", 1e3 * fastest(draw), gpu.description());
-    }
-}
-
-/// A ball of `rings` times twice as many squares, each of two triangles.
-fn ball(rings: u32) -> Model {
-    let turns = 2 * rings;
-    let corner = |i: u32| {
-        let polar = std::f64::consts::PI * f64::from(i / turns) / f64::from(rings);
-        let azimuth = std::f64::consts::TAU * f64::from(i % turns) / f64::from(turns);
-        let [x, y, z] = [polar.sin() * azimuth.cos(), polar.sin() * azimuth.sin(), polar.cos()];
-        [MIDDLE[0] + 0.6 * x, MIDDLE[1] + 0.6 * y, MIDDLE[2] + 0.6 * z]
-    };
-    let square = |i: u32| {
-        let at = |ring: u32, turn: u32| ring * turns + turn % turns;
-        let (ring, turn) = (i / turns, i % turns);
-        let [a, b, c, d] = [at(ring, turn), at(ring + 1, turn), at(ring + 1, turn + 1), at(ring, turn + 1)];
-        [[a, b, c], [a, c, d]]
-    };
-    Model {
-        corners: (0..(rings + 1) * turns).map(corner).collect(),
-        triangles: (0..rings * turns).flat_map(square).collect(),
-        ..Model::default()
     }
 }
 
