@@ -28,11 +28,11 @@ pub struct About {
 pub struct Word {
     /// Spelling of the word.
     pub name: String,
-    /// The sentence about it; empty where that about the setting says it.
+    /// The sentence about the value; empty where the setting's own sentence covers it.
     pub sentence: String,
 }
 
-/// All settings, in the order of the flags.
+/// The settings, in the order of the flags.
 static ALL: LazyLock<Vec<About>> =
     LazyLock::new(|| FLAGS.get_arguments().filter_map(About::from_flag).collect());
 

@@ -26,7 +26,7 @@ const MOST: usize = 200;
 struct Entry {
     name: String,
     keys: String,
-    /// The sentence about what it sets; empty where its name says all.
+    /// Tooltip of the entry: the sentence about a setting or its value; empty for the others.
     sentence: &'static str,
     command: Command,
 }

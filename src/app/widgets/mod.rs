@@ -205,7 +205,7 @@ pub fn explained(response: Response, tip: impl Into<egui::WidgetText>) -> Respon
     response
 }
 
-/// Buttons side by side, one of them chosen; each tells on hover what its value means. True if another was chosen.
+/// Buttons side by side, one of them chosen, with tooltips about their values. True if another was chosen.
 pub fn choice<T: ValueEnum + PartialEq + Copy>(ui: &mut Ui, value: &mut T, options: &[(T, &str)]) -> bool {
     buttons(ui, value, options, |button, option| explained_lazily(button, || meaning(&option)))
 }

@@ -22,9 +22,9 @@ pub struct Presentation {
 pub enum Beside {
     /// Nothing: they have all the room.
     Nothing,
-    /// A single plot.
+    /// One plot beside the words.
     Plot,
-    /// The map alone.
+    /// The map beside the words.
     Map,
     /// The fit: readings, residuals and a table.
     Fit,

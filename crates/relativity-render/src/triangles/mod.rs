@@ -54,7 +54,7 @@ pub struct Triangles {
     middle: DVec3,
     half: DVec3,
     fingerprint: u64,
-    /// Greatest length of an edge, as `relative_length` has it.
+    /// Length of the longest edge, in the measure of `relative_length`.
     longest_edge: f64,
 }
 

@@ -47,7 +47,7 @@ pub(crate) struct Packed {
     pub waiting: usize,
 }
 
-/// Records so far.
+/// The records of a model while it is packed.
 struct Records<'a> {
     triangles: &'a Triangles,
     nodes: Vec<[Texel; TEXELS]>,

@@ -13,7 +13,7 @@ use eframe::egui::{Rect, RichText, Ui, UiBuilder, vec2};
 use super::Commands;
 use crate::app::command::Command;
 use crate::app::state::State;
-use crate::app::widgets::choice;
+use crate::app::widgets::{choice, explained_lazily};
 use crate::caption::capitalised;
 use crate::settings::{Face, Frame, Framing, meaning};
 
@@ -64,7 +64,8 @@ fn strip(ui: &mut Ui, state: &State, commands: &mut Commands) {
         choice(ui, &mut map.frame, frames);
         ui.separator();
         let mut is_close_up = map.framing == Framing::CloseUp;
-        ui.toggle_value(&mut is_close_up, "Close-up").on_hover_text(meaning(&Framing::CloseUp));
+        let close_up = ui.toggle_value(&mut is_close_up, "Close-up");
+        explained_lazily(close_up, || meaning(&Framing::CloseUp));
         map.framing = if is_close_up { Framing::CloseUp } else { Framing::Passage };
     });
     if map != state.document.settings.map {
