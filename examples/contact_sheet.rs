@@ -8,7 +8,7 @@ use std::fs::File;
 
 use anyhow::Context as _;
 use gamow::app::state::State;
-use gamow::app::views::eye::Eye;
+use gamow::eye::Eye;
 use gamow::files::png;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::{Preset, Settings};

@@ -20,6 +20,7 @@ pub mod comfort;
 #[cfg(feature = "desktop")]
 pub mod commands;
 pub mod estimate;
+pub mod eye;
 mod eye_colours;
 pub mod files;
 pub mod flags;
@@ -30,6 +31,7 @@ mod markup;
 mod number_text;
 pub mod platform;
 mod plot;
+pub mod quantity;
 pub mod scene;
 pub mod settings;
 pub mod studio;

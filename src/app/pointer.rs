@@ -1,6 +1,6 @@
 //! Gestures of the pointer in a picture.
 
-use crate::app::views::eye::Eye;
+use crate::eye::Eye;
 use crate::scene::Track;
 
 /// A movement of the pointer that takes the scene along.

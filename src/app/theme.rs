@@ -8,9 +8,9 @@ use eframe::egui::{
 };
 
 use crate::app::state::points::MAX_POINTS;
-use crate::app::views::eye::Eye;
 use crate::app::widgets::formula;
 use crate::comfort::Verdict;
+use crate::eye::Eye;
 use crate::eye_colours;
 use crate::settings::Theme;
 

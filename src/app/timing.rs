@@ -3,7 +3,7 @@
 use crate::app::measuring::stopwatch::{Clock, Elapsed, Mark, Stopwatch, StopwatchCommand, Timed};
 use crate::app::state::State;
 use crate::app::state::points::Point;
-use crate::app::views::eye::Eye;
+use crate::eye::Eye;
 
 impl State {
     /// Applies a command about the stopwatch.

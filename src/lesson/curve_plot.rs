@@ -2,7 +2,7 @@
 
 use super::plan::Curve;
 use crate::plot::{self, Line, Panel};
-use crate::units::Unit;
+use crate::units::{Measures, Unit};
 
 /// Width and height, pixels.
 const SIZE: [f64; 2] = [640.0, 300.0];
@@ -14,8 +14,7 @@ pub fn svg(curve: &Curve, times: [f64; 2], unit: Unit, mut lines: Vec<Line>) -> 
     for [time, _] in lines.iter_mut().flat_map(|line| &mut line.pieces).flatten() {
         *time = unit.shown(*time);
     }
-    let [sign, of] = curve.quantity.axis();
-    let label = if of.is_empty() { sign.to_owned() } else { format!("{sign} ({of})") };
+    let label = curve.quantity.unit(&Measures::OWN).label(curve.quantity.row().symbol);
     let [width, height] = SIZE;
     let panel = Panel {
         ranges: [Some(times.map(|time| unit.shown(time))), Some(curve.range)],

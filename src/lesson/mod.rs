@@ -29,8 +29,8 @@ pub use error::LessonError;
 pub use library::{Library, Refused};
 pub use place::{Phase, Place};
 pub use plan::{
-    Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, Options, PointAt, Prediction, Quantity,
-    Reveal, StateBlock, Step, Text,
+    Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, Options, PointAt, Prediction, Reveal,
+    StateBlock, Step, Text,
 };
 pub use score::Score;
 pub use truth::Sight;

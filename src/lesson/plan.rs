@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use super::error::LessonError;
 use crate::flags::SpeedSetting;
 use crate::flags::choices::Layout;
+use crate::quantity::Quantity;
 use crate::settings::{Preset, Settings};
 
 /// A text in Markdown, with formulas in TeX, and where it begins in its file.
@@ -162,23 +163,10 @@ pub struct PointAt {
     pub line: usize,
 }
 
-/// The quantity of a drawn curve, for the selected point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
-    /// The disparity across, radians.
-    Dphi,
-    /// The disparity in elevation, radians.
-    Dtheta,
-    /// The Doppler factor at the left eye.
-    Doppler,
-    /// The azimuth at the left eye, radians.
-    Phi,
-}
-
 /// A curve over T that is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Curve {
-    /// Quantity that is drawn.
+    /// Quantity that is drawn, for the selected point: one of [`Quantity::DRAWN`], linearly; of those that each eye has, the left eye's.
     pub quantity: Quantity,
     /// The least and the greatest value that can be drawn.
     pub range: [f64; 2],

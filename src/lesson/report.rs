@@ -100,7 +100,7 @@ fn curves(curve: &Curve, record: &Record, sight: &Sight<'_>) -> String {
     let [from, to] = sight.settings.time_range(&sight.track);
     let ends = [drawn.first(), drawn.last()].map(|point| point.map(|[time, _]| *time));
     let times = [ends[0].map_or(from, |first| first.min(from)), ends[1].map_or(to, |last| last.max(to))];
-    let truth = curve.quantity.over(sight.settings, &sight.track, times);
+    let truth = curve.over(sight.settings, &sight.track, times);
     let mut lines = vec![Line::in_pieces("true curve", BLUE, truth)];
     if !drawn.is_empty() {
         let pieces = sketch::pieces(drawn, times);

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use relativity_render::{Gaze, PreparedScene};
 
-use super::plan::Quantity;
+use super::plan::Curve;
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
@@ -96,34 +96,17 @@ fn refine(
     }
 }
 
-impl Quantity {
-    /// Returns the quantity of the point at `track` at `time`; `None` outside the domain of the core. Radians, or a ratio.
+impl Curve {
+    /// Returns the value of the curve for the point at `track` at `time`; `None` outside the domain of the core. Radians, or a ratio.
     #[must_use]
-    pub fn at(self, settings: &Settings, track: &Track, time: f64) -> Option<f64> {
-        let seen = settings.disparity(track, time).ok()?;
-        Some(match self {
-            Self::Dphi => seen.dphi,
-            Self::Dtheta => seen.dtheta,
-            Self::Doppler => seen.primary.doppler_factor,
-            Self::Phi => seen.primary.phi(),
-        })
+    pub fn at(&self, settings: &Settings, track: &Track, time: f64) -> Option<f64> {
+        self.quantity.seen(&settings.disparity(track, time).ok()?)
     }
 
-    /// Returns the curve of the quantity over `times` (first and last T), in pieces, densely where it bends.
+    /// Returns the curve over `times` (first and last T), in pieces, densely where it bends.
     #[must_use]
-    pub fn over(self, settings: &Settings, track: &Track, times: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
+    pub fn over(&self, settings: &Settings, track: &Track, times: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
         curve(times, |time| self.at(settings, track, time))
-    }
-
-    /// Returns the symbol and the unit of the quantity, for an axis.
-    #[must_use]
-    pub const fn axis(self) -> [&'static str; 2] {
-        match self {
-            Self::Dphi => ["Δφ", "rad"],
-            Self::Dtheta => ["Δθ", "rad"],
-            Self::Doppler => ["D", ""],
-            Self::Phi => ["φ", "rad"],
-        }
     }
 }
 

@@ -7,6 +7,7 @@ use super::plan::{Curve, Kind, Number, Options, Step};
 use super::truth::{NEAR, Sight, angle_between, rms};
 use crate::caption::decimal;
 use crate::number_text;
+use crate::units::Measures;
 
 /// The verdict on a prediction. The texts are Markdown, without a full stop at the end.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -103,9 +104,8 @@ impl Number {
 #[must_use]
 pub fn difference(curve: &Curve, points: &[[f64; 2]], sight: &Sight<'_>) -> Option<String> {
     let ([first, ..], [.., last]) = (points, points) else { return None };
-    let off = rms(points, |time| curve.quantity.at(sight.settings, &sight.track, time))?;
-    let [_, unit] = curve.quantity.axis();
-    let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+    let off = rms(points, |time| curve.at(sight.settings, &sight.track, time))?;
+    let unit = curve.quantity.unit(&Measures::OWN).suffix();
     let time = sight.settings.window.units.measures(sight.scene).time;
     let [from, to] = [first, last].map(|[at, _]| time.number(*at, 1));
     let off = number_text::significant(off, 2).replace('-', "−");

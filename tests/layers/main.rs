@@ -18,8 +18,8 @@ const ROOMS: [&[&str]; 11] = [
     &["accuracy", "estimate", "studio"],
     &["caption", "comfort.rs", "map"],
     &["settings"],
-    &["scene", "columns", "time_range.rs", "flags", "files", "plot", "units.rs"],
-    &["eye_colours.rs", "number_text.rs", "formula"],
+    &["scene", "columns", "time_range.rs", "flags", "files", "plot", "quantity.rs", "units.rs"],
+    &["eye.rs", "eye_colours.rs", "number_text.rs", "formula"],
     &["markup.rs"],
     &["platform"],
 ];

@@ -7,7 +7,7 @@ use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::state::State;
-use gamow::app::views::eye::Eye;
+use gamow::eye::Eye;
 use gamow::flags::FieldOfView;
 use gamow::flags::choices::{Compare, Layout};
 use gamow::settings::Look;

@@ -133,9 +133,9 @@ fn the_readout_is_what_the_core_computes() {
                 ("received T", time, 6e-5),
                 ("happened t", expected.retarded_time, 6e-5),
                 ("proper time τ", proper_time(beta, &expected), 6e-5),
-                ("Apparent X", expected.position[0], 6e-5),
-                ("Azimuth φ", expected.phi(), 6e-6),
-                ("Elevation θ", expected.theta(), 6e-6),
+                ("apparent X", expected.position[0], 6e-5),
+                ("azimuth φ", expected.phi(), 6e-6),
+                ("elevation θ", expected.theta(), 6e-6),
             ];
             for (quantity, value, rounding) in rows {
                 let shown = shown(&window, &format!("{name}, {quantity}"));
@@ -170,7 +170,7 @@ fn separation_and_path_follow() {
     let time = state.equidistance_time(state.document.points.selected()).expect("it moves");
     let expected = (separation / 2.0).hypot(depth).hypot(2.0);
     assert!((time - expected).abs() < 1e-12 * expected, "T0 = {time} for {expected}");
-    let apparent = shown(&window, "Left eye, Apparent Y");
+    let apparent = shown(&window, "Left eye, apparent Y");
     assert!((apparent - depth).abs() < 6e-5);
 
     let speed = Speed::from_beta(0.9).expect("a speed");
@@ -200,7 +200,7 @@ fn one_light_cone_is_one_click_away() {
     let middle = sighting(&state.speed(), state.selected_source(), Aperture::default(), state.document.time)
         .expect("in the domain");
     for (eye, half) in [("Left eye", 0.5), ("Right eye", -0.5)] {
-        let x = shown(&window, &format!("{eye}, Apparent X"));
+        let x = shown(&window, &format!("{eye}, apparent X"));
         assert!((x - (middle.position[0] + half)).abs() < 6e-5, "{x}");
         let doppler = shown(&window, &format!("{eye}, Doppler factor D"));
         assert!((doppler - middle.doppler_factor).abs() < 6e-5, "{doppler}");

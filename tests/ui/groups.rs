@@ -7,7 +7,7 @@ use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::pointer::Pick;
 use gamow::app::state::State;
-use gamow::app::views::eye::Eye;
+use gamow::eye::Eye;
 use gamow::flags::FieldOfView;
 use gamow::flags::choices::GazeChoice;
 use gamow::scene::Scene;

@@ -460,7 +460,7 @@ fn a_newcomer_is_told_to_click() {
 fn a_click_near_something_means_it() {
     let state = cyclist(0.9);
     let size = [466, 276];
-    let eye = gamow::app::views::eye::Eye::Left;
+    let eye = gamow::eye::Eye::Left;
     let is_free = |pixel: [f64; 2]| state.point_at(eye, pixel, size).is_none();
     let row = (0..466).map(|u| [f64::from(u) + 0.5, 190.5]);
     let first = row.clone().find(|&pixel| !is_free(pixel)).expect("something is in this row");

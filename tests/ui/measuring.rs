@@ -7,7 +7,7 @@ use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::measuring::stopwatch::Stopwatch;
 use gamow::app::state::State;
-use gamow::app::views::eye::Eye;
+use gamow::eye::Eye;
 use gamow::flags::FieldOfView;
 use gamow::flags::choices::{Compare, GazeChoice, ProjectionChoice};
 use gamow::settings::{Look, Settings};

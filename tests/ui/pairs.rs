@@ -7,7 +7,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
-use gamow::app::views::eye::Eye;
+use gamow::eye::Eye;
 use gamow::flags::choices::{Form, Layout};
 use glam::DVec3;
 use relativity_core::{Aperture, SourcePoint, sighting};

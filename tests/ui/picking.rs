@@ -7,7 +7,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::pointer::Pick;
-use gamow::app::views::eye::Eye;
+use gamow::eye::Eye;
 use gamow::flags::choices::{GazeChoice, ZeroParallax};
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::Look;
@@ -278,7 +278,7 @@ fn the_published_right_eye() {
         ("Right eye, Received wavelength", 700.0 / published.secondary.doppler_factor, 0.06),
         ("Left eye, Received wavelength", 700.0 / published.primary.doppler_factor, 0.06),
         ("Disparity Δφ", published.dphi, 6e-6),
-        ("Right eye, Azimuth φ", published.secondary.phi(), 6e-6),
+        ("Right eye, azimuth φ", published.secondary.phi(), 6e-6),
     ] {
         let told = shown(&window, name);
         assert!((told - value).abs() < rounding, "{name}: {told} for {value}");

@@ -8,10 +8,11 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
-use gamow::app::plots::curves::{PUBLISHED, Quantity};
+use gamow::app::plots::curves::PUBLISHED;
 use gamow::app::plots::look::{MAX_PINS, PlotCommand, Ranges};
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
+use gamow::quantity::Quantity;
 use gamow::settings::{Coordinates, PlotTab, Plots};
 use gamow::units::Units;
 use relativity_core::{Aperture, Disparity, Model, SourcePoint, Speed};
@@ -439,7 +440,7 @@ fn as_many_pins_as_dashes() {
         state.apply(Command::Plotting(PlotCommand::Pin));
     }
     let pins = state.scratch.plotting.pins();
-    let speeds: Vec<f64> = pins.iter().map(|pin| pin.key.velocity.speed.beta()).collect();
+    let speeds: Vec<f64> = pins.iter().map(|pin| pin.seen.velocity.speed.beta()).collect();
     assert_eq!((speeds.as_slice(), pins.len()), ([0.3, 0.4, 0.5, 0.6].as_slice(), MAX_PINS));
     // All are in the plot, and the present one.
     let mut window = window(state);

@@ -7,7 +7,7 @@ use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::lesson::session::LessonCommand;
 use gamow::app::state::State;
-use gamow::app::views::eye::Eye;
+use gamow::eye::Eye;
 use gamow::lesson::{Answer, Lesson, Outcome, Phase, Place, Record, verdict};
 use gamow::settings::Settings;
 use glam::{DQuat, DVec3};

@@ -9,7 +9,7 @@ use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::state::State;
 use gamow::app::views::examination::Examination;
-use gamow::app::views::eye::Eye;
+use gamow::eye::Eye;
 use gamow::flags::choices::RendererChoice;
 use gamow::settings::{PlotTab, Plots, Settings};
 use relativity_render::Method;

@@ -110,7 +110,7 @@ fn a_rider_reads_what_the_core_says() {
         ("Left eye, Doppler factor D", both.primary.doppler_factor),
         ("Right eye, happened t", both.secondary.retarded_time),
         ("Left eye, received s", 9.0),
-        ("Left eye, Azimuth φ", both.primary.phi()),
+        ("Left eye, azimuth φ", both.primary.phi()),
     ] {
         assert!((shown(&window, label) - expected).abs() < 6e-5, "{label}: {expected}");
     }

@@ -11,7 +11,7 @@ use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::state::State;
-use gamow::app::views::eye::Eye;
+use gamow::eye::Eye;
 use gamow::files::png::PngFile;
 use gamow::flags::TimeRange;
 use gamow::flags::choices::{FileKind, Layout, RendererChoice};

@@ -51,7 +51,7 @@ fn gives_the_gain_and_four_distances() {
         window.state_mut().ask(Command::Time(time));
         window.run();
         let (gain, distances) = distances(Model::Exact, time);
-        assert!((shown(&window, "Stereo gain at T") - gain).abs() < 6e-5, "{time}");
+        assert!((shown(&window, "stereo gain at T") - gain).abs() < 6e-5, "{time}");
         for (name, distance) in DISTANCES.into_iter().zip(distances) {
             assert!((shown(&window, name) - distance).abs() < 6e-3, "{name} {time} {distance}");
         }
@@ -80,7 +80,7 @@ fn has_gain_1_with_one_cone() {
     window.state_mut().ask(Command::Time(1.1));
     window.run();
     let (gain, [distance, ..]) = distances(Model::OneCone, 1.1);
-    assert_eq!((gain, shown(&window, "Stereo gain at T")), (1.0, 1.0));
+    assert_eq!((gain, shown(&window, "stereo gain at T")), (1.0, 1.0));
     assert!((shown(&window, DISTANCES[0]) - distance).abs() < 6e-3);
 }
 

@@ -60,8 +60,8 @@ fn an_event_has_its_numbers_in_three_units() {
                 ("happened t", seen.retarded_time * time),
                 // The clock rests where it passes x = 0 at t = 0.
                 ("proper time τ", seen.retarded_time * 0.19_f64.sqrt() * time),
-                ("Apparent X", seen.position[0] * length),
-                ("Apparent Y", 3.0 * length),
+                ("apparent X", seen.position[0] * length),
+                ("apparent Y", 3.0 * length),
                 ("Doppler factor D", seen.doppler_factor),
             ];
             for (row, expected) in rows {
@@ -138,14 +138,14 @@ fn two_marks_tell_presently_from_seen() {
     let time = window.state().state().document.time;
     assert!((time - presently).abs() < 1e-12, "{time}");
     // It is seen far behind, where it is measured beside the eyes.
-    assert!(shown(&window, "Left eye, Apparent X") < -1.0);
+    assert!(shown(&window, "Left eye, apparent X") < -1.0);
     window.get_by_label("Go to seen abreast").click();
     window.run();
     let time = window.state().state().document.time;
     assert!((time - presently - 13.0025_f64.sqrt()).abs() < 1e-12, "{time}");
     // What is seen happened when it was measured abreast.
     assert!((shown(&window, "Left eye, happened t") - presently).abs() < 6e-5);
-    assert!((shown(&window, "Right eye, Apparent X") + 0.05).abs() < 6e-5);
+    assert!((shown(&window, "Right eye, apparent X") + 0.05).abs() < 6e-5);
 }
 
 fn marks_never_cover_each_other() {
@@ -188,8 +188,8 @@ fn what_is_under_the_pointer_is_told() {
     let state = window.state().state();
     let size = [pane(&window, 0).width() as u32, pane(&window, 0).height() as u32];
     // Where the left eye sees the tracked point, a little inside of its tyre.
-    let view = state.view(gamow::app::views::eye::Eye::Left, size);
-    let direction = state.direction(state.document.points.selected(), gamow::app::views::eye::Eye::Left);
+    let view = state.view(gamow::eye::Eye::Left, size);
+    let direction = state.direction(state.document.points.selected(), gamow::eye::Eye::Left);
     let [u, v] = view.camera.pixel(direction.expect("it is seen")).expect("in front");
     let part = [(u as f32 - 2.0) / size[0] as f32, v as f32 / size[1] as f32];
     let time = state.document.time;

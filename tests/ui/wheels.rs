@@ -8,7 +8,7 @@ use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::state::State;
 use gamow::app::state::points::Point;
-use gamow::app::views::eye::Eye;
+use gamow::eye::Eye;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::scene::Track;
 use gamow::settings::{FitSetup, PlotTab, Plots, Settings};
@@ -151,7 +151,7 @@ fn what_is_told() {
             let number = |what: &str| shown(&window, &format!("{name}, {what}"));
             assert!((number("Doppler factor D") - seen.doppler_factor).abs() < 6e-5);
             assert!((number("proper time τ") - seen.proper_time).abs() < 6e-5);
-            assert!((number("Apparent Z") - seen.position[2]).abs() < 6e-5);
+            assert!((number("apparent Z") - seen.position[2]).abs() < 6e-5);
             let angle = point.angle - beta / RADIUS * seen.proper_time;
             let told = label_starting_with(&window, &format!("{name}, Angle on the wheel"));
             let told: f64 = told
@@ -254,7 +254,7 @@ fn a_point_of_a_wheel_is_kept() {
     // A pin has its curves while the speed changes; the wheel then turns at another.
     window.key_press(Key::K);
     window.run_ok();
-    let pinned = window.state().state().scratch.plotting.pins()[0].key.clone();
+    let pinned = window.state().state().scratch.plotting.pins()[0].seen.clone();
     assert_eq!(pinned.point.spin, picked.document.points.selected().track.spin);
 }
 

@@ -7,8 +7,8 @@ use eframe::egui::{
 use relativity_render::Gaze;
 
 use crate::app::state::State;
-use crate::app::views::eye::Eye;
 use crate::app::views::panes::EyePane;
+use crate::eye::Eye;
 use crate::lesson::{Answer, Course, Kind, PointAt, truth};
 use crate::number_text;
 

@@ -5,7 +5,7 @@ use glam::DVec3;
 use relativity_core::math;
 use relativity_render::Camera;
 
-use crate::app::views::eye::Eye;
+use crate::eye::Eye;
 use crate::number_text;
 
 /// Parts of the great circle between both ends that are drawn straight.

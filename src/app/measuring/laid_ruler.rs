@@ -99,7 +99,7 @@ fn tell(ui: &Ui, painter: &Painter, pane: EyePane, line: &[Option<Pos2>], text: 
 mod tests {
     use super::*;
     use crate::app::measuring::angle_ruler::Lay;
-    use crate::app::views::eye::Eye;
+    use crate::eye::Eye;
     use crate::flags::FieldOfView;
     use crate::flags::choices::ProjectionChoice;
     use crate::settings::Settings;

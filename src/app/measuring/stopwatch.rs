@@ -4,7 +4,7 @@
 //! T stands still within a frame, and a press is noted in the next: each may be late by up to the step that T took in its frame, and
 //! so the time between them is off by no more than the larger of both steps.
 
-use crate::app::views::eye::Eye;
+use crate::eye::Eye;
 use crate::scene::Track;
 use crate::settings::Motion;
 

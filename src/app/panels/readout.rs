@@ -1,9 +1,7 @@
 //! The numbers: what each eye receives of the selected point now, and how the two differ.
 
 use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, ScrollArea, Sense, Ui, vec2};
-use relativity_core::{
-    Conformal, Disparity, Model, ObserverError, Sighting, StereoError, doppler::received_wavelength,
-};
+use relativity_core::{Disparity, Model, ObserverError, Sighting, StereoError, doppler::received_wavelength};
 use relativity_render::{Velocity, colour};
 
 use super::Commands;
@@ -11,14 +9,14 @@ use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::state::points::Point;
 use crate::app::theme;
-use crate::app::views::eye::Eye;
 use crate::app::views::on_wheel::{OnWheel, angle_text};
 use crate::app::widgets::{dot, named_text};
-use crate::caption::times::{OWN_CLOCK, TIMES, TimeName};
+use crate::caption::times::TimeName;
+use crate::eye::Eye;
 use crate::flags::choices::ProjectionChoice;
 use crate::map::Diagram;
 use crate::number_text;
-use crate::units::{Measures, Unit};
+use crate::quantity::{Of, Quantity, Row};
 
 /// Shows the readout of the selected point.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -65,20 +63,24 @@ fn table(ui: &mut Ui, state: &State) {
             }
             ui.end_row();
             wavelengths(ui, &received, rest_wavelength);
-            for quantity in &QUANTITIES {
-                quantity.row(ui, state, &received);
-                if quantity.name == OWN_CLOCK.name && state.document.settings.ride.is_on() {
+            for quantity in ABOVE {
+                row(ui, state, &received, quantity);
+            }
+            received_time(ui, state, &received);
+            for quantity in BELOW {
+                row(ui, state, &received, quantity);
+                if quantity == Quantity::ProperTime && state.document.settings.ride.is_on() {
                     reckoned(ui, state, point);
                 }
             }
             if state.document.settings.projection() == ProjectionChoice::Mercator {
-                for quantity in &CONFORMAL {
-                    quantity.row(ui, state, &received);
+                for quantity in CONFORMAL {
+                    row(ui, state, &received, quantity);
                 }
             }
             if point.track.spin.is_some() {
-                for quantity in &TURNING {
-                    quantity.row(ui, state, &received);
+                for of_wheel in &TURNING {
+                    of_wheel.row(ui, state, &received);
                 }
             }
         },
@@ -147,9 +149,10 @@ fn stereo(ui: &mut Ui, state: &State) {
         ui.spacing_mut().item_spacing.x = 6.0;
         let is_published = matches!(state.document.settings.shown_model(), Model::Published(_));
         let gain = if is_published { "exact stereo gain" } else { "stereo gain" };
-        ui.label(RichText::new(gain).color(colour)).on_hover_text(GAIN_TIP);
+        ui.label(RichText::new(gain).color(colour)).on_hover_text(Quantity::StereoGain.row().about);
         let gain = number_text::fixed_or_none(found.map(|found| found.gain), 3);
-        named_text(ui, gain.as_str(), format!("Stereo gain: {gain}")).on_hover_text(GAIN_TIP);
+        named_text(ui, gain.as_str(), format!("Stereo gain: {gain}"))
+            .on_hover_text(Quantity::StereoGain.row().about);
         ui.add_space(6.0);
         ui.label(RichText::new(unit.label("position")).color(colour)).on_hover_text(STEREO_TIP);
         for (axis, name) in AXES.into_iter().enumerate() {
@@ -174,10 +177,6 @@ const APART_TIP: &str = "The eyes receive two events of the point, between which
 const MISS_TIP: &str = "With the head tilted or turned, and for a point that turns with a wheel, the two \
     lines of sight pass each other. The stereo position is the middle of their shortest connection; this \
     is its length.";
-
-const GAIN_TIP: &str = "A resting point in the same place would look as different to eyes this many times \
-    as far apart.\n(X left − X right)/d, near γD; with the head tilted or turned: the component of the \
-    parallax along that of a resting point, divided by that.";
 
 const STEREO_TIP: &str = "The stereo position: where the lines of sight of both eyes meet, and so where \
     two eyes place the point. x, y, z from the middle between the eyes. Two eyes see the contraction, as \
@@ -209,121 +208,21 @@ const PUBLISHED_TIP: &str = "What the views show of the selected point now. The 
     exactly; in the published model the right eye has what the left one sees at T − ΔT, measured from the \
     left eye. Point at a number for the exact one. Click to fold the table away.";
 
-/// A row of the table.
-struct Quantity {
-    symbol: &'static str,
-    /// Name for assistive technology.
-    name: &'static str,
-    tip: &'static str,
-    decimals: u8,
-    unit: fn(&Measures) -> Unit,
-    /// From what an eye sees, and T.
-    value: fn(&Sighting, f64) -> f64,
-}
-
-impl Quantity {
-    /// A row for one of the three times, by its number among them.
-    const fn time(number: usize, value: fn(&Sighting, f64) -> f64) -> Self {
-        let TimeName { name, tip, .. } = TIMES[number];
-        Self { symbol: name, name, tip, decimals: 4, unit: |measures| measures.time, value }
-    }
-
-    const fn length(
-        symbol: &'static str,
-        name: &'static str,
-        tip: &'static str,
-        value: fn(&Sighting, f64) -> f64,
-    ) -> Self {
-        Self { symbol, name, tip, decimals: 4, unit: |measures| measures.length, value }
-    }
-
-    const fn angle(
-        symbol: &'static str,
-        name: &'static str,
-        tip: &'static str,
-        value: fn(&Sighting, f64) -> f64,
-    ) -> Self {
-        Self { symbol, name, tip, decimals: 5, unit: |_| Unit { factor: 1.0, name: "rad" }, value }
-    }
-}
-
-const QUANTITIES: [Quantity; 9] = [
-    Quantity {
-        symbol: "Doppler D",
-        name: "Doppler factor D",
-        tip: "Received over emitted frequency; above 1 is bluer. The clock at the point is seen to run D \
-            times as fast as one beside the eye.\nD = 1/(γ(1 + β X/R))",
-        decimals: 4,
-        unit: |_| Unit::OWN,
-        value: |seen, _| seen.doppler_factor,
-    },
-    Quantity::time(0, |_, time| time),
-    Quantity::time(1, |seen, _| seen.retarded_time),
-    Quantity::time(2, |seen, _| seen.proper_time),
-    Quantity::length(
-        "seen at X",
-        "Apparent X",
-        "Apparent position along the motion, from this eye.",
-        |seen, _| seen.position[0],
-    ),
-    Quantity::length("Y", "Apparent Y", "Apparent position in depth.", |seen, _| seen.position[1]),
-    Quantity::length("Z", "Apparent Z", "Apparent height.", |seen, _| seen.position[2]),
-    Quantity::angle("φ", "Azimuth φ", "Azimuth from +x towards +y.\nφ = atan2(Y, X)", |seen, _| {
-        seen.phi()
-    }),
-    Quantity::angle(
-        "θ",
-        "Elevation θ",
-        "Elevation from the x-y plane.\nθ = atan2(Z, √(X² + Y²))",
-        |seen, _| seen.theta(),
-    ),
+/// The rows of every point, between which that of T stands.
+const ABOVE: [Quantity; 1] = [Quantity::Doppler];
+const BELOW: [Quantity; 7] = [
+    Quantity::EmissionTime,
+    Quantity::ProperTime,
+    Quantity::X,
+    Quantity::Y,
+    Quantity::Z,
+    Quantity::Phi,
+    Quantity::Theta,
 ];
-
-/// A row of the readout: a conformal coordinate, in the axes of the head.
-struct OfHead {
-    symbol: &'static str,
-    name: &'static str,
-    tip: &'static str,
-    unit: Unit,
-    value: fn(&Conformal) -> f64,
-}
-
-const CONFORMAL: [OfHead; 2] = [
-    OfHead {
-        symbol: "u",
-        name: "Conformal u",
-        tip: "Column of the conformal picture, in units of rapidity, to the right.\nu = arsinh(X/√(Y² + \
-            Z²)), X along the line between the eyes. Motion along that line slides u back by the rapidity. \
-            A point seen along the line itself has no u.",
-        unit: Unit::OWN,
-        value: |seen| seen.u,
-    },
-    OfHead {
-        symbol: "v",
-        name: "Conformal v",
-        tip: "Row of the conformal picture: the angle about the line between the eyes, up from straight \
-            ahead.\nv = atan2(Z, Y). Motion along that line does not change it.",
-        unit: Unit { factor: 1.0, name: "rad" },
-        value: |seen| seen.v,
-    },
-];
-
-impl OfHead {
-    fn row(&self, ui: &mut Ui, state: &State, received: &Received) {
-        const DECIMALS: u8 = 5;
-        let axes = state.document.settings.baseline().axes();
-        let value_of =
-            |seen: &Sighting| axes.conformal(seen.position).map_or(f64::NAN, |seen| (self.value)(&seen));
-        ui.label(RichText::new(self.unit.label(self.symbol)).weak()).on_hover_text(self.tip);
-        for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
-            let value = seen.as_ref().map_or(f64::NAN, value_of);
-            let name = format!("{}, {}: {}", eye.name(), self.name, self.unit.text(value, DECIMALS));
-            let tip = received.tip(eye, self.tip, |exact| self.unit.text(value_of(exact), DECIMALS));
-            named_text(ui, self.unit.number(value, DECIMALS), name).on_hover_text(tip);
-        }
-        ui.end_row();
-    }
-}
+/// The rows of a conformal picture.
+const CONFORMAL: [Quantity; 2] = [Quantity::U, Quantity::V];
+/// Decimals of T.
+const TIME_DECIMALS: u8 = 4;
 
 /// A row of numbers of a point that turns with a wheel.
 struct OfWheel {
@@ -366,31 +265,36 @@ impl OfWheel {
     }
 }
 
-impl Quantity {
-    /// Returns the symbol, the name and the tip. Those of a time depend on the observer's clock.
-    fn named(&self, state: &State) -> (&'static str, &'static str, &'static str) {
-        match TIMES.iter().position(|time| time.name == self.name) {
-            Some(number) => {
-                let TimeName { name, tip, .. } = state.clock().times[number];
-                (name, name, tip)
-            }
-            None => (self.symbol, self.name, self.tip),
-        }
+/// Shows the row of a quantity that each eye has.
+fn row(ui: &mut Ui, state: &State, received: &Received, quantity: Quantity) {
+    let &Row { name, about, decimals, of, .. } = quantity.row();
+    let unit = quantity.unit(&state.measures());
+    let axes = state.document.settings.baseline().axes();
+    let value_of = |seen: &Sighting| match of {
+        Of::Sighting(of) => of(seen),
+        Of::Conformal(of) => axes.conformal(seen.position).map_or(f64::NAN, |seen| of(&seen)),
+        Of::Pair(_) | Of::ConformalPair(_) | Of::Stereo(_) => f64::NAN,
+    };
+    ui.label(RichText::new(unit.label(name)).weak()).on_hover_text(about);
+    for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
+        let value = seen.as_ref().map_or(f64::NAN, value_of);
+        let shown = format!("{}, {name}: {}", eye.name(), unit.text(value, decimals));
+        let tip = received.tip(eye, about, |exact| unit.text(value_of(exact), decimals));
+        named_text(ui, unit.number(value, decimals), shown).on_hover_text(tip);
     }
+    ui.end_row();
+}
 
-    fn row(&self, ui: &mut Ui, state: &State, received: &Received) {
-        let unit = (self.unit)(&state.measures());
-        let (symbol, name, tip) = self.named(state);
-        ui.label(RichText::new(unit.label(symbol)).weak()).on_hover_text(tip);
-        let value_of = |seen: &Sighting| (self.value)(seen, state.document.time);
-        for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
-            let value = seen.as_ref().map_or(f64::NAN, value_of);
-            let name = format!("{}, {}: {}", eye.name(), name, unit.text(value, self.decimals));
-            let tip = received.tip(eye, tip, |exact| unit.text(value_of(exact), self.decimals));
-            named_text(ui, unit.number(value, self.decimals), name).on_hover_text(tip);
-        }
-        ui.end_row();
+/// Shows the row of the observer's own time, at which both eyes receive what they see.
+fn received_time(ui: &mut Ui, state: &State, received: &Received) {
+    let (unit, TimeName { name, tip }) = (state.measures().time, state.clock().received);
+    ui.label(RichText::new(unit.label(name)).weak()).on_hover_text(tip);
+    for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
+        let time = seen.as_ref().map_or(f64::NAN, |_| state.document.time);
+        let shown = format!("{}, {name}: {}", eye.name(), unit.text(time, TIME_DECIMALS));
+        named_text(ui, unit.number(time, TIME_DECIMALS), shown).on_hover_text(tip);
     }
+    ui.end_row();
 }
 
 fn wavelengths(ui: &mut Ui, received: &Received, rest_wavelength: Option<f64>) {
@@ -436,11 +340,10 @@ fn swatch(ui: &mut Ui, wavelength_nm: Option<f64>) {
 /// The disparities, large: what the binocular observer measures.
 fn differences(ui: &mut Ui, state: &State) {
     let (both, exact) = (state.disparity(state.document.points.selected()), exact_beside(state));
-    let of = |part: fn(&Disparity) -> f64| [both, exact].map(|both| both.as_ref().map(part));
-    let parts = [
-        ("Δφ", of(|both| both.dphi), "Azimuth, left minus right.\nΔφ = φ left − φ right"),
-        ("Δθ", of(|both| both.dtheta), "Elevation, left minus right.\nΔθ = θ left − θ right"),
-    ];
+    let parts = [Quantity::DeltaPhi, Quantity::DeltaTheta].map(|quantity| {
+        let values = [both, exact].map(|both| both.and_then(|both| quantity.seen(&both)));
+        (quantity.row().symbol, values, quantity.row().about)
+    });
     ui.horizontal(|ui| {
         ui.label(RichText::new("disparity").weak()).on_hover_text("How differently the eyes see the point.");
         for (symbol, [value, exact], tip) in parts {

@@ -9,10 +9,10 @@ use relativity_render::spectrum::VISIBLE_NM;
 
 use crate::app::state::State;
 use crate::app::theme;
-use crate::app::views::eye::Eye;
 use crate::app::wavelength_colour::{paint_strip, places, visible_colour};
 use crate::app::widgets::apart::{Span, apart};
 use crate::caption::{Moment, Source, in_words};
+use crate::eye::Eye;
 
 /// Shortest and longest wavelength of the scale, nm.
 const RANGE_NM: [f64; 2] = [100.0, 3000.0];

@@ -136,7 +136,7 @@ fn time(ui: &mut Ui, state: &State, commands: &mut Commands) {
 /// Returns the tooltip of T, with the keys that set it.
 fn time_tip(state: &State) -> String {
     let ends = [Command::TimeInRange(0.0), Command::TimeInRange(1.0)];
-    with_keys(state.clock().tip, &[&[Command::Step(-1), Command::Step(1)][..], &ends].concat())
+    with_keys(state.clock().received.tip, &[&[Command::Step(-1), Command::Step(1)][..], &ends].concat())
 }
 
 /// Rate, looping and range, from the right; what is not `shown` of them is in a menu.

@@ -1,7 +1,8 @@
 //! The user's look at the plots against T: parts they zoom into, two cursors, and curves that are pinned.
 
-use crate::app::plots::curves::{CurvesKey, Quantity};
+use crate::app::plots::curves::SeenPoint;
 use crate::app::state::points::Point;
+use crate::quantity::Quantity;
 use crate::settings::{PlotTab, Plots};
 
 /// Greatest number of pinned curves: as many as there are dashes to distinguish them.
@@ -29,8 +30,8 @@ pub struct Ranges {
 pub struct Pin {
     /// The point, with the number whose colour the pin has.
     pub point: Point,
-    /// Key of the pin's curves, without the range of T.
-    pub key: CurvesKey,
+    /// The point as it moved and was seen.
+    pub seen: SeenPoint,
 }
 
 /// A command of the plots.
@@ -89,7 +90,7 @@ impl Plotting {
 
     /// Keeps these curves, in place of the oldest where there are [`MAX_PINS`].
     pub fn pin(&mut self, pin: Pin) {
-        self.pins.retain(|kept| !is_same(kept, &pin));
+        self.pins.retain(|kept| kept.seen != pin.seen);
         if self.pins.len() == MAX_PINS {
             self.pins.remove(0);
         }
@@ -115,20 +116,8 @@ pub fn quantities(plots: &Plots) -> &'static [Quantity] {
         PlotTab::Disparity if plots.is_conformal() => &[Quantity::DeltaU, Quantity::DeltaV],
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
         PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
-        PlotTab::Doppler => &[Quantity::LogDoppler],
-        PlotTab::Stereo => &[Quantity::LogGain, Quantity::LogDistance],
+        PlotTab::Doppler => &[Quantity::Doppler],
+        PlotTab::Stereo => &[Quantity::StereoGain, Quantity::Distance],
         PlotTab::Fit | PlotTab::Accuracy => &[],
     }
-}
-
-/// Whether two pins have the same curves.
-fn is_same(a: &Pin, b: &Pin) -> bool {
-    let bare = |pin: &Pin| CurvesKey {
-        range: [0.0; 2],
-        published: false,
-        stereo: false,
-        conformal: false,
-        ..pin.key.clone()
-    };
-    bare(a) == bare(b)
 }

@@ -4,18 +4,20 @@ pub mod curves;
 pub mod look;
 
 use crate::app::clock;
-use crate::app::plots::curves::{CurvesKey, Quantity};
+use relativity_core::Model;
+
+use crate::app::plots::curves::CurvesKey;
 use crate::app::plots::look::{Pin, PlotCommand, quantities};
 use crate::app::state::State;
 use crate::app::state::points::Point;
 use crate::plot::{MOST_TICKS, widened};
-use crate::settings::PlotTab;
+use crate::quantity::Quantity;
 
 impl State {
     /// Performs a command of the plots.
     pub fn apply_to_plots(&mut self, command: PlotCommand) {
         let (point, now) = (*self.document.points.selected(), self.document.time);
-        let pin = Pin { point, key: self.curve_key(&point) };
+        let pin = Pin { point, seen: self.seen_point(&point) };
         let plotting = &mut self.scratch.plotting;
         match command {
             PlotCommand::Look(quantity, ranges) => plotting.look(quantity, ranges),
@@ -56,21 +58,15 @@ impl State {
     /// Returns the key of the curves of `point` in the plot of `quantity`.
     #[must_use]
     pub fn plotted_key(&self, point: &Point, quantity: Quantity) -> CurvesKey {
-        CurvesKey { range: self.plotted_times(quantity), ..self.curve_key(point) }
+        let point = self.seen_point(point);
+        let published = self.document.settings.plots.published && !matches!(point.model, Model::Published(_));
+        CurvesKey { point, quantity, range: self.plotted_times(quantity), published }
     }
 
     /// Returns the key of a pinned curve, which keeps its model whatever the views show now.
     #[must_use]
     pub fn pinned_key(&self, pin: &Pin, quantity: Quantity) -> CurvesKey {
-        let stereo = self.document.settings.plots.plot == PlotTab::Stereo;
-        let conformal = self.document.settings.plots.is_conformal();
-        CurvesKey {
-            range: self.plotted_times(quantity),
-            published: false,
-            stereo,
-            conformal,
-            ..pin.key.clone()
-        }
+        CurvesKey { point: pin.seen.clone(), quantity, range: self.plotted_times(quantity), published: false }
     }
 
     /// Returns the keys of all curves that are plotted, each once.

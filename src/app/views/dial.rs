@@ -10,7 +10,7 @@ use relativity_render::Geometry;
 
 use crate::app::state::State;
 use crate::app::state::points::Point;
-use crate::app::views::eye::Eye;
+use crate::eye::Eye;
 use crate::number_text;
 use crate::plot::round_step;
 use crate::units::Unit;

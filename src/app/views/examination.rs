@@ -9,9 +9,9 @@ use crate::accuracy::{
     expected_error, method_name,
 };
 use crate::app::debounce::Debounce;
-use crate::app::views::eye::Eye;
 use crate::app::views::heat_map;
 use crate::app::worker::{Wanted, Worker};
+use crate::eye::Eye;
 
 /// The present views, which are examined.
 #[derive(Debug, Clone, PartialEq)]

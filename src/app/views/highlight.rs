@@ -7,8 +7,8 @@ use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke};
 use relativity_render::{Group, PreparedScene, View};
 
 use crate::app::state::State;
-use crate::app::views::eye::Eye;
 use crate::app::views::panes::EyePane;
+use crate::eye::Eye;
 
 /// Pixels from ray to ray, and how many may hit: the first that is enough is taken, so that thin bodies are traced finely
 /// and large ones cheaply.

@@ -7,8 +7,8 @@ use relativity_core::{Conformal, Sighting};
 use relativity_render::Geometry;
 
 use crate::app::state::State;
-use crate::app::views::eye::Eye;
 use crate::app::{awake, clock, theme};
+use crate::eye::Eye;
 use crate::flags::choices::ProjectionChoice;
 use crate::number_text;
 

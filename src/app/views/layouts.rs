@@ -4,7 +4,7 @@ use eframe::egui::{Color32, Visuals};
 
 use crate::app::state::State;
 use crate::app::theme;
-use crate::app::views::eye::Eye;
+use crate::eye::Eye;
 use crate::flags::choices::Layout;
 use crate::settings::Picture;
 

@@ -6,7 +6,6 @@ pub(super) mod compared;
 pub mod corrected;
 pub mod dial;
 pub mod examination;
-pub mod eye;
 pub(super) mod eyes;
 pub(super) mod flicker;
 pub(super) mod halo;

@@ -5,15 +5,15 @@ use relativity_core::{Disparity, Model, ObserverError, Parameter, Sighting, Sour
 use relativity_render::{Gaze, Geometry, Velocity, View};
 
 use crate::app::fitting::FitOutcome;
-use crate::app::plots::curves::CurvesKey;
+use crate::app::plots::curves::SeenPoint;
 use crate::app::state::State;
 use crate::app::state::document::Document;
 use crate::app::state::frame::Frame;
 use crate::app::state::points::Point;
-use crate::app::views::eye::Eye;
 use crate::caption::Moment;
 use crate::comfort::Comfort;
 use crate::estimate::samples::{FitKey, Samples, Simulated};
+use crate::eye::Eye;
 use crate::scene::Track;
 use crate::settings::{PlotTab, Settings, Subject};
 
@@ -168,23 +168,19 @@ impl State {
         std::iter::once(pixel).chain(around.filter(is_inside)).find(hits)
     }
 
-    /// Returns the key of the curves of `point`.
+    /// Returns `point` as it moves and is seen, for its curves.
     #[must_use]
-    pub fn curve_key(&self, point: &Point) -> CurvesKey {
+    pub fn seen_point(&self, point: &Point) -> SeenPoint {
         let stereo = self.document.settings.plots.plot == PlotTab::Stereo;
         // The paper's lines of sight meet nowhere.
         let model =
             if stereo { self.document.settings.model() } else { self.document.settings.shown_model() };
-        CurvesKey {
+        SeenPoint {
             ride: self.document.settings.ride.clone(),
             velocity: self.velocity(point),
             point: self.document.settings.from_between_eyes(&point.track),
             baseline: self.document.settings.baseline(),
-            range: self.time_range(),
             model,
-            published: self.document.settings.plots.published && !matches!(model, Model::Published(_)),
-            stereo,
-            conformal: self.document.settings.plots.is_conformal(),
         }
     }
 

@@ -6,7 +6,7 @@ use relativity_render::{Camera, Motion};
 
 use crate::app::state::State;
 use crate::app::theme;
-use crate::app::views::eye::Eye;
+use crate::eye::Eye;
 
 /// Something out of a view.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,7 +5,7 @@ use relativity_render::Composition;
 use relativity_render::compose::Top;
 
 use crate::app::theme::{GAP, TITLE_HEIGHT};
-use crate::app::views::eye::Eye;
+use crate::eye::Eye;
 use crate::flags::choices::{Form, Layout};
 use crate::settings::{Picture, Settings};
 

@@ -10,9 +10,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::accuracy::REFERENCE_SAMPLES;
 use crate::app::state::State;
-use crate::app::views::eye::Eye;
 use crate::app::views::reference_steps::{Drawing, ReferenceSteps};
 use crate::app::worker::{BackgroundWork, Step, Wanted, Work};
+use crate::eye::Eye;
 use crate::lesson::Lesson;
 use crate::settings::Settings;
 

@@ -13,13 +13,14 @@ use self::parts::{Block, Part, check_blocks, check_slips, parts};
 use self::wrong::Wrong;
 use super::error::LessonError;
 use super::plan::{
-    Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, PointAt, Prediction, Quantity, Reveal,
-    StateBlock, Step, Text, line_giving,
+    Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, PointAt, Prediction, Reveal, StateBlock,
+    Step, Text, line_giving,
 };
 use super::values;
 use crate::files::syntax;
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::platform::{files, messages, sizes};
+use crate::quantity::Quantity;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
@@ -257,8 +258,8 @@ struct CurveTable {
 
 fn curve(block: &Block) -> Result<Curve, Wrong> {
     let CurveTable { of, from, to } = block.table(CURVE)?;
-    let Some(quantity) = Quantity::named(&of) else {
-        let known = Quantity::ALL.map(Quantity::name).join(", ");
+    let Some(quantity) = Quantity::DRAWN.into_iter().find(|quantity| quantity.row().id == of) else {
+        let known = Quantity::DRAWN.map(|quantity| quantity.row().id).join(", ");
         return Err((
             block.line_of("of"),
             format!("of = {}: must be one of {known}", messages::excerpt(&of)),
@@ -349,26 +350,6 @@ impl Block {
     /// The line in which it gives `key`; its first, if it does not.
     fn line_of(&self, key: &str) -> usize {
         self.line + line_giving(key, &self.text).unwrap_or(0)
-    }
-}
-
-impl Quantity {
-    /// Every quantity of a drawn curve.
-    pub const ALL: [Self; 4] = [Self::Dphi, Self::Dtheta, Self::Doppler, Self::Phi];
-
-    /// Returns the name of the quantity in lessons.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Dphi => "dphi",
-            Self::Dtheta => "dtheta",
-            Self::Doppler => "doppler",
-            Self::Phi => "phi",
-        }
-    }
-
-    fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|quantity| quantity.name() == name)
     }
 }
 

@@ -66,6 +66,6 @@ pub fn truth(page: &mut Page, kind: &Kind, settings: &Settings) -> anyhow::Resul
 pub fn plot(curve: &Curve, settings: &Settings, with_answers: bool) -> anyhow::Result<String> {
     let track = settings.track(&settings.opened_scene()?);
     let range = settings.time_range(&track);
-    let truth = || Line::in_pieces("true curve", BLUE, curve.quantity.over(settings, &track, range));
+    let truth = || Line::in_pieces("true curve", BLUE, curve.over(settings, &track, range));
     Ok(curve_plot::svg(curve, range, Unit::OWN, with_answers.then(truth).into_iter().collect()))
 }

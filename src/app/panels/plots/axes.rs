@@ -4,12 +4,12 @@ use eframe::egui::{self, Align2, Id, PointerButton, Rect, Sense, Stroke, TextSty
 use egui_plot::{GridInput, GridMark, Plot, PlotBounds, PlotResponse};
 use relativity_core::math;
 
-use crate::app::plots::curves::Quantity;
 use crate::caption::times::ObserverClock;
 use crate::plot::{
     Axis, MOST_TICKS, at_least, extent, ticks_along, widened, with_factor, with_margin, zoom_step,
 };
-use crate::units::Unit;
+use crate::quantity::{Dimension, Quantity};
+use crate::units::{Measures, Unit};
 
 /// Room for the numbers beside a plot.
 pub(super) const Y_AXIS_WIDTH: f32 = 48.0;
@@ -74,7 +74,7 @@ impl Ruler {
 
     /// Returns a ruler for values of `quantity`, shown in `unit`, in a plot of this height.
     pub fn of_values(quantity: Quantity, unit: Unit, height: f32) -> Self {
-        Self { logarithmic: quantity.is_logarithm(), unit, ..Self::of_height(height) }
+        Self { logarithmic: quantity.row().is_logarithmic, unit, ..Self::of_height(height) }
     }
 
     /// Returns a ruler for powers of ten, whose exponents are plotted, in a plot of this height.
@@ -175,7 +175,7 @@ impl Ruler {
 /// what hardly changes is a line in the middle. Values up to `rounding` are what that leaves of 0.
 pub(super) fn value_range(quantity: Quantity, values: impl Iterator<Item = f64>, rounding: f64) -> [f64; 2] {
     let [low, high] = extent(values).unwrap_or_default();
-    let least = if quantity.is_logarithm() {
+    let least = if quantity.row().is_logarithmic {
         math::log10(1.0 + LEAST_SHARE)
     } else {
         let largest = low.abs().max(high.abs());
@@ -191,50 +191,22 @@ pub(super) fn bounds(values: impl Iterator<Item = f64>, [from, to]: [f64; 2]) ->
     PlotBounds::from_min_max([from, lowest], [from + width, highest])
 }
 
-/// The symbol of a quantity, or its name.
-pub(super) const fn label(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::DeltaPhi => "Δφ",
-        Quantity::DeltaTheta => "Δθ",
-        Quantity::DeltaU => "Δu",
-        Quantity::DeltaV => "Δv",
-        Quantity::Phi => "φ",
-        Quantity::Theta => "θ",
-        Quantity::LogDoppler => "D",
-        Quantity::LogGain => "stereo gain",
-        Quantity::LogDistance => "distance",
-    }
+/// Returns the label of an axis of `quantity` where lengths and times are shown in these `measures`.
+pub(super) fn axis_label(quantity: Quantity, measures: &Measures) -> String {
+    with_unit(quantity, quantity.row().name, measures)
 }
 
-/// A quantity in words.
-const fn words(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::DeltaPhi => "Δφ, left − right",
-        Quantity::DeltaTheta => "Δθ, left − right",
-        Quantity::DeltaU => "Δu, left − right",
-        Quantity::DeltaV => "Δv, left − right",
-        Quantity::Phi => "azimuth φ",
-        Quantity::Theta => "elevation θ",
-        Quantity::LogDoppler => "Doppler factor D",
-        Quantity::LogGain => "stereo gain",
-        Quantity::LogDistance => "distance",
-    }
+/// Returns the heading of a curve of `quantity` where lengths and times are shown in these `measures`, in short.
+pub(super) fn column_label(quantity: Quantity, measures: &Measures) -> String {
+    with_unit(quantity, quantity.row().symbol, measures)
 }
 
-/// Returns the label of an axis of `quantity` that is shown in `unit`: ratios have none.
-pub(super) fn axis_label(quantity: Quantity, unit: Unit) -> String {
-    with_unit(quantity, words(quantity), unit)
-}
-
-/// Returns the heading of a curve of `quantity` that is shown in `unit`, in short.
-pub(super) fn column_label(quantity: Quantity, unit: Unit) -> String {
-    with_unit(quantity, label(quantity), unit)
-}
-
-fn with_unit(quantity: Quantity, words: &str, unit: Unit) -> String {
-    match quantity {
-        Quantity::DeltaU | Quantity::LogDoppler | Quantity::LogGain => words.to_owned(),
-        _ => in_unit(words, unit),
+/// Ratios have no unit.
+fn with_unit(quantity: Quantity, words: &str, measures: &Measures) -> String {
+    if quantity.row().dimension == Dimension::Ratio {
+        words.to_owned()
+    } else {
+        in_unit(words, quantity.unit(measures))
     }
 }
 
@@ -246,15 +218,6 @@ pub(super) fn time_label(clock: &ObserverClock, unit: Unit) -> String {
 /// The scene's own unit has a name here, as all axes have units.
 pub(super) fn in_unit(words: &str, unit: Unit) -> String {
     if unit.name.is_empty() { format!("{words} / units") } else { unit.label(words) }
-}
-
-/// The unit that `quantity` is shown in, of a window that shows lengths in `length`.
-pub(super) const fn shown_in(quantity: Quantity, length: Unit) -> Unit {
-    match quantity {
-        Quantity::LogDistance => length,
-        Quantity::DeltaU | Quantity::LogDoppler | Quantity::LogGain => Unit::OWN,
-        _ => Unit { factor: 1.0, name: "rad" },
-    }
 }
 
 /// Names the axis, whose time by this `clock` is shown in `unit`, in the corner where that costs least, and T0, and frames the plot. Returns

@@ -5,17 +5,20 @@ use egui_plot::PlotPoint;
 use relativity_core::{Model, math};
 
 use super::axes::{Ruler, value_range};
-use crate::app::plots::curves::{self, Curve, CurvesKey, Quantity};
+use crate::app::plots::curves::{Curve, SeenPoint};
 use crate::app::plots::look::MAX_PINS;
 use crate::app::theme;
-use crate::app::views::eye::Eye;
 use crate::caption::times::ObserverClock;
-use crate::units::Unit;
+use crate::eye::Eye;
+use crate::quantity::Quantity;
+use crate::units::{Measures, Unit};
 
 /// A plot against T.
 pub(super) struct Chart<'a> {
     /// Quantity that is plotted.
     pub quantity: Quantity,
+    /// What lengths and times are shown in.
+    pub measures: Measures,
     /// The unit of its values as they are shown.
     pub unit: Unit,
     /// The unit of T as it is shown.
@@ -63,8 +66,8 @@ pub(super) struct Trace<'a> {
 /// The source of a curve's values.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Source {
-    /// Key of the point, and of how it is seen.
-    pub key: CurvesKey,
+    /// The point, and how it is seen.
+    pub point: SeenPoint,
     /// Model of the curve.
     pub model: Model,
     /// Curve of the point.
@@ -133,7 +136,7 @@ impl Trace<'_> {
 impl Source {
     /// Returns the value at `time` as plotted, from the core itself.
     pub fn value(&self, time: f64) -> Option<f64> {
-        curves::value(&self.key, self.model, self.curve, time)
+        self.point.value(self.model, self.curve, time)
     }
 }
 
@@ -159,7 +162,7 @@ impl Chart<'_> {
 
     /// A value as plotted, in the chart's unit: of a logarithm the number that it is one of.
     pub fn shown(&self, plotted: f64) -> f64 {
-        let value = if self.quantity.is_logarithm() { math::powf(10.0, plotted) } else { plotted };
+        let value = if self.quantity.row().is_logarithmic { math::powf(10.0, plotted) } else { plotted };
         self.unit.shown(if value.abs() <= self.rounding { 0.0 } else { value })
     }
 }

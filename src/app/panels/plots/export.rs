@@ -8,12 +8,13 @@ use super::chart::{Chart, Dash};
 use super::plotted::Plotted;
 use super::traces::chart;
 use super::{accuracy, fit};
-use crate::app::plots::curves::{self, Curve, Quantity};
+use crate::app::plots::curves::{Curve, Whose};
 use crate::app::plots::look::quantities;
 use crate::app::state::State;
 use crate::estimate::samples::eye_columns;
 use crate::files::csv_out::Rows;
 use crate::plot::{self, Line, Panel, Stroke};
+use crate::quantity::Quantity;
 use crate::settings::PlotTab;
 
 /// Draws the plots of the shown tab as SVG, beside each other: the same curves with their names over the same axes, in
@@ -62,7 +63,7 @@ fn panel(state: &State, chart: &Chart<'_>) -> Panel {
         },
         pieces: trace.pieces.iter().map(|piece| piece.iter().map(in_chart).collect()).collect(),
     });
-    let labels = [time_label(chart.clock, chart.time_unit), axis_label(chart.quantity, chart.unit)];
+    let labels = [time_label(chart.clock, chart.time_unit), axis_label(chart.quantity, &chart.measures)];
     let point = state.name_of(state.document.points.selected());
     let title = if chart.quantity.is_disparity() { "" } else { &point };
     let shown = |time| chart.time_unit.shown(time);
@@ -74,7 +75,7 @@ fn panel(state: &State, chart: &Chart<'_>) -> Panel {
     Panel {
         ranges: [Some(chart.range.map(shown)), Some(values)],
         marks: seen.into_iter().chain(cursors).chain([now]).collect(),
-        logarithmic: [false, chart.quantity.is_logarithm()],
+        logarithmic: [false, chart.quantity.row().is_logarithmic],
         ..Panel::new(title, labels, lines.collect())
     }
 }
@@ -87,12 +88,14 @@ fn css(colour: Color32) -> String {
 /// The columns that `gamow fit` and *Own data* read, of the selected point as the views show it: their names after T, and
 /// the numbers of a row, in the scene's own units and radians.
 fn readable(state: &State) -> (Vec<&'static str>, impl Fn(f64) -> Vec<f64>) {
-    let key = state.curve_key(state.document.points.selected());
+    let seen = state.seen_point(state.document.points.selected());
     let (names, eyes) = eye_columns(state.document.settings.baseline());
     let names = names.iter().copied().chain(["dphi", "dtheta"]).collect();
     let numbers = move |time| {
-        let angle = |curve| curves::value(&key, key.model, curve, time).unwrap_or(f64::NAN);
-        let angles = [Curve::DeltaPhi, Curve::DeltaTheta].map(angle);
+        let angles = [Quantity::DeltaPhi, Quantity::DeltaTheta].map(|quantity| {
+            let curve = Curve { quantity, whose: Whose::Both };
+            seen.value(seen.model, curve, time).unwrap_or(f64::NAN)
+        });
         [&[time], eyes.as_slice(), &angles].concat()
     };
     (names, numbers)
@@ -112,7 +115,7 @@ fn table(state: &State, charts: &[Chart<'_>]) -> String {
     for chart in charts {
         for trace in &chart.traces {
             head.push_field(
-                format!("{}: {}", column_label(chart.quantity, chart.unit), trace.name).as_bytes(),
+                format!("{}: {}", column_label(chart.quantity, &chart.measures), trace.name).as_bytes(),
             );
         }
     }

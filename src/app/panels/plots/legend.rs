@@ -10,7 +10,6 @@ use eframe::egui::{
 };
 use egui_plot::PlotResponse;
 
-use super::axes::label;
 use super::chart::{Chart, Dash, Trace};
 use crate::app::plots::curves::PUBLISHED;
 
@@ -185,7 +184,7 @@ pub(super) fn sample(painter: &Painter, from: Pos2, length: f32, dash: Dash, str
 /// Draws the legend of `chart` where it covers least of what is `drawn`.
 pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &Chart<'_>, drawn: &Drawn) {
     let Some(block) = block(ui, chart, response.transform.frame().size()) else { return };
-    put(ui, response, label(chart.quantity), &block, drawn);
+    put(ui, response, chart.quantity.row().symbol, &block, drawn);
 }
 
 /// Draws a legend of these `rows`, the names of the lines in the plot of `what`.

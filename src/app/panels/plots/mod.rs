@@ -22,7 +22,7 @@ use clap::ValueEnum as _;
 use eframe::egui::{self, ComboBox, Ui, vec2};
 use egui_plot::{LineStyle, PlotBounds, PlotResponse, PlotUi, VLine};
 
-use self::axes::{annotate, label, plot_over_time};
+use self::axes::{annotate, plot_over_time};
 use self::chart::Chart;
 pub use self::export::{csv, svg};
 use self::legend::Drawn;
@@ -30,11 +30,12 @@ pub use self::plotted::Plotted;
 use self::traces::chart;
 use crate::app::command::Command;
 use crate::app::panels::Commands;
-use crate::app::plots::curves::{Curves, Quantity};
+use crate::app::plots::curves::Curves;
 use crate::app::plots::look::quantities;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::explained_lazily;
+use crate::quantity::Quantity;
 use crate::settings::{Coordinates, PlotTab, about, meaning};
 
 /// Height of a plot's title and of the numbers along T, points.
@@ -85,7 +86,7 @@ fn over_time(ui: &mut Ui, state: &State, curves: &[Curves], commands: &mut Comma
     let charts: Vec<Chart<'_>> =
         state.plotted_quantities().iter().map(|&quantity| chart(state, curves, quantity, high)).collect();
     // Four distances have more to say than one gain.
-    let share = |chart: &Chart<'_>| if chart.quantity == Quantity::LogDistance { 2.0 } else { 1.0 };
+    let share = |chart: &Chart<'_>| if chart.quantity == Quantity::Distance { 2.0 } else { 1.0 };
     let all: f32 = charts.iter().map(share).sum();
     let free = ui.available_width();
     let width = |chart| (free * share(chart) / all - theme::GAP / 2.0).max(20.0);
@@ -150,7 +151,7 @@ fn coordinates(ui: &mut Ui, chosen: &mut Coordinates) {
 fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &Chart<'_>, commands: &mut Commands) {
     let quantity = chart.quantity;
     let ([from, to], [low, high]) = (chart.range, chart.value_range());
-    let plot = plot_over_time(ui, ("plot", label(quantity)), chart.time_unit, size);
+    let plot = plot_over_time(ui, ("plot", quantity.row().id), chart.time_unit, size);
     let visuals = ui.visuals().clone();
     let response = chart.ruler().beside(plot).show(ui, |plot| {
         plot.set_plot_bounds(PlotBounds::from_min_max([from, low], [to, high]));
@@ -186,7 +187,7 @@ fn lines(plot: &mut PlotUi<'_>, chart: &Chart<'_>, visuals: &egui::Visuals) {
 /// Names the plot for assistive technology: what it shows, of what.
 fn describe(response: &PlotResponse<()>, state: &State, quantity: Quantity) {
     let point = state.name_of(state.document.points.selected());
-    let name = format!("Plot of {} of {point} against T", label(quantity));
+    let name = format!("Plot of {} of {point} against T", quantity.row().symbol);
     response
         .response
         .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &name));

@@ -2,7 +2,7 @@
 
 use relativity_core::Model;
 
-use crate::app::plots::curves::CurvesKey;
+use crate::app::plots::curves::SeenPoint;
 use crate::app::state::State;
 use crate::app::state::points::Point;
 use crate::number_text;
@@ -16,11 +16,11 @@ struct Traits {
 }
 
 impl Traits {
-    fn new(state: &State, point: &Point, key: &CurvesKey) -> Self {
+    fn new(state: &State, point: &Point, seen: &SeenPoint) -> Self {
         let number = |name: &str, value: f64| format!("{name} {}", number_text::trimmed(value, 3));
-        let [x, y, z] = key.point.rest.to_array();
-        let baseline = key.baseline;
-        let beta = number_text::beta(&key.velocity.speed);
+        let [x, y, z] = seen.point.rest.to_array();
+        let baseline = seen.baseline;
+        let beta = number_text::beta(&seen.velocity.speed);
         // As many digits as there are: no zeros behind the point.
         let beta = if beta.contains('e') { &beta } else { beta.trim_end_matches('0').trim_end_matches('.') };
         Self {
@@ -33,8 +33,8 @@ impl Traits {
                 number("d", baseline.separation),
                 number("roll", baseline.roll.to_degrees()) + "°",
                 number("turn", baseline.turn.to_degrees()) + "°",
-                if key.point.spin.is_some() { "turning" } else { "not turning" }.to_owned(),
-                match key.model {
+                if seen.point.spin.is_some() { "turning" } else { "not turning" }.to_owned(),
+                match seen.model {
                     Model::Exact => "two light cones",
                     Model::OneCone => "one light cone",
                     Model::Published(_) => "published",
@@ -67,8 +67,8 @@ impl Traits {
 /// Returns the traits of all pinned curves, and last those of the selected point.
 fn compared(state: &State) -> Vec<Traits> {
     let selected = state.document.points.selected();
-    let pins = state.scratch.plotting.pins().iter().map(|pin| Traits::new(state, &pin.point, &pin.key));
-    pins.chain([Traits::new(state, selected, &state.curve_key(selected))]).collect()
+    let pins = state.scratch.plotting.pins().iter().map(|pin| Traits::new(state, &pin.point, &pin.seen));
+    pins.chain([Traits::new(state, selected, &state.seen_point(selected))]).collect()
 }
 
 /// The names of the pinned curves, in order.

@@ -4,7 +4,6 @@ use eframe::egui::{RichText, Tooltip, Ui};
 use egui_plot::PlotResponse;
 use relativity_core::math;
 
-use super::axes::label;
 use super::chart::{Chart, Trace};
 use crate::number_text;
 use crate::units::Unit;
@@ -35,7 +34,7 @@ impl Chart<'_> {
     pub fn value_text(&self, plotted: f64) -> String {
         let [low, high] = self.value_range();
         let resolution = (high - low) / PIXELS;
-        let resolution = if self.quantity.is_logarithm() {
+        let resolution = if self.quantity.row().is_logarithmic {
             // So far off is so much of the number.
             self.shown(plotted) * (math::powf(10.0, resolution) - 1.0)
         } else {
@@ -106,7 +105,7 @@ pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &Chart<'_>) {
         for trace in &chart.traces {
             let value = trace.source.value(time);
             let value = value.map_or_else(|| number_text::NONE.to_owned(), |value| chart.value_text(value));
-            let text = format!("{}: {} = {value}", trace.name, label(chart.quantity));
+            let text = format!("{}: {} = {value}", trace.name, chart.quantity.row().symbol);
             ui.label(RichText::new(text).small().color(trace.colour(ui.visuals())));
         }
     });

@@ -6,19 +6,19 @@ use eframe::egui::{
 };
 use egui_plot::{Line, PlotBounds, PlotPoints, PlotResponse, Points, VLine};
 
-use super::axes::{Ruler, Y_AXIS_WIDTH, annotate, axis_label, plot_over_time, shown_in};
+use super::axes::{Ruler, Y_AXIS_WIDTH, annotate, axis_label, plot_over_time};
 use super::chart::Dash;
 use super::legend::{self, Drawn, Row};
 use crate::app::command::Command;
 use crate::app::lesson::drawn_curve::Sketched;
 use crate::app::lesson::session::LessonCommand;
 use crate::app::panels::Commands;
-use crate::app::plots::curves::Quantity;
 use crate::app::state::State;
 use crate::app::theme;
-use crate::app::views::eye::Eye;
-use crate::lesson::{self, Answer, difference, sketch};
+use crate::eye::Eye;
+use crate::lesson::{Answer, Curve, difference, sketch};
 use crate::plot::with_factor;
+use crate::quantity::Quantity;
 
 /// Invitation in an empty plot.
 const INVITATION: &str = "Draw the curve that you expect: press and drag.";
@@ -29,8 +29,7 @@ const TRUE: (Dash, &str) = (Dash::Solid, "true curve");
 
 /// Shows the plot to draw in.
 pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands: &mut Commands) {
-    let quantity = plotted(sketched.curve.quantity);
-    let unit = shown_in(quantity, state.measures().length);
+    let quantity = sketched.curve.quantity;
     ui.spacing_mut().item_spacing.y = 2.0;
     // Before an audience the words of the lesson tell it.
     if !sketched.is_asked && !state.session.stage.is_presented() {
@@ -46,7 +45,8 @@ pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands:
     ui.horizontal_wrapped(|ui| {
         ui.add_space(Y_AXIS_WIDTH);
         let ruler = Ruler::of_height(ui.available_height());
-        let heading = with_factor(&axis_label(quantity, unit), ruler.axis(sketched.curve.range).exponent);
+        let heading =
+            with_factor(&axis_label(quantity, &state.measures()), ruler.axis(sketched.curve.range).exponent);
         let of = state.name_of(state.document.points.selected());
         ui.label(RichText::new(heading).strong());
         ui.label(RichText::new(format!("of the {of}{}", whose(quantity))).weak());
@@ -72,30 +72,17 @@ pub(super) fn switch(ui: &mut Ui, state: &State, commands: &mut Commands) {
     }
 }
 
-/// Returns the same quantity of the window's plots.
-const fn plotted(quantity: lesson::Quantity) -> Quantity {
-    match quantity {
-        lesson::Quantity::Dphi => Quantity::DeltaPhi,
-        lesson::Quantity::Dtheta => Quantity::DeltaTheta,
-        lesson::Quantity::Doppler => Quantity::LogDoppler,
-        lesson::Quantity::Phi => Quantity::Phi,
-    }
-}
-
 /// Returns the eyes of a quantity: disparities belong to both.
 const fn whose(quantity: Quantity) -> &'static str {
-    match quantity {
-        _ if quantity.is_disparity() => "",
-        _ => ", left eye",
-    }
+    if quantity.is_disparity() { "" } else { ", left eye" }
 }
 
 fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands: &mut Commands) {
-    let lesson::Curve { quantity, range: values } = sketched.curve;
+    let Curve { quantity, range: values } = sketched.curve;
     let (times, time_unit) = (state.whole_times(), state.measures().time);
     let size = ui.available_size().max(Vec2::splat(20.0));
     let (settings, track) = (&state.document.settings, state.document.points.selected().track);
-    let truth = if sketched.is_revealed { quantity.over(settings, &track, times) } else { Vec::new() };
+    let truth = if sketched.is_revealed { sketched.curve.over(settings, &track, times) } else { Vec::new() };
     let drawn = sketch::pieces(sketched.points, times);
     let [drawn_colour, true_colour] = colours(ui, state, quantity);
     let plot = plot_over_time(ui, "sketch", time_unit, size).sense(Sense::drag());
@@ -112,7 +99,7 @@ fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands: &mut Comma
             let line = Line::new(name, PlotPoints::from(piece.clone())).allow_hover(false).allow_band(false);
             plot.line(line.color(colour).width(WIDTH).style(dash.style()));
         }
-        let value = sketched.is_revealed.then(|| quantity.at(settings, &track, now));
+        let value = sketched.is_revealed.then(|| sketched.curve.at(settings, &track, now));
         if let Some(value) = value.flatten() {
             let dot = Points::new("now", vec![[now, value]]).color(true_colour).radius(4.0);
             plot.points(dot.allow_hover(false));
@@ -133,20 +120,19 @@ fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands: &mut Comma
 }
 
 /// The colour of what is drawn, and that of what it should be, which other plots have too.
-fn colours(ui: &Ui, state: &State, quantity: lesson::Quantity) -> [Color32; 2] {
+fn colours(ui: &Ui, state: &State, quantity: Quantity) -> [Color32; 2] {
     let visuals = ui.visuals();
-    let truth = match quantity {
-        lesson::Quantity::Dphi | lesson::Quantity::Dtheta => {
-            theme::point_colour(state.document.points.selected().number, visuals)
-        }
-        lesson::Quantity::Doppler | lesson::Quantity::Phi => theme::eye_colour(Eye::Left, visuals),
+    let truth = if quantity.is_disparity() {
+        theme::point_colour(state.document.points.selected().number, visuals)
+    } else {
+        theme::eye_colour(Eye::Left, visuals)
     };
     [visuals.text_color(), truth]
 }
 
 /// Names the plot for assistive technology, with the invitation if it is empty.
 fn describe(ui: &Ui, response: &PlotResponse<()>, state: &State, sketched: Sketched<'_>) {
-    let [sign, _] = sketched.curve.quantity.axis();
+    let sign = sketched.curve.quantity.row().symbol;
     let point = state.name_of(state.document.points.selected());
     let name = if sketched.is_revealed {
         format!("Plot of {sign} of {point} against T, and of what was drawn")

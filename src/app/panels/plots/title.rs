@@ -4,16 +4,16 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Label, Layout, RichText, Sense, Stroke, TextStyle, Ui, WidgetInfo, pos2, vec2};
 use relativity_core::Model;
 
-use super::axes::{Y_AXIS_WIDTH, axis_label, label};
+use super::axes::{Y_AXIS_WIDTH, axis_label};
 use super::chart::{Chart, Trace};
 use super::legend::{SAMPLE, SPACE, sample};
-use super::traces::{ONE_CONE, distance_words};
-use crate::app::plots::curves::{Curve, DistanceKind, PUBLISHED, Quantity};
+use super::traces::{ONE_CONE, whose_words};
+use crate::app::plots::curves::{PUBLISHED, Whose};
 use crate::app::state::State;
-use crate::app::views::eye::Eye;
 use crate::app::widgets::named_text;
 use crate::number_text;
 use crate::plot::with_factor;
+use crate::quantity::Quantity;
 
 /// Shows the title.
 pub(super) fn show(ui: &mut Ui, state: &State, chart: &Chart<'_>) {
@@ -23,13 +23,13 @@ pub(super) fn show(ui: &mut Ui, state: &State, chart: &Chart<'_>) {
         ui.allocate_ui_with_layout(room, Layout::left_to_right(Align::Min).with_main_wrap(true), |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             let exponent = chart.ruler().axis(chart.value_range()).exponent;
-            let heading = with_factor(&axis_label(chart.quantity, chart.unit), exponent);
-            ui.label(RichText::new(heading).strong()).on_hover_text(tip(chart.quantity));
+            let heading = with_factor(&axis_label(chart.quantity, &chart.measures), exponent);
+            ui.label(RichText::new(heading).strong()).on_hover_text(chart.quantity.row().about);
             values_now(ui, state, chart, exponent);
             let beside = match state.document.settings.shown_model() {
-                _ if chart.quantity == Quantity::LogDistance => None,
+                _ if chart.quantity == Quantity::Distance => None,
                 Model::OneCone => Some((format!("{ONE_CONE}; dotted: two"), ONE_CONE_TIP)),
-                Model::Published(_) if chart.quantity != Quantity::LogGain => {
+                Model::Published(_) if chart.quantity != Quantity::StereoGain => {
                     Some(("published; dotted: exact".to_owned(), PUBLISHED_TIP))
                 }
                 Model::Published(_) | Model::Exact => None,
@@ -47,88 +47,51 @@ const ONE_CONE_TIP: &str = "Solid: as if both eyes received the same events. Dot
 const PUBLISHED_TIP: &str =
     "Solid: what the views show, the paper's model. Dotted: each eye through its own light cone, exactly.";
 
-/// A quantity in a sentence.
-const fn tip(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::DeltaPhi => {
-            "Azimuth as the left eye sees the point, less that of the right eye, at the observation time T."
-        }
-        Quantity::DeltaTheta => {
-            "Elevation as the left eye sees the point, less that of the right eye, at the observation time \
-                T."
-        }
-        Quantity::DeltaU => {
-            "u as the left eye sees the point, less that of the right eye, at the observation time T. u = \
-                arsinh(X/√(Y² + Z²)), along the line between the eyes, is a rapidity: motion slides it for \
-                both eyes alike, which drops out.\nDashed: the same point at rest, where it is in its own \
-                frame, for eyes γd apart."
-        }
-        Quantity::DeltaV => {
-            "v as the left eye sees the point, less that of the right eye, at the observation time T. v = \
-                atan2(Z, Y) is the angle about the line between the eyes, up from straight ahead: the \
-                vertical parallax of a conformal picture."
-        }
-        Quantity::Phi => {
-            "The direction the point is seen in, from the direction of motion towards straight ahead."
-        }
-        Quantity::Theta => "How high above the level of the eyes the point is seen.",
-        Quantity::LogDoppler => "Received over emitted frequency: above 1 is a blueshift.",
-        Quantity::LogGain => {
-            "A point at rest in the same place would look as different to eyes this many times as far apart."
-        }
-        Quantity::LogDistance => {
-            "How far away the selected point is: as seen, as two eyes place it, and as measured."
-        }
-    }
-}
-
 /// Shows the values of the selected point's curves at T, each in its colour.
 fn values_now(ui: &mut Ui, state: &State, chart: &Chart<'_>, exponent: i32) {
     let number = state.document.points.selected().number;
     let own = |trace: &&Trace<'_>| !trace.pale && trace.is_of(number) && trace.dot;
-    let symbol = label(chart.quantity);
+    let row = chart.quantity.row();
     let mut traces: Vec<&Trace<'_>> = chart.traces.iter().filter(own).collect();
-    let order = |trace: &Trace<'_>| match trace.source.curve {
-        Curve::LogDistance(kind) => DistanceKind::ALL.iter().position(|&any| any == kind),
-        _ => None,
+    let order = |trace: &Trace<'_>| {
+        Whose::of(chart.quantity).iter().position(|&whose| whose == trace.source.curve.whose)
     };
-    traces.sort_by_key(|trace| order(trace));
+    // Of a disparity each has the point's value, by another model.
+    if !chart.quantity.is_disparity() {
+        traces.sort_by_key(|trace| order(trace));
+    }
     let is_one_of_several = traces.len() > 1;
     for trace in traces {
         let plotted = trace.source.value(chart.now);
-        let decimals = match chart.quantity {
-            Quantity::LogDistance => 2,
-            Quantity::LogGain => 4,
-            _ => 5,
-        };
-        let written = if chart.quantity.is_logarithm() { number_text::fixed } else { number_text::rounded };
-        let shown = |value| written(chart.shown(value), chart.unit.decimals(decimals));
+        let written = if row.is_logarithmic { number_text::fixed } else { number_text::rounded };
+        let shown = |value| written(chart.shown(value), chart.unit.decimals(row.decimals));
         let value = plotted.map_or_else(|| number_text::NONE.to_owned(), shown);
         // The heading has the unit, unless that has a factor.
         let suffix =
             if exponent == 0 && chart.quantity != Quantity::DeltaPhi { "" } else { &chart.unit.suffix() };
-        match trace.source.curve {
-            curve if curve.is_disparity() && trace.source.model == PUBLISHED => {
+        let symbol = row.symbol;
+        match trace.source.curve.whose {
+            _ if chart.quantity.is_disparity() && trace.source.model == PUBLISHED => {
                 let text = format!("published {value}{suffix}");
                 let tip = "The same by the paper's approximate binocular model, drawn dashed.";
                 entry(ui, trace, &text, &format!("Published {symbol} at T: {value}{suffix}"), tip);
             }
-            curve if curve.is_disparity() && is_one_of_several => {
+            _ if chart.quantity.is_disparity() && is_one_of_several => {
                 let text = format!("{value}{suffix}");
                 let tip =
                     "As two eyes see it, each by its own light cone, or by the one that the views show.";
                 entry(ui, trace, &text, &format!("Exact {symbol} at T: {value}{suffix}"), tip);
             }
-            Curve::DeltaPhi | Curve::DeltaTheta | Curve::DeltaU | Curve::DeltaV | Curve::RestingU => {
+            _ if chart.quantity.is_disparity() => {
                 ui.add(Label::new(format!("{value}{}", chart.unit.suffix())).extend());
             }
-            Curve::LogGain => {
-                let text = RichText::new(&value).color(trace.colour(ui.visuals()));
-                named_text(ui, text, format!("Stereo gain at T: {value}"));
+            whose if chart.quantity == Quantity::Distance => {
+                let [name, tip] = whose_words(whose);
+                entry(ui, trace, &format!("{name} {value}"), &format!("{tip}: {value}"), tip);
             }
-            Curve::Phi(eye) | Curve::Theta(eye) | Curve::LogDoppler(eye) => {
-                let name = Eye::BOTH[eye].name();
-                let text = format!("{} {value}{suffix}", if eye == 0 { "left" } else { "right" });
+            Whose::Eye(eye) => {
+                let name = eye.name();
+                let text = format!("{} {value}{suffix}", whose_words(Whose::Eye(eye))[0]);
                 entry(
                     ui,
                     trace,
@@ -137,9 +100,9 @@ fn values_now(ui: &mut Ui, state: &State, chart: &Chart<'_>, exponent: i32) {
                     name,
                 );
             }
-            Curve::LogDistance(kind) => {
-                let [name, tip] = distance_words(kind);
-                entry(ui, trace, &format!("{name} {value}"), &format!("{tip}: {value}"), tip);
+            Whose::Both | Whose::Resting | Whose::Measured => {
+                let text = RichText::new(&value).color(trace.colour(ui.visuals()));
+                named_text(ui, text, format!("{} at T: {value}", row.name));
             }
         }
     }

@@ -2,13 +2,13 @@
 
 use relativity_core::Model;
 
-use super::axes::shown_in;
 use super::chart::{Chart, Dash, Hue, Source, Trace};
 use super::pins;
-use crate::app::plots::curves::{Curve, Curves, CurvesKey, DistanceKind, PUBLISHED, Quantity};
+use crate::app::plots::curves::{Curve, Curves, CurvesKey, PUBLISHED, SeenPoint, Whose};
 use crate::app::state::State;
 use crate::app::state::points::Point;
-use crate::app::views::eye::Eye;
+use crate::eye::Eye;
+use crate::quantity::{Dimension, Of, Quantity};
 
 /// The chart of `quantity`: of every point for a disparity, of each eye of the selected one else; and of what is pinned.
 /// `curves` are those that [`State::plotted_keys`] asks for; it is drawn about so high (points).
@@ -18,7 +18,8 @@ pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity,
     let words = if along { "seen abreast" } else { "seen equally far" };
     Chart {
         quantity,
-        unit: shown_in(quantity, measures.length),
+        measures,
+        unit: quantity.unit(&measures),
         time_unit: measures.time,
         clock: state.clock(),
         range: state.plotted_times(quantity),
@@ -27,20 +28,20 @@ pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity,
         equidistant: state.equidistance_time(state.document.points.selected()).map(|time| (time, words)),
         now: state.document.time,
         cursors: state.scratch.plotting.cursors().to_vec(),
-        rounding: rounding(&state.curve_key(state.document.points.selected()), quantity),
+        rounding: rounding(&state.seen_point(state.document.points.selected()), quantity),
         height,
     }
 }
 
 /// Returns the rounding error of a `quantity` that is 0, as plotted: for a difference in direction a part of what the separation of the
 /// eyes spans at the point.
-fn rounding(key: &CurvesKey, quantity: Quantity) -> f64 {
+fn rounding(seen: &SeenPoint, quantity: Quantity) -> f64 {
     const SHARE: f64 = 1e-14;
-    let distance = key.point.rest.length();
-    let separation = key.baseline.separation;
+    let distance = seen.point.rest.length();
+    let separation = seen.baseline.separation;
     match quantity {
         _ if quantity.is_disparity() && separation > 0.0 => SHARE * separation / distance.max(separation),
-        Quantity::Phi | Quantity::Theta => SHARE,
+        _ if quantity.row().dimension == Dimension::Angle => SHARE,
         _ => 0.0,
     }
 }
@@ -50,52 +51,47 @@ fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Tr
     let found = |key: CurvesKey| curves.iter().find(|curves| *curves.key() == key);
     let own = |point: &Point| found(state.plotted_key(point, quantity));
     let selected = own(state.document.points.selected());
-    let of_selected = |traces: fn(&'a Curves) -> Vec<Trace<'a>>| selected.map_or(Vec::new(), traces);
-    let present = match quantity {
-        Quantity::DeltaPhi => of_points(state, own, Curve::DeltaPhi),
-        Quantity::DeltaTheta => of_points(state, own, Curve::DeltaTheta),
-        Quantity::DeltaU => {
-            let resting = of_selected(|own| resting(own).into_iter().collect());
-            of_points(state, own, Curve::DeltaU).into_iter().chain(resting).collect()
-        }
-        Quantity::DeltaV => of_points(state, own, Curve::DeltaV),
-        Quantity::Phi => of_selected(|own| of_eyes(own, Curve::Phi)),
-        Quantity::Theta => of_selected(|own| of_eyes(own, Curve::Theta)),
-        Quantity::LogDoppler => of_selected(|own| of_eyes(own, Curve::LogDoppler)),
-        Quantity::LogGain => of_selected(|own| {
-            let of = |model| of_model("two eyes", Hue::Stereo, own, model, Curve::LogGain);
-            models(own).map(of).collect()
-        }),
-        Quantity::LogDistance => of_selected(distances),
+    let present = if quantity.is_disparity() {
+        let resting = selected.into_iter().filter_map(resting);
+        of_points(state, own).into_iter().chain(resting).collect()
+    } else {
+        selected.map_or_else(Vec::new, of_selected)
     };
     let pinned = state.scratch.plotting.pins().iter().zip(pins::names(state)).zip(Dash::PINNED);
     let pinned = pinned.filter_map(|((pin, name), dash)| {
-        Some(of_pin(found(state.pinned_key(pin, quantity))?, &name, pin.point.number, dash, quantity))
+        Some(of_pin(found(state.pinned_key(pin, quantity))?, &name, pin.point.number, dash))
     });
     pinned.flatten().chain(present).collect()
 }
 
+/// Returns the traces of a quantity of the selected point that is no disparity.
+fn of_selected(own: &Curves) -> Vec<Trace<'_>> {
+    match own.key().quantity {
+        Quantity::Distance => distances(own),
+        quantity if matches!(quantity.row().of, Of::Stereo(_)) => {
+            models(own).map(|model| of_model("two eyes", Hue::Stereo, own, model, Whose::Both)).collect()
+        }
+        _ => of_eyes(own),
+    }
+}
+
 /// The disparity of the point at rest, for eyes as far apart as the moving one shows them; none where motion is no slide.
 fn resting(own: &Curves) -> Option<Trace<'_>> {
-    let (curve, model) = (Curve::RestingU, Model::Exact);
-    let pieces = own.pieces(curve, model);
-    (!pieces.is_empty()).then(|| Trace {
+    let is_there = !own.pieces(Whose::Resting, own.key().point.model).is_empty();
+    is_there.then(|| Trace {
         name: "at rest, eyes γd apart".to_owned(),
-        pieces,
-        hue: Hue::Measured,
         dash: Dash::RIGHT,
         wide: false,
-        pale: false,
         dot: false,
-        source: Source { key: own.key().clone(), model, curve },
+        ..of_model("", Hue::Measured, own, own.key().point.model, Whose::Resting)
     })
 }
 
 /// A quantity that each eye has: the right one's dashes let the left one's line be seen where they coincide.
-fn of_eyes(own: &Curves, curve: fn(usize) -> Curve) -> Vec<Trace<'_>> {
+fn of_eyes(own: &Curves) -> Vec<Trace<'_>> {
     let traces = models(own).flat_map(|model| {
         Eye::BOTH.map(|eye| {
-            let trace = of_model(eye.name(), Hue::Eye(eye), own, model, curve(eye.index()));
+            let trace = of_model(eye.name(), Hue::Eye(eye), own, model, Whose::Eye(eye));
             let is_over = eye == Eye::Right && trace.dash == Dash::Solid;
             if is_over { Trace { dash: Dash::RIGHT, ..trace } } else { trace }
         })
@@ -103,52 +99,30 @@ fn of_eyes(own: &Curves, curve: fn(usize) -> Curve) -> Vec<Trace<'_>> {
     traces.collect()
 }
 
-/// Returns the traces of `quantity` in a pin of this `name`: of the distances that at which two eyes take the point to be.
-fn of_pin<'a>(
-    curves: &'a Curves,
-    name: &str,
-    number: usize,
-    dash: Dash,
-    quantity: Quantity,
-) -> Vec<Trace<'a>> {
-    let trace = |name: &str, hue: Hue, curve: Curve| Trace {
-        name: name.to_owned(),
+/// Returns the traces in a pin of this `name`: of the distances that at which two eyes take the point to be.
+fn of_pin<'a>(curves: &'a Curves, name: &str, number: usize, dash: Dash) -> Vec<Trace<'a>> {
+    let quantity = curves.key().quantity;
+    let trace = |(name, hue, whose): (String, Hue, Whose)| Trace {
+        name: name.clone(),
         dash,
         pale: true,
         wide: true,
         dot: false,
-        ..of_model(name, hue, curves, curves.key().model, curve)
+        ..of_model(&name, hue, curves, curves.key().point.model, whose)
     };
-    let of_eyes = |curve: fn(usize) -> Curve| {
-        let of = |eye: Eye| {
-            let name = format!("{}, {name}", eye.name());
-            trace(&name, Hue::Eye(eye), curve(eye.index()))
-        };
-        Eye::BOTH.map(of).into()
-    };
-    match quantity {
-        Quantity::DeltaPhi => vec![trace(name, Hue::Point(number), Curve::DeltaPhi)],
-        Quantity::DeltaTheta => vec![trace(name, Hue::Point(number), Curve::DeltaTheta)],
-        Quantity::DeltaU => vec![trace(name, Hue::Point(number), Curve::DeltaU)],
-        Quantity::DeltaV => vec![trace(name, Hue::Point(number), Curve::DeltaV)],
-        Quantity::Phi => of_eyes(Curve::Phi),
-        Quantity::Theta => of_eyes(Curve::Theta),
-        Quantity::LogDoppler => of_eyes(Curve::LogDoppler),
-        Quantity::LogGain => vec![trace(&format!("two eyes, {name}"), Hue::Stereo, Curve::LogGain)],
-        Quantity::LogDistance => {
-            let kind = DistanceKind::Stereo;
-            vec![trace(
-                &format!("{}, {name}", distance_words(kind)[0]),
-                Hue::Stereo,
-                Curve::LogDistance(kind),
-            )]
+    let kept = match Whose::of(quantity) {
+        _ if quantity.is_disparity() => vec![(name.to_owned(), Hue::Point(number), Whose::Both)],
+        [Whose::Both, ..] => {
+            vec![(format!("{}, {name}", whose_words(Whose::Both)[0]), Hue::Stereo, Whose::Both)]
         }
-    }
+        _ => Eye::BOTH.map(|eye| (format!("{}, {name}", eye.name()), Hue::Eye(eye), Whose::Eye(eye))).into(),
+    };
+    kept.into_iter().map(trace).collect()
 }
 
 /// The exact model where that is not what the views show, and then what they do.
 fn models(curves: &Curves) -> impl Iterator<Item = Model> + use<> {
-    let shown = curves.key().model;
+    let shown = curves.key().point.model;
     [Model::Exact].into_iter().filter(move |&exact| exact != shown).chain([shown])
 }
 
@@ -157,34 +131,30 @@ pub(super) const ONE_CONE: &str = "one light cone";
 const TWO_CONES: &str = "two light cones (exact)";
 
 /// A curve by the model of what the views show or, where that is another, the exact one beside it.
-fn of_model<'a>(name: &str, hue: Hue, curves: &'a Curves, model: Model, curve: Curve) -> Trace<'a> {
-    let key = curves.key();
-    let (name, dash) = match (key.model, model) {
+fn of_model<'a>(name: &str, hue: Hue, curves: &'a Curves, model: Model, whose: Whose) -> Trace<'a> {
+    let CurvesKey { point, quantity, .. } = curves.key();
+    let (name, dash) = match (point.model, model) {
         (Model::Exact, _) => (name.to_owned(), Dash::Solid),
         (_, Model::Exact) => (format!("{name}, {TWO_CONES}"), Dash::Dotted),
         (_, Model::OneCone) => (format!("{name}, {ONE_CONE}"), Dash::Solid),
         (_, Model::Published(_)) => (format!("{name}, published"), Dash::Solid),
     };
-    let shown = key.model == model;
+    let shown = point.model == model;
     Trace {
         name,
-        pieces: curves.pieces(curve, model),
+        pieces: curves.pieces(whose, model),
         hue,
         dash,
         wide: shown,
         pale: false,
         dot: shown,
-        source: Source { key: key.clone(), model, curve },
+        source: Source { point: point.clone(), model, curve: Curve { quantity: *quantity, whose } },
     }
 }
 
 /// A disparity of every followed point: the selected one below the others, which are thinner, and the published model's
 /// on top.
-fn of_points<'a>(
-    state: &State,
-    curves: impl Fn(&Point) -> Option<&'a Curves>,
-    curve: Curve,
-) -> Vec<Trace<'a>> {
+fn of_points<'a>(state: &State, curves: impl Fn(&Point) -> Option<&'a Curves>) -> Vec<Trace<'a>> {
     let points = &state.document.points;
     let mut all: Vec<_> = points.all().iter().enumerate().collect();
     all.sort_by_key(|(index, _)| *index != points.selected_index());
@@ -194,63 +164,55 @@ fn of_points<'a>(
         let is_selected = index == points.selected_index();
         let (name, hue) = (pins::name_beside(state, point), Hue::Point(point.number));
         for model in models(curves) {
-            let trace = of_model(&name, hue, curves, model, curve);
+            let trace = of_model(&name, hue, curves, model, Whose::Both);
             traces.push(Trace { wide: trace.wide && is_selected, ..trace });
         }
         if curves.key().published {
             traces.push(Trace {
                 name: format!("{name}, published"),
-                pieces: curves.pieces(curve, PUBLISHED),
-                hue,
                 dash: Dash::PUBLISHED,
                 wide: is_selected,
-                pale: false,
                 dot: true,
-                source: Source { key: curves.key().clone(), model: PUBLISHED, curve },
+                ..of_model(&name, hue, curves, PUBLISHED, Whose::Both)
             });
         }
     }
     traces
 }
 
-/// The name of a distance, short and long.
-pub(super) const fn distance_words(kind: DistanceKind) -> [&'static str; 2] {
-    match kind {
-        DistanceKind::Stereo => ["two eyes", "Where two eyes place it"],
-        DistanceKind::Seen(0) => ["left", "Where the left eye sees it"],
-        DistanceKind::Seen(_) => ["right", "Where the right eye sees it"],
-        DistanceKind::Measured => ["measured", "Where it is measured now"],
+/// The name of a distance by whose it is, short and long.
+pub(super) const fn whose_words(whose: Whose) -> [&'static str; 2] {
+    match whose {
+        Whose::Both | Whose::Resting => ["two eyes", "Where two eyes place it"],
+        Whose::Eye(Eye::Left) => ["left", "Where the left eye sees it"],
+        Whose::Eye(Eye::Right) => ["right", "Where the right eye sees it"],
+        Whose::Measured => ["measured", "Where it is measured now"],
     }
 }
 
 /// Returns the colour, the dashes and the width of a distance's line.
-pub(super) const fn distance_look(kind: DistanceKind) -> (Hue, Dash, bool) {
-    match kind {
-        DistanceKind::Stereo => (Hue::Stereo, Dash::Solid, true),
-        DistanceKind::Seen(0) => (Hue::Eye(Eye::Left), Dash::Solid, true),
-        DistanceKind::Seen(_) => (Hue::Eye(Eye::Right), Dash::RIGHT, true),
-        DistanceKind::Measured => (Hue::Measured, Dash::Solid, false),
+const fn distance_look(whose: Whose) -> (Hue, Dash, bool) {
+    match whose {
+        Whose::Both | Whose::Resting => (Hue::Stereo, Dash::Solid, true),
+        Whose::Eye(Eye::Left) => (Hue::Eye(Eye::Left), Dash::Solid, true),
+        Whose::Eye(Eye::Right) => (Hue::Eye(Eye::Right), Dash::RIGHT, true),
+        Whose::Measured => (Hue::Measured, Dash::Solid, false),
     }
 }
 
-/// Returns the traces of the selected point: two eyes on top.
+/// Returns the traces of the selected point's distances: two eyes on top.
 fn distances(curves: &Curves) -> Vec<Trace<'_>> {
-    let model = curves.key().model;
-    let kinds = [DistanceKind::Measured, DistanceKind::Seen(0), DistanceKind::Seen(1), DistanceKind::Stereo];
-    kinds
-        .into_iter()
-        .map(|kind| {
-            let (hue, dash, wide) = distance_look(kind);
-            let curve = Curve::LogDistance(kind);
+    let all = [Whose::Measured, Whose::Eye(Eye::Left), Whose::Eye(Eye::Right), Whose::Both];
+    all.into_iter()
+        .map(|whose| {
+            let (hue, dash, wide) = distance_look(whose);
+            let name = whose_words(whose)[1].to_owned();
             Trace {
-                name: distance_words(kind)[1].to_owned(),
-                pieces: curves.pieces(curve, model),
-                hue,
+                name,
                 dash,
                 wide,
-                pale: false,
                 dot: true,
-                source: Source { key: curves.key().clone(), model, curve },
+                ..of_model("", hue, curves, curves.key().point.model, whose)
             }
         })
         .collect()

@@ -14,8 +14,8 @@ use super::Commands;
 use super::picture::{self, ASPECT, RADIUS};
 use crate::app::command::Command;
 use crate::app::theme;
-use crate::app::views::eye::Eye;
 use crate::app::views::thumbnails::{Look, Thumbnails};
+use crate::eye::Eye;
 use crate::lesson::Lesson;
 
 /// Space between cards, and around what is written in one; points.

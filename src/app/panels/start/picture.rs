@@ -6,8 +6,8 @@ use eframe::egui::epaint::{CornerRadius, RectShape};
 use eframe::egui::{Color32, Rect, TextStyle, TextureHandle, Ui, Visuals, pos2, vec2};
 
 use crate::app::theme;
-use crate::app::views::eye::Eye;
 use crate::app::views::thumbnails::{Look, Thumbnails};
+use crate::eye::Eye;
 use crate::lesson::Lesson;
 
 /// Height of a picture in its widths.

@@ -64,6 +64,10 @@ pub fn sampled<const N: usize>(
     thinned(samples, &tolerances, (range[1] - range[0]) * TOLERANCE)
 }
 
+/// How far a sample that is left out may be from the one before, as a part of a chord's greatest distance from the curve: it adds so
+/// much to that.
+const LEFT_OUT: f64 = 0.5;
+
 /// Without the samples that lie on the one before, as drawn: a line through them would be drawn uneven.
 fn thinned<const N: usize>(
     samples: Vec<Sample<N>>,
@@ -74,7 +78,7 @@ fn thinned<const N: usize>(
     for sample in samples {
         let same = kept.last().is_some_and(|last| {
             sample.time - last.time < time_tolerance
-                && (0..N).all(|i| (sample.values[i] - last.values[i]).abs() <= 2.0 * tolerances[i])
+                && (0..N).all(|i| (sample.values[i] - last.values[i]).abs() <= LEFT_OUT * tolerances[i])
         });
         if !same {
             kept.push(sample);

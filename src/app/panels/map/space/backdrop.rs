@@ -9,7 +9,7 @@ use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::Labels;
 use crate::app::state::State;
 use crate::app::theme;
-use crate::app::views::eye::Eye;
+use crate::eye::Eye;
 use crate::map::{Instant, Projection, field_of_view};
 use crate::settings::{Frame, Motion};
 

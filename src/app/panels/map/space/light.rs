@@ -13,10 +13,10 @@ use crate::app::panels::map::labels::Labels;
 use crate::app::panels::map::times::{labelled, times};
 use crate::app::state::State;
 use crate::app::theme;
-use crate::app::views::eye::Eye;
-use crate::caption::times::{HAPPENED, OWN_CLOCK};
+use crate::eye::Eye;
 use crate::map::{Event, Front, Projection, Ray, Worldline, along, fronts, rays};
 use crate::plot::round_step;
+use crate::quantity::Quantity;
 use crate::settings::Frame;
 
 /// Fronts that follow each other while light comes from where the point passes.
@@ -90,8 +90,10 @@ impl<'a> Light<'a> {
             labels.avoid(way);
         }
         let (name, times) = match state.document.settings.map.frame {
-            Frame::Ground | Frame::Rider => (HAPPENED.name, self.rays.map(|ray| ray.happened)),
-            Frame::Bicycle => (OWN_CLOCK.name, self.rays.map(|ray| ray.proper_time)),
+            Frame::Ground | Frame::Rider => {
+                (Quantity::EmissionTime.row().name, self.rays.map(|ray| ray.happened))
+            }
+            Frame::Bicycle => (Quantity::ProperTime.row().name, self.rays.map(|ray| ray.proper_time)),
         };
         let [left, right] = times.map(|time| labelled(state, time));
         let both = if left == right { left } else { format!("{left}, {right}") };

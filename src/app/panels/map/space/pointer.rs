@@ -10,9 +10,9 @@ use crate::app::panels::Commands;
 use crate::app::panels::map::canvas;
 use crate::app::pointer::Select;
 use crate::app::state::State;
-use crate::app::views::eye::Eye;
-use crate::caption::times::OWN_CLOCK;
+use crate::eye::Eye;
 use crate::map::{Instant, Lines, Nearest, Picture, Worldline};
+use crate::quantity::Quantity;
 use crate::scene::Track;
 use crate::settings::Frame;
 
@@ -61,7 +61,7 @@ fn eye_told(state: &State, sheet: &Sheet, pointer: Pos2) -> Option<String> {
     let far = |at: DVec3| canvas::place(&sheet.chart, sheet.projection.flat(at)).distance(pointer);
     let nearest = Eye::BOTH.into_iter().zip(eyes).min_by(|(_, a), (_, b)| far(*a).total_cmp(&far(*b)));
     let (eye, at) = nearest.filter(|&(_, at)| f64::from(far(at)) <= REACH)?;
-    let received = time_text(state, state.clock().times[0].name, now);
+    let received = time_text(state, state.clock().received.name, now);
     Some(format!("{}\n{}\n{received}", eye.name(), place_text(state, at)))
 }
 
@@ -97,17 +97,19 @@ fn times(state: &State, picture: Picture, track: &Track) -> Vec<String> {
             let Ok(both) = state.document.settings.disparity(track, now) else { return Vec::new() };
             let seen = [both.primary, both.secondary][eye];
             let times = [now, seen.retarded_time, seen.proper_time];
-            state.clock().times.iter().zip(times).map(|(name, value)| time(name.name, value)).collect()
+            state.clock().names().into_iter().zip(times).map(|(name, value)| time(name, value)).collect()
         }
         (Picture::Measured, Frame::Ground) => {
             let own = Worldline::new(&state.document.settings, track, frame).proper_time(street);
-            vec![time("now t", street), time(OWN_CLOCK.name, own)]
+            vec![time("now t", street), time(Quantity::ProperTime.row().name, own)]
         }
         (Picture::Measured, Frame::Rider) => vec![time("now, by my clock", now)],
         // On board all clocks agree.
-        (Picture::Measured, Frame::Bicycle) => vec![time(OWN_CLOCK.name, frame.speed.gamma() * now)],
+        (Picture::Measured, Frame::Bicycle) => {
+            vec![time(Quantity::ProperTime.row().name, frame.speed.gamma() * now)]
+        }
         // From two events, each with times of its own.
-        (Picture::Stereo, _) => vec![time(state.clock().times[0].name, now)],
+        (Picture::Stereo, _) => vec![time(state.clock().received.name, now)],
         (Picture::Seen(_), Frame::Bicycle) => Vec::new(),
     }
 }

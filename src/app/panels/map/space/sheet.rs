@@ -4,7 +4,7 @@ use eframe::egui::{Color32, Rect, Visuals};
 
 use crate::app::panels::map::canvas;
 use crate::app::theme;
-use crate::app::views::eye::Eye;
+use crate::eye::Eye;
 use crate::map::{Chart, Picture, Projection};
 
 /// A chart of the face.

@@ -5,9 +5,9 @@ use eframe::egui::{Color32, Pos2, Shape, Stroke, TextStyle};
 use super::sheet::{NEAR, Sheet};
 use crate::app::panels::map::labels::Labels;
 use crate::app::theme;
-use crate::app::views::eye::Eye;
-use crate::caption::times::HAPPENED;
+use crate::eye::Eye;
 use crate::map::{Diagram, Event, Ray, StraightLine, worldline_of_eye};
+use crate::quantity::Quantity;
 use crate::settings::Frame;
 
 /// Length and gap of dashes, points: for the line of simultaneity of the other frame, and for light projected onto the plane.
@@ -242,7 +242,11 @@ fn name_far_event(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)
     }
     if let Some([from, _]) = shown_ray(sheet, &ray) {
         let time = sheet.state.measures().time.text(ray.happened, 1);
-        write(from, &format!("{} {time}, further off", HAPPENED.name), sheet.ui.visuals().text_color());
+        write(
+            from,
+            &format!("{} {time}, further off", Quantity::EmissionTime.row().name),
+            sheet.ui.visuals().text_color(),
+        );
     }
 }
 

@@ -7,7 +7,7 @@ use super::{lines, words};
 use crate::app::panels::map::labels::Labels;
 use crate::app::panels::map::times::labelled;
 use crate::app::theme;
-use crate::app::views::eye::Eye;
+use crate::eye::Eye;
 use crate::map::{Diagram, Ray};
 
 /// Radius of a mark, points.
@@ -114,7 +114,7 @@ pub fn paint(sheet: &Sheet<'_>, marks: &[Mark], labels: &mut Labels) {
     if sheet.room().contains(present) {
         let time = labelled(sheet.state, sheet.diagram.clock);
         let text =
-            format!("{} {time}{}", sheet.state.clock().times[0].name, sheet.state.measures().time.suffix());
+            format!("{} {time}{}", sheet.state.clock().received.name, sheet.state.measures().time.suffix());
         labels.keep_clear_of(present, HANDLE);
         labels.write(&sheet.painter, (present, HANDLE), &text, font.clone(), strong);
     }

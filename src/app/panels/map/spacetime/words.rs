@@ -2,8 +2,8 @@
 
 use super::sheet::Sheet;
 use crate::app::panels::map::times::times;
-use crate::app::views::eye::Eye;
 use crate::caption::capitalised;
+use crate::eye::Eye;
 use crate::map::{Diagram, Event, Ray};
 use crate::settings::Frame;
 

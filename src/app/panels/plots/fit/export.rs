@@ -4,12 +4,11 @@ use csv::ByteRecord;
 
 use crate::app::fitting::{FitOutcome, Fitting};
 use crate::app::panels::plots::axes::{axis_label, time_label};
-use crate::app::plots::curves::Quantity;
 use crate::app::state::State;
 use crate::estimate::samples::{Samples, eye_columns};
 use crate::files::csv_out::Rows;
 use crate::plot::{BLACK, BLUE, Line, Panel, Stroke};
-use crate::units::Unit;
+use crate::quantity::Quantity;
 
 /// The columns of each curve.
 const COLUMNS: [[&str; 3]; 2] =
@@ -61,7 +60,7 @@ fn of_curve(state: &State, outcome: &FitOutcome, curve: usize, quantity: Quantit
         stroke: Stroke::Dots,
         ..Line::solid(name, GREY, points.iter().map(place).collect())
     };
-    let label = axis_label(quantity, Unit::OWN);
+    let label = axis_label(quantity, &state.measures());
     let panel = |what: &str, lines| {
         Panel::new("", [time_label(state.clock(), unit), format!("{label}{what}")], lines)
     };

@@ -6,11 +6,13 @@ use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, V
 use crate::app::command::Command;
 use crate::app::fitting::{FitOutcome, FittedCurve, Fitting};
 use crate::app::panels::Commands;
-use crate::app::panels::plots::axes::{Ruler, annotate, bounds, label, plot_over_time, time_at_pointer};
+use crate::app::panels::plots::axes::{
+    Ruler, annotate, bounds, column_label, plot_over_time, time_at_pointer,
+};
 use crate::app::panels::plots::legend::Drawn;
-use crate::app::plots::curves::Quantity;
 use crate::app::state::State;
 use crate::app::theme;
+use crate::quantity::Quantity;
 
 /// Share of the height that the residuals take, with the numbers along T.
 const RESIDUALS_SHARE: f32 = 0.44;
@@ -72,7 +74,7 @@ pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, com
     // The numbers along T are larger than the plot reckons with, and the last of them may reach beyond its end.
     let number = TextStyle::Body.resolve(ui.style()).size;
     let size = (ui.available_size() - number * vec2(HALF_A_NUMBER, 0.5)).max(vec2(20.0, 20.0));
-    let (name, unit) = (label(quantity), format!("{} / rad", label(quantity)));
+    let (name, unit) = (quantity.row().symbol, column_label(quantity, &state.measures()));
     match half {
         Half::Readings => {
             let readings = Part {
@@ -111,7 +113,7 @@ fn pair(
     let has_residuals = drawing.fitted.is_some();
     let residuals_height = if has_residuals { RESIDUALS_SHARE * height } else { 0.0 };
     let curve_height = height - residuals_height;
-    let what = format!("{} / rad", label(quantity));
+    let what = column_label(quantity, &state.measures());
     ui.horizontal(|ui| {
         ui.set_height(TITLE_HEIGHT);
         ui.add_space(Y_AXIS_WIDTH);
@@ -121,7 +123,7 @@ fn pair(
             ui.label(RichText::new("samples, fit, 95 % band").weak().small());
         }
     });
-    let name = label(quantity);
+    let name = quantity.row().symbol;
     let curve = Part {
         name: format!("Fit of {name} against T"),
         size: vec2(size.x, curve_height),
