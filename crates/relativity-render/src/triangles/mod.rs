@@ -11,6 +11,7 @@
 //! for grey paint and 1 for a saturated colour. Paint is what the corners have, times the [`texture`].
 
 mod crossing;
+mod edges;
 mod error;
 mod limits;
 mod model;
@@ -21,7 +22,7 @@ pub mod point;
 pub(crate) mod shared;
 pub mod texture;
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::{DVec3, Vec3};
 use relativity_core::threads::prelude::*;
@@ -56,6 +57,7 @@ pub struct Triangles {
     fingerprint: u64,
     /// Length of the longest edge, in the measure of `relative_length`.
     longest_edge: f64,
+    edges: OnceLock<edges::Edges>,
 }
 
 impl Triangles {
@@ -101,6 +103,7 @@ impl Triangles {
             half: half.max(DVec3::splat(LEAST_SIDE * largest)),
             fingerprint: 0,
             longest_edge: 0.0,
+            edges: OnceLock::new(),
         };
         prepared.find_order();
         if prepared.hierarchy.is_empty() {

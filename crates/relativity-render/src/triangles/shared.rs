@@ -1,7 +1,7 @@
 //! The written form of the triangles that bodies share, for another instance of the program: without their hierarchy, which reading builds anew.
 
 use std::borrow::Cow;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::{DVec3, Vec3};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -75,6 +75,7 @@ pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<
         half: saved.half,
         fingerprint: saved.fingerprint,
         longest_edge: 0.0,
+        edges: OnceLock::new(),
     };
     read.find_order();
     Ok(Some(Arc::new(read)))

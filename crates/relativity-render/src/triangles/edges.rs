@@ -1,0 +1,202 @@
+//! The edges that a model is drawn with as lines: its sharp ones, and those where it turns away from whoever looks.
+
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
+use glam::{DVec3, Vec3};
+
+use super::Triangles;
+
+/// Greatest number of triangles whose own edges are drawn. Of a larger model the corners in a cell of a grid count as one of them.
+const MOST_TRIANGLES: usize = 5_000;
+/// Cells of that grid along the longest side of the box around the model: lines are off by up to so small a part of it.
+const CELLS: f64 = 40.0;
+/// Cells in each of which all places are the same.
+const SAME: f64 = 1e6;
+/// Greatest number of sharp edges that are drawn, and of those where the model turns away; the longest.
+const MOST_EDGES: usize = 240;
+/// The cosine of the least angle between two triangles whose edge is sharp, 37 degrees; and of the greatest of those that lie in one plane.
+const SHARP: f64 = 0.8;
+const FLAT: f64 = 0.999_999;
+
+/// An edge of triangles, from the middle of their box and along its axes.
+#[derive(Debug, Clone, Copy)]
+struct Edge {
+    ends: [DVec3; 2],
+    /// The normals of both triangles, on one side of the surface; none of a sharp edge.
+    bend: Option<[DVec3; 2]>,
+}
+
+/// The edges of a model, the longest first.
+#[derive(Debug, Default)]
+pub(super) struct Edges(Vec<Edge>);
+
+impl Triangles {
+    /// Returns the ends of the model's sharp edges, from the middle of the box around it; at most 240, the longest.
+    pub fn sharp_edges(&self) -> impl Iterator<Item = [DVec3; 2]> {
+        self.edges().0.iter().filter(|edge| edge.bend.is_none()).map(|edge| edge.ends).take(MOST_EDGES)
+    }
+
+    /// Returns the ends of the edges where the surface turns away from who looks along `direction`, from the middle of the box around
+    /// the model; at most 240, the longest, and none of the sharp ones.
+    pub fn turning_edges(&self, direction: DVec3) -> impl Iterator<Item = [DVec3; 2]> {
+        let turns_away = move |edge: &&Edge| {
+            edge.bend.is_some_and(|[one, other]| one.dot(direction) * other.dot(direction) < 0.0)
+        };
+        self.edges().0.iter().filter(turns_away).map(|edge| edge.ends).take(MOST_EDGES)
+    }
+
+    /// The edges, found when they are first asked for.
+    fn edges(&self) -> &Edges {
+        self.edges.get_or_init(|| Edges::new(self))
+    }
+}
+
+impl Edges {
+    fn new(model: &Triangles) -> Self {
+        let stands_for = joined(model);
+        let mut found: HashMap<[u32; 2], Met> = HashMap::new();
+        for (number, face) in (0..).zip(&model.faces) {
+            let [a, b, c] = face.map(|corner| stands_for[corner as usize]);
+            // Most triangles of a large model are within a cell.
+            if a == b && b == c {
+                continue;
+            }
+            let [place_a, place_b, place_c] = model.corners_of(number);
+            let Some(normal) = (place_b - place_a).cross(place_c - place_a).try_normalize() else { continue };
+            for [from, to] in [[a, b], [b, c], [c, a]].into_iter().filter(|[from, to]| from != to) {
+                let met = Met { normal, is_forward: from < to, other: None };
+                match found.entry([from.min(to), from.max(to)]) {
+                    Entry::Vacant(place) => {
+                        place.insert(met);
+                    }
+                    Entry::Occupied(mut first) => first.get_mut().meet(&met),
+                }
+            }
+        }
+        let place = |corner: u32| model.corners[corner as usize].as_dvec3();
+        let length = |edge: &Edge| (edge.ends[1] - edge.ends[0]).length_squared();
+        // Hashing has no order: edges of one length stand in that of their corners.
+        let mut found: Vec<_> = found.into_iter().collect();
+        found.sort_unstable_by_key(|(ends, _)| *ends);
+        let mut edges: Vec<_> =
+            found.into_iter().filter_map(|(ends, met)| met.edge(ends.map(place))).collect();
+        edges.sort_by(|a, b| length(b).total_cmp(&length(a)));
+        Self(edges)
+    }
+}
+
+/// The triangles that meet in an edge.
+#[derive(Debug, Clone, Copy)]
+struct Met {
+    /// Normal of the first.
+    normal: DVec3,
+    /// Whether the first runs along the edge from its lower corner to its higher.
+    is_forward: bool,
+    /// The normal of the second, on the same side of the surface.
+    other: Option<DVec3>,
+}
+
+impl Met {
+    /// Adds another triangle. Of more than two the one that is bent most against the first counts.
+    fn meet(&mut self, next: &Self) {
+        // Neighbours run against each other along their edge, unless one is turned inside out.
+        let is_inside_out = self.is_forward == next.is_forward && self.normal.dot(next.normal) < 0.0;
+        let normal = if is_inside_out { -next.normal } else { next.normal };
+        let is_bent_more = |other: DVec3| self.normal.dot(normal) < self.normal.dot(other);
+        if self.other.is_none_or(is_bent_more) {
+            self.other = Some(normal);
+        }
+    }
+
+    /// The edge that is drawn between these `ends`, if any.
+    fn edge(self, ends: [DVec3; 2]) -> Option<Edge> {
+        let bend = match self.other {
+            Some(other) if self.normal.dot(other) > FLAT => return None,
+            Some(other) if self.normal.dot(other) > SHARP => Some([self.normal, other]),
+            _ => None,
+        };
+        Some(Edge { ends, bend })
+    }
+}
+
+/// Returns for each corner the one that stands for it: the first in the same cell of a grid, which of a small model is as fine as places
+/// that a file means to be the same.
+fn joined(model: &Triangles) -> Vec<u32> {
+    let cells = if model.faces.len() > MOST_TRIANGLES { CELLS } else { SAME };
+    let cell = 2.0 * model.half.max_element() / cells;
+    let mut first = HashMap::new();
+    let place = |corner: &Vec3| (corner.as_dvec3() / cell).round().as_i64vec3();
+    let corners = model.corners.iter().zip(0u32..);
+    corners.map(|(corner, number)| *first.entry(place(corner)).or_insert(number)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Model;
+    use super::*;
+
+    fn model(corners: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Triangles {
+        Triangles::new(Model { corners, triangles, ..Model::default() }).expect("a model")
+    }
+
+    /// A box whose six sides share no corners, as in a file with a normal at each.
+    fn crate_model() -> Triangles {
+        let corner = |i: usize| [0, 1, 2].map(|bit| if i >> bit & 1 == 0 { -1.0 } else { 1.0 + bit as f64 });
+        let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let corners = sides.iter().flatten().map(|&i| corner(i)).collect();
+        let triangles =
+            (0..6u32).flat_map(|side| [[0, 1, 2], [0, 2, 3]].map(|face| face.map(|i| 4 * side + i)));
+        model(corners, triangles.collect())
+    }
+
+    #[test]
+    fn a_box_is_drawn_with_its_twelve_edges() {
+        let model = crate_model();
+        let edges: Vec<_> = model.sharp_edges().collect();
+        assert_eq!(edges.len(), 12);
+        for [from, to] in edges {
+            // An edge of a box runs along one axis; a diagonal would run along two.
+            assert_eq!((to - from).abs().to_array().iter().filter(|part| **part > 0.0).count(), 1);
+        }
+        assert_eq!(model.turning_edges(DVec3::new(0.3, 0.5, 0.8)).count(), 0);
+    }
+
+    /// Rings of a ball: seen from anywhere it turns away along a great circle across the line of sight, however fine it is.
+    #[test]
+    fn a_ball_turns_away_along_a_great_circle() {
+        for rings in [24, 120] {
+            let turns = 2 * rings;
+            let corner = |i: u32| {
+                let (polar, turn) =
+                    (f64::from(i / turns) / f64::from(rings), f64::from(i % turns) / f64::from(turns));
+                let (polar, turn) = (std::f64::consts::PI * polar, std::f64::consts::TAU * turn);
+                [polar.sin() * turn.cos(), polar.sin() * turn.sin(), polar.cos()]
+            };
+            let square = |i: u32| {
+                let at = |ring: u32, turn: u32| ring * turns + turn % turns;
+                let (ring, turn) = (i / turns, i % turns);
+                let [a, b, c, d] =
+                    [at(ring, turn), at(ring + 1, turn), at(ring + 1, turn + 1), at(ring, turn + 1)];
+                [[a, b, c], [a, c, d]]
+            };
+            let ball = model(
+                (0..(rings + 1) * turns).map(corner).collect(),
+                (0..rings * turns).flat_map(square).collect(),
+            );
+            assert_eq!(ball.sharp_edges().count(), 0, "{rings}");
+            for direction in [DVec3::Z, DVec3::X, DVec3::new(0.6, -0.48, 0.64)] {
+                let edges: Vec<_> = ball.turning_edges(direction).collect();
+                let length: f64 = edges.iter().map(|[from, to]| (*to - *from).length()).sum();
+                // It goes around once, in steps along the net of the corners.
+                assert!(
+                    (0.9..1.5).contains(&(length / std::f64::consts::TAU)),
+                    "{rings}, {direction}: {length}"
+                );
+                for end in edges.as_flattened() {
+                    assert!(end.dot(direction).abs() < 0.15, "{rings}, {direction}: {end}");
+                }
+            }
+        }
+    }
+}
