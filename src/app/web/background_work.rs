@@ -41,8 +41,8 @@ enum Place<W: Work> {
 }
 
 impl<W: Work, L: 'static> BackgroundWork<W, L> {
-    /// Nothing is started yet. Each result is announced by a repaint.
-    pub fn new(ctx: &Context) -> Self {
+    /// Nothing is started yet. Each result is announced by a repaint. The place of the work makes tools of its own.
+    pub fn new(ctx: &Context, _: W::Tools) -> Self {
         Self(Rc::new(Shared {
             ctx: ctx.clone(),
             place: RefCell::new(Place::Open),
@@ -77,6 +77,14 @@ impl<W: Work, L: 'static> BackgroundWork<W, L> {
             Place::Starting(_, waiting) => *waiting = None,
             Place::Apart(instance, _) => instance.stop(shared.newest.get()),
             Place::Page(worker) => worker.stop(),
+        }
+    }
+
+    /// Gives up what is running or waiting, even within a step: the instance ends, and the next job starts another.
+    pub fn end(&self) {
+        if self.is_pending() {
+            self.stop();
+            self.0.place.replace(Place::Open);
         }
     }
 
@@ -157,9 +165,14 @@ impl<W: Work> Place<W> {
     /// Work in steps between the frames of the page.
     fn on_page() -> Self {
         let begin = |(number, base, job)| (number, W::begin(base, job));
-        Self::Page(Worker::in_steps(Context::default(), begin, |(number, work): &mut (u64, W), wanted| {
-            work.step(wanted).map(|result| (*number, result))
-        }))
+        let mut tools = W::Tools::default();
+        Self::Page(Worker::in_steps(
+            Context::default(),
+            begin,
+            move |(number, work): &mut (u64, W), wanted| {
+                work.step(&mut tools, wanted).map(|result| (*number, result))
+            },
+        ))
     }
 
     /// Has the job done next.
@@ -183,8 +196,9 @@ impl<W: Work> Place<W> {
 /// Does the work of this kind in this instance, for the page.
 pub fn serve<W: Work>() {
     let begin = |(number, base, job)| (number, W::begin(base, job));
-    let step = |(number, work): &mut (u64, W), wanted: &Wanted| {
-        let Step::Last(result) = work.step(wanted) else { return Step::More };
+    let mut tools = W::Tools::default();
+    let step = move |(number, work): &mut (u64, W), wanted: &Wanted| {
+        let Step::Last(result) = work.step(&mut tools, wanted) else { return Step::More };
         result.iter().for_each(|result| answer(*number, &encoded(result)));
         Step::<()>::Last(None)
     };

@@ -71,6 +71,9 @@ impl Instance {
 
 impl Drop for Instance {
     fn drop(&mut self) {
+        // What it has said already is heard by nobody.
+        self.worker.set_onmessage(None);
+        self.worker.set_onerror(None);
         self.worker.terminate();
     }
 }

@@ -1,0 +1,58 @@
+//! Progress of a product that is being made.
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use eframe::egui::Context;
+
+use crate::studio::film::Written;
+
+/// Interval between two reports of progress: each costs a frame of the window.
+const TOLD: Duration = Duration::from_millis(250);
+
+/// Frames from which the size of a film is estimated.
+const FEW: u32 = 5;
+
+/// The progress of a product.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Progress<'a> {
+    /// Name of the product.
+    pub name: &'a str,
+    /// Fraction of the product that is written.
+    pub written: Written,
+    /// Number of all the progress's frames.
+    pub frames: u32,
+}
+
+impl Progress<'_> {
+    /// The size of all, bytes, estimated from the frames so far; `None` before there are a few.
+    #[must_use]
+    pub fn expected_bytes(&self) -> Option<u64> {
+        let Written { frames, .. } = self.written;
+        if frames >= FEW && frames < self.frames { self.written.expected_bytes(self.frames) } else { None }
+    }
+}
+
+/// Reports what is written to the window; the default one, of another instance of the program, to nobody.
+#[derive(Default)]
+pub struct Reporter(Option<(Context, Arc<Mutex<Written>>)>);
+
+impl Reporter {
+    /// Reports in `written`, and has the window look there.
+    pub fn new(ctx: &Context, written: &Arc<Mutex<Written>>) -> Self {
+        Self(Some((ctx.clone(), Arc::clone(written))))
+    }
+
+    /// Reports what is `written` so far.
+    pub fn report(&self, written: Written) {
+        if let Self(Some((ctx, all_written))) = self {
+            *lock(all_written) = written;
+            ctx.request_repaint_after(TOLD);
+        }
+    }
+}
+
+/// Locks the report.
+pub fn lock(written: &Mutex<Written>) -> MutexGuard<'_, Written> {
+    written.lock().unwrap_or_else(PoisonError::into_inner)
+}
