@@ -152,12 +152,12 @@ pub mod given_speed {
 
     use super::{SpeedParameter, SpeedSetting};
 
-    /// Writes the speed.
+    /// Writes the parameter and its value.
     pub fn serialize<S: Serializer>(speed: &SpeedSetting, serializer: S) -> Result<S::Ok, S::Error> {
         speed.given().serialize(serializer)
     }
 
-    /// Reads the speed.
+    /// Reads the parameter and its value.
     pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<SpeedSetting, D::Error> {
         let (parameter, value) = <(SpeedParameter, f64)>::deserialize(deserializer)?;
         SpeedSetting::new(parameter, value).map_err(D::Error::custom)

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// Writes the value.
+/// Writes the value that is shared.
 ///
 /// # Errors
 /// Those of the serializer.
@@ -12,7 +12,7 @@ pub fn serialize<T: Serialize, S: Serializer>(value: &Arc<T>, serializer: S) -> 
     value.as_ref().serialize(serializer)
 }
 
-/// Reads the value.
+/// Reads a value, which is not shared yet.
 ///
 /// # Errors
 /// Those of the deserializer.

@@ -5,47 +5,47 @@ use serde::{Deserialize as _, Deserializer, Serializer};
 
 use super::all::Settings;
 
-/// All settings.
+/// The text of all settings.
 pub mod all {
     use super::{Deserializer, Serializer, Settings};
 
-    /// Writes the settings.
+    /// Writes the text of the settings.
     pub fn serialize<S: Serializer>(settings: &Settings, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(&settings.to_toml())
     }
 
-    /// Reads the settings.
+    /// Reads the settings from their text.
     pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Settings, D::Error> {
         super::read(deserializer)
     }
 }
 
-/// All settings, in a box.
+/// The text of all settings, which are in a box.
 pub mod boxed {
     use super::{Deserializer, Serializer, Settings};
 
-    /// Writes the settings.
+    /// Writes the text of the settings.
     pub fn serialize<S: Serializer>(settings: &Settings, serializer: S) -> Result<S::Ok, S::Error> {
         super::all::serialize(settings, serializer)
     }
 
-    /// Reads the settings.
+    /// Reads the settings from their text.
     pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Box<Settings>, D::Error> {
         super::read(deserializer).map(Box::new)
     }
 }
 
-/// The settings of the fit alone.
+/// The text of the fit's settings alone.
 pub mod fit {
     use super::{Deserializer, Serializer, Settings};
     use crate::settings::FitSetup;
 
-    /// Writes the settings.
+    /// Writes the text of the settings.
     pub fn serialize<S: Serializer>(fit: &FitSetup, serializer: S) -> Result<S::Ok, S::Error> {
         super::all::serialize(&Settings { fit: *fit, ..Settings::default() }, serializer)
     }
 
-    /// Reads the settings.
+    /// Reads the settings from their text.
     pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<FitSetup, D::Error> {
         super::read(deserializer).map(|settings| settings.fit)
     }

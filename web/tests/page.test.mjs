@@ -12,6 +12,8 @@ const GAMOW = process.env.GAMOW ?? 'target/release/gamow';
 const VIEWS = { x: 4, y: 64, width: 938, height: 240 };
 const SPEED = { from: [1019, 78], to: [1150, 78] };
 const POINT = [200, 150];
+// In one of 360 by 740 points: the first lesson's button on the start page, its first answer, and the button that predicts.
+const PHONE = [[110, 299], [60, 508], [300, 675]];
 
 let server, browser;
 before(async () => {
@@ -57,6 +59,18 @@ test('a finger taps a point, and drags the speed', () => inWindow('#scene=globe&
     }
     await finger.end();
     await eventually('the dragged speed', async () => Number((await window.settings()).get('beta')) > 0.6);
+}));
+
+test('a newcomer makes the first prediction on a phone, by touch', () => inWindow('', async window => {
+    await window.page.setViewport({ width: 360, height: 740, deviceScaleFactor: 0 });
+    await sleep(1500);
+    for (const [x, y] of PHONE) {
+        await window.page.touchscreen.tap(x, y);
+        await sleep(2500);
+    }
+    assert.equal((await window.settings()).get('lesson'), 'rods');
+    const answers = await eventually('an answer', () => window.stored('gamow/answers.json'));
+    assert.match(answers, /Choice|choice/);
 }));
 
 // Columns of a table whose cells hold no commas.
@@ -177,6 +191,35 @@ test('workers draw thumbnails, and make still views smoother', async t => {
         await window.press('ArrowRight');
         await eventually('pictures of the next moment', async () => await window.answers() > 4);
     });
+});
+
+test("a fit, the figures of accuracy and a saved worksheet are made beside the page's thread", async t => {
+    const cases = [
+        ['a fit', '#scene=globe&beta=0.5&plot=fit&refine=off', async window => {
+            await eventually('a fit', async () => await window.answers() >= 1);
+            await window.press('ArrowUp');
+            await eventually('another fit', async () => await window.answers() >= 2);
+        }],
+        ['accuracy', '#scene=rods&beta=0.5&plot=accuracy&refine=off', async window => {
+            await eventually('two methods', async () => await window.answers() >= 2);
+        }],
+        ['a worksheet', '#lesson=rods', async window => {
+            await window.act('save the worksheet');
+            await window.press('Enter');
+            const { name, bytes } = await window.download();
+            assert.match(name, /worksheet\.html$/);
+            assert.match(bytes.toString(), /<html/);
+        }],
+    ];
+    for (const [name, fragment, use] of cases) {
+        await inWindow(fragment, async window => {
+            await sleep(2000);
+            await window.longTasks();
+            await use(window);
+            assert.ok(window.page.workers().length >= 1);
+            t.diagnostic(`${name}, tasks of over 50 ms: ${await window.longTasks()}`);
+        });
+    }
 });
 
 test('the window is resized', () => inWindow('#scene=globe&beta=0.9', async window => {

@@ -123,7 +123,7 @@ impl Work for FitSteps {
 }
 
 impl FitSteps {
-    /// Fits the samples.
+    /// Finds the best fit of the samples; it ends the job if there is none.
     fn begin_with(&mut self, samples: Fittable) -> Step<FitOutcome> {
         match fit(&samples.observations, &samples.options) {
             Ok(best) => {

@@ -52,7 +52,7 @@ impl Reporter {
     }
 }
 
-/// Locks the report.
+/// Locks the report of what is written.
 pub fn lock(written: &Mutex<Written>) -> MutexGuard<'_, Written> {
     written.lock().unwrap_or_else(PoisonError::into_inner)
 }
