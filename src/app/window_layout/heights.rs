@@ -2,7 +2,6 @@
 
 use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
-use super::LOWEST;
 use crate::app::theme::GAP;
 use crate::app::views::panes::Arrangement;
 use crate::settings::Window;
@@ -12,6 +11,8 @@ const SPECTRUM_HEIGHT: f32 = 36.0;
 /// Heights of the sentence in a line and in two, and from which width on it needs but one.
 const SENTENCE_HEIGHTS: [f32; 2] = [22.0, 38.0];
 const NARROWEST_LINE: f32 = 1000.0;
+/// Lowest plots and views of use.
+pub(super) const LOWEST: f32 = 90.0;
 /// Lower plots and views do without words between them.
 const LOWEST_BESIDE_WORDS: f32 = 210.0;
 /// Height of a view that is high enough, in widths.

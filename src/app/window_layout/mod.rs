@@ -7,7 +7,7 @@ mod rects;
 
 use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
-use self::heights::{Heights, height_of_views};
+use self::heights::{Heights, LOWEST, height_of_views};
 pub use self::presentation::{Beside, Presentation};
 use self::rects::{large_enough, split_left, split_right, split_top};
 use crate::app::border::{Border, Split};
@@ -84,8 +84,6 @@ const SIDE_WIDTH: f32 = 334.0;
 const CENTRE_WIDTH: f32 = 280.0;
 /// Narrower windows than this have no room for the controls beside the views.
 const NARROWEST_WITH_CONTROLS: f32 = 560.0;
-/// Lowest plots and views of use.
-const LOWEST: f32 = 90.0;
 /// The smallest strip below the views that the map shares with the plots, and the smallest that it takes unasked where
 /// there are none.
 const SHARED_STRIP: Vec2 = vec2(900.0, 280.0);
