@@ -75,6 +75,9 @@ pub trait Work: Sized + 'static {
     /// Prepares the first step of a job.
     fn begin(base: Self::Base, job: Self::Job) -> Self;
 
+    /// Takes in a note about a job from the instance that does it; the `tools` are those of the asking instance.
+    fn take_note(_tools: &Self::Tools, _note: &[u8]) {}
+
     /// Does the next step.
     fn step(&mut self, tools: &mut Self::Tools, wanted: &Wanted) -> Step<Self::Result>;
 }

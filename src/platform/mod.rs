@@ -27,4 +27,8 @@ pub mod threads;
 pub mod web;
 
 #[cfg(not(feature = "desktop"))]
-pub use web::{locks, threads};
+pub use web::{instances::note, locks, threads};
+
+/// Sends a note on the job under way to another instance of the program; a desktop has one.
+#[cfg(feature = "desktop")]
+pub const fn note(_: &[u8]) {}

@@ -8,10 +8,12 @@ import { Window, eventually, launch, serve, sleep } from './browser.mjs';
 
 // The desktop program, for its numbers.
 const GAMOW = process.env.GAMOW ?? 'target/release/gamow';
-// Places in a window of 1280 by 800 points: both eyes' views, the speed slider, a point of a globe.
+// Places in a window of 1280 by 800 points: both eyes' views, the speed slider, a point of a globe, the button that stops
+// what is being saved.
 const VIEWS = { x: 4, y: 64, width: 938, height: 240 };
 const SPEED = { from: [1019, 78], to: [1150, 78] };
 const POINT = [200, 150];
+const STOP = [738, 727];
 // In one of 360 by 740 points: the first lesson's button on the start page, its first answer, and the button that predicts.
 const PHONE = [[110, 299], [60, 508], [300, 675]];
 
@@ -221,6 +223,18 @@ test("a fit, the figures of accuracy and a saved worksheet are made beside the p
         });
     }
 });
+
+test('a film is stopped at once, and another file is saved', () => inWindow('#scene=rods&renderer=reference&refine=off', async window => {
+    await window.act('film');
+    await window.press('Enter');
+    await sleep(3000);
+    await window.click(...STOP);
+    await eventually('no worker', () => window.page.workers().length === 0);
+    await window.press('Control', 's');
+    await sleep(700);
+    await window.press('Enter');
+    assert.equal((await window.download()).name, 'rods.png');
+}));
 
 test('the window is resized', () => inWindow('#scene=globe&beta=0.9', async window => {
     for (const [width, height] of [[800, 600], [1600, 1000]]) {

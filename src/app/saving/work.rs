@@ -95,6 +95,10 @@ impl Work for SavingStep {
         Self(Some(job))
     }
 
+    fn take_note(reporter: &Reporter, note: &[u8]) {
+        reporter.report_note(note);
+    }
+
     fn step(&mut self, reporter: &mut Reporter, wanted: &Wanted) -> Step<Self::Result> {
         let Some(job) = self.0.take() else { return Step::Last(None) };
         let path = job.path().to_owned();

@@ -17,6 +17,7 @@ pub struct BackgroundWork<W: Work, L>(Rc<Shared<W, L>>);
 
 struct Shared<W: Work, L> {
     ctx: Context,
+    tools: W::Tools,
     place: RefCell<Place<W>>,
     labels: RefCell<VecDeque<(u64, L)>>,
     results: RefCell<VecDeque<(u64, W::Result)>>,
@@ -41,10 +42,11 @@ enum Place<W: Work> {
 }
 
 impl<W: Work, L: 'static> BackgroundWork<W, L> {
-    /// Nothing is started yet. Each result is announced by a repaint. The place of the work makes tools of its own.
-    pub fn new(ctx: &Context, _: W::Tools) -> Self {
+    /// Nothing is started yet. Each result is announced by a repaint. The place of the work makes tools of its own; these `tools` get its notes.
+    pub fn new(ctx: &Context, tools: W::Tools) -> Self {
         Self(Rc::new(Shared {
             ctx: ctx.clone(),
+            tools,
             place: RefCell::new(Place::Open),
             labels: RefCell::default(),
             results: RefCell::default(),
@@ -132,6 +134,9 @@ impl<W: Work, L: 'static> Shared<W, L> {
 
     /// Takes in a message of the instance.
     fn hear(&self, heard: Heard) {
+        if let Heard::Note(note) = &heard {
+            return W::take_note(&self.tools, note);
+        }
         let place = std::mem::replace(&mut *self.place.borrow_mut(), Place::Open);
         let (mut place, waiting) = match (heard, place) {
             (Heard::Ready, Place::Starting(instance, waiting)) => (Place::Apart(instance, None), waiting),
@@ -151,7 +156,7 @@ impl<W: Work, L: 'static> Shared<W, L> {
                 }
                 (place, None)
             }
-            (Heard::Ready, place) => (place, None),
+            (Heard::Ready | Heard::Note(_), place) => (place, None),
         };
         if let Some(waiting) = waiting {
             place.send(waiting);
