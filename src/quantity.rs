@@ -2,11 +2,12 @@
 //! values from here.
 
 use relativity_core::{Conformal, ConformalDisparity, Disparity, Sighting, Stereo};
+use serde::{Deserialize, Serialize};
 
 use crate::units::{Measures, Unit};
 
 /// A quantity of a point that is seen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Quantity {
     /// Difference of azimuths.
     DeltaPhi,

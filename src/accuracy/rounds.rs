@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 use relativity_render::lines_of_sight::LinesOfSight;
 use relativity_render::wheel::rounds::Search;
 use relativity_render::{Geometry, GroupView, HitImage, PreparedScene, View};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::spread::Spread;
 use crate::platform::clock::Instant;
@@ -25,7 +25,7 @@ const BISECTIONS: u32 = 40;
 const NEIGHBOUR_PX: f64 = 0.02;
 
 /// The error of rounds in one view.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RoundsError {
     /// Rays that were compared: through pixels that show what turns.
     pub rays: usize,
@@ -36,7 +36,7 @@ pub struct RoundsError {
 }
 
 /// The error of rays after some rounds.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct AfterRounds {
     /// Number of rounds.
     pub rounds: u32,

@@ -1,9 +1,9 @@
 //! Many errors in three numbers.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Median, 99th percentile and largest of many errors.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Spread {
     /// Half of the errors are at most this.
     pub median: f64,

@@ -53,6 +53,17 @@ pub fn is_opened(ctx: &Context) -> bool {
     seen(ctx).opened.is_some()
 }
 
+/// Returns whether a finger rests where it was put down for longer than a tap: it has no other way to point without touching.
+#[must_use]
+pub fn is_held(ctx: &Context) -> bool {
+    let most = ctx.options(|options| options.input_options.max_click_dist);
+    ctx.input(|input| {
+        let ends = input.pointer.press_origin().zip(input.pointer.latest_pos());
+        let rests = ends.is_some_and(|(from, to)| from.distance(to) <= most);
+        input.any_touches() && rests && input.pointer.is_decidedly_dragging()
+    })
+}
+
 /// Returns whether the pointer has moved in the last seconds, and since the last key. Where it rests a frame is shown when that
 /// ends.
 #[must_use]

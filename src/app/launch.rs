@@ -105,7 +105,7 @@ fn open(
         .with_app_id(APP_ID)
         .with_icon(icon::icon())
         .with_inner_size(args.window_size_or_default().map(|side| side as f32))
-        .with_min_inner_size([480.0, 320.0]);
+        .with_min_inner_size([320.0, 320.0]);
     let viewport = if args.window_size().is_none() {
         keeper.placed(viewport)
     } else {

@@ -43,7 +43,9 @@ impl App {
     /// Shows all the parts that there is room for.
     pub(super) fn show_parts(&mut self, ui: &mut Ui, area: Rect) {
         let ctx = ui.ctx().clone();
-        let (window, plots) = (self.state.shown_window(), self.state.document.settings.plots);
+        let (mut window, plots) = (self.state.shown_window(), self.state.document.settings.plots);
+        // There is room for the views or for the plot that is drawn in.
+        window.views &= !(self.state.shows_sketch() && window_layout::is_narrow(area));
         let lesson = self.lesson_part();
         let layout = WindowLayout::new(area, lesson, window, &self.arranged(ui), plots.plot);
         let layout = layout.with_only(area, self.state.session.stage.maximised);
@@ -56,11 +58,16 @@ impl App {
         let inset = |rect: Rect| rect.shrink2(INSET);
         self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
         if let Some(rect) = layout.lesson {
-            let rect = rect.with_max_y(rect.max.y - theme::GAP);
-            self.panel(ui, "lesson", rect.with_min_x(rect.min.x + theme::GAP), panels::lesson::show);
+            let rect = rect.with_max_y(rect.max.y - theme::GAP).with_min_x(rect.min.x + theme::GAP);
+            // Beside a panel on the left are the views, which have a margin of their own.
+            let rect = rect.with_max_x(rect.max.x.min(area.max.x - theme::GAP));
+            self.panel(ui, "lesson", rect, panels::lesson::show);
         }
         if let Some(rect) = layout.controls {
             self.panel(ui, "controls", inset(rect), panels::controls::show);
+        }
+        if let Some(rect) = layout.speed {
+            self.panel(ui, "speed", inset(rect), panels::controls::show_speed);
         }
         self.panel(ui, "timeline", inset(layout.timeline), panels::timeline::show);
         self.titles(ui, &layout);

@@ -62,7 +62,6 @@ impl<T: Serialize + DeserializeOwned + Send + 'static> Message for T {}
 /// Work of one kind, whose jobs and results are values alone: another thread can do it, or another instance of the program.
 pub trait Work: Sized + 'static {
     /// Name of the kind.
-    #[cfg_attr(feature = "desktop", expect(dead_code, reason = "another instance is told it"))]
     const NAME: &'static str;
     /// The part that many jobs have in common, and that is large.
     type Base: Message + Clone + PartialEq;
@@ -70,10 +69,22 @@ pub trait Work: Sized + 'static {
     type Job: Message;
     /// The result of a job.
     type Result: Message;
+    /// Tools for all jobs, such as the graphics device; another instance of the program makes its own.
+    type Tools: Default + 'static;
 
     /// Prepares the first step of a job.
     fn begin(base: Self::Base, job: Self::Job) -> Self;
 
+    /// Takes in a note about a job from the instance that does it; the `tools` are those of the asking instance.
+    fn take_note(_tools: &Self::Tools, _note: &[u8]) {}
+
     /// Does the next step.
-    fn step(&mut self, wanted: &Wanted) -> Step<Self::Result>;
+    fn step(&mut self, tools: &mut Self::Tools, wanted: &Wanted) -> Step<Self::Result>;
+}
+
+/// Returns the value as another instance of the program reads it.
+#[cfg(test)]
+pub fn sent<T: Message>(value: &T) -> T {
+    let text = serde_json::to_string(value).expect("it can be written");
+    serde_json::from_str(&text).expect("what is written can be read")
 }

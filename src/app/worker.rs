@@ -105,13 +105,13 @@ type Labelled<W, L> = (L, <W as Work>::Base, <W as Work>::Job);
 /// Work of one kind in a thread of its own; the label of a job comes back with its result.
 pub struct BackgroundWork<W: Work, L>(Worker<Labelled<W, L>, (L, W::Result)>);
 
-impl<W: Work, L: Clone + Send + 'static> BackgroundWork<W, L> {
-    /// Starts the thread. Each result is announced by a repaint.
-    pub fn new(ctx: &Context) -> Self {
+impl<W: Work<Tools: Send>, L: Clone + Send + 'static> BackgroundWork<W, L> {
+    /// Starts the thread, which works with the `tools`. Each result is announced by a repaint.
+    pub fn new(ctx: &Context, mut tools: W::Tools) -> Self {
         let begin = |(label, base, job)| (label, W::begin(base, job));
-        let step = |(label, work): &mut (L, W), wanted: &Wanted| {
+        let step = move |(label, work): &mut (L, W), wanted: &Wanted| {
             let label = label.clone();
-            work.step(wanted).map(|result| (label, result))
+            work.step(&mut tools, wanted).map(|result| (label, result))
         };
         Self(Worker::in_steps(ctx.clone(), begin, step))
     }
@@ -124,6 +124,11 @@ impl<W: Work, L: Clone + Send + 'static> BackgroundWork<W, L> {
     /// Gives up what is running or waiting.
     pub fn stop(&self) {
         self.0.stop();
+    }
+
+    /// Gives up what is running or waiting as soon as it can: where another instance of the program works, even within a step.
+    pub fn end(&self) {
+        self.stop();
     }
 
     /// Returns the newest result since the last call, with the label of its job.

@@ -11,7 +11,7 @@ use std::fmt;
 use relativity_core::{
     Bootstrap, Combined, Curves, Fit, FitError, FitOptions, Observations, Parameter, Rolling, combined, fit,
 };
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::number_text;
 
@@ -95,7 +95,7 @@ pub struct Parameters<T> {
 }
 
 /// A value and its uncertainty.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
     /// Best value of the parameter.
     pub value: f64,

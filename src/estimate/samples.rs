@@ -10,36 +10,38 @@ use relativity_core::{
     Source, SourcePoint, Turning, WheelPoint,
 };
 use relativity_render::Velocity;
+use serde::{Deserialize, Serialize};
 
 use super::data::{Data, Eyes};
 use crate::columns::{ROLL, TURN};
 use crate::files::csv_out::Rows;
 use crate::flags::words::Shell;
-use crate::platform::{files, sizes};
+use crate::platform::{files, shared, sizes};
 use crate::scene::{Scene, Track};
-use crate::settings::{FitSetup, Settings};
+use crate::settings::{FitSetup, Settings, message};
 use crate::time_range::time_within;
 
 /// Everything that a fit depends on.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FitKey {
     /// Samples to fit.
     pub samples: Samples,
     /// Settings of the simulation, if there is one, and of the fit.
+    #[serde(with = "message::fit")]
     pub setup: FitSetup,
 }
 
 /// The source of samples.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Samples {
     /// From the selected point.
     Simulated(Simulated),
     /// Samples from a file, whose eyes are held like this where it does not say.
-    Measured(Arc<DataFile>, Baseline),
+    Measured(#[serde(with = "shared")] Arc<DataFile>, Baseline),
 }
 
 /// The point of which samples are simulated, and how they are taken.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Simulated {
     /// Velocity of the truth.
     pub velocity: Velocity,
@@ -48,11 +50,31 @@ pub struct Simulated {
     /// The eyes, from the middle between them.
     pub pair: [Aperture; 2],
     /// Why eyes that ride measure nothing that a fit takes, if they do not.
-    obstacle_of_ride: Option<&'static str>,
+    obstacle_of_ride: Option<ObstacleOfRide>,
     /// First and last T of the samples.
     pub range: [f64; 2],
     /// The model by which the samples are made.
     pub model: Model,
+}
+
+/// Why eyes that ride measure nothing that a fit takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+enum ObstacleOfRide {
+    ChangingSpeed,
+    TurningPoint,
+    EyesAcross,
+}
+
+impl ObstacleOfRide {
+    const fn text(self) -> &'static str {
+        match self {
+            Self::ChangingSpeed => "the ride changes its speed, and a fit needs one that coasts",
+            Self::TurningPoint => "the point turns, and a fit of a ride needs one that does not",
+            Self::EyesAcross => {
+                "a fit of a ride needs eyes that look along the street: turn the head by −90°"
+            }
+        }
+    }
 }
 
 /// Simulates a measurement of the selected point of `scene` by both eyes, with `settings`.
@@ -111,7 +133,7 @@ pub fn eye_columns(Baseline { separation, roll, turn }: Baseline) -> (&'static [
 }
 
 /// A file of measured disparities, as it was read.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct DataFile {
     /// Whole name, for error messages.
     place: String,
@@ -222,11 +244,9 @@ impl Simulated {
         let pair = settings.pair();
         let is_across = pair.iter().all(|eye| eye.x == 0.0);
         let obstacle = match (settings.ride.coasts(), point.spin, is_across || !velocity.is_backward) {
-            (false, ..) => Some("the ride changes its speed, and a fit needs one that coasts"),
-            (_, Some(_), _) => Some("the point turns, and a fit of a ride needs one that does not"),
-            (.., false) => {
-                Some("a fit of a ride needs eyes that look along the street: turn the head by −90°")
-            }
+            (false, ..) => Some(ObstacleOfRide::ChangingSpeed),
+            (_, Some(_), _) => Some(ObstacleOfRide::TurningPoint),
+            (.., false) => Some(ObstacleOfRide::EyesAcross),
             _ => None,
         };
         // Turned or mirrored so that it passes towards +x in front of the eyes: those across the street exchange their sides at most.
@@ -300,8 +320,8 @@ impl Simulated {
 
     /// Why there is nothing to fit, whatever the noise.
     fn obstacle(&self) -> Option<&'static str> {
-        if self.obstacle_of_ride.is_some() {
-            self.obstacle_of_ride
+        if let Some(obstacle) = self.obstacle_of_ride {
+            Some(obstacle.text())
         } else if self.pair[0] == self.pair[1] {
             Some("both eyes are in one place (d = 0) and see the same")
         } else if self.velocity.speed.beta() == 0.0 {

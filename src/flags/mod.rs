@@ -23,5 +23,5 @@ pub use numbers::{
 };
 pub use observer::{GivenObserver, ObserverArgs};
 pub use ride::{RideLegs, StreetVelocity};
-pub use speed::{SpeedArgs, SpeedParameter, SpeedSetting};
+pub use speed::{SpeedArgs, SpeedParameter, SpeedSetting, given_speed};
 pub use wheel::{WheelArgs, rolling};

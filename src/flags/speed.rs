@@ -3,12 +3,12 @@
 use clap::error::ErrorKind;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
 use relativity_core::{Speed, SpeedError};
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 
 use super::finite_number;
 
 /// The three ways to give a speed: a flag each, and a column of a CSV file each.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SpeedParameter {
     /// Speed over c, beta.
     Beta,
@@ -142,5 +142,24 @@ impl FromArgMatches for SpeedSetting {
             *self = speed.map_err(|error| clap::Error::raw(ErrorKind::ValueValidation, error))?;
         }
         Ok(())
+    }
+}
+
+/// A speed in a message to another instance of the program: as it was given.
+pub mod given_speed {
+    use serde::de::Error as _;
+    use serde::{Deserialize as _, Deserializer, Serialize as _, Serializer};
+
+    use super::{SpeedParameter, SpeedSetting};
+
+    /// Writes the parameter and its value.
+    pub fn serialize<S: Serializer>(speed: &SpeedSetting, serializer: S) -> Result<S::Ok, S::Error> {
+        speed.given().serialize(serializer)
+    }
+
+    /// Reads the parameter and its value.
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<SpeedSetting, D::Error> {
+        let (parameter, value) = <(SpeedParameter, f64)>::deserialize(deserializer)?;
+        SpeedSetting::new(parameter, value).map_err(D::Error::custom)
     }
 }

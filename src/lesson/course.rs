@@ -2,15 +2,19 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use super::answer::{Answer, Confidence, Outcome, Record};
 use super::answers::LessonProgress;
 use super::error::LessonError;
 use super::place::{Phase, Place};
 use super::plan::{Kind, Lesson, Prediction, Step};
+use crate::platform::shared;
 
 /// Somebody's way through a lesson.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Course {
+    #[serde(with = "shared")]
     lesson: Arc<Lesson>,
     place: Place,
     records: Vec<Record>,

@@ -2,14 +2,16 @@
 
 use std::path::PathBuf;
 
+use serde::{Deserialize, Serialize};
+
 use super::error::LessonError;
-use crate::flags::SpeedSetting;
 use crate::flags::choices::Layout;
+use crate::flags::{SpeedSetting, given_speed};
 use crate::quantity::Quantity;
 use crate::settings::{Preset, Settings};
 
 /// A text in Markdown, with formulas in TeX, and where it begins in its file.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Text {
     /// The Markdown; before a lesson is worked out, with places for values such as `{gain:.2}`.
     pub markdown: String,
@@ -26,7 +28,7 @@ impl Text {
 }
 
 /// Settings that differ, as TOML, and the line in the file at which that begins.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct StateBlock {
     /// Text in TOML.
     pub toml: String,
@@ -50,7 +52,7 @@ pub(super) fn line_giving(key: &str, toml: &str) -> Option<usize> {
 }
 
 /// A lesson, as its file describes it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Lesson {
     /// Name on the command line: that of its file without the ending.
     pub name: String,
@@ -77,7 +79,7 @@ pub struct Lesson {
 }
 
 /// A step of a lesson.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Step {
     /// Title of the step.
     pub title: String,
@@ -98,7 +100,7 @@ pub struct Step {
 }
 
 /// A requested prediction.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Prediction {
     /// Question in words.
     pub question: Text,
@@ -107,7 +109,7 @@ pub struct Prediction {
 }
 
 /// The kind of an answer.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Kind {
     /// A choice among several.
     Choice(Options),
@@ -120,7 +122,7 @@ pub enum Kind {
 }
 
 /// Several answers, one of which is right.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Options {
     /// Texts of the answers.
     pub texts: Vec<Text>,
@@ -129,7 +131,7 @@ pub struct Options {
 }
 
 /// A question with several answers.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Choices {
     /// Question in words.
     pub question: Text,
@@ -138,7 +140,7 @@ pub struct Choices {
 }
 
 /// A number that is predicted.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Number {
     /// The value that it should be, as texts ask for it, such as `gain`.
     pub value: String,
@@ -155,7 +157,7 @@ pub struct Number {
 }
 
 /// A place in a view: where a body is seen after the reveal.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PointAt {
     /// The name of the body in its scene.
     pub body: String,
@@ -164,7 +166,7 @@ pub struct PointAt {
 }
 
 /// A curve over T that is drawn.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Curve {
     /// Quantity that is drawn, for the selected point: one of [`Quantity::DRAWN`], linearly; of those that each eye has, the left eye's.
     pub quantity: Quantity,
@@ -173,7 +175,7 @@ pub struct Curve {
 }
 
 /// The reveal of a step, after the prediction.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Reveal {
     /// Changes of the state from the step's.
     pub state: Option<StateBlock>,
@@ -184,7 +186,7 @@ pub struct Reveal {
 }
 
 /// The animation of a reveal.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Animation {
     /// End of the animation.
     pub to: Animated,
@@ -193,16 +195,16 @@ pub struct Animation {
 }
 
 /// The end of an animation.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Animated {
     /// Stops at this T.
     Time(f64),
     /// Stops at this speed.
-    Speed(SpeedSetting),
+    Speed(#[serde(with = "given_speed")] SpeedSetting),
 }
 
 /// A lab: measurements by hand, from data on the worksheet.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Lab {
     /// Task in words.
     pub text: Text,

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use relativity_render::{Body, Group, MaterialPoint, Motion, PreparedScene, Spin, Velocity};
+use serde::{Deserialize, Serialize};
 
 use super::table::coincide;
 use crate::platform::{messages, sizes};
@@ -16,7 +17,7 @@ const CHOICES: usize = 4;
 
 /// A scene: groups of bodies, each at rest in a frame of its own, and the ground they pass over. Lengths in the scene's
 /// unit, rest-frame coordinates `[x, y, z]` with x along the motion.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Scene {
     /// Name of the scene, as shown.
     pub name: String,
@@ -41,7 +42,7 @@ pub struct Scene {
 }
 
 /// Bodies that move alike.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SceneGroup {
     /// Name of the group.
     pub name: String,
@@ -62,7 +63,7 @@ impl SceneGroup {
 }
 
 /// A point of a scene: where it rests in the frame of its group, and how that moves.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Track {
     /// Rest coordinates, as in the scene file; of a point that turns, those at t' = 0.
     pub rest: [f64; 3],

@@ -12,6 +12,7 @@ mod entries;
 mod error;
 mod file;
 mod link;
+pub mod message;
 mod method;
 mod observer;
 mod panorama;

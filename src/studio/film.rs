@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
 use relativity_render::Picture;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::{Frame, Studio};
@@ -24,7 +25,7 @@ pub const FRAMES_PER_SECOND: u16 = 25;
 const FRAMES_PER_TURN: usize = 5;
 
 /// The kind of a film.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum FilmKind {
     /// An animated GIF, of 256 colours a frame.
     Gif,

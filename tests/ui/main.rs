@@ -21,6 +21,7 @@ mod measuring;
 mod own_data;
 mod painting;
 mod pairs;
+mod phone;
 mod picking;
 mod plots;
 mod predictions;
@@ -71,6 +72,7 @@ fn main() -> ExitCode {
         own_data::TESTS,
         painting::TESTS,
         pairs::TESTS,
+        phone::TESTS,
         picking::TESTS,
         plots::TESTS,
         predictions::TESTS,

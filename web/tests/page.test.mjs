@@ -8,10 +8,14 @@ import { Window, eventually, launch, serve, sleep } from './browser.mjs';
 
 // The desktop program, for its numbers.
 const GAMOW = process.env.GAMOW ?? 'target/release/gamow';
-// Places in a window of 1280 by 800 points: both eyes' views, the speed slider, a point of a globe.
+// Places in a window of 1280 by 800 points: both eyes' views, the speed slider, a point of a globe, the button that stops
+// what is being saved.
 const VIEWS = { x: 4, y: 64, width: 938, height: 240 };
 const SPEED = { from: [1019, 78], to: [1150, 78] };
 const POINT = [200, 150];
+const STOP = [738, 727];
+// In one of 360 by 740 points: the first lesson's button on the start page, its first answer, and the button that predicts.
+const PHONE = [[110, 299], [60, 508], [300, 675]];
 
 let server, browser;
 before(async () => {
@@ -57,6 +61,18 @@ test('a finger taps a point, and drags the speed', () => inWindow('#scene=globe&
     }
     await finger.end();
     await eventually('the dragged speed', async () => Number((await window.settings()).get('beta')) > 0.6);
+}));
+
+test('a newcomer makes the first prediction on a phone, by touch', () => inWindow('', async window => {
+    await window.page.setViewport({ width: 360, height: 740, deviceScaleFactor: 0 });
+    await sleep(1500);
+    for (const [x, y] of PHONE) {
+        await window.page.touchscreen.tap(x, y);
+        await sleep(2500);
+    }
+    assert.equal((await window.settings()).get('lesson'), 'rods');
+    const answers = await eventually('an answer', () => window.stored('gamow/answers.json'));
+    assert.match(answers, /Choice|choice/);
 }));
 
 // Columns of a table whose cells hold no commas.
@@ -178,6 +194,47 @@ test('workers draw thumbnails, and make still views smoother', async t => {
         await eventually('pictures of the next moment', async () => await window.answers() > 4);
     });
 });
+
+test("a fit, the figures of accuracy and a saved worksheet are made beside the page's thread", async t => {
+    const cases = [
+        ['a fit', '#scene=globe&beta=0.5&plot=fit&refine=off', async window => {
+            await eventually('a fit', async () => await window.answers() >= 1);
+            await window.press('ArrowUp');
+            await eventually('another fit', async () => await window.answers() >= 2);
+        }],
+        ['accuracy', '#scene=rods&beta=0.5&plot=accuracy&refine=off', async window => {
+            await eventually('two methods', async () => await window.answers() >= 2);
+        }],
+        ['a worksheet', '#lesson=rods', async window => {
+            await window.act('save the worksheet');
+            await window.press('Enter');
+            const { name, bytes } = await window.download();
+            assert.match(name, /worksheet\.html$/);
+            assert.match(bytes.toString(), /<html/);
+        }],
+    ];
+    for (const [name, fragment, use] of cases) {
+        await inWindow(fragment, async window => {
+            await sleep(2000);
+            await window.longTasks();
+            await use(window);
+            assert.ok(window.page.workers().length >= 1);
+            t.diagnostic(`${name}, tasks of over 50 ms: ${await window.longTasks()}`);
+        });
+    }
+});
+
+test('a film is stopped at once, and another file is saved', () => inWindow('#scene=rods&renderer=reference&refine=off', async window => {
+    await window.act('film');
+    await window.press('Enter');
+    await sleep(3000);
+    await window.click(...STOP);
+    await eventually('no worker', () => window.page.workers().length === 0);
+    await window.press('Control', 's');
+    await sleep(700);
+    await window.press('Enter');
+    assert.equal((await window.download()).name, 'rods.png');
+}));
 
 test('the window is resized', () => inWindow('#scene=globe&beta=0.9', async window => {
     for (const [width, height] of [[800, 600], [1600, 1000]]) {

@@ -17,6 +17,7 @@ use crate::math;
 /// assert_eq!([left, right], [Aperture { z: -1.0, ..left }, Aperture { x: 0.0, y: 0.0, z: 1.0 }]);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Baseline {
     /// Distance between the apertures.
     pub separation: f64,

@@ -6,6 +6,7 @@ use crate::speed::Speed;
 
 /// A moving point, by its objective place at t = 0: its worldline is (x0 + beta t, y, z).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SourcePoint {
     /// Objective (contracted) x at t = 0.
     pub x0: f64,
@@ -66,6 +67,7 @@ impl Turning {
 
 /// A material point of a wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct WheelPoint {
     /// The hub: where the axle, along y, crosses the plane in which the point turns.
     pub hub: SourcePoint,
@@ -122,6 +124,7 @@ impl WheelPoint {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Source {
     /// A point at rest in the moving frame.
     Point(SourcePoint),

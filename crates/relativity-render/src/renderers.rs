@@ -18,6 +18,7 @@ use crate::view::{Appearance, Geometry, View};
 
 /// A way to draw a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Method {
     /// A ray test per pixel on the CPU, in f64.
     ///
@@ -148,7 +149,7 @@ impl fmt::Display for Method {
 }
 
 /// The renderers, each made when it is first needed.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Renderers {
     gpu: Option<Gpu>,
     bounds: Bounds,
@@ -159,11 +160,20 @@ pub struct Renderers {
     target: Option<EyeTarget>,
 }
 
+impl Default for Renderers {
+    /// Renderers without a GPU.
+    fn default() -> Self {
+        Self::new(None)
+    }
+}
+
 impl Renderers {
     /// Renderers on `gpu`; without one, only the reference.
     #[must_use]
     pub fn new(gpu: Option<Gpu>) -> Self {
-        Self { gpu, packets: PacketRenderer::new(), ..Self::default() }
+        let bounds = Bounds::default();
+        let packets = PacketRenderer::new();
+        Self { gpu, bounds, canvas: None, rays: None, mesh: None, packets, target: None }
     }
 
     /// Renderers of which the rays test every body at every pixel: the same pictures, and what its bounds are

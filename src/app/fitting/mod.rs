@@ -1,14 +1,15 @@
-//! The fit of the selected point, kept up to date by a thread of its own while it is shown.
+//! The fit of the selected point, kept up to date in the background while it is shown.
 
 mod outcome;
+mod plot_line;
 
 use std::time::Duration;
 
 use eframe::egui::Context;
 
-pub use outcome::{FitOutcome, Fitted, FittedCurve};
+pub use outcome::{FitOutcome, FitSteps, Fitted, FittedCurve};
 
-use super::worker::Worker;
+use super::worker::BackgroundWork;
 use crate::estimate::samples::FitKey;
 use crate::platform::clock::Instant;
 
@@ -19,7 +20,7 @@ const GRACE: Duration = Duration::from_millis(150);
 /// The fit that is shown, and the one that is being made.
 #[derive(Default)]
 pub struct Fitting {
-    worker: Option<Worker<FitKey, FitOutcome>>,
+    worker: Option<BackgroundWork<FitSteps, ()>>,
     requested: Option<FitKey>,
     shown: Option<FitOutcome>,
     awaited_since: Option<Instant>,
@@ -31,8 +32,8 @@ impl Fitting {
     pub fn update(&mut self, ctx: &Context, key: FitKey) {
         self.receive();
         if self.requested.as_ref() != Some(&key) {
-            let work = |key, wanted: &super::worker::Wanted| FitOutcome::new(key, &|| !wanted.holds());
-            self.worker.get_or_insert_with(|| Worker::new(ctx.clone(), work)).request(key.clone());
+            let worker = self.worker.get_or_insert_with(|| BackgroundWork::new(ctx, ()));
+            worker.request((), (), key.clone());
             self.requested = Some(key);
             self.requests += 1;
             self.awaited_since.get_or_insert_with(Instant::now);
@@ -46,7 +47,7 @@ impl Fitting {
     }
 
     fn receive(&mut self) {
-        let Some(outcome) = self.worker.as_ref().and_then(Worker::result) else { return };
+        let Some(((), outcome)) = self.worker.as_ref().and_then(BackgroundWork::result) else { return };
         self.awaited_since = (self.requested.as_ref() != Some(&outcome.key)).then(Instant::now);
         self.shown = Some(outcome);
     }
@@ -54,7 +55,7 @@ impl Fitting {
     /// Gives up what is being made, as nobody sees it.
     pub fn rest(&mut self) {
         if self.awaited_since.take().is_some() {
-            self.worker.iter().for_each(Worker::stop);
+            self.worker.iter().for_each(BackgroundWork::stop);
             self.requested = None;
         }
     }

@@ -7,17 +7,20 @@ use egui_plot::PlotPoint;
 use relativity_core::bootstrap::percentiles_95;
 use relativity_core::{
     Aperture, Bootstrap, DEFAULT_REPLICATES, Fit, FitOptions, Observations, Parameter, Rolling,
-    Sample as Measured, Source, SourcePoint, Speed, Turning, WheelPoint, bootstrap_unless, fit,
+    Sample as Measured, Source, SourcePoint, Speed, Turning, WheelPoint, fit,
 };
+use serde::{Deserialize, Serialize};
 
+use super::plot_line::PlotLine;
 use crate::app::plots::curves::{Bends, Sample, sampled};
+use crate::app::worker::{Step, Wanted, Work};
 use crate::estimate::samples::{FitKey, Fittable, Samples, Simulated};
 use crate::estimate::{Estimate, estimate, other_side};
 use crate::platform::clock::Instant;
 use crate::platform::threads::prelude::*;
 
 /// The samples and what became of them.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct FitOutcome {
     /// Key of the fit.
     pub key: FitKey,
@@ -26,7 +29,7 @@ pub struct FitOutcome {
     /// The samples, in their order.
     pub samples: Vec<Measured>,
     /// Samples of Delta-phi and of Delta-theta.
-    pub data: [Vec<PlotPoint>; 2],
+    pub data: [PlotLine; 2],
     /// The fit, or why there is none.
     pub fitted: Result<Fitted, String>,
     /// Bias of the fitted model on simulated curves without noise: fitted minus true beta, y and z, or the reason why it fits
@@ -37,7 +40,7 @@ pub struct FitOutcome {
 }
 
 /// A fit that was made.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Fitted {
     /// Each fitted parameter, its best value with uncertainty, and its true value if that is known.
     pub estimates: Vec<(Parameter, Estimate, Option<f64>)>,
@@ -58,36 +61,90 @@ pub struct Fitted {
 }
 
 /// A fitted curve, with its residuals.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct FittedCurve {
     /// The curve of the best fit; of several pairs of eyes that of the first.
-    pub line: Vec<PlotPoint>,
+    pub line: PlotLine,
     /// Band of 95 % of the bootstrap's curves at each point of `line`, minus the best
     /// fit; empty without a bootstrap.
     pub band: Vec<[f64; 2]>,
     /// Sample minus best fit.
-    pub residuals: Vec<PlotPoint>,
+    pub residuals: PlotLine,
 }
 
 /// Greatest number of times at which the band is computed; in between it is interpolated.
 const BAND_TIMES: usize = 120;
 
-impl FitOutcome {
-    /// The outcome for `key`; `None` soon after `stopped` becomes true.
-    pub fn new(key: FitKey, stopped: &(impl Fn() -> bool + Sync)) -> Option<Self> {
-        let start = Instant::now();
-        let (range, samples, fitted) = match key.fittable() {
-            Ok(samples) => {
-                let range = range(&key, &samples.observations);
-                let fitted = Fitted::new(&key, &samples, range, stopped)?;
-                (range, samples.observations.samples().to_vec(), fitted)
-            }
-            Err(problem) => ([0.0, 1.0], Vec::new(), Err(problem)),
+/// Replicates drawn in a step.
+const REPLICATES_A_STEP: usize = 100;
+
+/// The making of a fit: the best fit, then the replicates in steps, then what is drawn.
+pub struct FitSteps {
+    key: FitKey,
+    start: Instant,
+    begun: Option<Begun>,
+}
+
+/// Samples, their best fit, and the replicates so far.
+struct Begun {
+    samples: Fittable,
+    best: Fit,
+    replicates: Bootstrap,
+}
+
+impl Work for FitSteps {
+    const NAME: &'static str = "fit";
+    type Base = ();
+    type Job = FitKey;
+    type Result = FitOutcome;
+    type Tools = ();
+
+    fn begin((): (), key: FitKey) -> Self {
+        Self { key, start: Instant::now(), begun: None }
+    }
+
+    fn step(&mut self, (): &mut (), _: &Wanted) -> Step<FitOutcome> {
+        let Some(begun) = &mut self.begun else {
+            return match self.key.fittable() {
+                Ok(samples) => self.begin_with(samples),
+                Err(problem) => Step::Last(Some(self.outcome([0.0, 1.0], Vec::new(), Err(problem)))),
+            };
         };
+        let missing = DEFAULT_REPLICATES - begun.replicates.estimates.len();
+        if missing > 0 {
+            begun.replicates.extend(&begun.best, missing.min(REPLICATES_A_STEP), self.key.setup.seed);
+            return Step::More;
+        }
+        let Some(Begun { samples, best, replicates }) = self.begun.take() else { return Step::Last(None) };
+        let range = range(&self.key, &samples.observations);
+        let fitted = Fitted::new(&self.key, &samples, range, &best, replicates);
+        Step::Last(Some(self.outcome(range, samples.observations.samples().to_vec(), fitted)))
+    }
+}
+
+impl FitSteps {
+    /// Finds the best fit of the samples; it ends the job if there is none.
+    fn begin_with(&mut self, samples: Fittable) -> Step<FitOutcome> {
+        match fit(&samples.observations, &samples.options) {
+            Ok(best) => {
+                self.begun = Some(Begun { samples, best, replicates: Bootstrap::default() });
+                Step::More
+            }
+            Err(error) => {
+                let range = range(&self.key, &samples.observations);
+                let samples = samples.observations.samples().to_vec();
+                Step::Last(Some(self.outcome(range, samples, Err(error.to_string()))))
+            }
+        }
+    }
+
+    /// The outcome with these samples.
+    fn outcome(&self, range: [f64; 2], samples: Vec<Measured>, fitted: Result<Fitted, String>) -> FitOutcome {
+        let key = self.key.clone();
         let data = data(&samples);
         let simulated = key.simulated().filter(|simulated| simulated.model != key.setup.model);
         let bias = simulated.map(|simulated| bias(&key, simulated));
-        Some(Self { key, range, samples, data, fitted, bias, elapsed: start.elapsed() })
+        FitOutcome { key, range, samples, data, fitted, bias, elapsed: self.start.elapsed() }
     }
 }
 
@@ -101,7 +158,7 @@ fn range(key: &FitKey, observed: &Observations) -> [f64; 2] {
     if first < last { [first, last] } else { [0.0, 1.0] }
 }
 
-fn data(samples: &[Measured]) -> [Vec<PlotPoint>; 2] {
+fn data(samples: &[Measured]) -> [PlotLine; 2] {
     [0, 1].map(|curve| {
         let point = |sample: &Measured| Some(PlotPoint::new(sample.time, reading(sample, curve)?));
         samples.iter().filter_map(point).collect()
@@ -132,38 +189,34 @@ impl Fitted {
         key: &FitKey,
         samples: &Fittable,
         range: [f64; 2],
-        stopped: &(impl Fn() -> bool + Sync),
-    ) -> Option<Result<Self, String>> {
-        let best = match fit(&samples.observations, &samples.options) {
-            Ok(best) => best,
-            Err(error) => return Some(Err(error.to_string())),
+        best: &Fit,
+        replicates: Bootstrap,
+    ) -> Result<Self, String> {
+        let (replicates, no_bootstrap) = match replicates.checked() {
+            Ok(replicates) => (Some(replicates), None),
+            Err(error) => (None, Some(error.to_string())),
         };
-        let (replicates, no_bootstrap) =
-            match bootstrap_unless(&best, DEFAULT_REPLICATES, key.setup.seed, stopped)? {
-                Ok(replicates) => (Some(replicates), None),
-                Err(error) => (None, Some(error.to_string())),
-            };
         let estimate = |&parameter: &Parameter| {
             let truth = key.simulated().map(|point| point.true_value(parameter, samples.options.curves));
-            (parameter, estimate(&best, replicates.as_ref(), parameter), truth)
+            (parameter, estimate(best, replicates.as_ref(), parameter), truth)
         };
         let estimates: Vec<_> = best.parameters().iter().map(estimate).collect();
         if estimates.iter().any(|(_, estimate, _)| !estimate.value.is_finite()) {
-            return Some(Err("the best fit has a parameter that is not finite".to_owned()));
+            return Err("the best fit has a parameter that is not finite".to_owned());
         }
         let observed = &samples.observations;
         let at_samples: Vec<_> =
-            observed.samples().iter().map(|sample| fitted_angles(&best, sample.pair, sample.time)).collect();
-        Some(Ok(Self {
+            observed.samples().iter().map(|sample| fitted_angles(best, sample.pair, sample.time)).collect();
+        Ok(Self {
             estimates,
-            curves: curves(key, (observed, &at_samples), range, &best, replicates.as_ref()),
+            curves: curves(key, (observed, &at_samples), range, best, replicates.as_ref()),
             at_samples,
             rms: best.rms,
             reduced_chi_squared: best.reduced_chi_squared,
             readings: best.readings,
-            other_side: other_side::remark(&best),
+            other_side: other_side::remark(best),
             no_bootstrap,
-        }))
+        })
     }
 }
 
@@ -249,4 +302,45 @@ fn angles((options, pair): Seeing, values: [f64; 4], time: f64) -> Option<[f64; 
     let both = options.model.disparity(&speed, source, pair, time).ok()?;
     let angles = [both.dphi, both.dtheta];
     angles.iter().all(|angle| angle.is_finite()).then_some(angles)
+}
+
+#[cfg(test)]
+mod tests {
+    use relativity_core::bootstrap;
+
+    use super::*;
+    use crate::app::steps::sent;
+    use crate::estimate::samples::Simulated;
+    use crate::settings::Settings;
+
+    fn key() -> FitKey {
+        let mut settings = Settings::default();
+        settings.fit.fit_samples = 40;
+        let scene = settings.opened_scene().expect("it is a preset");
+        let simulated = Simulated::new(&settings, &settings.track(&scene));
+        FitKey { samples: Samples::Simulated(simulated), setup: settings.fit }
+    }
+
+    #[test]
+    fn a_fit_in_steps_has_the_uncertainty_of_a_bootstrap_at_once() {
+        let wanted = Wanted::new(1, std::sync::Arc::new(1.into()), std::sync::Arc::default());
+        let mut steps = FitSteps::begin((), sent(&key()));
+        let mut count = 0;
+        let outcome = loop {
+            count += 1;
+            if let Step::Last(outcome) = steps.step(&mut (), &wanted) {
+                break outcome.expect("it was not stopped");
+            }
+        };
+        assert!(count > 5, "it could be stopped only {count} times");
+        let Fittable { observations, options } = key().fittable().expect("there are samples");
+        let best = fit(&observations, &options).expect("they can be fitted");
+        let replicates = bootstrap(&best, DEFAULT_REPLICATES, key().setup.seed).expect("and refitted");
+        let outcome = sent(&outcome);
+        assert_eq!(outcome.key, key());
+        assert_eq!(outcome.data[0].len(), 40);
+        for (parameter, found, _) in outcome.fitted.expect("it is a fit").estimates {
+            assert_eq!(found, estimate(&best, Some(&replicates), parameter));
+        }
+    }
 }

@@ -27,6 +27,8 @@ const MENU_HEIGHT: f32 = 420.0;
 const NARROWEST_WITH_NAME: f32 = 900.0;
 const NARROWEST_WITH_ALL: f32 = 1120.0;
 const NARROWEST_WITH_PARTS: f32 = 700.0;
+/// Narrower bars, as on a phone, have the way back and the help in the menu too, and a shorter name of the scene; points.
+const NARROWEST_WITH_WAY_BACK: f32 = 540.0;
 /// A narrower caption would say nothing.
 const NARROWEST_CAPTION: f32 = 180.0;
 
@@ -44,18 +46,13 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         if width >= NARROWEST_WITH_ALL && !is_simple {
             units(ui, state, commands);
         }
+        if width < NARROWEST_WITH_WAY_BACK {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| more_on_a_phone(ui, state, commands));
+            return;
+        }
         way_back(ui, state, commands);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if ui
-                .button("Help")
-                .on_hover_text(with_keys(
-                    "Explains the window, its terms, settings, keys and mouse.",
-                    &[Command::Toggle(Overlay::Help)],
-                ))
-                .clicked()
-            {
-                commands.push(Command::Toggle(Overlay::Help));
-            }
+            help(ui, commands);
             if !is_simple {
                 if width >= NARROWEST_WITH_ALL {
                     theme(ui, state, commands);
@@ -70,6 +67,14 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| caption(ui, state));
         });
     });
+}
+
+fn help(ui: &mut Ui, commands: &mut Commands) {
+    let open = Command::Toggle(Overlay::Help);
+    let tip = "Explains the window, its terms, settings, keys and mouse.";
+    if ui.button("Help").on_hover_text(with_keys(tip, std::slice::from_ref(&open))).clicked() {
+        commands.push(open);
+    }
 }
 
 /// The way to the start page and back.
@@ -107,9 +112,11 @@ fn sentences(text: &str) -> Vec<&str> {
 }
 
 fn scene(ui: &mut Ui, state: &State, commands: &mut Commands) {
+    let width = if ui.available_width() < NARROWEST_WITH_WAY_BACK { 110.0 } else { 140.0 };
     ComboBox::from_id_salt("scene")
         .selected_text(&state.document.scene.name)
-        .width(140.0)
+        .width(width)
+        .truncate()
         .height(MENU_HEIGHT)
         .show_ui(ui, |ui| {
             // So that the files that were opened have room below.
@@ -205,20 +212,36 @@ const NO_METRES: &str = "This scene does not say how many metres its unit is.";
 /// Shows the menu of a narrow bar: the units, the theme, and `with_parts` the parts that are shown.
 fn more(ui: &mut Ui, state: &State, with_parts: bool, commands: &mut Commands) {
     let stays_open = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    let menu = MenuButton::new("More").config(stays_open).ui(ui, |ui| looks(ui, state, with_parts, commands));
+    menu.0.on_hover_text("Units, theme");
+}
+
+/// Shows the menu of a phone's bar: the way back, the help, and but for who sees the window for the first time the rest.
+fn more_on_a_phone(ui: &mut Ui, state: &State, commands: &mut Commands) {
+    let stays_open = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let menu = MenuButton::new("More").config(stays_open).ui(ui, |ui| {
-        ui.label(RichText::new("Units").weak()).on_hover_text(about("units"));
-        units_to_choose(ui, state, commands);
-        ui.separator();
-        ui.horizontal(|ui| {
-            ui.label(RichText::new("Switches between a light and a dark window").weak());
-            theme(ui, state, commands);
-        });
-        if with_parts {
+        ui.horizontal(|ui| way_back(ui, state, commands));
+        help(ui, commands);
+        if !state.document.settings.window.simple {
             ui.separator();
-            parts(ui, state, commands);
+            looks(ui, state, true, commands);
         }
     });
-    menu.0.on_hover_text("Units, theme");
+    menu.0.on_hover_text("Undo, help, units, theme");
+}
+
+fn looks(ui: &mut Ui, state: &State, with_parts: bool, commands: &mut Commands) {
+    ui.label(RichText::new("Units").weak()).on_hover_text(about("units"));
+    units_to_choose(ui, state, commands);
+    ui.separator();
+    ui.horizontal(|ui| {
+        ui.label(RichText::new("Switches between a light and a dark window").weak());
+        theme(ui, state, commands);
+    });
+    if with_parts {
+        ui.separator();
+        parts(ui, state, commands);
+    }
 }
 
 fn theme(ui: &mut Ui, state: &State, commands: &mut Commands) {

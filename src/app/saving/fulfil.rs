@@ -1,6 +1,7 @@
 //! Does what the state cannot do itself: writes files, and copies.
 
-use eframe::egui::{Context, Ui};
+use eframe::egui::{ColorImage, Context, Ui};
+use relativity_render::Picture;
 
 use super::MOST_FRAMES;
 use super::work::{Job, Made, SceneSnapshot, name_of};
@@ -43,9 +44,10 @@ impl App {
                 self.tell(ctx, Notice::done(text).about(&path));
                 ctx.copy_text(command);
             }
-            Some(Made::Picture(image)) => {
+            Some(Made::Picture(Picture { size, rgba })) => {
                 self.tell(ctx, Notice::done("Copied the picture."));
-                ctx.copy_image(image);
+                let size = size.map(|side| side as usize);
+                ctx.copy_image(ColorImage::from_rgba_unmultiplied(size, rgba.as_flattened()));
             }
             Some(Made::Nothing(path, problem)) => self.tell(ctx, Notice::error(problem).about(&path)),
         }

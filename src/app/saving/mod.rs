@@ -1,18 +1,25 @@
-//! Saving and copying. Whatever takes time is made by a worker thread.
+//! Saving and copying. Whatever takes time is made in the background.
 
 mod copied;
 mod fulfil;
+mod progress;
 mod work;
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::io::Write as _;
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use eframe::egui::Context;
 
+pub use self::progress::Progress;
+use self::progress::{Reporter, lock};
+pub use self::work::SavingStep;
 use self::work::{Job, Made};
 use super::state::State;
-use super::worker::{Wanted, Worker};
+use super::worker::BackgroundWork;
+use crate::files::whole::write_whole;
 use crate::platform::clock::Instant;
+use crate::platform::files;
 use crate::studio::film::{Written, frame_count};
 
 impl State {
@@ -29,16 +36,10 @@ pub const MOST_FRAMES: u32 = 5000;
 /// Time within which something is made without an announcement.
 const GRACE: Duration = Duration::from_millis(300);
 
-/// Interval between two reports of progress: each costs a frame of the window.
-const TOLD: Duration = Duration::from_millis(250);
-
-/// Frames from which the size of a film is estimated.
-const FEW: u32 = 5;
-
-/// The saver, with its worker thread.
+/// The saver, with what works for it.
 #[derive(Default)]
 pub struct Saver {
-    worker: Option<Worker<Job, Made>>,
+    worker: Option<BackgroundWork<SavingStep, ()>>,
     written: Arc<Mutex<Written>>,
     underway: Option<Underway>,
 }
@@ -49,54 +50,29 @@ struct Underway {
     since: Instant,
 }
 
-/// The progress of a product.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Progress<'a> {
-    /// Name of the product.
-    pub name: &'a str,
-    /// Fraction of the product that is written.
-    pub written: Written,
-    /// Number of all the progress's frames.
-    pub frames: u32,
-}
-
-impl Progress<'_> {
-    /// The size of all, bytes, estimated from the frames so far; `None` before there are a few.
-    #[must_use]
-    pub fn expected_bytes(&self) -> Option<u64> {
-        let Written { frames, .. } = self.written;
-        if frames >= FEW && frames < self.frames { self.written.expected_bytes(self.frames) } else { None }
-    }
-}
-
 impl Saver {
     /// Begins a `job`, which makes `frames` pictures of the product called `name`.
     fn begin(&mut self, ctx: &Context, job: Job, name: String, frames: u32) {
         *lock(&self.written) = Written::default();
-        let all_written = Arc::clone(&self.written);
-        let repaint = ctx.clone();
-        let work = move |job: Job, wanted: &Wanted| {
-            let goes_on = |written| {
-                *lock(&all_written) = written;
-                repaint.request_repaint_after(TOLD);
-                wanted.holds()
-            };
-            job.made(goes_on)
-        };
-        self.worker.get_or_insert_with(|| Worker::new(ctx.clone(), work)).request(job);
         self.underway = Some(Underway { name, frames, since: Instant::now() });
+        let worker = || BackgroundWork::new(ctx, Reporter::new(ctx, &self.written));
+        self.worker.get_or_insert_with(worker).request((), files::given(), job);
     }
 
     /// Takes the finished product, once.
     fn made(&mut self) -> Option<Made> {
-        let made = self.worker.as_ref()?.result()?;
+        let ((), (made, files)) = self.worker.as_ref()?.result()?;
+        let failure = files.iter().find_map(|(path, bytes)| {
+            let error = write_whole(path, |file| Ok(file.write_all(bytes)?)).err()?;
+            Some(Made::Nothing(path.clone(), format!("{error:#}")))
+        });
         self.underway = None;
-        Some(made)
+        Some(failure.unwrap_or(made))
     }
 
     /// Gives up what is being made; whether there was anything.
     fn stop(&mut self) -> bool {
-        self.worker.iter().for_each(Worker::stop);
+        self.worker.iter().for_each(BackgroundWork::end);
         self.underway.take().is_some()
     }
 
@@ -118,8 +94,4 @@ impl Saver {
         let (name, frames) = (&underway.name, underway.frames);
         Some(Progress { name, written: *lock(&self.written), frames })
     }
-}
-
-fn lock(written: &Mutex<Written>) -> std::sync::MutexGuard<'_, Written> {
-    written.lock().unwrap_or_else(PoisonError::into_inner)
 }

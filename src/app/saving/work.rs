@@ -1,11 +1,14 @@
-//! Jobs of the thread that saves: pictures, films and fits.
+//! Jobs in the background that make files: pictures, films and fits, and pages to print.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use eframe::egui::ColorImage;
 use relativity_core::DEFAULT_REPLICATES;
+use relativity_render::Picture;
+use serde::{Deserialize, Serialize};
 
+use super::progress::Reporter;
+use crate::app::worker::{Step, Wanted, Work};
 use crate::estimate::FitReport;
 use crate::estimate::samples::{FitKey, Fittable};
 use crate::files::whole::{write_json, write_whole};
@@ -14,16 +17,17 @@ use crate::flags::words::Shell;
 use crate::lesson::worksheet::{self, Sheet};
 use crate::lesson::{Course, Lesson, report};
 use crate::number_text;
-use crate::platform::files;
+use crate::platform::files::{self, Sent};
 use crate::scene::{Scene, Track, scene_text};
-use crate::settings::Settings;
+use crate::settings::{Settings, message};
 use crate::studio::Studio;
 use crate::studio::film::{FRAMES_PER_SECOND, FilmKind, Stopped, Written};
 
 /// A scene as it is to be drawn.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct SceneSnapshot {
     /// Settings of the picture.
+    #[serde(with = "message::all")]
     pub settings: Settings,
     /// Scene in the picture.
     pub scene: Scene,
@@ -31,7 +35,8 @@ pub struct SceneSnapshot {
     pub tracked: Track,
 }
 
-/// A job of the thread that saves.
+/// A file to make, or a picture to be copied.
+#[derive(Debug, Serialize, Deserialize)]
 pub enum Job {
     /// A picture, as a file.
     Picture(SceneSnapshot, PathBuf),
@@ -39,24 +44,25 @@ pub enum Job {
     Clipboard(SceneSnapshot),
     /// A film of the frames at these T.
     Film(SceneSnapshot, Vec<f64>, FilmKind, PathBuf),
-    /// The scene in which the model in the first file rides.
-    Scene(PathBuf, PathBuf),
     /// The numbers of a fit, as JSON.
     Fit(Box<FitKey>, PathBuf),
+    /// The scene in which the model in the first file rides.
+    Scene(PathBuf, PathBuf),
     /// Report of a lesson, whose states build on these settings; with a fit.
-    Report(Box<Course>, Box<Settings>, Option<Box<FitKey>>, PathBuf),
+    Report(Box<Course>, #[serde(with = "message::boxed")] Box<Settings>, Option<Box<FitKey>>, PathBuf),
     /// A sheet of a lesson, to print.
     Sheet(Box<Lesson>, Sheet, PathBuf),
 }
 
 /// The outcome of a job.
+#[derive(Debug, Serialize, Deserialize)]
 pub enum Made {
     /// A file, and a message about it.
     File(PathBuf, String),
     /// A film, a message about it, and a command that makes an MP4 of it.
     Film(PathBuf, String, String),
     /// A picture to be copied.
-    Picture(ColorImage),
+    Picture(Picture),
     /// No file there, and why.
     Nothing(PathBuf, String),
 }
@@ -72,46 +78,80 @@ impl SceneSnapshot {
     }
 }
 
-impl Job {
-    /// Does the job; `goes_on` is called before each frame of a film, with what is written. `None` if it was stopped.
-    pub fn made(self, goes_on: impl FnMut(Written) -> bool) -> Option<Made> {
-        let path = self.path().to_owned();
-        match self.try_made(goes_on) {
-            Err(error) if error.is::<Stopped>() => None,
-            Err(error) => Some(Made::Nothing(path, format!("{error:#}"))),
-            Ok(made) => Some(made),
-        }
+/// The making of a file, in one step.
+pub struct SavingStep(Option<Job>);
+
+impl Work for SavingStep {
+    const NAME: &'static str = "saving";
+    /// Files that only the asking instance of the program has.
+    type Base = Sent;
+    type Job = Job;
+    /// The outcome, and the files that the asking instance is to hand out.
+    type Result = (Made, Sent);
+    type Tools = Reporter;
+
+    fn begin(given: Sent, job: Job) -> Self {
+        files::take_in_all(given);
+        Self(Some(job))
     }
 
+    fn take_note(reporter: &Reporter, note: &[u8]) {
+        reporter.report_note(note);
+    }
+
+    fn step(&mut self, reporter: &mut Reporter, wanted: &Wanted) -> Step<Self::Result> {
+        let Some(job) = self.0.take() else { return Step::Last(None) };
+        let path = job.path().to_owned();
+        let made = job.made(|written| {
+            reporter.report(written);
+            wanted.holds()
+        });
+        Step::Last(outcome(path, made).map(|made| (made, files::take_undelivered())))
+    }
+}
+
+/// Returns the outcome of a job whose file is to be at `path`; `None` if it was stopped.
+fn outcome(path: PathBuf, made: anyhow::Result<Made>) -> Option<Made> {
+    match made {
+        Err(error) if error.is::<Stopped>() => None,
+        Err(error) => Some(Made::Nothing(path, format!("{error:#}"))),
+        Ok(made) => Some(made),
+    }
+}
+
+/// Returns the outcome of a file at `path`, which was saved.
+fn saved(path: PathBuf) -> Made {
+    let text = format!("Saved {}.", name_of(&path));
+    Made::File(path, text)
+}
+
+impl Job {
     /// Returns the path of its file; empty if it has none.
     fn path(&self) -> &Path {
         match self {
             Self::Picture(_, path)
             | Self::Film(.., path)
-            | Self::Scene(_, path)
             | Self::Fit(_, path)
+            | Self::Scene(_, path)
             | Self::Report(.., path)
             | Self::Sheet(.., path) => path,
             Self::Clipboard(_) => Path::new(""),
         }
     }
 
-    fn try_made(self, goes_on: impl FnMut(Written) -> bool) -> anyhow::Result<Made> {
+    /// Does the job; `goes_on` is called before each frame of a film, with what is written.
+    fn made(self, goes_on: impl FnMut(Written) -> bool) -> anyhow::Result<Made> {
         match self {
             Self::Picture(drawn, path) => {
                 let mut studio = drawn.studio()?;
                 let frame = studio.frame(None)?;
                 studio.make_file(&frame, FileKind::Png, &path)?;
-                let text = format!("Saved {}.", name_of(&path));
-                Ok(Made::File(path, text))
+                Ok(saved(path))
             }
             Self::Clipboard(drawn) => {
                 let mut studio = drawn.studio()?;
                 let frame = studio.frame(None)?;
-                let picture = studio.still(&frame)?.frames.swap_remove(0);
-                let size = picture.size.map(|side| side as usize);
-                let pixels = picture.rgba.as_flattened();
-                Ok(Made::Picture(ColorImage::from_rgba_unmultiplied(size, pixels)))
+                Ok(Made::Picture(studio.still(&frame)?.frames.swap_remove(0)))
             }
             Self::Film(drawn, times, kind, path) => {
                 let bytes = drawn.studio()?.make_film(&times, kind, &path, goes_on)?;
@@ -122,34 +162,30 @@ impl Job {
                 let command = kind.mp4_command(&path, Shell::here());
                 Ok(Made::Film(path, text, command))
             }
-            Self::Scene(model, path) => {
-                let text = scene_text(&model, files::folder_of(&path)).map_err(anyhow::Error::msg)?;
-                write_whole(&path, |file| Ok(file.write_all(text.as_bytes())?))?;
-                let text = format!("Saved {}.", name_of(&path));
-                Ok(Made::File(path, text))
-            }
-            Self::Report(course, base, key, path) => {
-                // Of what cannot be fitted there is no table.
-                let fit = key.and_then(|key| fitted(&key).ok()).map(|(report, _)| report.to_string());
-                let page = report::page(&course, &base, fit.as_deref())?;
-                write_whole(&path, |file| Ok(file.write_all(page.as_bytes())?))?;
-                let text = format!("Saved {}.", name_of(&path));
-                Ok(Made::File(path, text))
-            }
-            Self::Sheet(lesson, sheet, path) => {
-                let page = worksheet::page(&lesson, sheet)?;
-                write_whole(&path, |file| Ok(file.write_all(page.as_bytes())?))?;
-                let text = format!("Saved {}.", name_of(&path));
-                Ok(Made::File(path, text))
-            }
             Self::Fit(key, path) => {
                 let (report, remark) = fitted(&key)?;
                 write_whole(&path, |file| write_json(&report, file))?;
                 let text = format!("Saved {}.{remark}", name_of(&path));
                 Ok(Made::File(path, text))
             }
+            Self::Scene(model, path) => {
+                let text = scene_text(&model, files::folder_of(&path)).map_err(anyhow::Error::msg)?;
+                written(path, &text)
+            }
+            Self::Report(course, base, key, path) => {
+                // Of what cannot be fitted there is no table.
+                let fit = key.and_then(|key| fitted(&key).ok()).map(|(report, _)| report.to_string());
+                written(path, &report::page(&course, &base, fit.as_deref())?)
+            }
+            Self::Sheet(lesson, sheet, path) => written(path, &worksheet::page(&lesson, sheet)?),
         }
     }
+}
+
+/// Writes the text at `path`.
+fn written(path: PathBuf, text: &str) -> anyhow::Result<Made> {
+    write_whole(&path, |file| Ok(file.write_all(text.as_bytes())?))?;
+    Ok(saved(path))
 }
 
 /// The numbers of a fit, and a remark on them.
@@ -161,4 +197,62 @@ fn fitted(key: &FitKey) -> anyhow::Result<(FitReport, String)> {
         Ok(report) => (report, String::new()),
         Err(problem) => (report(0)?, format!(" Without a bootstrap: {problem}.")),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::steps::sent;
+    use crate::flags::choices::Size;
+    use crate::lesson::Library;
+
+    fn snapshot(scene: &str) -> SceneSnapshot {
+        let mut settings = Settings::default().with_scene(scene.to_owned());
+        settings.picture.size = Size([24, 18]);
+        let scene = settings.opened_scene().expect("it is a preset");
+        let tracked = settings.track(&scene);
+        SceneSnapshot { settings, scene, tracked }
+    }
+
+    #[test]
+    fn a_picture_is_the_same_where_it_was_sent() {
+        for scene in ["rods", "wheel", "globe"] {
+            let drawn = snapshot(scene);
+            let there = sent(&drawn);
+            let bytes = |snapshot: SceneSnapshot| {
+                let mut studio = snapshot.studio().expect("it can be drawn");
+                let frame = studio.frame(None).expect("T is in the domain");
+                studio.png(&frame, Path::new("picture.png")).expect("it is drawn")
+            };
+            assert!(bytes(drawn) == bytes(there), "{scene}");
+        }
+    }
+
+    #[test]
+    fn every_lesson_is_the_same_where_it_was_sent() {
+        for lesson in Library::own().all() {
+            assert_eq!(sent(lesson.as_ref()), **lesson, "{}", lesson.name);
+        }
+        let lesson = Library::own().open("rods").expect("it is one of the program's own");
+        let course = Course::new(&lesson).expect("it can be worked out");
+        assert_eq!(sent(&course), course);
+    }
+
+    #[test]
+    fn a_file_is_written_and_a_failure_names_it() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let made = |path: PathBuf| {
+            let wanted = Wanted::new(1, std::sync::Arc::new(1.into()), std::sync::Arc::default());
+            let mut step = SavingStep::begin(Vec::new(), Job::Picture(snapshot("rods"), path));
+            match step.step(&mut Reporter::default(), &wanted) {
+                Step::Last(Some((made, files))) if files.is_empty() => made,
+                _ => panic!("nothing was made"),
+            }
+        };
+        let path = folder.path().join("rods.png");
+        assert!(matches!(made(path.clone()), Made::File(file, _) if file == path));
+        assert!(path.is_file());
+        let nowhere = folder.path().join("nowhere").join("rods.png");
+        assert!(matches!(made(nowhere.clone()), Made::Nothing(file, _) if file == nowhere));
+    }
 }

@@ -1,49 +1,41 @@
-//! A picture made by a thread of its own, as it takes longer than a frame.
+//! A picture made in the background, as it takes longer than a frame.
 
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use relativity_render::Picture;
 
-use crate::app::worker::{Wanted, Worker};
+use crate::app::worker::{BackgroundWork, Work};
 
 /// The newest picture, and the one that is being made.
-pub struct BackgroundPicture<J> {
+pub struct BackgroundPicture<W: Work> {
     ctx: Context,
-    name: &'static str,
-    worker: Worker<J, ColorImage>,
-    requested: Option<J>,
+    worker: BackgroundWork<W, ()>,
+    requested: Option<(W::Base, W::Job)>,
     texture: Option<TextureHandle>,
 }
 
-impl<J: Clone + PartialEq + Send + 'static> BackgroundPicture<J> {
-    /// Pictures of what `picture` makes of a job.
-    pub fn new(ctx: &Context, name: &'static str, picture: impl Fn(&J) -> Picture + Send + 'static) -> Self {
-        let work = move |job: J, _: &Wanted| {
-            let Picture { size, rgba } = picture(&job);
-            Some(ColorImage::from_rgba_unmultiplied(size.map(|side| side as usize), rgba.as_flattened()))
-        };
-        Self {
-            ctx: ctx.clone(),
-            name,
-            worker: Worker::new(ctx.clone(), work),
-            requested: None,
-            texture: None,
-        }
+impl<W: Work<Result = Picture, Job: Clone + PartialEq, Tools: Send>> BackgroundPicture<W> {
+    /// Nothing is made yet.
+    pub fn new(ctx: &Context) -> Self {
+        let worker = BackgroundWork::new(ctx, W::Tools::default());
+        Self { ctx: ctx.clone(), worker, requested: None, texture: None }
     }
 
-    /// Draws the picture of `job` in the background, unless it was requested last.
-    pub fn request(&mut self, job: &J) {
-        if self.requested.as_ref() != Some(job) {
-            self.worker.request(job.clone());
-            self.requested = Some(job.clone());
+    /// Makes the picture in the background, unless it was requested last.
+    pub fn request(&mut self, base: &W::Base, job: &W::Job) {
+        if !self.requested.as_ref().is_some_and(|(same, requested)| same == base && requested == job) {
+            self.worker.request((), base.clone(), job.clone());
+            self.requested = Some((base.clone(), job.clone()));
         }
     }
 
     /// The newest picture, be it outdated or not.
     pub fn newest(&mut self) -> Option<&TextureHandle> {
-        if let Some(image) = self.worker.result() {
+        if let Some(((), Picture { size, rgba })) = self.worker.result() {
+            let size = size.map(|side| side as usize);
+            let image = ColorImage::from_rgba_unmultiplied(size, rgba.as_flattened());
             match &mut self.texture {
                 Some(texture) => texture.set(image, TextureOptions::LINEAR),
-                none => *none = Some(self.ctx.load_texture(self.name, image, TextureOptions::LINEAR)),
+                none => *none = Some(self.ctx.load_texture(W::NAME, image, TextureOptions::LINEAR)),
             }
         }
         self.texture.as_ref()

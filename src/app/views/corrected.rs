@@ -1,14 +1,15 @@
-//! The left eye's picture, corrected to what a camera riding along would have taken: made by a thread of its
-//! own from the speed that the fit found.
+//! The left eye's picture, corrected to what a camera riding along would have taken: made in the
+//! background from the speed that the fit found.
 
-use eframe::egui::Context;
 use relativity_core::{Speed, math};
 use relativity_render::backdrop::Backdrop;
 use relativity_render::rectified_hits::Blank;
 use relativity_render::rectify::Rectification;
 use relativity_render::{Appearance, Camera, Picture, PreparedScene, Projection, Velocity, View};
+use serde::{Deserialize, Serialize};
 
 use crate::app::views::background_picture::BackgroundPicture;
+use crate::app::worker::{Step, Wanted, Work};
 
 /// Greatest number of pixels of a corrected picture: enough to judge it by, and drawn in a blink on the CPU.
 const MAX_PIXELS: f64 = 200_000.0;
@@ -17,8 +18,8 @@ const FINENESS: u32 = 2;
 /// Brightness outside the eye's picture, relative to the background inside it.
 const OUTSIDE: f64 = 0.6;
 
-/// The key of a corrected picture: everything it depends on.
-#[derive(Debug, Clone, PartialEq)]
+/// The key of a corrected picture of a scene: everything else that it depends on.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Job {
     /// The eye's view, as seen.
     pub view: View,
@@ -26,23 +27,33 @@ pub struct Job {
     pub speed: Speed,
     /// Appearance of the light.
     pub appearance: Appearance,
-    /// Scene that is drawn.
-    pub scene: PreparedScene,
 }
 
 /// The corrected picture that is shown, and the one that is being made.
-pub type Corrected = BackgroundPicture<Job>;
+pub type Corrected = BackgroundPicture<Correction>;
 
-impl Corrected {
-    /// Returns a correction of the left eye's picture, without a picture yet.
-    #[must_use]
-    pub fn of_left_eye(ctx: &Context) -> Self {
-        Self::new(ctx, "corrected", picture)
+/// The correction of the left eye's picture of a scene, in one step.
+pub struct Correction(PreparedScene, Job);
+
+impl Work for Correction {
+    const NAME: &'static str = "corrected";
+    type Base = PreparedScene;
+    type Job = Job;
+    type Result = Picture;
+    type Tools = ();
+
+    fn begin(scene: PreparedScene, job: Job) -> Self {
+        Self(scene, job)
+    }
+
+    fn step(&mut self, (): &mut (), _: &Wanted) -> Step<Picture> {
+        let Self(scene, job) = self;
+        Step::Last(Some(picture(scene, job)))
     }
 }
 
-/// The corrected picture of `job`.
-fn picture(job: &Job) -> Picture {
+/// The corrected picture of `scene`.
+fn picture(scene: &PreparedScene, job: &Job) -> Picture {
     let size = size(job.view.camera.size);
     let camera = Camera { size: size.map(|side| FINENESS * side), ..job.view.camera };
     let view = View { camera, ..job.view };
@@ -50,11 +61,11 @@ fn picture(job: &Job) -> Picture {
     let ground = if camera.projection.is_conformal() { camera } else { across_gaze(&camera) };
     let rest = Camera { size, ..Rectification::rest_camera(&ground, &velocity) };
     let rectification = Rectification::new(view.camera, rest, velocity);
-    let hits = job.scene.hit_image(&view);
+    let hits = scene.hit_image(&view);
     let plain = Appearance { sky: false, ground_z: None, ..job.appearance };
     let background = Backdrop::new(&view.camera, view.geometry, &plain).sky(view.camera.gaze.axes().forward);
     let blank = Blank { background, outside: background.map(|part| OUTSIDE * part) };
-    rectification.picture_of_hits(&hits, &job.scene, &job.appearance, blank)
+    rectification.picture_of_hits(&hits, scene, &job.appearance, blank)
 }
 
 /// The camera that has what `camera` has in its middle in its own, as high there, and its picture across the gaze.

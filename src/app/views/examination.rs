@@ -1,16 +1,17 @@
 //! Examination of the present views: the cost of each way to draw them, and its error, measured by a thread of its own, one method after
 //! the other, while the Accuracy tab is shown and nothing moves.
 
-use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use eframe::egui::{Context, TextureHandle, TextureOptions};
 use relativity_render::{Appearance, Gpu, GpuError, Method, PreparedScene, Renderers, View};
+use serde::{Deserialize, Serialize};
 
 use crate::accuracy::{
     DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, RESOLUTION_PX, RoundsError, Spread,
     expected_error, method_name,
 };
 use crate::app::debounce::Debounce;
-use crate::app::views::heat_map;
-use crate::app::worker::{Wanted, Worker};
+use crate::app::views::heat_map::HeatMap;
+use crate::app::worker::{BackgroundWork, Step, Wanted, Work};
 use crate::eye::Eye;
 
 /// The present views, which are examined.
@@ -25,7 +26,7 @@ pub struct Sight {
 }
 
 /// The cost of one method, and the error of its pictures: the worse of the eyes.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Figures {
     /// Milliseconds for the pictures of all eyes.
     pub frame_ms: f64,
@@ -44,7 +45,7 @@ pub struct Figures {
 }
 
 /// The error of each eye's picture, pixel by pixel.
-type HeatMaps = Vec<(Eye, ColorImage)>;
+type HeatMaps = Vec<(Eye, HeatMap)>;
 
 /// The outcome of one method.
 struct Outcome {
@@ -55,16 +56,67 @@ struct Outcome {
     maps: HeatMaps,
 }
 
-/// A job: one method to measure.
-struct Job {
-    sight: Sight,
-    number: u64,
-    method: Method,
+/// The measuring of one method in the views of the eyes, one after the other.
+pub struct MethodSteps {
+    scene: PreparedScene,
+    job: Job,
+    /// Errors in the views so far.
+    found: Vec<ExpectedError>,
+}
+
+/// A job: the views, the appearance of their light, and the method to measure.
+type Job = (Vec<(Eye, View)>, Appearance, Method);
+
+impl Work for MethodSteps {
+    const NAME: &'static str = "accuracy";
+    type Base = PreparedScene;
+    type Job = Job;
+    type Result = (Result<Figures, String>, HeatMaps);
+    type Tools = Renderers;
+
+    fn begin(scene: PreparedScene, job: Job) -> Self {
+        Self { scene, job, found: Vec::new() }
+    }
+
+    fn step(&mut self, renderers: &mut Renderers, wanted: &Wanted) -> Step<Self::Result> {
+        match self.next_view(renderers, &|| !wanted.holds()) {
+            Ok(true) => Step::More,
+            Ok(false) => Step::Last(wanted.holds().then(|| self.outcome())),
+            Err(error) => Step::Last(Some((Err(error.to_string()), Vec::new()))),
+        }
+    }
+}
+
+impl MethodSteps {
+    /// Measures the next view; whether there was one, and it was not cancelled.
+    fn next_view(
+        &mut self,
+        renderers: &mut Renderers,
+        is_cancelled: &dyn Fn() -> bool,
+    ) -> Result<bool, GpuError> {
+        let (views, appearance, method) = &self.job;
+        let Some((_, view)) = views.get(self.found.len()) else { return Ok(false) };
+        let effort = Effort::GLANCE;
+        let error = expected_error(renderers, &self.scene, *method, view, appearance, effort, is_cancelled)?;
+        Ok(error.map(|error| self.found.push(error)).is_some())
+    }
+
+    /// Returns the figures and the heat maps of the views that were measured.
+    fn outcome(&self) -> (Result<Figures, String>, HeatMaps) {
+        let (views, ..) = &self.job;
+        let map = |((eye, view), error): (&(Eye, View), &ExpectedError)| {
+            (*eye, HeatMap::new(&error.difference, view.camera.px_per_radian()))
+        };
+        let maps = views.iter().zip(&self.found).map(map).collect();
+        let px_per_radian = views.iter().map(|(_, view)| view.camera.px_per_radian()).fold(0.0, f64::max);
+        (Ok(Figures::from_errors(&self.found, px_per_radian)), maps)
+    }
 }
 
 /// The figures of all methods, and what measures them.
 pub struct Examination {
-    worker: Worker<Job, Outcome>,
+    /// Each job with its method, and the number of its sight.
+    worker: BackgroundWork<MethodSteps, (Method, u64)>,
     has_gpu: bool,
     stillness: Debounce<Sight>,
     /// Sight that is examined; `None` while the tab is hidden.
@@ -115,10 +167,8 @@ impl Examination {
     #[must_use]
     pub fn new(ctx: &Context, gpu: Option<Gpu>) -> Self {
         let has_gpu = gpu.is_some();
-        let mut renderers = Renderers::new(gpu);
-        let work = move |job: Job, wanted: &Wanted| outcome(&mut renderers, &job, &|| !wanted.holds());
         Self {
-            worker: Worker::new(ctx.clone(), work),
+            worker: BackgroundWork::new(ctx, Renderers::new(gpu)),
             has_gpu,
             stillness: Debounce::default(),
             sight: None,
@@ -136,7 +186,7 @@ impl Examination {
         self.methods = methods(self.has_gpu, chosen, sight);
         self.chosen = chosen;
         if self.sight.as_ref() != Some(sight) {
-            self.worker.stop();
+            self.worker.end();
             self.sight = Some(sight.clone());
             self.number += 1;
         }
@@ -147,14 +197,19 @@ impl Examination {
         let first = Some(chosen).filter(|chosen| self.methods.contains(chosen));
         let next = first.into_iter().chain(self.methods.iter().copied());
         if let Some(method) = next.into_iter().find(|&method| self.is_wanted(method)) {
-            self.worker.request(Job { sight: sight.clone(), number: self.number, method });
+            let Sight { views, appearance, scene } = sight.clone();
+            self.worker.request((method, self.number), scene, (views, appearance, method));
         }
     }
 
     fn receive(&mut self) {
         let methods = &self.methods;
         self.outcomes.retain(|outcome| methods.contains(&outcome.method));
-        let Some(new) = self.worker.result().filter(|outcome| outcome.sight == self.number) else { return };
+        let Some(((method, sight), (figures, maps))) = self.worker.result() else { return };
+        let new = Outcome { method, sight, figures, maps };
+        if new.sight != self.number {
+            return;
+        }
         self.outcomes.retain(|outcome| outcome.method != new.method);
         self.outcomes.push(new);
     }
@@ -179,7 +234,7 @@ impl Examination {
     /// Gives up what is being measured, as nobody looks.
     pub fn rest(&mut self) {
         if self.sight.take().is_some() {
-            self.worker.stop();
+            self.worker.end();
         }
     }
 
@@ -229,8 +284,8 @@ impl Examination {
         let sight = self.number;
         if !self.shown_maps.as_ref().is_some_and(|maps| (maps.method, maps.sight) == (method, sight)) {
             let outcome = self.outcome(method).filter(|outcome| outcome.sight == sight)?;
-            let texture = |(eye, image): &(Eye, ColorImage)| {
-                (*eye, ctx.load_texture("heat map", image.clone(), TextureOptions::NEAREST))
+            let texture = |(eye, map): &(Eye, HeatMap)| {
+                (*eye, ctx.load_texture("heat map", map.image(), TextureOptions::NEAREST))
             };
             let textures = outcome.maps.iter().map(texture).collect();
             self.shown_maps = Some(ShownMaps { method, sight, textures });
@@ -262,36 +317,6 @@ fn methods(has_gpu: bool, chosen: Method, sight: &Sight) -> Vec<Method> {
         .chain([Method::Reference])
         .filter(draws)
         .collect()
-}
-
-fn outcome(renderers: &mut Renderers, job: &Job, is_cancelled: &dyn Fn() -> bool) -> Option<Outcome> {
-    let (figures, maps) = match examined(renderers, job, is_cancelled) {
-        Ok(found) => found.map(|(figures, maps)| (Ok(figures), maps))?,
-        Err(error) => (Err(error.to_string()), Vec::new()),
-    };
-    Some(Outcome { method: job.method, sight: job.number, figures, maps })
-}
-
-/// The figures and the heat maps; `None` if cancelled.
-fn examined(
-    renderers: &mut Renderers,
-    job: &Job,
-    is_cancelled: &dyn Fn() -> bool,
-) -> Result<Option<(Figures, HeatMaps)>, GpuError> {
-    let Sight { views, appearance, scene } = &job.sight;
-    let mut found = Vec::new();
-    for (_, view) in views {
-        let (method, effort) = (job.method, Effort::GLANCE);
-        let error = expected_error(renderers, scene, method, view, appearance, effort, is_cancelled)?;
-        let Some(error) = error else { return Ok(None) };
-        found.push(error);
-    }
-    let map = |((eye, view), error): (&(Eye, View), &ExpectedError)| {
-        (*eye, heat_map::image(&error.difference, view.camera.px_per_radian()))
-    };
-    let maps = views.iter().zip(&found).map(map).collect();
-    let px_per_radian = views.iter().map(|(_, view)| view.camera.px_per_radian()).fold(0.0, f64::max);
-    Ok(Some((Figures::from_errors(&found, px_per_radian), maps)))
 }
 
 impl Figures {

@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use colorous::VIRIDIS;
 use eframe::egui::{Color32, ColorImage};
 use relativity_core::math;
+use serde::{Deserialize, Serialize};
 
 use crate::accuracy::{ARCSECONDS, Difference, PixelDifference};
 
@@ -24,17 +25,35 @@ pub fn colour(decade: f64) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// The map of `difference`, whose pictures have `pixels_per_radian` at their centre.
-#[must_use]
-pub fn image(difference: &Difference, pixels_per_radian: f64) -> ColorImage {
-    let colours = difference.pixels.iter().map(|pixel| match *pixel {
-        PixelDifference::Nothing => NOTHING,
-        PixelDifference::WrongBody => WRONG_BODY,
-        PixelDifference::SameBody { arcseconds, .. } => {
-            colour(math::log10(arcseconds / ARCSECONDS * pixels_per_radian))
-        }
-    });
-    ColorImage::new(difference.size.map(|side| side as usize), colours.collect())
+/// The error of a picture, pixel by pixel, in colours.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct HeatMap {
+    /// Width and height, pixels.
+    size: [u32; 2],
+    /// Red, green, blue (sRGB-encoded) and opacity of each pixel, row by row from the top left.
+    rgba: Vec<[u8; 4]>,
+}
+
+impl HeatMap {
+    /// The map of `difference`, whose pictures have `pixels_per_radian` at their centre.
+    #[must_use]
+    pub fn new(difference: &Difference, pixels_per_radian: f64) -> Self {
+        let colours = difference.pixels.iter().map(|pixel| match *pixel {
+            PixelDifference::Nothing => NOTHING,
+            PixelDifference::WrongBody => WRONG_BODY,
+            PixelDifference::SameBody { arcseconds, .. } => {
+                colour(math::log10(arcseconds / ARCSECONDS * pixels_per_radian))
+            }
+        });
+        let rgba = colours.map(|colour| colour.to_srgba_unmultiplied()).collect();
+        Self { size: difference.size, rgba }
+    }
+
+    /// Returns the map as an image for the window.
+    #[must_use]
+    pub fn image(&self) -> ColorImage {
+        ColorImage::from_rgba_unmultiplied(self.size.map(|side| side as usize), self.rgba.as_flattened())
+    }
 }
 
 #[cfg(test)]
@@ -61,8 +80,8 @@ mod tests {
             line_of_sight_arcseconds: None,
             doppler_relative: None,
         };
-        let image = image(&Difference { size: [5, 1], pixels, figures }, pixels_per_radian);
-        let (darkest, brightest) = (colour(-8.0), colour(0.0));
+        let map = HeatMap::new(&Difference { size: [5, 1], pixels, figures }, pixels_per_radian);
+        let (image, darkest, brightest) = (map.image(), colour(-8.0), colour(0.0));
         assert_eq!(image.size, [5, 1]);
         assert_eq!(image.pixels[..4], [NOTHING, WRONG_BODY, brightest, darkest]);
         assert!(image.pixels[4].is_opaque());

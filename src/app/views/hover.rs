@@ -15,6 +15,8 @@ use crate::number_text;
 /// From the pointer to the tag, and around its words; points.
 const AWAY: Vec2 = vec2(16.0, 14.0);
 const MARGIN: Vec2 = vec2(7.0, 5.0);
+/// From a finger up to the tag, points.
+const FINGER: f32 = 40.0;
 
 /// The thing under the pointer.
 #[derive(Debug, Clone, PartialEq)]
@@ -102,15 +104,15 @@ impl State {
     }
 }
 
-/// Returns the pointer's position in the view at `rect` while its hover label may show: not during a drag, while the
+/// Returns the pointer's position in the view at `rect` while its hover label may show: not during a drag (unless it is of a finger that rests), while the
 /// pointer is out of use, or while T runs fast.
 #[must_use]
 pub fn pointer(ui: &Ui, state: &State, rect: Rect) -> Option<Pos2> {
     // A pointer elsewhere has no label that a later frame would have to take away.
     let pointer = ui.ctx().pointer_hover_pos().filter(|_| ui.rect_contains_pointer(rect))?;
     let is_used = awake::is_moved(ui.ctx()) || awake::is_opened(ui.ctx());
-    let is_free = is_used && !ui.input(|input| input.pointer.any_down()) && state.is_legible();
-    is_free.then_some(pointer)
+    let is_free = is_used && !ui.input(|input| input.pointer.any_down()) || awake::is_held(ui.ctx());
+    (is_free && state.is_legible()).then_some(pointer)
 }
 
 /// Writes what is `under` a `pointer` beside it, inside `view`: its name and D, and the rest once it was clicked. Assistive
@@ -139,7 +141,10 @@ fn tag(ui: &Ui, view: Rect, place: Pos2, title: &str, lines: &[String], name: &s
         job.append(&format!("\n{line}"), 0.0, format(theme::TAG_TEXT));
     }
     let galley = ui.painter().layout_job(job);
-    let rect = beside(place, galley.size() + 2.0 * MARGIN, view);
+    let size = galley.size() + 2.0 * MARGIN;
+    // A finger hides what is below it.
+    let above = if ui.input(eframe::egui::InputState::any_touches) { size.y + FINGER } else { 0.0 };
+    let rect = beside(place - vec2(0.0, above), size, view);
     let painter = ui.painter().with_clip_rect(view);
     painter.rect_filled(rect, 4.0, Color32::from_black_alpha(185));
     painter.galley(rect.min + MARGIN, galley, Color32::WHITE);

@@ -184,10 +184,9 @@ impl App {
             view: self.state.view_to_correct([size.x, size.y].map(|side| side.max(1.0) as u32)),
             speed: correction.speed,
             appearance: self.state.appearance(!ui.visuals().dark_mode),
-            scene: self.state.document.prepared.clone(),
         };
-        let corrected = self.corrected.get_or_insert_with(|| Corrected::of_left_eye(ui.ctx()));
-        corrected.request(&job);
+        let corrected = self.corrected.get_or_insert_with(|| Corrected::new(ui.ctx()));
+        corrected.request(&self.state.document.prepared, &job);
         panels::corrected::show(ui, rect, &correction, corrected.newest());
     }
 

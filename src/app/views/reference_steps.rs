@@ -32,12 +32,13 @@ impl Work for ReferenceSteps {
     type Base = PreparedScene;
     type Job = Drawing;
     type Result = Picture;
+    type Tools = ();
 
     fn begin(scene: PreparedScene, drawing: Drawing) -> Self {
         Self { scene, drawing, drawn: Vec::new() }
     }
 
-    fn step(&mut self, wanted: &Wanted) -> Step<Picture> {
+    fn step(&mut self, (): &mut (), wanted: &Wanted) -> Step<Picture> {
         if threads::ARE_SEVERAL {
             return Step::Last(self.whole(wanted));
         }
@@ -69,13 +70,8 @@ mod tests {
     use relativity_render::{Camera, Gaze, Geometry};
 
     use super::*;
+    use crate::app::steps::sent;
     use crate::scene::{PRESETS, Scene};
-
-    /// Returns the value as another instance of the program reads it.
-    fn sent<T: Serialize + serde::de::DeserializeOwned>(value: &T) -> T {
-        let text = serde_json::to_string(value).expect("it can be written");
-        serde_json::from_str(&text).expect("what is written can be read")
-    }
 
     #[test]
     fn what_is_sent_is_drawn_alike() {

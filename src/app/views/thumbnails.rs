@@ -36,14 +36,15 @@ impl Work for ThumbnailSteps {
     /// Settings of the lesson, in TOML, if there are any; and the look.
     type Job = (Option<String>, Look);
     type Result = Option<Picture>;
+    type Tools = ();
 
     fn begin((): (), (settings, look): (Option<String>, Look)) -> Self {
         Self(settings.and_then(|settings| steps(&settings, look)))
     }
 
-    fn step(&mut self, wanted: &Wanted) -> Step<Option<Picture>> {
+    fn step(&mut self, (): &mut (), wanted: &Wanted) -> Step<Option<Picture>> {
         let Some(steps) = &mut self.0 else { return Step::Last(Some(None)) };
-        steps.step(wanted).map(Some)
+        steps.step(&mut (), wanted).map(Some)
     }
 }
 
@@ -124,7 +125,7 @@ impl Thumbnails {
         let settings = lesson.settings(0, true, &Settings::default()).ok();
         let settings = settings.map(|settings| settings.to_toml());
         let label = (Key::new(&lesson, look), look.in_light_window);
-        let worker = self.worker.get_or_insert_with(|| BackgroundWork::new(ctx));
+        let worker = self.worker.get_or_insert_with(|| BackgroundWork::new(ctx, ()));
         worker.request(label, (), (settings, look));
     }
 }
@@ -151,7 +152,7 @@ mod tests {
             let settings = lesson.settings(0, true, &Settings::default()).expect("they can be");
             let wanted = Wanted::new(1, Arc::new(1.into()), Arc::default());
             let mut steps = ThumbnailSteps::begin((), (Some(settings.to_toml()), look));
-            let Step::Last(Some(Some(picture))) = steps.step(&wanted) else {
+            let Step::Last(Some(Some(picture))) = steps.step(&mut (), &wanted) else {
                 panic!("{} cannot be shown", lesson.name)
             };
             assert_eq!(picture.size, look.size, "{}", lesson.name);

@@ -17,6 +17,7 @@ pub struct BackgroundWork<W: Work, L>(Rc<Shared<W, L>>);
 
 struct Shared<W: Work, L> {
     ctx: Context,
+    tools: W::Tools,
     place: RefCell<Place<W>>,
     labels: RefCell<VecDeque<(u64, L)>>,
     results: RefCell<VecDeque<(u64, W::Result)>>,
@@ -41,10 +42,11 @@ enum Place<W: Work> {
 }
 
 impl<W: Work, L: 'static> BackgroundWork<W, L> {
-    /// Nothing is started yet. Each result is announced by a repaint.
-    pub fn new(ctx: &Context) -> Self {
+    /// Nothing is started yet. Each result is announced by a repaint. The place of the work makes tools of its own; these `tools` get its notes.
+    pub fn new(ctx: &Context, tools: W::Tools) -> Self {
         Self(Rc::new(Shared {
             ctx: ctx.clone(),
+            tools,
             place: RefCell::new(Place::Open),
             labels: RefCell::default(),
             results: RefCell::default(),
@@ -77,6 +79,14 @@ impl<W: Work, L: 'static> BackgroundWork<W, L> {
             Place::Starting(_, waiting) => *waiting = None,
             Place::Apart(instance, _) => instance.stop(shared.newest.get()),
             Place::Page(worker) => worker.stop(),
+        }
+    }
+
+    /// Gives up what is running or waiting, even within a step: the instance ends, and the next job starts another.
+    pub fn end(&self) {
+        if self.is_pending() {
+            self.stop();
+            self.0.place.replace(Place::Open);
         }
     }
 
@@ -124,6 +134,9 @@ impl<W: Work, L: 'static> Shared<W, L> {
 
     /// Takes in a message of the instance.
     fn hear(&self, heard: Heard) {
+        if let Heard::Note(note) = &heard {
+            return W::take_note(&self.tools, note);
+        }
         let place = std::mem::replace(&mut *self.place.borrow_mut(), Place::Open);
         let (mut place, waiting) = match (heard, place) {
             (Heard::Ready, Place::Starting(instance, waiting)) => (Place::Apart(instance, None), waiting),
@@ -143,7 +156,7 @@ impl<W: Work, L: 'static> Shared<W, L> {
                 }
                 (place, None)
             }
-            (Heard::Ready, place) => (place, None),
+            (Heard::Ready | Heard::Note(_), place) => (place, None),
         };
         if let Some(waiting) = waiting {
             place.send(waiting);
@@ -157,9 +170,14 @@ impl<W: Work> Place<W> {
     /// Work in steps between the frames of the page.
     fn on_page() -> Self {
         let begin = |(number, base, job)| (number, W::begin(base, job));
-        Self::Page(Worker::in_steps(Context::default(), begin, |(number, work): &mut (u64, W), wanted| {
-            work.step(wanted).map(|result| (*number, result))
-        }))
+        let mut tools = W::Tools::default();
+        Self::Page(Worker::in_steps(
+            Context::default(),
+            begin,
+            move |(number, work): &mut (u64, W), wanted| {
+                work.step(&mut tools, wanted).map(|result| (*number, result))
+            },
+        ))
     }
 
     /// Has the job done next.
@@ -183,8 +201,9 @@ impl<W: Work> Place<W> {
 /// Does the work of this kind in this instance, for the page.
 pub fn serve<W: Work>() {
     let begin = |(number, base, job)| (number, W::begin(base, job));
-    let step = |(number, work): &mut (u64, W), wanted: &Wanted| {
-        let Step::Last(result) = work.step(wanted) else { return Step::More };
+    let mut tools = W::Tools::default();
+    let step = move |(number, work): &mut (u64, W), wanted: &Wanted| {
+        let Step::Last(result) = work.step(&mut tools, wanted) else { return Step::More };
         result.iter().for_each(|result| answer(*number, &encoded(result)));
         Step::<()>::Last(None)
     };

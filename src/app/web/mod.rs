@@ -14,12 +14,17 @@ use eframe::{CreationContext, WebOptions, WebRunner};
 
 use self::address::Fragment;
 use self::page_app::PageApp;
+use crate::app::fitting::FitSteps;
 use crate::app::notice::Notice;
 use crate::app::persistence::{Keeper, Loaded, recall};
+use crate::app::saving::SavingStep;
 use crate::app::screens::stage::Stage;
 use crate::app::state::State;
 use crate::app::steps::Work as _;
-use crate::app::views::{reference_steps::ReferenceSteps, thumbnails::ThumbnailSteps};
+use crate::app::views::{
+    corrected::Correction, examination::MethodSteps, reference_steps::ReferenceSteps,
+    thumbnails::ThumbnailSteps,
+};
 use crate::app::{App, graphics, painting};
 use crate::platform::files;
 use crate::platform::web::{instances, page, tasks};
@@ -54,7 +59,11 @@ pub fn start() {
 fn serve(kind: &str) {
     panic::set_hook(Box::new(|info| instances::fail(&info.to_string())));
     match kind {
+        Correction::NAME => background_work::serve::<Correction>(),
+        FitSteps::NAME => background_work::serve::<FitSteps>(),
+        MethodSteps::NAME => background_work::serve::<MethodSteps>(),
         ReferenceSteps::NAME => background_work::serve::<ReferenceSteps>(),
+        SavingStep::NAME => background_work::serve::<SavingStep>(),
         ThumbnailSteps::NAME => background_work::serve::<ThumbnailSteps>(),
         _ => instances::fail("there is no such work"),
     }

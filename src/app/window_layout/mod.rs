@@ -1,11 +1,13 @@
 //! The layout of the window: a pure function of its size, so that the parts can be run in the
 //! order in which they depend on each other: controls first, then what follows them in the same frame.
 
+mod heights;
 mod presentation;
 mod rects;
 
 use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
+use self::heights::{Heights, LOWEST, height_of_views};
 pub use self::presentation::{Beside, Presentation};
 use self::rects::{large_enough, split_left, split_right, split_top};
 use crate::app::border::{Border, Split};
@@ -32,6 +34,8 @@ pub struct WindowLayout {
     pub spectrum: Option<Rect>,
     /// The moment in a sentence, below that.
     pub sentence: Option<Rect>,
+    /// Speed slider of a window as narrow as a phone's, which has no room for the controls.
+    pub speed: Option<Rect>,
     /// Timeline with play, pause and scrubber.
     pub timeline: Rect,
     /// The map: beside the plots, or in their place, or in that of the views.
@@ -60,14 +64,13 @@ const BAR_HEIGHT: f32 = 38.0;
 const LESSON_WIDTH: f32 = 308.0;
 const LESSON_STRIP_WIDTH: f32 = 40.0;
 const LESSON_SHARE: f32 = 0.5;
+/// Least share of an upright window that the panel of a lesson at its bottom leaves to the rest.
+const LEAST_ABOVE_LESSON: f32 = 0.38;
 /// Narrower windows than this have no room for the panel of a lesson and the controls.
 const NARROWEST_WITH_LESSON_AND_CONTROLS: f32 = 1180.0;
 const TIMELINE_HEIGHT: f32 = 76.0;
-/// Height of the wavelength scale with the numbers on it.
-const SPECTRUM_HEIGHT: f32 = 36.0;
-/// Heights of the sentence in a line and in two, and from which width on it needs but one.
-const SENTENCE_HEIGHTS: [f32; 2] = [22.0, 38.0];
-const NARROWEST_LINE: f32 = 1000.0;
+/// Height of the speed with its slider and marks.
+const SPEED_HEIGHT: f32 = 80.0;
 /// Height of the readout down to the times and places, and with all of its rows.
 const READOUT_HEIGHTS: [f32; 2] = [274.0, 345.0];
 /// Greatest share of the side that the readout takes.
@@ -81,17 +84,6 @@ const SIDE_WIDTH: f32 = 334.0;
 const CENTRE_WIDTH: f32 = 280.0;
 /// Narrower windows than this have no room for the controls beside the views.
 const NARROWEST_WITH_CONTROLS: f32 = 560.0;
-/// Lowest plots and views of use.
-const LOWEST: f32 = 90.0;
-/// Lower plots and views do without words between them.
-const LOWEST_BESIDE_WORDS: f32 = 210.0;
-/// Height of a view that is high enough, in widths.
-const VIEW_ASPECT: f32 = 0.75;
-/// Share of the height that the plots take from the views.
-const PLOTS_SHARE: f32 = 0.38;
-/// Height that the fit with its table and residuals needs. The other tabs get as much, so that the tabs stay in
-/// their place, but none more than half, unless the views leave more.
-const PLOTS_HEIGHT: f32 = 310.0;
 /// The smallest strip below the views that the map shares with the plots, and the smallest that it takes unasked where
 /// there are none.
 const SHARED_STRIP: Vec2 = vec2(900.0, 280.0);
@@ -129,32 +121,31 @@ impl WindowLayout {
         tab: PlotTab,
     ) -> Self {
         let (bar, below) = below_bar(whole);
-        let narrowest = lesson.narrowest_with_controls();
-        let with_side = window.controls && whole.width() >= narrowest;
-        let (lesson, below) = lesson.split_off(below);
+        let with_side = window.controls && whole.width() >= lesson.narrowest_with_controls();
+        let speed_height = if is_narrow(whole) && window.controls { SPEED_HEIGHT } else { 0.0 };
+        let (lesson, below) = lesson.split_off(below, arranged, speed_height + TIMELINE_HEIGHT);
         let area = whole.with_min_x(below.min.x);
         let side_width = part(window.side_share, area.width(), SIDE_WIDTH, [SIDE_WIDTH, CENTRE_WIDTH]);
         let (centre, side) = if with_side { split_right(below, side_width) } else { (below, None) };
         let (controls, readout) = side.map_or((None, None), |side| side_parts(side, window.readout));
-        let without_words = (centre.height() - TIMELINE_HEIGHT).max(0.0);
-        let words = words_heights(centre.width(), without_words, window);
-        let free = without_words - words.iter().sum::<f32>();
-        let left_over = free - height_of_views(arranged, vec2(centre.width(), free));
-        let usual_height = (free * PLOTS_SHARE).max(PLOTS_HEIGHT.min(left_over.max(0.5 * free)));
-        let strip_height = part(window.strip_share, free, usual_height, [LOWEST; 2]);
+        let height = centre.height() - speed_height - TIMELINE_HEIGHT;
+        let Heights { words, free, lowest, strip } =
+            Heights::new(is_narrow(whole), vec2(centre.width(), height.max(0.0)), window, arranged);
+        let strip_height = part(window.strip_share, free, strip, [LOWEST; 2]);
         // What stands in a strip does not change while its border is dragged, unless it becomes too low for any of it.
-        let room = if strip_height >= 1.5 * LOWEST { strip_height.max(usual_height) } else { strip_height };
+        let room = if strip_height >= 1.5 * LOWEST { strip_height.max(strip) } else { strip_height };
         let below = Below::new(vec2(centre.width(), room), window, tab);
         let map_above = !window.views && window.map != Presence::Off;
         let upper_height = match (window.views || map_above, below) {
             (true, Below::Nothing) => free,
-            (true, _) if free >= 2.0 * LOWEST => free - strip_height,
+            (true, _) if free >= lowest + LOWEST => free - strip_height,
             (true, _) => free,
             (false, _) => 0.0,
         };
         let (upper, rest) = split_top(centre, upper_height);
         let (spectrum, rest) = split_top(rest, words[0]);
         let (sentence, rest) = split_top(rest, words[1]);
+        let (speed, rest) = split_top(rest, speed_height);
         let (timeline, lower) = split_top(rest, TIMELINE_HEIGHT);
         let [map, plots] = below.parts(lower, window.map_share);
         let borders = [
@@ -175,6 +166,7 @@ impl WindowLayout {
             panes: views.map_or_else(Vec::new, |views| arranged.panes(views)),
             spectrum: shown(spectrum),
             sentence: shown(sentence),
+            speed: large_enough(speed).map(|_| speed),
             timeline,
             map: if map_above { Some(upper) } else { map }.and_then(large_enough),
             plots: plots.and_then(large_enough),
@@ -201,7 +193,10 @@ impl WindowLayout {
             Some(lesson) => below.with_min_x(lesson.max.x),
             None => below,
         };
-        let (middle, timeline) = split_top(below, below.height() - TIMELINE_HEIGHT);
+        let (rest, timeline) = split_top(below, below.height() - TIMELINE_HEIGHT);
+        let speed_height = self.speed.map_or(0.0, |speed| speed.height());
+        let (middle, speed) = split_top(rest, rest.height() - speed_height);
+        let speed = self.speed.map(|_| speed);
         let pane = |number: usize, rect: Rect| {
             let rect = rect.with_min_y((rect.min.y + TITLE_HEIGHT).min(rect.max.y));
             self.panes.get(number).map(|pane| Pane { rect, ..*pane })
@@ -218,7 +213,20 @@ impl WindowLayout {
         let Some((panes, map, plots)) = large_enough(middle).and_then(alone) else { return self };
         let (controls, readout, spectrum, sentence) = (None, None, None, None);
         let borders = Vec::new();
-        Self { bar, lesson, controls, readout, panes, spectrum, sentence, timeline, map, plots, borders }
+        Self {
+            bar,
+            lesson,
+            controls,
+            readout,
+            panes,
+            spectrum,
+            sentence,
+            speed,
+            timeline,
+            map,
+            plots,
+            borders,
+        }
     }
 }
 
@@ -230,10 +238,14 @@ impl LessonPart {
         }
     }
 
-    /// Returns the part on the left of `rect`, or at the bottom of one that is narrow and upright, and the rest of it.
-    fn split_off(self, rect: Rect) -> (Option<Rect>, Rect) {
+    /// Returns the part on the left of `rect`, or at the bottom of one that is narrow and upright, and the rest of it, of which that
+    /// at the bottom leaves as much as views `arranged` need with other parts of this height.
+    fn split_off(self, rect: Rect, arranged: &Arrangement, others: f32) -> (Option<Rect>, Rect) {
         if self == Self::Panel && rect.width() < NARROWEST_WITH_CONTROLS.min(rect.height()) {
-            let (rest, lesson) = split_top(rect, (1.0 - LESSON_SHARE) * rect.height());
+            let half = vec2(rect.width(), LESSON_SHARE * rect.height());
+            let needed = height_of_views(arranged, half) + others;
+            let rest = needed.clamp(LEAST_ABOVE_LESSON * rect.height(), (1.0 - LESSON_SHARE) * rect.height());
+            let (rest, lesson) = split_top(rect, rest);
             return (Some(lesson), rest);
         }
         let width = match self {
@@ -244,6 +256,12 @@ impl LessonPart {
         let (lesson, rest) = split_left(rect, width.min(LESSON_SHARE * rect.width()));
         (lesson.is_positive().then_some(lesson), rest)
     }
+}
+
+/// Whether a window with this inner `area` is as narrow as a phone's: the controls have no room beside the views.
+#[must_use]
+pub fn is_narrow(area: Rect) -> bool {
+    area.width() < NARROWEST_WITH_CONTROLS
 }
 
 /// The views alone, in all of `area`.
@@ -273,13 +291,6 @@ fn level(split: Split, lower: Rect, ends: [f32; 2]) -> Border {
         rect: Rect::from_center_size(lower.center_top(), vec2(lower.width(), BORDER_WIDTH)),
         ends,
     }
-}
-
-/// Returns the height that views `arranged` in an area of this `size` need: higher ones would show more of the sky only.
-fn height_of_views(arranged: &Arrangement, size: Vec2) -> f32 {
-    let panes = arranged.panes(Rect::from_min_size(Pos2::ZERO, size));
-    let bottoms = panes.iter().map(|pane| pane.rect.min.y + VIEW_ASPECT * pane.rect.width());
-    bottoms.fold(0.0, f32::max) + GAP
 }
 
 /// The contents below the timeline.
@@ -320,18 +331,6 @@ impl Below {
             Self::Both => [Some(left), Some(right)],
         }
     }
-}
-
-/// Heights of the wavelength scale and of the sentence below views of this `width`; 0 where they are switched off. Where they
-/// would leave the views and the plots too little of `height`, the scale gives way first.
-fn words_heights(width: f32, height: f32, window: Window) -> [f32; 2] {
-    let [in_a_line, in_two] = SENTENCE_HEIGHTS;
-    let sentence = if width >= NARROWEST_LINE { in_a_line } else { in_two };
-    let wanted = [(window.spectrum, SPECTRUM_HEIGHT), (window.sentence, sentence)]
-        .map(|(is_on, height)| if is_on && window.views { height } else { 0.0 });
-    let lowest = if window.plots { 2.0 * LOWEST_BESIDE_WORDS } else { LOWEST };
-    let fits = |words: &[f32; 2]| height - words.iter().sum::<f32>() >= lowest;
-    [wanted, [0.0, wanted[1]]].into_iter().find(fits).unwrap_or_default()
 }
 
 /// Controls above, the readout below them as far as there is room for both.

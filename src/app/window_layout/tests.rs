@@ -74,8 +74,15 @@ fn without_views_the_map_has_their_place_and_alone_all_of_it() {
 
 /// Returns the places of the parts.
 fn parts(layout: &WindowLayout) -> Vec<Rect> {
-    let singles =
-        [layout.controls, layout.readout, layout.map, layout.plots, layout.spectrum, layout.sentence];
+    let singles = [
+        layout.controls,
+        layout.readout,
+        layout.map,
+        layout.plots,
+        layout.spectrum,
+        layout.sentence,
+        layout.speed,
+    ];
     let always = [layout.bar, layout.timeline].into_iter();
     always.chain(singles.into_iter().flatten()).chain(layout.panes.iter().map(|pane| pane.rect)).collect()
 }
@@ -91,9 +98,11 @@ fn assert_apart(parts: &[Rect], size: [f32; 2]) {
     }
 }
 
-const SIZES: [[f32; 2]; 8] = [
+const SIZES: [[f32; 2]; 10] = [
     [1.0, 1.0],
     [100.0, 50.0],
+    [320.0, 480.0],
+    [360.0, 740.0],
     [400.0, 300.0],
     [561.0, 321.0],
     [800.0, 600.0],
@@ -110,20 +119,42 @@ fn parts_stay_inside_the_window_and_do_not_overlap() {
 }
 
 #[test]
-fn a_phone_has_its_lesson_below_the_views() {
+fn a_phone_has_views_then_speed_then_time_then_its_lesson() {
     let area = Rect::from_min_size(pos2(0.0, 0.0), vec2(360.0, 740.0));
     let settings = Settings::default();
     let arranged = Arrangement::new(&settings, 2.54 / 96.0, 1.0);
-    let window = Window { plots: false, map: Presence::Off, ..settings.window };
-    let layout = WindowLayout::new(area, LessonPart::Panel, window, &arranged, PlotTab::Disparity);
-    let lesson = layout.lesson.expect("shown");
-    assert_eq!((lesson.width(), lesson.max.y), (360.0, 740.0));
-    assert!(lesson.height() >= 300.0, "{lesson:?}");
-    let alone = layout.clone().with_only(area, Some(Part::Pane(0)));
-    for layout in [layout, alone] {
-        assert_apart(&[parts(&layout), vec![lesson]].concat(), [360.0, 740.0]);
-        assert!(layout.timeline.max.y <= lesson.min.y && layout.timeline.width() == 360.0);
+    for plots in [false, true] {
+        let window = Window { plots, ..settings.window };
+        let layout = WindowLayout::new(area, LessonPart::Panel, window, &arranged, PlotTab::Disparity);
+        let lesson = layout.lesson.expect("shown");
+        assert_eq!((lesson.width(), lesson.max.y), (360.0, 740.0));
+        assert!(lesson.height() >= 300.0, "{lesson:?}");
+        assert_eq!((layout.panes.len(), layout.plots), (2, None));
+        for pane in &layout.panes {
+            assert!(pane.rect.height() >= 0.75 * pane.rect.width(), "{pane:?}");
+        }
+        let alone = layout.clone().with_only(area, Some(Part::Pane(0)));
+        for layout in [layout, alone] {
+            assert_apart(&[parts(&layout), vec![lesson]].concat(), [360.0, 740.0]);
+            let (speed, timeline) = (layout.speed.expect("shown"), layout.timeline);
+            assert!(layout.panes.iter().all(|pane| pane.rect.max.y <= speed.min.y));
+            assert!(speed.max.y <= timeline.min.y && timeline.max.y <= lesson.min.y);
+            assert_eq!([speed.width(), timeline.width()], [360.0; 2]);
+        }
     }
+}
+
+#[test]
+fn only_a_window_without_room_for_the_controls_has_a_speed_slider_of_its_own() {
+    for size in SIZES {
+        let layout = sized(size, Window::default());
+        assert!(layout.speed.is_none() || layout.controls.is_none(), "{size:?}");
+        let is_phone = (320.0..560.0).contains(&size[0]) && size[1] >= 480.0;
+        assert!(!is_phone || layout.speed.is_some() && !layout.panes.is_empty(), "{size:?}");
+    }
+    assert_eq!(sized([360.0, 740.0], Window { controls: false, ..Window::default() }).speed, None);
+    // Without a lesson there is room for the plots too.
+    assert!(sized([360.0, 740.0], Window::default()).plots.is_some());
 }
 
 #[test]
@@ -182,7 +213,8 @@ fn one_part_alone_has_all_between_bar_and_timeline() {
                 .flatten()
                 .chain(alone.panes.iter().map(|pane| pane.rect));
             let [shown] = shown.collect::<Vec<_>>()[..] else { panic!("{part:?}") };
-            assert!(shown.width() > size[0] - 20.0 && shown.height() > size[1] - 160.0, "{size:?} {part:?}");
+            let least = size[1] - 160.0 - alone.speed.map_or(0.0, |speed| speed.height());
+            assert!(shown.width() > size[0] - 20.0 && shown.height() > least, "{size:?} {part:?}");
         }
     }
     assert_ne!(

@@ -6,11 +6,13 @@ mod lab;
 mod pupil;
 mod teacher;
 
+use serde::{Deserialize, Serialize};
+
 use super::plan::Lesson;
 use crate::files::html::{Page, Style};
 
 /// A kind of sheet.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Sheet {
     /// Questions, with room for answers.
     Questions,

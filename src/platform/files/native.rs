@@ -116,6 +116,24 @@ pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// Files in a message to another instance of the program: where each was, and its bytes.
+pub type Sent = Vec<(PathBuf, Vec<u8>)>;
+
+/// Returns the files that only this instance has: none.
+#[must_use]
+pub const fn given() -> Sent {
+    Vec::new()
+}
+
+/// Takes in the files that only another instance has: there are none.
+pub fn take_in_all(_: Sent) {}
+
+/// Returns the files that were written and are nowhere yet: none.
+#[must_use]
+pub const fn take_undelivered() -> Sent {
+    Vec::new()
+}
+
 /// Makes the folder `path` and those around it, unless they are there.
 pub fn create_folder(path: &Path) -> io::Result<()> {
     std::fs::create_dir_all(path)

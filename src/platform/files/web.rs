@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
 
-use crate::platform::web::{download, storage};
+use crate::platform::web::{download, instances, storage};
 
 /// Whether there are folders.
 pub const HAS_FOLDERS: bool = false;
@@ -24,11 +24,38 @@ pub fn take_in(path: &Path, bytes: Vec<u8>) {
     GIVEN.with_borrow_mut(|given| given.insert(path.to_owned(), bytes));
 }
 
+/// Files in a message to another instance of the program: where each was, and its bytes.
+pub type Sent = Vec<(PathBuf, Vec<u8>)>;
+
+/// Returns the files that the user gave the page, for another instance.
+pub fn given() -> Sent {
+    GIVEN.with_borrow(|given| given.iter().map(|(path, bytes)| (path.clone(), bytes.clone())).collect())
+}
+
+/// Takes in the files that the user gave the page; the page itself has them.
+pub fn take_in_all(files: Sent) {
+    if instances::own_kind().is_some() {
+        files.into_iter().for_each(|(path, bytes)| take_in(&path, bytes));
+    }
+}
+
+thread_local!(static UNDELIVERED: RefCell<Sent> = const { RefCell::new(Vec::new()) });
+
+/// Returns the files that were written since the last call and are nowhere yet: those of an instance beside the page, which alone can
+/// hand them out.
+pub fn take_undelivered() -> Sent {
+    UNDELIVERED.take()
+}
+
 /// Writes a whole file: into the browser's storage if it is to be kept, else as a download.
 ///
 /// # Errors
 /// Those of the browser.
 pub fn deliver(path: &Path, bytes: Vec<u8>) -> io::Result<()> {
+    if instances::own_kind().is_some() {
+        UNDELIVERED.with_borrow_mut(|files| files.push((path.to_owned(), bytes)));
+        return Ok(());
+    }
     if let Some(name) = kept_name(path) {
         let text = String::from_utf8(bytes).map_err(|_| io::Error::other("it is not text in UTF-8"))?;
         return storage::write(name, &text);

@@ -2,7 +2,7 @@
 //!
 //! Messages are arrays. To an instance: the number of a job and the bytes of its two parts, of which the first is left out where it is that
 //! of the job before; the number alone has it stop. From an instance: nothing in it once it listens; the number of a job and the bytes of its
-//! result; a text alone when it has failed.
+//! result; bytes alone, a note on a job; a text alone when it has failed.
 
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::prelude::Closure;
@@ -18,6 +18,8 @@ pub enum Heard {
     Ready,
     /// The result of the job of this number.
     Result(u64, Vec<u8>),
+    /// A note on the job under way.
+    Note(Vec<u8>),
     /// The instance cannot go on, and why.
     Failed(String),
 }
@@ -46,6 +48,7 @@ impl Instance {
             hear(match (parts.length(), parts.get(0).as_string()) {
                 (0, _) => Heard::Ready,
                 (_, Some(problem)) => Heard::Failed(problem),
+                (1, None) => Heard::Note(bytes(&parts.get(0)).unwrap_or_default()),
                 _ => Heard::Result(number(&parts), bytes(&parts.get(1)).unwrap_or_default()),
             });
         });
@@ -71,6 +74,9 @@ impl Instance {
 
 impl Drop for Instance {
     fn drop(&mut self) {
+        // What it has said already is heard by nobody.
+        self.worker.set_onmessage(None);
+        self.worker.set_onerror(None);
         self.worker.terminate();
     }
 }
@@ -111,6 +117,13 @@ pub fn answer(number: u64, result: &[u8]) {
     let result = Uint8Array::from(result);
     let parts = Array::of2(&JsValue::from(number as f64), &result);
     let _ = scope.post_message_with_transfer(&parts, &Array::of1(&result.buffer()));
+}
+
+/// Sends a note on the job under way to the page; the page itself sends none.
+pub fn note(note: &[u8]) {
+    if let Some(scope) = scope() {
+        let _ = scope.post_message(&Array::of1(&Uint8Array::from(note)));
+    }
 }
 
 /// Tells the page that this instance cannot go on.

@@ -8,6 +8,7 @@ use crate::fit::error::FitError;
 
 /// A measured angle, with its uncertainty.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Reading {
     /// Measured angle, radians.
     pub value: f64,
@@ -17,6 +18,7 @@ pub struct Reading {
 
 /// Readings of one pair of apertures at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sample {
     /// T: when the light was received.
     pub time: f64,

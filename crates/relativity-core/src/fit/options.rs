@@ -72,6 +72,7 @@ impl Default for FitOptions {
 
 /// A parameter of the fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Parameter {
     /// Speed over c, beta.
     Beta,

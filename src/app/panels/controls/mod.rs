@@ -44,6 +44,20 @@ fn sections(is_riding: bool) -> impl Iterator<Item = (Section, Rows)> {
     std::iter::once(MOTION).chain(before).chain(OTHERS).chain(after)
 }
 
+/// Height of a slider that a finger meets, points.
+const FINGER: f32 = 28.0;
+
+/// Shows the speed alone, for a window that has no room for the controls.
+pub fn show_speed(ui: &mut Ui, state: &State, commands: &mut Commands) {
+    ui.spacing_mut().item_spacing.y = 0.0;
+    ui.spacing_mut().interact_size.y = FINGER;
+    let motion = state.document.settings.motion;
+    if let Some(speed) = speed::show(ui, motion.speed, state.defaults().motion.speed, &state.measures(), &[])
+    {
+        commands.push(Command::Motion(Motion { speed, ..motion }));
+    }
+}
+
 /// Shows the controls in their sections.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {

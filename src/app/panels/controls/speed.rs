@@ -52,7 +52,7 @@ pub fn show(
     });
     let restored = widgets::is_double_clicked(ui, &title.inner).then_some(default);
     let slid = slider(ui, current, default, shown.len() == FIELDS.len());
-    let typed = fields(ui, current, shown);
+    let typed = if shown.is_empty() { None } else { fields(ui, current, shown) };
     restored.or(typed).or(slid)
 }
 

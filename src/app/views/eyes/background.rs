@@ -41,7 +41,7 @@ impl Background {
     /// Returns a background without a picture yet.
     pub fn new(ctx: &Context) -> Self {
         Self {
-            worker: BackgroundWork::new(ctx),
+            worker: BackgroundWork::new(ctx, ()),
             stillness: Debounce::default(),
             requested: None,
             done: None,

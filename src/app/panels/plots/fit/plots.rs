@@ -33,7 +33,7 @@ const NARROWEST: f32 = 125.0;
 
 /// Shows the plots of the fitted curves side by side; nothing where there are no samples.
 pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, commands: &mut Commands) {
-    if fitting.shown().is_none_or(|outcome| outcome.data.iter().all(Vec::is_empty)) {
+    if fitting.shown().is_none_or(|outcome| outcome.data.iter().all(|data| data.is_empty())) {
         return;
     }
     let used = state.document.settings.fit.curves.used();
@@ -65,7 +65,7 @@ pub enum Half {
 
 /// Shows a `half` of the first of the fitted curves in all the room there is; nothing where there are no samples.
 pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, commands: &mut Commands) {
-    if fitting.shown().is_none_or(|outcome| outcome.data.iter().all(Vec::is_empty)) {
+    if fitting.shown().is_none_or(|outcome| outcome.data.iter().all(|data| data.is_empty())) {
         return;
     }
     let [uses_azimuth, _] = state.document.settings.fit.curves.used();
@@ -233,12 +233,12 @@ impl<'a> Drawing<'a> {
     }
 
     fn curve_bounds(&self) -> PlotBounds {
-        let line = self.fitted.iter().flat_map(|fitted| &fitted.line);
+        let line = self.fitted.iter().flat_map(|fitted| fitted.line.iter());
         bounds(self.data.iter().chain(line).map(|point| point.y), self.range)
     }
 
     fn residual_bounds(&self) -> PlotBounds {
-        let residuals = self.fitted.iter().flat_map(|fitted| &fitted.residuals);
+        let residuals = self.fitted.iter().flat_map(|fitted| fitted.residuals.iter());
         let band = self.fitted.iter().flat_map(|fitted| &fitted.band).flatten();
         // Zero is in the middle, whichever side has the largest residual.
         let largest = residuals.map(|point| point.y).chain(band.copied()).fold(0.0f64, |a, b| a.max(b.abs()));
@@ -249,7 +249,7 @@ impl<'a> Drawing<'a> {
         self.band(plot, |point| point.y);
         self.dots(plot, "sample", self.data);
         if let Some(fitted) = self.fitted {
-            let line = Line::new("fit", fitted.line.as_slice()).allow_band(false).allow_hover(false);
+            let line = Line::new("fit", &*fitted.line).allow_band(false).allow_hover(false);
             plot.line(line.color(self.fit_colour).width(1.6));
         }
     }

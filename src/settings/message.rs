@@ -1,0 +1,57 @@
+//! Settings in a message to another instance of the program: the text of their file.
+
+use serde::de::Error as _;
+use serde::{Deserialize as _, Deserializer, Serializer};
+
+use super::all::Settings;
+
+/// The text of all settings.
+pub mod all {
+    use super::{Deserializer, Serializer, Settings};
+
+    /// Writes the text of the settings.
+    pub fn serialize<S: Serializer>(settings: &Settings, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&settings.to_toml())
+    }
+
+    /// Reads the settings from their text.
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Settings, D::Error> {
+        super::read(deserializer)
+    }
+}
+
+/// The text of all settings, which are in a box.
+pub mod boxed {
+    use super::{Deserializer, Serializer, Settings};
+
+    /// Writes the text of the settings.
+    pub fn serialize<S: Serializer>(settings: &Settings, serializer: S) -> Result<S::Ok, S::Error> {
+        super::all::serialize(settings, serializer)
+    }
+
+    /// Reads the settings from their text.
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Box<Settings>, D::Error> {
+        super::read(deserializer).map(Box::new)
+    }
+}
+
+/// The text of the fit's settings alone.
+pub mod fit {
+    use super::{Deserializer, Serializer, Settings};
+    use crate::settings::FitSetup;
+
+    /// Writes the text of the settings.
+    pub fn serialize<S: Serializer>(fit: &FitSetup, serializer: S) -> Result<S::Ok, S::Error> {
+        super::all::serialize(&Settings { fit: *fit, ..Settings::default() }, serializer)
+    }
+
+    /// Reads the settings from their text.
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<FitSetup, D::Error> {
+        super::read(deserializer).map(|settings| settings.fit)
+    }
+}
+
+fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Settings, D::Error> {
+    let text = String::deserialize(deserializer)?;
+    Settings::default().with_toml(&text, "the message").map_err(D::Error::custom)
+}

@@ -1,0 +1,89 @@
+//! The window on a screen of a phone: all parts have room, and a newcomer makes a prediction.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Rect, pos2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use gamow::app::App;
+use gamow::app::command::Command;
+use gamow::app::overlay::Overlay;
+use gamow::app::state::State;
+use gamow::lesson::{Library, Outcome};
+use gamow::settings::Settings;
+
+use super::Test;
+use super::support::{drag, pane, slider, window_of_size};
+
+pub const TESTS: &[Test] = &[
+    ("a_newcomer_makes_the_first_prediction_on_a_phone", the_first_prediction),
+    ("a_phone_has_a_bar_without_overlaps_and_a_speed_slider", bar_and_speed),
+];
+
+/// Width and height of a small phone's screen, points.
+const PHONE: [f32; 2] = [360.0, 740.0];
+
+fn phone(state: State) -> Harness<'static, App> {
+    window_of_size(state, PHONE, 1.0)
+}
+
+fn the_first_prediction() {
+    let mut window = phone(State::open(Settings::default()).expect("usual settings"));
+    window.state_mut().ask(Command::Toggle(Overlay::Start));
+    window.run_steps(2);
+    let first = Library::own().all().iter().find(|lesson| !lesson.is_a_preset()).cloned();
+    let first = first.expect("there are lessons");
+    let begin = format!("Begin: {}", first.title);
+    assert!(inside(&window, &begin), "it is out of sight");
+    window.get_by_role_and_label(Role::Button, &begin).click();
+    window.run_steps(4);
+    let course = |window: &Harness<'_, App>| window.state().state().course().cloned().expect("it has begun");
+    assert_eq!(course(&window).lesson().name, first.name);
+    let choices = || window.query_all_by_role(Role::RadioButton).collect::<Vec<_>>();
+    assert!(choices().len() >= 2);
+    for name in ["Predict", "Skip", "Fold the lesson", "Close the lesson", "Play"] {
+        assert!(inside(&window, name), "{name} is out of sight");
+    }
+    choices()[0].click();
+    window.run_steps(2);
+    window.get_by_role_and_label(Role::Button, "Predict").click();
+    window.run_steps(2);
+    assert!(matches!(course(&window).records()[0].outcome, Some(Outcome::Made { .. })));
+}
+
+/// Whether the button called `name` is all on the screen.
+fn inside(window: &Harness<'_, App>, name: &str) -> bool {
+    let screen = Rect::from_min_max(pos2(0.0, 0.0), PHONE.into());
+    screen.contains_rect(window.get_by_role_and_label(Role::Button, name).rect())
+}
+
+fn bar_and_speed() {
+    let mut window = phone(State::open(Settings::default()).expect("usual settings"));
+    let bar = Rect::from_min_max(pos2(0.0, 0.0), pos2(PHONE[0], 38.0));
+    let in_bar = |window: &Harness<'_, App>| -> Vec<Rect> {
+        let roles = [Role::Button, Role::ComboBox];
+        let all = roles.into_iter().flat_map(|role| window.query_all_by_role(role));
+        all.map(|node| node.rect()).filter(|rect| bar.contains(rect.center())).collect()
+    };
+    let rects = in_bar(&window);
+    assert!(rects.len() >= 4, "{rects:?}");
+    for (i, rect) in rects.iter().enumerate() {
+        assert!(bar.contains_rect(*rect), "{rect:?}");
+        for other in &rects[i + 1..] {
+            let overlap = rect.intersect(*other);
+            assert!(overlap.width() <= 0.0 || overlap.height() <= 0.0, "{rect:?} {other:?}");
+        }
+    }
+    window.get_by_role_and_label(Role::Button, "More").click();
+    window.run_steps(2);
+    for name in ["Undo", "Redo", "Reset", "Help"] {
+        assert!(inside(&window, name), "{name}");
+    }
+    window.get_by_role_and_label(Role::Button, "More").click();
+    window.run_steps(2);
+    let speed =
+        |window: &Harness<'_, App>| window.state().state().document.settings.motion.speed.speed().beta();
+    let (before, rail) = (speed(&window), slider(&window, "Speed β"));
+    assert!(rail.width() >= 300.0 && rail.min.y >= pane(&window, 1).max.y, "{rail:?}");
+    drag(&mut window, rail.left_center() + vec2(20.0, 0.0), rail.right_center() - vec2(20.0, 0.0));
+    assert!(speed(&window) > before.max(0.99));
+}
