@@ -134,7 +134,7 @@ impl Lines {
     }
 
     fn add(&mut self, sampler: &Sampler, number: usize, body: &Body, reach: f64) {
-        let strokes = outline(&body.shape, |place, projection| sampler.line_of_sight(place, projection));
+        let strokes = outline(&body.outline(), |place, projection| sampler.line_of_sight(place, projection));
         for (Stroke { path, radius }, only) in strokes {
             let first = self.vertices.len();
             sampler.sample(&path, &mut self.vertices);

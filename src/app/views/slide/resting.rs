@@ -60,7 +60,7 @@ fn anchor(state: &State, motion: Motion) -> Option<MaterialPoint> {
 fn place_on(body: &Body) -> Option<MaterialPoint> {
     let rest = match body.shape {
         Shape::Sphere { center, .. } => center.into(),
-        _ => strokes(&body.shape).next()?.first().copied()?,
+        _ => strokes(&body.outline()).next()?.first().copied()?,
     };
     Some(MaterialPoint { rest, spin: body.spin })
 }
@@ -97,7 +97,7 @@ impl Resting<'_> {
             paint(&self.around_ball(center.into(), radius));
             return;
         }
-        strokes(&body.shape).for_each(|places| paint(&places));
+        strokes(&body.outline()).for_each(|places| paint(&places));
     }
 
     /// The circle along which lines of sight touch a ball.
