@@ -1,4 +1,4 @@
-//! A tram of 1,178 triangles, as Wavefront OBJ with colours: `assets/scenes/tram.obj`.
+//! A tram of 1,274 triangles with eight named wheels, as Wavefront OBJ with colours: `assets/scenes/tram.obj`.
 //!
 //! `cargo run --example tram > assets/scenes/tram.obj`
 
@@ -16,6 +16,8 @@ const LAMP: Colour = [1.0, 0.95, 0.6];
 
 /// Half the length of the tram, and half its width.
 const HALF: [f64; 2] = [5.0, 1.1];
+/// Places of the axles.
+const AXLES: [f64; 4] = [-3.4, -2.0, 2.0, 3.4];
 /// Number of sides of what is round.
 const SIDES: usize = 16;
 
@@ -28,6 +30,7 @@ fn main() {
 pub fn text() -> String {
     let mut tram = Mesh::default();
     let [length, width] = HALF;
+    tram.part("car");
     tram.block([-length, -width, 0.5], [length, width, 1.6], RED);
     tram.block([-length, -width, 1.6], [length, width, 2.9], CREAM);
     tram.block([-length - 0.02, -width - 0.02, 1.52], [length + 0.02, width + 0.02, 1.62], CREAM);
@@ -49,16 +52,21 @@ pub fn text() -> String {
         tram.prism([end, 0.0, 1.1], [0.06, 0.0, 0.0], 0.18, LAMP);
         tram.block([end - 0.2, -0.7, 0.3], [end + 0.2, 0.7, 0.5], DARK);
     }
-    for axle in [-3.4, -2.0, 2.0, 3.4] {
-        for side in [-0.75, 0.75] {
-            tram.prism([axle, side, 0.4], [0.0, 0.08, 0.0], 0.4, DARK);
-        }
+    for axle in AXLES {
         tram.prism([axle, 0.0, 0.4], [0.0, 0.75, 0.0], 0.06, GREY);
     }
     tram.block([-0.6, -0.5, 3.3], [0.6, 0.5, 3.42], GREY);
     tram.bar([-0.5, 0.4, 3.4], [0.6, 0.4, 4.1]);
     tram.bar([-0.5, -0.4, 3.4], [0.6, -0.4, 4.1]);
     tram.bar([0.6, -0.8, 4.1], [0.6, 0.8, 4.1]);
+    for (number, axle) in (1..).zip(AXLES) {
+        for (name, side) in [("right", -0.75), ("left", 0.75)] {
+            tram.part(&format!("{name} wheel {number}"));
+            tram.prism([axle, side, 0.4], [0.0, 0.08, 0.0], 0.4, DARK);
+            // So that its turning can be seen.
+            tram.block([axle - 0.3, side - 0.085, 0.35], [axle + 0.3, side + 0.085, 0.45], CREAM);
+        }
+    }
     tram.text
 }
 
@@ -70,6 +78,11 @@ struct Mesh {
 }
 
 impl Mesh {
+    /// Names the faces that follow.
+    fn part(&mut self, name: &str) {
+        let _ = writeln!(self.text, "o {name}");
+    }
+
     /// A face with these corners, counter-clockwise from outside.
     fn face(&mut self, corners: &[[f64; 3]], [red, green, blue]: Colour) {
         for [x, y, z] in corners {

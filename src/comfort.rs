@@ -56,7 +56,7 @@ impl Comfort {
             let seen = views.map(|view| view.of_group(group.motion));
             for body in group.bodies().step_by(stride) {
                 let body = &scene.bodies[body];
-                for rest in body.shape.samples() {
+                for rest in body.outline().samples() {
                     let point = MaterialPoint { rest, spin: body.spin };
                     let pixel = |eye: usize| {
                         let [u, v] = views[eye].camera.pixel(seen[eye].apparent_position(point)?)?;

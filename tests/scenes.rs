@@ -183,17 +183,21 @@ fn every_body_of_a_preset_has_a_name_of_its_own() {
 #[allow(clippy::allow_attributes, reason = "an expectation would fail in the example itself")]
 mod tram;
 
-/// The model that ships is what its example writes, and its scene shows it upright on the ground.
+/// The model that ships is what its example writes, and its scene has it upright, on wheels that roll on the ground.
 #[test]
 fn the_tram_is_what_its_example_writes() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/scenes");
     let written = std::fs::read_to_string(format!("{folder}/tram.obj")).expect("it is there");
     assert!(written == tram::text(), "cargo run --example tram > assets/scenes/tram.obj");
     let scene = Scene::load(format!("{folder}/tram.toml").as_ref()).unwrap_or_else(|error| panic!("{error}"));
-    let [body] = &scene.bodies[..] else { panic!("it is one body") };
-    let triangles = body.triangles.as_ref().expect("a model");
-    assert_eq!(triangles.count(), 1178);
-    let low = triangles.middle().z - triangles.half().z;
-    assert!((low - scene.ground_z.expect("a ground")).abs() < 1e-6, "{low}");
+    let [body, wheels @ ..] = &scene.bodies[..] else { panic!("it has bodies") };
+    let count = |body: &relativity_render::Body| body.triangles.as_ref().expect("a model").count();
+    assert_eq!((count(body), wheels.iter().map(count).collect::<Vec<_>>()), (698, vec![72; 8]));
+    for spin in wheels.iter().map(|wheel| wheel.spin.expect("it rolls")) {
+        let low = spin.hub[2] - spin.radius;
+        // The file has three decimals.
+        assert!((low - scene.ground_z.expect("a ground")).abs() < 1e-3, "{low}");
+        assert!((spin.radius - 0.4).abs() < 1e-3, "{spin:?}");
+    }
     assert!(body.shape.distance(scene.tracked.into()).abs() < 1e-9);
 }

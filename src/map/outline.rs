@@ -13,13 +13,17 @@ pub(super) fn outline(
     line_of_sight: impl Fn(DVec3, Projection) -> DVec3,
 ) -> Vec<(Stroke, Option<Projection>)> {
     if let Some((model, at_rest)) = model_of(body) {
+        let sharp = model.sharp_edges().map(|ends| (at_rest.edge(ends), None));
+        if body.spin.is_some() {
+            // The edges turn, and the cylinder in which they do.
+            return body.outline().strokes().into_iter().map(|stroke| (stroke, None)).chain(sharp).collect();
+        }
         // Where it turns away depends on who looks; in the middle they look as they do everywhere, nearly.
         let turning = Projection::BOTH.into_iter().flat_map(|projection| {
             let direction = at_rest.turn.inverse() * line_of_sight(at_rest.middle, projection);
             model.turning_edges(direction).map(move |ends| (ends, Some(projection)))
         });
-        let sharp = model.sharp_edges().map(|ends| (ends, None));
-        return sharp.chain(turning).map(|(ends, only)| (at_rest.edge(ends), only)).collect();
+        return sharp.chain(turning.map(|(ends, only)| (at_rest.edge(ends), only))).collect();
     }
     if let Shape::Sphere { center, radius } = body.shape {
         // The circle that a ball shows to each projection: across its line of sight.
@@ -37,7 +41,7 @@ pub fn strokes(body: &Body) -> impl Iterator<Item = Vec<DVec3>> + use<> {
     let sharp =
         model_of(body).map(|(model, at_rest)| model.sharp_edges().map(|ends| at_rest.edge(ends)).collect());
     let strokes: Vec<Stroke> =
-        sharp.filter(|edges: &Vec<_>| !edges.is_empty()).unwrap_or_else(|| body.shape.strokes());
+        sharp.filter(|edges: &Vec<_>| !edges.is_empty()).unwrap_or_else(|| body.outline().strokes());
     strokes.into_iter().map(|stroke| {
         let parts = 4 * stroke.path.parts();
         (0..=parts).map(|part| stroke.path.at(f64::from(part) / f64::from(parts))).collect()

@@ -6,13 +6,13 @@ use std::ops::Range;
 use relativity_render::{Body, Group, MaterialPoint, Motion, PreparedScene, Spin, Velocity};
 use serde::{Deserialize, Serialize};
 
+use super::names::{NEAREST, nearest};
 use super::table::coincide;
-use crate::platform::{messages, sizes};
+use crate::platform::messages;
 
 /// Distance from a body's surface up to which a point is taken to be on it: coordinates may be rounded to three decimals.
 const ON_BODY: f64 = 1e-3;
-/// The numbers of similar names that an error message suggests, and of ambiguous ones that it lists.
-const NEAREST: usize = 3;
+/// Number of ambiguous names that an error message lists.
 const CHOICES: usize = 4;
 
 /// A scene: groups of bodies, each at rest in a frame of its own, and the ground they pass over. Lengths in the scene's
@@ -165,16 +165,8 @@ impl Scene {
     /// Returns the error for a `name` that no body has: it suggests the most similar names, and how to list them all.
     fn no_body_named(&self, name: &str) -> String {
         let known = self.body_names();
-        let sought: String = name.to_lowercase().chars().take(sizes::NAME_LETTERS).collect();
-        let mut nearest: Vec<_> = known
-            .iter()
-            .map(|known| (strsim::damerau_levenshtein(&known.to_lowercase(), &sought), known))
-            .collect();
-        nearest.sort();
-        let nearest: Vec<String> =
-            nearest.iter().take(NEAREST).map(|(_, known)| messages::excerpt(known)).collect();
+        let nearest = nearest(known.iter().copied(), name);
         let (scene, name) = (messages::excerpt(&self.name), messages::excerpt(name));
-        let nearest = nearest.join(", ");
         match known.len() {
             ..=NEAREST => format!("{scene} has no body called `{name}`: there are {nearest}"),
             count => format!(

@@ -161,7 +161,7 @@ pub enum Problem {
     UnknownInclude(String),
     /// Changes to the wheels of a preset that has none.
     #[error(
-        "`wheels`: the scene {0} has none that could be changed; leave this out, or include cyclist or wheel"
+        "`wheels`: the scene {0} has none that could be changed; leave this out, or include cyclist, wheel or tram"
     )]
     NoWheels(String),
     /// A model whose file cannot be read, or is none.
@@ -170,6 +170,14 @@ pub enum Problem {
         /// Path in the file.
         path: String,
         /// Reason why there is no model.
+        reason: String,
+    },
+    /// A wheel of a model that is none.
+    #[error("wheels = {value}: {reason}")]
+    ModelWheel {
+        /// The wheels in the file.
+        value: String,
+        /// Reason why one of them is none.
         reason: String,
     },
     /// A scene without bodies.

@@ -144,7 +144,7 @@ fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
         objects.extend(wheel(&table, changes)?);
     }
     for table in group.tables("model", "a model")? {
-        objects.push(model(&table)?);
+        objects.extend(model(&table, changes)?);
     }
     for table in group.tables("object", "an object")? {
         let span = table.span.clone();

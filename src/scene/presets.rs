@@ -45,7 +45,9 @@ pub(super) fn model_file(name: &str) -> Option<&'static [u8]> {
 /// Whether there are wheels in the preset of that name, or in what it includes.
 pub(super) fn has_wheels(name: &str) -> bool {
     const TELL: [&str; 2] = ["[[wheel]]", "[include.wheels]"];
-    text(name).is_some_and(|text| text.lines().any(|line| TELL.contains(&line.trim())))
+    text(name).is_some_and(|text| {
+        text.lines().any(|line| TELL.contains(&line.trim()) || line.starts_with("wheels = "))
+    })
 }
 
 /// Whether `word` reads as a misspelt preset rather than as a path.

@@ -97,6 +97,21 @@ impl<'a> Table<'a> {
         Ok(Some(text))
     }
 
+    /// A list of names, if the key is there.
+    pub fn strings(&self, key: &'static str) -> Result<Option<Vec<&'a str>>, Located> {
+        const EXPECTED: &str = "names in double quotes, in brackets";
+        let Some(value) = self.value(key) else { return Ok(None) };
+        let items = value.get_ref().as_array().ok_or_else(|| self.wrong_type(key, value, EXPECTED))?;
+        let name = |item: &'a Spanned<DeValue<'a>>| {
+            let text = item.get_ref().as_str().ok_or_else(|| self.wrong_type(key, item, EXPECTED))?;
+            if sizes::is_too_long_for_a_name(text) {
+                return Err(self.problem_at(key, |value| Problem::LongName { key, value }));
+            }
+            Ok(text)
+        };
+        items.iter().map(name).collect::<Result<_, _>>().map(Some)
+    }
+
     /// A positive size that must be there.
     pub fn needed_size(&self, key: &'static str) -> Result<f64, Located> {
         self.size(key)?.ok_or_else(|| self.missing(key))

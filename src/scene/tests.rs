@@ -530,7 +530,7 @@ fn wheels_are_changed_only_where_there_are_any() {
                 error.to_string(),
                 format!(
                     "x.toml:4: `wheels`: the scene {preset} has none that could be changed; leave this out, or \
-                     include cyclist or wheel"
+                     include cyclist, wheel or tram"
                 )
             ),
         }

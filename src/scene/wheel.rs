@@ -45,6 +45,15 @@ impl Changes {
         Ok(Self { motion: motion(table)?, tread: table.size("tread")?, valve: table.truth("valve")? })
     }
 
+    /// Returns the turning of the wheels in a table that gives their motion alone, if any turns: this one by default.
+    pub fn turning_of(self, table: &Table, default: Turning) -> Result<Option<Turning>, Located> {
+        Ok(match self.motion.or(motion(table)?) {
+            Some(WheelMotion::Turns(turning)) => Some(turning),
+            Some(WheelMotion::Still) => None,
+            None => Some(default),
+        })
+    }
+
     /// Returns these changes, completed by those of `others`.
     pub fn or(self, others: Self) -> Self {
         Self {

@@ -9,7 +9,7 @@ struct Body {
     // Of a body with flat faces the least of its `halves`.
     radius: f32,
     // The other end of a tube; a ring's unit axis and the radius of its middle circle; half the lengths of a body with
-    // flat faces along its own axes.
+    // flat faces along its own axes, and how far a model that turns reaches from its axle.
     form: vec4f,
     // Unit quaternion from the body's own axes to those of the rest frame.
     turn: vec4f,

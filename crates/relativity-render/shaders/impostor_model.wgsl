@@ -13,18 +13,46 @@ struct OfModel {
     normal: vec3f,
     number: u32,
     weights: vec3f,
+    doppler: f32,
+}
+
+fn none_of_model(ray: Ray) -> OfModel {
+    return OfModel(0u, ray, 0.0, vec3f(0.0), vec3f(0.0), 0u, vec3f(0.0), 1.0);
+}
+
+// The same of a model that turns.
+fn turning_model_at(fragment: Fragment, ray: Ray, body: Body) -> OfModel {
+    let row = u32(fragment.pattern.x);
+    let spin = spin_of(fragment.spin, fragment.rim);
+    let path = path_of(body, ray, spin);
+    let hub_along = dot(spin.hub, ray.direction);
+    let met = first_met_by_path(row, path, -(ray.to_centre + hub_along), fragment.pattern.y > 0.0);
+    if met.triangle == 0u {
+        return none_of_model(ray);
+    }
+    let triangle = triangle_at(row, met.triangle & ~IS_LEAF);
+    let q = path.nearest + path.direction * met.distance;
+    let place = (spin.hub + q) - middle(body);
+    let own = normal_of(triangle, path_at(path, met.distance).tangent);
+    let normal = rest_from_body(own, standing(body, place, spin).body);
+    let doppler = doppler_of(body, place, normal, ray.sight, ray.doppler, spin);
+    let beyond = hub_along + met.distance;
+    return OfModel(met.triangle, ray, beyond, place, normal, triangle.number, met.weights, doppler);
 }
 
 fn model_at(fragment: Fragment, place: vec2f) -> OfModel {
     let ray = rest_ray(place);
     let body = body_of(fragment);
+    if TURNS == 2u {
+        return turning_model_at(fragment, ray, body);
+    }
     let row = u32(fragment.pattern.x);
     let own = own_ray(body, ray);
     let along = dot(body.place, ray.direction);
     let behind = -(ray.to_centre + along);
     let reach = length(body.form.xyz);
     if !(dot(own.nearest, own.nearest) < reach * reach) {
-        return OfModel(0u, ray, 0.0, vec3f(0.0), vec3f(0.0), 0u, vec3f(0.0));
+        return none_of_model(ray);
     }
     let met = first_met(row, own.nearest, own.direction, behind, fragment.pattern.y > 0.0);
     let triangle = triangle_at(row, met.triangle & ~IS_LEAF);
@@ -38,6 +66,7 @@ fn model_at(fragment: Fragment, place: vec2f) -> OfModel {
         rest_from_body(normal, body),
         triangle.number,
         met.weights,
+        ray.doppler,
     );
 }
 
@@ -59,16 +88,18 @@ fn sample_of_model(fragment: Fragment, index: u32) -> Sample {
     if !(hit.triangle != 0u && height >= frame.ground.z) {
         discard;
     }
-    let facing = facing_of(body, hit.place, hit.normal, Spin(vec3f(0.0), 0.0, 0.0, 0.0));
-    let colour = received_colour(fragment.light, hit.ray.doppler, hit.normal, facing, pixel)
+    let spin = spin_of(fragment.spin, fragment.rim);
+    let facing = facing_of(body, hit.place, hit.normal, spin);
+    let colour = received_colour(fragment.light, hit.doppler, hit.normal, facing, pixel)
         * fragment.index_brightness.y;
     let row = u32(fragment.pattern.x);
     let record = hit.triangle & ~IS_LEAF;
-    let normal = body_from_rest(hit.normal, body);
+    let there = standing(body, hit.place, spin).body;
+    let normal = body_from_rest(hit.normal, there);
     let distance = (hit.ray.to_centre + hit.beyond) * hit.ray.ground_per_rest;
     // A sample is half a pixel wide.
     let paint = paint_at(row, record, hit.weights)
-        * texture_at(row, record, hit.weights, body, hit.ray, normal, distance, 0.5);
+        * texture_at(row, record, hit.weights, there, hit.ray, normal, distance, 0.5);
     let shown = select(paint, vec3f(dot(paint, LUMINANCE)), fragment.pattern.z > 0.0);
     return Sample(vec4f(colour * shown, 1.0), depth(hit.ray, hit.beyond));
 }
@@ -81,8 +112,11 @@ fn hits(fragment: Fragment) -> Hit {
     }
     let distance = (hit.ray.to_centre + hit.beyond) * hit.ray.ground_per_rest;
     return Hit(
-        bitcast<vec4u>(vec4f(fragment.index_brightness.x, distance, hit.ray.doppler, 1.0)),
-        bitcast<vec4u>(vec4f(hit.place, f32(hit.number))),
+        bitcast<vec4u>(vec4f(fragment.index_brightness.x, distance, hit.doppler, 1.0)),
+        bitcast<vec4u>(vec4f(
+            place_of_hit(body_of(fragment), hit.place, spin_of(fragment.spin, fragment.rim)),
+            f32(hit.number),
+        )),
         depth(hit.ray, hit.beyond),
     );
 }

@@ -1,5 +1,8 @@
 // Corners of a model's triangles, divided, and what their pixels show. `Instance.pattern` is as `Piece.pattern`.
 
+// Corners have the record of their triangle in the place of a normal.
+const HAS_NORMALS = false;
+
 struct Shape {
     place: vec3f,
     normal: vec3f,
@@ -14,12 +17,21 @@ fn corner_place(corner: Corner, body: Body) -> Shape {
 // Of triangles that are seen from one side, those that show the other are not drawn: where the pixel has a straight ray that says which it
 // is, since the image of a triangle that is seen aslant may be turned by less than the bound.
 fn prepare(fragment: Fragment, is_front: bool) {
+    let body = body_of(fragment);
+    let spin = spin_of(fragment.spin, fragment.rim);
+    let there = standing(body, fragment.place, spin);
     current = triangle_at(u32(fragment.pattern.x), record_in(fragment));
-    current_place = body_from_rest(fragment.place, body_of(fragment));
+    current_place = body_from_rest(there.place, there.body);
+    current_from_hub = (middle(body) - spin.hub) + fragment.place;
     let outside = outward(current);
     var is_seen = is_front;
     if MAP < 3u {
-        is_seen = dot(rest_from_body(outside, body_of(fragment)), rest_ray(fragment.position.xy).direction) < 0.0;
+        var passes = rest_ray(fragment.position.xy).direction;
+        if TURNS == 2u {
+            // As somebody finds it who turns with the model.
+            passes += velocity_at(current_from_hub, spin) * dot(later(current_from_hub, spin).slowness, passes);
+        }
+        is_seen = dot(rest_from_body(outside, there.body), passes) < 0.0;
     }
     if !is_seen && fragment.pattern.y == 0.0 {
         discard;
@@ -33,12 +45,13 @@ fn record_in(fragment: Fragment) -> u32 {
 }
 
 fn normal_in(fragment: Fragment) -> vec3f {
-    return rest_from_body(current_normal, body_of(fragment));
+    return rest_from_body(current_normal, standing(body_of(fragment), fragment.place, spin_of(fragment.spin, fragment.rim)).body);
 }
 
 fn paint_in(fragment: Fragment, measure: Measure) -> vec3f {
-    let body = body_of(fragment);
-    let first = body_from_rest(measure.place, body) - current.a;
+    let there = standing(body_of(fragment), measure.place, spin_of(fragment.spin, fragment.rim));
+    let body = there.body;
+    let first = body_from_rest(there.place, body) - current.a;
     let u = current.b - current.a;
     let v = current.c - current.a;
     let scale = 1.0 / max(max(length_of_largest(u), length_of_largest(v)), 1e-30);

@@ -1,5 +1,8 @@
 // What the pixels of a mesh show of a body with a shape of its own.
 
+// Whether corners have normals, which turn with them.
+const HAS_NORMALS = true;
+
 fn prepare(fragment: Fragment, is_front: bool) {}
 
 fn normal_in(fragment: Fragment) -> vec3f {

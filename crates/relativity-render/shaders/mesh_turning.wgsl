@@ -53,7 +53,7 @@ fn corner_when_shown(place: vec3f, normal: vec3f, spin: Spin) -> Shape {
     }
     let q = place - spin.hub;
     let turn = sine_cosine(spin.omega * shown_later(hub_from_camera(spin), q, spin));
-    return Shape(spin.hub + about_y(q, turn), about_y(normal, turn));
+    return Shape(spin.hub + about_y(q, turn), select(normal, about_y(normal, turn), HAS_NORMALS));
 }
 
 // What the published model's right eye sees of a corner that turns and is shown at `place` to the left eye: as the left one

@@ -3,10 +3,12 @@
 // Whether `around` is all of it.
 const IS_TUBE = false;
 
-// The triangle of this pixel, its place there in the axes of the model, and its unit normal on the side that is seen.
+// The triangle of this pixel, its place there in the axes of the model, and its unit normal on the side that is seen; and that place from
+// the hub, as it is shown, of a model that turns.
 var<private> current: Triangle;
 var<private> current_place: vec3f;
 var<private> current_normal: vec3f;
+var<private> current_from_hub: vec3f;
 
 fn middle(body: Body) -> vec3f {
     return body.place;
@@ -14,6 +16,14 @@ fn middle(body: Body) -> vec3f {
 
 fn around(body: Body) -> Capsule {
     return Capsule(body.place, body.place, length(halves(body)));
+}
+
+// Where a ray meets the triangle as it is shown: of one that turns, in rounds from where the pixel shows it.
+fn surface_when_shown(body: Body, ray: Ray, spin: Spin) -> Surface {
+    if TURNS != 2u {
+        return surface(body, ray);
+    }
+    return surface_near(body, ray, spin, dot(current_from_hub, ray.direction), length(body.form.xyz));
 }
 
 // A ray that misses the triangle has its place where the pixel shows that.

@@ -77,7 +77,7 @@ pub struct Body {
     pub pattern: Pattern,
     /// Turning of the body within its group; `None` if it does not turn there.
     pub spin: Option<Spin>,
-    /// Triangles of a model, which take the place of the box's own surface. They neither turn nor carry a pattern, and their light is
+    /// Triangles of a model, which take the place of the box's own surface. They carry no pattern, and their light is
     /// [`Emission::White`].
     #[cfg_attr(feature = "serde", serde(with = "crate::triangles::shared"))]
     pub triangles: Option<Arc<Triangles>>,
@@ -123,7 +123,20 @@ impl Body {
     /// Returns the turning of the body, if that changes the place of its surface.
     #[must_use]
     pub fn displacing_spin(&self) -> Option<Spin> {
-        self.spin.filter(|spin| self.triangles.is_none() && !self.shape.is_round_about(spin))
+        self.spin.filter(|spin| !self.shape.is_round_about(spin))
+    }
+
+    /// Returns the shape that outlines the body: of a model that turns, the cylinder about its axle that it never leaves.
+    #[must_use]
+    pub fn outline(&self) -> Shape {
+        match (&self.triangles, self.spin, self.shape) {
+            (Some(_), Some(spin), Shape::Box { center: [_, y, _], half, turn }) => {
+                let width = (DQuat::from_array(turn).conjugate() * DVec3::Y).abs().dot(half.into());
+                let [x, _, z] = spin.hub;
+                Shape::Cylinder { from: [x, y - width, z], to: [x, y + width, z], radius: spin.radius }
+            }
+            _ => self.shape,
+        }
     }
 
     /// Returns the point of it with the largest x.

@@ -82,8 +82,14 @@ impl Contacts {
         };
         let is_one_cone = views[0].geometry == Geometry::OneCone;
         let off_middle = if is_one_cone { first.camera.off_middle } else { DVec3::ZERO };
-        let standing = scene.bodies().iter().filter(|body| !body.is_turned);
-        let feet = standing.filter_map(|body| Some((&views[body.group], foot(&body.shape, ground)?)));
+        let feet = scene.bodies().iter().filter_map(|body| {
+            let shape = match scene.turning(body.number).filter(|_| body.triangles.is_some()) {
+                Some(wheel) => wheel.tyre(),
+                None if body.is_turned => return None,
+                None => body.shape,
+            };
+            Some((&views[body.group], foot(&shape, ground)?))
+        });
         let mut found: Vec<_> =
             feet.filter_map(|(view, foot)| Contact::new(view, &foot, height, off_middle)).collect();
         found.sort_by(|a, b| a.distance.total_cmp(&b.distance));

@@ -179,7 +179,7 @@ impl Search<'_> {
     fn entry(&self, ray: &Ray, body: u32) -> Option<Found> {
         let number = body as usize;
         let entry = match self.scene.turning(number) {
-            Some(turning) => turning.entry(ray, self.view, None).0,
+            Some(turning) => self.scene.turning_entry(number, turning, ray, self.view, None).0,
             None => self.scene.standing_entry(number, ray),
         };
         Some((number, entry?))

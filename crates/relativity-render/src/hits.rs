@@ -35,12 +35,14 @@ impl Measures {
             let line_of_sight = lines_of_sight.through([(i % width) as f64 + 0.5, (i / width) as f64 + 0.5]);
             let on_triangle = scene.triangles(body).map(|triangles| {
                 let direction = group_view.rest_ray_at(line_of_sight, distance).direction;
-                triangles.point_in(solid, triangle as u32, rest_position, direction)
+                let passes = group_view.passing(prepared.spin, rest_position, direction);
+                triangles.point_in(solid, triangle as u32, material_position, about_y(passes, -turn))
             });
-            let (triangle, rest_normal) = match on_triangle {
+            let (triangle, normal) = match on_triangle {
                 Some((point, normal)) => (Some(point), normal),
-                None => (None, about_y(solid.normal(material_position), turn)),
+                None => (None, solid.normal(material_position)),
             };
+            let rest_normal = about_y(normal, turn);
             Some(Hit {
                 body,
                 rest_position,

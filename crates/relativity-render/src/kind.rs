@@ -40,15 +40,15 @@ macro_rules! kinds {
 
 kinds! {
     /// A tube with rounded ends; a ball is one without a length.
-    Tube: ["tube"], ["impostor_shape"], ["mesh_tube", "mesh_shape"], "pattern_tube";
+    Tube: ["tube", "turning_shape"], ["impostor_shape"], ["mesh_tube", "mesh_shape"], "pattern_tube";
     /// A torus, as the shape `Ring`.
-    Ring: ["ring"], ["impostor_shape"], ["mesh_ring", "mesh_shape"], "pattern_ring";
+    Ring: ["ring", "turning_shape"], ["impostor_shape"], ["mesh_ring", "mesh_shape"], "pattern_ring";
     /// A box, as the shape `Box`.
-    Box: ["box"], ["impostor_shape"], ["mesh_box", "mesh_shape"], "pattern_box";
+    Box: ["box", "turning_shape"], ["impostor_shape"], ["mesh_box", "mesh_shape"], "pattern_box";
     /// A cylinder with flat ends.
-    Cylinder: ["cylinder"], ["impostor_shape"], ["mesh_cylinder", "mesh_shape"], "pattern_cylinder";
+    Cylinder: ["cylinder", "turning_shape"], ["impostor_shape"], ["mesh_cylinder", "mesh_shape"], "pattern_cylinder";
     /// A model of triangles, in its box.
-    Model: ["models", "textures", "model"], ["impostor_model"], ["mesh_model"], "pattern_box";
+    Model: ["models", "textures", "model"], ["models_turning", "impostor_model"], ["mesh_model"], "pattern_box";
 }
 
 impl Kind {

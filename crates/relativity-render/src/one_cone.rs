@@ -16,7 +16,7 @@ use crate::first_entry::Found;
 use crate::group_view::{GroupView, RestRay};
 use crate::intersect::Entry;
 use crate::ray::Ray;
-use crate::scene::{PreparedGroup, PreparedScene};
+use crate::scene::{PreparedGroup, PreparedScene, passing};
 use crate::view::{Geometry, View};
 
 /// Greatest number of tangents that are tried. Two or three are enough except for bodies about as near as the eyes are to each other.
@@ -196,12 +196,10 @@ impl PreparedScene {
         view: &GroupView,
         touches: Option<f64>,
     ) -> (Option<Entry>, f64) {
-        if let Some(turning) = self.turning(body) {
-            return turning.entry(ray, view, touches);
+        match self.turning(body) {
+            Some(turning) => self.turning_entry(body, turning, ray, view, touches),
+            None => passing(self.standing_entry(body, ray), ray, self.solid(body)),
         }
-        let entry = self.standing_entry(body, ray);
-        let along = entry.map_or_else(|| ray.nearest_to(self.solid(body).center()).1, |entry| entry.distance);
-        (entry, along)
     }
 }
 

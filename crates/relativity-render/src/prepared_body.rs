@@ -64,7 +64,7 @@ pub struct Placement {
     /// faces half their least length.
     pub place_radius: [f32; 4],
     /// The other end of a tube; a ring's unit axis and the radius of its middle circle; half the lengths of a box or a
-    /// cylinder along its own axes.
+    /// cylinder along its own axes, and how far a model that turns reaches from its axle.
     pub form: [f32; 4],
     /// Unit quaternion from its own axes to those of the rest frame.
     pub turn: [f32; 4],
@@ -136,7 +136,7 @@ impl PreparedBody {
             block,
             capsules: first..capsules.len(),
             marking: marking.filter(|_| body.triangles.is_none()).map(Box::new),
-            spin: body.spin.filter(|_| body.triangles.is_none()),
+            spin: body.spin,
             is_turned: body.displacing_spin().is_some(),
             is_patterned: false,
             triangles: body.triangles.clone(),

@@ -17,7 +17,7 @@ use crate::hatch::Hatch;
 use crate::hierarchy::Lines;
 use crate::intersect::Entry;
 use crate::lines_of_sight::LinesOfSight;
-use crate::pattern::Covered;
+use crate::pattern::{Covered, Marking};
 use crate::picture::{Picture, encoded};
 use crate::ray::Ray;
 use crate::scene::PreparedScene;
@@ -59,6 +59,11 @@ impl Hit {
     /// Returns the normal as it is on the body at t' = 0.
     pub(crate) fn material_normal(&self) -> DVec3 {
         about_y(self.rest_normal, -self.turn)
+    }
+
+    /// Returns what is `covered` on the body as it is at t' = 0.
+    pub(crate) fn on_material(&self, covered: Covered) -> Covered {
+        if self.turn == 0.0 { covered } else { covered.turned(DQuat::from_rotation_y(-self.turn)) }
     }
 }
 
@@ -285,9 +290,8 @@ impl PreparedScene {
     pub(crate) fn mark(&self, hit: &Hit, covered: Covered) -> f64 {
         let body = &self.bodies()[hit.body];
         let place = hit.material_position - self.solid(hit.body).center();
-        let covered =
-            if hit.turn == 0.0 { covered } else { covered.turned(DQuat::from_rotation_y(-hit.turn)) };
-        body.marking.as_ref().map_or(1.0, |marking| marking.mark(place, hit.material_normal(), covered))
+        let mark = |marking: &Marking| marking.mark(place, hit.material_normal(), hit.on_material(covered));
+        body.marking.as_deref().map_or(1.0, mark)
     }
 
     /// Returns the motion of the surface at `hit` through the street's daylight, if that lights it.

@@ -109,7 +109,10 @@ impl PreparedScene {
             let boxes =
                 own.iter().zip(&solids[first..]).enumerate().map(|(i, (body, solid)): (_, (_, &Solid))| {
                     let Some(spin) = body.displacing_spin() else { return solid.bounds() };
-                    let moved = TurningSolid::new(*solid, spin);
+                    let moved = match &body.triangles {
+                        Some(triangles) => TurningSolid::of_triangles(*solid, spin, triangles),
+                        None => TurningSolid::new(*solid, spin),
+                    };
                     turning_places.resize(first + i, NONE);
                     turning_places.push(turning.len() as u32);
                     turning.push(moved);
@@ -206,6 +209,25 @@ impl PreparedScene {
         }
     }
 
+    /// Returns the entry of `ray` into the body of this number, whose turning this is, and its distance along the ray, or that of the place
+    /// where the ray passes, as [`TurningSolid::entry`] does.
+    pub(crate) fn turning_entry(
+        &self,
+        body: usize,
+        turning: &TurningSolid,
+        ray: &Ray,
+        view: &GroupView,
+        touches: Option<f64>,
+    ) -> (Option<Entry>, f64) {
+        match self.triangles(body) {
+            Some(triangles) if turning.turns_in(view) => {
+                turning.triangle_entry(triangles, ray, view, touches)
+            }
+            Some(triangles) => passing(triangles.entry(self.solid(body), ray), ray, self.solid(body)),
+            None => turning.entry(ray, view, touches),
+        }
+    }
+
     /// The triangles that the body of this number is made of, if it is. In a scene without models nothing is looked up.
     pub(crate) fn triangles(&self, body: usize) -> Option<&Triangles> {
         let place = self.0.models.binary_search_by_key(&body, |(number, _)| *number).ok()?;
@@ -298,6 +320,12 @@ impl PreparedScene {
     pub fn group_views(&self, view: &View) -> Vec<GroupView> {
         self.0.groups.iter().map(|group| view.of_group(group.motion)).collect()
     }
+}
+
+/// The `entry` of a ray into a body that keeps its place, and its distance, or that of the place where the ray passes the body.
+pub(crate) fn passing(entry: Option<Entry>, ray: &Ray, solid: &Solid) -> (Option<Entry>, f64) {
+    let along = entry.map_or_else(|| ray.nearest_to(solid.center()).1, |entry| entry.distance);
+    (entry, along)
 }
 
 impl PartialEq for PreparedScene {

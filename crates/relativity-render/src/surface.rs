@@ -138,6 +138,11 @@ impl RingSurface {
 }
 
 impl BoxSurface {
+    /// The middle of the box.
+    pub const fn center(&self) -> DVec3 {
+        self.center
+    }
+
     /// At a place on the cube from -1 to 1.
     pub fn at(&self, place: DVec3) -> DVec3 {
         self.center + self.turn * (place * self.half)

@@ -8,7 +8,7 @@ mod support;
 use std::process::ExitCode;
 
 use gpu_support::scenes::{conformal_views, parallel_views, speeds, time_seen_at, view_following};
-use models::{ball_model, box_model, exact_box, scene_of, soup, view};
+use models::{ball_model, box_model, exact_box, is_nearby, scene_of, soup, view};
 use relativity_render::{
     Appearance, Body, Colour, Geometry, Group, Hit, HitImage, Method, Model, Motion, PreparedScene,
     Renderers, Shading, Shape, Velocity, View,
@@ -51,21 +51,6 @@ fn views() -> impl Iterator<Item = View> {
 
 fn hits(renderers: &mut Renderers, scene: &PreparedScene, view: &View) -> HitImage {
     renderers.hits(Method::Rays, scene, view).expect("device works")
-}
-
-/// Whether a triangle of the reference's is at the pixel or as far from it as an outline may be off.
-fn is_nearby(scene: &PreparedScene, view: &View, i: usize, hit: Option<&Hit>, outline_px: f64) -> bool {
-    let width = view.camera.size[0] as usize;
-    let (u, v) = ((i % width) as f64 + 0.5, (i / width) as f64 + 0.5);
-    // What is seen aslant may be a narrow strip.
-    (0..512).any(|k| {
-        let (sine, cosine) = (std::f64::consts::TAU * f64::from(k % 32) / 32.0).sin_cos();
-        let off = outline_px * f64::from(k / 32 + 1) / 16.0;
-        let place = [u + off * cosine, v + off * sine];
-        let there = scene.first_hit(view, view.camera.line_of_sight(place));
-        there.and_then(|there| there.triangle).map(|point| point.triangle)
-            == hit.and_then(|hit| hit.triangle).map(|point| point.triangle)
-    })
 }
 
 fn hits_agree_with_the_reference(renderers: &mut Renderers) {

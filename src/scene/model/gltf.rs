@@ -26,6 +26,7 @@ use relativity_render::{Model, Wrap};
 
 use super::accessor::{COLOURS, INDICES, PLACES, TEXTURE_PLACES, check, data_of};
 use super::limits::check_count;
+use super::parts::{NamedModel, Part};
 use super::textures::Textures;
 use crate::platform::sizes;
 
@@ -38,19 +39,32 @@ const HEAD: u32 = 12;
 type Beside<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
 
 /// Reads a model; `beside` reads the files that it names.
-pub(super) fn model(bytes: &[u8], beside: Beside<'_>) -> Result<Model, String> {
+pub(super) fn model(bytes: &[u8], beside: Beside<'_>) -> Result<NamedModel, String> {
     let Gltf { document, blob } = document(bytes)?;
     let buffers = buffers(&document, blob, beside)?;
     let mut reader =
         Reader { document: &document, buffers, beside, textures: Textures::new(), model: Model::default() };
-    for (node, placed) in placed_nodes(&document)? {
-        for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
-            reader.add(&primitive, placed)?;
+    // Parts that have not ended, and how deep their nodes lie.
+    let (mut parts, mut open) = (Vec::<Part>::new(), Vec::<(usize, usize)>::new());
+    for Placed { node, axes, depth } in placed_nodes(&document)? {
+        let first = reader.model.triangles.len();
+        while let Some((part, _)) = open.pop_if(|(_, outer)| *outer >= depth) {
+            parts[part].triangles[0].end = first;
         }
+        if let Some(name) = node.name().or_else(|| node.mesh()?.name()) {
+            open.push((parts.len(), depth));
+            parts.push(Part { name: name.to_owned(), triangles: vec![first..first] });
+        }
+        for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
+            reader.add(&primitive, axes)?;
+        }
+    }
+    for (part, _) in open {
+        parts[part].triangles[0].end = reader.model.triangles.len();
     }
     let Reader { textures, mut model, .. } = reader;
     textures.put_into(&mut model);
-    Ok(model)
+    Ok(NamedModel { model, parts })
 }
 
 /// Reads the text of a file, and checks that all numbers in it name something.
@@ -135,21 +149,30 @@ fn data_at(uri: &str, what: &str, beside: Beside<'_>) -> Result<Vec<u8>, String>
     beside(&name.map_err(|_| format!("the name of {what} in it is not UTF-8 text"))?)
 }
 
-/// Returns the nodes of the scene, and from the axes of each to those of the scene.
-fn placed_nodes(document: &Document) -> Result<Vec<(Node<'_>, DMat4)>, String> {
+/// A node of the scene.
+struct Placed<'a> {
+    node: Node<'a>,
+    /// From its axes to those of the scene.
+    axes: DMat4,
+    /// How many nodes it lies in.
+    depth: usize,
+}
+
+/// Returns the nodes of the scene, each before those that it is around.
+fn placed_nodes(document: &Document) -> Result<Vec<Placed<'_>>, String> {
     let scene = document.default_scene().or_else(|| document.scenes().next());
     let roots: Vec<Node<'_>> = scene.map_or_else(|| roots(document), |scene| scene.nodes().collect());
     let mut is_seen = vec![false; document.nodes().len()];
-    let mut waiting: Vec<_> = roots.into_iter().rev().map(|root| (root, DMat4::IDENTITY)).collect();
+    let mut waiting: Vec<_> = roots.into_iter().rev().map(|root| (root, DMat4::IDENTITY, 0)).collect();
     let mut placed = Vec::new();
-    while let Some((node, around)) = waiting.pop() {
+    while let Some((node, around, depth)) = waiting.pop() {
         if std::mem::replace(&mut is_seen[node.index()], true) {
             return Err(format!("node {} is in its tree twice: nodes must not form circles", node.index()));
         }
         let own = around * transform(&node);
-        let children: Vec<_> = node.children().map(|child| (child, own)).collect();
+        let children: Vec<_> = node.children().map(|child| (child, own, depth + 1)).collect();
         waiting.extend(children.into_iter().rev());
-        placed.push((node, own));
+        placed.push(Placed { node, axes: own, depth });
     }
     Ok(placed)
 }

@@ -32,7 +32,7 @@ impl Problems {
     }
 }
 
-/// Lines with corners, places in textures, faces and materials, and nothing else: corners with six numbers, of which the last three are no
+/// Lines with corners, places in textures, faces, materials and names of parts, and nothing else: corners with six numbers, of which the last three are no
 /// numbers where they have no colour; faces with places and places in textures, numbered from 1.
 pub struct Lines<'a> {
     text: TextLines<'a>,
@@ -61,7 +61,7 @@ impl<'a> Lines<'a> {
             "vt" => self.in_texture(rest.split_whitespace())?,
             "f" => self.face(rest.split_whitespace())?,
             "mtllib" | "usemtl" if rest.is_empty() => return Err(format!("{word} needs a name")),
-            "mtllib" | "usemtl" => self.line.extend([word, " ", rest.trim()]),
+            "mtllib" | "usemtl" | "o" | "g" => self.line.extend([word, " ", rest.trim()]),
             _ => return Ok(()),
         }
         self.line.push('\n');

@@ -6,8 +6,10 @@ mod gltf;
 mod limits;
 mod lines;
 mod obj;
+mod parts;
 mod picture;
 pub mod ridden;
+mod rolling;
 #[cfg(test)]
 mod tests;
 mod textures;
@@ -15,15 +17,19 @@ mod textures;
 use std::path::Path;
 
 use glam::{DMat3, DVec3};
+use relativity_core::Turning;
 use relativity_render::{Body, Model};
 
 pub(super) use self::files::ModelFiles;
+use self::parts::NamedModel;
 use super::error::{Located, Problem};
 use super::object::{Object, brightness};
 use super::table::Table;
+use super::wheel::Changes;
+use crate::platform::messages;
 
-/// Parses a model, and reads its file.
-pub(super) fn model(table: &Table) -> Result<Object, Located> {
+/// Parses a model, and reads its file: the bodies of its wheels come after the rest of it. These changes to wheels are for its own, too.
+pub(super) fn model(table: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
     table.check_keys(&[
         "path",
         "name",
@@ -34,6 +40,9 @@ pub(super) fn model(table: &Table) -> Result<Object, Located> {
         "place",
         "two_sided",
         "brightness",
+        "wheels",
+        "rolls",
+        "rim_speed",
     ])?;
     let path = table.needed_string("path")?;
     let name = table.string("name")?.unwrap_or_else(|| stem(path)).to_owned();
@@ -43,14 +52,42 @@ pub(super) fn model(table: &Table) -> Result<Object, Located> {
     let brightness = brightness(table)?;
     let refused =
         |reason: String| table.problem_at("path", |path| Problem::Model { path, reason: one_line(&reason) });
-    let mut model = read(&table.models, path).map_err(refused)?;
-    for corner in &mut model.corners {
+    let wheels = table.strings("wheels")?.unwrap_or_default();
+    let turning = turning(table, &wheels, changes)?;
+    let mut named = read(&table.models, path).map_err(refused)?;
+    for corner in &mut named.model.corners {
         *corner = (axes * DVec3::from(*corner) + DVec3::from(place)).to_array();
     }
-    model.is_two_sided = is_two_sided;
-    let triangles = model.prepared().map_err(|error| refused(error.to_string()))?;
-    let body = Body { brightness, ..Body::of_triangles(triangles) };
-    Ok(Object { body, name: Some(name), include: None, span: table.span.clone() })
+    named.model.is_two_sided = is_two_sided;
+    let no_wheel = |reason: String| {
+        table.problem_at("wheels", |value| Problem::ModelWheel { value, reason: one_line(&reason) })
+    };
+    let split = named.split(&wheels).map_err(no_wheel)?;
+    let object = |name: &str, body| Object {
+        body: Body { brightness, ..body },
+        name: Some(name.to_owned()),
+        include: None,
+        span: table.span.clone(),
+    };
+    let mut objects = Vec::new();
+    if let Some(rest) = split.rest {
+        let triangles = rest.prepared().map_err(|error| refused(error.to_string()))?;
+        objects.push(object(&name, Body::of_triangles(triangles)));
+    }
+    for (name, part) in wheels.iter().zip(split.parts) {
+        let wheel = rolling::wheel(part, turning);
+        let refused = |reason| no_wheel(format!("`{}`: {reason}", messages::excerpt(name)));
+        objects.push(object(name, wheel.map_err(refused)?));
+    }
+    Ok(objects)
+}
+
+/// The turning of the `wheels` of a model: they roll unless it is said that they do not.
+fn turning(table: &Table, wheels: &[&str], changes: Changes) -> Result<Option<Turning>, Located> {
+    if let Some(key) = ["rolls", "rim_speed"].into_iter().find(|key| wheels.is_empty() && table.has(key)) {
+        return Err(table.wrong(key, "left out where there are no `wheels`"));
+    }
+    changes.turning_of(table, Turning::Rolling)
 }
 
 /// The turn from the axes of the file to those of scenes, whose z axis points upwards.
@@ -80,7 +117,7 @@ pub fn is_model(path: &Path) -> bool {
 }
 
 /// Reads the model in the file at `path`, by its ending.
-fn read(files: &ModelFiles<'_>, path: &str) -> Result<Model, String> {
+fn read(files: &ModelFiles<'_>, path: &str) -> Result<NamedModel, String> {
     let ending = path.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_ascii_lowercase());
     let beside = |name: &str| files.read(&beside(path, name));
     if !ENDINGS.contains(&ending.as_str()) {
@@ -95,14 +132,14 @@ fn read(files: &ModelFiles<'_>, path: &str) -> Result<Model, String> {
 ///
 /// Contents that are none, or need another file, in one line.
 pub fn read_model(ending: &str, bytes: &[u8]) -> Result<Model, String> {
-    parsed(ending, bytes, &|name| Err(format!("there is no {name}")))
+    parsed(ending, bytes, &|name| Err(format!("there is no {name}"))).map(|named| named.model)
 }
 
 fn parsed(
     ending: &str,
     bytes: &[u8],
     beside: &dyn Fn(&str) -> Result<Vec<u8>, String>,
-) -> Result<Model, String> {
+) -> Result<NamedModel, String> {
     if ending == "obj" { obj::model(bytes, beside) } else { gltf::model(bytes, beside) }
 }
 

@@ -1,6 +1,6 @@
 //! Wavefront OBJ: corners, faces, and the colours and textures of materials.
 //!
-//! Faces are divided from their first corner, as flat convex ones may be. Everything else in a file (normals, lines, smoothing) is
+//! Faces are divided from their first corner, as flat convex ones may be. Objects and groups name its parts. Everything else in a file (normals, lines, smoothing) is
 //! passed over. The crate `tobj` reads what [`lines`](super::lines) have been checked of it: numbers in f64, and faces by material.
 
 use std::collections::HashMap;
@@ -11,13 +11,17 @@ use relativity_render::{Model, Wrap};
 use tobj::{LoadError, LoadOptions, MTLLoadResult, Material, Mesh};
 
 use super::lines::{Lines, Problems, text_of};
+use super::parts::{NamedModel, Part};
 use super::textures::Textures;
 
 /// Paint of what has none.
 const WHITE: [f32; 3] = [1.0; 3];
 
 /// Reads a model; `beside` reads the files that it names.
-pub(super) fn model(bytes: &[u8], beside: &dyn Fn(&str) -> Result<Vec<u8>, String>) -> Result<Model, String> {
+pub(super) fn model(
+    bytes: &[u8],
+    beside: &dyn Fn(&str) -> Result<Vec<u8>, String>,
+) -> Result<NamedModel, String> {
     let problems = Problems::default();
     let mut lines = Lines::new(text_of(bytes)?, &problems);
     let options =
@@ -34,12 +38,20 @@ pub(super) fn model(bytes: &[u8], beside: &dyn Fn(&str) -> Result<Vec<u8>, Strin
     let (meshes, materials) = loaded.map_err(|error| problems.located(&error.to_string()))?;
     let materials = materials.map_err(|error| problems.located(&error.to_string()))?;
     let (mut model, mut textures) = (Model::default(), Textures::new());
-    for tobj::Model { mesh, .. } in &meshes {
+    // Those of several materials are in several pieces.
+    let (mut parts, mut numbers) = (Vec::<Part>::new(), HashMap::new());
+    for tobj::Model { mesh, name } in &meshes {
         let material = mesh.material_id.and_then(|number| materials.get(number));
+        let first = model.triangles.len();
         add(mesh, material, beside, &mut model, &mut textures)?;
+        let number = *numbers.entry(name).or_insert_with(|| {
+            parts.push(Part { name: name.clone(), triangles: Vec::new() });
+            parts.len() - 1
+        });
+        parts[number].triangles.push(first..model.triangles.len());
     }
     textures.put_into(&mut model);
-    Ok(model)
+    Ok(NamedModel { model, parts })
 }
 
 /// Reads the materials in the file called `name`: their diffuse colours, linear, and textures.

@@ -10,31 +10,49 @@ use crate::ray::Ray;
 /// The least part of a direction along an axis, so that its reciprocal is a number: what it turns a ray by is below its rounding.
 const LEAST_SLOPE: f32 = 1e-12;
 
-/// A ray, for the planes of boxes.
+/// A ray, or a part of one, for the planes of boxes.
 #[derive(Debug, Clone, Copy)]
 pub struct Slabs {
     start: Vec3,
     reciprocal: Vec3,
-    /// Rounding of f32 across the ray.
+    /// Rounding of f32 across the ray, and what boxes are larger by.
     room: f32,
+    /// Distances along the ray between which boxes are met.
+    reach: [f32; 2],
 }
 
 impl Slabs {
     /// Returns the slabs of `ray`, which counts from its point nearest to `middle`.
     #[must_use]
     pub fn new(ray: &Ray, middle: DVec3) -> Self {
-        let start = (ray.start - middle).as_vec3();
+        Self::along(ray.start - middle, ray.direction)
+    }
+
+    /// Returns the slabs of the line between two places, for boxes that are larger by `room` on all sides. Distances count from the first.
+    #[must_use]
+    pub fn of_chord([from, to]: [DVec3; 2], room: f64) -> Self {
+        let slabs = Self::along(from, (to - from).normalize_or(DVec3::X));
+        let room = slabs.room + room as f32;
+        Self { room, reach: [-room, from.distance(to) as f32 + room], ..slabs }
+    }
+
+    fn along(start: DVec3, direction: DVec3) -> Self {
+        let start = start.as_vec3();
         let slope = |part: f64| (part as f32).abs().max(LEAST_SLOPE).copysign(part as f32);
-        let [x, y, z] = ray.direction.to_array().map(slope);
-        Self { start, reciprocal: Vec3::new(x, y, z).recip(), room: ROUNDING * start.length() }
+        let [x, y, z] = direction.to_array().map(slope);
+        Self {
+            start,
+            reciprocal: Vec3::new(x, y, z).recip(),
+            room: ROUNDING * start.length(),
+            reach: [f32::NEG_INFINITY, f32::INFINITY],
+        }
     }
 }
 
 impl Looks for Slabs {
     #[inline(always)]
     fn nearest<S: Simd>(&self, simd: S, boxes: &Boxes) -> F<S> {
-        let mut enters = all(simd, f32::NEG_INFINITY);
-        let mut leaves = all(simd, f32::INFINITY);
+        let [mut enters, mut leaves] = self.reach.map(|end| all(simd, end));
         let boxes = boxes.on(simd);
         for axis in 0..3 {
             let (center, half) = boxes.across(axis);

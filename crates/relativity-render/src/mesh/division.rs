@@ -14,7 +14,7 @@
 //! others on these shapes, has the other half. The derivatives come from second differences of the apparent
 //! position in f64 at places all over the body: so the count follows from what the speed makes of the shape.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 use glam::{DVec2, DVec3};
 use relativity_core::math;
@@ -25,6 +25,8 @@ use crate::group_view::GroupView;
 use crate::mercator::{Mercator, nearest_turn};
 use crate::prepared_body::PreparedBody;
 use crate::surface::{BoxSurface, CylinderSurface, Surface, TubeSurface};
+use crate::wheel::packed::Turns;
+use crate::wheel::spin::Spin;
 
 /// The most segments a direction is divided into: bodies that touch the picture plane would need any number.
 const MAX_SEGMENTS: f64 = 512.0;
@@ -37,6 +39,8 @@ const STEP: f64 = 1e-2;
 /// Number of steps in which a body is sampled from one end to the other; one that turns is bent more in places.
 const STEPS: u32 = 4;
 const STEPS_TURNING: u32 = 32;
+/// Share of the radius at which the rim of a wheel is sampled: a step from there is still inside.
+const RIM: f64 = 0.98;
 /// Angles around a body at which it is sampled, radians.
 const AROUND: [f64; 4] = [0.0, FRAC_PI_2, PI, 1.5 * PI];
 
@@ -53,8 +57,11 @@ pub fn division(body: &PreparedBody, view: &GroupView, bound_px: f64) -> Divisio
     };
     match (&body.surface(), &body.triangles) {
         (Surface::Box(surface), Some(model)) => {
-            let most =
-                [0, 1, 2].map(|axis| curvature.of_edges(surface, axis)).into_iter().fold(0.0, f64::max);
+            let of_axis = |axis| match body.spin.filter(|_| view.turns(body) == Turns::About) {
+                Some(spin) => curvature.of_wheel(&spin, surface.center(), model.half(), axis),
+                None => curvature.of_edges(surface, axis),
+            };
+            let most = [0, 1, 2].map(of_axis).into_iter().fold(0.0, f64::max);
             let segments = segments(2.0 * most, model.least_segments());
             Division::Model { fingerprint: model.fingerprint(), segments }
         }
@@ -134,6 +141,20 @@ impl Curvature<'_> {
             })
         };
         lines(0.0).max(lines(1.0))
+    }
+
+    /// Returns the divisions of lines along an axis through a model that turns, in a box with this middle and half these sides: around its
+    /// rim and halfway there, on both sides. No place of it is beyond the rim, where there may be no slower speed than that of light.
+    fn of_wheel(&self, spin: &Spin, middle: DVec3, half: DVec3, axis: usize) -> f64 {
+        let along = DVec3::AXES[axis] * half;
+        let hub = DVec3::from(spin.hub);
+        self.greatest(|t, angle, h| {
+            let (sine, cosine) = math::sin_cos(PI * t);
+            let (side, share) = math::sin_cos(angle + FRAC_PI_4);
+            let off_axle = spin.radius * if share > 0.0 { RIM } else { 0.5 };
+            let y = middle.y + half.y.copysign(side);
+            DVec3::new(hub.x + off_axle * cosine, y, hub.z + off_axle * sine) + along * h
+        })
     }
 
     /// Returns the divisions of circles around a cylinder, of its ends' radii, and of its sides.

@@ -1,20 +1,24 @@
 //! Rays against models of triangles: each lane looks through the hierarchy for itself, in each sample of its pixel.
 //!
-//! The ray is that of the other bodies, in f32; from there on places are in f64.
+//! The ray is that of the other bodies, in f32; from there on places are in f64. Of a model that turns, each lane asks the reference.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use super::body::{Body, Group, Ray, own_ray};
 use super::colour::Hatched;
-use super::look::Look;
+use super::look::{Look, Seen};
 use super::pattern::shift;
 use super::received::Element;
 use super::spin::Spin;
 use super::tables::Tables;
+use super::turning::doppler_of;
+use crate::intersect::Entry;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3};
 use crate::pattern::Covered;
+use crate::ray::Ray as Near;
 use crate::triangles::Triangles;
 use crate::view::Appearance;
+use crate::wheel::solid::TurningSolid;
 
 /// The meetings of eight rays with a model.
 #[derive(Debug, Clone, Copy)]
@@ -44,6 +48,53 @@ pub struct ModelPart<S: Simd, const N: usize> {
     pub samples: [Meetings<S>; N],
 }
 
+/// The meeting of one ray with a model.
+struct Meeting {
+    /// Along the ray; the point and the unit normal there.
+    distance: f64,
+    place: DVec3,
+    normal: DVec3,
+    paint: [f64; 3],
+    triangle: u32,
+}
+
+/// The meetings of eight rays, as each was found.
+struct Found<S: Simd> {
+    holds: Mask<S>,
+    distance: F<S>,
+    place: V3<S>,
+    normal: V3<S>,
+    paint: V3<S>,
+    triangle: F<S>,
+}
+
+impl<S: Simd> Found<S> {
+    /// Finds them lane by lane.
+    fn new(simd: S, mut meeting: impl FnMut(usize) -> Option<Meeting>) -> Self {
+        let mut holds = [0_i32; LANES];
+        let mut distances = [0.0; LANES];
+        let mut numbers = [0.0; LANES];
+        let [mut places, mut normals, mut paints] = [[[0.0; LANES]; 3]; 3];
+        for lane in 0..LANES {
+            let Some(Meeting { distance, place, normal, paint, triangle }) = meeting(lane) else { continue };
+            holds[lane] = -1;
+            distances[lane] = distance as f32;
+            numbers[lane] = triangle as f32;
+            put(&mut places, lane, place.to_array());
+            put(&mut normals, lane, normal.to_array());
+            put(&mut paints, lane, paint);
+        }
+        Self {
+            holds: Mask::simd_from(simd, holds),
+            distance: F::simd_from(simd, distances),
+            place: vectors(simd, places),
+            normal: vectors(simd, normals),
+            paint: vectors(simd, paints),
+            triangle: F::simd_from(simd, numbers),
+        }
+    }
+}
+
 impl<S: Simd> Meetings<S> {
     /// Returns the meetings of these rays with `triangles` in the box that is `body`: of `side` times `side` samples to a pixel.
     pub fn new(
@@ -60,49 +111,89 @@ impl<S: Simd> Meetings<S> {
         let shifts = (!triangles.textures().is_empty()).then(|| {
             ray.steps.map(|step| body.body_from_rest(shift(group, ray, step) * ray.ground_per_rest))
         });
-        let mut holds = [0_i32; LANES];
-        let mut distances = [0.0; LANES];
-        let mut numbers = [0.0; LANES];
-        let [mut places, mut normals, mut paints] = [[[0.0; LANES]; 3]; 3];
-        for lane in 0..LANES {
-            let start = DVec3::from(own.nearest.lane(lane).map(f64::from));
-            let direction = DVec3::from(own.direction.lane(lane).map(f64::from)).normalize_or_zero();
+        let found = Found::new(simd, |lane| {
+            let start = vector(own.nearest, lane);
+            let direction = vector(own.direction, lane).normalize_or_zero();
             let is_off = start.length_squared() >= triangles.half().length_squared();
             if is_off || !start.is_finite() || direction == DVec3::ZERO {
-                continue;
+                return None;
             }
             let behind = -f64::from(to_middle[lane]);
-            let Some(crossing) = triangles.crossing(start, direction, behind) else { continue };
-            holds[lane] = -1;
-            distances[lane] = crossing.distance as f32;
-            numbers[lane] = crossing.point.triangle as f32;
-            let place = start + direction * crossing.distance;
-            put(&mut places, lane, place.to_array());
-            put(&mut normals, lane, crossing.normal.to_array());
+            let crossing = triangles.crossing(start, direction, behind)?;
             let covered = || {
                 let distance = (f64::from(to_middle[lane]) + crossing.distance) / side;
-                let shift = |shift: V3<S>| DVec3::from(shift.lane(lane).map(f64::from)) * distance;
+                let shift = |shift: V3<S>| vector(shift, lane) * distance;
                 shifts.map_or(Covered::NOTHING, |shifts| {
                     Covered::new(direction, crossing.normal, shifts.map(shift))
                 })
             };
-            put(
-                &mut paints,
-                lane,
-                triangles.paint_over(crossing.point, |gradient| covered().range(gradient)),
-            );
-        }
-        let distance = F::simd_from(simd, distances);
+            Some(Meeting {
+                distance: crossing.distance,
+                place: start + direction * crossing.distance,
+                normal: crossing.normal,
+                paint: triangles.paint_over(crossing.point, |gradient| covered().range(gradient)),
+                triangle: crossing.point.triangle,
+            })
+        });
         Self {
-            holds: Mask::simd_from(simd, holds),
-            beyond: along + distance,
-            place: body.rest_from_body(vectors(simd, places)),
-            normal: body.rest_from_body(vectors(simd, normals)),
-            paint: vectors(simd, paints),
-            triangle: F::simd_from(simd, numbers),
+            holds: found.holds,
+            beyond: along + found.distance,
+            place: body.rest_from_body(found.place),
+            normal: body.rest_from_body(found.normal),
+            paint: found.paint,
+            triangle: found.triangle,
             doppler: ray.doppler,
-            distance: (to_middle + distance) * ray.ground_per_rest,
+            distance: (to_middle + found.distance) * ray.ground_per_rest,
         }
+    }
+
+    /// Returns the meetings of these rays with the model that is `seen`, and turns: from their lines of sight on in f64, as the reference has
+    /// them, for `triangles` that stand nowhere.
+    pub fn with_turning(
+        simd: S,
+        look: &Look<'_>,
+        seen: &Seen<'_>,
+        turning: &TurningSolid,
+        triangles: &Triangles,
+        ray: &Ray<S>,
+        side: f64,
+    ) -> Self {
+        let (number, group) = (seen.number, look.group(seen.body.group));
+        let (view, solid) = (&look.views[seen.body.group], look.scene.solid(number));
+        let middle = look.scene.groups()[seen.body.group].extent.middle;
+        let body = Body::new(simd, &seen.shown.placement);
+        let shifts = (!triangles.textures().is_empty())
+            .then(|| ray.steps.map(|step| shift(&group, ray, step) * ray.ground_per_rest));
+        let found = Found::new(simd, |lane| {
+            let rest = view.rest_ray(vector(ray.sight, lane).try_normalize()?);
+            let near = Near::new(rest.origin, rest.direction).counted_from(middle);
+            let entry = look.scene.turning_entry(number, turning, &near, view, None).0?;
+            let Entry { distance, position, normal, triangle } = entry;
+            let covered = || {
+                let distance = (near.from_camera + distance) / side;
+                let shift = |shift: V3<S>| vector(shift, lane) * distance;
+                let covered = shifts.map_or(Covered::NOTHING, |shifts| {
+                    Covered::new(rest.direction, normal, shifts.map(shift))
+                });
+                let turn = view.turn_at(&seen.body.spin?, position);
+                Some(covered.turned(DQuat::from_rotation_y(-turn)))
+            };
+            let range =
+                |gradient| covered().map_or(0.0, |covered| covered.range(solid.rest_from_box(gradient)));
+            Some(Meeting {
+                distance,
+                place: position - middle - vector(body.place, lane),
+                normal,
+                paint: triangles.paint_over(triangle?, range),
+                triangle: triangle?.triangle,
+            })
+        });
+        let Found { holds, distance: beyond, place, normal, paint, triangle } = found;
+        let spin = Spin::new(simd, &seen.shown);
+        let (kind, turns) = (seen.body.kind, seen.turns);
+        let doppler = doppler_of(kind, turns, &group, &body, place, normal, ray.sight, ray.doppler, &spin);
+        let distance = (ray.to_centre + beyond) * ray.ground_per_rest;
+        Self { holds, beyond, place, normal, paint, triangle, doppler, distance }
     }
 
     /// Returns where they meet it and not below the ground.
@@ -130,10 +221,15 @@ impl<S: Simd> Meetings<S> {
         let colour = there.colour(simd, look, appearance, tables, hatched);
         let mut factors = [[0.0; LANES]; 3];
         for lane in 0..LANES {
-            put(&mut factors, lane, appearance.paint(self.paint.lane(lane).map(f64::from)));
+            put(&mut factors, lane, appearance.paint(vector(self.paint, lane).to_array()));
         }
         colour.times(vectors(simd, factors))
     }
+}
+
+/// The vector in a lane.
+fn vector<S: Simd>(v: V3<S>, lane: usize) -> DVec3 {
+    DVec3::from(v.lane(lane).map(f64::from))
 }
 
 fn put(parts: &mut [[f32; LANES]; 3], lane: usize, values: [f64; 3]) {

@@ -1,9 +1,11 @@
 //! The numbers of a tile.
 
-use super::look::Look;
+use super::body::Body;
+use super::look::{Look, Seen};
 use super::met::Met;
 use super::model::Meetings;
 use super::places::{packet_places, write_one};
+use super::spin::Spin;
 use super::tile::{Packet, TileContents};
 use super::turning::place_of_hit;
 use crate::candidates::Rows;
@@ -31,8 +33,10 @@ impl<S: Simd> Shown<S> {
     }
 
     #[inline(always)]
-    fn of_model(meetings: &Meetings<S>) -> Self {
+    fn of_model(simd: S, seen: &Seen<'_>, meetings: &Meetings<S>) -> Self {
         let Meetings { place, doppler, distance, triangle, .. } = *meetings;
+        let (body, spin) = (Body::new(simd, &seen.shown.placement), Spin::new(simd, &seen.shown));
+        let place = place_of_hit(seen.body.kind, seen.turns, &body, place, &spin);
         Self { place, doppler, distance, triangle }
     }
 }
@@ -49,7 +53,7 @@ impl<S: Simd> TileContents<S, 1> {
                 let owner = self.owners[owner];
                 let shown = model.map_or_else(
                     || Shown::new(simd, &Met::new(simd, look, owner, packet)),
-                    |[meetings]| Shown::of_model(meetings),
+                    |[meetings]| Shown::of_model(simd, &look.seen(owner.number), meetings),
                 );
                 let Shown { place, doppler, distance, triangle } = shown;
                 let holds: [i32; LANES] = packet.solid[0].owner.simd_eq(at).into();

@@ -15,6 +15,7 @@ use crate::kind::Kind;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, SimdMask, V2, all, select};
 use crate::pipelines::AmongOthers;
 use crate::triangles::Triangles;
+use crate::wheel::packed::Turns;
 
 /// Marks the absence of a body.
 const NONE: f32 = -1.0;
@@ -208,7 +209,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
                 }
             }
             is_seen |= match self.look.scene.triangles(seen.number) {
-                Some(triangles) => self.test_model_in(number, triangles, seen.number, &body, owner),
+                Some(triangles) => self.test_model_in(number, triangles, seen, &body, owner),
                 None => self.test_in(number, pixel, seen, &body, &spin, owner),
             };
         }
@@ -278,29 +279,34 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
 }
 
 impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
-    /// Tests the model that is the body of the number `body` in the packet of this number, sample by sample; returns whether it is seen there.
+    /// Tests the model that is `seen` in the packet of this number, sample by sample; returns whether it is seen there.
     #[inline(always)]
     fn test_model_in(
         &mut self,
         number: usize,
         triangles: &Triangles,
-        body: usize,
+        seen: &Seen<'_>,
         placed: &Body<S>,
         owner: usize,
     ) -> bool {
-        let Self { simd, group, sights, samples, .. } = *self;
+        let Self { simd, look, group, sights, samples, .. } = *self;
+        let turning = look.scene.turning(seen.number).filter(|_| seen.turns == Turns::About);
+        let side = (N as f64).sqrt();
         let Packet { place, ray, .. } = self.drawn.packets[number];
         let samples = samples.map(|offset| {
             let is_centre = offset == [0.0, 0.0];
             let ray = if is_centre { ray } else { rest_ray(simd, &group, sights.of_sample(place, offset)) };
-            Meetings::new(simd, triangles, &group, placed, &ray, (N as f64).sqrt())
+            match turning {
+                Some(turning) => Meetings::with_turning(simd, look, seen, turning, triangles, &ray, side),
+                None => Meetings::new(simd, triangles, &group, placed, &ray, side),
+            }
         });
         let at = all(simd, owner as f32);
         let mut is_seen = false;
         let packet = &mut self.drawn.packets[number];
         for (meetings, solid) in samples.iter().zip(&mut packet.solid) {
             let holds = if N > 1 { meetings.above_ground(&group, placed) } else { meetings.holds };
-            is_seen |= solid.take(holds, meetings.beyond, at, body, &self.drawn.owners);
+            is_seen |= solid.take(holds, meetings.beyond, at, seen.number, &self.drawn.owners);
         }
         if is_seen {
             self.farthest[place] = packet.reach(simd);

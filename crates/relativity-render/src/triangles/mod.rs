@@ -1,7 +1,7 @@
-//! Surfaces made of triangles: models from files, at rest in their group.
+//! Surfaces made of triangles: models from files, at rest in their group, or turning there as wheels do.
 //!
 //! A triangle is flat in its rest frame, where rays are straight: so the ray of a pixel meets it exactly, and what light makes of it in a
-//! picture (a curved triangle) needs no division. One hierarchy of boxes, built once, serves every speed, time and eye.
+//! picture (a curved triangle) needs no division. Along the light to a model that turns, which is a curve for it, rays are followed in arcs (`wheel/model.rs`). One hierarchy of boxes, built once, serves every speed, time and eye.
 //!
 //! # Light
 //!
@@ -204,6 +204,11 @@ impl Triangles {
         (1.0 / self.longest_edge).clamp(1.0, 512.0) as u32
     }
 
+    /// The hierarchy of the triangles' boxes, from the middle of the box around all.
+    pub(crate) const fn hierarchy(&self) -> &Hierarchy {
+        &self.hierarchy
+    }
+
     /// Returns the corners of the triangle of this number, from the middle of the box.
     pub(crate) fn corners_of(&self, triangle: u32) -> [DVec3; 3] {
         self.faces[triangle as usize].map(|corner| self.corners[corner as usize].as_dvec3())
@@ -237,7 +242,7 @@ impl Triangles {
 }
 
 /// The unit vector along `across` or against it, on the side from which a ray along `direction` comes.
-fn facing(across: DVec3, direction: DVec3) -> DVec3 {
+pub(crate) fn facing(across: DVec3, direction: DVec3) -> DVec3 {
     let normal = across.normalize();
     if normal.dot(direction) > 0.0 { -normal } else { normal }
 }

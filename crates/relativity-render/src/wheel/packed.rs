@@ -98,8 +98,12 @@ impl GroupView {
             _ => spin.radius,
         };
         let lag = direction * omega * (spin.radius - outermost);
+        let mut placement = Placement::new(&body.shape.turned(&spin, angle), turn, middle);
+        if body.triangles.is_some() {
+            placement.form[3] = spin.radius as f32;
+        }
         TurningStart {
-            placement: Placement::new(&body.shape.turned(&spin, angle), turn, middle),
+            placement,
             spin: (hub - middle).as_vec3().extend(omega as f32).to_array(),
             rim: [below_light(&spin, &self.on_ground, direction), lag].map(|v| v as f32),
         }

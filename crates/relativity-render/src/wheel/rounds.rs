@@ -29,14 +29,14 @@ pub enum Search {
 }
 
 impl PreparedScene {
-    /// Whether the body of this number turns and has another shape or place for it, as the spokes of a wheel do.
+    /// Whether the body of this number turns and has another shape or place for it, as the spokes of a wheel do; models have no rounds.
     #[must_use]
     pub fn is_turned(&self, body: usize) -> bool {
-        self.turning(body).is_some()
+        self.turning(body).is_some() && self.triangles(body).is_none()
     }
 
     /// Returns the first entry of the camera's `line_of_sight` into the body of this number, which `view` shows: the length along the ray
-    /// in the rest frame, from near the middle of the group. `None` if it misses, or if the body does not turn.
+    /// in the rest frame, from near the middle of the group. `None` if it misses, or if [`Self::is_turned`] does not hold.
     ///
     /// # Accuracy
     ///
@@ -51,12 +51,14 @@ impl PreparedScene {
         line_of_sight: DVec3,
         search: Search,
     ) -> Option<f64> {
-        let turning = self.turning(body)?;
+        let turning = self.turning(body).filter(|_| self.triangles(body).is_none())?;
         let ray = view.rest_ray(line_of_sight);
         let near = Ray::new(ray.origin, ray.direction)
             .counted_from(self.groups()[self.group_of(body)].extent.middle);
         match search {
-            Search::Exact => turning.entry(&near, view, None).0.map(|entry| entry.distance),
+            Search::Exact => {
+                self.turning_entry(body, turning, &near, view, None).0.map(|entry| entry.distance)
+            }
             Search::Rounds(rounds) => turning.entry_in_rounds(&near, view, rounds),
         }
     }

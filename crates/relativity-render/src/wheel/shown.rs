@@ -53,6 +53,15 @@ impl GroupView {
         }
     }
 
+    /// Returns the direction, not of unit length, in which a ray along `direction` passes what is at `place` of a body that turns so, if it
+    /// does: as somebody finds it who turns with the body.
+    pub(crate) fn passing(&self, spin: Option<Spin>, place: DVec3, direction: DVec3) -> DVec3 {
+        spin.map_or(direction, |spin| {
+            let rate = spin.omega(self.on_ground.beta()) * self.rate_along(place, direction);
+            direction - DVec3::Y.cross(spin.off_axle(place)) * rate
+        })
+    }
+
     /// Returns the angle by which a body with this `spin` has turned since t' = 0 where it is shown at `place`.
     #[must_use]
     pub fn turn_at(&self, spin: &Spin, place: DVec3) -> f64 {

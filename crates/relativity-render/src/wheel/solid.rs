@@ -23,7 +23,8 @@ use crate::group_view::GroupView;
 use crate::intersect::{Entry, Form, LocalRay, Solid, flat};
 use crate::ray::Ray;
 use crate::shape::Shape;
-use crate::wheel::spin::{Spin, about_y};
+use crate::triangles::Triangles;
+use crate::wheel::spin::{Spin, about_y, turned_by};
 
 /// Greatest number of steps to an entry. Grazing rays take about fifty.
 const MAX_STEPS: u32 = 1000;
@@ -60,6 +61,22 @@ impl TurningSolid {
         Self { solid, spin, sweep: Sweep::new(&solid, &spin) }
     }
 
+    /// The box `solid` around `triangles` that turn so.
+    pub fn of_triangles(solid: Solid, spin: Spin, triangles: &Triangles) -> Self {
+        let places = triangles.corners().map(|corner| solid.center + solid.rest_from_box(corner));
+        Self { solid, spin, sweep: Sweep::of_places(places, &spin) }
+    }
+
+    /// Whether it turns as `view` shows it.
+    pub fn turns_in(&self, view: &GroupView) -> bool {
+        self.spin.omega(view.on_ground.beta()) != 0.0
+    }
+
+    /// The middle of its sweep, on the axle.
+    pub fn middle(&self) -> DVec3 {
+        self.sweep.middle
+    }
+
     /// A ball that holds it at every angle: its centre, on the axle, and its radius.
     pub fn ball_around(&self) -> (DVec3, f64) {
         (self.sweep.middle, math::hypot(self.sweep.half_width, self.sweep.outer))
@@ -70,6 +87,14 @@ impl TurningSolid {
         let Sweep { middle, half_width, outer, .. } = self.sweep;
         let axis = DVec3::Y.to_array();
         Shape::Ring { center: middle.to_array(), axis, radius: outer, tube_radius: half_width }
+    }
+
+    /// A tyre as wide as it and as far from the axle.
+    pub fn tyre(&self) -> Shape {
+        let Sweep { middle, half_width, outer, .. } = self.sweep;
+        let tube_radius = half_width.min(0.25 * outer);
+        let axis = DVec3::Y.to_array();
+        Shape::Ring { center: middle.to_array(), axis, radius: outer - tube_radius, tube_radius }
     }
 
     /// The lowest and highest corner of a box that holds it at every angle.
@@ -144,6 +169,21 @@ impl Sweep {
         }
     }
 
+    /// The sweep of what lies between these places.
+    fn of_places(places: impl Iterator<Item = DVec3>, spin: &Spin) -> Self {
+        let none = (0.0_f64, [f64::INFINITY, f64::NEG_INFINITY]);
+        let (outer, [low, high]) = places.fold(none, |(outer, [low, high]), place| {
+            (outer.max(spin.off_axle(place).length()), [low.min(place.y), high.max(place.y)])
+        });
+        let [x, _, z] = spin.hub;
+        Self {
+            middle: DVec3::new(x, 0.5 * (low + high), z),
+            half_width: 0.5 * (high - low) + ROOM * outer,
+            inner: 0.0,
+            outer: outer * (1.0 + ROOM),
+        }
+    }
+
     /// The parts of a ray inside, in front of the camera: all before the inner cylinder, and all after it.
     fn parts(&self, ray: &LocalRay) -> [Option<[f64; 2]>; 2] {
         let LocalRay { start, direction, behind } = *ray;
@@ -191,7 +231,7 @@ pub(super) struct Course<'a> {
     /// L: q is no faster.
     speed: f64,
     /// K: q is bent no more.
-    curvature: f64,
+    pub curvature: f64,
 }
 
 impl<'a> Course<'a> {
@@ -214,7 +254,7 @@ impl<'a> Course<'a> {
     }
 
     /// The angle by which the body has turned where it is shown at `s`.
-    fn turn_at(&self, s: f64) -> f64 {
+    pub fn turn_at(&self, s: f64) -> f64 {
         self.turn + self.rate * (s - self.turned_at)
     }
 
@@ -223,12 +263,17 @@ impl<'a> Course<'a> {
         &self.body.solid
     }
 
+    /// How far the body reaches from the axle.
+    pub fn reach(&self) -> f64 {
+        self.body.sweep.outer
+    }
+
     /// Returns the place q in the body at the ray's parameter `s`, from the body's centre, and its derivative q'.
     pub fn at(&self, s: f64) -> [DVec3; 2] {
-        let turn = self.turn_at(s);
-        let place = about_y(self.ray.start + self.ray.direction * s, -turn);
+        let back = math::sin_cos(-self.turn_at(s));
+        let place = turned_by(self.ray.start + self.ray.direction * s, back);
         let own = DVec3::Y.cross(place) * self.rate;
-        [place - self.center, about_y(self.ray.direction, -turn) - own]
+        [place - self.center, turned_by(self.ray.direction, back) - own]
     }
 
     /// Outward, where the surface is entered.

@@ -80,7 +80,11 @@ impl Spin {
 
 /// `v` turned by `angle` about +y: from z towards x.
 pub(crate) fn about_y(v: DVec3, angle: f64) -> DVec3 {
-    let (sine, cosine) = math::sin_cos(angle);
+    turned_by(v, math::sin_cos(angle))
+}
+
+/// The same by the angle with this sine and cosine.
+pub(crate) fn turned_by(v: DVec3, (sine, cosine): (f64, f64)) -> DVec3 {
     DVec3::new(v.x * cosine + v.z * sine, v.y, v.z * cosine - v.x * sine)
 }
 

@@ -1,19 +1,25 @@
 //! Models of triangles that tests share.
 
-use std::f64::consts::PI;
+#![allow(dead_code, reason = "each program that includes this module uses its own part")]
+#![allow(clippy::allow_attributes, reason = "an expectation would fail in the programs that use every part")]
+
+use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
-use relativity_core::{Aperture, Speed};
-use relativity_render::{Body, Camera, Gaze, Geometry, Model, PreparedScene, Shape, View};
+use relativity_core::{Aperture, Speed, Turning};
+use relativity_render::{Body, Camera, Gaze, Geometry, Hit, Model, PreparedScene, Shape, Spin, View};
 
 use crate::support::{centred, spread};
+
+/// The middle of the box, which is the hub of wheels.
+pub const HUB: [f64; 3] = [0.0, 4.0, 0.5];
 
 /// A view of the box from (-1, 3, 2) to (1, 5, 3) and what takes its place.
 pub fn view(beta: f64, geometry: Geometry, size: [u32; 2]) -> View {
     let speed = Speed::from_beta(beta).expect("a speed");
     let camera = Camera::new(Aperture::pair(0.1)[1], Gaze::STRAIGHT_AHEAD, 0.6, size);
     let mut view = View { camera, speed, observation_time: 4.5, geometry };
-    let centre = view.apparent_position([0.0, 4.0, 0.5]).expect("inside the domain");
+    let centre = view.apparent_position(HUB).expect("inside the domain");
     view.camera.gaze = Gaze::along(centre.to_array());
     view
 }
@@ -77,4 +83,66 @@ pub fn soup(is_two_sided: bool) -> Model {
         is_two_sided,
         ..Model::default()
     }
+}
+
+/// The spin of a wheel about the hub that reaches so far.
+pub fn spin(radius: f64) -> Spin {
+    Spin { hub: HUB, radius, turning: Turning::Rolling }
+}
+
+/// Prepares a scene of this model alone, which rolls and reaches so far from the hub.
+pub fn rolling(model: Model, radius: f64) -> PreparedScene {
+    PreparedScene::moving(&[Body::of_triangles(model.prepared().expect("a model")).turning(spin(radius))])
+}
+
+/// A torus about the axle, of `around` times `tube` squares, each of two triangles, and bars across it.
+pub fn wheel_model(radius: f64, tube_radius: f64, around: u32, tube: u32, bars: u32) -> Model {
+    let place = |turn: f64, off: f64, y: f64| {
+        let (sine, cosine) = turn.sin_cos();
+        (DVec3::from(HUB) + DVec3::new(off * cosine, y, off * sine)).to_array()
+    };
+    let corner = |i: u32| {
+        let [turn, angle] =
+            [TAU * f64::from(i / tube) / f64::from(around), TAU * f64::from(i % tube) / f64::from(tube)];
+        place(turn, radius + tube_radius * angle.cos(), tube_radius * angle.sin())
+    };
+    let square = |i: u32| {
+        let at = |ring: u32, angle: u32| ring % around * tube + angle % tube;
+        let (ring, angle) = (i / tube, i % tube);
+        let [a, b, c, d] =
+            [at(ring, angle), at(ring, angle + 1), at(ring + 1, angle + 1), at(ring + 1, angle)];
+        [[a, b, c], [a, c, d]]
+    };
+    let mut model = Model {
+        corners: (0..around * tube).map(corner).collect(),
+        triangles: (0..around * tube).flat_map(square).collect(),
+        is_two_sided: true,
+        ..Model::default()
+    };
+    for bar in 0..bars {
+        let turn = TAU * f64::from(bar) / f64::from(bars);
+        let first = model.corners.len() as u32;
+        model.corners.extend([
+            place(turn, 0.0, 0.02),
+            place(turn - 0.05, radius, 0.0),
+            place(turn + 0.05, radius, 0.0),
+        ]);
+        model.triangles.push([first, first + 1, first + 2]);
+    }
+    model
+}
+
+/// Whether a triangle of the reference's is at the pixel or as far from it as an outline may be off.
+pub fn is_nearby(scene: &PreparedScene, view: &View, i: usize, hit: Option<&Hit>, outline_px: f64) -> bool {
+    let width = view.camera.size[0] as usize;
+    let (u, v) = ((i % width) as f64 + 0.5, (i / width) as f64 + 0.5);
+    // What is seen aslant may be a narrow strip.
+    (0..512).any(|k| {
+        let (sine, cosine) = (TAU * f64::from(k % 32) / 32.0).sin_cos();
+        let off = outline_px * f64::from(k / 32 + 1) / 16.0;
+        let place = [u + off * cosine, v + off * sine];
+        let there = scene.first_hit(view, view.camera.line_of_sight(place));
+        there.and_then(|there| there.triangle).map(|point| point.triangle)
+            == hit.and_then(|hit| hit.triangle).map(|point| point.triangle)
+    })
 }

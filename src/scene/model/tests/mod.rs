@@ -8,6 +8,7 @@ use tempfile::TempDir;
 
 mod ridden;
 mod textures;
+mod wheels;
 
 use super::read_model;
 use crate::scene::Scene;

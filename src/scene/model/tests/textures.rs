@@ -2,7 +2,7 @@
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use relativity_render::{Model, Picture, TrianglePoint, Triangles};
+use relativity_render::{Picture, TrianglePoint, Triangles};
 use serde_json::{Value, json};
 
 use super::{gltf, read, triangles};
@@ -180,7 +180,7 @@ fn damaged_pictures_are_read_or_refused() {
                 damaged[place] = byte;
                 let mtl = b"newmtl wood\nmap_Kd a.png".to_vec();
                 let beside = |name: &str| Ok(if name == "a.mtl" { mtl.clone() } else { damaged.clone() });
-                let _ = parsed("obj", SQUARE.as_bytes(), &beside).map(Model::prepared);
+                let _ = parsed("obj", SQUARE.as_bytes(), &beside).map(|named| named.model.prepared());
             }
         }
     }

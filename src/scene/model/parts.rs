@@ -1,0 +1,107 @@
+//! The parts of a model that its file names: nodes of glTF, objects and groups of OBJ.
+
+use std::ops::Range;
+
+use relativity_render::Model;
+
+use crate::platform::messages;
+use crate::scene::names::nearest;
+
+/// A model, and the named parts of its file.
+#[derive(Default)]
+pub(super) struct NamedModel {
+    pub model: Model,
+    pub parts: Vec<Part>,
+}
+
+/// A part of a model.
+pub(super) struct Part {
+    pub name: String,
+    /// The numbers of its triangles.
+    pub triangles: Vec<Range<usize>>,
+}
+
+/// A model, and parts that were taken out of it.
+pub(super) struct Split {
+    /// The rest, if there is any.
+    pub rest: Option<Model>,
+    /// The parts, as they were named.
+    pub parts: Vec<Model>,
+}
+
+impl NamedModel {
+    /// Takes the parts with these names out of the model.
+    ///
+    /// # Errors
+    ///
+    /// A name of no part, or of several; a part without triangles; two parts with triangles in common. In one line.
+    pub fn split(self, names: &[&str]) -> Result<Split, String> {
+        if names.is_empty() {
+            return Ok(Split { rest: Some(self.model), parts: Vec::new() });
+        }
+        let mut owners: Vec<Option<usize>> = vec![None; self.model.triangles.len()];
+        for (number, name) in names.iter().enumerate() {
+            for triangle in self.part(name)?.triangles.iter().cloned().flatten() {
+                if let Some(other) = owners[triangle].replace(number) {
+                    let [one, other] = [name, names[other]].map(messages::excerpt);
+                    return Err(format!("`{one}` and `{other}` have triangles in common"));
+                }
+            }
+        }
+        let of = |owner| taken(&self.model, owners.iter().enumerate().filter(|(_, own)| **own == owner));
+        let rest = Some(of(None)).filter(|rest| !rest.triangles.is_empty());
+        Ok(Split { rest, parts: (0..names.len()).map(|number| of(Some(number))).collect() })
+    }
+
+    /// The part of this name.
+    fn part(&self, name: &str) -> Result<&Part, String> {
+        let shown = messages::excerpt(name);
+        let mut called = self.parts.iter().filter(|part| part.name == name);
+        match (called.next(), called.next()) {
+            (Some(part), None) if part.triangles.iter().all(Range::is_empty) => {
+                Err(format!("`{shown}` has no triangles"))
+            }
+            (Some(part), None) => Ok(part),
+            (Some(_), Some(_)) => {
+                Err(format!("several parts are called `{shown}`: give each a name of its own"))
+            }
+            (None, _) if self.parts.is_empty() => {
+                Err(format!("no part is called `{shown}`: the model has no named parts"))
+            }
+            (None, _) => {
+                let known = nearest(self.parts.iter().map(|part| part.name.as_str()), name);
+                Err(format!("no part is called `{shown}`: the nearest are {known}"))
+            }
+        }
+    }
+}
+
+/// Returns these triangles of `model`, with their corners and textures alone.
+fn taken<'a>(model: &Model, triangles: impl Iterator<Item = (usize, &'a Option<usize>)>) -> Model {
+    let mut taken = Model { is_two_sided: model.is_two_sided, ..Model::default() };
+    let mut corners = vec![u32::MAX; model.corners.len()];
+    let mut textures = vec![u32::MAX; model.textures.len()];
+    for (triangle, _) in triangles {
+        let numbers = model.triangles[triangle].map(|corner| {
+            let (number, old) = (&mut corners[corner as usize], corner as usize);
+            if *number == u32::MAX {
+                *number = taken.corners.len() as u32;
+                taken.corners.push(model.corners[old]);
+                taken.paints.extend(model.paints.get(old));
+                taken.texture_places.extend(model.texture_places.get(old));
+            }
+            *number
+        });
+        taken.triangles.push(numbers);
+        let Some(&texture) = model.texture_numbers.get(triangle) else { continue };
+        let number = textures.get_mut(texture as usize).map_or(Model::NO_TEXTURE, |number| {
+            if *number == u32::MAX {
+                *number = taken.textures.len() as u32;
+                taken.textures.push(model.textures[texture as usize].clone());
+            }
+            *number
+        });
+        taken.texture_numbers.push(number);
+    }
+    taken
+}
