@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use relativity_render::{Body, Group, MaterialPoint, Motion, PreparedScene, Spin, Velocity};
 
-use super::names::{NEAREST, nearest};
+use super::similar::{NEAREST, nearest};
 use super::table::coincide;
 use crate::platform::messages;
 
