@@ -6,7 +6,7 @@ use std::ops::Range;
 use relativity_render::{Body, Group, MaterialPoint, Motion, PreparedScene, Spin, Velocity};
 use serde::{Deserialize, Serialize};
 
-use super::names::{NEAREST, nearest};
+use super::similar::{NEAREST, nearest};
 use super::table::coincide;
 use crate::platform::messages;
 

@@ -11,6 +11,7 @@ mod model;
 mod names;
 mod object;
 mod presets;
+mod similar;
 mod table;
 #[cfg(test)]
 mod tests;

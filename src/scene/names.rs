@@ -1,14 +1,10 @@
 //! The names of a scene's bodies, each of which means one body.
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{HashMap, HashSet};
 
 use super::content::SceneGroup;
 use super::error::{Located, Problem};
 use super::object::Object;
-use crate::platform::{messages, sizes};
-
-/// Number of similar names that an error message suggests.
-pub(super) const NEAREST: usize = 3;
 
 /// Names the bodies of `groups`: like their file, with a distinction behind a name that two of them have. In a group with
 /// several of one name that is what each was included with; of several groups it is the group, or the `rider` for the
@@ -46,19 +42,6 @@ pub(super) fn names(objects: &[Object], groups: &[SceneGroup], rider: &str) -> R
         }
         None => Ok(names),
     }
-}
-
-/// Returns the `known` names that are most similar to `sought`, in a list.
-pub(super) fn nearest<'a>(known: impl IntoIterator<Item = &'a str>, sought: &str) -> String {
-    let sought: String = sought.to_lowercase().chars().take(sizes::NAME_LETTERS).collect();
-    let known: BTreeSet<&str> = known.into_iter().collect();
-    let off = |known: &str| {
-        let known: String = known.to_lowercase().chars().take(sizes::NAME_LETTERS).collect();
-        strsim::damerau_levenshtein(&known, &sought)
-    };
-    let mut nearest: Vec<_> = known.into_iter().map(|known| (off(known), known)).collect();
-    nearest.sort_unstable();
-    nearest.iter().take(NEAREST).map(|(_, known)| messages::excerpt(known)).collect::<Vec<_>>().join(", ")
 }
 
 fn qualified_name(name: &str, owner: &str) -> String {

@@ -525,7 +525,7 @@ fn wheels_are_changed_only_where_there_are_any() {
     for preset in PRESETS {
         let read = Scene::parse(&text(preset), "x.toml");
         match read {
-            Ok(_) => assert!(["street", "cyclist", "wheel"].contains(&preset), "{preset}"),
+            Ok(_) => assert!(["street", "cyclist", "wheel", "tram"].contains(&preset), "{preset}"),
             Err(error) => assert_eq!(
                 error.to_string(),
                 format!(

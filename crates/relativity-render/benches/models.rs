@@ -5,7 +5,6 @@
 //! Memory is read where the system tells it.
 
 #[path = "../tests/models/mod.rs"]
-#[expect(dead_code, reason = "shared with tests of models")]
 mod models;
 #[path = "../tests/support/mod.rs"]
 mod support;

@@ -17,7 +17,7 @@ impl PreparedScene {
     ) -> [f64; 3] {
         let Some((triangles, point)) = self.triangles(hit.body).zip(hit.triangle) else { return colour };
         let solid = self.solid(hit.body);
-        let range = |gradient| hit.on_material(covered()).range(solid.rest_from_box(gradient));
+        let range = |gradient| covered().turned_back(hit.turn).range(solid.rest_from_box(gradient));
         let paint = appearance.paint(triangles.paint_over(point, range));
         std::array::from_fn(|part| colour[part] * paint[part])
     }

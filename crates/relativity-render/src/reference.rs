@@ -4,7 +4,7 @@
 //! `GroupView::rest_ray`), and the nearest entry into a body, by light travel, is what the aperture sees. How accurate
 //! that is says [`Method::Reference`](crate::Method::Reference).
 
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 
 use crate::backdrop::Backdrop;
 use crate::candidates::BAND;
@@ -59,11 +59,6 @@ impl Hit {
     /// Returns the normal as it is on the body at t' = 0.
     pub(crate) fn material_normal(&self) -> DVec3 {
         about_y(self.rest_normal, -self.turn)
-    }
-
-    /// Returns what is `covered` on the body as it is at t' = 0.
-    pub(crate) fn on_material(&self, covered: Covered) -> Covered {
-        if self.turn == 0.0 { covered } else { covered.turned(DQuat::from_rotation_y(-self.turn)) }
     }
 }
 
@@ -290,7 +285,8 @@ impl PreparedScene {
     pub(crate) fn mark(&self, hit: &Hit, covered: Covered) -> f64 {
         let body = &self.bodies()[hit.body];
         let place = hit.material_position - self.solid(hit.body).center();
-        let mark = |marking: &Marking| marking.mark(place, hit.material_normal(), hit.on_material(covered));
+        let mark =
+            |marking: &Marking| marking.mark(place, hit.material_normal(), covered.turned_back(hit.turn));
         body.marking.as_deref().map_or(1.0, mark)
     }
 

@@ -109,10 +109,7 @@ impl PreparedScene {
             let boxes =
                 own.iter().zip(&solids[first..]).enumerate().map(|(i, (body, solid)): (_, (_, &Solid))| {
                     let Some(spin) = body.displacing_spin() else { return solid.bounds() };
-                    let moved = match &body.triangles {
-                        Some(triangles) => TurningSolid::of_triangles(*solid, spin, triangles),
-                        None => TurningSolid::new(*solid, spin),
-                    };
+                    let moved = TurningSolid::of_body(*solid, spin, body.triangles.as_deref());
                     turning_places.resize(first + i, NONE);
                     turning_places.push(turning.len() as u32);
                     turning.push(moved);

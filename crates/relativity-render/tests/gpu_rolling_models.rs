@@ -148,7 +148,7 @@ fn the_published_model_rolls_a_box_of_triangles_as_a_box(renderers: &mut Rendere
     }
 }
 
-/// What the rays show is nearly everywhere the triangle that the reference shows there or within 0.05 px of there, at the same place on the wheel.
+/// Nearly everywhere the rays show the triangle that the reference shows there or within 0.05 px of there, at the same place on the wheel.
 fn rays_show_what_the_reference_shows(renderers: &mut Renderers) {
     let outline_px = documented(RENDERERS, "all of them within ");
     let (mut covered, mut other, mut wrong) = (0, 0, 0);

@@ -2,7 +2,6 @@
 
 #[expect(dead_code, reason = "shared with tests of other bodies")]
 mod gpu_support;
-#[expect(dead_code, reason = "shared with tests of other models")]
 mod models;
 mod support;
 

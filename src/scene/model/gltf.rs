@@ -11,6 +11,8 @@
 //!
 //! glTF has coordinates in f32, and so the crate has the numbers of nodes; they are placed in f64.
 
+use std::iter;
+
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use glam::{DMat4, DQuat, DVec3};
@@ -53,7 +55,8 @@ pub(super) fn model(bytes: &[u8], beside: Beside<'_>) -> Result<NamedModel, Stri
         }
         if let Some(name) = node.name().or_else(|| node.mesh()?.name()) {
             open.push((parts.len(), depth));
-            parts.push(Part { name: name.to_owned(), triangles: vec![first..first] });
+            let triangles = iter::once(first..first).collect();
+            parts.push(Part { name: name.to_owned(), triangles });
         }
         for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
             reader.add(&primitive, axes)?;
@@ -154,7 +157,7 @@ struct Placed<'a> {
     node: Node<'a>,
     /// From its axes to those of the scene.
     axes: DMat4,
-    /// How many nodes it lies in.
+    /// Number of nodes that it lies in.
     depth: usize,
 }
 
@@ -267,7 +270,7 @@ impl Reader<'_> {
         let factor = [red, green, blue];
         let paint = |own: [f32; 3]| std::array::from_fn(|part| (own[part] * factor[part]).clamp(0.0, 1.0));
         let Some(colours) = primitive.get(&Semantic::Colors(0)) else {
-            self.model.paints.extend(std::iter::repeat_n(paint([1.0; 3]), count));
+            self.model.paints.extend(iter::repeat_n(paint([1.0; 3]), count));
             return Ok(());
         };
         check(&colours, &COLOURS, &self.buffers)?;
@@ -290,7 +293,7 @@ impl Reader<'_> {
             Some((primitive.get(&Semantic::TexCoords(set))?, info, set))
         });
         let Some((places, info, set)) = found else {
-            self.model.texture_places.extend(std::iter::repeat_n([0.0; 2], count));
+            self.model.texture_places.extend(iter::repeat_n([0.0; 2], count));
             return Ok(Model::NO_TEXTURE);
         };
         check(&places, &TEXTURE_PLACES, &self.buffers)?;

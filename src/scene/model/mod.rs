@@ -82,7 +82,7 @@ pub(super) fn model(table: &Table, changes: Changes) -> Result<Vec<Object>, Loca
     Ok(objects)
 }
 
-/// The turning of the `wheels` of a model: they roll unless it is said that they do not.
+/// The turning of the `wheels` of a model: rolling by default.
 fn turning(table: &Table, wheels: &[&str], changes: Changes) -> Result<Option<Turning>, Located> {
     if let Some(key) = ["rolls", "rim_speed"].into_iter().find(|key| wheels.is_empty() && table.has(key)) {
         return Err(table.wrong(key, "left out where there are no `wheels`"));

@@ -5,7 +5,7 @@ use std::ops::Range;
 use relativity_render::Model;
 
 use crate::platform::messages;
-use crate::scene::names::nearest;
+use crate::scene::similar::nearest;
 
 /// A model, and the named parts of its file.
 #[derive(Default)]

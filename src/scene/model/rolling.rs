@@ -39,7 +39,7 @@ pub(super) fn wheel(model: Model, turning: Option<Turning>) -> Result<Body, Stri
     })
 }
 
-/// How far `triangles` reach from the axle through `hub`, as they are drawn.
+/// Returns the greatest distance of `triangles`, as they are drawn, from the axle through `hub`.
 fn reach(triangles: &Triangles, hub: DVec3) -> f64 {
     let off = |corner: DVec3| (triangles.middle() + corner - hub).with_y(0.0).length();
     triangles.corners().map(off).fold(0.0, f64::max)

@@ -2,7 +2,7 @@
 //!
 //! The ray is that of the other bodies, in f32; from there on places are in f64. Of a model that turns, each lane asks the reference.
 
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 
 use super::body::{Body, Group, Ray, own_ray};
 use super::colour::Hatched;
@@ -176,7 +176,7 @@ impl<S: Simd> Meetings<S> {
                     Covered::new(rest.direction, normal, shifts.map(shift))
                 });
                 let turn = view.turn_at(&seen.body.spin?, position);
-                Some(covered.turned(DQuat::from_rotation_y(-turn)))
+                Some(covered.turned_back(turn))
             };
             let range =
                 |gradient| covered().map_or(0.0, |covered| covered.range(solid.rest_from_box(gradient)));

@@ -34,6 +34,11 @@ impl Covered {
         Self { right: turn * self.right, down: turn * self.down }
     }
 
+    /// Returns the coverage of a body that has turned by this angle about +y (radians) as it is before that.
+    pub fn turned_back(self, turn: f64) -> Self {
+        if turn == 0.0 { self } else { self.turned(DQuat::from_rotation_y(-turn)) }
+    }
+
     /// Returns the range of a coordinate with this gradient that is covered.
     pub fn range(&self, gradient: DVec3) -> f64 {
         hypot(gradient.dot(self.right), gradient.dot(self.down))

@@ -7,7 +7,7 @@
 //! there at most, which Newton's method finds between ends with different signs; where |g| is larger than it can change, none; else the part
 //! is halved. So no crossing is passed, but for two that are nearer to each other than [`LEAST_PART`] of the model's reach.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::solid::{Course, TurningSolid};
 use super::spin::about_y;
@@ -27,12 +27,12 @@ const MOST_ARCS: f64 = 1000.0;
 const EDGE: f64 = 1e-9;
 /// A part of an arc that is not halved, in parts of how far the model reaches from the axle.
 const LEAST_PART: f64 = 1e-9;
-/// Most steps to a root. Each at least halves what is left where Newton's method does not.
+/// Greatest number of steps to a root. A step halves what is left where Newton's method would leave it.
 const MOST_STEPS: u32 = 100;
 
 /// A crossing of a triangle.
 struct Crossing {
-    /// The ray's parameter.
+    /// Parameter of the ray at the crossing.
     s: f64,
     point: TrianglePoint,
     /// Normal of the triangle along the axes of the model, not of unit length, and the direction in which the ray passes it there.
@@ -44,8 +44,8 @@ struct Crossing {
 struct Search<'a> {
     course: &'a Course<'a>,
     triangles: &'a Triangles,
-    /// From the axes of the model to those of the rest frame, and the axle along the former.
-    axes: glam::DMat3,
+    /// Turn from the axes of the model to those of the rest frame, and the axle along the former.
+    axes: DMat3,
     axle: DVec3,
     /// Length of a part that is not halved.
     least: f64,
@@ -82,7 +82,7 @@ impl TurningSolid {
 }
 
 impl Course<'_> {
-    fn axes(&self) -> Option<glam::DMat3> {
+    fn axes(&self) -> Option<DMat3> {
         if let Form::Block { axes, .. } = self.solid().form { Some(axes) } else { None }
     }
 }

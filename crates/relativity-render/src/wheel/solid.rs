@@ -61,8 +61,9 @@ impl TurningSolid {
         Self { solid, spin, sweep: Sweep::new(&solid, &spin) }
     }
 
-    /// The box `solid` around `triangles` that turn so.
-    pub fn of_triangles(solid: Solid, spin: Spin, triangles: &Triangles) -> Self {
+    /// The `solid` of a body that turns so; of a model, whose `triangles` it is the box around, with the least sweep.
+    pub fn of_body(solid: Solid, spin: Spin, triangles: Option<&Triangles>) -> Self {
+        let Some(triangles) = triangles else { return Self::new(solid, spin) };
         let places = triangles.corners().map(|corner| solid.center + solid.rest_from_box(corner));
         Self { solid, spin, sweep: Sweep::of_places(places, &spin) }
     }
@@ -263,7 +264,7 @@ impl<'a> Course<'a> {
         &self.body.solid
     }
 
-    /// How far the body reaches from the axle.
+    /// Returns the greatest distance of the body from the axle.
     pub fn reach(&self) -> f64 {
         self.body.sweep.outer
     }

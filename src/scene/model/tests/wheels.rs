@@ -27,7 +27,7 @@ fn cart() -> String {
     let front = prism([3.0, 0.5, 0.5], 0.5, 7, 5);
     let rear = prism([1.0, 0.5, 0.4], 0.4, 16, 19);
     let (one, other) = front.split_at(front.rfind("\nf").expect("faces") + 1);
-    format!("{plate}o front wheel\n{one}g rear wheel\n{}o front wheel\n{other}", rear)
+    format!("{plate}o front wheel\n{one}g rear wheel\n{rear}o front wheel\n{other}")
 }
 
 fn spins(scene: &Scene) -> Vec<Option<Spin>> {
@@ -73,7 +73,7 @@ fn a_named_part_of_an_obj_rolls_about_the_middle_of_the_circle_around_it() {
     let whole = with("path = \"a.obj\"").expect("it is right");
     assert_eq!(whole.bodies.len(), 1);
     // Nothing is left of it.
-    let all = WHEELS.replace("[", "[\"body\", ");
+    let all = WHEELS.replace('[', "[\"body\", ");
     assert_eq!(with(&all).expect("it is right").names, ["body", "rear wheel", "front wheel"]);
 }
 
