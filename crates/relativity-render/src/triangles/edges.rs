@@ -142,7 +142,8 @@ mod tests {
 
     /// A box whose six sides share no corners, as in a file with a normal at each.
     fn crate_model() -> Triangles {
-        let corner = |i: usize| [0, 1, 2].map(|bit| if i >> bit & 1 == 0 { -1.0 } else { 1.0 + bit as f64 });
+        let corner =
+            |i: u32| [0, 1, 2].map(|bit: u32| if i >> bit & 1 == 0 { -1.0 } else { 1.0 + f64::from(bit) });
         let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
         let corners = sides.iter().flatten().map(|&i| corner(i)).collect();
         let triangles =
