@@ -5,8 +5,6 @@ use std::collections::hash_map::Entry;
 
 use glam::{DVec3, Vec3};
 
-use super::Triangles;
-
 /// Greatest number of triangles whose own edges are drawn. Of a larger model the corners in a cell of a grid count as one of them.
 const MOST_TRIANGLES: usize = 5_000;
 /// Cells of that grid along the longest side of the box around the model: lines are off by up to so small a part of it.
@@ -29,40 +27,35 @@ struct Edge {
 
 /// The edges of a model, the longest first.
 #[derive(Debug, Default)]
-pub(super) struct Edges(Vec<Edge>);
+pub struct Edges(Vec<Edge>);
 
-impl Triangles {
-    /// Returns the ends of the model's sharp edges, from the middle of the box around it; at most 240, the longest.
-    pub fn sharp_edges(&self) -> impl Iterator<Item = [DVec3; 2]> {
-        self.edges().0.iter().filter(|edge| edge.bend.is_none()).map(|edge| edge.ends).take(MOST_EDGES)
+impl Edges {
+    /// The ends of the sharp edges, from the middle of the box; at most 240, the longest.
+    pub fn sharp(&self) -> impl Iterator<Item = [DVec3; 2]> {
+        self.0.iter().filter(|edge| edge.bend.is_none()).map(|edge| edge.ends).take(MOST_EDGES)
     }
 
-    /// Returns the ends of the edges where the surface turns away from who looks along `direction`, from the middle of the box around
-    /// the model; at most 240, the longest, and none of the sharp ones.
-    pub fn turning_edges(&self, direction: DVec3) -> impl Iterator<Item = [DVec3; 2]> {
+    /// Returns the ends of the edges where the surface turns away from who looks along `direction`, from the middle of the box; at most
+    /// 240, the longest, and none of the sharp ones.
+    pub fn turning(&self, direction: DVec3) -> impl Iterator<Item = [DVec3; 2]> {
         let turns_away = move |edge: &&Edge| {
             edge.bend.is_some_and(|[one, other]| one.dot(direction) * other.dot(direction) < 0.0)
         };
-        self.edges().0.iter().filter(turns_away).map(|edge| edge.ends).take(MOST_EDGES)
+        self.0.iter().filter(turns_away).map(|edge| edge.ends).take(MOST_EDGES)
     }
 
-    /// The edges, found when they are first asked for.
-    fn edges(&self) -> &Edges {
-        self.edges.get_or_init(|| Edges::new(self))
-    }
-}
-
-impl Edges {
-    fn new(model: &Triangles) -> Self {
-        let stands_for = joined(model);
+    /// Finds the edges of the triangles with these `corners` by number, in a box whose longest side is `size`.
+    pub fn new(corners: &[Vec3], faces: &[[u32; 3]], size: f64) -> Self {
+        let place = |corner: u32| corners[corner as usize].as_dvec3();
+        let stands_for = joined(corners, size / if faces.len() > MOST_TRIANGLES { CELLS } else { SAME });
         let mut found: HashMap<[u32; 2], Met> = HashMap::new();
-        for (number, face) in (0..).zip(&model.faces) {
+        for face in faces {
             let [a, b, c] = face.map(|corner| stands_for[corner as usize]);
             // Most triangles of a large model are within a cell.
             if a == b && b == c {
                 continue;
             }
-            let [place_a, place_b, place_c] = model.corners_of(number);
+            let [place_a, place_b, place_c] = face.map(place);
             let Some(normal) = (place_b - place_a).cross(place_c - place_a).try_normalize() else { continue };
             for [from, to] in [[a, b], [b, c], [c, a]].into_iter().filter(|[from, to]| from != to) {
                 let met = Met { normal, is_forward: from < to, other: None };
@@ -74,7 +67,6 @@ impl Edges {
                 }
             }
         }
-        let place = |corner: u32| model.corners[corner as usize].as_dvec3();
         let length = |edge: &Edge| (edge.ends[1] - edge.ends[0]).length_squared();
         // Hashing has no order: edges of one length stand in that of their corners.
         let mut found: Vec<_> = found.into_iter().collect();
@@ -120,47 +112,45 @@ impl Met {
     }
 }
 
-/// Returns for each corner the one that stands for it: the first in the same cell of a grid, which of a small model is as fine as places
-/// that a file means to be the same.
-fn joined(model: &Triangles) -> Vec<u32> {
-    let cells = if model.faces.len() > MOST_TRIANGLES { CELLS } else { SAME };
-    let cell = 2.0 * model.half.max_element() / cells;
+/// Returns for each corner the one that stands for it: the first in the same cell of a grid of this step, which of a small model is as fine
+/// as places that a file means to be the same.
+fn joined(corners: &[Vec3], step: f64) -> Vec<u32> {
     let mut first = HashMap::new();
-    let place = |corner: &Vec3| (corner.as_dvec3() / cell).round().as_i64vec3();
-    let corners = model.corners.iter().zip(0u32..);
-    corners.map(|(corner, number)| *first.entry(place(corner)).or_insert(number)).collect()
+    let cell = |corner: &Vec3| (corner.as_dvec3() / step).round().as_i64vec3();
+    let numbered = corners.iter().zip(0u32..);
+    numbered.map(|(corner, number)| *first.entry(cell(corner)).or_insert(number)).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::Model;
     use super::*;
 
-    fn model(corners: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Triangles {
-        Triangles::new(Model { corners, triangles, ..Model::default() }).expect("a model")
+    fn edges(corners: &[[f64; 3]], triangles: &[[u32; 3]]) -> Edges {
+        let corners: Vec<_> = corners.iter().map(|&corner| DVec3::from(corner).as_vec3()).collect();
+        Edges::new(&corners, triangles, 2.0)
     }
 
     /// A box whose six sides share no corners, as in a file with a normal at each.
-    fn crate_model() -> Triangles {
+    fn crate_edges() -> Edges {
         let corner =
             |i: u32| [0, 1, 2].map(|bit: u32| if i >> bit & 1 == 0 { -1.0 } else { 1.0 + f64::from(bit) });
         let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-        let corners = sides.iter().flatten().map(|&i| corner(i)).collect();
+        let corners: Vec<_> = sides.iter().flatten().map(|&i| corner(i)).collect();
         let triangles =
             (0..6u32).flat_map(|side| [[0, 1, 2], [0, 2, 3]].map(|face| face.map(|i| 4 * side + i)));
-        model(corners, triangles.collect())
+        edges(&corners, &triangles.collect::<Vec<_>>())
     }
 
     #[test]
     fn a_box_is_drawn_with_its_twelve_edges() {
-        let model = crate_model();
-        let edges: Vec<_> = model.sharp_edges().collect();
+        let found = crate_edges();
+        let edges: Vec<_> = found.sharp().collect();
         assert_eq!(edges.len(), 12);
         for [from, to] in edges {
             // An edge of a box runs along one axis; a diagonal would run along two.
             assert_eq!((to - from).abs().to_array().iter().filter(|part| **part > 0.0).count(), 1);
         }
-        assert_eq!(model.turning_edges(DVec3::new(0.3, 0.5, 0.8)).count(), 0);
+        assert_eq!(found.turning(DVec3::new(0.3, 0.5, 0.8)).count(), 0);
     }
 
     /// Rings of a ball: seen from anywhere it turns away along a great circle across the line of sight, however fine it is.
@@ -181,13 +171,11 @@ mod tests {
                     [at(ring, turn), at(ring + 1, turn), at(ring + 1, turn + 1), at(ring, turn + 1)];
                 [[a, b, c], [a, c, d]]
             };
-            let ball = model(
-                (0..(rings + 1) * turns).map(corner).collect(),
-                (0..rings * turns).flat_map(square).collect(),
-            );
-            assert_eq!(ball.sharp_edges().count(), 0, "{rings}");
+            let corners: Vec<_> = (0..(rings + 1) * turns).map(corner).collect();
+            let ball = edges(&corners, &(0..rings * turns).flat_map(square).collect::<Vec<_>>());
+            assert_eq!(ball.sharp().count(), 0, "{rings}");
             for direction in [DVec3::Z, DVec3::X, DVec3::new(0.6, -0.48, 0.64)] {
-                let edges: Vec<_> = ball.turning_edges(direction).collect();
+                let edges: Vec<_> = ball.turning(direction).collect();
                 let length: f64 = edges.iter().map(|[from, to]| (*to - *from).length()).sum();
                 // It goes around once, in steps along the net of the corners.
                 assert!(

@@ -27,6 +27,7 @@ use std::sync::{Arc, OnceLock};
 use glam::{DVec3, Vec3};
 use relativity_core::threads::prelude::*;
 
+use self::edges::Edges;
 pub use self::error::TrianglesError;
 pub use self::limits::{LEAST_SIZE, MOST_COORDINATE, MOST_TEXELS, MOST_TRIANGLES, MOST_WRAPS};
 pub use self::model::Model;
@@ -57,7 +58,7 @@ pub struct Triangles {
     fingerprint: u64,
     /// Length of the longest edge, in the measure of `relative_length`.
     longest_edge: f64,
-    edges: OnceLock<edges::Edges>,
+    edges: OnceLock<Edges>,
 }
 
 impl Triangles {
@@ -146,6 +147,22 @@ impl Triangles {
     #[must_use]
     pub const fn fingerprint(&self) -> u64 {
         self.fingerprint
+    }
+
+    /// Returns the ends of the model's sharp edges, from the middle of the box around it; at most 240, the longest.
+    pub fn sharp_edges(&self) -> impl Iterator<Item = [DVec3; 2]> {
+        self.edges().sharp()
+    }
+
+    /// Returns the ends of the edges where the surface turns away from who looks along `direction`, from the middle of the box around the
+    /// model; at most 240, the longest, and none of the sharp ones.
+    pub fn turning_edges(&self, direction: DVec3) -> impl Iterator<Item = [DVec3; 2]> {
+        self.edges().turning(direction)
+    }
+
+    /// The edges, found when they are first asked for.
+    fn edges(&self) -> &Edges {
+        self.edges.get_or_init(|| Edges::new(&self.corners, &self.faces, 2.0 * self.half.max_element()))
     }
 
     /// The corners that triangles have, from the middle of the box.
