@@ -43,52 +43,52 @@ pub enum Quantity {
     Distance,
 }
 
-/// What is known of a quantity.
+/// The names, the unit and the formula of a quantity.
 #[derive(Debug, Clone, Copy)]
 pub struct Row {
-    /// The quantity in files: of a lesson's curve, and of a table's column.
+    /// The name of the quantity in files, as of a lesson's curve.
     pub id: &'static str,
     /// Its symbol, or its name where it has none.
     pub symbol: &'static str,
     /// Its name, with the symbol.
     pub name: &'static str,
-    /// What it is, and its formula.
+    /// An explanation of the quantity, with its formula.
     pub about: &'static str,
-    /// What it is counted in.
+    /// The dimension that the quantity is counted in.
     pub dimension: Dimension,
     /// Decimals that are shown of it, in units of the scene.
     pub decimals: u8,
     /// Whether its axes are logarithmic.
     pub is_logarithmic: bool,
-    /// How it follows from what is seen.
+    /// The function of what is seen that gives the quantity.
     pub of: Of,
 }
 
-/// What a quantity is counted in.
+/// The dimension of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {
-    /// Radians.
+    /// An angle, in radians.
     Angle,
-    /// Units of length.
+    /// A length, in the scene's unit.
     Length,
-    /// Units of time.
+    /// A time, in the scene's unit.
     Time,
     /// No unit: a ratio, or a rapidity.
     Ratio,
 }
 
-/// How a quantity follows from what is seen.
+/// The function of what is seen that gives a quantity.
 #[derive(Debug, Clone, Copy)]
 pub enum Of {
-    /// From what both eyes see.
+    /// A function of what both eyes see.
     Pair(fn(&Disparity) -> f64),
-    /// From what one eye sees.
+    /// A function of what one eye sees.
     Sighting(fn(&Sighting) -> f64),
-    /// From where the point is in both eyes' conformal pictures.
+    /// A function of the places in both eyes' conformal pictures.
     ConformalPair(fn(&ConformalDisparity) -> f64),
-    /// From where the point is in one eye's conformal picture.
+    /// A function of the place in one eye's conformal picture.
     Conformal(fn(&Conformal) -> f64),
-    /// From where two eyes place the point.
+    /// A function of the stereo position.
     Stereo(fn(&Stereo) -> f64),
 }
 

@@ -48,7 +48,7 @@ pub fn strokes(body: &Body) -> impl Iterator<Item = Vec<DVec3>> + use<> {
     })
 }
 
-/// Where the box around a model rests in its group.
+/// The place of the box around a model, at rest in its group.
 #[derive(Debug, Clone, Copy)]
 struct AtRest {
     middle: DVec3,

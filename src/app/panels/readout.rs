@@ -208,7 +208,7 @@ const PUBLISHED_TIP: &str = "What the views show of the selected point now. The 
     exactly; in the published model the right eye has what the left one sees at T − ΔT, measured from the \
     left eye. Point at a number for the exact one. Click to fold the table away.";
 
-/// The rows of every point, between which that of T stands.
+/// The rows above the row of T, and those below it.
 const ABOVE: [Quantity; 1] = [Quantity::Doppler];
 const BELOW: [Quantity; 7] = [
     Quantity::EmissionTime,
@@ -221,7 +221,7 @@ const BELOW: [Quantity; 7] = [
 ];
 /// The rows of a conformal picture.
 const CONFORMAL: [Quantity; 2] = [Quantity::U, Quantity::V];
-/// Decimals of T.
+/// Number of decimals in the row of T.
 const TIME_DECIMALS: u8 = 4;
 
 /// A row of numbers of a point that turns with a wheel.

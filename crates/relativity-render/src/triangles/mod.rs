@@ -160,7 +160,7 @@ impl Triangles {
         self.edges().turning(direction)
     }
 
-    /// The edges, found when they are first asked for.
+    /// Returns the edges, which the first call finds.
     fn edges(&self) -> &Edges {
         self.edges.get_or_init(|| Edges::new(&self.corners, &self.faces, 2.0 * self.half.max_element()))
     }

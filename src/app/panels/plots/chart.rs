@@ -17,7 +17,7 @@ use crate::units::{Measures, Unit};
 pub(super) struct Chart<'a> {
     /// Quantity that is plotted.
     pub quantity: Quantity,
-    /// What lengths and times are shown in.
+    /// The units in which lengths and times are shown.
     pub measures: Measures,
     /// The unit of its values as they are shown.
     pub unit: Unit,

@@ -26,16 +26,16 @@ pub(in crate::app) use sampled::{Sample, sampled};
 pub struct Curve {
     /// Quantity that is plotted.
     pub quantity: Quantity,
-    /// Who has the value.
+    /// The observer whose value it is.
     pub whose: Whose,
 }
 
-/// Who has a value of a quantity.
+/// The observer to whom a value of a quantity belongs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Whose {
-    /// Both eyes together.
+    /// Both eyes together, as one observer.
     Both,
-    /// One eye.
+    /// One of the two eyes.
     Eye(Eye),
     /// Eyes gamma d apart, of the point at rest.
     Resting,

@@ -64,8 +64,8 @@ pub fn sampled<const N: usize>(
     thinned(samples, &tolerances, (range[1] - range[0]) * TOLERANCE)
 }
 
-/// How far a sample that is left out may be from the one before, as a part of a chord's greatest distance from the curve: it adds so
-/// much to that.
+/// The greatest distance of a sample that is left out from the one before, as a part of a chord's greatest distance from the curve: a
+/// drawn curve is off by both together at most.
 const LEFT_OUT: f64 = 0.5;
 
 /// Without the samples that lie on the one before, as drawn: a line through them would be drawn uneven.
