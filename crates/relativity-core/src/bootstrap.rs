@@ -46,7 +46,7 @@ impl Bootstrap {
     /// the same replicates.
     pub fn extend(&mut self, fit: &Fit, more: usize, seed: u64) {
         // It is never told to stop.
-        self.estimates.extend(estimates(fit, self.estimates.len(), more, seed, || false).unwrap_or_default());
+        self.estimates.extend(estimates(fit, self.estimates.len(), more, seed));
     }
 
     /// Returns the bootstrap, if enough of its replicates have a fit.
@@ -155,43 +155,19 @@ fn quantile(values: &[f64], share: f64) -> f64 {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn bootstrap(fit: &Fit, replicates: usize, seed: u64) -> Result<Bootstrap, FitError> {
-    let none = Err(FitError::Bootstrap { failed: replicates, replicates });
-    bootstrap_unless(fit, replicates, seed, || false).unwrap_or(none)
+    Bootstrap { estimates: estimates(fit, 0, replicates, seed) }.checked()
 }
 
-/// Draws a [`bootstrap`] unless `stopped` becomes true, which is read before each replicate: then the result is `None`.
-///
-/// # Errors
-///
-/// As [`bootstrap`].
-pub fn bootstrap_unless(
-    fit: &Fit,
-    replicates: usize,
-    seed: u64,
-    stopped: impl Fn() -> bool + Sync,
-) -> Option<Result<Bootstrap, FitError>> {
-    Some(Bootstrap { estimates: estimates(fit, 0, replicates, seed, stopped)? }.checked())
-}
-
-/// Returns `count` replicates from number `first` on, unless `stopped` becomes true.
-fn estimates(
-    fit: &Fit,
-    first: usize,
-    replicates: usize,
-    seed: u64,
-    stopped: impl Fn() -> bool + Sync,
-) -> Option<Vec<Option<[f64; 4]>>> {
-    let Some(shared) = Shared::new(fit) else { return Some(vec![None; replicates]) };
-    (first as u64..(first + replicates) as u64)
+/// Returns `count` replicates from number `first` on.
+fn estimates(fit: &Fit, first: usize, count: usize, seed: u64) -> Vec<Option<[f64; 4]>> {
+    let Some(shared) = Shared::new(fit) else { return vec![None; count] };
+    (first as u64..(first + count) as u64)
         .into_par_iter()
         .map_init(
             || vec![0.0; fit.problem.rows.len()],
             |counts, stream| {
-                if stopped() {
-                    return None;
-                }
                 draw(counts, seed, stream);
-                Some(shared.estimate(counts))
+                shared.estimate(counts)
             },
         )
         .collect()
@@ -336,19 +312,6 @@ mod tests {
                 assert!(error < 2e-3 * best.standard_error(parameter), "{parameter:?}: {error:e}");
             }
         }
-    }
-
-    #[test]
-    fn a_stopped_bootstrap_has_no_result() {
-        let observations = Observations::of_pair(0.1, samples()).expect("usable samples");
-        let best = fit(&observations, &FitOptions { curves: Curves::Azimuth, ..FitOptions::default() });
-        let best = best.expect("a fit");
-        let asked = std::sync::atomic::AtomicUsize::new(0);
-        let stopped = || asked.fetch_add(1, std::sync::atomic::Ordering::Relaxed) >= 100;
-        assert_eq!(bootstrap_unless(&best, 100_000, 3, stopped), None);
-        let asked = asked.into_inner();
-        assert!(asked < 10_000, "it went on for {asked} replicates");
-        assert_eq!(bootstrap_unless(&best, 20, 3, || false), Some(bootstrap(&best, 20, 3)));
     }
 
     #[test]

@@ -108,7 +108,7 @@ pub mod wheel;
 pub use aperture::Aperture;
 pub use apparent::{Sighting, sighting};
 pub use baseline::{Baseline, HeadAxes};
-pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap, bootstrap_unless};
+pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap};
 pub use combined::{Combined, combined};
 pub use conformal::{Conformal, ConformalDisparity};
 pub use disparity::{Disparity, disparities, disparity};
