@@ -1,9 +1,12 @@
-//! A tram of 1,274 triangles with eight named wheels, as Wavefront OBJ with colours: `assets/scenes/tram.obj`.
+//! A tram of 1,302 triangles with eight named wheels and a board on its roof, as Wavefront OBJ with colours and a texture:
+//! `tram.obj`, `tram.mtl` and `tram.png` in `assets/scenes`.
 //!
-//! `cargo run --example tram > assets/scenes/tram.obj`
+//! `cargo run --example tram` writes them.
 
+use std::error::Error;
 use std::f64::consts::PI;
 use std::fmt::Write as _;
+use std::fs::{self, File};
 
 type Colour = [f64; 3];
 
@@ -21,14 +24,63 @@ const AXLES: [f64; 4] = [-3.4, -2.0, 2.0, 3.4];
 /// Number of sides of what is round.
 const SIDES: usize = 16;
 
-fn main() {
-    print!("{}", text());
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/scenes");
+    fs::write(format!("{folder}/tram.obj"), text())?;
+    fs::write(format!("{folder}/tram.mtl"), MATERIALS)?;
+    let ([width, height], levels) = board();
+    let mut picture = png::Encoder::new(File::create(format!("{folder}/tram.png"))?, width, height);
+    picture.set_color(png::ColorType::Grayscale);
+    picture.write_header()?.write_image_data(&levels)?;
+    Ok(())
 }
 
-/// Returns the contents of the file.
+/// The materials of the model: paint, and the board.
+pub const MATERIALS: &str = "newmtl paint\nKd 1 1 1\nnewmtl board\nKd 1 1 1\nmap_Kd tram.png\n";
+
+/// The words on the board.
+const WORDS: &str = "STATION - POST OFFICE";
+/// Texels of each square of a letter, and squares around the words.
+const SQUARE: u32 = 4;
+const MARGIN: u32 = 2;
+
+/// The letters, rows of five squares from the top, the leftmost square 16.
+const fn letter(letter: char) -> [u8; 7] {
+    match letter {
+        'A' => [14, 17, 17, 31, 17, 17, 17],
+        'C' => [14, 17, 16, 16, 16, 17, 14],
+        'E' => [31, 16, 16, 30, 16, 16, 31],
+        'F' => [31, 16, 16, 30, 16, 16, 16],
+        'I' => [14, 4, 4, 4, 4, 4, 14],
+        'N' => [17, 25, 21, 19, 17, 17, 17],
+        'O' => [14, 17, 17, 17, 17, 17, 14],
+        'P' => [30, 17, 17, 30, 16, 16, 16],
+        'S' => [15, 16, 16, 14, 1, 1, 30],
+        'T' => [31, 4, 4, 4, 4, 4, 4],
+        '-' => [0, 0, 0, 31, 0, 0, 0],
+        _ => [0; 7],
+    }
+}
+
+/// Returns the board's picture: its width and height, and the grey level of each texel, in rows from the top.
+#[must_use]
+pub fn board() -> ([u32; 2], Vec<u8>) {
+    let size = [(6 * WORDS.len() as u32 - 1 + 2 * MARGIN) * SQUARE, (7 + 2 * MARGIN) * SQUARE];
+    let is_dark = |texel: u32| {
+        let place = [texel % size[0], texel / size[0]].map(|texel| (texel / SQUARE).checked_sub(MARGIN));
+        let [Some(column), Some(row)] = place else { return false };
+        let letter = WORDS.chars().nth(column as usize / 6).map_or([0; 7], letter);
+        column % 6 < 5 && letter.get(row as usize).is_some_and(|row| row >> (4 - column % 6) & 1 == 1)
+    };
+    (size, (0..size[0] * size[1]).map(|texel| if is_dark(texel) { 24 } else { 236 }).collect())
+}
+
+/// Returns the contents of `tram.obj`.
 #[must_use]
 pub fn text() -> String {
-    let mut tram = Mesh::default();
+    // The corners of the board's picture.
+    let head = "mtllib tram.mtl\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl paint\n";
+    let mut tram = Mesh { text: head.to_owned(), corners: 0 };
     let [length, width] = HALF;
     tram.part("car");
     tram.block([-length, -width, 0.5], [length, width, 1.6], RED);
@@ -59,6 +111,9 @@ pub fn text() -> String {
     tram.bar([-0.5, 0.4, 3.4], [0.6, 0.4, 4.1]);
     tram.bar([-0.5, -0.4, 3.4], [0.6, -0.4, 4.1]);
     tram.bar([0.6, -0.8, 4.1], [0.6, 0.8, 4.1]);
+    for side in [-1.0, 1.0] {
+        tram.board(side);
+    }
     for (number, axle) in (1..).zip(AXLES) {
         for (name, side) in [("right", -0.75), ("left", 0.75)] {
             tram.part(&format!("{name} wheel {number}"));
@@ -71,7 +126,6 @@ pub fn text() -> String {
 }
 
 /// The corners and faces so far.
-#[derive(Default)]
 struct Mesh {
     text: String,
     corners: usize,
@@ -91,6 +145,23 @@ impl Mesh {
         let numbers = (self.corners + 1..=self.corners + corners.len()).map(|number| format!(" {number}"));
         let _ = writeln!(self.text, "f{}", numbers.collect::<String>());
         self.corners += corners.len();
+    }
+
+    /// A board on an edge of the roof, whose words are read from that side.
+    fn board(&mut self, side: f64) {
+        let (half, [low, high]) = (2.6, [3.05, 3.49]);
+        let depth = [1.0, 1.04].map(|y| side * y);
+        self.block([-half, depth[0].min(depth[1]), low], [half, depth[0].max(depth[1]), high], DARK);
+        // From there the words begin on the left.
+        let [left, right, y] = [side * half, -side * half, side * 1.045];
+        self.text.push_str("usemtl board\n");
+        for [x, z] in [[left, low], [right, low], [right, high], [left, high]] {
+            let _ = writeln!(self.text, "v {x:.3} {y:.3} {z:.3} 1 1 1");
+        }
+        let numbers = (1..=4).map(|i| format!(" {}/{i}", self.corners + i));
+        let _ = writeln!(self.text, "f{}", numbers.collect::<String>());
+        self.text.push_str("usemtl paint\n");
+        self.corners += 4;
     }
 
     /// A block between two corners.

@@ -187,12 +187,19 @@ mod tram;
 #[test]
 fn the_tram_is_what_its_example_writes() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/scenes");
-    let written = std::fs::read_to_string(format!("{folder}/tram.obj")).expect("it is there");
-    assert!(written == tram::text(), "cargo run --example tram > assets/scenes/tram.obj");
+    let written = |name: &str| std::fs::read(format!("{folder}/{name}")).expect("it is there");
+    assert!(written("tram.obj") == tram::text().into_bytes(), "run `cargo run --example tram`");
+    assert!(written("tram.mtl") == tram::MATERIALS.as_bytes(), "run `cargo run --example tram`");
+    let mut picture =
+        png::Decoder::new(std::io::Cursor::new(written("tram.png"))).read_info().expect("it is a PNG");
+    let (size, levels) = tram::board();
+    let mut found = vec![0; levels.len()];
+    let read = picture.next_frame(&mut found).expect("it is as large");
+    assert!(([read.width, read.height], &found) == (size, &levels), "run `cargo run --example tram`");
     let scene = Scene::load(format!("{folder}/tram.toml").as_ref()).unwrap_or_else(|error| panic!("{error}"));
     let [body, wheels @ ..] = &scene.bodies[..] else { panic!("it has bodies") };
     let count = |body: &relativity_render::Body| body.triangles.as_ref().expect("a model").count();
-    assert_eq!((count(body), wheels.iter().map(count).collect::<Vec<_>>()), (698, vec![72; 8]));
+    assert_eq!((count(body), wheels.iter().map(count).collect::<Vec<_>>()), (726, vec![72; 8]));
     for spin in wheels.iter().map(|wheel| wheel.spin.expect("it rolls")) {
         let low = spin.hub[2] - spin.radius;
         // The file has three decimals.

@@ -39,7 +39,12 @@ pub(super) fn text(name: &str) -> Option<&'static str> {
 
 /// The file of a model in a preset.
 pub(super) fn model_file(name: &str) -> Option<&'static [u8]> {
-    (name == "tram.obj").then_some(include_bytes!("../../assets/scenes/tram.obj"))
+    match name {
+        "tram.obj" => Some(include_bytes!("../../assets/scenes/tram.obj")),
+        "tram.mtl" => Some(include_bytes!("../../assets/scenes/tram.mtl")),
+        "tram.png" => Some(include_bytes!("../../assets/scenes/tram.png")),
+        _ => None,
+    }
 }
 
 /// Whether there are wheels in the preset of that name, or in what it includes.
