@@ -49,8 +49,8 @@ pub enum Method {
     ///
     /// Of models (`tests/gpu_models.rs`, to gamma = 1e30) no ray passes between triangles that share corners; models of triangles show another
     /// triangle at up to 0.01 % of the pixels that a thousand small ones cover, each within 0.05 px of the one that is seen there.
-    /// Those that roll (`tests/gpu_rolling_models.rs`, up to beta = 0.999) show what is not seen within those 0.05 px at up to 0.05 % of their
-    /// pixels, where light grazes a triangle; places on them are within 1e-3.
+    /// Those that roll (`tests/gpu_rolling_models.rs`, up to beta = 0.999) show what is not seen within those 0.05 px at up to 0.01 % of their
+    /// pixels (at none of 10,172 there); places on them are within 1e-3.
     /// Each of a pixel's four samples looks for itself. On the device a triangle takes 64 bytes, and its share of the boxes 16 to 64.
     Rays,
     /// A ray test per pixel on the CPU, in f32, eight pixels at a time.
