@@ -126,12 +126,42 @@ fn passed(middle: vec3f, half: vec3f, start: vec3f, reciprocal: vec3f) -> vec2f 
     return vec2f(max(enters.x, max(enters.y, enters.z)), min(leaves.x, min(leaves.y, leaves.z)));
 }
 
+// One over each part of a direction, of which none is taken for 0.
+fn reciprocal_of(direction: vec3f) -> vec3f {
+    let least = vec3f(1e-12);
+    let steep = select(direction, select(least, -least, direction < vec3f(0.0)), abs(direction) < least);
+    return 1.0 / steep;
+}
+
+// Those of the two boxes below a node that a ray enters: how many, the link to the nearer, and that to the other.
+struct Entered {
+    count: u32,
+    nearer: u32,
+    other: u32,
+}
+
+// The boxes below the node at `link`, larger by `room` on all sides, that a ray is in somewhere between `least` and `most` along it.
+fn entered(row: u32, link: u32, start: vec3f, reciprocal: vec3f, room: f32, least: f32, most: f32) -> Entered {
+    let one = texel(row, link, 0u);
+    let other = texel(row, link, 2u);
+    let half = bitcast<vec3f>(texel(row, link, 1u).xyz) + room;
+    let other_half = bitcast<vec3f>(texel(row, link, 3u).xyz) + room;
+    let near = passed(bitcast<vec3f>(one.xyz), half, start, reciprocal);
+    let far = passed(bitcast<vec3f>(other.xyz), other_half, start, reciprocal);
+    let is_one = near.x <= near.y && near.y >= least && near.x <= most;
+    let is_other = far.x <= far.y && far.y >= least && far.x <= most;
+    let other_first = !is_one || (is_other && far.x < near.x);
+    return Entered(
+        u32(is_one) + u32(is_other),
+        select(one.w, other.w, other_first),
+        select(other.w, one.w, other_first),
+    );
+}
+
 // The first triangle of the model in `row` that a ray meets further on than `behind`, of equally near ones that of the lowest number.
 fn first_met(row: u32, start: vec3f, direction: vec3f, behind: f32, is_two_sided: bool) -> Met {
     let ray = sheared(start, direction);
-    let least = vec3f(1e-12);
-    let steep = select(direction, select(least, -least, direction < vec3f(0.0)), abs(direction) < least);
-    let reciprocal = 1.0 / steep;
+    let reciprocal = reciprocal_of(direction);
     var first = Met(0u, 1e30, vec3f(0.0));
     var number = 0u;
     var waiting: array<u32, MOST_WAITING>;
@@ -151,19 +181,11 @@ fn first_met(row: u32, start: vec3f, direction: vec3f, behind: f32, is_two_sided
                 }
             }
         } else {
-            let one = texel(row, link, 0u);
-            let other = texel(row, link, 2u);
-            let half = bitcast<vec3f>(texel(row, link, 1u).xyz);
-            let other_half = bitcast<vec3f>(texel(row, link, 3u).xyz);
-            let near = passed(bitcast<vec3f>(one.xyz), half, start, reciprocal);
-            let far = passed(bitcast<vec3f>(other.xyz), other_half, start, reciprocal);
-            let is_one = near.x <= near.y && near.y >= behind && near.x <= first.distance;
-            let is_other = far.x <= far.y && far.y >= behind && far.x <= first.distance;
-            if is_one || is_other {
-                let other_first = !is_one || (is_other && far.x < near.x);
-                link = select(one.w, other.w, other_first);
-                if is_one && is_other {
-                    waiting[count] = select(other.w, one.w, other_first);
+            let below = entered(row, link, start, reciprocal, 0.0, behind, first.distance);
+            if below.count > 0u {
+                link = below.nearer;
+                if below.count == 2u {
+                    waiting[count] = below.other;
                     count++;
                 }
                 continue;

@@ -164,9 +164,7 @@ fn first_met_by_arc(row: u32, path: Path, arc: PathPart, is_two_sided: bool) -> 
     let chord = length(arc.end - arc.begin);
     let direction = (arc.end - arc.begin) / max(chord, 1e-30);
     let bulge = 0.125 * path.curvature * length_of_arc * length_of_arc + 1e-6 * path.reach;
-    let least = vec3f(1e-12);
-    let steep = select(direction, select(least, -least, direction < vec3f(0.0)), abs(direction) < least);
-    let reciprocal = 1.0 / steep;
+    let reciprocal = reciprocal_of(direction);
     var first = Met(0u, 1e30, vec3f(0.0));
     var farthest = chord + bulge;
     var number = 0u;
@@ -188,19 +186,11 @@ fn first_met_by_arc(row: u32, path: Path, arc: PathPart, is_two_sided: bool) -> 
                 }
             }
         } else {
-            let one = texel(row, link, 0u);
-            let other = texel(row, link, 2u);
-            let half = bitcast<vec3f>(texel(row, link, 1u).xyz) + bulge;
-            let other_half = bitcast<vec3f>(texel(row, link, 3u).xyz) + bulge;
-            let near = passed(bitcast<vec3f>(one.xyz), half, arc.begin, reciprocal);
-            let far = passed(bitcast<vec3f>(other.xyz), other_half, arc.begin, reciprocal);
-            let is_one = near.x <= near.y && near.y >= -bulge && near.x <= farthest;
-            let is_other = far.x <= far.y && far.y >= -bulge && far.x <= farthest;
-            if is_one || is_other {
-                let other_first = !is_one || (is_other && far.x < near.x);
-                link = select(one.w, other.w, other_first);
-                if is_one && is_other {
-                    waiting[count] = select(other.w, one.w, other_first);
+            let below = entered(row, link, arc.begin, reciprocal, bulge, -bulge, farthest);
+            if below.count > 0u {
+                link = below.nearer;
+                if below.count == 2u {
+                    waiting[count] = below.other;
                     count++;
                 }
                 continue;
