@@ -24,6 +24,7 @@ mod gpu_errors;
 mod graphics;
 #[cfg(feature = "desktop")]
 mod icon;
+mod image;
 #[cfg(feature = "desktop")]
 pub mod launch;
 pub mod lesson;

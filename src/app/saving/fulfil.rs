@@ -1,12 +1,13 @@
 //! Does what the state cannot do itself: writes files, and copies.
 
-use eframe::egui::{ColorImage, Context, Ui};
+use eframe::egui::{Context, Ui};
 use relativity_render::Picture;
 
 use super::MOST_FRAMES;
 use super::work::{Job, Made, SceneSnapshot, name_of};
 use crate::app::App;
 use crate::app::file_dialog::purpose::Product;
+use crate::app::image;
 use crate::app::notice::Notice;
 use crate::app::orders::{Copied, Order, Saving};
 #[cfg(not(feature = "desktop"))]
@@ -46,8 +47,7 @@ impl App {
             }
             Some(Made::Picture(Picture { size, rgba })) => {
                 self.tell(ctx, Notice::done("Copied the picture."));
-                let size = size.map(|side| side as usize);
-                ctx.copy_image(ColorImage::from_rgba_unmultiplied(size, rgba.as_flattened()));
+                ctx.copy_image(image::of_pixels(size, &rgba));
             }
             Some(Made::Nothing(path, problem)) => self.tell(ctx, Notice::error(problem).about(&path)),
         }

@@ -1,8 +1,9 @@
 //! A picture made in the background, as it takes longer than a frame.
 
-use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use eframe::egui::{Context, TextureHandle, TextureOptions};
 use relativity_render::Picture;
 
+use crate::app::image;
 use crate::app::worker::{BackgroundWork, Work};
 
 /// The newest picture, and the one that is being made.
@@ -31,8 +32,7 @@ impl<W: Work<Result = Picture, Job: Clone + PartialEq, Tools: Send>> BackgroundP
     /// The newest picture, be it outdated or not.
     pub fn newest(&mut self) -> Option<&TextureHandle> {
         if let Some(((), Picture { size, rgba })) = self.worker.result() {
-            let size = size.map(|side| side as usize);
-            let image = ColorImage::from_rgba_unmultiplied(size, rgba.as_flattened());
+            let image = image::of_pixels(size, &rgba);
             match &mut self.texture {
                 Some(texture) => texture.set(image, TextureOptions::LINEAR),
                 none => *none = Some(self.ctx.load_texture(W::NAME, image, TextureOptions::LINEAR)),

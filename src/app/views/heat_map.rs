@@ -8,6 +8,7 @@ use relativity_core::math;
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::{ARCSECONDS, Difference, PixelDifference};
+use crate::app::image;
 
 /// Powers of ten of a pixel, from the darkest to the brightest colour.
 pub const DECADES: RangeInclusive<f64> = -8.0..=0.0;
@@ -52,7 +53,7 @@ impl HeatMap {
     /// Returns the map as an image for the window.
     #[must_use]
     pub fn image(&self) -> ColorImage {
-        ColorImage::from_rgba_unmultiplied(self.size.map(|side| side as usize), self.rgba.as_flattened())
+        image::of_pixels(self.size, &self.rgba)
     }
 }
 

@@ -4,11 +4,12 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use eframe::egui::{Context, TextureHandle, TextureOptions};
 use relativity_render::Picture;
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::REFERENCE_SAMPLES;
+use crate::app::image;
 use crate::app::state::State;
 use crate::app::views::reference_steps::{Drawing, ReferenceSteps};
 use crate::app::worker::{BackgroundWork, Step, Wanted, Work};
@@ -100,9 +101,7 @@ impl Thumbnails {
             return;
         };
         let texture = picture.map(|Picture { size, rgba }| {
-            let size = size.map(|side| side as usize);
-            let image = ColorImage::from_rgba_unmultiplied(size, rgba.as_flattened());
-            ctx.load_texture(&key.name, image, TextureOptions::LINEAR)
+            ctx.load_texture(&key.name, image::of_pixels(size, &rgba), TextureOptions::LINEAR)
         });
         self.kept.insert(key, KeptThumbnail { in_light_window, texture });
         self.count += 1;
