@@ -8,7 +8,7 @@ mod support;
 use std::process::ExitCode;
 
 use gpu_support::scenes::{conformal_views, parallel_views, speeds, time_seen_at, view_following};
-use models::{ball_model, box_model, exact_box, is_nearby, scene_of, soup, view};
+use models::{assert_published_alike, ball_model, box_model, exact_box, is_nearby, scene_of, soup, view};
 use relativity_render::{
     Appearance, Body, Colour, Geometry, Group, Hit, HitImage, Method, Model, Motion, PreparedScene,
     Renderers, Shading, Shape, Velocity, View,
@@ -243,23 +243,9 @@ fn a_mesh_has_no_gaps(renderers: &mut Renderers) {
     }
 }
 
-/// Both meshes are of the same faces, though not of the same triangles.
 fn the_published_model_shows_a_box_of_triangles_as_a_box(renderers: &mut Renderers) {
     let scenes = [PreparedScene::moving(&[Body::white(exact_box())]), scene_of(box_model())];
-    for beta in [0.0, 0.6, 0.95] {
-        let view = view(beta, Geometry::Published, [96, 72]);
-        let [expected, found] = [&scenes[0], &scenes[1]].map(|scene| {
-            renderers.hits(Method::Mesh { bound_px: 0.1 }, scene, &view).expect("device works").hits
-        });
-        let (mut both, mut either) = (0, 0);
-        for pair in expected.iter().zip(&found) {
-            either += usize::from(pair.0.is_some() || pair.1.is_some());
-            let (Some(expected), Some(found)) = pair else { continue };
-            // A pixel is about 0.03 wide there, and more of a face that is seen aslant.
-            both += usize::from(expected.rest_position.distance(found.rest_position) < 0.02);
-        }
-        assert!(both > 500 && 100 * both > 97 * either, "{both} of {either} at {beta}");
-    }
+    assert_published_alike(renderers, &scenes, [0.0, 0.6, 0.95]);
 }
 
 fn a_box_of_triangles_looks_like_a_box(renderers: &mut Renderers) {

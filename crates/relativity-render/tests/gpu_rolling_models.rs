@@ -7,7 +7,9 @@ mod support;
 
 use std::process::ExitCode;
 
-use models::{box_model, exact_box, is_nearby, rolling, soup, spin, view, wheel_model};
+use models::{
+    assert_published_alike, box_model, exact_box, is_nearby, rolling, soup, spin, view, wheel_model,
+};
 use relativity_render::{
     Appearance, Body, Colour, EyeTarget, Geometry, Hit, MaterialPoint, Method, Model, PreparedScene,
     Renderers, View,
@@ -129,23 +131,9 @@ fn a_mesh_of_a_rolling_model_has_the_colours_of_the_reference(renderers: &mut Re
     }
 }
 
-/// Both meshes are of the same faces, though not of the same triangles.
 fn the_published_model_rolls_a_box_of_triangles_as_a_box(renderers: &mut Renderers) {
     let exact = PreparedScene::moving(&[Body::white(exact_box()).turning(spin(1.2))]);
-    let scenes = [exact, rolling(box_model(), 1.2)];
-    for beta in [0.3, 0.6, 0.93] {
-        let view = view(beta, Geometry::Published, [96, 72]);
-        let [expected, found] = [&scenes[0], &scenes[1]].map(|scene| {
-            renderers.hits(Method::Mesh { bound_px: 0.1 }, scene, &view).expect("device works").hits
-        });
-        let (mut both, mut either) = (0, 0);
-        for pair in expected.iter().zip(&found) {
-            either += usize::from(pair.0.is_some() || pair.1.is_some());
-            let (Some(expected), Some(found)) = pair else { continue };
-            both += usize::from(expected.material_position.distance(found.material_position) < 0.02);
-        }
-        assert!(both > 500 && 100 * both > 97 * either, "{both} of {either} at {beta}");
-    }
+    assert_published_alike(renderers, &[exact, rolling(box_model(), 1.2)], [0.3, 0.6, 0.93]);
 }
 
 /// Nearly everywhere the rays show the triangle that the reference shows there or within 0.05 px of there, at the same place on the wheel.

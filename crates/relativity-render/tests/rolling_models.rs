@@ -1,4 +1,4 @@
-//! Models of triangles that roll: against our exact wheel, against a search in small steps along the light, and against the model that stands.
+//! Models of triangles that roll, held against our exact wheel, a search in small steps along the light, and the same model at rest.
 
 use std::f64::consts::TAU;
 

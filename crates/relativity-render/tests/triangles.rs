@@ -1,6 +1,6 @@
 //! Models of triangles against what they stand for: our exact box and ball, and every triangle tested one by one.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 use relativity_render::{
@@ -251,4 +251,22 @@ fn a_flat_model_is_seen_and_one_of_one_side_only_from_there() {
     let count = seen([0, 1, 2], true);
     assert!(count > 50);
     assert_eq!([seen([0, 1, 2], false), seen([0, 2, 1], true), seen([0, 2, 1], false)], [count, count, 0]);
+}
+
+/// Seen from anywhere a ball turns away along a great circle across the line of sight, however fine it is.
+#[test]
+fn a_ball_turns_away_along_a_great_circle() {
+    for rings in [24, 120] {
+        let ball = ball_model([0.0; 3], 1.0, rings).prepared().expect("a model");
+        assert_eq!(ball.sharp_edges().count(), 0, "{rings}");
+        for direction in [DVec3::Z, DVec3::X, DVec3::new(0.6, -0.48, 0.64)] {
+            let edges: Vec<_> = ball.turning_edges(direction).collect();
+            let length: f64 = edges.iter().map(|[from, to]| (*to - *from).length()).sum();
+            // It goes around once, in steps along the net of the corners.
+            assert!((0.9..1.5).contains(&(length / TAU)), "{rings}, {direction}: {length}");
+            for end in edges.as_flattened() {
+                assert!(end.dot(direction).abs() < 0.15, "{rings}, {direction}: {end}");
+            }
+        }
+    }
 }

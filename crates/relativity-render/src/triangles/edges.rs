@@ -112,8 +112,8 @@ impl Met {
     }
 }
 
-/// Returns for each corner the one that stands for it: the first in the same cell of a grid of this step, which of a small model is as fine
-/// as places that a file means to be the same.
+/// Returns, for each corner, the first corner in the same cell of a grid of this step. A fine grid joins the corners that a file has several
+/// times in one place; a coarse one makes a coarser model.
 fn joined(corners: &[Vec3], step: f64) -> Vec<u32> {
     let mut first = HashMap::new();
     let cell = |corner: &Vec3| (corner.as_dvec3() / step).round().as_i64vec3();
@@ -151,41 +151,5 @@ mod tests {
             assert_eq!((to - from).abs().to_array().iter().filter(|part| **part > 0.0).count(), 1);
         }
         assert_eq!(found.turning(DVec3::new(0.3, 0.5, 0.8)).count(), 0);
-    }
-
-    /// Rings of a ball: seen from anywhere it turns away along a great circle across the line of sight, however fine it is.
-    #[test]
-    fn a_ball_turns_away_along_a_great_circle() {
-        for rings in [24, 120] {
-            let turns = 2 * rings;
-            let corner = |i: u32| {
-                let (polar, turn) =
-                    (f64::from(i / turns) / f64::from(rings), f64::from(i % turns) / f64::from(turns));
-                let (polar, turn) = (std::f64::consts::PI * polar, std::f64::consts::TAU * turn);
-                [polar.sin() * turn.cos(), polar.sin() * turn.sin(), polar.cos()]
-            };
-            let square = |i: u32| {
-                let at = |ring: u32, turn: u32| ring * turns + turn % turns;
-                let (ring, turn) = (i / turns, i % turns);
-                let [a, b, c, d] =
-                    [at(ring, turn), at(ring + 1, turn), at(ring + 1, turn + 1), at(ring, turn + 1)];
-                [[a, b, c], [a, c, d]]
-            };
-            let corners: Vec<_> = (0..(rings + 1) * turns).map(corner).collect();
-            let ball = edges(&corners, &(0..rings * turns).flat_map(square).collect::<Vec<_>>());
-            assert_eq!(ball.sharp().count(), 0, "{rings}");
-            for direction in [DVec3::Z, DVec3::X, DVec3::new(0.6, -0.48, 0.64)] {
-                let edges: Vec<_> = ball.turning(direction).collect();
-                let length: f64 = edges.iter().map(|[from, to]| (*to - *from).length()).sum();
-                // It goes around once, in steps along the net of the corners.
-                assert!(
-                    (0.9..1.5).contains(&(length / std::f64::consts::TAU)),
-                    "{rings}, {direction}: {length}"
-                );
-                for end in edges.as_flattened() {
-                    assert!(end.dot(direction).abs() < 0.15, "{rings}, {direction}: {end}");
-                }
-            }
-        }
     }
 }

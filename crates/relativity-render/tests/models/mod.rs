@@ -7,7 +7,9 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 use relativity_core::{Aperture, Speed, Turning};
-use relativity_render::{Body, Camera, Gaze, Geometry, Hit, Model, PreparedScene, Shape, Spin, View};
+use relativity_render::{
+    Body, Camera, Gaze, Geometry, Hit, Method, Model, PreparedScene, Renderers, Shape, Spin, View,
+};
 
 use crate::support::{centred, spread};
 
@@ -145,4 +147,23 @@ pub fn is_nearby(scene: &PreparedScene, view: &View, i: usize, hit: Option<&Hit>
         there.and_then(|there| there.triangle).map(|point| point.triangle)
             == hit.and_then(|hit| hit.triangle).map(|point| point.triangle)
     })
+}
+
+/// Holds the published model's meshes of two scenes at these speeds against each other, which are of the same faces, though not of the same
+/// triangles.
+pub fn assert_published_alike(renderers: &mut Renderers, scenes: &[PreparedScene; 2], betas: [f64; 3]) {
+    for beta in betas {
+        let view = view(beta, Geometry::Published, [96, 72]);
+        let [expected, found] = scenes.each_ref().map(|scene| {
+            renderers.hits(Method::Mesh { bound_px: 0.1 }, scene, &view).expect("device works").hits
+        });
+        let (mut both, mut either) = (0, 0);
+        for pair in expected.iter().zip(&found) {
+            either += usize::from(pair.0.is_some() || pair.1.is_some());
+            let (Some(expected), Some(found)) = pair else { continue };
+            // A pixel is about 0.03 wide there, and more of a face that is seen aslant.
+            both += usize::from(expected.material_position.distance(found.material_position) < 0.02);
+        }
+        assert!(both > 500 && 100 * both > 97 * either, "{both} of {either} at {beta}");
+    }
 }
