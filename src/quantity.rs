@@ -9,37 +9,37 @@ use crate::units::{Measures, Unit};
 /// A quantity of a point that is seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Quantity {
-    /// Difference of azimuths.
+    /// The difference of both eyes' azimuths.
     DeltaPhi,
-    /// Difference of elevations.
+    /// The difference of both eyes' elevations.
     DeltaTheta,
     /// Difference of columns of conformal pictures.
     DeltaU,
     /// Difference of rows of conformal pictures.
     DeltaV,
-    /// Doppler factor.
+    /// The Doppler factor D.
     Doppler,
     /// When the light left.
     EmissionTime,
-    /// What the clock of the body showed as the light left.
+    /// The proper time that the clock of the body showed as the light left.
     ProperTime,
     /// Apparent position along the motion, from the eye.
     X,
     /// Apparent position in depth.
     Y,
-    /// Apparent height.
+    /// Apparent height above the eye.
     Z,
-    /// Azimuth.
+    /// The azimuth of the direction in which it is seen.
     Phi,
-    /// Elevation.
+    /// The elevation of the direction in which it is seen.
     Theta,
     /// Column of a conformal picture.
     U,
     /// Row of a conformal picture.
     V,
-    /// Stereo gain.
+    /// The stereo gain of both eyes.
     StereoGain,
-    /// Distance.
+    /// The distance, as one eye or both have it, or as it is measured.
     Distance,
 }
 
@@ -48,9 +48,9 @@ pub enum Quantity {
 pub struct Row {
     /// The name of the quantity in files, as of a lesson's curve.
     pub id: &'static str,
-    /// Its symbol, or its name where it has none.
+    /// The symbol of the quantity, or its name where it has none.
     pub symbol: &'static str,
-    /// Its name, with the symbol.
+    /// The name of the quantity, with its symbol.
     pub name: &'static str,
     /// An explanation of the quantity, with its formula.
     pub about: &'static str,

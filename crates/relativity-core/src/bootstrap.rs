@@ -45,7 +45,6 @@ impl Bootstrap {
     /// Draws `more` further replicates of `fit`, as [`bootstrap`] does. Drawing all at once or in parts with the same `seed` gives
     /// the same replicates.
     pub fn extend(&mut self, fit: &Fit, more: usize, seed: u64) {
-        // It is never told to stop.
         self.estimates.extend(estimates(fit, self.estimates.len(), more, seed));
     }
 

@@ -22,7 +22,7 @@ pub struct Presentation {
 pub enum Beside {
     /// Nothing: they have all the room.
     Nothing,
-    /// One plot beside the words.
+    /// A single plot, beside the words.
     Plot,
     /// The map beside the words.
     Map,

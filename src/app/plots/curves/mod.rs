@@ -35,7 +35,7 @@ pub struct Curve {
 pub enum Whose {
     /// Both eyes together, as one observer.
     Both,
-    /// One of the two eyes.
+    /// An eye by itself.
     Eye(Eye),
     /// Eyes gamma d apart, of the point at rest.
     Resting,

@@ -21,7 +21,7 @@ const PLOTTED: [Quantity; 9] = [
     Quantity::StereoGain,
     Quantity::Distance,
 ];
-/// Those of what the eyes see, each of which is there at every T.
+/// The quantities of what the eyes see; each is there at every T.
 const SEEN: [Quantity; 5] =
     [Quantity::DeltaPhi, Quantity::DeltaTheta, Quantity::Phi, Quantity::Theta, Quantity::Doppler];
 /// Both models that a point of these tests is drawn by.
