@@ -15,7 +15,7 @@ use gamow::app::state::State;
 
 use super::Test;
 use super::picking::click;
-use super::support::{cyclist, labels, open, pane, wait_for_file, window};
+use super::support::{Wakes, cyclist, labels, open, pane, wait_for_file, window};
 
 pub const TESTS: &[Test] = &[
     ("the_last_of_two_files_is_shown", the_last_of_two_files_is_shown),
@@ -89,16 +89,13 @@ fn a_file_is_asked_for() {
     assert_eq!(window.state().state().scratch.chooser, Some(Purpose::Open));
 }
 
-/// Lets the thread look at the files, and the window hear of it.
-fn wait_until(window: &mut Harness<'_, App>, what: &str, holds: impl Fn(&State) -> bool) {
-    for _ in 0..100 {
-        std::thread::sleep(Duration::from_millis(50));
+/// A frame whenever a thread has looked at a file that changed, or has read it, until this `holds`.
+fn wait_until(window: &mut Harness<'_, App>, wakes: &Wakes, what: &str, holds: impl Fn(&State) -> bool) {
+    window.step();
+    while !holds(window.state().state()) {
+        wakes.next(what);
         window.step();
-        if holds(window.state().state()) {
-            return;
-        }
     }
-    panic!("{what}; notice: {:?}", window.state().state().scratch.notice);
 }
 
 /// A window that shows the scene in the file at `balls` at T = 1.25 and follows the ball in the middle.
@@ -123,22 +120,23 @@ fn a_scene_is_read_again() {
     window.step();
     assert_eq!(window.output().viewport_output[&ViewportId::ROOT].repaint_delay, Duration::MAX);
 
+    let wakes = Wakes::of(&window);
     let without_the_small_one = BALLS.split_inclusive('\n').take(6).collect::<String>();
     let two = without_the_small_one.replace("Balls", "One ball").replace("0.9", "0.7");
     file(folder.path(), "balls.toml", &two);
-    wait_until(&mut window, "it is read again", |state| state.document.scene.name == "One ball");
+    wait_until(&mut window, &wakes, "it is read again", |state| state.document.scene.name == "One ball");
     let state = window.state().state();
     assert_eq!((state.document.time, &state.document.settings), (1.25, &before.document.settings));
     assert_eq!(state.document.points.selected(), before.document.points.selected());
     assert_eq!(state.document.points.all()[0].track.rest, state.document.scene.tracked);
 
     file(folder.path(), "balls.toml", "name = = 3");
-    wait_until(&mut window, "the error is told", |state| state.scratch.notice.is_some());
+    wait_until(&mut window, &wakes, "the error is told", |state| state.scratch.notice.is_some());
     window.run();
     assert!(labels(&window).iter().any(|label| label.contains("balls.toml:1")), "{:?}", labels(&window));
     assert_eq!(scene_name(&window), "One ball");
     file(folder.path(), "balls.toml", BALLS);
-    wait_until(&mut window, "it is mended", |state| state.scratch.notice.is_none());
+    wait_until(&mut window, &wakes, "it is mended", |state| state.scratch.notice.is_none());
     assert_eq!(scene_name(&window), "Balls");
 }
 
@@ -151,8 +149,9 @@ fn a_state_is_read_again() {
     let middle = pane(&window, 0).center();
     click(&mut window, middle, Modifiers::NONE);
     let points = window.state().state().document.points.clone();
+    let wakes = Wakes::of(&window);
     file(folder.path(), "state.toml", "scene = \"cyclist\"\n[motion]\nbeta = 0.75\n");
-    wait_until(&mut window, "it is read again", |state| state.speed().beta() == 0.75);
+    wait_until(&mut window, &wakes, "it is read again", |state| state.speed().beta() == 0.75);
     let state = window.state().state();
     assert_eq!((state.document.time, &state.document.points), (1.25, &points));
 }
@@ -175,12 +174,17 @@ fn the_last_of_two_files_is_shown() {
     // The first one is read by now, and no longer wanted.
     open(&mut window, &large);
     assert_eq!(scene_name(&window), "Large");
-    window.state_mut().ask(Command::Open(balls));
-    // It is read by the time that it is given up, or a moment later; it is not shown then.
-    std::thread::sleep(Duration::from_millis(200));
-    window.state_mut().ask(Command::StopReading);
-    wait_for_file(&mut window);
-    assert_eq!(scene_name(&window), "Large");
+    // Given up before it is read, or when it is read and not shown yet: it is not shown then.
+    for is_read in [false, true] {
+        let wakes = Wakes::of(&window);
+        window.state_mut().ask(Command::Open(balls.clone()));
+        if is_read {
+            wakes.next("it is read");
+        }
+        window.state_mut().ask(Command::StopReading);
+        wait_for_file(&mut window);
+        assert_eq!(scene_name(&window), "Large");
+    }
 }
 
 fn what_is_shown_is_remembered() {

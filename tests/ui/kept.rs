@@ -1,14 +1,13 @@
 //! GPU resources of the window: switching back and forth does not accumulate any.
 
 use eframe::egui::Key;
-use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuConfiguration};
 use eframe::wgpu;
-use egui_kittest::wgpu::{WgpuTestRenderer, default_wgpu_setup};
+use egui_kittest::wgpu::WgpuTestRenderer;
 use gamow::app::App;
 use gamow::flags::choices::RendererChoice;
 
-use super::Test;
 use super::support::{builder, cyclist};
+use super::{Test, device};
 
 pub const TESTS: &[Test] = &[("switches_keep_nothing_on_the_device", switches_keep_nothing_on_the_device)];
 
@@ -39,11 +38,8 @@ fn live(instance: &wgpu::Instance) -> [(&'static str, usize); 7] {
 
 fn switches_keep_nothing_on_the_device() {
     for renderer in [RendererChoice::Rays, RendererChoice::Mesh, RendererChoice::Packets] {
-        let setup = default_wgpu_setup();
-        let instance = pollster::block_on(setup.new_instance());
-        let configuration = WgpuConfiguration { wgpu_setup: setup, ..WgpuConfiguration::default() };
-        let render_state = RenderState::create(&configuration, &instance, None, RendererOptions::PREDICTABLE);
-        let render_state = pollster::block_on(render_state).expect("there is a device");
+        let render_state = device::own().expect("there is a device");
+        let instance = render_state.instance.clone();
         let mut state = cyclist(0.9);
         state.document.settings.quality.renderer = renderer;
         let mut harness = builder([1000.0, 700.0])

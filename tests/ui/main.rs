@@ -7,6 +7,7 @@
 mod automatic;
 mod comparison;
 mod controls;
+mod device;
 mod faults;
 mod files;
 mod fit;
@@ -52,8 +53,7 @@ type Test = (&'static str, fn());
 
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();
-    let required = std::env::var_os("GAMOW_REQUIRE_GPU").is_some_and(|value| value == "1");
-    let missing = !required && relativity_render::Gpu::headless().is_err();
+    let is_required = std::env::var_os("GAMOW_REQUIRE_GPU").is_some_and(|value| value == "1");
     let all = [
         automatic::TESTS,
         comparison::TESTS,
@@ -94,12 +94,15 @@ fn main() -> ExitCode {
         words::TESTS,
     ]
     .concat();
-    let trial = |(name, test): Test| {
+    let trial = |(name, test): Test, is_ignored| {
         let run = move || {
             test();
             Ok(())
         };
-        Trial::test(name, run).with_ignored_flag(missing)
+        Trial::test(name, run).with_ignored_flag(is_ignored)
     };
-    libtest_mimic::run(&arguments, all.into_iter().map(trial).collect()).exit_code()
+    device::shared_by(|is_there| {
+        let trials = all.into_iter().map(|test| trial(test, !is_there && !is_required)).collect();
+        libtest_mimic::run(&arguments, trials).exit_code()
+    })
 }

@@ -1,5 +1,9 @@
 //! A window without a display, and what a test reads off it.
 
+use std::sync::mpsc::{Receiver, channel};
+use std::thread;
+use std::time::Duration;
+
 use clap::ValueEnum as _;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Pos2, Rect, Vec2};
@@ -12,6 +16,8 @@ use gamow::flags::choices::Layout;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::Settings;
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
+
+use super::device;
 
 /// What is shown in `state` is what its file gives back: nothing the user did has set a value that the judges of settings
 /// refuse. All that follows from it is a number.
@@ -62,7 +68,7 @@ pub fn builder(size: [f32; 2]) -> HarnessBuilder<App> {
 pub fn window_of_size(state: State, size: [f32; 2], pixels_per_point: f32) -> Harness<'static, App> {
     let mut harness = builder(size)
         .with_pixels_per_point(pixels_per_point)
-        .wgpu()
+        .renderer(device::renderer())
         .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).without_refinement());
     harness.run_steps(3);
     harness
@@ -131,13 +137,35 @@ pub fn open(harness: &mut Harness<'_, App>, path: &std::path::Path) {
     wait_for_file(harness);
 }
 
+/// Hears the threads that ask for a frame of a window.
+pub struct Wakes(Receiver<()>);
+
+impl Wakes {
+    /// Hears them from now on.
+    pub fn of(window: &Harness<'_, App>) -> Self {
+        let (sender, asked) = channel();
+        let own_thread = thread::current().id();
+        window.ctx.set_repaint_observer(move |_| {
+            if thread::current().id() != own_thread {
+                // Nobody may listen any more.
+                let _ = sender.send(());
+            }
+        });
+        Self(asked)
+    }
+
+    /// Waits for the first that asks and was not waited for before; there is none if `what` does not happen.
+    pub fn next(&self, what: &str) {
+        self.0.recv_timeout(Duration::from_mins(2)).unwrap_or_else(|_| panic!("it does not happen: {what}"));
+    }
+}
+
 /// Frames until no file is being read.
 pub fn wait_for_file(harness: &mut Harness<'_, App>) {
-    let start = std::time::Instant::now();
+    let wakes = Wakes::of(harness);
     harness.step();
     while harness.state().is_reading() {
-        assert!(start.elapsed() < std::time::Duration::from_mins(1), "the file is not read");
-        std::thread::sleep(std::time::Duration::from_millis(2));
+        wakes.next("the file is read");
         harness.step();
     }
     harness.step();

@@ -1,10 +1,5 @@
 //! The fit and its bootstrap against known objects.
 
-mod common;
-#[path = "common/tally.rs"]
-mod tally;
-
-use common::{Case, PAPER};
 use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 use relativity_core::fit::NOISE_FREE_ERROR;
@@ -13,7 +8,9 @@ use relativity_core::{
     Reading, Rolling, Sample, Simulation, SourcePoint, Speed, Turning, WheelPoint, bootstrap, disparity, fit,
     fit_from, one_cone_disparity, published_disparity,
 };
-use tally::Tally;
+
+use crate::common::{Case, PAPER};
+use crate::tally::Tally;
 
 const MODELS: [Model; 4] = Model::ALL;
 const CURVES: [Curves; 3] = [Curves::Azimuth, Curves::Polar, Curves::Both];

@@ -1,13 +1,9 @@
 //! A picture that is drawn band by band: the same pixels as all at once.
 
-#[expect(dead_code, reason = "shared with the renderers' tests")]
-#[path = "gpu_support/scenes.rs"]
-mod scenes;
-mod support;
-
 use relativity_core::Speed;
 use relativity_render::{Appearance, PreparedScene};
-use scenes::{crowd, view_following};
+
+use crate::scenes::{crowd, view_following};
 
 #[test]
 fn the_bands_of_a_picture_are_the_picture() {

@@ -1,19 +1,14 @@
 //! Conformal pictures by the renderers on the CPU, against formulas of their own.
 
-mod mercator;
-#[path = "gpu_support/scenes.rs"]
-#[expect(dead_code, reason = "shared with the tests of the GPU")]
-mod scenes;
-mod support;
-
 use glam::{DVec2, DVec3};
-use mercator::{Chart, FOLLOWED, along, centre, doppler_factor, gamma, rapidity, views};
 use relativity_core::{Aperture, SourcePoint, sighting};
 use relativity_render::{
     Appearance, Body, Camera, Method, PreparedScene, Projection, Renderers, Shape, View,
 };
-use scenes::{still_life, time_seen_at, view_following};
-use support::documented;
+
+use crate::mercator::{self, Chart, FOLLOWED, along, centre, doppler_factor, gamma, rapidity, views};
+use crate::scenes::{still_life, time_seen_at, view_following};
+use crate::support::documented;
 
 const RENDERERS: &str = include_str!("../src/renderers.rs");
 

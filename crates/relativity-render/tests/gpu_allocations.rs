@@ -1,21 +1,15 @@
 //! A slider moved: a frame in which only the speed changes allocates nothing per body.
 
-#[expect(dead_code, reason = "shared with the other renderers' tests")]
-mod gpu_support;
-mod support;
-
-use std::process::ExitCode;
-
-use gpu_support::scenes::{crowd, view_following};
 use relativity_core::Speed;
 use relativity_render::{Appearance, EyeTarget, Method, PreparedScene, Renderers};
 
-fn main() -> ExitCode {
-    gpu_support::run(&[
-        ("frames_of_rays_allocate_nothing_per_body", frames_of_rays_allocate_nothing_per_body),
-        ("mesh_frames_allocate_nothing_per_body", mesh_frames_allocate_nothing_per_body),
-    ])
-}
+use crate::gpu_support::Test;
+use crate::gpu_support::scenes::{crowd, view_following};
+
+pub const TESTS: &[Test] = &[
+    ("frames_of_rays_allocate_nothing_per_body", frames_of_rays_allocate_nothing_per_body),
+    ("mesh_frames_allocate_nothing_per_body", mesh_frames_allocate_nothing_per_body),
+];
 
 fn frames_of_rays_allocate_nothing_per_body(renderers: &mut Renderers) {
     allocate_nothing_per_body(renderers, Method::Rays);

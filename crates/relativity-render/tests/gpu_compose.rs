@@ -1,17 +1,11 @@
 //! Both eyes' pictures composed by the GPU, against the same on the CPU.
 
-#[expect(dead_code, reason = "shared with tests of the hits")]
-mod gpu_support;
-mod support;
-
-use std::process::ExitCode;
-
 use relativity_render::compose::Top;
 use relativity_render::{Composed, Composer, Composition, EyeTarget, Picture, Renderers};
 
-fn main() -> ExitCode {
-    gpu_support::run(&[("compositions_are_those_of_the_cpu", compositions_are_those_of_the_cpu)])
-}
+use crate::gpu_support::Test;
+
+pub const TESTS: &[Test] = &[("compositions_are_those_of_the_cpu", compositions_are_those_of_the_cpu)];
 
 /// Each, and by how many levels of 255 it may be off: none where the eyes' levels are shown again.
 const COMPOSITIONS: [(Composition, i32); 7] = [

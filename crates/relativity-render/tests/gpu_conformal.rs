@@ -1,28 +1,21 @@
 //! Conformal pictures by the renderers on the GPU, against formulas of their own.
 
-#[expect(dead_code, reason = "shared with the other tests of the GPU")]
-mod gpu_support;
-mod mercator;
-mod support;
-
-use std::process::ExitCode;
-
 use glam::DVec3;
-use gpu_support::scenes;
 use relativity_core::Aperture;
 use relativity_render::{
     Body, Camera, Gaze, Geometry, Method, PreparedScene, Projection, Renderers, Shape, View,
 };
-use support::documented;
 
-fn main() -> ExitCode {
-    gpu_support::run(&[
-        ("u_and_v_are_linear_in_column_and_row", u_and_v_are_linear_in_column_and_row),
-        ("a_ball_keeps_its_outline", a_ball_keeps_its_outline),
-        ("pictures_go_all_around", pictures_go_all_around),
-        ("motion_slides_the_picture_and_nothing_else", motion_slides_the_picture_and_nothing_else),
-    ])
-}
+use crate::gpu_support::Test;
+use crate::mercator;
+use crate::support::documented;
+
+pub const TESTS: &[Test] = &[
+    ("u_and_v_are_linear_in_column_and_row", u_and_v_are_linear_in_column_and_row),
+    ("a_ball_keeps_its_outline", a_ball_keeps_its_outline),
+    ("pictures_go_all_around", pictures_go_all_around),
+    ("motion_slides_the_picture_and_nothing_else", motion_slides_the_picture_and_nothing_else),
+];
 
 const RENDERERS: &str = include_str!("../src/renderers.rs");
 

@@ -10,6 +10,22 @@ use relativity_render::{
     Renderers, Shape, View, named_adapter,
 };
 
+use crate::gpu_support::OwnDeviceTest;
+
+pub const TESTS: &[OwnDeviceTest] = &[
+    (
+        "what_a_device_has_no_room_for_is_an_error_of_the_drawing",
+        what_a_device_has_no_room_for_is_an_error_of_the_drawing,
+    ),
+    (
+        "errors_that_nobody_waits_for_are_counted_and_the_first_is_told",
+        errors_that_nobody_waits_for_are_counted_and_the_first_is_told,
+    ),
+    ("memory_that_is_not_there_is_no_panic", memory_that_is_not_there_is_no_panic),
+    ("a_lost_device_is_told_and_draws_nothing", a_lost_device_is_told_and_draws_nothing),
+    ("an_adapter_is_asked_for_by_a_part_of_its_name", an_adapter_is_asked_for_by_a_part_of_its_name),
+];
+
 const SIZE: [u32; 2] = [64, 48];
 const MESH: Method = Method::Mesh { bound_px: Method::DEFAULT_BOUND_PX };
 
@@ -24,25 +40,21 @@ fn view() -> View {
     View { camera, speed, observation_time: 1.1, geometry: Geometry::Seen }
 }
 
-/// A device whose limits are those of the adapter after `lower`; none where there is no adapter and none is required.
-fn device(lower: impl FnOnce(&mut wgpu::Limits)) -> Option<(wgpu::Adapter, wgpu::Device, wgpu::Queue)> {
+/// A device whose limits are those of the adapter after `lower`.
+fn device(lower: impl FnOnce(&mut wgpu::Limits)) -> (wgpu::Adapter, wgpu::Device, wgpu::Queue) {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
     let found = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()));
-    let is_required = std::env::var("GAMOW_REQUIRE_GPU").is_ok_and(|value| value == "1");
-    let adapter = found.map_err(|error| assert!(!is_required, "{error}")).ok()?;
+    let adapter = found.expect("an adapter");
     let mut limits = adapter.limits();
     lower(&mut limits);
     let wanted = wgpu::DeviceDescriptor { required_limits: limits, ..Default::default() };
     let (device, queue) = pollster::block_on(adapter.request_device(&wanted)).expect("a device");
-    Some((adapter, device, queue))
+    (adapter, device, queue)
 }
 
-#[test]
 fn what_a_device_has_no_room_for_is_an_error_of_the_drawing() {
     // Less than what a frame's numbers take.
-    let Some((adapter, device, queue)) = device(|limits| limits.max_uniform_buffer_binding_size = 64) else {
-        return;
-    };
+    let (adapter, device, queue) = device(|limits| limits.max_uniform_buffer_binding_size = 64);
     let gpu = Gpu::from_device(&adapter, device, queue);
     let mut renderers = Renderers::new(Some(gpu.clone()));
     let mut target = EyeTarget::new(&gpu, SIZE);
@@ -59,9 +71,8 @@ fn what_a_device_has_no_room_for_is_an_error_of_the_drawing() {
     assert!(picture.is_ok());
 }
 
-#[test]
 fn errors_that_nobody_waits_for_are_counted_and_the_first_is_told() {
-    let Some((_, device, _queue)) = device(|_| {}) else { return };
+    let (_, device, _queue) = device(|_| {});
     let frames = Arc::new(AtomicU64::new(0));
     let counted = Arc::clone(&frames);
     let faults = DeviceErrors::collect(&device, move || {
@@ -87,9 +98,8 @@ fn errors_that_nobody_waits_for_are_counted_and_the_first_is_told() {
     assert_eq!(faults.loss(), None);
 }
 
-#[test]
 fn memory_that_is_not_there_is_no_panic() {
-    let Some((adapter, device, queue)) = device(|_| {}) else { return };
+    let (adapter, device, queue) = device(|_| {});
     let faults = DeviceErrors::collect(&device, || {});
     let gpu = Gpu::from_device(&adapter, device.clone(), queue);
     let huge = || {
@@ -112,9 +122,8 @@ fn memory_that_is_not_there_is_no_panic() {
     assert!(picture.is_ok(), "{:?}", picture.err());
 }
 
-#[test]
 fn a_lost_device_is_told_and_draws_nothing() {
-    let Some((adapter, device, queue)) = device(|_| {}) else { return };
+    let (adapter, device, queue) = device(|_| {});
     let faults = DeviceErrors::collect(&device, || {});
     let gpu = Gpu::from_device(&adapter, device.clone(), queue);
     let mut renderers = Renderers::new(Some(gpu.clone()));
@@ -130,9 +139,8 @@ fn a_lost_device_is_told_and_draws_nothing() {
     assert!(draw(Method::Reference).is_ok());
 }
 
-#[test]
 fn an_adapter_is_asked_for_by_a_part_of_its_name() {
-    let Some((adapter, ..)) = device(|_| {}) else { return };
+    let (adapter, ..) = device(|_| {});
     let name = adapter.get_info().name;
     let found = named_adapter(&name.to_lowercase()[..3], std::slice::from_ref(&adapter), None);
     assert_eq!(found.map(|found| found.get_info().name).ok(), Some(name.clone()));

@@ -1,33 +1,25 @@
 //! The mesh renderer keeps its bound, against the f64 reference and the core's published model.
 
-#[expect(dead_code, reason = "shared with the rays' tests")]
-mod gpu_support;
-#[expect(dead_code, reason = "shared with the other renderers' tests")]
-mod joints;
-mod support;
-
-use std::process::ExitCode;
-
 use glam::{DVec2, DVec3};
-use gpu_support::scenes::{conformal_views, parallel_views, still_life, time_seen_at, view_following};
-use joints::joints;
 use relativity_core::{Aperture, MAX_GAMMA, Model, PublishedVariant, SourcePoint, Speed, sighting};
 use relativity_render::{
     Body, Camera, Gaze, Geometry, Group, Hit, HitImage, Method, Motion, PreparedScene, Renderers, Shape,
     Velocity, View,
 };
 
-fn main() -> ExitCode {
-    gpu_support::run(&[
-        ("the_picture_keeps_the_bound", the_picture_keeps_the_bound),
-        ("groups_keep_the_bound", groups_keep_the_bound),
-        ("bodies_that_nearly_touch_are_told_apart", bodies_that_nearly_touch_are_told_apart),
-        ("where_surfaces_coincide_the_first_body_is_seen", where_surfaces_coincide_the_first_body_is_seen),
-        ("hits_appear_where_the_light_cone_says", hits_appear_where_the_light_cone_says),
-        ("with_one_light_cone_pictures_keep_the_bound", with_one_light_cone_pictures_keep_the_bound),
-        ("the_published_right_eye_is_the_cores", the_published_right_eye_is_the_cores),
-    ])
-}
+use crate::gpu_support::Test;
+use crate::gpu_support::scenes::{conformal_views, parallel_views, still_life, time_seen_at, view_following};
+use crate::joints::joints;
+
+pub const TESTS: &[Test] = &[
+    ("the_picture_keeps_the_bound", the_picture_keeps_the_bound),
+    ("groups_keep_the_bound", groups_keep_the_bound),
+    ("bodies_that_nearly_touch_are_told_apart", bodies_that_nearly_touch_are_told_apart),
+    ("where_surfaces_coincide_the_first_body_is_seen", where_surfaces_coincide_the_first_body_is_seen),
+    ("hits_appear_where_the_light_cone_says", hits_appear_where_the_light_cone_says),
+    ("with_one_light_cone_pictures_keep_the_bound", with_one_light_cone_pictures_keep_the_bound),
+    ("the_published_right_eye_is_the_cores", the_published_right_eye_is_the_cores),
+];
 
 const FOLLOWED: [f64; 3] = [-0.4, 3.0, 0.7];
 const BOUNDS_PX: [f64; 2] = [0.5, 2.0];

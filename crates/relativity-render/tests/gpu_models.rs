@@ -1,38 +1,33 @@
 //! Models of triangles by the rays on a device, against the reference, our exact bodies and themselves.
 
-#[expect(dead_code, reason = "shared with tests of other bodies")]
-mod gpu_support;
-mod models;
-mod support;
-
-use std::process::ExitCode;
-
-use gpu_support::scenes::{conformal_views, parallel_views, speeds, time_seen_at, view_following};
-use models::{assert_published_alike, ball_model, box_model, exact_box, is_nearby, scene_of, soup, view};
 use relativity_render::{
     Appearance, Body, Colour, Geometry, Group, Hit, HitImage, Method, Model, Motion, PreparedScene,
     Renderers, Shading, Shape, Velocity, View,
 };
-use support::{documented, spread};
 
-fn main() -> ExitCode {
-    gpu_support::run(&[
-        ("hits_agree_with_the_reference", hits_agree_with_the_reference),
-        ("no_ray_passes_between_triangles", no_ray_passes_between_triangles),
-        ("colours_agree_with_the_reference", colours_agree_with_the_reference),
-        ("a_box_of_triangles_looks_like_a_box", a_box_of_triangles_looks_like_a_box),
-        ("edges_are_as_smooth_as_the_references", edges_are_as_smooth_as_the_references),
-        ("models_are_told_from_other_bodies_by_depth", models_are_told_from_other_bodies_by_depth),
-        ("each_scene_has_its_own_models", each_scene_has_its_own_models),
-        ("a_mesh_keeps_its_bound", a_mesh_keeps_its_bound),
-        ("a_mesh_has_no_gaps", a_mesh_has_no_gaps),
-        ("a_mesh_has_the_colours_of_the_reference", a_mesh_has_the_colours_of_the_reference),
-        (
-            "the_published_model_shows_a_box_of_triangles_as_a_box",
-            the_published_model_shows_a_box_of_triangles_as_a_box,
-        ),
-    ])
-}
+use crate::gpu_support::Test;
+use crate::gpu_support::scenes::{conformal_views, parallel_views, speeds, time_seen_at, view_following};
+use crate::models::{
+    assert_published_alike, ball_model, box_model, exact_box, is_nearby, scene_of, soup, view,
+};
+use crate::support::{documented, spread};
+
+pub const TESTS: &[Test] = &[
+    ("hits_agree_with_the_reference", hits_agree_with_the_reference),
+    ("no_ray_passes_between_triangles", no_ray_passes_between_triangles),
+    ("colours_agree_with_the_reference", colours_agree_with_the_reference),
+    ("a_box_of_triangles_looks_like_a_box", a_box_of_triangles_looks_like_a_box),
+    ("edges_are_as_smooth_as_the_references", edges_are_as_smooth_as_the_references),
+    ("models_are_told_from_other_bodies_by_depth", models_are_told_from_other_bodies_by_depth),
+    ("each_scene_has_its_own_models", each_scene_has_its_own_models),
+    ("a_mesh_keeps_its_bound", a_mesh_keeps_its_bound),
+    ("a_mesh_has_no_gaps", a_mesh_has_no_gaps),
+    ("a_mesh_has_the_colours_of_the_reference", a_mesh_has_the_colours_of_the_reference),
+    (
+        "the_published_model_shows_a_box_of_triangles_as_a_box",
+        the_published_model_shows_a_box_of_triangles_as_a_box,
+    ),
+];
 
 const RENDERERS: &str = include_str!("../src/renderers.rs");
 const MIDDLE: [f64; 3] = [0.0, 4.0, 0.5];

@@ -1,32 +1,26 @@
 //! Pictures of both GPU renderers against the reference's, effect by effect.
 
-#[expect(dead_code, reason = "shared with tests of the hits")]
-mod gpu_support;
-mod support;
-
-use std::process::ExitCode;
-
-use gpu_support::scenes::{conformal_views, parallel_views, still_life, time_seen_at, view_following};
 use relativity_core::{Aperture, Speed, Turning};
 use relativity_render::{
     Appearance, Body, Camera, Colour, Emission, Gaze, Geometry, Group, HitImage, Method, Motion, Pattern,
     Picture, PreparedScene, Renderers, Shading, Shape, Spin, StreetColours, Velocity, View,
 };
-use support::documented;
 
-fn main() -> ExitCode {
-    gpu_support::run(&[
-        ("pictures_are_the_references", pictures_are_the_references),
-        ("patterns_are_the_references", patterns_are_the_references),
-        ("the_hatch_is_the_references", the_hatch_is_the_references),
-        ("contact_shadows_are_the_references", contact_shadows_are_the_references),
-        ("rides_are_the_references", rides_are_the_references),
-        ("hoops_are_seen_from_within", hoops_are_seen_from_within),
-        ("edges_are_the_references_on_average", edges_are_the_references_on_average),
-        ("long_bodies_narrow_into_the_distance", long_bodies_narrow_into_the_distance),
-        ("every_speed_gives_a_picture", every_speed_gives_a_picture),
-    ])
-}
+use crate::gpu_support::Test;
+use crate::gpu_support::scenes::{conformal_views, parallel_views, still_life, time_seen_at, view_following};
+use crate::support::documented;
+
+pub const TESTS: &[Test] = &[
+    ("pictures_are_the_references", pictures_are_the_references),
+    ("patterns_are_the_references", patterns_are_the_references),
+    ("the_hatch_is_the_references", the_hatch_is_the_references),
+    ("contact_shadows_are_the_references", contact_shadows_are_the_references),
+    ("rides_are_the_references", rides_are_the_references),
+    ("hoops_are_seen_from_within", hoops_are_seen_from_within),
+    ("edges_are_the_references_on_average", edges_are_the_references_on_average),
+    ("long_bodies_narrow_into_the_distance", long_bodies_narrow_into_the_distance),
+    ("every_speed_gives_a_picture", every_speed_gives_a_picture),
+];
 
 const FOLLOWED: [f64; 3] = [-0.4, 3.0, 0.7];
 

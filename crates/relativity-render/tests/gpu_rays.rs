@@ -1,44 +1,36 @@
 //! The rays against the f64 reference and against the light-cone formula of the core.
 
-mod gpu_support;
-mod joints;
-mod support;
-
-use std::process::ExitCode;
 use std::sync::LazyLock;
 
 use glam::DVec3;
-use gpu_support::scenes::{
-    conformal_views, crowd, parallel_views, round_still_life, speeds, still_life, time_seen_at,
-    view_following,
-};
-use joints::{joints, shared_pixels};
 use relativity_core::{SourcePoint, Speed, sighting};
 use relativity_render::{
     Body, Geometry, Group, HitImage, Method, Motion, PreparedScene, Projection, Renderers, Shape, Velocity,
     View,
 };
-use support::{documented, signed_distance};
 
-fn main() -> ExitCode {
-    gpu_support::run(&[
-        ("hits_agree_with_the_reference", hits_agree_with_the_reference),
-        ("groups_agree_with_the_reference", groups_agree_with_the_reference),
-        (
-            "groups_that_fly_apart_agree_up_to_the_documented_gamma",
-            groups_that_fly_apart_agree_up_to_the_documented_gamma,
-        ),
-        (
-            "beyond_it_only_the_fastest_group_keeps_its_digits",
-            beyond_it_only_the_fastest_group_keeps_its_digits,
-        ),
-        ("hits_appear_where_the_light_cone_says", hits_appear_where_the_light_cone_says),
-        ("where_surfaces_coincide_the_first_body_is_seen", where_surfaces_coincide_the_first_body_is_seen),
-        ("bounds_never_clip", bounds_never_clip),
-        ("spheres_keep_a_circular_outline", spheres_keep_a_circular_outline),
-        ("a_cube_far_abeam_looks_turned", a_cube_far_abeam_looks_turned),
-    ])
-}
+use crate::gpu_support::Test;
+use crate::gpu_support::scenes::{
+    conformal_views, crowd, parallel_views, round_still_life, speeds, still_life, time_seen_at,
+    view_following,
+};
+use crate::joints::{joints, shared_pixels};
+use crate::support::{documented, signed_distance};
+
+pub const TESTS: &[Test] = &[
+    ("hits_agree_with_the_reference", hits_agree_with_the_reference),
+    ("groups_agree_with_the_reference", groups_agree_with_the_reference),
+    (
+        "groups_that_fly_apart_agree_up_to_the_documented_gamma",
+        groups_that_fly_apart_agree_up_to_the_documented_gamma,
+    ),
+    ("beyond_it_only_the_fastest_group_keeps_its_digits", beyond_it_only_the_fastest_group_keeps_its_digits),
+    ("hits_appear_where_the_light_cone_says", hits_appear_where_the_light_cone_says),
+    ("where_surfaces_coincide_the_first_body_is_seen", where_surfaces_coincide_the_first_body_is_seen),
+    ("bounds_never_clip", bounds_never_clip),
+    ("spheres_keep_a_circular_outline", spheres_keep_a_circular_outline),
+    ("a_cube_far_abeam_looks_turned", a_cube_far_abeam_looks_turned),
+];
 
 /// The point followed, and how far along its path it is seen, in units of its distance from the path:
 /// approaching, abreast, receding.

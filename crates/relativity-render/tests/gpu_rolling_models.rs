@@ -1,38 +1,31 @@
 //! Models of triangles that roll, on a device, against the reference and our exact bodies.
 
-#[expect(dead_code, reason = "shared with tests of other bodies")]
-mod gpu_support;
-mod models;
-mod support;
-
-use std::process::ExitCode;
-
-use models::{
-    assert_published_alike, box_model, exact_box, is_nearby, rolling, soup, spin, view, wheel_model,
-};
 use relativity_render::{
     Appearance, Body, Colour, EyeTarget, Geometry, Hit, MaterialPoint, Method, Model, PreparedScene,
     Renderers, View,
 };
-use support::{documented, spread};
+
+use crate::gpu_support::Test;
+use crate::models::{
+    assert_published_alike, box_model, exact_box, is_nearby, rolling, soup, spin, view, wheel_model,
+};
+use crate::support::{documented, spread};
 
 const RENDERERS: &str = include_str!("../src/renderers.rs");
 
-fn main() -> ExitCode {
-    gpu_support::run(&[
-        ("a_mesh_of_a_rolling_model_keeps_its_bound", a_mesh_of_a_rolling_model_keeps_its_bound),
-        (
-            "a_mesh_of_a_rolling_model_has_the_colours_of_the_reference",
-            a_mesh_of_a_rolling_model_has_the_colours_of_the_reference,
-        ),
-        (
-            "the_published_model_rolls_a_box_of_triangles_as_a_box",
-            the_published_model_rolls_a_box_of_triangles_as_a_box,
-        ),
-        ("rays_show_what_the_reference_shows", rays_show_what_the_reference_shows),
-        ("rays_draw_what_packets_draw", rays_draw_what_packets_draw),
-    ])
-}
+pub const TESTS: &[Test] = &[
+    ("a_mesh_of_a_rolling_model_keeps_its_bound", a_mesh_of_a_rolling_model_keeps_its_bound),
+    (
+        "a_mesh_of_a_rolling_model_has_the_colours_of_the_reference",
+        a_mesh_of_a_rolling_model_has_the_colours_of_the_reference,
+    ),
+    (
+        "the_published_model_rolls_a_box_of_triangles_as_a_box",
+        the_published_model_rolls_a_box_of_triangles_as_a_box,
+    ),
+    ("rays_show_what_the_reference_shows", rays_show_what_the_reference_shows),
+    ("rays_draw_what_packets_draw", rays_draw_what_packets_draw),
+];
 
 fn triangle(hit: Option<&Hit>) -> Option<u32> {
     hit.and_then(|hit| hit.triangle).map(|point| point.triangle)

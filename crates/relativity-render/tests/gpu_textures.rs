@@ -1,20 +1,13 @@
 //! Textures of models on a device, against the reference.
 
-#[expect(dead_code, reason = "shared with tests of other bodies")]
-mod gpu_support;
-mod models;
-mod support;
-
-use std::process::ExitCode;
-
-use models::{scene_of, view};
 use relativity_render::{
     Appearance, Colour, Gaze, Geometry, HitImage, Method, Model, Renderers, Texture, View, Wrap,
 };
 
-fn main() -> ExitCode {
-    gpu_support::run(&[("textures_are_the_references", textures_are_the_references)])
-}
+use crate::gpu_support::Test;
+use crate::models::{scene_of, view};
+
+pub const TESTS: &[Test] = &[("textures_are_the_references", textures_are_the_references)];
 
 /// Levels that change smoothly from column to column and from row to row, on a texture whose sides are no powers of two.
 fn waves(wrap: [Wrap; 2]) -> Texture {

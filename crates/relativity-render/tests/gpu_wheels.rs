@@ -1,12 +1,6 @@
 //! Wheels that roll, as the GPU draws them, against the f64 reference.
 
-#[expect(dead_code, reason = "shared with the rays' tests")]
-mod gpu_support;
-mod support;
-mod wheels;
-
 use std::iter;
-use std::process::ExitCode;
 use std::sync::LazyLock;
 
 use glam::DVec3;
@@ -14,20 +8,20 @@ use relativity_core::Speed;
 use relativity_render::{
     Geometry, Hit, HitImage, MaterialPoint, Method, PreparedScene, Projection, Renderers, View,
 };
-use support::documented;
-use wheels::spokes::wrong_pixels;
-use wheels::{From, SPIN, scene, view_of_wheel};
 
-fn main() -> ExitCode {
-    gpu_support::run(&[
-        ("the_rays_and_packets_agree_with_the_reference", the_rays_and_packets_agree_with_the_reference),
-        ("rays_show_what_is_seen_within_the_stated_error", rays_show_what_is_seen_within_the_stated_error),
-        ("every_number_is_finite_at_the_extremes", every_number_is_finite_at_the_extremes),
-        ("bounds_never_clip", bounds_never_clip),
-        ("the_mesh_keeps_its_bound", the_mesh_keeps_its_bound),
-        ("the_mesh_shows_points_where_they_are_seen", the_mesh_shows_points_where_they_are_seen),
-    ])
-}
+use crate::gpu_support::Test;
+use crate::support::documented;
+use crate::wheels::spokes::wrong_pixels;
+use crate::wheels::{From, SPIN, scene, view_of_wheel};
+
+pub const TESTS: &[Test] = &[
+    ("the_rays_and_packets_agree_with_the_reference", the_rays_and_packets_agree_with_the_reference),
+    ("rays_show_what_is_seen_within_the_stated_error", rays_show_what_is_seen_within_the_stated_error),
+    ("every_number_is_finite_at_the_extremes", every_number_is_finite_at_the_extremes),
+    ("bounds_never_clip", bounds_never_clip),
+    ("the_mesh_keeps_its_bound", the_mesh_keeps_its_bound),
+    ("the_mesh_shows_points_where_they_are_seen", the_mesh_shows_points_where_they_are_seen),
+];
 
 const BETAS: [f64; 5] = [0.0, 0.5, 0.93, 0.99, 0.9999];
 const GEOMETRIES: [Geometry; 3] = [Geometry::Seen, Geometry::Contracted, Geometry::Rest];

@@ -1,14 +1,13 @@
 //! Groups that move differently, against a tracer on the ground that knows no boost, and against what a camera that
 //! rides along must receive.
 
-mod support;
-
 use glam::{DQuat, DVec3};
 use relativity_core::{Aperture, Baseline, Model, Speed, Stereo, StereoError, aberration};
 use relativity_render::{
     Body, Camera, Gaze, Geometry, Group, Hit, Motion, PreparedScene, Shape, Velocity, View,
 };
-use support::{centred, signed_distance, spread};
+
+use crate::support::{centred, signed_distance, spread};
 
 /// Beta of each group; the first is the scene's.
 const BETAS: [f64; 4] = [0.9, 0.0, -0.6, 0.3];

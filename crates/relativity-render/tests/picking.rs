@@ -1,13 +1,9 @@
 //! A single ray, as picking traces one per click and per drag: it allocates nothing per body.
 
-#[expect(dead_code, reason = "shared with the renderers' tests")]
-#[path = "gpu_support/scenes.rs"]
-mod scenes;
-mod support;
-
 use relativity_core::Speed;
 use relativity_render::PreparedScene;
-use scenes::{crowd, view_following};
+
+use crate::scenes::{crowd, view_following};
 
 #[test]
 fn a_ray_allocates_nothing_per_body() {

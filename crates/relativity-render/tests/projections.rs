@@ -1,7 +1,5 @@
 //! Places in pictures of each projection, against formulas of their own.
 
-mod support;
-
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DQuat, DVec3};
@@ -10,7 +8,8 @@ use relativity_render::camera::{MAX_SLANT, Projection};
 use relativity_render::{
     Appearance, Body, Camera, Colour, Gaze, Geometry, Method, PreparedScene, Renderers, Shape, Undrawn, View,
 };
-use support::spread;
+
+use crate::support::spread;
 
 /// Numbers from 0 to 1, three times seven of them for each `i`, by the generator of Steele, Lea and Flood (`SplitMix64`).
 fn random(i: u32) -> [[f64; 7]; 3] {

@@ -1,14 +1,12 @@
 //! The reference renderer against a tracer on the ground that knows no boost, and against what is known
 //! of pictures of fast bodies.
 
-mod joints;
-mod support;
-
 use glam::{DMat3, DQuat, DVec3};
-use joints::{joints, shared_pixels};
 use relativity_core::{Aperture, MAX_GAMMA, SourcePoint, Speed, sighting};
 use relativity_render::{Body, Camera, Gaze, Geometry, Hit, HitImage, Motion, PreparedScene, Shape, View};
-use support::{centred, documented, signed_distance, spread};
+
+use crate::joints::{joints, shared_pixels};
+use crate::support::{centred, documented, signed_distance, spread};
 
 const BETAS: [f64; 5] = [0.0, 0.5, 0.9, 0.99, 0.999];
 

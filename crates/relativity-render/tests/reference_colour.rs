@@ -3,15 +3,13 @@
 //! References: G. Wyszecki and W. S. Stiles, *Color Science*, 2nd ed. (1982), table I(3.3.1): functions,
 //! chromaticities and sums; IEC 61966-2-1 for the way back from sRGB.
 
-mod support;
-
 use relativity_render::colour::{
     colour_matching, false_colour, hue_preserving_clip, linear_srgb, luminance, srgb_decoded, srgb_encoded,
     srgb_level, unseen_glow, unseen_line,
 };
 use relativity_render::tone::{KNEE, shoulder, toned, untoned};
 
-use support::documented;
+use crate::support::documented;
 
 fn nm(from: u32, to: u32, step: usize) -> impl Iterator<Item = f64> {
     (from..=to).step_by(step).map(f64::from)

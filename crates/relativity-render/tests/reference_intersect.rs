@@ -1,12 +1,11 @@
 //! Ray entries against sphere tracing along the signed distance, which shares no algebra with them.
 
-mod support;
-
 use glam::{DQuat, DVec3};
 use relativity_render::Shape;
 use relativity_render::intersect::Solid;
 use relativity_render::ray::Ray;
-use support::{centred, documented, signed_distance, spread};
+
+use crate::support::{centred, documented, signed_distance, spread};
 
 /// Shapes about 1 in size, thin and thick, anywhere in the cube [-1, 1]^3.
 fn shape(i: u32) -> Shape {

@@ -1,8 +1,6 @@
 //! Bodies that turn about an axle, drawn by the reference: against marching along the line of sight on the ground, which
 //! shares nothing with it, and against known properties of a rolling wheel.
 
-mod support;
-
 use std::f64::consts::TAU;
 
 use glam::{DQuat, DVec3};
@@ -11,7 +9,8 @@ use relativity_render::{
     Body, Camera, Gaze, Geometry, Group, Hit, MaterialPoint, Motion, PreparedScene, Shape, Spin, Velocity,
     View,
 };
-use support::{centred, signed_distance, spread};
+
+use crate::support::{centred, signed_distance, spread};
 
 const GEOMETRIES: [Geometry; 4] = [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone];
 const BETAS: [f64; 7] = [0.1, 0.5, -0.7, 0.9, 0.93, 0.99, 0.999];

@@ -8,10 +8,8 @@ use relativity_render::{
     Shape, Spin, View,
 };
 
-mod models;
-mod support;
-use models::{HUB, box_model, rolling, spin, view, wheel_model};
-use support::{centred, spread};
+use crate::models::{HUB, box_model, rolling, spin, view, wheel_model};
+use crate::support::{centred, spread};
 
 const GEOMETRIES: [Geometry; 4] = [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone];
 

@@ -1,7 +1,5 @@
 //! Rounds against the exact first entry into the spokes of a rolling wheel: the figures that their documentation states.
 
-mod support;
-
 use std::f64::consts::TAU;
 
 use glam::DVec3;
@@ -10,7 +8,8 @@ use relativity_render::wheel::rounds::Search;
 use relativity_render::{
     Body, Camera, Gaze, Geometry, MaterialPoint, Motion, PreparedScene, Shape, Spin, View,
 };
-use support::{centred, documented, spread};
+
+use crate::support::{centred, documented, spread};
 
 const DOCUMENTATION: &str = include_str!("../src/wheel/rounds.rs");
 const HUB: DVec3 = DVec3::new(0.0, 3.0, 1.0);

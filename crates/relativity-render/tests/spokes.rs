@@ -1,15 +1,12 @@
 //! Spokes of wheels that roll, as packets draw them, against the reference: no pixel shows what is seen nowhere within the
 //! stated error.
 
-mod support;
-#[expect(dead_code, reason = "shared with the tests on the GPU")]
-mod wheels;
-
 use std::ops::Range;
 
 use relativity_render::{Method, Renderers};
-use support::documented;
-use wheels::spokes::wrong_pixels;
+
+use crate::support::documented;
+use crate::wheels::spokes::wrong_pixels;
 
 const DOCUMENTATION: &str = include_str!("../src/renderers.rs");
 
@@ -27,7 +24,7 @@ fn what_a_pixel_shows_is_seen_within_the_stated_error() {
 }
 
 #[test]
-#[ignore = "takes a minute: cargo test -p relativity-render --test spokes -- --ignored --nocapture"]
+#[ignore = "takes a minute: cargo test -p relativity-render --test cpu -- spokes --ignored --nocapture"]
 fn so_it_is_in_a_thousand_views() {
     every_pixel_keeps_the_stated_error(0..1000);
 }

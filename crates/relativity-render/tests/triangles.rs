@@ -8,9 +8,7 @@ use relativity_render::{
     TrianglesError, View,
 };
 
-mod models;
-mod support;
-use models::{ball_model, box_model, exact_box, scene_of, soup, view};
+use crate::models::{ball_model, box_model, exact_box, scene_of, soup, view};
 
 const GEOMETRIES: [Geometry; 4] = [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone];
 

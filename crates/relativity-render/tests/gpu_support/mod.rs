@@ -7,23 +7,37 @@ use std::process::ExitCode;
 use libtest_mimic::{Arguments, Failed, Trial};
 use relativity_render::{Gpu, Renderers};
 
-/// A test's name, and what it does with renderers on the device.
+/// A test's name, and what it does with renderers on the device that all share.
 pub type Test = (&'static str, fn(&mut Renderers));
 
-/// Runs `tests`, each with renderers of its own.
-pub fn run(tests: &[Test]) -> ExitCode {
+/// A test's name, and what it does with a device of its own, which it may break.
+pub type OwnDeviceTest = (&'static str, fn());
+
+/// The name of a file of tests, and those in it.
+pub type File<T> = (&'static str, &'static [T]);
+
+/// Runs the tests of `shared`, each with renderers of its own on one device, and those of `own`.
+pub fn run(shared: &[File<Test>], (own_name, own): File<OwnDeviceTest>) -> ExitCode {
     let arguments = Arguments::from_args();
+    // Made first and alone: what a driver sets up for the process is not raced for.
     let gpu = Gpu::headless();
     let is_required = std::env::var("GAMOW_REQUIRE_GPU").is_ok_and(|value| value == "1");
-    let trial = |&(name, test): &Test| {
+    let is_ignored = gpu.is_err() && !is_required;
+    let on_shared = shared.iter().flat_map(|&(file, tests)| tests.iter().map(move |test| (file, test)));
+    let on_shared = on_shared.map(|(file, &(name, test))| {
         let gpu = gpu.clone();
-        let is_ignored = gpu.is_err() && !is_required;
-        let run = move || {
+        Trial::test(format!("{file}::{name}"), move || {
             let gpu = gpu.map_err(|error| Failed::from(error.to_string()))?;
             test(&mut Renderers::new(Some(gpu)));
             Ok(())
-        };
-        Trial::test(name, run).with_ignored_flag(is_ignored)
-    };
-    libtest_mimic::run(&arguments, tests.iter().map(trial).collect()).exit_code()
+        })
+    });
+    let on_own = own.iter().map(|&(name, test)| {
+        Trial::test(format!("{own_name}::{name}"), move || {
+            test();
+            Ok(())
+        })
+    });
+    let trials = on_shared.chain(on_own).map(|trial| trial.with_ignored_flag(is_ignored)).collect();
+    libtest_mimic::run(&arguments, trials).exit_code()
 }

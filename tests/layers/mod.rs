@@ -1,4 +1,4 @@
-//! The house keeps its layers: imports run down, never in a circle, and each crate knows only what it should.
+//! The house keeps its layers: imports run down, never in a circle, each crate knows only what it should, and each test is run.
 
 mod imports;
 mod made_up;
@@ -69,6 +69,31 @@ fn the_renderers_keep_their_layers() {
 #[test]
 fn the_program_keeps_its_layers() {
     assert_kept("gamow", "src");
+}
+
+/// Folders of tests, and their programs.
+const PROGRAMS: [(&str, [&str; 2]); 3] = [
+    ("tests", ["program.rs", "ui/main.rs"]),
+    ("crates/relativity-core/tests", ["claims.rs", "oracle/main.rs"]),
+    ("crates/relativity-render/tests", ["cpu.rs", "gpu.rs"]),
+];
+
+/// A file that none of them names would be tested by nobody.
+#[test]
+fn every_file_of_tests_is_in_a_program() {
+    for (folder, programs) in PROGRAMS {
+        let mut sources = BTreeMap::new();
+        read_folder(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder), "", &mut sources);
+        let roots: Vec<&str> = programs.iter().map(|program| sources[*program].as_str()).collect();
+        let is_named = |name: &str| roots.iter().any(|root| root.contains(&format!("mod {name};\n")));
+        for file in sources.keys().filter(|file| !programs.contains(&file.as_str())) {
+            let is_of_a_program = programs.iter().any(|program| {
+                program.split_once('/').is_some_and(|(own, _)| file.starts_with(&format!("{own}/")))
+            });
+            let name = file.split(['/', '.']).next().expect("a file has a name");
+            assert!(is_of_a_program || is_named(name), "{folder}/{file} is in no program");
+        }
+    }
 }
 
 #[track_caller]

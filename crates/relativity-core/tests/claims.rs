@@ -1,0 +1,14 @@
+//! All tests of the crate but those against high precision, which are `oracle`: one program.
+
+mod common;
+mod conformal;
+mod domain;
+mod fit;
+mod invariants;
+mod names;
+mod published_numbers;
+mod riding;
+mod stereo_claims;
+#[path = "common/tally.rs"]
+mod tally;
+mod wheels;

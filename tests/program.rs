@@ -1,0 +1,13 @@
+//! All tests of the whole program but those of its window, which are `ui`: one program.
+
+mod accuracy;
+mod cli;
+mod conformal;
+mod framing;
+mod layers;
+mod lessons;
+mod light;
+mod notices;
+mod render;
+mod scenes;
+mod state;
