@@ -197,7 +197,7 @@ mod tests {
                         DVec3::from(center) + turn * (radius * across)
                     }
                     Shape::Sphere { center, .. } => center.into(),
-                    Shape::Box { .. } | Shape::Cylinder { .. } => unreachable!("a bicycle has none"),
+                    _ => unreachable!("a bicycle has no others"),
                 };
                 let depth = (3.0 * place.y + 2.0 * place.z) / 13f64.sqrt();
                 let [left, right] = [-0.05, 0.05].map(|eye| seen_x(place.into(), eye, beta, time) / depth);

@@ -85,7 +85,7 @@ fn largest_x(shape: &Shape) -> f64 {
         Shape::Ring { center, axis, radius, tube_radius } => {
             center[0] + radius * (1.0 - axis[0] * axis[0]).sqrt() + tube_radius
         }
-        Shape::Box { .. } | Shape::Cylinder { .. } => unreachable!("{NO_FLAT_FACES}"),
+        _ => unreachable!("{NO_FLAT_FACES}"),
     }
 }
 
@@ -149,7 +149,7 @@ fn skeleton(shape: &Shape) -> Box<dyn Iterator<Item = DVec3>> {
             let turns = steps.map(|s| (std::f64::consts::TAU * s).sin_cos());
             Box::new(turns.map(move |(sin, cos)| DVec3::from(center) + radius * (cos * u + sin * v)))
         }
-        Shape::Box { .. } | Shape::Cylinder { .. } => unreachable!("{NO_FLAT_FACES}"),
+        _ => unreachable!("{NO_FLAT_FACES}"),
     }
 }
 
@@ -158,7 +158,7 @@ fn tube_radius(shape: &Shape) -> f64 {
     match *shape {
         Shape::Sphere { radius, .. } | Shape::Tube { radius, .. } => radius,
         Shape::Ring { tube_radius, .. } => tube_radius,
-        Shape::Box { .. } | Shape::Cylinder { .. } => unreachable!("{NO_FLAT_FACES}"),
+        _ => unreachable!("{NO_FLAT_FACES}"),
     }
 }
 

@@ -2,10 +2,10 @@
 //! T, as what it frames does.
 
 use glam::DVec3;
+use relativity_core::Event;
 use relativity_render::{Motion, Shape};
 
 use super::diagram::Diagram;
-use super::event::Event;
 use super::fit::Extent;
 use super::instant::{Instant, Picture};
 use crate::scene::Scene;

@@ -3,12 +3,12 @@
 //! The point passes beside the eyes, not through them. So what is drawn of an eye's past light cone is its cut by the
 //! point's own plane, in which y and z are the point's: a hyperbola, whose asymptotes are light that runs along x.
 
-use relativity_core::{Aperture, ObserverError, SourcePoint, math};
+use relativity_core::{Aperture, Event, ObserverError, SourcePoint, math};
 use relativity_render::Velocity;
 
-use super::event::{Event, StraightLine};
 use super::light::{Ray, rays};
-use super::worldline::Worldline;
+use super::straight_line::StraightLine;
+use super::worldline::PointWorldline;
 use super::{Chart, Viewpoint};
 use crate::scene::Track;
 use crate::settings::Settings;
@@ -74,7 +74,7 @@ pub struct Diagram {
     /// The velocity of the other frame beside the ground's: that in which the scene rests, or whoever rides does at this moment.
     pub other: Velocity,
     /// Worldline of the point.
-    pub point: Worldline,
+    pub point: PointWorldline,
     /// The light that the eyes receive at T.
     pub rays: [Ray; 2],
     /// The middle between the eyes at T.
@@ -102,11 +102,11 @@ impl Diagram {
         frame: Velocity,
     ) -> Result<Self, ObserverError> {
         let rider = settings.rider(time);
-        let here = Event { x: rider.x, t: rider.street_time };
+        let here = rider.event();
         Ok(Self {
             frame,
             other: if settings.ride.is_on() { rider.velocity } else { Velocity::forward(settings.speed()) },
-            point: Worldline::new(settings, point, frame),
+            point: PointWorldline::new(settings, point, frame),
             rays: rays(settings, point, time, frame)?,
             present: here.in_frame(frame),
             time: rider.street_time,
@@ -175,8 +175,7 @@ pub fn worldline_of_eye(settings: &Settings, frame: Velocity, eye: usize, range:
     let aperture = settings.pair()[eye];
     let event = |piece: i32| {
         let time = time_range::time_within(range, f64::from(piece) / f64::from(Cone::PIECES));
-        let (x, t) = settings.rider(time).event_of(aperture);
-        Event { x, t }.in_frame(frame)
+        settings.rider(time).event_of(aperture).in_frame(frame)
     };
     (0..=Cone::PIECES).map(event).collect()
 }
@@ -347,7 +346,7 @@ mod tests {
                     let off = place - glam::DVec3::new(ray.left.x, place.y, place.z);
                     assert!(off.length() < 1e-9, "{geometry:?} {track:?}: {off}");
                     let glam::DVec3 { y, z, .. } =
-                        Worldline::new(&settings, &track, Velocity::REST).place(0.0);
+                        PointWorldline::new(&settings, &track, Velocity::REST).place(0.0);
                     assert!((place.y - y).abs() < 1e-12 && (place.z - z).abs() < 1e-12);
                 }
             }

@@ -1,10 +1,9 @@
 //! The present T of an observer, as the map asks for it: where points are, and where they are seen.
 
 use glam::DVec3;
-use relativity_core::{Aperture, Model, Observer, Stereo};
+use relativity_core::{Aperture, Event, Model, Observer, Stereo, Worldline};
 use relativity_render::{Camera, Geometry, GroupView, MaterialPoint, Motion, Velocity, View};
 
-use super::event::Event;
 use super::present::Present;
 use crate::scene::Track;
 use crate::settings::{Frame, Look, Rider, Settings};
@@ -93,8 +92,7 @@ impl<'a> Instant<'a> {
     pub fn places(&self, motion: Motion) -> Places {
         let Settings { motion: set, .. } = self.settings;
         let frame = self.settings.frame(self.time);
-        let Rider { x, street_time, .. } = self.rider;
-        let here = Event { x, t: street_time }.in_frame(frame);
+        let here = self.rider.event().in_frame(frame);
         let shift = DVec3::new(0.0, set.depth_shift, set.height_shift);
         // On the ground is what eyes at rest would see that receive the same light.
         let from = if self.frame() == Frame::Rider { self.rider.velocity } else { Velocity::REST };
@@ -191,8 +189,8 @@ impl Places {
     pub fn measured(&self, point: impl Into<MaterialPoint>) -> DVec3 {
         let Present { relative, time, .. } = self.present;
         let place = self.present.place(point.into());
-        let x = place.x / relative.speed.gamma() + relative.beta() * time;
-        DVec3 { x: x - self.origin, ..place } + self.shift
+        let now = Worldline::at_rest(relative, place.x).at(time);
+        DVec3 { x: now.x - self.origin, ..place } + self.shift
     }
 }
 

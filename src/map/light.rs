@@ -1,11 +1,10 @@
 //! Light that leaves the selected point: the events at which it left for each eye, the ray from there, and its wave
 //! fronts.
 
-use relativity_core::{Model, ObserverError, math};
+use relativity_core::{Event, Model, ObserverError, math};
 use relativity_render::Velocity;
 
-use super::event::Event;
-use super::worldline::Worldline;
+use super::worldline::PointWorldline;
 use crate::scene::Track;
 use crate::settings::Settings;
 
@@ -42,7 +41,7 @@ pub fn rays(
     time: f64,
     frame: Velocity,
 ) -> Result<[Ray; 2], ObserverError> {
-    let worldline = Worldline::new(settings, point, frame);
+    let worldline = PointWorldline::new(settings, point, frame);
     let both = settings.disparity(point, time)?;
     let ([left, right], rider) = (settings.pair(), settings.rider(time));
     let one_cone = settings.model() == Model::OneCone;
@@ -54,9 +53,8 @@ pub fn rays(
         } else {
             worldline.at(seen.retarded_time)
         };
-        let (x, t) = rider.event_of(eye);
-        let received = Event { x, t }.in_frame(frame);
-        let between = Event { x: rider.x, t: rider.street_time }.in_frame(frame);
+        let received = rider.event_of(eye).in_frame(frame);
+        let between = rider.event().in_frame(frame);
         let apex = if one_cone { between } else { received };
         let across = [place.y, place.z];
         let [y, z] = if one_cone { across } else { [seen.position[1], seen.position[2]] };
@@ -113,7 +111,7 @@ const MOST_FRONTS: i32 = 10;
 
 /// The fronts of light that left the point at the multiples of `period` of the time of the worldline's frame, as they are
 /// at its time `now`; the last ones first.
-pub fn fronts(worldline: &Worldline, now: f64, period: f64) -> impl Iterator<Item = Front> {
+pub fn fronts(worldline: &PointWorldline, now: f64, period: f64) -> impl Iterator<Item = Front> {
     let last = (now / period).floor();
     let number = if last.is_finite() { MOST_FRONTS } else { 0 };
     (0..number).map(move |back| {

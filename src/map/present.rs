@@ -1,6 +1,7 @@
 //! Places of points at one time of a frame: those that rest in the frame of their group, and those that turn there.
 
 use glam::DVec3;
+use relativity_core::Worldline;
 use relativity_core::wheel::measured_later;
 use relativity_render::{MaterialPoint, Velocity};
 
@@ -29,6 +30,6 @@ impl Present {
 
     /// Returns the time of the group's clocks at `place` in its frame.
     pub fn proper_time(&self, place: DVec3) -> f64 {
-        self.time / self.relative.speed.gamma() - self.relative.beta() * place.x
+        Worldline::at_rest(self.relative, place.x).proper_time(self.time)
     }
 }

@@ -3,11 +3,11 @@
 use std::f64::consts::TAU;
 
 use glam::DVec3;
-use relativity_core::math;
+use relativity_core::{Event, Worldline, math};
 use relativity_render::{MaterialPoint, Velocity};
 
-use super::event::{Event, StraightLine};
 use super::present::Present;
+use super::straight_line::StraightLine;
 use crate::scene::Track;
 use crate::settings::Settings;
 
@@ -18,7 +18,7 @@ const MOST_PIECES: f64 = 4096.0;
 
 /// The worldline of a point, in the frame of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Worldline {
+pub struct PointWorldline {
     /// The velocity of the point's group on the ground.
     velocity: Velocity,
     /// The frame of the map, by its velocity on the ground.
@@ -31,7 +31,7 @@ pub struct Worldline {
     rests: bool,
 }
 
-impl Worldline {
+impl PointWorldline {
     /// Returns the worldline of `point` in the frame that moves at `frame`.
     #[must_use]
     pub fn new(settings: &Settings, point: &Track, frame: Velocity) -> Self {
@@ -48,8 +48,7 @@ impl Worldline {
         if self.rests {
             return Event { x: place.x, t: self.now(t).proper_time(place) };
         }
-        let from_middle = place.x / self.velocity.speed.gamma();
-        Event { x: from_middle + self.velocity.beta() * t, t }.in_frame(self.frame)
+        self.clock_at(place).at(t).in_frame(self.frame)
     }
 
     /// Returns the place in the frame of its group at the ground's time `t`, from the point between the eyes.
@@ -80,33 +79,22 @@ impl Worldline {
         if frame == Velocity::REST {
             return t;
         }
-        if self.point.spin.is_none() {
-            let zero = self.axle_on_ground().through.in_frame(frame).t;
-            return (t - zero) / self.step_in(frame).t;
-        }
         let relative = self.velocity.seen_from(frame);
         let then = Present { on_ground: self.velocity, relative, time: t };
         let place = then.place(self.point);
-        self.ground_time_of(then.proper_time(place), place)
+        self.clock_at(place).at_proper_time(then.proper_time(place)).t
     }
 
-    /// The ground's time of what is at `place` at this time of the group's own clocks.
-    fn ground_time_of(&self, proper_time: f64, place: DVec3) -> f64 {
-        self.velocity.speed.gamma() * (proper_time + self.velocity.beta() * place.x)
+    /// The worldline on the ground, along x, of a clock at `place` in the frame of its group.
+    fn clock_at(&self, place: DVec3) -> Worldline {
+        Worldline::at_rest(self.velocity, place.x)
     }
 
     /// When light that leaves it at the ground's time `t` is received between the eyes.
     #[must_use]
     pub fn received(&self, t: f64) -> f64 {
         let place = self.place(t);
-        let x = place.x / self.velocity.speed.gamma() + self.velocity.beta() * t;
-        t + math::hypot(x, math::hypot(place.y, place.z))
-    }
-
-    /// Returns the axle's worldline on the ground: from t = 0 on, a step for each unit of time.
-    fn axle_on_ground(&self) -> StraightLine {
-        let through = Event { x: self.axle.x / self.velocity.speed.gamma(), t: 0.0 };
-        StraightLine { through, step: Event { x: self.velocity.beta(), t: 1.0 } }
+        self.clock_at(place).reception(t, math::hypot(place.y, place.z))
     }
 
     /// The worldline of the axle that it turns about, from the ground's time `time` on, a step for each unit of that; its own, if
@@ -138,7 +126,7 @@ impl Worldline {
         }
         let between = |piece: u32| {
             let own = from + (to - from) * f64::from(piece) / pieces;
-            self.ground_time_of(own, spin.turned(self.point.rest, omega * own))
+            self.clock_at(spin.turned(self.point.rest, omega * own)).at_proper_time(own).t
         };
         let inner = (1..pieces as u32).map(between);
         [first].into_iter().chain(inner).chain([last]).collect()

@@ -154,8 +154,13 @@ pub enum Problem {
         what: &'static str,
     },
     /// A shape that does not exist.
-    #[error("shape = {0} must be \"sphere\", \"tube\", \"ring\", \"box\" or \"cylinder\"")]
-    UnknownShape(String),
+    #[error("shape = {shape} must be {known}")]
+    UnknownShape {
+        /// Shape in the file.
+        shape: String,
+        /// The shapes that exist.
+        known: String,
+    },
     /// An include of what is not a preset.
     #[error("scene = {name} must be one of {list}", name = .0, list = PRESETS.join(", "))]
     UnknownInclude(String),

@@ -17,6 +17,15 @@ const DEFAULT_SPACING: f64 = 0.25;
 const OF_EVERY_OBJECT: [&str; 8] =
     ["name", "wavelength_nm", "light", "brightness", "pattern", "spacing", "repeat", "step"];
 
+/// The shapes: the name of each, the same with its article, and its reader.
+const SHAPES: [(&str, &str, fn(&Table) -> Result<Shape, Located>); 5] = [
+    ("sphere", "a sphere", sphere),
+    ("tube", "a tube", tube),
+    ("ring", "a ring", ring),
+    ("box", "a box", cuboid),
+    ("cylinder", "a cylinder", cylinder),
+];
+
 /// A body, and what its file calls it.
 #[derive(Clone)]
 pub(super) struct Object {
@@ -38,34 +47,26 @@ impl Object {
 
 /// Parses an object.
 pub(super) fn object(mut object: Table) -> Result<Object, Located> {
-    let shape = match object.needed_string("shape")? {
-        "sphere" => {
-            object.owner = "a sphere";
-            sphere(&object)?
-        }
-        "tube" => {
-            object.owner = "a tube";
-            tube(&object)?
-        }
-        "ring" => {
-            object.owner = "a ring";
-            ring(&object)?
-        }
-        "box" => {
-            object.owner = "a box";
-            cuboid(&object)?
-        }
-        "cylinder" => {
-            object.owner = "a cylinder";
-            cylinder(&object)?
-        }
-        _ => return Err(object.problem_at("shape", Problem::UnknownShape)),
+    let asked = object.needed_string("shape")?;
+    let Some(&(_, owner, read)) = SHAPES.iter().find(|(name, ..)| *name == asked) else {
+        return Err(
+            object.problem_at("shape", |shape| Problem::UnknownShape { shape, known: known_shapes() })
+        );
     };
+    object.owner = owner;
+    let shape = read(&object)?;
     let name = object.string("name")?.map(str::to_owned);
     let (emission, brightness) = (emission(&object)?, brightness(&object)?);
     let body =
         Body { shape, emission, brightness, pattern: pattern(&object, &shape)?, spin: None, triangles: None };
     Ok(Object { body, name, include: None, span: object.span })
+}
+
+/// The names of the shapes, as an error lists them.
+fn known_shapes() -> String {
+    let names = SHAPES.map(|(name, ..)| format!("\"{name}\""));
+    let [first @ .., last] = &names;
+    format!("{} or {last}", first.join(", "))
 }
 
 /// Refuses keys other than those of every object and the `known` ones of its shape.

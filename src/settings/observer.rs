@@ -136,9 +136,9 @@ impl Settings {
             let [_, y, z] = place;
             return [if velocity.seen_from(rider.velocity).is_backward { -past } else { past }, y, z];
         }
-        let SourcePoint { x0, y, z } = self.source(point).place_when_measured(&velocity.speed, time);
-        let x = x0 + velocity.speed.beta() * time;
-        [if velocity.is_backward { -x } else { x }, y, z]
+        let there = self.source(point).place_when_measured(&velocity.speed, time);
+        let x = there.worldline(&velocity.speed).at(time).x;
+        [if velocity.is_backward { -x } else { x }, there.y, there.z]
     }
 
     /// The geometry that is shown: the one set, or as seen in place of the published one, which has both eyes at rest along the

@@ -5,7 +5,7 @@
 
 use clap::Args;
 use relativity_core::{
-    Aperture, Leg, Observer, ObserverVelocity, Odometers, RideMoment, RiderVelocity, math,
+    Aperture, Boost, Event, Leg, Observer, ObserverVelocity, Odometers, RideMoment, RiderVelocity, math,
 };
 use relativity_render::Velocity;
 use serde::Serialize;
@@ -152,15 +152,16 @@ impl Rider {
         Self { velocity, x: moment.place[0], street_time: moment.time }
     }
 
-    /// The event of an eye that is at `aperture` from the middle between the eyes, in the rider's frame: its x on the street,
-    /// and the time of the street's clock there.
+    /// The event of the middle between the eyes, on the street.
     #[must_use]
-    pub fn event_of(&self, aperture: Aperture) -> (f64, f64) {
-        if self.velocity == Velocity::REST {
-            return (self.x + aperture.x, self.street_time);
-        }
-        let gamma = self.velocity.speed.gamma();
-        (self.x + gamma * aperture.x, self.street_time + gamma * self.velocity.beta() * aperture.x)
+    pub const fn event(&self) -> Event {
+        Event { x: self.x, t: self.street_time }
+    }
+
+    /// The event on the street of an eye that is at `aperture` from the middle between the eyes, in the rider's frame.
+    #[must_use]
+    pub fn event_of(&self, aperture: Aperture) -> Event {
+        self.event().plus(Boost::from(self.velocity).simultaneous_step(aperture.x))
     }
 
     /// The observer of this moment.
@@ -220,14 +221,15 @@ mod tests {
     fn eyes_along_the_motion_are_gamma_d_apart_on_the_street() {
         let rider = riding("coast", "gamma:-10").rider(0.0);
         let [near, far] = [-0.05, 0.05].map(|x| rider.event_of(Aperture { x, y: 0.0, z: 0.0 }));
-        assert!((far.0 - near.0 - 1.0).abs() < 1e-14);
-        assert!((far.1 - near.1 + 0.99_f64.sqrt()).abs() < 1e-14);
+        assert!((far.x - near.x - 1.0).abs() < 1e-14);
+        assert!((far.t - near.t + 0.99_f64.sqrt()).abs() < 1e-14);
     }
 
     #[test]
     fn without_a_ride_the_eyes_rest_where_they_are() {
         let rider = Riding::default().rider(2.5);
-        assert_eq!(rider.event_of(Aperture { x: -0.05, y: 0.0, z: 0.0 }), (-0.05, 2.5));
+        let event = rider.event_of(Aperture { x: -0.05, y: 0.0, z: 0.0 });
+        assert_eq!(event, Event { x: -0.05, t: 2.5 });
         assert_eq!(rider.observer(), Observer::at_rest(2.5));
     }
 }

@@ -1,8 +1,8 @@
 //! Views of both eyes: their gaze, field of view and zero parallax become two cameras.
 
 use glam::DVec3;
-use relativity_core::Aperture;
 use relativity_core::math::{asinh, sinh};
+use relativity_core::{Aperture, Event};
 use relativity_render::{Camera, Framing, Gaze, Geometry, Motion, Outline, PreparedScene, Projection, View};
 
 use super::all::Settings;
@@ -182,7 +182,7 @@ impl Settings {
         }
         [(left, geometry.of_left_eye()), (right, geometry)].map(|(camera, geometry)| {
             let Aperture { y, z, .. } = camera.aperture;
-            let (x, observation_time) = rider.event_of(camera.aperture);
+            let Event { x, t: observation_time } = rider.event_of(camera.aperture);
             let aperture = Aperture { x, y, z };
             let camera = Camera { aperture, velocity: rider.velocity, rolled, ..camera };
             View { camera, speed: self.speed(), observation_time, geometry }

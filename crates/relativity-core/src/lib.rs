@@ -104,6 +104,7 @@ pub mod speed;
 pub mod stereo;
 pub mod threads;
 pub mod wheel;
+pub mod worldline;
 
 pub use aperture::Aperture;
 pub use apparent::{Sighting, sighting};
@@ -126,6 +127,7 @@ pub use ride::{Leg, Odometers, Ride, RideMoment, RiderVelocity};
 pub use source::{Source, SourcePoint, Turning, WheelPoint};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};
 pub use stereo::{Stereo, StereoError, stereo};
+pub use worldline::{Boost, Event, Worldline};
 
 /// The example of the README.
 #[cfg(doctest)]

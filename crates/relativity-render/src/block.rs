@@ -1,11 +1,9 @@
 //! Blocks that contain a shape with flat faces: what its bounds in a picture are worked out from.
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
-use crate::shape::Shape;
-use crate::turn::turn_of;
 
 /// A box in the rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,6 +17,13 @@ pub struct Block {
 }
 
 impl Block {
+    /// The block with half these sides along its own axes, which have this `turn`.
+    pub fn new(center: DVec3, half: DVec3, turn: DQuat) -> Self {
+        let axes = DMat3::from_quat(turn);
+        let half_axes = [axes.x_axis * half.x, axes.y_axis * half.y, axes.z_axis * half.z];
+        Self { center, half_axes, radius: half.min_element() }
+    }
+
     /// From the camera's event, reflected so that the group moves along +x.
     pub fn reflected_from_camera(&self, view: &GroupView) -> Self {
         Self {
@@ -68,24 +73,5 @@ impl Block {
             from_origin + *axis * along.clamp(-1.0, 1.0)
         });
         nearest.length()
-    }
-}
-
-/// The block that contains `shape`, if its bounds are better worked out from that than from capsules.
-pub fn block(shape: &Shape) -> Option<Block> {
-    let axes = |half: DVec3| {
-        let turn = DMat3::from_quat(turn_of(shape));
-        [turn.x_axis * half.x, turn.y_axis * half.y, turn.z_axis * half.z]
-    };
-    let block = |center, half: DVec3| Block { center, half_axes: axes(half), radius: half.min_element() };
-    match *shape {
-        Shape::Box { center, half, .. } => Some(block(center.into(), half.into())),
-        Shape::Cylinder { from, to, radius } => {
-            let (from, to) = (DVec3::from(from), DVec3::from(to));
-            let half_length = 0.5 * (to - from).length();
-            // Of a longer one the ends of a capsule are less than the corners of a block.
-            (half_length < radius).then(|| block(0.5 * (from + to), DVec3::new(radius, radius, half_length)))
-        }
-        Shape::Sphere { .. } | Shape::Tube { .. } | Shape::Ring { .. } => None,
     }
 }

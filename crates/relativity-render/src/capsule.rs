@@ -1,12 +1,8 @@
 //! Capsules that contain a shape: what its bounds in a picture are worked out from.
 
-use std::f64::consts::{PI, TAU};
-
 use glam::DVec3;
-use relativity_core::math::{cos, sin};
 
 use crate::group_view::GroupView;
-use crate::shape::Shape;
 
 /// A tube with rounded ends in the rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,40 +55,4 @@ impl Capsule {
         let middle = 0.5 * (self.from + self.to);
         [Self { to: middle, ..*self }, Self { from: middle, ..*self }]
     }
-}
-
-/// Adds capsules to `out` that contain `shape`; none for a box.
-pub fn add_capsules(shape: &Shape, out: &mut Vec<Capsule>) {
-    match *shape {
-        Shape::Sphere { center, radius } => out.push(Capsule::ball(center.into(), radius)),
-        Shape::Tube { from, to, radius } | Shape::Cylinder { from, to, radius } => {
-            out.push(Capsule { from: from.into(), to: to.into(), radius });
-        }
-        Shape::Box { .. } => {}
-        Shape::Ring { center, axis, radius, tube_radius } => {
-            out.extend(arcs(center.into(), axis.into(), radius, tube_radius));
-        }
-    }
-}
-
-/// A ring's arcs, each in a capsule along its chord, moved outwards by half the sagitta.
-fn arcs(center: DVec3, axis: DVec3, radius: f64, tube_radius: f64) -> impl Iterator<Item = Capsule> {
-    // Half the sagitta, radius angle^2/16, adds no more than half the tube's radius. A thick ring has eight arcs
-    // nevertheless, lest its hole be covered; the thinnest has no more than thirty-two, each worth a rectangle.
-    let angle = (8.0 * tube_radius / radius).sqrt().clamp(0.2, 0.8);
-    let count = (TAU / angle).ceil();
-    let half_angle = PI / count;
-    let half_sagitta = 0.5 * radius * (1.0 - cos(half_angle));
-    let (u, v) = axis.any_orthonormal_pair();
-    let point = move |middle: f64, end: f64| {
-        let outward = u * cos(middle) + v * sin(middle);
-        let along = v * cos(middle) - u * sin(middle);
-        center
-            + outward * (radius * cos(half_angle) + half_sagitta)
-            + along * (end * radius * sin(half_angle))
-    };
-    (0..count as u32).map(move |i| {
-        let middle = 2.0 * half_angle * f64::from(i);
-        Capsule { from: point(middle, -1.0), to: point(middle, 1.0), radius: tube_radius + half_sagitta }
-    })
 }

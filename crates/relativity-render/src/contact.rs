@@ -11,12 +11,12 @@
 
 use std::array;
 
-use glam::{DQuat, DVec2, DVec3};
-use relativity_core::math::hypot;
+use glam::{DVec2, DVec3};
 
 use crate::group_view::GroupView;
 use crate::scene::PreparedScene;
 use crate::shape::Shape;
+use crate::shape::questions::Foot;
 use crate::view::{Appearance, Geometry};
 
 /// Share of the road's light that a shadow takes where bodies touch the road.
@@ -27,12 +27,6 @@ pub(crate) const FARTHEST: f64 = 2000.0;
 pub(crate) const MOST: usize = 8;
 /// A body touches the ground if its lowest point is this near to it, in parts of its radius.
 const TOUCH: f64 = 0.02;
-/// Half the length of a wheel's shadow along it and half its width across, in parts of its radius.
-const WHEEL: [f64; 2] = [1.3, 0.5];
-/// Half the width of a ball's, in parts of its radius.
-const BALL: f64 = 1.2;
-/// A box's, in parts of its own.
-const BOX: f64 = 1.5;
 /// A body of a greater gamma has none: f32 would overflow in the squares.
 const MOST_RAPID: f64 = 1e9;
 
@@ -57,12 +51,6 @@ struct Contact {
     gamma: f64,
     /// gamma times the speed along x at which it moves on while light is on its way.
     rapid: f64,
-}
-
-/// The foot of a shape: its place on the ground, and half the length and the width of its shadow.
-struct Foot {
-    place: DVec3,
-    half: DVec2,
 }
 
 impl Contacts {
@@ -159,29 +147,7 @@ impl Contact {
 
 /// Returns where `shape` touches the ground at this height: a wheel that does not lie flat, a ball or a box.
 fn foot(shape: &Shape, ground: f64) -> Option<Foot> {
-    let touches = |lowest: f64, radius: f64| (lowest - ground).abs() <= TOUCH * radius;
-    let (place, radius, half) = match *shape {
-        Shape::Sphere { center, radius } => {
-            (DVec3::from(center) - DVec3::Z * radius, radius, DVec2::splat(BALL * radius))
-        }
-        Shape::Ring { center, axis, radius, tube_radius } => {
-            let axis = DVec3::from(axis);
-            let down = (axis * axis.z - DVec3::Z).try_normalize()?;
-            let ahead = axis.cross(down).truncate();
-            let outer = radius + tube_radius;
-            let sizes = |part: f64, other: f64| outer * hypot(WHEEL[0] * part, WHEEL[1] * other);
-            let half = DVec2::new(sizes(ahead.x, ahead.y), sizes(ahead.y, ahead.x));
-            (DVec3::from(center) + down * radius - DVec3::Z * tube_radius, outer, half)
-        }
-        Shape::Box { center, half: [x, y, z], turn } => {
-            let turn = DQuat::from_array(turn);
-            let sides = [DVec3::X * x, DVec3::Y * y, DVec3::Z * z].map(|side| (turn * side).abs());
-            let half = sides.into_iter().sum::<DVec3>();
-            (DVec3::from(center) - DVec3::Z * half.z, half.max_element(), BOX * half.truncate())
-        }
-        Shape::Tube { .. } | Shape::Cylinder { .. } => return None,
-    };
-    touches(place.z, radius).then_some(Foot { place, half })
+    shape.foot().filter(|foot| (foot.place.z - ground).abs() <= TOUCH * foot.radius)
 }
 
 #[cfg(test)]
@@ -192,6 +158,7 @@ mod tests {
     use crate::body::Body;
     use crate::camera::{Camera, Gaze};
     use crate::scene::Group;
+    use crate::shape::ring::SHADOW as WHEEL;
     use crate::velocity::{Motion, Velocity};
     use crate::view::View;
 

@@ -1,7 +1,6 @@
 //! The kinds of shape in the shaders: each has its own ray test, and its own corners of triangles.
 
 use crate::shaders::source;
-use crate::shape::Shape;
 
 /// Defines the kinds: one line each, with its name and its files in `shaders/` for the ray test, for the pixels of that, for the corners
 /// and for patterns.
@@ -49,16 +48,4 @@ kinds! {
     Cylinder: ["cylinder", "turning_shape"], ["impostor_shape"], ["mesh_cylinder", "mesh_shape"], "pattern_cylinder";
     /// A model of triangles, in its box.
     Model: ["models", "textures", "model"], ["models_turning", "impostor_model"], ["mesh_model"], "pattern_box";
-}
-
-impl Kind {
-    /// The kind of `shape`.
-    pub const fn from_shape(shape: &Shape) -> Self {
-        match shape {
-            Shape::Sphere { .. } | Shape::Tube { .. } => Self::Tube,
-            Shape::Ring { .. } => Self::Ring,
-            Shape::Box { .. } => Self::Box,
-            Shape::Cylinder { .. } => Self::Cylinder,
-        }
-    }
 }

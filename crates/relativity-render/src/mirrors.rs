@@ -3,10 +3,11 @@
 use std::mem::offset_of;
 
 use crate::compose::{self, Composing};
+use crate::corners::Corner;
 use crate::effects::{Constant, Effects};
 use crate::frame::Frame;
 use crate::kind::Kind;
-use crate::mesh::{Corner, Instance};
+use crate::mesh::Instance;
 use crate::pipelines::{Key, Output, Technique};
 use crate::rays::Piece;
 use crate::street_sight::StreetVariant;

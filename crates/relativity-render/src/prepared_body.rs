@@ -6,17 +6,16 @@ use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 
-use crate::block::{Block, block};
+use crate::block::Block;
 use crate::body::{Body, Emission};
-use crate::capsule::{Capsule, add_capsules};
+use crate::capsule::Capsule;
 pub use crate::extent::Extent;
 use crate::intersect::Solid;
 use crate::kind::Kind;
-use crate::pattern::{Form, Marking};
+use crate::pattern::Marking;
 use crate::shape::Shape;
-use crate::surface::Surface;
+use crate::shape::questions::{Packed, PackedForm};
 use crate::triangles::Triangles;
-use crate::turn::turn_of;
 use crate::wheel::spin::Spin;
 
 /// A placed body.
@@ -84,23 +83,11 @@ impl Placement {
     /// Returns the placement of `shape`, with this `turn`, in a group with this `middle`.
     #[must_use]
     pub fn new(shape: &Shape, turn: DQuat, middle: DVec3) -> Self {
-        let from_middle = |place: [f64; 3], w: f64| packed(DVec3::from(place) - middle, w);
-        let (place_radius, form) = match *shape {
-            // A tube whose ends are in one place.
-            Shape::Sphere { center, radius } => (from_middle(center, radius), from_middle(center, 0.0)),
-            Shape::Tube { from, to, radius } => (from_middle(from, radius), from_middle(to, 0.0)),
-            Shape::Ring { center, axis, radius, tube_radius } => {
-                (from_middle(center, tube_radius), packed(axis.into(), radius))
-            }
-            Shape::Box { center, half, .. } => {
-                let half = DVec3::from(half);
-                (from_middle(center, half.min_element()), packed(half, 0.0))
-            }
-            Shape::Cylinder { from, to, radius } => {
-                let (from, to) = (DVec3::from(from), DVec3::from(to));
-                let half = DVec3::new(radius, radius, 0.5 * (to - from).length());
-                (from_middle((0.5 * (from + to)).to_array(), half.min_element()), packed(half, 0.0))
-            }
+        let Packed { place, radius, form } = shape.packed();
+        let place_radius = packed(place - middle, radius);
+        let form = match form {
+            PackedForm::Place(place) => packed(place - middle, 0.0),
+            PackedForm::Vector(vector, number) => packed(vector, number),
         };
         Self { place_radius, form, turn: turn.as_quat().to_array() }
     }
@@ -115,12 +102,12 @@ impl PreparedBody {
         extent: &Extent,
         capsules: &mut Vec<Capsule>,
     ) -> Self {
-        let turn = turn_of(&body.shape);
+        let turn = body.shape.turn();
         let first = capsules.len();
-        let block = block(&body.shape).map(Box::new);
-        let marking = Marking::new(body.pattern, Form::new(&body.shape), turn);
+        let block = body.shape.block().map(Box::new);
+        let marking = Marking::new(body.pattern, body.shape.about_centre().1, turn);
         if block.is_none() {
-            add_capsules(&body.shape, capsules);
+            capsules.extend(body.shape.capsules());
         }
         Self {
             number,
@@ -128,7 +115,7 @@ impl PreparedBody {
             emission: body.emission,
             emission_number: 0,
             brightness: body.brightness,
-            kind: if body.triangles.is_some() { Kind::Model } else { Kind::from_shape(&body.shape) },
+            kind: if body.triangles.is_some() { Kind::Model } else { body.shape.kind() },
             shape: body.shape,
             turn,
             placement: Placement::new(&body.shape, turn, extent.middle),
@@ -141,11 +128,6 @@ impl PreparedBody {
             is_patterned: false,
             triangles: body.triangles.clone(),
         }
-    }
-
-    /// Returns the surface that triangles approximate.
-    pub(crate) fn surface(&self) -> Surface {
-        Surface::new(&self.shape, self.turn)
     }
 
     /// Returns the number of the body for the shaders: floats hold integers up to 2^24.
@@ -162,11 +144,8 @@ impl PreparedBody {
     fn ends(&self) -> impl Iterator<Item = [u32; 3]> + use<> {
         let place = |[x, y, z, _]: [f32; 4]| [x, y, z].map(f32::to_bits);
         let first = place(self.placement.place_radius);
-        let second = match self.kind {
-            Kind::Tube => Some(place(self.placement.form)).filter(|second| *second != first),
-            Kind::Ring | Kind::Box | Kind::Cylinder | Kind::Model => None,
-        };
-        [Some(first), second].into_iter().flatten()
+        let second = (self.kind == Kind::Tube).then(|| place(self.placement.form));
+        [Some(first), second.filter(|second| *second != first)].into_iter().flatten()
     }
 }
 

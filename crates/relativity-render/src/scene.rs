@@ -129,26 +129,12 @@ impl PreparedScene {
             prepared.push(PreparedGroup { motion: Motion::Scene, bodies: 0..0, extent: Extent::new([]) });
         }
         let place = |body: &PreparedBody| turning_places.get(body.number).copied().unwrap_or(NONE);
-        let ball = |body: &PreparedBody| match (turning.get(place(body) as usize), &body.block) {
-            (Some(turning), _) => {
-                let (center, radius) = turning.ball_around();
-                Capsule::ball(center, radius)
-            }
-            (None, Some(block)) => block.ball_around(),
-            (None, None) => Capsule::ball_around(&capsules[body.capsules.clone()]),
-        };
+        let ball = |body: &PreparedBody| ball_around(body, turning.get(place(body) as usize), &capsules);
         let balls = bodies.iter().map(ball).collect();
         let spinning = bodies.iter().filter(|body| body.spin.is_some());
         let spinning = spinning.map(|body| body.number as u32).collect();
         let emissions = number_emissions(&mut bodies);
-        let hierarchy = |group: &PreparedGroup| {
-            let standing = bodies[group.bodies.clone()].iter().filter(|body| !body.is_turned);
-            let extent = &group.extent;
-            let pieces = standing.flat_map(|body| {
-                pieces(&solids[body.number], &capsules[body.capsules.clone()], body.number as u32, extent)
-            });
-            Hierarchy::new(pieces, extent.middle)
-        };
+        let hierarchy = |group: &PreparedGroup| hierarchy(group, &bodies, &solids, &capsules);
         let hierarchies = prepared.iter().map(hierarchy).collect();
         let numbers = (0..bodies.len() as u32).collect();
         let models = bodies.iter().filter_map(|body| Some((body.number, body.triangles.clone()?))).collect();
@@ -357,4 +343,31 @@ impl PreparedGroup {
     pub(crate) fn tie(&self) -> f64 {
         TIE * 2.0 * self.extent.reach
     }
+}
+
+/// A ball around `body`, at every angle if it is `turning`.
+fn ball_around(body: &PreparedBody, turning: Option<&TurningSolid>, capsules: &[Capsule]) -> Capsule {
+    match (turning, &body.block) {
+        (Some(turning), _) => {
+            let (center, radius) = turning.ball_around();
+            Capsule::ball(center, radius)
+        }
+        (None, Some(block)) => block.ball_around(),
+        (None, None) => Capsule::ball_around(&capsules[body.capsules.clone()]),
+    }
+}
+
+/// The hierarchy of the bodies of `group` that stand still in it.
+fn hierarchy(
+    group: &PreparedGroup,
+    bodies: &[PreparedBody],
+    solids: &[Solid],
+    capsules: &[Capsule],
+) -> Hierarchy {
+    let standing = bodies[group.bodies.clone()].iter().filter(|body| !body.is_turned);
+    let extent = &group.extent;
+    let pieces = standing.flat_map(|body| {
+        pieces(&solids[body.number], &capsules[body.capsules.clone()], body.number as u32, extent)
+    });
+    Hierarchy::new(pieces, extent.middle)
 }

@@ -14,7 +14,7 @@ use relativity_core::math::{asinh, atan, hypot, sin_cos, tan};
 
 use crate::block::Block;
 use crate::camera::{Axes, Gaze, MAX_ELEVATION, Projection as PictureProjection};
-use crate::capsule::{Capsule, add_capsules};
+use crate::capsule::Capsule;
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
 use crate::one_cone;
@@ -85,11 +85,7 @@ impl Seen<'_> {
         match &self.bounds {
             Bounds::Capsules(capsules) => capsules.to_vec(),
             Bounds::Block(block) => block.edges().collect(),
-            Bounds::Turning(ring) => {
-                let mut arcs = Vec::new();
-                add_capsules(ring, &mut arcs);
-                arcs
-            }
+            Bounds::Turning(ring) => ring.capsules(),
         }
     }
 }

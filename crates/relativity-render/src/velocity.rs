@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Baseline, ConformalDisparity, Disparity, MAX_GAMMA, Model, Observer, ObserverError, PairError,
-    Sighting, Source, SourcePoint, Speed, SpeedError, Stereo, StereoError, Turning, WheelPoint, aberration,
-    math,
+    Aperture, Baseline, Boost, ConformalDisparity, Disparity, MAX_GAMMA, Model, Observer, ObserverError,
+    PairError, Sighting, Source, SourcePoint, Speed, SpeedError, Stereo, StereoError, Turning, WheelPoint,
+    aberration, math,
 };
 
 use crate::wheel::spin::MaterialPoint;
@@ -29,6 +29,12 @@ pub struct Velocity {
     pub speed: Speed,
     /// Whether it points towards -x.
     pub is_backward: bool,
+}
+
+impl From<Velocity> for Boost {
+    fn from(Velocity { speed, is_backward }: Velocity) -> Self {
+        Self { speed, is_backward }
+    }
 }
 
 /// The motion of a group of bodies.

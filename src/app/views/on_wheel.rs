@@ -1,9 +1,8 @@
 //! Points of turning wheels: their place on the wheel, and their motion there.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
-use glam::DVec3;
-use relativity_core::math;
+use relativity_core::Source;
 use relativity_render::{Geometry, View};
 
 use crate::app::state::State;
@@ -42,18 +41,16 @@ impl State {
     /// turn.
     #[must_use]
     pub fn on_wheel(&self, track: &Track, proper_time: f64) -> Option<OnWheel> {
-        let (spin, velocity) = (track.spin?, self.document.settings.velocity(track.motion));
-        let omega = spin.omega(velocity.beta());
-        let place = spin.turned(track.rest.into(), omega * proper_time);
-        let q = place - DVec3::from(spin.hub);
-        let r = math::hypot(q.x, q.z);
-        // About +y, as a wheel turns that rolls towards +x; added to the velocity of the axle.
-        let [along, up] = [omega * q.z, -omega * q.x];
-        let (beta, gamma) = (velocity.beta(), velocity.speed.gamma());
-        let added = 1.0 + beta * along;
-        let on_ground = math::hypot((beta + along) / added, up / (gamma * added));
-        let angle = math::atan2(q.z, q.x).rem_euclid(TAU);
-        Some(OnWheel { share: r / spin.radius, angle, turning: omega.abs() * r, on_ground })
+        let velocity = self.document.settings.velocity(track.motion);
+        let Source::Wheel(wheel) = velocity.reflected_source(track.point()) else { return None };
+        let reflected = wheel.angle_at(&velocity.speed, proper_time);
+        let angle = if velocity.is_backward { PI - reflected } else { reflected };
+        Some(OnWheel {
+            share: wheel.rho,
+            angle: angle.rem_euclid(TAU),
+            turning: wheel.omega(&velocity.speed).abs() * wheel.rho * wheel.radius,
+            on_ground: wheel.speed_on_ground(&velocity.speed, reflected),
+        })
     }
 
     /// Place of a point on its wheel as `view` shows it.
@@ -79,7 +76,7 @@ impl State {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::{FRAC_PI_2, PI};
+    use std::f64::consts::FRAC_PI_2;
 
     use relativity_core::Turning;
     use relativity_render::{Motion, Spin, Velocity};

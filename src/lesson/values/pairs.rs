@@ -48,8 +48,7 @@ pub const VALUES: &[Value] = &[
         what: "what its own clock, or that of the hub it turns about, shows when the ground's clocks show T",
         work_out: |here| {
             let speed = here.settings.velocity(here.track.motion).speed;
-            let x0 = here.settings.carrier(&here.track).x0;
-            Some((here.time - speed.beta() * (x0 + speed.beta() * here.time)) * speed.gamma())
+            Some(here.settings.carrier(&here.track).worldline(&speed).proper_time(here.time))
         },
     },
     Value { name: "dphi", what: "disparity across, radians", work_out: |here| Some(here.disparity()?.dphi) },

@@ -72,9 +72,8 @@ pub const VALUES: &[Value] = &[
         name: "reckoned",
         what: "what a clock there that is set as the street's shows now, by the rider's reckoning",
         work_out: |here| {
-            let Rider { velocity, x, street_time, .. } = here.rider();
-            let [place, _, _] = here.settings.rest_place(here.track.axle());
-            Some(street_time + velocity.beta() * (place - x))
+            let (rider, [place, _, _]) = (here.rider(), here.settings.rest_place(here.track.axle()));
+            Some(rider.event().simultaneous_at(place, rider.velocity).t)
         },
     },
     Value {
@@ -91,7 +90,7 @@ pub const VALUES: &[Value] = &[
         work_out: |here| {
             let [_, y, z] = here.settings.rest_place(here.track.axle());
             let [left, _] = here.settings.pair();
-            let (eye, _) = here.rider().event_of(left);
+            let eye = here.rider().event_of(left).x;
             let aside = math::hypot(y - left.y, z - left.z);
             Some(math::atan2(aside, here.place_on_street()? - eye).to_degrees())
         },

@@ -1,5 +1,9 @@
 //! Values of a wheel that rolls at the speed of the scene.
 
+use std::f64::consts::FRAC_PI_2;
+
+use relativity_core::{SourcePoint, Turning, WheelPoint};
+
 use super::here::{Here, Value};
 
 /// Values of a rolling wheel.
@@ -13,14 +17,14 @@ pub const VALUES: &[Value] = &[
         name: "D_top",
         what: "Doppler factor of the top of a wheel that rolls, where that is seen abeam",
         work_out: |here| {
-            let beta = here.settings.speed().beta();
-            Some((1.0 - beta) * (1.0 + beta) / (1.0 + beta * beta))
+            let speed = here.settings.speed();
+            Some(speed.inverse_gamma_squared() / (1.0 + speed.beta() * speed.beta()))
         },
     },
 ];
 
-/// In its own frame the rim turns with the speed of the scene.
 fn top_speed(here: &Here) -> f64 {
-    let beta = here.settings.speed().beta();
-    2.0 * beta / (1.0 + beta * beta)
+    let hub = SourcePoint { x0: 0.0, y: 0.0, z: 0.0 };
+    let top = WheelPoint { hub, radius: 1.0, rho: 1.0, angle: FRAC_PI_2, turning: Turning::Rolling };
+    top.speed_on_ground(&here.settings.speed(), top.angle)
 }

@@ -1,13 +1,12 @@
 //! Wheels that roll, on the map.
 
 use glam::DVec3;
+use relativity_core::Event;
 use relativity_render::{Spin, Velocity};
 
 use super::{AREA, settings};
 use crate::flags::{SpeedParameter, SpeedSetting};
-use crate::map::{
-    Diagram, Event, Extent, Instant, Lines, Picture, Viewpoint, Worldline, home, plan_and_side,
-};
+use crate::map::{Diagram, Extent, Instant, Lines, Picture, PointWorldline, Viewpoint, home, plan_and_side};
 use crate::scene::{Scene, Track};
 use crate::settings::Frame;
 
@@ -115,7 +114,7 @@ fn the_worldline_of_a_point_of_the_rim_rests_on_the_road_and_runs_ahead_at_the_t
     let settings = settings(BETA, Frame::Ground);
     // On the road at t = 0.
     let track = scene.track(Some([0.0, 4.0, -1.25]));
-    let worldline = Worldline::new(&settings, &track, Velocity::REST);
+    let worldline = PointWorldline::new(&settings, &track, Velocity::REST);
     let speed = |t: f64| (worldline.at(t + 1e-5).x - worldline.at(t - 1e-5).x) / 2e-5;
     assert!(worldline.at(0.0).x.abs() < 1e-12 && speed(0.0).abs() < 1e-8, "{}", speed(0.0));
     // Half a turn later: pi W / beta by its own clocks.

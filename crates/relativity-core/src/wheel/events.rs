@@ -5,6 +5,7 @@
 //! points holds for it.
 
 use super::root::{measured_later, root};
+use super::seen::Circle;
 use crate::aperture::Aperture;
 use crate::math;
 use crate::source::{Source, SourcePoint, WheelPoint};
@@ -26,20 +27,35 @@ impl WheelPoint {
         self.place_at_angle(speed, self.angle_at(speed, proper_time))
     }
 
-    /// Returns the time that the clock at the hub shows at `time` on the ground.
-    fn hub_clock(&self, speed: &Speed, time: f64) -> f64 {
-        time / speed.gamma() - speed.gamma() * speed.beta() * self.hub.x0
-    }
-
     /// Returns the place of the point at `time` on the ground, as [`Self::place_at`]: at x = `x0` + beta `time`.
     ///
     /// For a rolling wheel this is Kepler's equation, with beta rho as the eccentricity.
     #[must_use]
     pub fn place_when_measured(&self, speed: &Speed, time: f64) -> SourcePoint {
         let (r, omega) = (self.rho * self.radius, self.omega(speed));
-        let phase = self.angle_at(speed, self.hub_clock(speed, time));
+        let phase = self.angle_at(speed, self.hub.worldline(speed).proper_time(time));
         let later = measured_later(speed.beta(), r, phase, omega);
         self.place_at_angle(speed, phase - omega * later)
+    }
+
+    /// Returns the speed of the point on the ground where it is at this `angle` in the moving frame: velocities compose so that the
+    /// lowest point of a wheel that rolls rests, at any speed.
+    ///
+    /// # Accuracy
+    ///
+    /// As [`crate::sighting`]. Measured for wheels that roll (`tests/oracle`, 15,000 inputs): median 0.1, 99 % 2.3, worst 4 units.
+    #[must_use]
+    pub fn speed_on_ground(&self, speed: &Speed, angle: f64) -> f64 {
+        let Circle { omega, speed: own, below_light, slip, .. } = self.circle::<f64>(speed);
+        let (sine, cosine) = math::sin_cos(angle);
+        // It moves at v s along the motion and at v cos up. 1 + s without a difference where that is near 0.
+        let s = sine * omega.signum();
+        let lift = if s < 0.0 { cosine * cosine / (1.0 - s) } else { 1.0 + s };
+        let beta = speed.beta();
+        // beta + v s, and 1 + beta v s.
+        let along = slip + own * lift;
+        let added = speed.one_minus_beta() + beta * below_light + beta * own * lift;
+        math::hypot(along, own * cosine / speed.gamma()) / added
     }
 
     /// Returns the place of the point, as [`Self::place_at`], where it passes the plane through `middle` on the ground that is across `normal`.
@@ -63,7 +79,7 @@ impl WheelPoint {
         if !(longest.is_finite() && hub_passes.is_finite()) {
             return None;
         }
-        let phase = self.angle_at(speed, self.hub_clock(speed, hub_passes));
+        let phase = self.angle_at(speed, self.hub.worldline(speed).proper_time(hub_passes));
         let later = root([-longest, longest], |later| {
             let (sine, cosine) = math::sin_cos(phase - omega * later);
             (later + along * cosine + up * sine, 1.0 + omega * (along * sine - up * cosine))
@@ -89,7 +105,7 @@ impl Source {
             Self::Point(point) => *point,
             Self::Wheel(wheel) => wheel.place_when_passing(speed, Aperture::default(), [1.0, 0.0, 0.0])?,
         };
-        Some((0.0 - place.x0) / speed.beta()).filter(|time| time.is_finite())
+        place.worldline(speed).time_at(0.0)
     }
 }
 

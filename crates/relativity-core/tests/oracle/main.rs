@@ -11,6 +11,7 @@ mod observer;
 mod tally;
 mod wheel;
 mod wheel_model;
+mod worldline;
 
 use arithmetic::{Big, UNIT_F64, error_units};
 use draw::program_speed;

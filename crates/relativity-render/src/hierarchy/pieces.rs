@@ -1,12 +1,10 @@
 //! The boxes that a body is given: a long, thin or bent one has several, along it.
 
-use std::iter;
-
 use glam::DVec3;
 
 use crate::capsule::Capsule;
 use crate::extent::Extent;
-use crate::intersect::{Form, Solid};
+use crate::intersect::Solid;
 
 /// Longer than this part of the reach of its group, a body may have several boxes.
 const LONG: f64 = 1.0 / 24.0;
@@ -36,15 +34,12 @@ pub fn pieces(
     let longest = LONG * extent.reach;
     let mut boxes = Vec::new();
     let is_long = solid.bounding_radius() > longest;
-    match solid.form {
-        Form::Capsule { .. } | Form::Cylinder { .. } | Form::Torus { .. }
-            if is_long && !capsules.is_empty() =>
-        {
-            for capsule in capsules {
-                add_halves(capsule, longest, MOST_HALVINGS, &mut boxes);
-            }
+    if is_long && !capsules.is_empty() {
+        for capsule in capsules {
+            add_halves(capsule, longest, MOST_HALVINGS, &mut boxes);
         }
-        _ => boxes.push(around(solid)),
+    } else {
+        boxes.push(around(solid));
     }
     let is_one_of_some = boxes.len() > 1;
     boxes.into_iter().map(move |corners| Piece { body: number, is_one_of_some, corners })
@@ -63,16 +58,6 @@ fn add_halves(capsule: &Capsule, longest: f64, halvings: u32, out: &mut Vec<[DVe
 
 /// The least box around `solid`.
 fn around(solid: &Solid) -> [DVec3; 2] {
-    // How far across each axis a disc about `axis` reaches.
-    let disc = |axis: DVec3| DVec3::from(axis.to_array().map(|along| (1.0 - along * along).max(0.0).sqrt()));
-    let half = match solid.form {
-        Form::Ball { radius } => DVec3::splat(radius),
-        Form::Capsule { axis, half_length, radius } => axis.abs() * half_length + radius,
-        Form::Torus { axis, radius, tube_radius } => disc(axis) * radius + tube_radius,
-        Form::Block { axes, half } => iter::zip(axes.to_cols_array_2d(), half.to_array())
-            .map(|(axis, half)| DVec3::from(axis).abs() * half)
-            .sum(),
-        Form::Cylinder { axis, half_length, radius } => axis.abs() * half_length + disc(axis) * radius,
-    };
+    let half = solid.form.answers().half_sides();
     [-half, half].map(|half| solid.center() + half)
 }

@@ -14,7 +14,7 @@
 //! others on these shapes, has the other half. The derivatives come from second differences of the apparent
 //! position in f64 at places all over the body: so the count follows from what the speed makes of the shape.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use glam::{DVec2, DVec3};
 use relativity_core::math;
@@ -22,9 +22,9 @@ use relativity_core::math;
 use super::template::Division;
 use crate::camera::Gauge;
 use crate::group_view::GroupView;
+use crate::intersect::Solid;
 use crate::mercator::{Mercator, nearest_turn};
 use crate::prepared_body::PreparedBody;
-use crate::surface::{BoxSurface, CylinderSurface, Surface, TubeSurface};
 use crate::wheel::packed::Turns;
 use crate::wheel::spin::Spin;
 
@@ -46,7 +46,7 @@ const AROUND: [f64; 4] = [0.0, FRAC_PI_2, PI, 1.5 * PI];
 
 /// The division of `body` that keeps `bound_px` in `view`; where that would do with less, no coarser than
 /// normals between corners look round.
-pub fn division(body: &PreparedBody, view: &GroupView, bound_px: f64) -> Division {
+pub fn division(body: &PreparedBody, solid: &Solid, view: &GroupView, bound_px: f64) -> Division {
     let curvature = Curvature {
         view,
         body,
@@ -55,47 +55,25 @@ pub fn division(body: &PreparedBody, view: &GroupView, bound_px: f64) -> Divisio
         focal_length_px: view.camera.focal_length_px(),
         bound_px: 0.25 * bound_px,
     };
-    match (&body.surface(), &body.triangles) {
-        (Surface::Box(surface), Some(model)) => {
-            let of_axis = |axis| match body.spin.filter(|_| view.turns(body) == Turns::About) {
-                Some(spin) => curvature.of_wheel(&spin, surface.center(), model.half(), axis),
-                None => curvature.of_edges(surface, axis),
-            };
-            let most = [0, 1, 2].map(of_axis).into_iter().fold(0.0, f64::max);
-            let segments = segments(2.0 * most, model.least_segments());
-            Division::Model { fingerprint: model.fingerprint(), segments }
+    let needed = || {
+        let place = |own: DVec3| solid.center() + body.turn * own;
+        solid
+            .form
+            .answers()
+            .segments(&|surface| curvature.greatest(|t, angle, h| place(surface(t, angle, h))))
+    };
+    let Some(model) = &body.triangles else {
+        let segments = needed().map(|(needed, least)| segments(needed, least));
+        return Division::Shape { kind: body.kind, segments };
+    };
+    let needed = match body.spin.filter(|_| view.turns(body) == Turns::About) {
+        Some(spin) => {
+            [0, 1, 2].map(|axis| 2.0 * curvature.of_wheel(&spin, solid.center(), model.half(), axis))
         }
-        (surface, _) => of_surface(surface, &curvature),
-    }
-}
-
-/// The division of a body that is no model.
-fn of_surface(surface: &Surface, curvature: &Curvature<'_>) -> Division {
-    match surface {
-        Surface::Tube(tube) => {
-            let arc = curvature.of_arcs(tube);
-            let side = || curvature.greatest(|t, angle, h| tube.side(t + h, angle));
-            let side = if tube.half_length == 0.0 { 0 } else { segments(2.0 * side(), 1) };
-            Division::Tube { around: segments(TAU * arc, 6), end: segments(FRAC_PI_2 * arc, 2), side }
-        }
-        Surface::Ring(ring) => {
-            let around = curvature.greatest(|t, angle, h| ring.at(PI * t + h, angle));
-            let tube = curvature.greatest(|t, angle, h| ring.at(PI * t, angle + h));
-            Division::Ring { around: segments(TAU * around, 8), tube: segments(TAU * tube, 6) }
-        }
-        Surface::Box(surface) => {
-            let along = [0, 1, 2].map(|axis| segments(2.0 * curvature.of_edges(surface, axis), 1));
-            Division::Box { along }
-        }
-        Surface::Cylinder(cylinder) => {
-            let [around, end, side] = curvature.of_cylinder(cylinder);
-            Division::Cylinder {
-                around: segments(TAU * around, 8),
-                end: segments(end, 1),
-                side: segments(2.0 * side, 1),
-            }
-        }
-    }
+        None => needed().map(|(needed, _)| needed),
+    };
+    let most = needed.into_iter().fold(0.0, f64::max);
+    Division::Model { fingerprint: model.fingerprint(), segments: segments(most, model.least_segments()) }
 }
 
 /// The number of segments, on a ladder so that bodies share templates.
@@ -120,29 +98,6 @@ struct Curvature<'a> {
 }
 
 impl Curvature<'_> {
-    /// Returns the divisions of the circles around and along a tube.
-    fn of_arcs(&self, tube: &TubeSurface) -> f64 {
-        let around = self.greatest(|t, angle, h| tube.side(t, angle + h));
-        let meridians = [0.0, FRAC_PI_2]
-            .map(|turn| self.greatest(|t, angle, h| tube.meridian(t.signum(), turn, angle + h)));
-        meridians.into_iter().fold(around, f64::max)
-    }
-
-    /// Returns the divisions of lines on a box's faces along one of its own axes.
-    fn of_edges(&self, surface: &BoxSurface, axis: usize) -> f64 {
-        let along = DVec3::AXES[axis];
-        let [first, second] = [DVec3::AXES[(axis + 1) % 3], DVec3::AXES[(axis + 2) % 3]];
-        // In the middle of the faces, and along the edges between them.
-        let lines = |aside: f64| {
-            self.greatest(|t, angle, h| {
-                let (sine, cosine) = math::sin_cos(angle);
-                let line = first * (cosine - aside * sine) + second * (sine + aside * cosine);
-                surface.at(line + along * (t + h))
-            })
-        };
-        lines(0.0).max(lines(1.0))
-    }
-
     /// Returns the divisions of lines along an axis through a model that turns, in a box with this middle and half these sides: around its
     /// rim and halfway there, on both sides. No place of it is beyond the rim, where there may be no slower speed than that of light.
     fn of_wheel(&self, spin: &Spin, middle: DVec3, half: DVec3, axis: usize) -> f64 {
@@ -155,14 +110,6 @@ impl Curvature<'_> {
             let y = middle.y + half.y.copysign(side);
             DVec3::new(hub.x + off_axle * cosine, y, hub.z + off_axle * sine) + along * h
         })
-    }
-
-    /// Returns the divisions of circles around a cylinder, of its ends' radii, and of its sides.
-    fn of_cylinder(&self, cylinder: &CylinderSurface) -> [f64; 3] {
-        let around = self.greatest(|t, angle, h| cylinder.at(t, 1.0, angle + h));
-        let end = |side: f64| self.greatest(|t, angle, h| cylinder.at(side, 0.5 * (t + 1.0) + h, angle));
-        let side = self.greatest(|t, angle, h| cylinder.at(t + h, 1.0, angle));
-        [around, end(-1.0).max(end(1.0)), side]
     }
 
     /// The most segments per unit that any place of `surface` (a place along in [-1, 1], an angle, and the

@@ -18,14 +18,14 @@ use std::collections::HashMap;
 
 use crate::buffers;
 use crate::canvas::Canvas;
+use crate::corners::{Corner, Template};
 use crate::drawing::{Batches, Drawing, Shot};
 use crate::gpu::Gpu;
 use crate::kind::Kind;
 use crate::pipelines::{Pipelines, Technique};
 pub use parts::Instance;
 use parts::Parts;
-pub use template::Corner;
-use template::{Division, Template};
+use template::Division;
 
 /// Draws triangles that keep a bound on the picture.
 #[derive(Debug)]

@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 
-use super::template::{Corner, Template};
+use crate::corners::{Corner, Template};
 use crate::triangles::Triangles;
 
 /// Greatest number of triangles that a model is divided into, unless it has more itself: beyond it the bound is not kept.

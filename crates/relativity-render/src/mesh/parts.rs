@@ -85,13 +85,15 @@ impl Parts {
             // What numbers show is drawn as wide as it is.
             let half_width = appearance.map(|_| half_width(body, scene.solid(body.number), view));
             Part {
-                division: division(body, view, bound_px),
+                division: division(body, scene.solid(body.number), view, bound_px),
                 instance: Instance::new(body, half_width.unwrap_or_default(), shot),
                 group: body.group,
                 joint: body.joint,
                 // A model is drawn as it is, however thin.
                 is_thin: body.triangles.is_none()
-                    && half_width.is_some_and(|half_width| half_width < half_pixel(body, view)),
+                    && half_width.is_some_and(|half_width| {
+                        half_width < half_pixel(body, scene.solid(body.number), view)
+                    }),
                 is_patterned: body.is_patterned,
                 turns: view.turns(body),
                 around: maps[body.group].map(|mercator| {
@@ -186,7 +188,7 @@ fn half_width(body: &PreparedBody, solid: &Solid, view: &GroupView) -> f64 {
 
 /// Returns half the size of a pixel where `body` is farthest: infinite outside the domain of the core. The shader finds the same
 /// at each corner.
-fn half_pixel(body: &PreparedBody, view: &GroupView) -> f64 {
+fn half_pixel(body: &PreparedBody, solid: &Solid, view: &GroupView) -> f64 {
     let axes = view.camera.axes();
     let is_conformal = view.camera.mercator().is_some();
     // Away from the axis of a flat picture nothing is smaller than on it, as deep; in a conformal one, as far from the
@@ -197,6 +199,7 @@ fn half_pixel(body: &PreparedBody, view: &GroupView) -> f64 {
             if is_conformal { hypot(depth, place.dot(axes.up)) } else { depth }
         })
     };
-    let farthest = body.surface().ends().map(depth).fold(0.0, f64::max);
+    let farthest = solid.form.answers().farthest().into_iter();
+    let farthest = farthest.map(|own| depth(solid.center() + body.turn * own)).fold(0.0, f64::max);
     0.5 * farthest / view.camera.focal_length_px()
 }

@@ -1,9 +1,11 @@
-//! Rays against bodies of each kind.
+//! Rays against bodies of each kind, and the patterns on these.
 
 use super::body::{Body, Capsule, Group, Ray, Surface};
+use super::pattern::coverage::Covered;
+use super::pattern::{chart, die};
 use super::{block, cylinder, ring, tube};
 use crate::kind::Kind;
-use crate::lanes::{Simd, V3};
+use crate::lanes::{F, Simd, V3};
 
 /// Returns the surface of a body where rays meet it.
 ///
@@ -47,5 +49,33 @@ pub fn around<S: Simd>(kind: Kind, body: &Body<S>) -> Capsule<S> {
         Kind::Tube => tube::around(body),
         Kind::Ring => ring::around(body),
         Kind::Box | Kind::Cylinder | Kind::Model => block::around(body),
+    }
+}
+
+/// Returns the normal by which the pattern at `place` is looked up, in the body's own axes: of flat faces that of the face.
+#[inline(always)]
+pub fn own_normal<S: Simd>(kind: Kind, body: &Body<S>, place: V3<S>, normal: V3<S>) -> V3<S> {
+    match kind {
+        Kind::Tube | Kind::Ring => normal,
+        Kind::Cylinder => chart::normal_of_cylinder(body, place),
+        Kind::Box | Kind::Model => die::normal_of_box(body, place),
+    }
+}
+
+/// Returns the share of what is `covered` that `pattern` leaves dark at `place`, in the body's own axes.
+#[inline(always)]
+pub fn darkness<S: Simd>(
+    kind: Kind,
+    body: &Body<S>,
+    pattern: [f32; 3],
+    place: V3<S>,
+    normal: V3<S>,
+    covered: &Covered<S>,
+) -> F<S> {
+    match kind {
+        Kind::Tube => chart::on_tube(body, pattern, place, normal).darkness(pattern, covered),
+        Kind::Ring => chart::on_ring(body, place).darkness(pattern, covered),
+        Kind::Cylinder => chart::on_cylinder(body, pattern, place, normal).darkness(pattern, covered),
+        Kind::Box | Kind::Model => die::darkness_of_box(body, pattern, place, normal, covered),
     }
 }

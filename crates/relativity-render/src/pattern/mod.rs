@@ -15,9 +15,9 @@ use glam::{DQuat, DVec3};
 
 use crate::body::Pattern;
 use crate::effects::{Constant, number};
+use crate::shape::Form;
 use crate::view::Geometry;
 use chart::Chart;
-pub(crate) use chart::Form;
 pub(crate) use coverage::Covered;
 use coverage::{line, wave};
 
@@ -70,15 +70,15 @@ impl Marking {
     /// Returns the marking of `pattern` on this `form`, with this `turn`; `None` where that leaves a body plain.
     pub fn new(pattern: Pattern, form: Form, turn: DQuat) -> Option<Self> {
         let (ruling, [along_step, around_step]) = match (pattern, form) {
-            (Pattern::Faces, Form::Box { .. }) => (Ruling::Faces, [1.0; 2]),
-            (Pattern::Plain | Pattern::Faces, _) | (Pattern::Graticule { .. }, Form::Box { .. }) => {
+            (Pattern::Faces, Form::Box(_)) => (Ruling::Faces, [1.0; 2]),
+            (Pattern::Plain | Pattern::Faces, _) | (Pattern::Graticule { .. }, Form::Box(_)) => {
                 return None;
             }
             (Pattern::Graticule { step_degrees }, form) => {
                 let angle = step_degrees.to_radians();
-                (Ruling::Graticule, [angle * form.radius(), angle])
+                (Ruling::Graticule, [angle * form.answers().parallels_radius(), angle])
             }
-            (Pattern::Chequer { step }, form) => (Ruling::Chequer, form.squares(step)),
+            (Pattern::Chequer { step }, form) => (Ruling::Chequer, form.answers().squares(step)),
             (Pattern::Stripes { step }, _) => (Ruling::Stripes, [step, 1.0]),
         };
         Some(Self { ruling, form, turn, along_step, around_step })
@@ -99,10 +99,10 @@ impl Marking {
 
     /// Share of what is `covered` that is dark; in the body's own axes.
     fn darkness(&self, place: DVec3, normal: DVec3, covered: Covered) -> f64 {
-        if let Form::Box { half } = self.form {
-            return self.darkness_of_box(half, place, normal, covered);
+        if let Form::Box(cuboid) = self.form {
+            return self.darkness_of_box(cuboid.half, place, normal, covered);
         }
-        let chart = self.form.chart(place, normal);
+        let chart = Chart::new(&self.form, place, normal);
         let Chart { along, around, off_axis, .. } = chart;
         let [along_step, around_step] = [self.along_step, self.around_step];
         let along_covered = covered.range(chart.along_gradient) / along_step;
@@ -120,9 +120,10 @@ impl Marking {
                 0.5 - 0.5 * along * wave(around / around_step, around_covered)
             }
             Ruling::Stripes => {
-                let (level, gradient) = match self.form {
-                    Form::Ring { radius, .. } => (radius * around, chart.around_gradient * radius),
-                    _ => self.level(place, normal, self.form.half_length(), DVec3::Z),
+                let form = self.form.answers();
+                let (level, gradient) = match form.stripes_radius() {
+                    Some(radius) => (radius * around, chart.around_gradient * radius),
+                    None => self.level(place, normal, form.half_length(), DVec3::Z),
                 };
                 0.5 - 0.5 * wave(level / along_step, covered.range(gradient) / along_step)
             }

@@ -1,15 +1,34 @@
-//! Solid shapes at rest in the frame of their group, and their geometry: a file for each question.
+//! Solid shapes at rest in the frame of their group, and their geometry: a file for each shape, which answers every question
+//! about it.
 
-mod bounds;
-mod distance;
-mod forward_most;
-mod numbers;
-pub mod samples;
+mod cuboid;
+mod cylinder;
+pub(crate) mod flat;
+pub(crate) mod questions;
+pub(crate) mod ring;
+pub mod round;
+mod sphere;
 pub mod strokes;
+#[cfg(test)]
+mod tests;
+mod tube;
 
-use glam::{DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 
+use crate::block::Block;
+use crate::capsule::Capsule;
+use crate::corners::Template;
+use crate::kind::Kind;
 use crate::wheel::spin::{Spin, about_y};
+pub(crate) use cuboid::BoxForm;
+use cuboid::Cuboid;
+use cylinder::{Cylinder, CylinderForm};
+use questions::{CentredShape, Foot, Packed, PlacedShape};
+use ring::Ring;
+pub(crate) use ring::RingForm;
+use sphere::{Sphere, SphereForm};
+use strokes::Stroke;
+use tube::{Tube, TubeForm};
 
 /// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,56 +81,206 @@ pub enum Shape {
     },
 }
 
+/// A shape about its centre, prepared for rays, patterns and triangles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Form {
+    Sphere(SphereForm),
+    Tube(TubeForm),
+    Ring(RingForm),
+    Box(BoxForm),
+    Cylinder(CylinderForm),
+}
+
 impl Shape {
+    /// Asks the file of the shape.
+    fn ask<T>(&self, question: impl FnOnce(&dyn PlacedShape) -> T) -> T {
+        match *self {
+            Self::Sphere { center, radius } => question(&Sphere { center: center.into(), radius }),
+            Self::Tube { from, to, radius } => question(&Tube { from: from.into(), to: to.into(), radius }),
+            Self::Ring { center, axis, radius, tube_radius } => {
+                question(&Ring { center: center.into(), axis: axis.into(), radius, tube_radius })
+            }
+            Self::Box { center, half, turn } => {
+                question(&Cuboid { center: center.into(), half: half.into(), turn: DQuat::from_array(turn) })
+            }
+            Self::Cylinder { from, to, radius } => {
+                question(&Cylinder { from: from.into(), to: to.into(), radius })
+            }
+        }
+    }
+
+    /// The shape with its places mapped, and its own directions turned by `angle` about y, if at all.
+    fn mapped(self, place: impl Fn([f64; 3]) -> [f64; 3], angle: Option<f64>) -> Self {
+        match self {
+            Self::Sphere { center, radius } => Self::Sphere { center: place(center), radius },
+            Self::Tube { from, to, radius } => Self::Tube { from: place(from), to: place(to), radius },
+            Self::Ring { center, axis, radius, tube_radius } => {
+                let axis = angle.map_or(axis, |angle| about_y(axis.into(), angle).to_array());
+                Self::Ring { center: place(center), axis, radius, tube_radius }
+            }
+            Self::Box { center, half, turn } => {
+                let turned = |angle| DQuat::from_rotation_y(angle) * DQuat::from_array(turn);
+                let turn = angle.map_or(turn, |angle| turned(angle).to_array());
+                Self::Box { center: place(center), half, turn }
+            }
+            Self::Cylinder { from, to, radius } => {
+                Self::Cylinder { from: place(from), to: place(to), radius }
+            }
+        }
+    }
+
+    /// Its centre, and the shape about it.
+    pub(crate) fn about_centre(&self) -> (DVec3, Form) {
+        match *self {
+            Self::Sphere { center, radius } => (center.into(), Form::Sphere(SphereForm { radius })),
+            Self::Tube { from, to, radius } => {
+                let (from, to) = (DVec3::from(from), DVec3::from(to));
+                let half_length = 0.5 * (to - from).length();
+                if half_length == 0.0 {
+                    return (from, Form::Sphere(SphereForm { radius }));
+                }
+                let axis = (to - from) / (2.0 * half_length);
+                (0.5 * (from + to), Form::Tube(TubeForm { axis, half_length, radius }))
+            }
+            Self::Ring { center, axis, radius, tube_radius } => {
+                (center.into(), Form::Ring(RingForm { axis: axis.into(), radius, tube_radius }))
+            }
+            Self::Box { center, half, turn } => {
+                let axes = DMat3::from_quat(DQuat::from_array(turn));
+                (center.into(), Form::Box(BoxForm { axes, half: half.into() }))
+            }
+            Self::Cylinder { from, to, radius } => {
+                let (from, to) = (DVec3::from(from), DVec3::from(to));
+                let half_length = 0.5 * (to - from).length();
+                let axis = (to - from).normalize();
+                (0.5 * (from + to), Form::Cylinder(CylinderForm { axis, half_length, radius }))
+            }
+        }
+    }
+
+    /// The name in scene files.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        self.ask(|shape| shape.name())
+    }
+
+    /// The numbers in the order of the scene format; of a box half its size, and its turn as a quaternion.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<f64> {
+        self.ask(|shape| shape.numbers())
+    }
+
     /// Whether it stays as it is while it turns: a body of revolution about the axle of `spin`.
     #[must_use]
     pub fn is_round_about(&self, spin: &Spin) -> bool {
-        let is_on_axle = |place: [f64; 3]| spin.off_axle(place.into()) == DVec3::ZERO;
-        match *self {
-            Self::Sphere { center, .. } => is_on_axle(center),
-            Self::Tube { from, to, .. } | Self::Cylinder { from, to, .. } => {
-                is_on_axle(from) && is_on_axle(to)
-            }
-            Self::Ring { center, axis: [x, _, z], .. } => is_on_axle(center) && x == 0.0 && z == 0.0,
-            Self::Box { .. } => false,
-        }
+        self.ask(|shape| shape.is_round_about(spin))
     }
 
     /// The shape moved by `offset`.
     #[must_use]
     pub fn moved(self, offset: [f64; 3]) -> Self {
-        let moved = |[x, y, z]: [f64; 3]| [x + offset[0], y + offset[1], z + offset[2]];
-        match self {
-            Self::Sphere { center, radius } => Self::Sphere { center: moved(center), radius },
-            Self::Tube { from, to, radius } => Self::Tube { from: moved(from), to: moved(to), radius },
-            Self::Ring { center, axis, radius, tube_radius } => {
-                Self::Ring { center: moved(center), axis, radius, tube_radius }
-            }
-            Self::Box { center, half, turn } => Self::Box { center: moved(center), half, turn },
-            Self::Cylinder { from, to, radius } => {
-                Self::Cylinder { from: moved(from), to: moved(to), radius }
-            }
-        }
+        self.mapped(|[x, y, z]| [x + offset[0], y + offset[1], z + offset[2]], None)
     }
 
     /// The shape turned by `angle` about the axle of `spin`, as [`Spin::turned`].
     #[must_use]
     pub(crate) fn turned(self, spin: &Spin, angle: f64) -> Self {
-        let turned = |place: [f64; 3]| spin.turned(place.into(), angle).to_array();
+        self.mapped(|place| spin.turned(place.into(), angle).to_array(), Some(angle))
+    }
+
+    /// The distance of `place` at rest from the surface; below 0 inside.
+    #[must_use]
+    pub fn distance(&self, place: DVec3) -> f64 {
+        self.ask(|shape| shape.distance(place))
+    }
+
+    /// The centre and the radius of a ball at rest that holds the shape.
+    #[must_use]
+    pub fn ball_around(&self) -> ([f64; 3], f64) {
+        self.ask(|shape| shape.ball_around())
+    }
+
+    /// The point with the largest x, at rest; any of them where there are several.
+    #[must_use]
+    pub fn forward_most(&self) -> DVec3 {
+        self.ask(|shape| shape.forward_most())
+    }
+
+    /// Places at rest: along the middle lines of what is slender, tubes and rings; on balls where they end along the axes;
+    /// the corners, middles of edges and middles of faces of boxes; around both ends of cylinders.
+    #[must_use]
+    pub fn samples(&self) -> Vec<DVec3> {
+        self.ask(|shape| shape.samples())
+    }
+
+    /// The middles of both ends at rest, of what has ends.
+    #[must_use]
+    pub fn ends(&self) -> Option<[[f64; 3]; 2]> {
+        self.ask(|shape| shape.ends())
+    }
+
+    /// The strokes that it is drawn with; none of a ball, whose outline depends on who looks.
+    #[must_use]
+    pub fn strokes(&self) -> Vec<Stroke> {
+        self.ask(|shape| shape.strokes())
+    }
+
+    /// The turn from its own axes to those of the rest frame.
+    ///
+    /// The own z axis of a tube and of a cylinder (from `from` to `to`) and of a ring is its axis, reached by the shortest
+    /// turn, which fixes the other two; to -z it is half a turn about x. A ball has the axes of the rest frame; a box says
+    /// how it is turned.
+    pub(crate) fn turn(&self) -> DQuat {
+        self.ask(|shape| shape.turn())
+    }
+
+    /// The kind of the shape in the shaders.
+    pub(crate) fn kind(&self) -> Kind {
+        self.ask(|shape| shape.kind())
+    }
+
+    /// Capsules that contain it; none for a box.
+    pub(crate) fn capsules(&self) -> Vec<Capsule> {
+        self.ask(|shape| shape.capsules())
+    }
+
+    /// The block that contains it, if its bounds are better worked out from that than from capsules.
+    pub(crate) fn block(&self) -> Option<Block> {
+        self.ask(|shape| shape.block())
+    }
+
+    /// The lowest place and the shadow there, of a wheel that does not lie flat, a ball or a box.
+    pub(crate) fn foot(&self) -> Option<Foot> {
+        self.ask(|shape| shape.foot())
+    }
+
+    /// Its numbers for the shaders.
+    pub(crate) fn packed(&self) -> Packed {
+        self.ask(|shape| shape.packed())
+    }
+}
+
+impl Form {
+    /// The answers of the shape's file.
+    #[inline]
+    pub fn answers(&self) -> &dyn CentredShape {
         match self {
-            Self::Sphere { center, radius } => Self::Sphere { center: turned(center), radius },
-            Self::Tube { from, to, radius } => Self::Tube { from: turned(from), to: turned(to), radius },
-            Self::Ring { center, axis, radius, tube_radius } => {
-                let axis = about_y(axis.into(), angle).to_array();
-                Self::Ring { center: turned(center), axis, radius, tube_radius }
-            }
-            Self::Box { center, half, turn } => {
-                let turn = DQuat::from_rotation_y(angle) * DQuat::from_array(turn);
-                Self::Box { center: turned(center), half, turn: turn.to_array() }
-            }
-            Self::Cylinder { from, to, radius } => {
-                Self::Cylinder { from: turned(from), to: turned(to), radius }
-            }
+            Self::Sphere(form) => form,
+            Self::Tube(form) => form,
+            Self::Ring(form) => form,
+            Self::Box(form) => form,
+            Self::Cylinder(form) => form,
         }
+    }
+}
+
+/// Corners and triangles of the shape of this `kind`, with these numbers of segments each way; none of a model, which has its own.
+pub(crate) fn template(kind: Kind, segments: [u32; 3]) -> Template {
+    match kind {
+        Kind::Tube => tube::template(segments),
+        Kind::Ring => ring::template(segments),
+        Kind::Box => cuboid::template(segments),
+        Kind::Cylinder => cylinder::template(segments),
+        Kind::Model => Template::default(),
     }
 }

@@ -34,8 +34,9 @@ pub use self::model::Model;
 pub use self::point::TrianglePoint;
 pub use self::texture::{Texture, Wrap};
 use crate::hierarchy::{Hierarchy, Piece};
-use crate::intersect::{Entry, Form, Solid};
+use crate::intersect::{Entry, Solid};
 use crate::ray::Ray;
+use crate::shape::{BoxForm, Form};
 use texture::MipMap;
 
 /// The least side of the box around triangles, as a part of its greatest: that of a flat model is not 0.
@@ -181,7 +182,7 @@ impl Triangles {
         if start.length_squared() >= radius * radius {
             return None;
         }
-        let Form::Block { axes, .. } = solid.form else { return None };
+        let Form::Box(BoxForm { axes, .. }) = solid.form else { return None };
         let behind = -ray.from_camera - from_start;
         let crossing = self.crossing(axes.transpose() * start, axes.transpose() * ray.direction, behind)?;
         Some(Entry {
@@ -201,7 +202,7 @@ impl Triangles {
         place: DVec3,
         direction: DVec3,
     ) -> (TrianglePoint, DVec3) {
-        let Form::Block { axes, .. } = solid.form else {
+        let Form::Box(BoxForm { axes, .. }) = solid.form else {
             return (TrianglePoint { triangle, weights: [0.0; 2] }, -direction);
         };
         let [a, b, c] = self.corners_of(triangle.min(self.faces.len() as u32 - 1));

@@ -13,8 +13,9 @@ use super::solid::{Course, TurningSolid};
 use super::spin::about_y;
 use crate::group_view::GroupView;
 use crate::hierarchy::Slabs;
-use crate::intersect::{Entry, Form};
+use crate::intersect::Entry;
 use crate::ray::Ray;
+use crate::shape::Form;
 use crate::triangles::point::TrianglePoint;
 use crate::triangles::{Triangles, facing};
 
@@ -83,7 +84,7 @@ impl TurningSolid {
 
 impl Course<'_> {
     fn axes(&self) -> Option<DMat3> {
-        if let Form::Block { axes, .. } = self.solid().form { Some(axes) } else { None }
+        if let Form::Box(cuboid) = self.solid().form { Some(cuboid.axes) } else { None }
     }
 }
 

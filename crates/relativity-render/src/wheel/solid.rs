@@ -20,9 +20,11 @@ use glam::DVec3;
 use relativity_core::math;
 
 use crate::group_view::GroupView;
-use crate::intersect::{Entry, Form, LocalRay, Solid, flat};
+use crate::intersect::{Entry, Solid};
 use crate::ray::Ray;
-use crate::shape::Shape;
+use crate::shape::flat::between_planes;
+use crate::shape::questions::LocalRay;
+use crate::shape::{Form, RingForm, Shape};
 use crate::triangles::Triangles;
 use crate::wheel::spin::{Spin, about_y, turned_by};
 
@@ -188,7 +190,7 @@ impl Sweep {
     /// The parts of a ray inside, in front of the camera: all before the inner cylinder, and all after it.
     fn parts(&self, ray: &LocalRay) -> [Option<[f64; 2]>; 2] {
         let LocalRay { start, direction, behind } = *ray;
-        let Some([enters, leaves]) = flat::between_planes(start.y, direction.y, self.half_width) else {
+        let Some([enters, leaves]) = between_planes(start.y, direction.y, self.half_width) else {
             return [None; 2];
         };
         let across_squared = direction.x * direction.x + direction.z * direction.z;
@@ -279,13 +281,13 @@ impl<'a> Course<'a> {
 
     /// Outward, where the surface is entered.
     fn normal(&self, s: f64) -> DVec3 {
-        about_y(self.body.solid.form.normal(self.at(s)[0]), self.turn_at(s))
+        about_y(self.body.solid.form.answers().normal(self.at(s)[0]), self.turn_at(s))
     }
 
     /// The first entry of the curve between these ends; what is `nearest` to the body so far (distance and parameter)
     /// learns of all places that were looked at.
     fn first_entry(&self, [from, to]: [f64; 2], nearest: &mut (f64, f64)) -> Option<f64> {
-        let form = &self.body.solid.form;
+        let form = self.body.solid.form.answers();
         let mut distance_at = |s: f64| {
             let [place, slope] = self.at(s);
             let (distance, outward) = form.distance(place);
@@ -328,7 +330,7 @@ impl<'a> Course<'a> {
     fn step(&self, distance: f64, slope: f64, place: DVec3) -> f64 {
         let mut curvature = self.curvature;
         let mut most = f64::INFINITY;
-        if let Form::Torus { axis, radius, tube_radius } = self.body.solid.form {
+        if let Form::Ring(RingForm { axis, radius, tube_radius }) = self.body.solid.form {
             // Within the step the place is at least half the hole's radius from the ring's axis.
             let hole = radius - tube_radius;
             if place.cross(axis).length() < 0.75 * hole {

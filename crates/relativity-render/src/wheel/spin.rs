@@ -45,6 +45,11 @@ impl Spin {
         DVec3::new(place.x - x, 0.0, place.z - z)
     }
 
+    /// Whether `place` is on the axle.
+    pub(crate) fn is_on_axle(&self, place: DVec3) -> bool {
+        self.off_axle(place) == DVec3::ZERO
+    }
+
     /// The angle about the axle at which `place` is: radians from +x towards +z.
     #[must_use]
     pub fn angle(&self, place: DVec3) -> f64 {

@@ -101,14 +101,12 @@ fn close_by(speed: &Speed, step: f64) -> impl Iterator<Item = f64> {
 
 /// When the point of `wheel` is measured to have turned by whole steps.
 fn measured(speed: &Speed, wheel: &WheelPoint, range: [f64; 2]) -> Vec<f64> {
-    let ends = range.map(|time| {
-        let x = wheel.hub.x0 + speed.beta() * time;
-        steps(speed, wheel, speed.gamma() * (time - speed.beta() * x))
-    });
+    let hub = wheel.hub.worldline(speed);
+    let ends = range.map(|time| steps(speed, wheel, hub.proper_time(time)));
     let time = |steps: f64| {
         let proper_time = proper_time_of(speed, wheel, steps)?;
         let place = wheel.place_at(speed, proper_time);
-        Some(speed.gamma() * (proper_time + speed.gamma() * speed.beta() * place.x0))
+        Some(place.worldline(speed).at_proper_time(proper_time).t)
     };
     whole([ends[0].min(ends[1]), ends[0].max(ends[1])]).filter_map(time).collect()
 }
@@ -141,7 +139,7 @@ impl SeenTurning<'_> {
     /// Around 0, how many steps from its highest place a point moves along the line of sight at `time`, towards the eye or away.
     fn along_sight(&self, time: f64) -> f64 {
         let Self { speed, wheel, eye } = *self;
-        let x = speed.gamma() * (wheel.hub.x0 - eye.x + speed.beta() * time);
+        let x = speed.gamma() * (wheel.hub.worldline(speed).at(time).x - eye.x);
         let steps = -math::atan2(wheel.hub.z - eye.z, x) / FRAC_PI_4;
         steps - 0.5 * STEPS * (steps / (0.5 * STEPS)).round()
     }
@@ -151,8 +149,8 @@ impl SeenTurning<'_> {
         let Self { speed, wheel, eye } = *self;
         let proper_time = proper_time_of(speed, wheel, steps)?;
         let place = wheel.place_at(speed, proper_time);
-        let x = speed.gamma() * (speed.beta() * proper_time + speed.gamma() * place.x0);
-        observation_time_when_seen_at(speed, place, x - eye.x, [eye; 2]).ok().flatten()
+        let there = place.worldline(speed).at_proper_time(proper_time);
+        observation_time_when_seen_at(speed, place, there.x - eye.x, [eye; 2]).ok().flatten()
     }
 }
 
@@ -160,12 +158,7 @@ impl SeenTurning<'_> {
 fn passage(speed: &Speed, source: Source, pair: [Aperture; 2]) -> Vec<f64> {
     let point = source.place();
     let equidistant = equidistance_time(speed, source, pair).ok().flatten();
-    let abreast = pair.map(|aperture| (aperture.x - point.x0) / speed.beta());
+    let abreast = pair.map(|aperture| point.worldline(speed).time_at(aperture.x));
     let seen = pair.map(|eye| observation_time_when_seen_at(speed, point, 0.0, [eye; 2]).ok().flatten());
-    equidistant
-        .into_iter()
-        .chain(abreast)
-        .chain(seen.into_iter().flatten())
-        .filter(|time| time.is_finite())
-        .collect()
+    equidistant.into_iter().chain(abreast.into_iter().flatten()).chain(seen.into_iter().flatten()).collect()
 }

@@ -150,9 +150,12 @@ impl SeenPoint {
             return there
                 .map_or(f64::NAN, |(_, SourcePoint { x0, y, z })| math::hypot(x0, math::hypot(y, z)));
         }
-        let SourcePoint { x0, y, z } =
-            self.velocity.reflected_source(self.point).place_when_measured(speed, time);
-        [x0 + speed.beta() * time, y, z].map(|along| along * along).iter().sum::<f64>().sqrt()
+        let there = self.velocity.reflected_source(self.point).place_when_measured(speed, time);
+        [there.worldline(speed).at(time).x, there.y, there.z]
+            .map(|along| along * along)
+            .iter()
+            .sum::<f64>()
+            .sqrt()
     }
 
     /// The times in `range` around which the curves bend.

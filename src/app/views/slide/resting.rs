@@ -3,7 +3,7 @@
 
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape as Drawing, Stroke, pos2, vec2};
 use glam::DVec3;
-use relativity_render::{Body, GroupView, MaterialPoint, Motion, Shape, shape::samples::circle};
+use relativity_render::{Body, GroupView, MaterialPoint, Motion, Shape, shape::round::circle};
 
 use super::sliding_view::{SlidingView, points_per_px};
 use crate::app::state::State;

@@ -1,12 +1,13 @@
 //! Patterns on bodies, as `shaders/pattern.wgsl` has them.
 
-mod chart;
-mod coverage;
-mod die;
+pub(super) mod chart;
+pub(super) mod coverage;
+pub(super) mod die;
 #[cfg(test)]
 mod tests;
 
 use super::body::{Body, Group, Ray};
+use super::shape;
 use crate::kind::Kind;
 use crate::lanes::{F, Simd, V3, all, clamp};
 use crate::pattern::DARK;
@@ -55,26 +56,9 @@ fn darkness<S: Simd>(
     ray: &Ray<S>,
     distance: F<S>,
 ) -> F<S> {
-    match kind {
-        Kind::Tube => {
-            let covered = covered_by_pixel(group, body, ray, normal, distance);
-            chart::on_tube(body, pattern, place, normal).darkness(pattern, &covered)
-        }
-        Kind::Ring => {
-            let covered = covered_by_pixel(group, body, ray, normal, distance);
-            chart::on_ring(body, place).darkness(pattern, &covered)
-        }
-        Kind::Cylinder => {
-            let normal = chart::normal_of_cylinder(body, place);
-            let covered = covered_by_pixel(group, body, ray, normal, distance);
-            chart::on_cylinder(body, pattern, place, normal).darkness(pattern, &covered)
-        }
-        Kind::Box | Kind::Model => {
-            let normal = die::normal_of_box(body, place);
-            let covered = covered_by_pixel(group, body, ray, normal, distance);
-            die::darkness_of_box(body, pattern, place, normal, &covered)
-        }
-    }
+    let normal = shape::own_normal(kind, body, place, normal);
+    let covered = covered_by_pixel(group, body, ray, normal, distance);
+    shape::darkness(kind, body, pattern, place, normal, &covered)
 }
 
 /// In the body's own axes.

@@ -5,7 +5,7 @@ use std::f32::consts::PI;
 
 use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, TextStyle, Ui, Vec2};
 use glam::DVec3;
-use relativity_core::math;
+use relativity_core::{Event, math};
 
 use super::sheet::Sheet;
 use crate::app::panels::map::canvas;
@@ -14,7 +14,7 @@ use crate::app::panels::map::times::{labelled, times};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{Event, Front, Projection, Ray, Worldline, along, fronts, rays};
+use crate::map::{Front, PointWorldline, Projection, Ray, along, fronts, rays};
 use crate::plot::round_step;
 use crate::quantity::Quantity;
 use crate::settings::Frame;
@@ -39,7 +39,7 @@ const ARROW: f32 = 8.0;
 /// The light of the selected point on a chart.
 pub(super) struct Light<'a> {
     sheet: &'a Sheet,
-    worldline: Worldline,
+    worldline: PointWorldline,
     rays: [Ray; 2],
     /// The present by the clocks of the frame that is drawn.
     now: f64,
@@ -56,9 +56,9 @@ impl<'a> Light<'a> {
         let rider = settings.rider(time);
         Some(Self {
             sheet,
-            worldline: Worldline::new(settings, &track, frame),
+            worldline: PointWorldline::new(settings, &track, frame),
             rays: rays(settings, &track, time, frame).ok()?,
-            now: Event { x: rider.x, t: rider.street_time }.in_frame(frame).t,
+            now: rider.event().in_frame(frame).t,
         })
     }
 

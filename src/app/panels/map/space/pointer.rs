@@ -11,7 +11,7 @@ use crate::app::panels::map::canvas;
 use crate::app::pointer::Select;
 use crate::app::state::State;
 use crate::eye::Eye;
-use crate::map::{Instant, Lines, Nearest, Picture, Worldline};
+use crate::map::{Instant, Lines, Nearest, Picture, PointWorldline};
 use crate::quantity::Quantity;
 use crate::scene::Track;
 use crate::settings::Frame;
@@ -100,7 +100,7 @@ fn times(state: &State, picture: Picture, track: &Track) -> Vec<String> {
             state.clock().names().into_iter().zip(times).map(|(name, value)| time(name, value)).collect()
         }
         (Picture::Measured, Frame::Ground) => {
-            let own = Worldline::new(&state.document.settings, track, frame).proper_time(street);
+            let own = PointWorldline::new(&state.document.settings, track, frame).proper_time(street);
             vec![time("now t", street), time(Quantity::ProperTime.row().name, own)]
         }
         (Picture::Measured, Frame::Rider) => vec![time("now, by my clock", now)],

@@ -1,12 +1,13 @@
 //! Lines of the diagram: worldlines, past light cones, light, and presents.
 
 use eframe::egui::{Color32, Pos2, Shape, Stroke, TextStyle};
+use relativity_core::Event;
 
 use super::sheet::{NEAR, Sheet};
 use crate::app::panels::map::labels::Labels;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{Diagram, Event, Ray, StraightLine, worldline_of_eye};
+use crate::map::{Diagram, Ray, StraightLine, worldline_of_eye};
 use crate::quantity::Quantity;
 use crate::settings::Frame;
 

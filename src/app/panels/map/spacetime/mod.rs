@@ -11,6 +11,7 @@ use std::sync::Arc;
 use eframe::egui::{
     Align2, CursorIcon, Galley, Pos2, Rect, Response, Sense, TextStyle, Ui, Vec2, accesskit::Role, vec2,
 };
+use relativity_core::Event;
 use relativity_render::Velocity;
 
 use self::sheet::{HANDLE, NEAR, Sheet};
@@ -21,7 +22,7 @@ use crate::app::command::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::points::Point;
-use crate::map::{Diagram, Event, around_now, chart, home};
+use crate::map::{Diagram, around_now, chart, home};
 use crate::settings::{Frame, Framing};
 
 /// Name of the diagram for assistive technology.

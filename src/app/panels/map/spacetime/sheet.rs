@@ -1,11 +1,12 @@
 //! The sheet that the parts of the face share: the diagram, and the place where it is drawn.
 
 use eframe::egui::{Painter, Pos2, Rect, Ui};
+use relativity_core::Event;
 
 use crate::app::panels::map::canvas;
 use crate::app::state::State;
 use crate::app::state::points::Point;
-use crate::map::{Chart, Diagram, Event, StraightLine, along};
+use crate::map::{Chart, Diagram, StraightLine, along};
 
 /// Distance from a line up to which the pointer counts as near, points.
 pub const NEAR: f32 = 7.0;

@@ -1,10 +1,12 @@
 //! Words for an event: its place, and its three times.
 
+use relativity_core::Event;
+
 use super::sheet::Sheet;
 use crate::app::panels::map::times::times;
 use crate::caption::capitalised;
 use crate::eye::Eye;
-use crate::map::{Diagram, Event, Ray};
+use crate::map::{Diagram, Ray};
 use crate::settings::Frame;
 
 /// Decimals of a length or a time in the scene's unit.
@@ -42,7 +44,7 @@ pub fn of_ray(sheet: &Sheet<'_>, eye: Eye, ray: &Ray) -> String {
 /// Describes the eyes at T = `received`.
 pub fn of_eyes(sheet: &Sheet<'_>, received: f64) -> String {
     let rider = sheet.state.document.settings.rider(received);
-    let event = Event { x: rider.x, t: rider.street_time }.in_frame(sheet.diagram.frame);
+    let event = rider.event().in_frame(sheet.diagram.frame);
     format!(
         "Both eyes receive light\n{}\nreceived T = {}\nDrag it, or click on the line, to change T.",
         place(sheet, event),

@@ -1,0 +1,27 @@
+//! Corners of triangles over a unit shape, for bodies of that shape to be placed on.
+
+use bytemuck::{Pod, Zeroable};
+
+/// Mirror of the shaders' `Corner`.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Corner {
+    pub profile: [f32; 4],
+    pub turn: [f32; 2],
+}
+
+impl Corner {
+    /// Layout in which the vertex stage reads a corner.
+    pub const LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+        array_stride: size_of::<Self>() as u64,
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes: &wgpu::vertex_attr_array![0 => Float32x4, 1 => Float32x2],
+    };
+}
+
+/// The corners of a division, and the triangles between them, counter-clockwise as seen from outside.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Template {
+    pub corners: Vec<Corner>,
+    pub triangles: Vec<u32>,
+}

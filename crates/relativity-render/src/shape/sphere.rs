@@ -1,0 +1,139 @@
+//! A ball.
+
+use glam::{DQuat, DVec2, DVec3};
+
+use super::questions::{CentredShape, Foot, LocalRay, Packed, PackedForm, PlacedShape, SegmentsNeeded};
+use super::round::{Arc, closing};
+use super::strokes::Stroke;
+use super::tube::{along_tube, segments_of_tube};
+use crate::capsule::Capsule;
+use crate::kind::Kind;
+use crate::wheel::spin::Spin;
+
+/// Half the width of a ball's shadow on the ground, in parts of its radius.
+const SHADOW: f64 = 1.2;
+
+/// A ball where it is placed.
+pub(super) struct Sphere {
+    pub center: DVec3,
+    pub radius: f64,
+}
+
+impl PlacedShape for Sphere {
+    fn name(&self) -> &'static str {
+        "sphere"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Tube
+    }
+
+    fn numbers(&self) -> Vec<f64> {
+        [&self.center.to_array()[..], &[self.radius]].concat()
+    }
+
+    fn is_round_about(&self, spin: &Spin) -> bool {
+        spin.is_on_axle(self.center)
+    }
+
+    fn turn(&self) -> DQuat {
+        DQuat::IDENTITY
+    }
+
+    fn distance(&self, place: DVec3) -> f64 {
+        place.distance(self.center) - self.radius
+    }
+
+    fn ball_around(&self) -> ([f64; 3], f64) {
+        (self.center.to_array(), self.radius)
+    }
+
+    fn forward_most(&self) -> DVec3 {
+        self.center + self.radius * DVec3::X
+    }
+
+    /// Its ends along the axes.
+    fn samples(&self) -> Vec<DVec3> {
+        let ends = DVec3::AXES.into_iter().flat_map(|axis| [-axis, axis]);
+        ends.map(|end| self.center + self.radius * end).collect()
+    }
+
+    /// None: its outline depends on who looks.
+    fn strokes(&self) -> Vec<Stroke> {
+        Vec::new()
+    }
+
+    fn capsules(&self) -> Vec<Capsule> {
+        vec![Capsule::ball(self.center, self.radius)]
+    }
+
+    fn foot(&self) -> Option<Foot> {
+        let place = self.center - DVec3::Z * self.radius;
+        Some(Foot { place, radius: self.radius, half: DVec2::splat(SHADOW * self.radius) })
+    }
+
+    /// A tube whose ends are in one place.
+    fn packed(&self) -> Packed {
+        Packed { place: self.center, radius: self.radius, form: PackedForm::Place(self.center) }
+    }
+}
+
+/// A ball about its centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SphereForm {
+    pub radius: f64,
+}
+
+impl CentredShape for SphereForm {
+    fn entry(&self, ray: &LocalRay) -> Option<f64> {
+        ray.in_front(ball_entry(ray.start, ray.direction, self.radius)?)
+    }
+
+    fn distance(&self, position: DVec3) -> (f64, DVec3) {
+        (position.length() - self.radius, position.normalize_or_zero())
+    }
+
+    fn normal(&self, position: DVec3) -> DVec3 {
+        position.normalize()
+    }
+
+    fn half_width(&self, _: DVec3) -> f64 {
+        self.radius
+    }
+
+    fn bounding_radius(&self) -> f64 {
+        self.radius
+    }
+
+    fn half_sides(&self) -> DVec3 {
+        DVec3::splat(self.radius)
+    }
+
+    fn parallels_radius(&self) -> f64 {
+        self.radius
+    }
+
+    fn squares(&self, step: f64) -> [f64; 2] {
+        let around = closing(self.radius, step);
+        [around * self.radius, around]
+    }
+
+    fn along(&self, off_axis: f64, outward: DVec3, z: f64, _: f64) -> Arc {
+        along_tube(0.0, self.radius, off_axis, outward, z)
+    }
+
+    /// One for all of it.
+    fn farthest(&self) -> Vec<DVec3> {
+        vec![DVec3::X * self.radius]
+    }
+
+    fn segments(&self, needed: &SegmentsNeeded<'_>) -> [(f64, u32); 3] {
+        segments_of_tube(0.0, self.radius, needed)
+    }
+}
+
+/// Entry into a ball at the origin, by the discriminant r^2 - |start x direction|^2.
+pub(super) fn ball_entry(start: DVec3, direction: DVec3, radius: f64) -> Option<f64> {
+    let discriminant = radius * radius - start.cross(direction).length_squared();
+    (discriminant >= 0.0).then(|| -start.dot(direction) - discriminant.sqrt())
+}
