@@ -2,7 +2,7 @@
 
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
-use web_sys::{Event, HtmlCanvasElement, Window};
+use web_sys::{Element, Event, HtmlCanvasElement, Window};
 
 /// The canvas of the page that the window is drawn on.
 #[must_use]
@@ -42,8 +42,7 @@ pub fn show_window() {
 
 /// Has the page show a sentence and a button to load it again, in place of the window.
 pub fn show_problem(problem: &str) {
-    let root = window().and_then(|window| window.document()).and_then(|document| document.document_element());
-    if let Some(root) = root {
+    if let Some(root) = root() {
         let _ = root.set_attribute("data-problem", problem);
     }
     tell("gamow-problem");
@@ -55,6 +54,35 @@ pub fn show_defect() {
         "The program has stopped: this is a defect. What was shown is in the address, and the answers in lessons are kept. The \
         browser's console has the details.",
     );
+}
+
+/// Tells the page whether the window is the screen of a stereoscope: it then asks for the whole screen, and for how the device is turned.
+pub fn set_stereoscope(is_on: bool) {
+    if let Some(root) = root() {
+        let _ = root.set_attribute("data-stereoscope", if is_on { "on" } else { "off" });
+    }
+    tell("gamow-stereoscope");
+}
+
+/// Returns how the device is turned, as far as the page knows: alpha, beta, gamma and the turn of what is shown, degrees.
+#[must_use]
+pub fn turned() -> Option<[f64; 4]> {
+    let text = root()?.get_attribute("data-turned")?;
+    let angles: Vec<f64> = text.split(' ').map(str::parse).collect::<Result<_, _>>().ok()?;
+    angles.try_into().ok()
+}
+
+/// Returns the longer and the shorter side of the screen, in points of the page: a screen that is turned keeps its sides.
+#[must_use]
+pub fn screen_sides() -> Option<[f32; 2]> {
+    let screen = window()?.screen().ok()?;
+    let sides = [screen.width().ok()?, screen.height().ok()?].map(|side| side as f32);
+    let [width, height] = sides;
+    (width >= 1.0 && height >= 1.0).then_some([width.max(height), width.min(height)])
+}
+
+fn root() -> Option<Element> {
+    window()?.document()?.document_element()
 }
 
 fn tell(event: &str) {
