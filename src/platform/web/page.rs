@@ -67,18 +67,21 @@ pub fn set_stereoscope(is_on: bool) {
 /// Returns how the device is turned, as far as the page knows: alpha, beta, gamma and the turn of what is shown, degrees.
 #[must_use]
 pub fn turned() -> Option<[f64; 4]> {
-    let text = root()?.get_attribute("data-turned")?;
-    let angles: Vec<f64> = text.split(' ').map(str::parse).collect::<Result<_, _>>().ok()?;
-    angles.try_into().ok()
+    numbers("data-turned")
 }
 
 /// Returns the longer and the shorter side of the screen, in points of the page: a screen that is turned keeps its sides.
 #[must_use]
 pub fn screen_sides() -> Option<[f32; 2]> {
-    let screen = window()?.screen().ok()?;
-    let sides = [screen.width().ok()?, screen.height().ok()?].map(|side| side as f32);
-    let [width, height] = sides;
+    let [width, height] = numbers::<2>("data-screen")?.map(|side| side as f32);
     (width >= 1.0 && height >= 1.0).then_some([width.max(height), width.min(height)])
+}
+
+/// Returns the numbers that the page keeps in this attribute, with a space between two.
+fn numbers<const N: usize>(attribute: &str) -> Option<[f64; N]> {
+    let text = root()?.get_attribute(attribute)?;
+    let numbers: Vec<f64> = text.split(' ').map(str::parse).collect::<Result<_, _>>().ok()?;
+    numbers.try_into().ok()
 }
 
 fn root() -> Option<Element> {
