@@ -1,6 +1,6 @@
 // Keeps the page for use without a network. All its files are of one version, which web/build writes here.
 const VERSION = 'unbuilt';
-const FILES = ['./', './gamow-web.js', './gamow-web_bg.wasm', './gamow-worker.js', './icon.png', './manifest.webmanifest'];
+const FILES = ['./', './gamow-web.js', './gamow-web_bg.wasm', './gamow-worker.js', './icon.png', './manifest.webmanifest', './stereoscope.js'];
 
 addEventListener('install', event => {
     event.waitUntil(caches.open(VERSION).then(cache => cache.addAll(FILES)));

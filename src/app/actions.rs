@@ -131,6 +131,7 @@ pub static ACTIONS: &[Action] = &[
         &[key(Key::W)],
         Command::ToggleProjector,
     ),
+    action("a stereoscope: a phone in a viewer with two lenses", &[], Command::ToggleStereoscope),
     action("back in the lesson, or the preset before", &[key(Key::PageUp)], Command::ShowNext(-1)),
     action("on in the lesson, or the next preset", &[key(Key::PageDown)], Command::ShowNext(1)),
     action("set up the step of the lesson again", &[], Command::Lesson(LessonCommand::SetUp)),

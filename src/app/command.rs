@@ -173,6 +173,8 @@ pub enum Command {
     TogglePresenting,
     /// Show the views and a lesson's words in a window for a projector, too, or no longer.
     ToggleProjector,
+    /// Have the window as the screen of a stereoscope, or no longer.
+    ToggleStereoscope,
     /// Have a part alone in the window, or all others again.
     ToggleMaximised(Part),
     /// Closes the message.
@@ -269,11 +271,7 @@ impl State {
                 settings.look.fov = FieldOfView(None);
             }
             Command::LookAside(aside) => self.look_aside(aside),
-            Command::Magnify(factor) => {
-                let size = self.frame.picture_size;
-                let pixel = size.map(|side| 0.5 * f64::from(side));
-                self.zoom(Zoom { eye: Eye::Left, is_second: false, pixel, size, factor });
-            }
+            Command::Magnify(factor) => self.magnify(factor),
             Command::Pick(pick) => self.of_picture(pick.is_second, |state| state.pick(pick)),
             Command::Select(Select { track, body, add }) => self.document.points.choose(track, body, add),
             Command::Ruler(command) => self.apply_to_ruler(command),
@@ -312,6 +310,10 @@ impl State {
             Command::ToggleFullScreen => self.session.stage.full_screen = !self.session.stage.full_screen,
             Command::TogglePresenting => self.session.stage.toggle_presenting(),
             Command::ToggleProjector => self.session.stage.projector = !self.session.stage.projector,
+            Command::ToggleStereoscope => {
+                let stage = &mut self.session.stage;
+                stage.stereoscope = !stage.stereoscope;
+            }
             Command::ToggleMaximised(part) => self.session.stage.toggle_maximised(part),
             Command::CloseNotice => self.scratch.notice = None,
             Command::Close => self.close(),
@@ -419,6 +421,12 @@ impl State {
         if self.scratch.playing && self.document.time >= to {
             self.document.time = from;
         }
+    }
+
+    fn magnify(&mut self, factor: f64) {
+        let size = self.frame.picture_size;
+        let pixel = size.map(|side| 0.5 * f64::from(side));
+        self.zoom(Zoom { eye: Eye::Left, is_second: false, pixel, size, factor });
     }
 
     fn turn(&mut self, turn: Turn) {

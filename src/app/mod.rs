@@ -46,6 +46,7 @@ pub mod screens;
 mod speed_slider;
 pub mod state;
 mod steps;
+pub mod stereoscope;
 mod theme;
 mod timing;
 pub mod undo;
@@ -83,6 +84,7 @@ use saving::Saver;
 use screens::full_screen::FullScreen;
 use screens::other_screen::Screen;
 use state::State;
+use stereoscope::Stereoscope;
 use views::corrected::Corrected;
 use views::examination::Examination;
 use views::eyes::{Chosen, EyePictures};
@@ -112,6 +114,8 @@ pub struct App {
     /// On which screen the projector's window is.
     screen: Screen,
     full_screen: FullScreen,
+    /// The stereoscope, while the window is its screen.
+    stereoscope: Option<Stereoscope>,
     text_scale: f32,
     chooser: Chooser,
     reader: Reader,
@@ -147,6 +151,7 @@ impl App {
             projected: None,
             screen: Screen::default(),
             full_screen: FullScreen::default(),
+            stereoscope: None,
             text_scale: 1.0,
             chooser: Chooser::default(),
             reader: Reader::new(ctx.clone()),
@@ -362,8 +367,13 @@ impl App {
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
         self.thumbnails.receive(&ctx);
+        if !self.state.session.stage.stereoscope {
+            self.stereoscope = None;
+        }
         if self.shows_start() {
             self.show_start(ui, area);
+        } else if self.state.session.stage.stereoscope {
+            self.show_stereoscope(ui, area);
         } else if self.state.session.stage.is_presented() {
             self.show_presented(ui, area);
         } else {

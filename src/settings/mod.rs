@@ -11,6 +11,7 @@ mod comparison;
 mod entries;
 mod error;
 mod file;
+mod head;
 mod link;
 pub mod message;
 mod method;
@@ -30,13 +31,14 @@ pub use all::Settings;
 pub use comparison::{ComparisonError, NO_PAIR};
 pub use error::{SettingsError, problem_in_one_line};
 pub use file::looks_like_settings;
+pub use head::Head;
 pub use link::{is_link, link_of_pairs};
 pub use photograph::CameraArgs;
 pub use presets::Preset;
 pub use ride::{ON_A_RIDE, PUSH, Rider, Riding};
 pub use sections::{
-    BOUND_PX, Coordinates, DataFrom, Daylight, FIT_SAMPLES, Face, FitSetup, Frame, Framing, Light, Look,
-    MAX_LENGTH, MAX_SEED, Map, Motion, NOISE_PERCENT, PICTURE_MM, Picture, Playback, PlotTab, Plots,
+    BOUND_PX, Coordinates, DataFrom, Daylight, FIT_SAMPLES, Face, FitSetup, Frame, Framing, LENS_MM, Light,
+    Look, MAX_LENGTH, MAX_SEED, Map, Motion, NOISE_PERCENT, PICTURE_MM, Picture, Playback, PlotTab, Plots,
     Presence, Quality, RATE, Screen, Theme, USUAL_FOV, VIEWING_CM, Window,
 };
 pub use start::StartArgs;

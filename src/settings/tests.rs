@@ -199,11 +199,12 @@ fn window() -> impl Strategy<Value = Window> {
 
 fn screen() -> impl Strategy<Value = Screen> {
     let width = proptest::option::of(number(SCREEN_CM)).prop_map(ScreenWidth);
-    (width, number(VIEWING_CM), number(PICTURE_MM)).prop_map(
-        |(screen_width, viewing_distance, picture_distance)| Screen {
+    (width, number(VIEWING_CM), number(PICTURE_MM), number(LENS_MM)).prop_map(
+        |(screen_width, viewing_distance, picture_distance, lens_to_screen)| Screen {
             screen_width,
             viewing_distance,
             picture_distance,
+            lens_to_screen,
         },
     )
 }

@@ -15,6 +15,9 @@ use crate::scene::Track;
 /// further on, what is abreast would be seen along that line.
 const MOST_AHEAD: f64 = 0.87;
 
+/// The greatest part of a gaze along the line between the eyes that still counts as across it.
+const ACROSS: f64 = 1e-3;
+
 /// The field of view of a whole passage at least, degrees: u from -2.5 to 2.5 in a conformal picture.
 const FOV_OF_PASSAGE: f64 = 161.23;
 /// The share of a strip's height that the outline of what moves has at most: the ruler takes some of the rest.
@@ -196,9 +199,17 @@ impl Settings {
         let [along, across, _] = self.baseline().direction();
         let ahead = if self.ride.is_on() { along } else { across };
         match self.look.projection {
+            ProjectionChoice::Parallel if self.looks_across_baseline() => ProjectionChoice::Parallel,
             fused if fused.is_fused() && ahead.abs() > MOST_AHEAD => ProjectionChoice::Gaze,
             projection => projection,
         }
+    }
+
+    /// Whether both eyes have a fixed gaze across the line between them, wherever that is.
+    fn looks_across_baseline(&self) -> bool {
+        let is_fixed = matches!(self.look.gaze, GazeChoice::Fixed(_));
+        let gaze = self.look.gaze.fixed().filter(|_| is_fixed);
+        gaze.is_some_and(|gaze| gaze.axes().forward.dot(self.baseline_direction()).abs() < ACROSS)
     }
 
     /// The cameras of eyes with this `look`, which follows nothing.

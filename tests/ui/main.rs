@@ -36,6 +36,7 @@ mod spacetime;
 mod start;
 mod start_page;
 mod stereo;
+mod stereoscope;
 mod support;
 mod time;
 mod times;
@@ -86,6 +87,7 @@ fn main() -> ExitCode {
         start::TESTS,
         start_page::TESTS,
         stereo::TESTS,
+        stereoscope::TESTS,
         time::TESTS,
         times::TESTS,
         two_keys::TESTS,

@@ -13,8 +13,8 @@ use crate::app::file_dialog::purpose::Purpose;
 use crate::app::files::recent::file_name;
 use crate::app::overlay::Overlay;
 use crate::app::state::State;
-use crate::app::widgets::explained_lazily;
 use crate::app::widgets::icons::{self, Icon};
+use crate::app::widgets::{STEREOSCOPE_TIP, explained_lazily};
 use crate::platform::files;
 use crate::scene::{PRESETS, Scene};
 use crate::settings::{Theme, Window, about, meaning};
@@ -29,6 +29,8 @@ const NARROWEST_WITH_ALL: f32 = 1120.0;
 const NARROWEST_WITH_PARTS: f32 = 700.0;
 /// Narrower bars, as on a phone, have the way back and the help in the menu too, and a shorter name of the scene; points.
 const NARROWEST_WITH_WAY_BACK: f32 = 540.0;
+/// A window that is lower is that of a phone on its side, points.
+const LOWEST_WITH_WAY_BACK: f32 = 480.0;
 /// A narrower caption would say nothing.
 const NARROWEST_CAPTION: f32 = 180.0;
 
@@ -46,7 +48,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         if width >= NARROWEST_WITH_ALL && !is_simple {
             units(ui, state, commands);
         }
-        if width < NARROWEST_WITH_WAY_BACK {
+        if width < NARROWEST_WITH_WAY_BACK || ui.ctx().content_rect().height() < LOWEST_WITH_WAY_BACK {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| more_on_a_phone(ui, state, commands));
             return;
         }
@@ -222,12 +224,20 @@ fn more_on_a_phone(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let menu = MenuButton::new("More").config(stays_open).ui(ui, |ui| {
         ui.horizontal(|ui| way_back(ui, state, commands));
         help(ui, commands);
+        stereoscope(ui, commands);
         if !state.document.settings.window.simple {
             ui.separator();
             looks(ui, state, true, commands);
         }
     });
-    menu.0.on_hover_text("Undo, help, units, theme");
+    menu.0.on_hover_text("Undo, help, stereoscope, units, theme");
+}
+
+/// The way into the stereoscope.
+fn stereoscope(ui: &mut Ui, commands: &mut Commands) {
+    if ui.button("Stereoscope").on_hover_text(STEREOSCOPE_TIP).clicked() {
+        commands.push(Command::ToggleStereoscope);
+    }
 }
 
 fn looks(ui: &mut Ui, state: &State, with_parts: bool, commands: &mut Commands) {

@@ -23,6 +23,8 @@ pub struct Stage {
     pub maximised: Option<Part>,
     /// Whether the views have a window of their own besides, for a projector.
     pub projector: bool,
+    /// Whether the window is the screen of a stereoscope.
+    pub stereoscope: bool,
     /// While it is presented: whether it had the whole screen before.
     before: Option<bool>,
 }
@@ -31,7 +33,7 @@ impl Stage {
     /// Returns the stage of a window that is presented from the start.
     #[must_use]
     pub const fn presented() -> Self {
-        Self { full_screen: true, maximised: None, projector: false, before: Some(false) }
+        Self { full_screen: true, maximised: None, projector: false, stereoscope: false, before: Some(false) }
     }
 
     /// Whether the window is shown to an audience: large writing, and no controls.
@@ -64,7 +66,9 @@ impl Stage {
 
     /// Leaves the last that was entered of these, if there is one.
     pub const fn leave(&mut self) {
-        if self.is_presented() {
+        if self.stereoscope {
+            self.stereoscope = false;
+        } else if self.is_presented() {
             self.toggle_presenting();
         } else if self.maximised.is_some() {
             self.maximised = None;

@@ -27,7 +27,7 @@ use eframe::egui::{Rect, TextureId, Ui, UiBuilder, vec2};
 use relativity_render::{Gpu, Method};
 
 use self::corrected::Corrected;
-use self::eyes::EyePictures;
+use self::eyes::{EyePictures, ShownPicture};
 use self::panes::{Content, EyePane, Pane};
 use crate::app::measuring::stopwatch::Stopwatch;
 use crate::app::panels::views::Painted;
@@ -147,10 +147,22 @@ impl App {
 
     /// Draws `pane` below its `title`: the up-to-date picture, how far it is off, and the markers.
     fn paint_eye(&mut self, ui: &Ui, pane: EyePane, title: &str) {
-        let request = self.request(ui, pane);
-        let picture = self.eyes.as_mut().and_then(|eyes| eyes.picture(ui.ctx(), pane.index(), &request));
+        let (picture, request) = self.drawn_picture(ui, pane);
         let heat_map = self.heat_map(ui, pane, &request);
         panels::views::paint(ui, &self.state, pane, title, Painted { picture, heat_map });
+    }
+
+    /// Returns the up-to-date picture in `pane`, and the request for it.
+    fn drawn_picture(&mut self, ui: &Ui, pane: EyePane) -> (Option<ShownPicture>, eyes::Request) {
+        let request = self.request(ui, pane);
+        let picture = self.eyes.as_mut().and_then(|eyes| eyes.picture(ui.ctx(), pane.index(), &request));
+        (picture, request)
+    }
+
+    /// Draws the up-to-date picture in `pane` alone.
+    pub(in crate::app) fn paint_bare(&mut self, ui: &Ui, pane: EyePane) {
+        let (picture, _) = self.drawn_picture(ui, pane);
+        panels::views::paint_bare(ui, &self.state, pane, picture);
     }
 
     /// Draws the picture that both eyes share, and the markers of both, or of the one whose turn it is.

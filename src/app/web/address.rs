@@ -1,4 +1,4 @@
-//! The state in the fragment of the page's address: `#beta=0.99&scene=globe`, `#lesson=rods`, `#present`.
+//! The state in the fragment of the page's address: `#beta=0.99&scene=globe`, `#lesson=rods`, `#present`, `#stereoscope`.
 
 use std::path::PathBuf;
 
@@ -12,6 +12,8 @@ pub struct Fragment {
     pub lesson: Option<String>,
     /// Whether the window is shown to an audience.
     pub presents: bool,
+    /// Whether the window is the screen of a stereoscope.
+    pub stereoscope: bool,
     /// The settings that differ from the defaults, as in a link.
     pairs: String,
 }
@@ -25,6 +27,7 @@ impl Fragment {
             match part.split_once('=') {
                 Some(("lesson", name)) => fragment.lesson = Some(name.to_owned()),
                 None if part == "present" => fragment.presents = true,
+                None if part == "stereoscope" => fragment.stereoscope = true,
                 _ => pairs.push(part),
             }
         }
@@ -39,15 +42,17 @@ impl Fragment {
             course => course.map(|course| course.lesson().name.clone()),
         };
         let pairs = if lesson.is_some() { String::new() } else { state.shown().link_pairs().ok()? };
-        Some(Self { lesson, presents: state.session.stage.is_presented(), pairs })
+        let stage = &state.session.stage;
+        Some(Self { lesson, presents: stage.is_presented(), stereoscope: stage.stereoscope, pairs })
     }
 
     /// Returns the text behind the `#`.
     pub fn to_text(&self) -> String {
         let lesson = self.lesson.as_ref().map(|name| format!("lesson={name}"));
         let presents = self.presents.then(|| "present".to_owned());
+        let stereoscope = self.stereoscope.then(|| "stereoscope".to_owned());
         let pairs = (!self.pairs.is_empty()).then(|| self.pairs.clone());
-        lesson.into_iter().chain(presents).chain(pairs).collect::<Vec<_>>().join("&")
+        lesson.into_iter().chain(presents).chain(stereoscope).chain(pairs).collect::<Vec<_>>().join("&")
     }
 
     /// Whether the address leaves open what is shown, so that a newcomer may be welcomed.

@@ -34,6 +34,10 @@ use crate::settings::Settings;
 const NO_GRAPHICS: &str = "The window cannot be drawn: this browser offers neither WebGPU nor WebGL 2, or they are switched off. \
     A current Firefox, Chrome, Edge or Safari has one of them; in its settings it may be called hardware acceleration.";
 
+/// The page's events about a stereoscope, with what follows them.
+const STEREOSCOPE_EVENTS: [(&str, fn(&mut PageApp)); 2] =
+    [("gamow-turned", PageApp::turn_device), ("gamow-leave-stereoscope", PageApp::leave_stereoscope)];
+
 /// Returns the address of this page with these `pairs` of a setting and its value.
 pub fn link_to(pairs: &str) -> String {
     format!("{}#{pairs}", page::address())
@@ -82,7 +86,7 @@ async fn open(runner: WebRunner) {
             painting::install(&cc.egui_ctx, render_state);
         }
         let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).kept_by(keeper);
-        Ok(Box::new(PageApp::new(app, own)) as Box<dyn eframe::App>)
+        Ok(Box::new(PageApp::new(app, own, cc.egui_ctx.clone())) as Box<dyn eframe::App>)
     };
     match runner.start(canvas, options, Box::new(create)).await {
         Ok(()) => {
@@ -104,6 +108,14 @@ fn listen(runner: &WebRunner) {
             app.follow(&Fragment::parse(&page::fragment()));
         }
     });
+    for (event, then) in STEREOSCOPE_EVENTS {
+        let shown = runner.clone();
+        page::on(event, move || {
+            if let Some(mut app) = shown.app_mut::<PageApp>() {
+                then(&mut app);
+            }
+        });
+    }
     let keeper = runner.clone();
     page::on("pagehide", move || {
         if let Some(mut app) = keeper.app_mut::<PageApp>() {
@@ -126,6 +138,7 @@ fn first_state(left: Loaded, fragment: &Fragment) -> anyhow::Result<State> {
     if fragment.presents {
         state.session.stage = Stage::presented();
     }
+    state.session.stage.stereoscope = fragment.stereoscope;
     let problem = problem.map(Notice::error).or(notice);
     state.scratch.notice = problem.or(state.scratch.notice);
     Ok(state)

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use eframe::WebRunner;
-use eframe::egui::{Context, RawInput, Ui};
+use eframe::egui::{Context, RawInput, Ui, Vec2};
 
 use super::address::Fragment;
 use crate::app::App;
@@ -20,7 +20,9 @@ const REST: Duration = Duration::from_secs(1);
 pub struct PageApp {
     app: App,
     runner: WebRunner,
+    ctx: Context,
     address: Address,
+    is_stereoscope: bool,
     is_lost: bool,
 }
 
@@ -32,12 +34,12 @@ struct Address {
 }
 
 impl PageApp {
-    /// Shows `app`, which the `runner` runs.
-    pub fn new(app: App, runner: WebRunner) -> Self {
+    /// Shows `app`, which the `runner` runs, in windows of this `ctx`.
+    pub fn new(app: App, runner: WebRunner, ctx: Context) -> Self {
         let state = app.state();
         let address =
             Address { document: state.document.clone(), fragment: Fragment::from_state(state), due: None };
-        Self { app, runner, address, is_lost: false }
+        Self { app, runner, ctx, address, is_stereoscope: false, is_lost: false }
     }
 
     /// Shows what another `fragment` of the address asks for.
@@ -51,6 +53,34 @@ impl PageApp {
         if fragment.presents != self.app.state().session.stage.is_presented() {
             self.app.ask(Command::TogglePresenting);
         }
+        if fragment.stereoscope != self.app.state().session.stage.stereoscope {
+            self.app.ask(Command::ToggleStereoscope);
+        }
+    }
+
+    /// Takes how the device is turned.
+    pub fn turn_device(&mut self) {
+        if let Some(angles) = page::turned() {
+            self.app.turn_device(angles);
+            self.ctx.request_repaint();
+        }
+    }
+
+    /// Leaves the stereoscope, whose whole screen the viewer has left.
+    pub fn leave_stereoscope(&mut self) {
+        if self.app.state().session.stage.stereoscope {
+            self.app.ask(Command::ToggleStereoscope);
+            self.ctx.request_repaint();
+        }
+    }
+
+    /// Tells the page when the stereoscope is entered or left.
+    fn tell_stereoscope(&mut self) {
+        let is_on = self.app.state().session.stage.stereoscope;
+        if is_on != self.is_stereoscope {
+            self.is_stereoscope = is_on;
+            page::set_stereoscope(is_on);
+        }
     }
 
     /// Writes the state into the page's address, a while after a change.
@@ -60,6 +90,7 @@ impl PageApp {
             let state = self.app.state();
             let is_other = fragment.as_ref().is_some_and(|fragment| {
                 fragment.presents != state.session.stage.is_presented()
+                    || fragment.stereoscope != state.session.stage.stereoscope
                     || fragment.lesson.is_some() != state.course().is_some()
             });
             if is_other || *document != state.document {
@@ -103,6 +134,7 @@ impl eframe::App for PageApp {
         self.end_if_lost();
         self.app.logic(ctx, frame);
         self.keep_address(ctx);
+        self.tell_stereoscope();
     }
 
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
@@ -110,6 +142,12 @@ impl eframe::App for PageApp {
     }
 
     fn raw_input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
+        // The windowing library knows nothing of a browser's screen.
+        if let (Some(sides), Some(viewport)) =
+            (page::screen_sides(), input.viewports.get_mut(&input.viewport_id))
+        {
+            viewport.monitor_size = Some(Vec2::from(sides) / ctx.zoom_factor());
+        }
         self.app.raw_input_hook(ctx, input);
     }
 

@@ -24,6 +24,9 @@ use crate::number_text;
 use crate::settings::meaning;
 use crate::units::Unit;
 
+/// Tooltip of what has the window as the screen of a stereoscope.
+pub const STEREOSCOPE_TIP: &str = "Fills the screen with the two eyes' pictures, as far apart as the lenses of a viewer that a phone is put into. Esc leaves.";
+
 /// Width of the names in front of the widgets.
 const NAME_WIDTH: f32 = 88.0;
 /// Width of the numbers behind the sliders.

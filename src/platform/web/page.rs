@@ -2,7 +2,7 @@
 
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
-use web_sys::{Event, HtmlCanvasElement, Window};
+use web_sys::{Element, Event, HtmlCanvasElement, Window};
 
 /// The canvas of the page that the window is drawn on.
 #[must_use]
@@ -42,8 +42,7 @@ pub fn show_window() {
 
 /// Has the page show a sentence and a button to load it again, in place of the window.
 pub fn show_problem(problem: &str) {
-    let root = window().and_then(|window| window.document()).and_then(|document| document.document_element());
-    if let Some(root) = root {
+    if let Some(root) = root() {
         let _ = root.set_attribute("data-problem", problem);
     }
     tell("gamow-problem");
@@ -55,6 +54,38 @@ pub fn show_defect() {
         "The program has stopped: this is a defect. What was shown is in the address, and the answers in lessons are kept. The \
         browser's console has the details.",
     );
+}
+
+/// Tells the page whether the window is the screen of a stereoscope: it then asks for the whole screen, and for how the device is turned.
+pub fn set_stereoscope(is_on: bool) {
+    if let Some(root) = root() {
+        let _ = root.set_attribute("data-stereoscope", if is_on { "on" } else { "off" });
+    }
+    tell("gamow-stereoscope");
+}
+
+/// Returns how the device is turned, as far as the page knows: alpha, beta, gamma and the turn of what is shown, degrees.
+#[must_use]
+pub fn turned() -> Option<[f64; 4]> {
+    numbers("data-turned")
+}
+
+/// Returns the longer and the shorter side of the screen, in points of the page: a screen that is turned keeps its sides.
+#[must_use]
+pub fn screen_sides() -> Option<[f32; 2]> {
+    let [width, height] = numbers::<2>("data-screen")?.map(|side| side as f32);
+    (width >= 1.0 && height >= 1.0).then_some([width.max(height), width.min(height)])
+}
+
+/// Returns the numbers that the page keeps in this attribute, with a space between two.
+fn numbers<const N: usize>(attribute: &str) -> Option<[f64; N]> {
+    let text = root()?.get_attribute(attribute)?;
+    let numbers: Vec<f64> = text.split(' ').map(str::parse).collect::<Result<_, _>>().ok()?;
+    numbers.try_into().ok()
+}
+
+fn root() -> Option<Element> {
+    window()?.document()?.document_element()
 }
 
 fn tell(event: &str) {

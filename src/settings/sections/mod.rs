@@ -21,5 +21,5 @@ pub use picture::Picture;
 pub use playback::{Playback, RATE};
 pub use plots::{Coordinates, PlotTab, Plots};
 pub use quality::{BOUND_PX, Quality};
-pub use screen::{PICTURE_MM, Screen, VIEWING_CM};
+pub use screen::{LENS_MM, PICTURE_MM, Screen, VIEWING_CM};
 pub use window::{Presence, Theme, Window};

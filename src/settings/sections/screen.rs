@@ -11,6 +11,8 @@ use crate::flags::{ScreenWidth, within};
 pub const VIEWING_CM: RangeInclusive<f64> = 5.0..=100_000.0;
 /// Closest and furthest that the middles of two pictures may be, mm.
 pub const PICTURE_MM: RangeInclusive<f64> = 10.0..=200.0;
+/// Nearest and furthest that the lenses of a stereoscope are from the screen, mm.
+pub const LENS_MM: RangeInclusive<f64> = 10.0..=500.0;
 
 /// The screen that the pictures are seen on: an angle in the scene is another one there.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
@@ -25,15 +27,23 @@ pub struct Screen {
     #[arg(long, value_name = "CM", value_parser = within(VIEWING_CM))]
     pub viewing_distance: f64,
     /// Largest distance between the middles of two pictures that are fused without glasses, millimetres: no more than
-    /// the distance of the viewer's pupils.
+    /// the distance of the viewer's pupils. In a stereoscope they are that far apart, as its lenses are.
     #[arg(long, value_name = "MM", value_parser = within(PICTURE_MM))]
     pub picture_distance: f64,
+    /// Distance of a stereoscope's lenses from the screen, millimetres: with the width of the pictures it gives the angles at which they are seen.
+    #[arg(long, value_name = "MM", value_parser = within(LENS_MM))]
+    pub lens_to_screen: f64,
 }
 
 impl Default for Screen {
     /// A screen on a desk.
     fn default() -> Self {
-        Self { screen_width: ScreenWidth(None), viewing_distance: 60.0, picture_distance: 60.0 }
+        Self {
+            screen_width: ScreenWidth(None),
+            viewing_distance: 60.0,
+            picture_distance: 60.0,
+            lens_to_screen: 40.0,
+        }
     }
 }
 

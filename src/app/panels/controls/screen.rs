@@ -7,7 +7,7 @@ use crate::app::command::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::theme;
-use crate::app::widgets::{dot, named_text, number, row};
+use crate::app::widgets::{STEREOSCOPE_TIP, dot, named_text, number, row};
 use crate::flags::{SCREEN_CM, ScreenWidth};
 use crate::number_text;
 use crate::settings::{Motion, VIEWING_CM, about};
@@ -101,6 +101,11 @@ fn place(ui: &mut Ui, state: &State, commands: &mut Commands) {
         let tip = with_keys(PROJECTOR_TIP, &[Command::ToggleProjector]);
         if ui.checkbox(&mut is_open, "second window").on_hover_text(tip).changed() {
             commands.push(Command::ToggleProjector);
+        }
+    });
+    row(ui, "Lenses", STEREOSCOPE_TIP, |ui| {
+        if ui.button("Stereoscope").on_hover_text(STEREOSCOPE_TIP).clicked() {
+            commands.push(Command::ToggleStereoscope);
         }
     });
     if screen != state.document.settings.screen {
