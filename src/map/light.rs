@@ -1,7 +1,7 @@
 //! Light that leaves the selected point: the events at which it left for each eye, the ray from there, and its wave
 //! fronts.
 
-use relativity_core::{Model, ObserverError, math};
+use relativity_core::{Aperture, Model, ObserverError, math};
 use relativity_render::Velocity;
 
 use super::event::Event;
@@ -54,7 +54,7 @@ pub fn rays(
         } else {
             worldline.at(seen.retarded_time)
         };
-        let (x, t) = rider.event_of(eye);
+        let (Aperture { x, .. }, t) = rider.event_of(eye);
         let received = Event { x, t }.in_frame(frame);
         let between = Event { x: rider.x, t: rider.street_time }.in_frame(frame);
         let apex = if one_cone { between } else { received };

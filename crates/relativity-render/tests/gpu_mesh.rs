@@ -9,7 +9,9 @@ mod support;
 use std::process::ExitCode;
 
 use glam::{DVec2, DVec3};
-use gpu_support::scenes::{conformal_views, parallel_views, still_life, time_seen_at, view_following};
+use gpu_support::scenes::{
+    conformal_views, oblique_views, parallel_views, still_life, time_seen_at, view_following,
+};
 use joints::joints;
 use relativity_core::{Aperture, MAX_GAMMA, Model, PublishedVariant, SourcePoint, Speed, sighting};
 use relativity_render::{
@@ -21,6 +23,7 @@ fn main() -> ExitCode {
     gpu_support::run(&[
         ("the_picture_keeps_the_bound", the_picture_keeps_the_bound),
         ("groups_keep_the_bound", groups_keep_the_bound),
+        ("oblique_rides_keep_the_bound", oblique_rides_keep_the_bound),
         ("bodies_that_nearly_touch_are_told_apart", bodies_that_nearly_touch_are_told_apart),
         ("where_surfaces_coincide_the_first_body_is_seen", where_surfaces_coincide_the_first_body_is_seen),
         ("hits_appear_where_the_light_cone_says", hits_appear_where_the_light_cone_says),
@@ -74,6 +77,17 @@ fn groups_keep_the_bound(renderers: &mut Renderers) {
         for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
             let view = View { geometry, ..view };
             keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
+        }
+    }
+}
+
+/// Before a camera that moves in any direction.
+fn oblique_rides_keep_the_bound(renderers: &mut Renderers) {
+    let scene = PreparedScene::moving(&still_life());
+    for view in oblique_views(FOLLOWED) {
+        for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::OneCone] {
+            let view = View { geometry, ..view };
+            keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &still_life(), &view);
         }
     }
 }
