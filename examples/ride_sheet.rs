@@ -36,7 +36,7 @@ fn main() -> anyhow::Result<()> {
     for azimuth in GAZES {
         for velocity in velocities.map(Velocity::forward) {
             let gaze = Gaze { azimuth, elevation: 0.0 };
-            let camera = Camera { velocity, ..Camera::new(EYES, gaze, 1.4, SIZE) };
+            let camera = Camera { velocity: velocity.into(), ..Camera::new(EYES, gaze, 1.4, SIZE) };
             let geometry = Geometry::Seen;
             let view = View { camera, speed: Speed::REST, observation_time: 0.0, geometry };
             pictures.push(renderers.picture(Method::Packets, &prepared, &view, &appearance, 2)?);

@@ -243,12 +243,13 @@ impl Simulated {
         );
         let pair = settings.pair();
         let is_across = pair.iter().all(|eye| eye.x == 0.0);
-        let obstacle = match (settings.ride.coasts(), point.spin, is_across || !velocity.is_backward) {
-            (false, ..) => Some(ObstacleOfRide::ChangingSpeed),
-            (_, Some(_), _) => Some(ObstacleOfRide::TurningPoint),
-            (.., false) => Some(ObstacleOfRide::EyesAcross),
-            _ => None,
-        };
+        let obstacle =
+            match (settings.ride.coasts_along_street(), point.spin, is_across || !velocity.is_backward) {
+                (false, ..) => Some(ObstacleOfRide::ChangingSpeed),
+                (_, Some(_), _) => Some(ObstacleOfRide::TurningPoint),
+                (.., false) => Some(ObstacleOfRide::EyesAcross),
+                _ => None,
+            };
         // Turned or mirrored so that it passes towards +x in front of the eyes: those across the street exchange their sides at most.
         let (velocity, source, pair) = match source {
             Source::Point(place) if settings.ride.is_on() => {

@@ -105,13 +105,17 @@ impl Diagram {
         let here = rider.event();
         Ok(Self {
             frame,
-            other: if settings.ride.is_on() { rider.velocity } else { Velocity::forward(settings.speed()) },
+            other: if settings.ride.is_on() {
+                rider.along_street()
+            } else {
+                Velocity::forward(settings.speed())
+            },
             point: PointWorldline::new(settings, point, frame),
             rays: rays(settings, point, time, frame)?,
             present: here.in_frame(frame),
             time: rider.street_time,
             clock: time,
-            observer: rider.velocity,
+            observer: rider.along_street(),
             here,
         })
     }
@@ -175,7 +179,7 @@ pub fn worldline_of_eye(settings: &Settings, frame: Velocity, eye: usize, range:
     let aperture = settings.pair()[eye];
     let event = |piece: i32| {
         let time = time_range::time_within(range, f64::from(piece) / f64::from(Cone::PIECES));
-        settings.rider(time).event_of(aperture).in_frame(frame)
+        settings.rider(time).event_on_street(aperture).in_frame(frame)
     };
     (0..=Cone::PIECES).map(event).collect()
 }

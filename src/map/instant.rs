@@ -95,8 +95,9 @@ impl<'a> Instant<'a> {
         let here = self.rider.event().in_frame(frame);
         let shift = DVec3::new(0.0, set.depth_shift, set.height_shift);
         // On the ground is what eyes at rest would see that receive the same light.
-        let from = if self.frame() == Frame::Rider { self.rider.velocity } else { Velocity::REST };
-        let seen = self.seen.map(|view| View { camera: Camera { velocity: from, ..view.camera }, ..view });
+        let from = if self.frame() == Frame::Rider { self.rider.along_street() } else { Velocity::REST };
+        let seen =
+            self.seen.map(|view| View { camera: Camera { velocity: from.into(), ..view.camera }, ..view });
         Places {
             shift,
             origin: if self.frame() == Frame::Rider { here.x } else { 0.0 },

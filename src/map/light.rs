@@ -53,7 +53,7 @@ pub fn rays(
         } else {
             worldline.at(seen.retarded_time)
         };
-        let received = rider.event_of(eye).in_frame(frame);
+        let received = rider.event_on_street(eye).in_frame(frame);
         let between = rider.event().in_frame(frame);
         let apex = if one_cone { between } else { received };
         let across = [place.y, place.z];

@@ -1,7 +1,7 @@
 //! Light and exposure of a picture, and settings in which every automatic choice is made.
 
-use relativity_render::Appearance;
 use relativity_render::exposure::automatic_ev;
+use relativity_render::{Appearance, RelativeVelocity, Velocity};
 
 use super::all::Settings;
 use super::sections::{Daylight, Light, Theme};
@@ -51,7 +51,8 @@ impl Settings {
     pub fn automatic_ev(&self, scene: &Scene, time: f64) -> f64 {
         let rider = self.rider(time);
         let lights = scene.passing().flat_map(|group| {
-            let velocity = self.velocity(group.motion).seen_from(rider.velocity);
+            let past = RelativeVelocity::new(self.velocity(group.motion), &rider.observer().velocity);
+            let velocity = Velocity::forward(past.speed);
             scene.bodies[group.bodies()].iter().map(move |body| (velocity, body.emission))
         });
         automatic_ev(lights, self.geometry(), &self.unexposed(scene, false))

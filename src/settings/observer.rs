@@ -3,10 +3,10 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Baseline, Disparity, Model, ObserverError, PairError, PublishedVariant, Source, SourcePoint,
-    Speed, Stereo, equidistance_time,
+    Aperture, Baseline, Disparity, Model, Observer, ObserverError, PairError, PublishedVariant, Source,
+    SourcePoint, Speed, Stereo, equidistance_time,
 };
-use relativity_render::{Geometry, MaterialPoint, Motion, Velocity};
+use relativity_render::{Geometry, MaterialPoint, Motion, RelativeVelocity, Velocity};
 
 use super::all::Settings;
 use super::ride::Rider;
@@ -103,14 +103,17 @@ impl Settings {
         match self.map.frame {
             Frame::Ground => Velocity::REST,
             Frame::Bicycle => Velocity::forward(self.speed()),
-            Frame::Rider => self.rider(time).velocity,
+            // The map is a plane along the street.
+            Frame::Rider if !self.ride.is_along_street() => Velocity::REST,
+            Frame::Rider => self.rider(time).along_street(),
         }
     }
 
     /// The frame that the map is drawn in: that of the ground for that of a rider who rests.
     #[must_use]
     pub fn map_frame(&self) -> Frame {
-        if self.map.frame == Frame::Rider && !self.ride.is_on() { Frame::Ground } else { self.map.frame }
+        let has_rider = self.ride.is_on() && self.ride.is_along_street();
+        if self.map.frame == Frame::Rider && !has_rider { Frame::Ground } else { self.map.frame }
     }
 
     /// The worldline of `point` from the point between the eyes, reflected to move along +x.
@@ -132,9 +135,12 @@ impl Settings {
         let velocity = self.velocity(point.motion);
         if self.ride.is_on() {
             let (rider, place) = (self.rider(time), self.rest_place(point.axle()));
+            if !self.ride.is_along_street() {
+                return past_aslant(velocity, &rider.observer(), place);
+            }
             let past = velocity.past(&rider.observer(), place).map_or(f64::NAN, |(_, there)| there.x0);
             let [_, y, z] = place;
-            return [if velocity.seen_from(rider.velocity).is_backward { -past } else { past }, y, z];
+            return [if velocity.seen_from(rider.along_street()).is_backward { -past } else { past }, y, z];
         }
         let there = self.source(point).place_when_measured(&velocity.speed, time);
         let x = there.worldline(&velocity.speed).at(time).x;
@@ -223,7 +229,7 @@ impl Settings {
     }
 
     /// Returns the velocity at which `point`, or the hub that it turns about, passes the observer, and its place by the observer's
-    /// clock, reflected to move along +x. `None` where the observer's velocity changes.
+    /// clock, reflected to move along +x. `None` where the observer's velocity changes, or is not along the street.
     #[must_use]
     pub fn passage(&self, point: &Track) -> Option<(Velocity, SourcePoint)> {
         let velocity = self.velocity(point.motion);
@@ -232,8 +238,9 @@ impl Settings {
         }
         let place = self.rest_place(point.axle());
         let rider = self.rider(0.0);
-        let seen = velocity.seen_from(rider.velocity);
-        let (speed, there) = velocity.past(&rider.observer(), place).filter(|_| self.ride.coasts())?;
+        let seen = velocity.seen_from(rider.along_street());
+        let coasts = self.ride.coasts_along_street();
+        let (speed, there) = velocity.past(&rider.observer(), place).filter(|_| coasts)?;
         let [_, y, z] = place;
         Some((Velocity { speed, ..seen }, SourcePoint { y, z, ..there }))
     }
@@ -263,12 +270,27 @@ impl Settings {
     #[must_use]
     pub fn time_range(&self, point: &Track) -> [f64; 2] {
         let fitted = || {
-            let Some((velocity, place)) = self.passage(point) else { return [0.0, self.ride.duration()] };
+            let Some((velocity, place)) = self.passage(point) else { return self.range_of_ride(point) };
             let pair = velocity.reflected_pair(self.pair());
             let range = time_range::fitted_range(&velocity.speed, place, pair);
             range.map(|time| time.clamp(-MAX_TIME, MAX_TIME))
         };
         self.playback.range.0.unwrap_or_else(fitted)
+    }
+
+    /// First and last time of the legs of a ride; of one that only coasts, as `point` passes.
+    fn range_of_ride(&self, point: &Track) -> [f64; 2] {
+        let (velocity, observer) = (self.velocity(point.motion), self.rider(0.0).observer());
+        let past = velocity.past(&observer, self.rest_place(point.axle()));
+        let Some((speed, place)) = past.filter(|_| self.ride.coasts()) else {
+            return [0.0, self.ride.duration()];
+        };
+        let axes = RelativeVelocity::new(velocity, &observer.velocity);
+        let pair = self.pair().map(|eye| {
+            let DVec3 { x, y, z } = axes.motion_from_camera(DVec3::new(eye.x, eye.y, eye.z));
+            Aperture { x, y, z }
+        });
+        time_range::fitted_range(&speed, place, pair).map(|time| time.clamp(-MAX_TIME, MAX_TIME))
     }
 
     /// The T of a picture for which none is given: when `point`, or the hub that it turns about, is seen 45 degrees before it is
@@ -279,4 +301,11 @@ impl Settings {
         // Settings lie inside the domain of the core.
         time_range::time_of_approach(&speed, place, self.pair()).unwrap_or_default()
     }
+}
+
+/// The place in the axes of `observer`, when its clock shows 0, of what is at `place` in the frame that moves at `velocity`.
+fn past_aslant(velocity: Velocity, observer: &Observer, place: [f64; 3]) -> [f64; 3] {
+    let Some((_, SourcePoint { x0, y, z })) = velocity.past(observer, place) else { return [f64::NAN; 3] };
+    let axes = RelativeVelocity::new(velocity, &observer.velocity);
+    axes.camera_from_motion(DVec3::new(x0, y, z)).to_array()
 }

@@ -71,8 +71,17 @@ fn riding() -> impl Strategy<Value = Riding> {
         let value = if parameter == SpeedParameter::Gamma { (2.0 + share) * 1.5 } else { 0.999 * share };
         StreetVelocity::new(parameter, value).expect("in range")
     });
-    (ride, speed, number(-MAX_LENGTH..=MAX_LENGTH), number(PUSH))
-        .prop_map(|(ride, ride_speed, ride_from, push)| Riding { ride, ride_speed, ride_from, push })
+    let heading = (number(-360.0..=360.0), number(-90.0..=90.0));
+    (ride, speed, number(-MAX_LENGTH..=MAX_LENGTH), heading, number(PUSH)).prop_map(
+        |(ride, ride_speed, ride_from, (ride_azimuth, ride_elevation), push)| Riding {
+            ride,
+            ride_speed,
+            ride_from,
+            ride_azimuth,
+            ride_elevation,
+            push,
+        },
+    )
 }
 
 fn choice_of_speed() -> impl Strategy<Value = SpeedParameter> {

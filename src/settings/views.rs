@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use relativity_core::math::{asinh, sinh};
-use relativity_core::{Aperture, Event};
+use relativity_core::Aperture;
 use relativity_render::{Camera, Framing, Gaze, Geometry, Motion, Outline, PreparedScene, Projection, View};
 
 use super::all::Settings;
@@ -184,10 +184,8 @@ impl Settings {
             (right.aperture, right.off_middle) = (left.aperture, left.off_middle);
         }
         [(left, geometry.of_left_eye()), (right, geometry)].map(|(camera, geometry)| {
-            let Aperture { y, z, .. } = camera.aperture;
-            let Event { x, t: observation_time } = rider.event_of(camera.aperture);
-            let aperture = Aperture { x, y, z };
-            let camera = Camera { aperture, velocity: rider.velocity, rolled, ..camera };
+            let (aperture, observation_time) = rider.event_of(camera.aperture);
+            let camera = Camera { aperture, velocity: rider.observer().velocity, rolled, ..camera };
             View { camera, speed: self.speed(), observation_time, geometry }
         })
     }
@@ -195,9 +193,9 @@ impl Settings {
     /// The projection of both pictures: none along the baseline suits both eyes where one is behind the other.
     #[must_use]
     pub fn projection(&self) -> ProjectionChoice {
-        // Who rides looks along the street, and who stands across it.
-        let [along, across, _] = self.baseline().direction();
-        let ahead = if self.ride.is_on() { along } else { across };
+        // Who rides looks where that leads, and who stands across the street.
+        let ahead = if self.ride.is_on() { DVec3::from(self.ride.direction()) } else { DVec3::Y };
+        let ahead = DVec3::from(self.baseline().direction()).dot(ahead);
         match self.look.projection {
             ProjectionChoice::Parallel if self.looks_across_baseline() => ProjectionChoice::Parallel,
             fused if fused.is_fused() && ahead.abs() > MOST_AHEAD => ProjectionChoice::Gaze,

@@ -119,7 +119,7 @@ pub use fit::{
     Rolling, Sample, Simulation, fit, fit_from,
 };
 pub use model::{Model, PairError};
-pub use observer::{Observer, ObserverError, ObserverVelocity};
+pub use observer::{Observer, ObserverError, ObserverVelocity, RelativeVelocity};
 pub use one_cone::one_cone_disparity;
 pub use passage::{equidistance_time, observation_time_when_seen_at};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};

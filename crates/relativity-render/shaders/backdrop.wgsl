@@ -11,6 +11,8 @@ override FRONTS: bool;
 override STREET_GEOMETRY: u32;
 // Row of the tables that has what its motion does to colours; 0 where they stay as painted.
 override STREET_ROW: i32;
+// Whether the street moves past the camera otherwise than along x.
+override OBLIQUE_STREET: bool;
 override TILE_COLUMNS: u32;
 override TILE_ROWS: u32;
 override LEAST_TOWARDS_FRONTS: f32;
@@ -47,6 +49,10 @@ fn tile_corner(number: vec2u) -> vec2f {
 
 // Whether this pipeline draws the tile.
 fn shows(number: vec2u) -> bool {
+    // The plane of the ground is a bowl to whoever does not move along it.
+    if OBLIQUE_STREET {
+        return GROUND == (frame.ground.z > NO_GROUND) && FRONTS == (frame.road.z > 0.0 && frame.road.x < frame.road.y);
+    }
     let low = tile_corner(number);
     let high = tile_corner(number + 1u);
     let corners = array(
@@ -130,11 +136,28 @@ fn line_on_ground(sight: vec4f) -> Line {
     if STREET_GEOMETRY == AT_REST {
         return Line(sight.xyz, sight.w, 1.0, 1.0, right, down);
     }
+    if OBLIQUE_STREET {
+        return line_on_oblique_ground(sight, right, down);
+    }
     let seen = passage(sight.xyz, STREET_GEOMETRY, frame.street_speed, frame.street_motion.x);
     let scale = sight.w * seen.ground_per_rest;
     let haze_share = min(seen.ground_per_rest, 1.0);
     let steps = array(step_on_ground(sight.xyz, right), step_on_ground(sight.xyz, down));
     return Line(seen.direction, scale, haze_share, seen.doppler, steps[0], steps[1]);
+}
+
+// The same where the street moves otherwise than along x: through the axes along its motion.
+fn line_on_oblique_ground(sight: vec4f, right: vec3f, down: vec3f) -> Line {
+    let n = frame.to_street * sight.xyz;
+    let seen = passage(n, STREET_GEOMETRY, frame.street_speed, 1.0);
+    return Line(
+        frame.street_axes * seen.direction,
+        sight.w * seen.ground_per_rest,
+        min(seen.ground_per_rest, 1.0),
+        seen.doppler,
+        frame.street_axes * step_on_ground(n, frame.to_street * right),
+        frame.street_axes * step_on_ground(n, frame.to_street * down),
+    );
 }
 
 const AT_REST = 2u;

@@ -20,13 +20,23 @@ struct Frame {
     // 1, or -1 if the group moves towards -x: all is reflected then, to move along +x, and back; the same for the
     // reference of depths. z: 1 if the picture is conformal. w: 1, or -1 if the group moves towards -x on the ground.
     motion: vec4f,
+    // 1 if a group of the picture moves past the camera otherwise than along x; the same of the street. All vectors before the camera are in
+    // the axes along the group's motion then, and `motion` is 1.
+    oblique: vec4f,
+    // Unit vectors along the motion, in the group's axes.
+    group_axes: mat3x3f,
+    // From these vectors before the camera to those of the reference, and to axes along the street's motion; unit vectors along that, in the
+    // ground's axes.
+    reference_axes: mat3x3f,
+    to_street: mat3x3f,
+    street_axes: mat3x3f,
     // beta, 1 - beta, 1/gamma, gamma on the ground.
     on_ground: vec4f,
-    // xyz: where the camera is from the middle between the eyes, where these have one light cone, else 0; reflected as the
-    // group is. And the same, reflected as the reference is.
+    // xyz: where the camera is from the middle between the eyes, where these have one light cone, else 0; in axes along
+    // the group's motion. And the same along the reference's.
     eye: vec4f,
     reference_eye: vec4f,
-    // `speed` and `middle` of the reference.
+    // `speed` and `middle` of the reference, this in axes along its motion in a picture of oblique motion.
     reference_speed: vec4f,
     reference_middle: vec4f,
     // xyz: middle of the group from the camera's event, rest frame; w: 1/(2 reach), reach being the

@@ -87,8 +87,8 @@ fn delay(left: vec3f) -> f32 {
 }
 
 fn mapped(from_camera: vec3f) -> Sighting {
-    let seen = mapped_along_x(reflected(from_camera, frame.motion.x));
-    return Sighting(reflected(seen.position, frame.motion.x), seen.doppler);
+    let seen = mapped_along_x(motion_from_group(from_camera));
+    return Sighting(motion_from_sight(seen.position), seen.doppler);
 }
 
 // The same for motion along +x.
@@ -301,7 +301,7 @@ fn measure_in_one_cone(fragment: Fragment, straight: Ray, normal: vec3f) -> Meas
     let ray = touching_ray(straight, (near.to_centre + surface_when_shown(body, near, spin).beyond) * near.ground_per_rest);
     let hit = surface_when_shown(body, ray, spin);
     let distance = (ray.to_centre + hit.beyond) * ray.ground_per_rest;
-    let from_middle = straight.sight * distance + reflected(frame.eye.xyz, frame.motion.x);
+    let from_middle = straight.sight * distance + motion_from_sight(frame.eye.xyz);
     let sight = from_middle / max(length(from_middle), 1e-30);
     let beyond = dot(middle(body) + hit.place, straight.direction);
     var depth = 0.5 - beyond * frame.middle.w;
@@ -321,8 +321,7 @@ fn measure_in_one_cone(fragment: Fragment, straight: Ray, normal: vec3f) -> Meas
 
 // As `GroupView::rest_ray_at`, from the `straight` ray through the middle's event.
 fn touching_ray(straight: Ray, distance: f32) -> Ray {
-    let sign = frame.motion.x;
-    let n = reflected(straight.sight, sign);
+    let n = motion_from_sight(straight.sight);
     let eye = frame.eye.xyz;
     let place = n * distance + eye;
     let reach = max(length(place), 1e-30);
@@ -331,16 +330,16 @@ fn touching_ray(straight: Ray, distance: f32) -> Ray {
     // Not out of a difference of both.
     let sine = cross(n, eye) / reach;
     let gap = select(1.0 - cosine, dot(sine, sine) / (1.0 + cosine), cosine > 0.0);
-    let received = passage(reflected(along, sign), 0u, frame.speed, sign);
+    let received = own_passage(motion_from_sight(along), 0u);
     // The tangent, times D along the line of sight.
     let bend = frame.speed.x * (frame.speed.w * straight.doppler) * gap;
-    let tangent = straight.direction - vec3f(sign * bend, 0.0, 0.0);
+    let tangent = straight.direction - group_from_motion(vec3f(bend, 0.0, 0.0));
     let largest = max(abs(tangent.x), max(abs(tangent.y), abs(tangent.z)));
     let scaled = tangent / largest;
     let reciprocal = 1.0 / sqrt(dot(scaled, scaled));
     let direction = scaled * reciprocal;
     let later = frame.speed.w * frame.speed.x * dot(eye.yz, along.yz);
-    let origin = reflected(vec3f(eye.x / received.doppler + later, eye.yz), sign);
+    let origin = group_from_motion(vec3f(eye.x / received.doppler + later, eye.yz));
     let centre = frame.middle.xyz;
     let moment = cross(centre, direction) + cross(frame.middle_fine.xyz, direction) - cross(origin, direction);
     let to_centre = dot(centre - origin, direction);
@@ -372,6 +371,14 @@ fn cover(fragment: Fragment) -> f32 {
     return 1.0;
 }
 
+// Height of what appears, above the camera's event on the ground.
+fn height_of(fragment: Fragment) -> f32 {
+    if OBLIQUE {
+        return frame.middle.z + middle(body_of(fragment)).z + fragment.place.z;
+    }
+    return fragment.apparent.z;
+}
+
 struct Picture {
     @location(0) colour: vec4f,
     @builtin(frag_depth) depth: f32,
@@ -398,7 +405,7 @@ fn picture(fragment: Fragment, @builtin(front_facing) is_front: bool) -> Picture
             measure.distance,
         );
     }
-    if fragment.apparent.z < frame.ground.z || is_of_other_copy(fragment) {
+    if height_of(fragment) < frame.ground.z || is_of_other_copy(fragment) {
         discard;
     }
     return Picture(vec4f(colour, 1.0) * cover(fragment), measure.depth);

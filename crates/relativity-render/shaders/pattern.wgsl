@@ -67,13 +67,14 @@ fn covered_by_pixel(ray: Ray, normal: vec3f, distance: f32, body: Body) -> Cover
 
 // As `GroupView::shift` where both eyes have one light cone.
 fn shift_in_one_cone(ray: Ray, turn: vec3f, distance: f32) -> vec3f {
-    let n = ray.direction;
-    let place = ray.sight * distance + reflected(frame.eye.xyz, frame.motion.x);
-    let later = frame.motion.x * frame.speed.x * dot(place, turn) / max(length(place), 1e-30);
-    let moved = vec3f(frame.speed.w * (turn.x + later), turn.yz);
+    let n = motion_from_group(ray.direction);
+    let place = motion_from_sight(ray.sight) * distance + frame.eye.xyz;
+    let step = motion_from_sight(turn);
+    let later = frame.speed.x * dot(place, step) / max(length(place), 1e-30);
+    let moved = vec3f(frame.speed.w * (step.x + later), step.yz);
     let off = moved - n * dot(moved, n);
-    // At great speeds most of it was along x, and along the ray.
-    return vec3f(select(off.x, -dot(off.yz, n.yz) / n.x, abs(n.x) >= 0.5), off.yz);
+    // At great speeds most of it was along the motion, and along the ray.
+    return group_from_motion(vec3f(select(off.x, -dot(off.yz, n.yz) / n.x, abs(n.x) >= 0.5), off.yz));
 }
 
 // How far what is seen moves in the rest frame from pixel to pixel along `across`, per ground distance, but for what is
@@ -84,11 +85,17 @@ fn shift(ray: Ray, across: vec3f, distance: f32) -> vec3f {
         return shift_in_one_cone(ray, turn, distance);
     }
     if GEOMETRY == 0u {
-        let along = frame.motion.x * frame.speed.x * frame.speed.w * turn.x;
-        return vec3f(ray.doppler * turn.x, turn.yz - along * ray.direction.yz);
+        let step = motion_from_sight(turn);
+        let along = frame.speed.x * frame.speed.w * step.x;
+        let direction = motion_from_group(ray.direction);
+        return group_from_motion(vec3f(ray.doppler * step.x, step.yz - along * direction.yz));
     }
     if GEOMETRY == 1u {
-        return vec3f(frame.speed.w * turn.x, turn.yz);
+        let step = motion_from_sight(turn);
+        return group_from_motion(vec3f(frame.speed.w * step.x, step.yz));
+    }
+    if OBLIQUE {
+        return group_from_motion(turn);
     }
     return turn;
 }

@@ -8,6 +8,50 @@ override HAS_OTHERS: bool;
 override IS_REFERENCE: bool;
 override REFERENCE_GEOMETRY: u32;
 
+// Whether groups of the picture move past the camera otherwise than along x.
+override OBLIQUE: bool;
+
+// A vector before the camera, in axes along the group's motion; and back.
+fn motion_from_sight(v: vec3f) -> vec3f {
+    if OBLIQUE {
+        return v;
+    }
+    return reflected(v, frame.motion.x);
+}
+
+// A vector of the group's frame, in axes along the group's motion.
+fn motion_from_group(v: vec3f) -> vec3f {
+    if OBLIQUE {
+        return v * frame.group_axes;
+    }
+    return reflected(v, frame.motion.x);
+}
+
+// And back.
+fn group_from_motion(v: vec3f) -> vec3f {
+    if OBLIQUE {
+        return frame.group_axes * v;
+    }
+    return reflected(v, frame.motion.x);
+}
+
+// How a line of sight passes the group.
+fn own_passage(sight: vec3f, geometry: u32) -> Passage {
+    let seen = passage(sight, geometry, frame.speed, frame.motion.x);
+    if OBLIQUE {
+        return Passage(frame.group_axes * seen.direction, seen.ground_per_rest, seen.doppler);
+    }
+    return seen;
+}
+
+// A line of sight before the camera of the reference.
+fn reference_sight(sight: vec3f) -> vec3f {
+    if OBLIQUE {
+        return frame.reference_axes * sight;
+    }
+    return sight;
+}
+
 struct Ray {
     // Unit vector towards the source, in the ground frame.
     sight: vec3f,
@@ -26,7 +70,7 @@ struct Ray {
 fn rest_ray(pixel: vec2f) -> Ray {
     let sight = line_of_sight(pixel);
     let n = sight.xyz;
-    let own = passage(n, GEOMETRY, frame.speed, frame.motion.x);
+    let own = own_passage(n, GEOMETRY);
     let centre = frame.middle.xyz;
     let moment = cross(centre, own.direction) + cross(frame.middle_fine.xyz, own.direction);
     let to_centre = dot(centre, own.direction);
@@ -39,10 +83,15 @@ fn movement(ray: Ray, across: vec3f) -> vec2f {
     var ground = across;
     if GEOMETRY == 0u {
         // The transpose of the differential of aberration, which is conformal with scale D.
-        let along = frame.motion.x * (frame.speed.x * frame.speed.w * dot(across.yz, ray.direction.yz));
-        ground = ray.doppler * vec3f(ray.doppler * across.x - along, across.yz);
+        let aside = motion_from_group(across);
+        let direction = motion_from_group(ray.direction);
+        let along = frame.speed.x * frame.speed.w * dot(aside.yz, direction.yz);
+        ground = motion_from_sight(ray.doppler * vec3f(ray.doppler * aside.x - along, aside.yz));
     } else if GEOMETRY == 1u {
-        ground = vec3f(across.x * frame.speed.w, across.yz) * ray.ground_per_rest;
+        let aside = motion_from_group(across);
+        ground = motion_from_sight(vec3f(aside.x * frame.speed.w, aside.yz) * ray.ground_per_rest);
+    } else if OBLIQUE {
+        ground = motion_from_group(across);
     }
     let turned = (ground - ray.sight * dot(ray.sight, ground)) * ray.scale;
     return vec2f(dot(turned, step_right(ray.sight)), dot(turned, step_down(ray.sight)));
@@ -82,7 +131,7 @@ fn depth_in_reference(beyond: f32) -> f32 {
 // middle event: the limit's origin, as `GroupView::one_cone_ray` has it, and by what a curve is off its limit.
 fn reference_origin(sight: vec3f, distance: f32, doppler: f32) -> vec3f {
     let eye = frame.reference_eye.xyz;
-    let n = reflected(sight, frame.motion.y);
+    let n = reflected(reference_sight(sight), frame.motion.y);
     let sine = cross(n, eye);
     let off = dot(sine, sine) / max(length(n * distance + eye) + distance + dot(n, eye), 1e-30);
     let later = frame.reference_speed.w * frame.reference_speed.x * (dot(n.yz, eye.yz) + off);
@@ -93,7 +142,7 @@ fn reference_origin(sight: vec3f, distance: f32, doppler: f32) -> vec3f {
 // light travel is seen. From 1 at the camera to 3/4 where the reference begins it falls evenly with distance, from 1/4
 // where that ends with the reciprocal.
 fn depth_of_distance(distance: f32, sight: vec3f) -> f32 {
-    let reference = passage(sight, REFERENCE_GEOMETRY, frame.reference_speed, frame.motion.y);
+    let reference = passage(reference_sight(sight), REFERENCE_GEOMETRY, frame.reference_speed, frame.motion.y);
     let origin = reference_origin(sight, distance, reference.doppler);
     let to_centre = dot(frame.reference_middle.xyz, reference.direction) - dot(origin, reference.direction);
     let reach = 0.5 / frame.reference_middle.w;

@@ -39,9 +39,9 @@ fn spin_of(spin: vec4f, rim: vec2f) -> Spin {
 // Of the place `q` from the hub.
 fn later(q: vec3f, spin: Spin) -> Later {
     if GEOMETRY == 1u {
-        // One time of the ground.
-        let slowness = vec3f(frame.motion.x * frame.speed.x, 0.0, 0.0);
-        return Later(-slowness.x * q.x, slowness);
+        // One time of the camera's.
+        let slowness = group_from_motion(vec3f(frame.speed.x, 0.0, 0.0));
+        return Later(-dot(slowness, q), slowness);
     }
     return later_from(frame.middle.xyz + (frame.middle_fine.xyz + spin.hub), q);
 }
@@ -175,6 +175,23 @@ fn standing(body: Body, place: vec3f, spin: Spin) -> Standing {
     return Standing(Body(body.place, body.radius, body.form, turn), there);
 }
 
+// By which factor of that the own motion of what turns changes the Doppler factor: sqrt(1 - v^2)/(1 + v.n'), of light that is received
+// along `sight` in a picture of oblique motion.
+fn own_doppler_of(body: Body, place: vec3f, normal: vec3f, sight: vec3f, spin: Spin) -> f32 {
+    let n = own_passage(sight, GEOMETRY).direction;
+    let q = (middle(body) - spin.hub) + place;
+    let off_axle = max(sqrt(dot(q.xz, q.xz)), 1e-30);
+    let rim = 1.0 - spin.below_light;
+    var lag = rim - spin.omega * off_axle;
+    if TURNS == 1u && body.form.w > 0.0 {
+        let cosine = dot(normal.xz, q.xz) / off_axle;
+        let gap = select(1.0 - cosine, normal.y * normal.y / (1.0 + cosine), cosine > 0.0);
+        lag = spin.lag + spin.omega * body.radius * gap;
+    }
+    let dilation_squared = spin.below_light * (1.0 + rim) + lag * (2.0 * rim - lag);
+    return sqrt(max(dilation_squared, 0.0)) / max(1.0 + dot(velocity_at(q, spin), n), 1e-30);
+}
+
 // The Doppler factor of what is at `place`, from the body's middle, with this `normal`: that of the light received along
 // the unit vector `sight`, in the camera's frame, if it stood still, or with its own motion.
 //
@@ -183,6 +200,9 @@ fn standing(body: Body, place: vec3f, spin: Spin) -> Standing {
 fn doppler_of(body: Body, place: vec3f, normal: vec3f, sight: vec3f, doppler: f32, spin: Spin) -> f32 {
     if TURNS == 0u || GEOMETRY == 1u {
         return doppler;
+    }
+    if OBLIQUE {
+        return doppler * own_doppler_of(body, place, normal, sight, spin);
     }
     let sign = frame.motion.x;
     let n = reflected(sight, sign);

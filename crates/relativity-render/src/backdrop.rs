@@ -142,6 +142,18 @@ impl Floor {
     }
 }
 
+impl Floor {
+    /// Returns the part that shows all of it.
+    pub const fn whole(self) -> Part {
+        match self {
+            Self::Open => Part::Sky,
+            Self::Grid => Part::Grid,
+            Self::Road => Part::Road,
+            Self::Street => Part::Street,
+        }
+    }
+}
+
 impl Part {
     /// Every part, in the order of their numbers.
     pub const ALL: [Self; 5] = [Self::Sky, Self::Grid, Self::Road, Self::Fronts, Self::Street];
@@ -163,9 +175,15 @@ impl Part {
 }
 
 /// The shader's constants for a part of a picture that shows the street so.
-pub(crate) fn constants(part: Part, is_conformal: bool, street: StreetVariant) -> Vec<Constant> {
+pub(crate) fn constants(
+    part: Part,
+    is_conformal: bool,
+    is_oblique: bool,
+    street: StreetVariant,
+) -> Vec<Constant> {
     let of_backdrop = [
         ("CONFORMAL", number(is_conformal)),
+        ("OBLIQUE_STREET", number(is_oblique)),
         ("STREET_GEOMETRY", street.geometry()),
         ("STREET_ROW", street.row()),
         ("GROUND", number(part.has_ground())),

@@ -24,11 +24,11 @@ impl Block {
         Self { center, half_axes, radius: half.min_element() }
     }
 
-    /// From the camera's event, reflected so that the group moves along +x.
-    pub fn reflected_from_camera(&self, view: &GroupView) -> Self {
+    /// From the camera's event, in the axes along the group's motion.
+    pub fn along_motion_from_camera(&self, view: &GroupView) -> Self {
         Self {
-            center: view.reflected_from_camera(self.center),
-            half_axes: self.half_axes.map(|axis| view.velocity.reflected(axis)),
+            center: view.along_motion_from_camera(self.center),
+            half_axes: self.half_axes.map(|axis| view.velocity.motion_from_group(axis)),
             ..*self
         }
     }

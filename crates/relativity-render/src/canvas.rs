@@ -29,8 +29,8 @@ pub struct Canvas {
     tables: wgpu::TextureView,
     /// The models of the scene drawn last.
     models: Models,
-    /// The last pass for each [`StreetVariant`], of flat pictures and of conformal ones.
-    last_passes: [[LastPass; 2]; StreetVariant::COUNT],
+    /// The last pass for each [`StreetVariant`], of flat pictures and of conformal ones, of a street that moves along x and of any other.
+    last_passes: [[[LastPass; 2]; 2]; StreetVariant::COUNT],
 }
 
 /// The last pass, by the number of the part that it draws; made when it is first needed.
@@ -59,12 +59,19 @@ impl Canvas {
 
     /// The last pass of pictures like that of `frame`.
     fn last_pass(&self, gpu: &Gpu, frame: &Frame) -> &[wgpu::RenderPipeline; 5] {
-        let (is_conformal, street) = (frame.is_conformal(), frame.street());
-        self.last_passes[street as usize][usize::from(is_conformal)].get_or_init(|| {
+        let (is_conformal, is_oblique) = (frame.is_conformal(), frame.is_street_oblique());
+        let street = frame.street();
+        let passes = &self.last_passes[street as usize][usize::from(is_conformal)];
+        passes[usize::from(is_oblique)].get_or_init(|| {
             let module = gpu.shader("backdrop", BACKDROP);
             let layout = pipeline_layout(&gpu.device, &[Some(&self.frame_layout), Some(&self.layer_layout)]);
             Part::ALL.map(|part| {
-                last_pass(&gpu.device, &module, &layout, &backdrop::constants(part, is_conformal, street))
+                last_pass(
+                    &gpu.device,
+                    &module,
+                    &layout,
+                    &backdrop::constants(part, is_conformal, is_oblique, street),
+                )
             })
         })
     }

@@ -32,9 +32,9 @@ impl Capsule {
         Self::ball(center, all.iter().map(reach).fold(0.0, f64::max))
     }
 
-    /// From the camera's event, reflected so that the group moves along +x.
-    pub fn reflected_from_camera(&self, view: &GroupView) -> Self {
-        let [from, to] = [self.from, self.to].map(|end| view.reflected_from_camera(end));
+    /// From the camera's event, in the axes along the group's motion.
+    pub fn along_motion_from_camera(&self, view: &GroupView) -> Self {
+        let [from, to] = [self.from, self.to].map(|end| view.along_motion_from_camera(end));
         Self { from, to, ..*self }
     }
 

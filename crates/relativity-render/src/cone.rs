@@ -43,33 +43,34 @@ impl Cone {
         match view.geometry {
             Geometry::Rest => Self::around_ball(center, radius),
             Geometry::Seen | Geometry::Published => {
-                let reflected = Self::around_ball(view.velocity.reflected(center), radius);
-                let cone = reflected.seen_from_ground(view);
-                Self { axis: view.velocity.reflected(cone.axis), ..cone }
+                let along_motion = Self::around_ball(view.velocity.motion_from_group(center), radius);
+                let cone = along_motion.seen_from_ground(view);
+                Self { axis: view.velocity.camera_from_motion(cone.axis), ..cone }
             }
-            Geometry::OneCone => Self::in_one_cone(view, view.velocity.reflected(center), radius),
-            // The ball is an ellipsoid on the ground, flattened along x: inside the ball about its centre.
+            Geometry::OneCone => Self::in_one_cone(view, view.velocity.motion_from_group(center), radius),
+            // The ball is an ellipsoid to the camera, flattened along the motion: inside the ball about its centre.
             Geometry::Contracted => {
-                let contracted = DVec3::new(center.x / view.velocity.speed.gamma(), center.y, center.z);
-                Self::around_ball(contracted, radius)
+                let DVec3 { x, y, z } = view.velocity.motion_from_group(center);
+                let contracted = DVec3::new(x / view.velocity.speed.gamma(), y, z);
+                Self::around_ball(view.velocity.camera_from_motion(contracted), radius)
             }
         }
     }
 
-    /// Returns the cone around a ball where both eyes have one light cone, from the reflected `center`.
+    /// Returns the cone around a ball where both eyes have one light cone, from the `center` in axes along the motion.
     ///
     /// What an eye is shown of a point then it sees at another time, which is off by no more than light takes to it from
     /// the middle; in between the point appears on a straight line. So the cones of both ends hold it, if convex.
     fn in_one_cone(view: &GroupView, center: DVec3, radius: f64) -> Self {
         let speed = &view.velocity.speed;
-        let eye = view.velocity.reflected(view.camera.off_middle);
+        let eye = view.velocity.motion_from_camera(view.camera.off_middle);
         let reach = eye.length();
         let at = |delay: f64| {
             let eye = DVec3 { x: speed.gamma() * (eye.x - speed.beta() * delay), ..eye };
             Self::around_ball(center - eye, radius).seen_from_ground(view)
         };
         let cone = at(-reach).joined(&at(reach));
-        Self { axis: view.velocity.reflected(cone.axis), ..cone }
+        Self { axis: view.velocity.camera_from_motion(cone.axis), ..cone }
     }
 
     /// The least cone around both; the whole sky where that is wider than half of it.

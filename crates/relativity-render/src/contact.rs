@@ -64,6 +64,8 @@ impl Contacts {
         if height >= 0.0 {
             return Self::default();
         }
+        // What rides along elsewhere than along the street leaves none.
+        let are_aside: Vec<_> = views.iter().map(GroupView::rides_aside).collect();
         // On the ground, as an eye at rest sees them at the camera's event.
         let Some(views) = views.iter().map(GroupView::seen_from_street).collect::<Option<Vec<_>>>() else {
             return Self::default();
@@ -76,6 +78,9 @@ impl Contacts {
                 None if body.is_turned => return None,
                 None => body.shape,
             };
+            if are_aside[body.group] {
+                return None;
+            }
             Some((&views[body.group], foot(&shape, ground)?))
         });
         let mut found: Vec<_> =
@@ -129,7 +134,8 @@ impl Contact {
     fn new(view: &GroupView, foot: &Foot, height: f64, off_middle: DVec3) -> Option<Self> {
         let place = view.apparent_position(foot.place)?.truncate();
         let distance = (place.extend(height) + off_middle).length();
-        let (gamma, beta) = (view.velocity.speed.gamma(), view.velocity.beta());
+        let velocity = view.velocity.along_x()?;
+        let (gamma, beta) = (velocity.speed.gamma(), velocity.beta());
         let [gamma, rapid] = match view.geometry {
             Geometry::Seen | Geometry::OneCone | Geometry::Published => [gamma, gamma * beta],
             Geometry::Contracted => [gamma, 0.0],

@@ -1,7 +1,7 @@
 //! The uniform block: everything that the shaders know of one aperture's picture and of one group in it, rounded once from f64.
 
 use bytemuck::{Pod, Zeroable};
-use glam::{DVec2, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 use relativity_core::math::{cosh, exp, sin_cos, sinh};
 
 use crate::backdrop::{Backdrop, Floor};
@@ -11,6 +11,7 @@ use crate::group_view::{GroupView, reference_of_depths};
 use crate::hatch::Hatch;
 use crate::mercator::Mercator;
 use crate::prepared_body::{Extent, packed};
+use crate::relative_velocity::RelativeVelocity;
 use crate::scene::{PreparedGroup, PreparedScene};
 use crate::street::{HOUSES, OPENINGS};
 use crate::street_sight::{StreetSight, StreetVariant};
@@ -33,21 +34,31 @@ pub struct Frame {
     /// the group comes from, if that is in front, where the last digits of a line of sight matter most; else the middle
     /// of the picture.
     pub pole: [f32; 4],
-    /// Speed of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
+    /// Speed of the group past the camera: beta, 1 - beta, 1/gamma, gamma.
     pub speed: [f32; 4],
-    /// -1 if the group moves towards -x against the camera, else 1; the same of the reference of depths; 1 if the picture is
+    /// -1 if the group moves towards -x past the camera, else 1; the same of the reference of depths; 1 if the picture is
     /// conformal, else 0; -1 if the group moves towards -x on the ground, else 1.
     pub motion: [f32; 4],
+    /// 1 if a group of the picture moves past the camera otherwise than along x, else 0; the same of the street; 0, 0. All vectors before the
+    /// camera are in the axes along the group's motion then, else in the camera's.
+    pub oblique: [f32; 4],
+    /// Unit vectors along the motion, in the group's axes.
+    pub group_axes: [[f32; 4]; 3],
+    /// The matrix, as columns, from these vectors before the camera to those of the reference.
+    pub reference_axes: [[f32; 4]; 3],
+    /// The same to axes along the street's motion.
+    pub to_street: [[f32; 4]; 3],
+    /// Unit vectors along the street's motion, in the ground's axes.
+    pub street_axes: [[f32; 4]; 3],
     /// Speed of the group on the ground, as `speed`.
     pub on_ground: [f32; 4],
-    /// Place of the camera from the middle between the eyes, if these have one light cone, else 0; reflected so that
-    /// the group moves along +x.
+    /// Place of the camera from the middle between the eyes, if these have one light cone, else 0; in axes along the group's motion.
     pub eye: [f32; 4],
     /// `eye` of the reference.
     pub reference_eye: [f32; 4],
     /// `speed` of the reference.
     pub reference_speed: [f32; 4],
-    /// `middle` of the reference.
+    /// `middle` of the reference; in a picture of oblique motion in axes along that.
     pub reference_middle: [f32; 4],
     /// Middle of the group from the camera's event, rest frame; and half the reciprocal of its reach.
     pub middle: [f32; 4],
@@ -101,24 +112,30 @@ struct Sights {
 }
 
 impl Sights {
-    /// Returns the vectors of `camera`, for a group that comes from the end of the x axis with this `sign`.
-    fn new(camera: &Camera, sign: f64) -> Self {
-        camera
-            .mercator()
-            .map_or_else(|| Self::flat(camera, sign), |mercator| Self::conformal(&mercator, camera, sign))
+    /// Returns the vectors of `camera`, in the axes of the shaders for a group with this `velocity`.
+    fn new(camera: &Camera, velocity: &RelativeVelocity) -> Self {
+        let turned = velocity.sight_axes().transpose();
+        // The group comes from this end of the x axis.
+        let sign = -velocity.sign();
+        match camera.mercator() {
+            Some(mercator) => Self::conformal(&mercator.turned(|v| turned * v), camera, turned, sign),
+            None => Self::flat(camera, turned, sign),
+        }
     }
 
-    fn flat(camera: &Camera, sign: f64) -> Self {
-        let (axes, gauge) = (camera.axes(), camera.gauge());
+    fn flat(camera: &Camera, turned: DMat3, sign: f64) -> Self {
+        let Axes { right, up, .. } = camera.axes();
+        let axes = [right, up].map(|v| turned * v);
+        let gauge = camera.gauge().turned(|v| turned * v);
         let [width, height] = camera.size.map(f64::from);
         let to_clip = 2.0 * camera.focal_length_px();
         let per_px = 1.0 / camera.focal_length_px();
-        let (pole, base) = pole(camera, &gauge, sign);
+        let (pole, base) = pole(camera, &gauge, turned, sign);
         Self {
             pole,
             base: vector(base),
-            right: vector(axes.right * per_px),
-            down: vector(-axes.up * per_px),
+            right: vector(axes[0] * per_px),
+            down: vector(-axes[1] * per_px),
             radial: [0.0; 4],
             clip_right: vector(gauge.right * (to_clip / width)),
             clip_up: vector(gauge.up * (to_clip / height)),
@@ -126,11 +143,11 @@ impl Sights {
         }
     }
 
-    fn conformal(mercator: &Mercator, camera: &Camera, sign: f64) -> Self {
+    fn conformal(mercator: &Mercator, camera: &Camera, turned: DMat3, sign: f64) -> Self {
         let Axes { right, up, forward } = mercator.axes;
         let [width, height] = camera.size.map(f64::from);
         let per_px = 1.0 / mercator.px_per_unit;
-        let (pole, line) = conformal_pole(mercator, camera, DVec3::X * sign);
+        let (pole, line) = conformal_pole(mercator, camera, turned, DVec3::X * sign);
         let (sine, cosine) = sin_cos(pole.y);
         let radial = forward * cosine + up * sine;
         let middle = mercator.coordinates_at([0.5 * width, 0.5 * height]).x;
@@ -157,10 +174,18 @@ impl Frame {
     pub fn of_groups(scene: &PreparedScene, views: &[GroupView], appearance: &Appearance) -> Vec<Self> {
         let frame = |(view, group): (_, &PreparedGroup)| Self::new(view, appearance, &group.extent);
         let mut frames: Vec<_> = views.iter().zip(scene.groups()).map(frame).collect();
-        let reference = frames[reference_of_depths(views)];
+        let number = reference_of_depths(views);
+        let (reference, to_reference) = (frames[number], views[number].velocity.sight_axes().transpose());
+        let is_oblique = views.iter().any(|view| view.velocity.oblique_axes().is_some());
         let contacts = Contacts::new(scene, views, appearance);
-        for frame in &mut frames {
+        for (frame, view) in frames.iter_mut().zip(views) {
+            frame.oblique[0] = f32::from(u8::from(is_oblique));
             frame.refer_to(&reference);
+            frame.reference_axes = columns(to_reference * view.velocity.sight_axes());
+            if is_oblique {
+                let middle = views[number].velocity.motion_from_group(middle_of(&reference));
+                frame.reference_middle = packed(middle, reference.middle[3].into());
+            }
             (frame.contact_eye, frame.contacts) = (contacts.packed_eye(), contacts.packed());
         }
         frames
@@ -177,7 +202,8 @@ impl Frame {
     /// Returns the frame of a group that is its own reference.
     fn new(view: &GroupView, appearance: &Appearance, extent: &Extent) -> Self {
         let camera = &view.camera;
-        let sights = Sights::new(camera, -view.velocity.direction());
+        let velocity = &view.velocity;
+        let sights = Sights::new(camera, velocity);
         let Sights { pole, base, right, down, radial, clip_right, clip_up, forward } = sights;
         let aperture = camera.aperture;
         let backdrop = Backdrop::new(camera, view.view_geometry, appearance);
@@ -190,10 +216,12 @@ impl Frame {
         let from_camera = extent.middle - view.origin;
         let middle = packed(from_camera, 0.5 / extent.reach);
         let [x, y, z, _] = middle;
-        let speed = view.velocity.packed_speed();
-        let reflection = view.velocity.direction() as f32;
+        let speed = velocity.packed_speed();
+        let reflection = velocity.sign() as f32;
+        let to_street = street.sight_axes().transpose() * velocity.sight_axes();
         let is_one_cone = view.geometry == Geometry::OneCone;
-        let eye = vector(if is_one_cone { view.velocity.reflected(camera.off_middle) } else { DVec3::ZERO });
+        let eye = if is_one_cone { velocity.motion_from_camera(camera.off_middle) } else { DVec3::ZERO };
+        let eye = vector(eye);
         Self {
             base,
             right,
@@ -207,6 +235,11 @@ impl Frame {
                 f32::from(u8::from(camera.mercator().is_some())),
                 view.on_ground.direction() as f32,
             ],
+            oblique: [0.0, f32::from(u8::from(street.is_oblique())), 0.0, 0.0],
+            group_axes: columns(velocity.oblique_axes().unwrap_or(DMat3::IDENTITY)),
+            reference_axes: columns(DMat3::IDENTITY),
+            to_street: columns(to_street),
+            street_axes: columns(street.ground_axes()),
             on_ground: view.on_ground.packed_speed(),
             eye,
             reference_eye: eye,
@@ -236,6 +269,16 @@ impl Frame {
         self.motion[2] != 0.0
     }
 
+    /// Whether groups of the picture move past the camera otherwise than along x.
+    pub fn is_oblique(&self) -> bool {
+        self.oblique[0] != 0.0
+    }
+
+    /// Whether the street does.
+    pub fn is_street_oblique(&self) -> bool {
+        self.oblique[1] != 0.0
+    }
+
     /// Variant of the street that the picture shows.
     pub fn street(&self) -> StreetVariant {
         StreetVariant::new(self.street_motion[1] as usize, self.street_motion[2] as usize)
@@ -252,6 +295,16 @@ impl Frame {
     }
 }
 
+fn middle_of(frame: &Frame) -> DVec3 {
+    let [coarse, fine] =
+        [frame.middle, frame.middle_fine].map(|[x, y, z, _]| DVec3::new(x.into(), y.into(), z.into()));
+    coarse + fine
+}
+
+fn columns(matrix: DMat3) -> [[f32; 4]; 3] {
+    [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(vector)
+}
+
 fn vector(v: DVec3) -> [f32; 4] {
     packed(v, 0.0)
 }
@@ -264,12 +317,12 @@ const LEAST_DEPTH: f64 = 0.05;
 /// They are those of the direction `towards` an end of the x axis, where that is well in front; else those of the middle of the
 /// picture. Where the baseline is along x, parts across it are products: nothing is lost there, and they are u = 0, v = 0, for
 /// what is abreast to keep the digits of `n_x`, unless that is too far from the picture.
-fn conformal_pole(mercator: &Mercator, camera: &Camera, towards: DVec3) -> (DVec2, DVec3) {
+fn conformal_pole(mercator: &Mercator, camera: &Camera, turned: DMat3, towards: DVec3) -> (DVec2, DVec3) {
     let Axes { right, forward, .. } = mercator.axes;
     let u = mercator.coordinates_at(camera.size.map(|side| 0.5 * f64::from(side))).x;
     let middle = (DVec2::new(u, 0.0), forward + right * sinh(u));
     match mercator.coordinates(towards).filter(|pole| pole.x.abs() <= FARTHEST_POLE) {
-        Some(pole) if towards.dot(camera.gaze.axes().forward) >= LEAST_DEPTH => {
+        Some(pole) if towards.dot(turned * camera.gaze.axes().forward) >= LEAST_DEPTH => {
             (pole, towards * cosh(pole.x))
         }
         None if u.abs() <= FARTHEST_ABREAST => (DVec2::ZERO, forward),
@@ -282,12 +335,12 @@ const FARTHEST_ABREAST: f64 = 3.0;
 
 /// The pixel towards the end of the x axis with this sign and its (unnormalised) line of sight, if it is well in
 /// front of the camera; else the middle of the picture and what is seen there.
-fn pole(camera: &Camera, gauge: &Gauge, sign: f64) -> (DVec2, DVec3) {
+fn pole(camera: &Camera, gauge: &Gauge, turned: DMat3, sign: f64) -> (DVec2, DVec3) {
     let Gauge { right, up, forward, .. } = *gauge;
     let middle = DVec2::from(camera.size.map(f64::from)) * 0.5;
     let depth = sign * forward.x;
     if depth < LEAST_DEPTH {
-        return (middle, camera.through_middle());
+        return (middle, turned * camera.through_middle());
     }
     let scale = sign * camera.focal_length_px() / depth;
     let pole = middle + DVec2::new(right.x, -up.x) * scale;

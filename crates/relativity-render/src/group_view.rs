@@ -1,12 +1,15 @@
 //! The view of a group of bodies in motion.
 //!
-//! A group rests in a frame of its own, in which its bodies stand still and rays are straight. Where it moves towards
-//! -x, everything is reflected there and back (x to -x), so that each formula is written for motion along +x alone.
+//! A group rests in a frame of its own, in which its bodies stand still and rays are straight. Each formula is written for
+//! motion along +x alone, in axes along the group's motion past the camera: see `relative_velocity.rs`.
 
 use glam::DVec3;
-use relativity_core::{Aperture, Model, PublishedVariant, SourcePoint, published_disparity, sighting};
+use relativity_core::{
+    Aperture, Model, ObserverVelocity, PublishedVariant, SourcePoint, published_disparity, sighting,
+};
 
 use crate::camera::Camera;
+use crate::relative_velocity::RelativeVelocity;
 use crate::velocity::{Motion, Velocity};
 use crate::view::{Appearance, Geometry, View};
 use crate::wheel::spin::MaterialPoint;
@@ -44,7 +47,7 @@ pub struct GroupView {
     /// Geometry of the view.
     pub(crate) view_geometry: Geometry,
     /// The group's velocity as the camera sees it.
-    pub velocity: Velocity,
+    pub velocity: RelativeVelocity,
     /// The group's velocity on the ground, on which its wheels roll.
     pub on_ground: Velocity,
     /// Camera's event in the group's frame: (gamma (`a_x` - beta T), `a_y`, `a_z`), with the group's
@@ -68,9 +71,7 @@ impl GroupView {
             Motion::Own(velocity) => velocity,
             Motion::WithEyes => return Self::with_eyes(view),
         };
-        let rides_along = view.geometry == Geometry::Rest;
-        let camera = if rides_along { scene } else { view.camera.velocity };
-        let velocity = on_ground.seen_from(camera);
+        let velocity = RelativeVelocity::new(on_ground, &view.observer_velocity());
         let geometry = match (view.geometry, motion) {
             (Geometry::Rest, Motion::Scene) => Geometry::Rest,
             (_, Motion::Own(_)) if velocity.is_rest() => Geometry::Rest,
@@ -103,15 +104,16 @@ impl GroupView {
     /// its origin. Its clock is set so that a wheel that rolls has turned by as much street as has gone by.
     fn with_eyes(view: &View) -> Self {
         let Camera { velocity, rolled, off_middle: origin, .. } = view.camera;
-        // Who stands does not turn wheels back.
-        let on_ground = if velocity.is_rest() { Velocity::from_rapidity(STANDING) } else { velocity };
+        // Who stands does not turn wheels back. Whoever moves anywhere rolls forwards.
+        let along = Velocity::along_street(&velocity).unwrap_or(Velocity::forward(*velocity.speed()));
+        let on_ground = if velocity.is_rest() { Velocity::from_rapidity(STANDING) } else { along };
         let time = rolled / on_ground.beta();
         let x = on_ground.direction() * origin.x;
         Self {
             camera: view.camera,
             geometry: Geometry::Rest,
             view_geometry: view.geometry,
-            velocity: Velocity::REST,
+            velocity: Velocity::REST.into(),
             on_ground,
             origin,
             time,
@@ -123,7 +125,8 @@ impl GroupView {
     /// Whether daylight that rests on the street shows on the group otherwise than a lamp that rides along: not where nothing
     /// shifts wavelengths, nor if the camera rides along with the scene.
     pub(crate) fn is_lit_by_the_street(&self, appearance: &Appearance) -> bool {
-        appearance.is_lit_by_the_street(self.view_geometry) && !self.on_ground.is_rest()
+        let is_lit = appearance.is_lit_by_the_street(self.view_geometry) && !self.on_ground.is_rest();
+        is_lit && !self.rides_aside()
     }
 
     /// The view by an eye at rest at the camera's event, whose light is the same; `None` of what is measured
@@ -132,15 +135,20 @@ impl GroupView {
         if self.camera.velocity.is_rest() {
             return Some(*self);
         }
-        let camera = Camera { velocity: Velocity::REST, ..self.camera };
+        let camera = Camera { velocity: ObserverVelocity::REST, ..self.camera };
         let geometry = if self.on_ground.is_rest() { Geometry::Rest } else { Geometry::Seen };
-        let on_street = Self { camera, geometry, velocity: self.on_ground, ..*self };
+        let on_street = Self { camera, geometry, velocity: self.on_ground.into(), ..*self };
         (self.geometry != Geometry::Contracted).then_some(on_street)
     }
 
-    /// From the camera's event to `place`, both in the group's frame, reflected so that the group moves along +x.
-    pub(crate) fn reflected_from_camera(&self, place: DVec3) -> DVec3 {
-        self.velocity.reflected(place - self.origin)
+    /// Whether the group rides along with eyes that do not move along the street.
+    pub(crate) fn rides_aside(&self) -> bool {
+        self.velocity.is_rest() && Velocity::along_street(&self.camera.velocity).is_none()
+    }
+
+    /// From the camera's event to `place`, both in the group's frame, in the axes along the group's motion.
+    pub(crate) fn along_motion_from_camera(&self, place: DVec3) -> DVec3 {
+        self.velocity.motion_from_group(place - self.origin)
     }
 
     /// Whether what is seen along a line of sight lies on a straight ray in the group's frame.
@@ -184,13 +192,13 @@ impl GroupView {
             }
             Geometry::OneCone => self.one_cone_ray(line_of_sight, None),
             Geometry::Contracted => {
-                let n = line_of_sight;
+                let n = velocity.motion_from_camera(line_of_sight);
                 let stretched = DVec3::new(speed.gamma() * n.x, n.y, n.z);
                 let rest_per_ground = stretched.length();
                 RestRay {
                     origin,
                     time,
-                    direction: stretched / rest_per_ground,
+                    direction: velocity.group_from_motion(stretched / rest_per_ground),
                     ground_per_rest: 1.0 / rest_per_ground,
                     doppler_factor: 1.0,
                     received_along: line_of_sight,
@@ -220,19 +228,25 @@ impl GroupView {
     /// Returns the shift in the rest frame of the place that is seen along `ray` when the line of sight turns by `turn`, without its part
     /// along the ray: per ground distance, since at the greatest speeds only that is a moderate number.
     pub(crate) fn shift(&self, ray: &RestRay, turn: DVec3) -> DVec3 {
-        let speed = &self.velocity.speed;
+        let Self { velocity, .. } = self;
+        let speed = &velocity.speed;
         match self.geometry {
             Geometry::Seen | Geometry::Published => {
                 // The differential of aberration, conformal with scale D.
-                let along = self.velocity.direction() * speed.beta() * speed.gamma() * turn.x;
-                DVec3::new(
+                let turn = velocity.motion_from_camera(turn);
+                let direction = velocity.motion_from_group(ray.direction);
+                let along = speed.beta() * speed.gamma() * turn.x;
+                velocity.group_from_motion(DVec3::new(
                     ray.doppler_factor * turn.x,
-                    turn.y - along * ray.direction.y,
-                    turn.z - along * ray.direction.z,
-                )
+                    turn.y - along * direction.y,
+                    turn.z - along * direction.z,
+                ))
             }
             Geometry::OneCone => self.one_cone_shift(ray, turn),
-            Geometry::Contracted => DVec3::new(speed.gamma() * turn.x, turn.y, turn.z),
+            Geometry::Contracted => {
+                let turn = velocity.motion_from_camera(turn);
+                velocity.group_from_motion(DVec3::new(speed.gamma() * turn.x, turn.y, turn.z))
+            }
             Geometry::Rest => turn,
         }
     }
@@ -250,24 +264,28 @@ impl GroupView {
         let rest = self.place_when_shown(point);
         let from_camera = rest - self.origin;
         let speed = &self.velocity.speed;
-        let point = SourcePoint::from_rest(self.reflected_from_camera(rest).to_array(), speed);
+        let along_motion = self.along_motion_from_camera(rest);
+        let point = SourcePoint::from_rest(along_motion.to_array(), speed);
         let position = match self.geometry {
             Geometry::Rest => from_camera,
-            Geometry::Contracted => DVec3::new(from_camera.x / speed.gamma(), from_camera.y, from_camera.z),
+            Geometry::Contracted => {
+                let x = along_motion.x / speed.gamma();
+                self.velocity.camera_from_motion(DVec3 { x, ..along_motion })
+            }
             Geometry::Seen => {
                 let seen = sighting(speed, point, Aperture::default(), 0.0).ok()?;
-                self.velocity.reflected(seen.position.into())
+                self.velocity.camera_from_motion(seen.position.into())
             }
             Geometry::OneCone => {
                 let seen = sighting(speed, point, Aperture::default(), 0.0).ok()?;
-                self.velocity.reflected(seen.position.into()) - self.camera.off_middle
+                self.velocity.camera_from_motion(seen.position.into()) - self.camera.off_middle
             }
             Geometry::Published => {
                 let separation = self.published_separation();
                 let from_middle = SourcePoint { x0: point.x0 - 0.5 * separation, ..point };
                 let variant = PublishedVariant::AppendixA;
                 let both = published_disparity(speed, from_middle, separation, 0.0, variant).ok()?;
-                self.velocity.reflected(both.secondary.position.into())
+                self.velocity.camera_from_motion(both.secondary.position.into())
             }
         };
         position.is_finite().then_some(position)
@@ -287,7 +305,7 @@ impl GroupView {
     /// reflected as the group is, below 0 where it moves towards -x.
     pub(crate) fn published_separation(&self) -> f64 {
         let separation = -2.0 * self.camera.aperture.x;
-        self.velocity.direction() * separation
+        self.velocity.sign() * separation
     }
 }
 

@@ -209,6 +209,26 @@ impl<S: Simd> V3<S> {
         Self { x: self.z, y: self.x, z: self.y }
     }
 
+    /// The sum of these columns, each times one of its parts.
+    #[inline(always)]
+    pub fn sum_of(self, columns: [[f32; 4]; 3]) -> Self {
+        let simd = self.x.simd;
+        let [x, y, z] = columns;
+        Self::of_four(simd, x) * self.x + Self::of_four(simd, y) * self.y + Self::of_four(simd, z) * self.z
+    }
+
+    /// Its products with these columns.
+    #[inline(always)]
+    pub fn in_columns(self, columns: [[f32; 4]; 3]) -> Self {
+        let simd = self.x.simd;
+        let [x, y, z] = columns;
+        Self {
+            x: self.dot(Self::of_four(simd, x)),
+            y: self.dot(Self::of_four(simd, y)),
+            z: self.dot(Self::of_four(simd, z)),
+        }
+    }
+
     /// With x reversed where `sign` is -1.
     #[inline(always)]
     pub fn reflected(self, sign: f32) -> Self {

@@ -50,14 +50,11 @@ pub struct Patch {
 }
 
 impl Mercator {
-    /// Returns the map for places that are `reflected`.
+    /// Returns the map for places that are `turned` into other axes, or reflected.
     #[must_use]
-    pub fn reflected(&self, reflected: impl Fn(DVec3) -> DVec3) -> Self {
+    pub fn turned(&self, turned: impl Fn(DVec3) -> DVec3) -> Self {
         let Axes { right, up, forward } = self.axes;
-        Self {
-            axes: Axes { right: reflected(right), up: reflected(up), forward: reflected(forward) },
-            ..*self
-        }
+        Self { axes: Axes { right: turned(right), up: turned(up), forward: turned(forward) }, ..*self }
     }
 
     /// (u, v) of `direction` (any length above 0); `None` along the baseline, which is infinitely far aside.

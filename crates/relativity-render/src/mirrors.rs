@@ -59,7 +59,7 @@ macro_rules! mirror {
 /// The uniform blocks that both sides state.
 pub const BLOCKS: [Mirror; 2] = [
     mirror!(
-        Frame: base, right, down, radial, pole, speed, motion, on_ground, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, street_speed, street_motion, street_light, contact_eye, contacts, houses, openings, backdrop, hatch,
+        Frame: base, right, down, radial, pole, speed, motion, oblique, group_axes, reference_axes, to_street, street_axes, on_ground, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, street_speed, street_motion, street_light, contact_eye, contacts, houses, openings, backdrop, hatch,
         clip_right, clip_up, forward
     ),
     mirror!(Composing: first, second, top),
@@ -84,7 +84,7 @@ pub fn shaders() -> Vec<Shader> {
     let backdrop = Shader {
         name: "backdrop".to_owned(),
         source: shaders::BACKDROP,
-        constants: backdrop::constants(backdrop::Part::Street, true, StreetVariant::Daylit),
+        constants: backdrop::constants(backdrop::Part::Street, true, true, StreetVariant::Daylit),
     };
     let compose = Shader {
         name: "compose".to_owned(),
@@ -108,6 +108,7 @@ fn of_bodies(kind: Kind, name: &str, technique: &Technique) -> Shader {
         kind,
         geometry: Geometry::Seen,
         is_conformal: true,
+        is_oblique: true,
         among_others: None,
         turns: Turns::About,
         output,

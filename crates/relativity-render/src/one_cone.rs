@@ -9,6 +9,7 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
+use relativity_core::aberration;
 use relativity_core::math::{self, atan2};
 
 use crate::cone::Cone;
@@ -45,7 +46,10 @@ impl GroupView {
         // By how much longer light takes to the middle than from where the ray touches to its origin.
         let lag = match (distance, from_middle) {
             (Some(distance), Some(place)) => place.length() / doppler_factor - distance * rest_per_ground,
-            _ => velocity.speed.gamma() * (eye.dot(line_of_sight) + velocity.beta() * eye.x),
+            _ => {
+                let ahead = velocity.speed.beta() * velocity.motion_from_camera(eye).x;
+                velocity.speed.gamma() * (eye.dot(line_of_sight) + ahead)
+            }
         };
         RestRay {
             origin: self.origin + self.origin_from_middle(eye, received_along, doppler_factor),
@@ -59,31 +63,35 @@ impl GroupView {
 
     /// gamma (`e_x` + beta e.u) is `e_x`/D + gamma beta (`e_y u_y` + `e_z u_z`).
     fn origin_from_middle(&self, eye: DVec3, received_along: DVec3, doppler_factor: f64) -> DVec3 {
-        let aside = eye.y * received_along.y + eye.z * received_along.z;
-        let speed = &self.velocity.speed;
-        let later = self.velocity.direction() * speed.gamma() * speed.beta() * aside;
-        DVec3 { x: eye.x / doppler_factor + later, ..eye }
+        let Self { velocity, .. } = self;
+        let [eye, along] = [eye, received_along].map(|v| velocity.motion_from_camera(v));
+        let aside = eye.y * along.y + eye.z * along.z;
+        let later = velocity.speed.gamma() * velocity.speed.beta() * aside;
+        velocity.group_from_motion(DVec3 { x: eye.x / doppler_factor + later, ..eye })
     }
 
     /// gamma beta (1 - n.u) along the motion, from the cosine and the sine of the angle between both.
     fn bend(&self, cosine: f64, sine: f64) -> DVec3 {
         let gap = if cosine > 0.0 { sine * sine / (1.0 + cosine) } else { 1.0 - cosine };
         let speed = &self.velocity.speed;
-        DVec3::X * (self.velocity.direction() * speed.gamma() * speed.beta() * gap)
+        self.velocity.group_from_motion(DVec3::X * (speed.gamma() * speed.beta() * gap))
     }
 
     /// Returns the shift of [`Self::shift`] for one light cone.
     pub(crate) fn one_cone_shift(&self, ray: &RestRay, turn: DVec3) -> DVec3 {
-        let speed = &self.velocity.speed;
-        let later = self.velocity.beta() * ray.received_along.dot(turn);
-        let moved = DVec3::new(speed.gamma() * (turn.x + later), turn.y, turn.z);
-        let across = moved - ray.direction * moved.dot(ray.direction);
-        if ray.direction.x.abs() < 0.5 {
-            return across;
+        let Self { velocity, .. } = self;
+        let later = velocity.speed.beta() * ray.received_along.dot(turn);
+        let turn = velocity.motion_from_camera(turn);
+        let direction = velocity.motion_from_group(ray.direction);
+        let moved = DVec3::new(velocity.speed.gamma() * (turn.x + later), turn.y, turn.z);
+        let across = moved - direction * moved.dot(direction);
+        if direction.x.abs() < 0.5 {
+            return velocity.group_from_motion(across);
         }
-        // At great speeds most of it was along x, and along the ray.
+        // At great speeds most of it was along the motion, and along the ray.
         let DVec3 { y, z, .. } = across;
-        DVec3 { x: -(y * ray.direction.y + z * ray.direction.z) / ray.direction.x, y, z }
+        let x = -(y * direction.y + z * direction.z) / direction.x;
+        velocity.group_from_motion(DVec3 { x, y, z })
     }
 }
 
@@ -118,8 +126,8 @@ impl GroupView {
             let between = atan2(axis.cross(direction).length(), axis.dot(direction));
             [between - half_angle, between + half_angle].map(|angle| math::sin_cos(angle.clamp(0.0, PI)).1)
         };
-        let least_doppler =
-            cosines(DVec3::X).map(|x| self.velocity.doppler_factor(DVec3::new(x, (1.0 - x * x).sqrt(), 0.0)));
+        let least_doppler = cosines(self.velocity.forward())
+            .map(|x| aberration::doppler_factor([x, (1.0 - x * x).sqrt(), 0.0], &self.velocity.speed));
         let nearest = (center.distance(self.origin) - radius) * least_doppler[0].min(least_doppler[1]);
         let later = reach * reach / (2.0 * (nearest - reach));
         let [one, other] = cosines(eye).map(|cosine| -reach * cosine);

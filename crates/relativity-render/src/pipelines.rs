@@ -21,6 +21,8 @@ pub struct Key {
     pub geometry: Geometry,
     /// Whether the picture is conformal.
     pub is_conformal: bool,
+    /// Whether groups of the picture move past the camera otherwise than along x.
+    pub is_oblique: bool,
     /// Comparison of depths with those of other groups, if there are any.
     pub among_others: Option<AmongOthers>,
     /// Turning of the bodies.
@@ -53,7 +55,8 @@ impl Key {
         let among_others = AmongOthers::new(views, group);
         let GroupView { geometry, camera, .. } = views[group];
         let is_conformal = camera.projection.is_conformal();
-        Self { kind, geometry, is_conformal, among_others, turns, output }
+        let is_oblique = views.iter().any(|view| view.velocity.oblique_axes().is_some());
+        Self { kind, geometry, is_conformal, is_oblique, among_others, turns, output }
     }
 }
 
@@ -138,6 +141,7 @@ impl Technique {
             key.turns.constant(),
             ("GEOMETRY", key.geometry.number()),
             ("CONFORMAL", number(key.is_conformal)),
+            ("OBLIQUE", number(key.is_oblique)),
             ("HAS_OTHERS", number(key.among_others.is_some())),
             ("IS_REFERENCE", number(others.is_reference)),
             ("REFERENCE_GEOMETRY", others.reference.number()),

@@ -41,7 +41,7 @@ impl PreparedScene {
     }
 }
 
-/// A group, as one view sees it; everything is reflected so that the group moves along +x.
+/// A group, as one view sees it; everything is in axes along its motion.
 struct Sight<'a> {
     /// The number of the view.
     eye: usize,
@@ -196,9 +196,10 @@ impl<'a> Sight<'a> {
         let projection = Projection::new(view);
         let seen = |body: &PreparedBody| {
             let around = scene.ball_around(body);
-            let center = projection.apparent_centre(view.reflected_from_camera(around.from), around.radius);
+            let center =
+                projection.apparent_centre(view.along_motion_from_camera(around.from), around.radius);
             let ball = center.map(|center| Ball { center, radius: around.radius });
-            let point = || projection.apparent_centre(view.reflected_from_camera(around.from), 0.0);
+            let point = || projection.apparent_centre(view.along_motion_from_camera(around.from), 0.0);
             let middle = if ball.is_none() { point() } else { None };
             let bounds = match (scene.turning(body.number), &body.block) {
                 (Some(turning), _) => Bounds::Turning(turning.ring_around()),
@@ -214,20 +215,20 @@ impl<'a> Sight<'a> {
     /// The balls that look like those around the bodies, on the ground.
     fn balls(&self) -> impl Iterator<Item = Ball> {
         let balls = self.bodies.iter().filter_map(|body| body.ball);
-        balls.map(|ball| Ball { center: self.view.velocity.reflected(ball.center), ..ball })
+        balls.map(|ball| Ball { center: self.view.velocity.camera_from_motion(ball.center), ..ball })
     }
 
     /// The sum of the directions in which the middles of the bodies are seen, on the ground.
     fn middles(&self) -> DVec3 {
         let middles = self.bodies.iter().filter_map(|body| body.middle);
-        middles.map(|middle| self.view.velocity.reflected(middle).normalize_or_zero()).sum()
+        middles.map(|middle| self.view.velocity.camera_from_motion(middle).normalize_or_zero()).sum()
     }
 
     /// Widens `found` so that it holds every body.
     fn widen(&self, axes: &Axes, across: Across, found: &mut Reach) {
-        let reflected = |v| self.view.velocity.reflected(v);
-        let axes =
-            Axes { right: reflected(axes.right), up: reflected(axes.up), forward: reflected(axes.forward) };
+        let [right, up, forward] =
+            [axes.right, axes.up, axes.forward].map(|v| self.view.velocity.motion_from_camera(v));
+        let axes = Axes { right, up, forward };
         let axes = &Ruled { axes, across };
         // A sample comes first: few of the others reach further then.
         for number in (0..self.bodies.len()).step_by(SAMPLED).chain(0..self.bodies.len()) {
@@ -235,7 +236,7 @@ impl<'a> Sight<'a> {
             if body.ball.is_some_and(|ball| found.holds(&ball, axes)) {
                 continue;
             }
-            let image = |piece: &Capsule| self.image(&piece.reflected_from_camera(&self.view));
+            let image = |piece: &Capsule| self.image(&piece.along_motion_from_camera(&self.view));
             for image in body.images.get_or_init(|| body.pieces().iter().map(image).collect()) {
                 self.widen_by(image.as_ref(), HALVINGS, axes, found);
             }

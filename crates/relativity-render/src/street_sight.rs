@@ -4,9 +4,10 @@
 //! camera's event there; only lines of sight and the size of a pixel are brought there first. The shaders' `street_sight` and
 //! `packets/backdrop.rs` do the same.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use crate::camera::Camera;
+use crate::relative_velocity::RelativeVelocity;
 use crate::street_light::{DAYLIT_ROW, FALSE_ROW, StreetLight};
 use crate::velocity::Velocity;
 use crate::view::{Appearance, Geometry};
@@ -15,7 +16,7 @@ use crate::view::{Appearance, Geometry};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct StreetSight {
     geometry: Geometry,
-    velocity: Velocity,
+    velocity: RelativeVelocity,
 }
 
 /// A way to show the street, which chooses the pipeline of the last pass.
@@ -87,7 +88,7 @@ impl GroundLine {
 impl StreetSight {
     /// Returns the street before `camera` in a view of this `geometry`.
     pub fn new(camera: &Camera, geometry: Geometry) -> Self {
-        let velocity = Velocity::REST.seen_from(camera.velocity);
+        let velocity = RelativeVelocity::new(Velocity::REST, &camera.velocity);
         let geometry = match geometry {
             // A camera that rides along with the scene is shown with the street at rest about it.
             Geometry::Rest => Geometry::Rest,
@@ -124,9 +125,25 @@ impl StreetSight {
         if self.geometry == Geometry::Seen { StreetLight::new(appearance) } else { StreetLight::PAINTED }
     }
 
-    /// `v`, longer by Gamma along the motion.
+    /// A vector before the camera on the ground, longer by Gamma along the motion.
     fn stretched(&self, v: DVec3) -> DVec3 {
-        DVec3 { x: self.velocity.speed.gamma() * v.x, ..v }
+        let v = self.velocity.motion_from_camera(v);
+        self.velocity.group_from_motion(DVec3 { x: self.velocity.speed.gamma() * v.x, ..v })
+    }
+
+    /// Whether the street is seen to move, otherwise than along x.
+    pub fn is_oblique(&self) -> bool {
+        self.geometry != Geometry::Rest && self.velocity.oblique_axes().is_some()
+    }
+
+    /// Unit vectors along its motion, as columns: in the camera's axes, where the shaders turn lines of sight into these.
+    pub fn sight_axes(&self) -> DMat3 {
+        self.velocity.sight_axes()
+    }
+
+    /// The same in the ground's axes.
+    pub fn ground_axes(&self) -> DMat3 {
+        self.velocity.oblique_axes().unwrap_or(DMat3::IDENTITY)
     }
 
     /// V, 1 - V, 1/Gamma and Gamma of the street against the camera, for the shaders.
@@ -136,13 +153,15 @@ impl StreetSight {
 
     /// -1 if the street moves towards -x, else 1; the shaders' `GEOMETRY`; and their row of tables for this `light`.
     pub fn packed_motion(&self, light: &StreetLight) -> [f32; 4] {
-        [self.velocity.direction(), self.geometry.number(), light.row() as f64, 0.0].map(|v| v as f32)
+        [self.velocity.sign(), self.geometry.number(), light.row() as f64, 0.0].map(|v| v as f32)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use relativity_core::{Aperture, Speed};
+    use std::f64::consts::FRAC_PI_2;
+
+    use relativity_core::{Aperture, ObserverVelocity, Speed};
 
     use super::*;
     use crate::backdrop::Backdrop;
@@ -150,13 +169,27 @@ mod tests {
     use crate::velocity::Motion;
     use crate::view::View;
 
+    /// Along the street, across it, upwards and aslant.
+    fn velocities() -> [ObserverVelocity; 6] {
+        let new = |beta, azimuth, elevation| {
+            ObserverVelocity::new(Speed::from_beta(beta).expect("a speed"), azimuth, elevation)
+        };
+        [
+            new(0.5, 0.0, 0.0),
+            new(0.9, 0.0, 0.0),
+            Velocity::from_beta(-0.8).expect("a speed").into(),
+            new(0.9, FRAC_PI_2, 0.0),
+            new(0.6, 0.0, FRAC_PI_2),
+            new(0.95, 2.3, -0.4),
+        ]
+    }
+
     /// Lamps and road are one street: what touches the ground is seen where the ground is.
     #[test]
     fn a_body_and_the_ground_that_it_touches_are_seen_together() {
         let appearance = Appearance { ground_z: Some(-1.0), ..Appearance::default() };
         for geometry in [Geometry::Seen, Geometry::Contracted] {
-            for beta in [0.5, 0.9, -0.8] {
-                let velocity = Velocity::from_beta(beta).expect("a speed");
+            for velocity in velocities() {
                 let camera = Camera::new(Aperture::default(), Gaze::STRAIGHT_AHEAD, 1.0, [8, 8]);
                 let camera = Camera { velocity, ..camera };
                 let view = View { camera, speed: Speed::REST, observation_time: 0.0, geometry };
@@ -174,11 +207,11 @@ mod tests {
     /// A small turn of the camera's line of sight turns the line on the ground as two lines nearby differ.
     #[test]
     fn turns_are_those_of_lines_nearby() {
-        let velocity = Velocity::from_beta(0.9).expect("a speed");
         let camera = Camera::new(Aperture::default(), Gaze::STRAIGHT_AHEAD, 1.0, [8, 8]);
-        let camera = Camera { velocity, ..camera };
-        for geometry in [Geometry::Seen, Geometry::Contracted] {
-            let street = StreetSight::new(&camera, geometry);
+        let both = [Geometry::Seen, Geometry::Contracted];
+        let views = velocities().into_iter().flat_map(|velocity| both.map(|geometry| (velocity, geometry)));
+        for (velocity, geometry) in views {
+            let street = StreetSight::new(&Camera { velocity, ..camera }, geometry);
             for n in [DVec3::new(0.9, 0.3, 0.1), DVec3::new(-0.5, 0.6, -0.6), DVec3::Y] {
                 let n = n.normalize();
                 let line = street.line(n);

@@ -3,8 +3,8 @@
 use glam::DVec3;
 use relativity_core::{
     Aperture, Baseline, Boost, ConformalDisparity, Disparity, MAX_GAMMA, Model, Observer, ObserverError,
-    PairError, Sighting, Source, SourcePoint, Speed, SpeedError, Stereo, StereoError, Turning, WheelPoint,
-    aberration, math,
+    ObserverVelocity, PairError, Sighting, Source, SourcePoint, Speed, SpeedError, Stereo, StereoError,
+    Turning, WheelPoint, aberration, math,
 };
 
 use crate::wheel::spin::MaterialPoint;
@@ -103,6 +103,16 @@ impl Velocity {
     /// `v` reflected where the velocity points towards -x: from the ground to where it points along +x, and back.
     pub(crate) fn reflected(&self, v: DVec3) -> DVec3 {
         DVec3::new(self.direction() * v.x, v.y, v.z)
+    }
+
+    /// The velocity of an observer who moves along x; `None` of one who does not.
+    #[must_use]
+    pub fn along_street(observer: &ObserverVelocity) -> Option<Self> {
+        if observer.is_rest() {
+            return Some(Self::REST);
+        }
+        let is_backward = observer.direction()[0] < 0.0;
+        observer.is_along_street().then_some(Self { speed: *observer.speed(), is_backward })
     }
 
     /// The line of sight (unit vector) in the frame that moves so, of one on the ground.
@@ -316,5 +326,12 @@ impl Velocity {
         }
         // Two that fly apart at the greatest gamma part no faster than that.
         Self::from_rapidity(self.rapidity() - camera.rapidity())
+    }
+}
+
+impl From<Velocity> for ObserverVelocity {
+    fn from(velocity: Velocity) -> Self {
+        let along = Self::along_street(velocity.speed);
+        if velocity.is_backward { along.mirrored() } else { along }
     }
 }

@@ -1,11 +1,12 @@
 //! Views: the physics (`View`) and the looks (`Appearance`) of one aperture's picture.
 
 use glam::DVec3;
-use relativity_core::Speed;
 use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
+use relativity_core::{ObserverVelocity, Speed};
 
 use crate::camera::Camera;
 use crate::colour::luminance;
+use crate::relative_velocity::RelativeVelocity;
 use crate::velocity::Velocity;
 
 /// The geometry that a picture shows.
@@ -86,28 +87,37 @@ impl View {
         Self { camera: Camera { size, ..self.camera }, ..*self }
     }
 
+    /// The velocity of whoever sees it on the ground: the camera's, or in [`Geometry::Rest`] the scene's.
+    pub(crate) fn observer_velocity(&self) -> ObserverVelocity {
+        if self.geometry == Geometry::Rest {
+            return Velocity::forward(self.speed).into();
+        }
+        self.camera.velocity
+    }
+
     /// Ground time of emission of what is seen along `line_of_sight` (unit vector) at `distance`: in the
     /// ground frame, or in the rest frame for [`Geometry::Rest`].
     pub(crate) fn emission_time(&self, line_of_sight: DVec3, distance: f64) -> f64 {
         let received = self.observation_time;
-        // The inverse boost of (-s, s n) is -gamma s (1 - beta n_x).
-        let on_ground = |velocity: Velocity, line: DVec3, distance: f64| {
-            distance / velocity.doppler_factor(DVec3 { x: -line.x, ..line })
-        };
-        let camera = self.camera.velocity;
+        // A way on the ground is as much longer as its light is redshifted to the camera.
+        let ground = RelativeVelocity::new(Velocity::REST, &self.observer_velocity());
+        let on_ground = |line: DVec3, distance: f64| distance / ground.doppler_factor(line);
         match self.geometry {
-            Geometry::Seen | Geometry::Published => received - on_ground(camera, line_of_sight, distance),
+            Geometry::Seen | Geometry::Published | Geometry::Rest => {
+                received - on_ground(line_of_sight, distance)
+            }
             Geometry::OneCone => {
                 let (_, received) = self.camera.event_of_middle(received);
                 let from_middle = self.camera.off_middle + line_of_sight * distance;
                 let (line, distance) = (from_middle.normalize_or(line_of_sight), from_middle.length());
-                received - on_ground(camera, line, distance)
+                received - on_ground(line, distance)
             }
             // What is measured at one time of the camera's, that is later on the ground where it is further ahead.
             Geometry::Contracted => {
-                received + camera.speed.gamma() * camera.beta() * distance * line_of_sight.x
+                let speed = ground.speed;
+                received
+                    - speed.gamma() * speed.beta() * distance * ground.motion_from_camera(line_of_sight).x
             }
-            Geometry::Rest => received - on_ground(Velocity::forward(self.speed), line_of_sight, distance),
         }
     }
 }

@@ -8,6 +8,7 @@ mod hatch;
 mod joints;
 mod mercator;
 mod models;
+mod oblique_riding;
 mod patterns;
 mod picking;
 mod projections;

@@ -8,12 +8,15 @@ use relativity_render::{
 };
 
 use crate::gpu_support::Test;
-use crate::gpu_support::scenes::{conformal_views, parallel_views, still_life, time_seen_at, view_following};
+use crate::gpu_support::scenes::{
+    conformal_views, oblique_views, parallel_views, still_life, time_seen_at, view_following,
+};
 use crate::joints::joints;
 
 pub const TESTS: &[Test] = &[
     ("the_picture_keeps_the_bound", the_picture_keeps_the_bound),
     ("groups_keep_the_bound", groups_keep_the_bound),
+    ("oblique_rides_keep_the_bound", oblique_rides_keep_the_bound),
     ("bodies_that_nearly_touch_are_told_apart", bodies_that_nearly_touch_are_told_apart),
     ("where_surfaces_coincide_the_first_body_is_seen", where_surfaces_coincide_the_first_body_is_seen),
     ("hits_appear_where_the_light_cone_says", hits_appear_where_the_light_cone_says),
@@ -66,6 +69,17 @@ fn groups_keep_the_bound(renderers: &mut Renderers) {
         for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
             let view = View { geometry, ..view };
             keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
+        }
+    }
+}
+
+/// Before a camera that moves in any direction.
+fn oblique_rides_keep_the_bound(renderers: &mut Renderers) {
+    let scene = PreparedScene::moving(&still_life());
+    for view in oblique_views(FOLLOWED) {
+        for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::OneCone] {
+            let view = View { geometry, ..view };
+            keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &still_life(), &view);
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Pictures of both GPU renderers against the reference's, effect by effect.
 
-use relativity_core::{Aperture, Speed, Turning};
+use std::f64::consts::FRAC_PI_2;
+
+use relativity_core::{Aperture, ObserverVelocity, Speed, Turning};
 use relativity_render::{
     Appearance, Body, Camera, Colour, Emission, Gaze, Geometry, Group, HitImage, Method, Motion, Pattern,
     Picture, PreparedScene, Renderers, Shading, Shape, Spin, StreetColours, Velocity, View,
@@ -267,7 +269,7 @@ fn long_bodies_narrow_into_the_distance(renderers: &mut Renderers) {
     };
     for beta in [0.0, 0.6, -0.6] {
         let camera = Camera::new(Aperture::default(), Gaze::along([0.0, 1.0, 0.0]), 1.6, [160, 120]);
-        let camera = Camera { velocity: Velocity::from_beta(beta).expect("a speed"), ..camera };
+        let camera = Camera { velocity: Velocity::from_beta(beta).expect("a speed").into(), ..camera };
         let view = View { camera, speed: Speed::REST, observation_time: 0.0, geometry: Geometry::Seen };
         let mut squares = |method, rays| {
             light_in_squares(&renderers.picture(method, &scene, &view, &look, rays).expect("device works"))
@@ -344,7 +346,7 @@ fn hoops_are_seen_from_within(renderers: &mut Renderers) {
     for (beta, x) in [(0.0, 0.0), (0.0, 1.7), (0.9, 0.0), (0.9, 2.1)] {
         let aperture = Aperture { x, y: 0.3, z: -0.2 };
         let camera = Camera::new(aperture, Gaze::along([1.0, 0.9, 0.0]), 1.8, [160, 100]);
-        let camera = Camera { velocity: Velocity::from_beta(beta).expect("a speed"), ..camera };
+        let camera = Camera { velocity: Velocity::from_beta(beta).expect("a speed").into(), ..camera };
         let view = View { camera, speed: Speed::REST, observation_time: 0.0, geometry: Geometry::Seen };
         let (truth, hits) = (scene.picture(&view, &plain, 1).rgba, scene.hit_image(&view));
         assert!(hits.hits.iter().flatten().count() > 300, "hoops are seen from {x} at {beta}");
@@ -401,11 +403,24 @@ fn rides_are_the_references(renderers: &mut Renderers) {
             levels,
         ),
     ];
-    let cases =
-        [(Geometry::Seen, 0.6), (Geometry::Seen, 0.95), (Geometry::Seen, -0.3), (Geometry::Contracted, 0.8)];
-    for (geometry, beta) in cases {
+    let along = |beta: f64| ObserverVelocity::from(velocity(beta));
+    let aslant = |beta: f64, azimuth: f64, elevation: f64| {
+        ObserverVelocity::new(Speed::from_beta(beta).expect("a speed"), azimuth, elevation)
+    };
+    let cases = [
+        (Geometry::Seen, along(0.6)),
+        (Geometry::Seen, along(0.95)),
+        (Geometry::Seen, along(-0.3)),
+        (Geometry::Contracted, along(0.8)),
+        (Geometry::Seen, aslant(0.6, FRAC_PI_2, 0.0)),
+        (Geometry::Seen, aslant(0.9, 0.7, 0.4)),
+        (Geometry::Seen, aslant(0.5, 0.0, FRAC_PI_2)),
+        (Geometry::Contracted, aslant(0.8, 2.0, -0.3)),
+    ];
+    for (geometry, heading) in cases {
+        let beta = heading.speed().beta();
         let camera = Camera::new(Aperture::default(), Gaze::along([3.0, 2.0, 0.0]), 1.6, [160, 100]);
-        let camera = Camera { velocity: velocity(beta), rolled: 0.3, ..camera };
+        let camera = Camera { velocity: heading, rolled: 0.3, ..camera };
         let view = View { camera, speed: Speed::REST, observation_time: 0.0, geometry };
         let hits = scene.hit_image(&view);
         assert!(hits.hits.iter().flatten().count() > 30, "bodies are seen at {beta}");
@@ -417,7 +432,8 @@ fn rides_are_the_references(renderers: &mut Renderers) {
             let truth = scene.picture(&view, look, 1).rgba;
             for method in [Method::Rays, Method::Packets, Method::Mesh { bound_px: 0.5 }] {
                 let drawn = renderers.picture(method, &scene, &view, look, 1).expect("device works").rgba;
-                let named = format!("{method}, {geometry:?} at {beta}, {look:?}");
+                let named =
+                    format!("{method}, {geometry:?} at {beta} along {:?}, {look:?}", heading.direction());
                 let off = levels_off(&drawn, &truth, |i| is_inside(&hits, i));
                 assert!(f64::from(off) <= levels, "{named}: {off} levels off");
                 let off = levels_off(&drawn, &truth, |i| is_free(&hits, i));

@@ -11,8 +11,8 @@ use relativity_render::{
 
 use crate::gpu_support::Test;
 use crate::gpu_support::scenes::{
-    conformal_views, crowd, parallel_views, round_still_life, speeds, still_life, time_seen_at,
-    view_following,
+    conformal_views, crowd, oblique_views, parallel_views, round_still_life, speeds, still_life,
+    time_seen_at, view_following,
 };
 use crate::joints::{joints, shared_pixels};
 use crate::support::{documented, signed_distance};
@@ -20,6 +20,7 @@ use crate::support::{documented, signed_distance};
 pub const TESTS: &[Test] = &[
     ("hits_agree_with_the_reference", hits_agree_with_the_reference),
     ("groups_agree_with_the_reference", groups_agree_with_the_reference),
+    ("oblique_rides_agree_with_the_reference", oblique_rides_agree_with_the_reference),
     (
         "groups_that_fly_apart_agree_up_to_the_documented_gamma",
         groups_that_fly_apart_agree_up_to_the_documented_gamma,
@@ -141,6 +142,26 @@ fn groups_agree_with_the_reference(renderers: &mut Renderers) {
     for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
         for view in views() {
             agrees(renderers, &scene, &bodies, &View { geometry, ..view });
+        }
+    }
+}
+
+/// Before a camera that moves in any direction, alone and among other groups.
+fn oblique_rides_agree_with_the_reference(renderers: &mut Renderers) {
+    let ground = Motion::Own(Velocity::REST);
+    let other: Vec<_> = still_life().into_iter().map(|body| body.moved([0.0, 1.5, 0.3])).collect();
+    let both = [still_life(), other.clone()].concat();
+    let scene = PreparedScene::new([
+        Group { motion: Motion::Scene, bodies: &still_life() },
+        Group { motion: ground, bodies: &other },
+    ]);
+    for geometry in [Geometry::Seen, Geometry::Contracted] {
+        for view in oblique_views(FOLLOWED) {
+            let view = View { geometry, ..view };
+            agrees(renderers, &PreparedScene::moving(&still_life()), &still_life(), &view);
+            if view.speed.gamma() <= 100.0 && view.camera.velocity.speed().gamma() <= 100.0 {
+                agrees(renderers, &scene, &both, &view);
+            }
         }
     }
 }

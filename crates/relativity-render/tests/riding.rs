@@ -32,7 +32,8 @@ fn street() -> Vec<Body> {
 /// A ride at `beta`, at the ground's origin at T = 0, that looks ahead to the left.
 fn ride(beta: f64) -> View {
     let gaze = Gaze::along([3.0, 1.5, 0.0]);
-    let camera = Camera { velocity: velocity(beta), ..Camera::new(Aperture::default(), gaze, 1.6, [96, 64]) };
+    let camera =
+        Camera { velocity: velocity(beta).into(), ..Camera::new(Aperture::default(), gaze, 1.6, [96, 64]) };
     View { camera, speed: Speed::REST, observation_time: 0.0, geometry: Geometry::Seen }
 }
 
@@ -42,7 +43,8 @@ fn a_ride_past_a_street_is_a_street_that_passes_byte_for_byte() {
     for beta in [0.3, 0.9, 0.98, -0.6] {
         for geometry in [Geometry::Seen, Geometry::Contracted] {
             let riding = View { geometry, ..ride(beta) };
-            let at_rest = View { camera: Camera { velocity: Velocity::REST, ..riding.camera }, ..riding };
+            let at_rest =
+                View { camera: Camera { velocity: ObserverVelocity::REST, ..riding.camera }, ..riding };
             let bodies = street();
             let passed = resting(&bodies, Motion::Own(Velocity::REST));
             let passing = resting(&bodies, Motion::Own(velocity(-beta)));
@@ -99,7 +101,7 @@ fn both_eyes_of_a_rider_see_points_where_the_core_has_them() {
                 let gamma = rider.speed.gamma();
                 let aperture = Aperture { x: place[0] + gamma * eye.x, y: place[1], z: place[2] };
                 let camera = Camera {
-                    velocity: rider,
+                    velocity: rider.into(),
                     off_middle: DVec3::X * eye.x,
                     ..Camera::new(aperture, Gaze::along(expected.to_array()), 0.1, [9, 9])
                 };
@@ -160,7 +162,7 @@ fn what_rides_along_is_seen_as_at_rest() {
         riding.observation_time = 5.0;
         let hits = with_eyes.hit_image(&riding).hits;
         let aperture = Aperture { x: off_middle.x, y: off_middle.y, z: off_middle.z };
-        let camera = Camera { velocity: Velocity::REST, aperture, ..riding.camera };
+        let camera = Camera { velocity: ObserverVelocity::REST, aperture, ..riding.camera };
         let resting = View { camera, observation_time: 0.0, ..riding };
         let expected = still.hit_image(&resting).hits;
         // The light of what is further away left when the wheel had turned less: by V R/W.

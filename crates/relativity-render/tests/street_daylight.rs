@@ -94,7 +94,7 @@ fn without_a_doppler_effect_daylight_rides_along() {
 fn to_a_rider_what_rests_is_lit_as_by_a_lamp_of_its_own() {
     let scene = PreparedScene::new([Group { motion: Motion::Own(Velocity::REST), bodies: &dice() }]);
     let at_rest = view(0.0, 0.0, 1.7);
-    let camera = Camera { velocity: Velocity::from_beta(0.6).expect("a speed"), ..at_rest.camera };
+    let camera = Camera { velocity: Velocity::from_beta(0.6).expect("a speed").into(), ..at_rest.camera };
     let [own, street] = both(&scene, &View { camera, ..at_rest });
     assert!(own.rgba == street.rgba && own.rgba.iter().any(|pixel| *pixel != own.rgba[0]));
 }
@@ -112,7 +112,8 @@ fn a_face_that_rides_along_reflects_the_crowded_sky_ahead() {
         let scene = PreparedScene::new([Group { motion: Motion::WithEyes, bodies: &[body] }]);
         let azimuth = if looks_ahead { std::f64::consts::PI } else { 0.0 };
         let at_rest = view(0.0, 0.0, azimuth);
-        let camera = Camera { velocity: Velocity::from_beta(beta).expect("a speed"), ..at_rest.camera };
+        let camera =
+            Camera { velocity: Velocity::from_beta(beta).expect("a speed").into(), ..at_rest.camera };
         let appearance = Appearance { invisible: false, ..appearance(Colour::StreetDaylight) };
         let seen = middle(&scene.picture(&View { camera, ..at_rest }, &appearance, 1));
 

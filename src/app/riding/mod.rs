@@ -160,7 +160,7 @@ impl State {
         if !ride.is_on() {
             return None;
         }
-        let Rider { velocity, x, street_time } = self.rider();
+        let Rider { velocity, x, street_time, .. } = self.rider();
         let measures = self.measures();
         let (length, time) = (measures.length, measures.time);
         let sign = if velocity.is_backward { "−" } else { "" };

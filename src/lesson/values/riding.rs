@@ -1,6 +1,6 @@
 //! Values of whoever rides: the instruments, and what clocks along the street show by the rider's reckoning.
 
-use relativity_core::math;
+use relativity_core::{Aperture, math};
 
 use super::here::{Here, Value};
 use crate::settings::Rider;
@@ -90,7 +90,7 @@ pub const VALUES: &[Value] = &[
         work_out: |here| {
             let [_, y, z] = here.settings.rest_place(here.track.axle());
             let [left, _] = here.settings.pair();
-            let eye = here.rider().event_of(left).x;
+            let eye = here.rider().event_on_street(left).x;
             let aside = math::hypot(y - left.y, z - left.z);
             Some(math::atan2(aside, here.place_on_street()? - eye).to_degrees())
         },

@@ -21,12 +21,14 @@ mod eye;
 mod motion;
 mod point;
 mod relative;
+mod relative_velocity;
 mod times;
 mod velocity;
 mod wheel;
 
 pub use self::error::ObserverError;
 pub use self::motion::Observer;
+pub use self::relative_velocity::RelativeVelocity;
 pub use self::velocity::ObserverVelocity;
 
 use self::eye::EyeOnGround;

@@ -2,10 +2,10 @@
 
 use super::error::ObserverError;
 use super::motion::Observer;
+use super::relative_velocity::RelativeVelocity;
 use crate::aperture::Aperture;
 use crate::apparent::LightCone;
 use crate::cone_pair::{ConePair, LinesOfSight};
-use crate::math;
 use crate::one_cone::middle;
 use crate::source::SourcePoint;
 use crate::speed::Speed;
@@ -50,44 +50,20 @@ impl RelativeMotion {
     pub fn new(speed: &Speed, observer: &Observer, point: SourcePoint) -> Result<Self, ObserverError> {
         let Observer { velocity, place: [ox, oy, oz], time } = *observer;
         let own = velocity.speed();
-        let sine = velocity.sine();
         let [rx, ry, rz] = [(point.x0 - ox) + speed.beta() * time, point.y - oy, point.z - oz];
-        let lead = Lead::new(speed, observer);
         let r = [rx, ry, rz];
         let ahead = dot(r, velocity.direction());
         let stretch = own.gamma_minus_one() * ahead;
         let apart = std::array::from_fn(|i| r[i] + stretch * velocity.direction()[i]);
 
-        // Its proper velocity along the observer's, and across.
-        let along = speed.gamma() * own.gamma() * lead.along_observer;
-        let across = speed.gamma() * speed.beta() * sine;
-        let proper = math::hypot(along, across);
+        let past = RelativeVelocity::new(speed, &velocity)?;
+        let RelativeVelocity { speed: relative, axes, lead, proper, .. } = past;
         if proper == 0.0 {
             let point = SourcePoint { x0: speed.gamma() * rx, y: ry, z: rz };
             let apart = [point.x0, ry, rz];
-            return Ok(Self {
-                speed: Speed::REST,
-                point,
-                axes: IDENTITY,
-                apart,
-                proper: [0.0; 3],
-                own_delay: 0.0,
-            });
+            return Ok(Self { speed: relative, point, axes, apart, proper: [0.0; 3], own_delay: 0.0 });
         }
-        let relative = Speed::from_proper(proper).map_err(|_| ObserverError::RelativeSpeed)?;
-
-        // Each part of its direction by a sum that cancels no more than the part itself does.
-        let [vx, vy, vz] = velocity.direction();
-        let aside = if own.gamma() < 2.0 {
-            speed.beta() * vx * own.gamma_minus_one() - own.proper()
-        } else {
-            own.gamma() * lead.along_observer - speed.beta() * vx
-        };
-        let aside = speed.gamma() * aside / proper;
-        let forward = [(across * sine + along * vx) / proper, aside * vy, aside * vz];
-        let [ey, ez] = if sine == 0.0 { [1.0, 0.0] } else { [vy / sine, vz / sine] };
-        let sideways = [-aside * sine, forward[0] * ey, forward[0] * ez];
-        let third = [0.0, -ez, ey];
+        let (sine, [ey, ez]) = (velocity.sine(), velocity.across_street());
         let (r_e, r_c) = (ry * ey + rz * ez, rz * ey - ry * ez);
         let swerve = own.beta() * sine;
         let point = SourcePoint {
@@ -100,9 +76,9 @@ impl RelativeMotion {
         Ok(Self {
             speed: relative,
             point,
-            axes: [forward, sideways, third],
+            axes,
             apart,
-            proper: forward.map(|part| proper * part),
+            proper: axes[0].map(|part| proper * part),
             own_delay: own.proper() * ahead / relative.gamma(),
         })
     }
@@ -174,32 +150,5 @@ impl RelativeMotion {
     /// The terms of each part of a vector in these axes, in the observer's.
     fn turned_terms(&self, vector: [f64; 3]) -> [[f64; 3]; 3] {
         std::array::from_fn(|i| std::array::from_fn(|axis| vector[axis] * self.axes[axis][i]))
-    }
-}
-
-const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
-/// The lead of one of two velocities over the other along each, at most rounding away from the truth where both are near 1.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Lead {
-    /// The point's velocity along the observer's direction, less the observer's speed: beta `v_x`/V - V.
-    pub along_observer: f64,
-    /// The observer's velocity along x, less the point's: `v_x` - beta.
-    pub along_x: f64,
-}
-
-impl Lead {
-    pub fn new(speed: &Speed, observer: &Observer) -> Self {
-        let velocity = &observer.velocity;
-        let (beta, own, x) = (speed.beta(), velocity.speed().beta(), velocity.direction()[0]);
-        let [lag, own_lag] = [speed, velocity.speed()].map(Speed::one_minus_beta);
-        // beta - V, from what both lack to the speed of light where that is less.
-        let faster = if beta > 0.5 && own > 0.5 { own_lag - lag } else { beta - own };
-        let aside = velocity.one_minus_x();
-        if x > 0.0 {
-            Self { along_observer: faster - beta * aside, along_x: -faster - own * aside }
-        } else {
-            Self { along_observer: beta * x - own, along_x: own * x - beta }
-        }
     }
 }

@@ -9,6 +9,7 @@ use crate::speed::{Speed, SpeedError};
 /// Small angles between it and the street are kept to full relative accuracy, since at a high Lorentz factor Gamma an angle of
 /// 1/Gamma already decides how the street looks.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ObserverVelocity {
     speed: Speed,
     direction: [f64; 3],
@@ -58,6 +59,12 @@ impl ObserverVelocity {
         if self.is_rest() { *self } else { Self { direction: [-x, y, z], ..*self } }
     }
 
+    /// At the same speed the other way.
+    #[must_use]
+    pub fn opposite(&self) -> Self {
+        if self.is_rest() { *self } else { Self { direction: self.direction.map(|part| -part), ..*self } }
+    }
+
     /// Magnitude of the velocity.
     #[must_use]
     pub const fn speed(&self) -> &Speed {
@@ -92,6 +99,12 @@ impl ObserverVelocity {
     /// Sine of the angle between the velocity and the street.
     pub(super) const fn sine(&self) -> f64 {
         self.sine
+    }
+
+    /// Parts y and z of the unit vector along the velocity's part across the street; along y where it has none.
+    pub(super) fn across_street(&self) -> [f64; 2] {
+        let [_, y, z] = self.direction;
+        if self.sine == 0.0 { [1.0, 0.0] } else { [y / self.sine, z / self.sine] }
     }
 
     /// 1 minus the x of the direction, without a difference where that is near 1.

@@ -1,15 +1,14 @@
 //! A pinhole camera at an aperture: lines of sight of pixels, and pixels of lines of sight.
 
 use glam::{DVec2, DVec3};
-use relativity_core::Aperture;
 use relativity_core::math::{asin, asinh, atan, atan2, hypot, sin_cos, sinh, tan};
+use relativity_core::{Aperture, ObserverVelocity};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 pub use crate::axes::{Axes, MAX_ELEVATION};
 use crate::axes::{LEAST_ACROSS, level_across};
 use crate::lines_of_sight::{LinesOfSight, Map};
 use crate::mercator::{MOST_ASIDE, MOST_SHIFTED, Mercator};
-use crate::velocity::Velocity;
 
 /// A gaze: the direction of a camera's optical axis. The camera's horizon stays level.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +32,7 @@ const MOST_SLANT: f64 = FRAC_PI_2 - 1e-6;
 /// # Examples
 ///
 /// ```
-/// use relativity_core::Aperture;
+/// use relativity_core::{Aperture, ObserverVelocity};
 /// use relativity_render::{Camera, Gaze};
 ///
 /// let (gaze, horizontal_fov) = (Gaze::STRAIGHT_AHEAD, std::f64::consts::FRAC_PI_2);
@@ -49,9 +48,9 @@ const MOST_SLANT: f64 = FRAC_PI_2 - 1e-6;
 pub struct Camera {
     /// Place of the pinhole on the ground.
     pub aperture: Aperture,
-    /// Velocity on the ground: that of an observer who rides along the street. Lines of sight, distances and the picture are in
-    /// the frame of what moves so, its axes those of the ground.
-    pub velocity: Velocity,
+    /// Velocity on the ground, in any direction. Lines of sight, distances and the picture are in the frame of what moves so, its
+    /// axes those of the ground boosted along the velocity.
+    pub velocity: ObserverVelocity,
     /// Way on the street, as measured in that frame, over which wheels that ride along have rolled: the integral of the velocity over
     /// proper time. Units of length.
     pub rolled: f64,
@@ -156,7 +155,7 @@ impl Camera {
         let projection = Projection::Gaze;
         Self {
             aperture,
-            velocity: Velocity::REST,
+            velocity: ObserverVelocity::REST,
             rolled: 0.0,
             gaze,
             horizontal_fov,
@@ -170,10 +169,15 @@ impl Camera {
     /// observer both are at one time.
     pub(crate) fn event_of_middle(&self, time: f64) -> (DVec3, f64) {
         let Aperture { x, y, z } = self.aperture;
-        let DVec3 { x: along, .. } = self.off_middle;
-        let gamma = self.velocity.speed.gamma();
-        let off_middle = DVec3 { x: gamma * along, ..self.off_middle };
-        (DVec3::new(x, y, z) - off_middle, time - gamma * self.velocity.beta() * along)
+        let (speed, gamma) = (self.velocity.speed(), self.velocity.speed().gamma());
+        let direction = DVec3::from(self.velocity.direction());
+        let along = self.off_middle.dot(direction);
+        let off_middle = if self.velocity.is_along_street() {
+            DVec3 { x: gamma * self.off_middle.x, ..self.off_middle }
+        } else {
+            self.off_middle + direction * (speed.gamma_minus_one() * along)
+        };
+        (DVec3::new(x, y, z) - off_middle, time - gamma * speed.beta() * along)
     }
 
     /// Distance from the pinhole to the picture plane, in pixels: how many of them a radian about the picture's axis has, or a
@@ -475,10 +479,10 @@ pub(crate) struct Gauge {
 }
 
 impl Gauge {
-    /// Returns the gauge for places that are `reflected`.
-    pub fn reflected(&self, reflected: impl Fn(DVec3) -> DVec3) -> Self {
+    /// Returns the gauge for places that are `turned` into other axes, or reflected.
+    pub fn turned(&self, turned: impl Fn(DVec3) -> DVec3) -> Self {
         let Self { right, up, forward, middle } = *self;
-        Self { right: reflected(right), up: reflected(up), forward: reflected(forward), middle }
+        Self { right: turned(right), up: turned(up), forward: turned(forward), middle }
     }
 }
 

@@ -52,7 +52,7 @@ impl Rectangle {
     };
 }
 
-/// Maps capsules and blocks to footprints for one view of a group; all is reflected so that the group moves along +x.
+/// Maps capsules and blocks to footprints for one view of a group; all is in axes along its motion.
 #[derive(Debug, Clone, Copy)]
 pub struct Projection {
     pub(super) gauge: Gauge,
@@ -72,11 +72,11 @@ impl Projection {
     pub fn new(view: &GroupView) -> Self {
         let speed = &view.velocity.speed;
         Self {
-            gauge: view.camera.gauge().reflected(|v| view.velocity.reflected(v)),
+            gauge: view.camera.gauge().turned(|v| view.velocity.motion_from_camera(v)),
             mercator: view
                 .camera
                 .mercator()
-                .map(|mercator| mercator.reflected(|v| view.velocity.reflected(v))),
+                .map(|mercator| mercator.turned(|v| view.velocity.motion_from_camera(v))),
             focal_length_px: view.camera.focal_length_px(),
             size: DVec2::from(view.camera.size.map(f64::from)),
             geometry: view.geometry,
@@ -87,7 +87,7 @@ impl Projection {
         }
     }
 
-    /// Whether a rest-frame ball around `center`, reflected from the camera's event, is surely not in the
+    /// Whether a rest-frame ball around `center`, from the camera's event in axes along the motion, is surely not in the
     /// picture.
     pub fn hides(&self, center: DVec3, radius: f64) -> bool {
         self.footprint(&Capsule::ball(center, radius)) == Some(Footprint::Hidden)

@@ -170,9 +170,9 @@ fn in_rest_frame(cap: &Cap, view: &GroupView) -> Option<Cap> {
     let cap = match view.geometry {
         Geometry::Rest => *cap,
         Geometry::Seen => {
-            let reflected = Cap { axis: view.velocity.reflected(cap.axis), ..*cap };
-            let cap = reflected.in_rest_frame(&view.velocity.speed)?;
-            Cap { axis: view.velocity.reflected(cap.axis), ..cap }
+            let along_motion = Cap { axis: view.velocity.motion_from_camera(cap.axis), ..*cap };
+            let cap = along_motion.in_rest_frame(&view.velocity.speed)?;
+            Cap { axis: view.velocity.group_from_motion(cap.axis), ..cap }
         }
         Geometry::Contracted => stretched(cap, view)?,
         Geometry::OneCone | Geometry::Published => return None,
@@ -180,7 +180,7 @@ fn in_rest_frame(cap: &Cap, view: &GroupView) -> Option<Cap> {
     (cap.cosine > LEAST_COSINE).then_some(cap)
 }
 
-/// Returns a cap around the image of a cap when x is stretched by gamma: that of the four corners of a pyramid around it, between which
+/// Returns a cap around the image of a cap when it is stretched by gamma along the motion: that of the four corners of a pyramid around it, between which
 /// straight lines stay straight.
 fn stretched(cap: &Cap, view: &GroupView) -> Option<Cap> {
     if cap.cosine < 0.5 {

@@ -87,7 +87,7 @@ fn reach(
     let right = mercator.axes.right;
     let flat = |place: DVec3| place.reject_from_normalized(right);
     // Along the motion nothing changes what is across.
-    if right.x.abs() == 1.0 {
+    if right.x.abs() == 1.0 && view.velocity.along_x().is_some() {
         let k = ball.radius / flat(ball.from - view.origin).length();
         if k < 1.0 {
             return 2.0 * asin(k);
@@ -97,9 +97,9 @@ fn reach(
     if matches!(view.geometry, Geometry::Published | Geometry::OneCone) {
         return PI;
     }
-    let center = view.reflected_from_camera(ball.from);
+    let center = view.along_motion_from_camera(ball.from);
     let image = projection.apparent_centre(center, ball.radius);
-    let k = image.map_or(1.0, |image| ball.radius / flat(view.velocity.reflected(image)).length());
+    let k = image.map_or(1.0, |image| ball.radius / flat(view.velocity.camera_from_motion(image)).length());
     if k < 1.0 { 2.0 * asin(k) } else { PI }
 }
 

@@ -75,7 +75,7 @@ impl Parts {
         let is_seen = |body: &PreparedBody| {
             let view = &views[body.group];
             let Capsule { from: center, radius, .. } = ball(body);
-            let middle = view.reflected_from_camera(center);
+            let middle = view.along_motion_from_camera(center);
             // Neither the published positions nor those of one light cone for both eyes are the camera's.
             matches!(view.geometry, Geometry::Published | Geometry::OneCone)
                 || !projections[body.group].hides(middle, radius)

@@ -27,6 +27,10 @@ pub fn part<S: Simd>(simd: S, frame: &Frame, [left, top]: [f32; 2], [width, heig
     if floor == Floor::Open {
         return Part::Sky;
     }
+    // The plane of the ground is a bowl to whoever does not move along it.
+    if frame.is_street_oblique() {
+        return floor.whole();
+    }
     // As `shows` of the shader has it, which says why; a pixel's middle shows what is around it, too.
     let ([left, top], [width, height]) =
         ([left - MARGIN, top - MARGIN], [width + 2.0 * MARGIN, height + 2.0 * MARGIN]);
@@ -70,6 +74,8 @@ struct Lines<S: Simd> {
     haze_share: F<S>,
     doppler: F<S>,
     /// The camera's lines of sight.
+    sight: V3<S>,
+    /// The same, in axes along the street's motion where that is oblique.
     seen: V3<S>,
 }
 
@@ -79,19 +85,21 @@ impl<S: Simd> Lines<S> {
         let Sight { n, scale, .. } = sight;
         let one = all(simd, 1.0);
         let Some(geometry) = street_geometry(frame) else {
-            return Self { n, scale, haze_share: one, doppler: one, seen: n };
+            return Self { n, scale, haze_share: one, doppler: one, sight: n, seen: n };
         };
-        let sign = frame.street_motion[0];
+        let is_oblique = frame.is_street_oblique();
+        let seen = if is_oblique { n.sum_of(frame.to_street) } else { n };
         let Passage { direction, ground_per_rest, doppler } =
-            passage(simd, n, geometry, frame.street_speed, sign);
+            passage(simd, seen, geometry, frame.street_speed, frame.street_motion[0]);
         let haze_share = ground_per_rest.min(one);
-        Self { n: direction, scale: scale * ground_per_rest, haze_share, doppler, seen: n }
+        let on_ground = if is_oblique { direction.sum_of(frame.street_axes) } else { direction };
+        Self { n: on_ground, scale: scale * ground_per_rest, haze_share, doppler, sight: n, seen }
     }
 
     /// Steps to the pixels on the right and below, up to multiples of the lines.
     #[inline(always)]
     fn steps(&self, frame: &Frame) -> [V3<S>; 2] {
-        let [right, down] = steps_but_along(frame, self.seen);
+        let [right, down] = steps_but_along(frame, self.sight);
         if street_geometry(frame).is_none() {
             return [right, down];
         }
@@ -104,7 +112,10 @@ impl<S: Simd> Lines<S> {
         let [beta, _, _, gamma] = frame.street_speed;
         let sign = frame.street_motion[0];
         let velocity = if street_geometry(frame) == Some(Geometry::Seen) { sign * beta } else { 0.0 };
-        V3::new((step.x + self.seen.dot(step) * velocity) * gamma, step.y, step.z)
+        let is_oblique = frame.is_street_oblique();
+        let step = if is_oblique { step.sum_of(frame.to_street) } else { step };
+        let on_ground = V3::new((step.x + self.seen.dot(step) * velocity) * gamma, step.y, step.z);
+        if is_oblique { on_ground.sum_of(frame.street_axes) } else { on_ground }
     }
 }
 
@@ -315,7 +326,7 @@ mod tests {
             let conformal = [DVec3::X, tilted].map(|right| Projection::Mercator { right, shift: 0.05 });
             cameras.push(camera);
             let beta = [0.9, -0.6][i % 2];
-            let riding = Camera { velocity: Velocity::from_beta(beta).expect("a speed"), ..camera };
+            let riding = Camera { velocity: Velocity::from_beta(beta).expect("a speed").into(), ..camera };
             cameras.extend([riding, Camera { projection: conformal[0], ..riding }]);
             cameras.extend(
                 [projection].into_iter().chain(conformal).map(|projection| Camera { projection, ..camera }),

@@ -161,11 +161,13 @@ impl<S: Simd> Meetings<S> {
         let (number, group) = (seen.number, look.group(seen.body.group));
         let (view, solid) = (&look.views[seen.body.group], look.scene.solid(number));
         let middle = look.scene.groups()[seen.body.group].extent.middle;
+        let sight_axes = view.velocity.sight_axes();
         let body = Body::new(simd, &seen.shown.placement);
         let shifts = (!triangles.textures().is_empty())
             .then(|| ray.steps.map(|step| shift(&group, ray, step) * ray.ground_per_rest));
         let found = Found::new(simd, |lane| {
-            let rest = view.rest_ray(vector(ray.sight, lane).try_normalize()?);
+            let sight = sight_axes * vector(ray.sight, lane);
+            let rest = view.rest_ray(sight.try_normalize()?);
             let near = Near::new(rest.origin, rest.direction).counted_from(middle);
             let entry = look.scene.turning_entry(number, turning, &near, view, None).0?;
             let Entry { distance, position, normal, triangle } = entry;

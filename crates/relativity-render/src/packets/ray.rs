@@ -204,7 +204,8 @@ fn steps<S: Simd>(frame: &Frame, sight: Sight<S>) -> [V3<S>; 2] {
     [(baseline * (sech * sech) - across * cosine) * frame.base[3], down]
 }
 
-/// Returns the passage of the line of sight along the unit vector `sight` through a group of this `speed`, with the `sign` of its motion.
+/// Returns the passage of the line of sight along the unit vector `sight` through a group of this `speed`, with the `sign` of its motion. In
+/// a picture of oblique motion both directions are in the axes along that.
 #[inline(always)]
 pub fn passage<S: Simd>(simd: S, sight: V3<S>, geometry: Geometry, speed: [f32; 4], sign: f32) -> Passage<S> {
     let [beta, one_minus_beta, per_gamma, _] = speed;
@@ -241,6 +242,7 @@ pub fn rest_ray<S: Simd>(simd: S, group: &Group, sight: Sight<S>) -> Ray<S> {
     let Sight { n, scale, .. } = sight;
     let Passage { direction, ground_per_rest, doppler } =
         passage(simd, n, geometry, frame.speed, frame.motion[0]);
+    let direction = if frame.is_oblique() { direction.sum_of(frame.group_axes) } else { direction };
     let centre = V3::of_four(simd, frame.middle);
     let moment = centre.cross(direction) + V3::of_four(simd, frame.middle_fine).cross(direction);
     let to_centre = centre.dot(direction);
@@ -254,9 +256,14 @@ pub fn rest_ray<S: Simd>(simd: S, group: &Group, sight: Sight<S>) -> Ray<S> {
 pub fn movement<S: Simd>(group: &Group, ray: &Ray<S>, across: V3<S>) -> V2<S> {
     let Group { frame, geometry } = *group;
     let [beta, _, _, gamma] = frame.speed;
+    let (across, direction) = if frame.is_oblique() {
+        (across.in_columns(frame.group_axes), ray.direction.in_columns(frame.group_axes))
+    } else {
+        (across, ray.direction)
+    };
     let ground = match geometry {
         Geometry::Seen | Geometry::Published | Geometry::OneCone => {
-            let transverse = across.y * ray.direction.y + across.z * ray.direction.z;
+            let transverse = across.y * direction.y + across.z * direction.z;
             let along = frame.motion[0] * (beta * gamma * transverse);
             V3::new(ray.doppler * across.x - along, across.y, across.z) * ray.doppler
         }
@@ -301,6 +308,7 @@ fn depth_in_reference<S: Simd>(frame: &Frame, beyond: F<S>) -> F<S> {
 #[inline(always)]
 pub fn depth_of_distance<S: Simd>(frame: &Frame, reference: Geometry, distance: F<S>, sight: V3<S>) -> F<S> {
     let simd = distance.simd;
+    let sight = if frame.is_oblique() { sight.sum_of(frame.reference_axes) } else { sight };
     let reference = passage(simd, sight, reference, frame.reference_speed, frame.motion[1]);
     let to_centre = V3::of_four(simd, frame.reference_middle).dot(reference.direction);
     let reach = 0.5 / frame.reference_middle[3];

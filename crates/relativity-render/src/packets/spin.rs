@@ -50,8 +50,13 @@ impl<S: Simd> Spin<S> {
 pub fn later<S: Simd>(simd: S, group: &Group, q: V3<S>, spin: &Spin<S>) -> Later<S> {
     let frame = group.frame;
     if group.geometry == Geometry::Contracted {
-        // One time of the ground.
-        let slowness = V3::all(simd, [frame.motion[0] * frame.speed[0], 0.0, 0.0]);
+        // One time of the camera's.
+        let beta = frame.speed[0];
+        if frame.is_oblique() {
+            let slowness = V3::of_four(simd, frame.group_axes[0]) * beta;
+            return Later { time: -slowness.dot(q), slowness };
+        }
+        let slowness = V3::all(simd, [frame.motion[0] * beta, 0.0, 0.0]);
         return Later { time: -slowness.x * q.x, slowness };
     }
     let fine = V3::of_four(simd, frame.middle_fine) + spin.hub;

@@ -2,7 +2,7 @@
 
 use super::body::{Body, Group, Ray, Surface};
 use super::course::Course;
-use super::ray::nearest_to;
+use super::ray::{nearest_to, passage};
 use super::shape::{around, middle, surface};
 use super::spin::{Spin, about_y, later, sine_cosine, velocity_at};
 use crate::kind::Kind;
@@ -206,6 +206,9 @@ pub fn doppler_of<S: Simd>(
     if turns == Turns::Not || geometry == Geometry::Contracted {
         return doppler;
     }
+    if frame.is_oblique() {
+        return doppler * own_doppler(kind, turns, group, body, place, normal, sight, spin);
+    }
     let [beta, one_minus_beta, per_gamma, _] = frame.speed;
     let sign = frame.motion[0];
     let n = sight.reflected(sign);
@@ -232,4 +235,35 @@ pub fn doppler_of<S: Simd>(
     let receding = select(n.x.simd_lt(0.0), astern, ahead);
     let dilation_squared = spin.below_light * (1.0 + rim) + lag * (2.0 * rim - lag);
     dilation_squared.max(0.0).sqrt() * per_gamma / (receding + upwards).max(1e-30)
+}
+
+/// The factor of the Doppler factor that the own motion of what turns has in its group: sqrt(1 - v^2)/(1 + v.n'), of light that is
+/// received along `sight` in a picture of oblique motion.
+#[expect(clippy::too_many_arguments, reason = "as the shader has them, and what are constants there")]
+#[inline(always)]
+fn own_doppler<S: Simd>(
+    kind: Kind,
+    turns: Turns,
+    group: &Group,
+    body: &Body<S>,
+    place: V3<S>,
+    normal: V3<S>,
+    sight: V3<S>,
+    spin: &Spin<S>,
+) -> F<S> {
+    let Group { frame, geometry } = *group;
+    let simd = sight.x.simd;
+    let n = passage(simd, sight, geometry, frame.speed, frame.motion[0]).direction.sum_of(frame.group_axes);
+    let q = (middle(kind, body) - spin.hub) + place;
+    let off_axle = V2::new(q.x, q.z).length().max(1e-30);
+    let rim = 1.0 - spin.below_light;
+    let mut lag = rim - spin.omega * off_axle;
+    if turns == Turns::InPlace {
+        let cosine = (normal.x * q.x + normal.z * q.z) / off_axle;
+        let gap = select(cosine.simd_gt(0.0), normal.y * normal.y / (1.0 + cosine), 1.0 - cosine);
+        lag = select(body.form_w.simd_gt(0.0), spin.lag + spin.omega * body.radius * gap, lag);
+    }
+    let dilation_squared = spin.below_light * (1.0 + rim) + lag * (2.0 * rim - lag);
+    let receding = 1.0 + velocity_at(simd, q, spin).dot(n);
+    dilation_squared.max(0.0).sqrt() / receding.max(1e-30)
 }

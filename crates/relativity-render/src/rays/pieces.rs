@@ -130,7 +130,7 @@ impl Pieces {
                 }
             }
             (_, Some(block)) => {
-                let block = block.reflected_from_camera(view);
+                let block = block.along_motion_from_camera(view);
                 add_rectangles(projection, &block, MAX_HALVINGS, &mut self.rectangles);
             }
             _ => add_capsules(projection, view, scene.capsules(body), &mut self.rectangles),
@@ -176,7 +176,7 @@ fn add_candidates(scene: &PreparedScene, group: usize, view: &GroupView, bounds:
 
 fn add_capsules(projection: &Projection, view: &GroupView, capsules: &[Capsule], out: &mut Vec<Rectangle>) {
     for capsule in capsules {
-        add_rectangles(projection, &capsule.reflected_from_camera(view), MAX_HALVINGS, out);
+        add_rectangles(projection, &capsule.along_motion_from_camera(view), MAX_HALVINGS, out);
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! At one camera event each material point has one place where it is shown, so a straight spoke is shown as a bent tube
 //! that stands still in the rest frame. Where a point moves at v and the places shown at one time lie across the
-//! slowness p (the direction n' of the light, or beta along x where a time of the ground is shown), a step d of the
+//! slowness p (the direction n' of the light, or beta along the motion where a time of the camera is shown), a step d of the
 //! body is shown as d - v (p.d)/(1 + v.p). That gives the axis its tangents. And 1 + v.p changes no faster than the body
 //! turns and the direction of the light does, nor falls below 1 - |v| |p|: that gives a ball around it a reach.
 
@@ -167,7 +167,7 @@ impl GroupView {
     /// The time by which what is shown happens earlier, per step from `place`.
     fn slowness(&self, place: DVec3) -> DVec3 {
         if self.geometry == Geometry::Contracted {
-            DVec3::X * self.velocity.beta()
+            self.slowness_when_measured()
         } else {
             (place - self.origin).normalize_or_zero()
         }

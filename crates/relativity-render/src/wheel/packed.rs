@@ -92,7 +92,7 @@ impl GroupView {
         let omega = spin.omega(self.on_ground.beta());
         let angle = omega * self.time_at(hub);
         let turn = DQuat::from_rotation_y(angle) * body.turn;
-        let direction = self.velocity.direction();
+        let direction = self.velocity.sign();
         let outermost = match body.shape {
             Shape::Ring { radius, tube_radius, .. } => radius + tube_radius,
             _ => spin.radius,

@@ -1,6 +1,7 @@
 //! When a view shows what is somewhere in a group, and how far wheels have turned by then.
 
 use glam::DVec3;
+use relativity_core::math::{atan2, hypot};
 use relativity_core::wheel::{measured_later, seen_later};
 
 use crate::group_view::GroupView;
@@ -17,7 +18,7 @@ impl GroupView {
             return if self.camera.velocity.is_rest() {
                 self.observation_time / on_ground.speed.gamma() - on_ground.beta() * place.x
             } else {
-                time - self.velocity.beta() * (place.x - origin.x)
+                time - self.lag_along_motion(place - origin)
             };
         }
         let from_camera = place - origin;
@@ -35,7 +36,7 @@ impl GroupView {
     /// Returns the time by which the view shows what is at `from` + `step` later than what is at `from`, without the difference of both.
     pub(crate) fn later(&self, from: DVec3, step: DVec3) -> f64 {
         if self.geometry == Geometry::Contracted {
-            return -self.velocity.beta() * step.x;
+            return -self.lag_along_motion(step);
         }
         let v = from - self.origin;
         let sum = v.length() + (v + step).length();
@@ -47,7 +48,7 @@ impl GroupView {
     pub(crate) fn rate_along(&self, place: DVec3, direction: DVec3) -> f64 {
         match self.geometry {
             Geometry::Seen | Geometry::Published | Geometry::Rest => -1.0,
-            Geometry::Contracted => -self.velocity.beta() * direction.x,
+            Geometry::Contracted => -self.lag_along_motion(direction),
             // The ray only touches the curve of what is seen along one line of sight.
             Geometry::OneCone => -(place - self.origin).normalize_or(direction).dot(direction),
         }
@@ -60,6 +61,16 @@ impl GroupView {
             let rate = spin.omega(self.on_ground.beta()) * self.rate_along(place, direction);
             direction - DVec3::Y.cross(spin.off_axle(place)) * rate
         })
+    }
+
+    /// The time by which what is measured at one time of the camera's is earlier in the group's frame, per step there.
+    pub(crate) fn slowness_when_measured(&self) -> DVec3 {
+        self.velocity.group_from_motion(DVec3::X) * self.velocity.speed.beta()
+    }
+
+    /// The same for this step.
+    fn lag_along_motion(&self, step: DVec3) -> f64 {
+        self.velocity.speed.beta() * self.velocity.motion_from_group(step).x
     }
 
     /// Returns the angle by which a body with this `spin` has turned since t' = 0 where it is shown at `place`.
@@ -79,7 +90,10 @@ impl GroupView {
         let (on_axle, omega) = (rest - off_axle, spin.omega(self.on_ground.beta()));
         spin.place_when(rest, omega, self.time_at(on_axle), |r, phase| {
             if self.geometry == Geometry::Contracted {
-                measured_later(self.velocity.beta(), r, phase, omega)
+                // What is across the axle alone counts.
+                let DVec3 { x, z, .. } = self.slowness_when_measured();
+                let (slowness, angle) = if z == 0.0 { (x, 0.0) } else { (hypot(x, z), atan2(z, x)) };
+                measured_later(slowness, r, phase - angle, omega)
             } else {
                 seen_later((on_axle - self.origin).to_array(), r, phase, omega)
             }

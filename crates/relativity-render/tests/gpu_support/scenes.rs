@@ -1,7 +1,7 @@
 //! Scenes and views for the renderers to agree on.
 
 use glam::{DQuat, DVec3};
-use relativity_core::{Aperture, MAX_GAMMA, SourcePoint, Speed, sighting};
+use relativity_core::{Aperture, MAX_GAMMA, ObserverVelocity, SourcePoint, Speed, sighting};
 use relativity_render::{Body, Camera, Gaze, Geometry, Projection, Shape, View};
 
 use crate::support::{centred, spread};
@@ -141,6 +141,39 @@ fn fused_views(
             view
         },
     )
+}
+
+/// Views by cameras that move across the scene's motion, aslant and upwards, past groups at several speeds, of the rest-frame point `rest`
+/// as it approaches, is abreast, and recedes; in pictures of every projection.
+pub fn oblique_views(rest: [f64; 3]) -> Vec<View> {
+    let baseline = DVec3::new(0.8, -0.36, 0.48);
+    let projections = [
+        Projection::Gaze,
+        Projection::Parallel { right: baseline, shift: 0.02 },
+        Projection::Mercator { right: baseline, shift: 0.02 },
+    ];
+    let headings = [
+        (2.0, [std::f64::consts::FRAC_PI_2, 0.0]),
+        (1.25, [2.3, 0.4]),
+        (10.0, [-0.6, -1.1]),
+        (1e6, [0.9, 0.2]),
+    ];
+    let gamma = |gamma| Speed::from_gamma(gamma).expect("at least 1");
+    let speeds = [1.0, 1.25, 100.0, 1e6].map(gamma);
+    let cases = headings.into_iter().flat_map(|heading| speeds.map(|speed| (heading, speed)));
+    let cases = cases.flat_map(|case| [-1.0, 0.0, 2.0].map(|along| (case, along)));
+    let numbered = cases.zip(projections.into_iter().cycle());
+    let views = numbered.map(|(((heading, speed), along), projection)| {
+        let (own, [azimuth, elevation]) = heading;
+        let mut view = view_following(rest, speed, time_seen_at(rest, &speed, along), 50.0);
+        view.camera.velocity = ObserverVelocity::new(gamma(own), azimuth, elevation);
+        view.camera.size = [160, 120];
+        let seen = view.apparent_position(DVec3::from(rest)).expect("inside the domain");
+        view.camera.gaze = Gaze::along(seen.to_array());
+        view.camera.projection = projection;
+        view
+    });
+    views.collect()
 }
 
 /// The speeds that the renderers are held to, slow to fast.

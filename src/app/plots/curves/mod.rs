@@ -171,7 +171,7 @@ impl SeenPoint {
     /// Returns the bends of a ride: around the passage of the point while the rider coasts, else at the ends of legs.
     fn bends_of_ride(&self, range: [f64; 2]) -> Bends {
         let place = self.point.axle().to_array();
-        let past = self.velocity.past(&self.observer(0.0), place).filter(|_| self.ride.coasts());
+        let past = self.velocity.past(&self.observer(0.0), place).filter(|_| self.ride.coasts_along_street());
         let Some((speed, there)) = past else {
             return Bends { passage: self.ride.turns().collect(), ..Bends::default() };
         };

@@ -82,13 +82,17 @@ fn covered_by_pixel<S: Simd>(
 #[inline(always)]
 pub fn shift<S: Simd>(group: &Group, ray: &Ray<S>, across: V3<S>) -> V3<S> {
     let turn = (across - ray.sight * ray.sight.dot(across)) * ray.scale;
-    let [beta, _, _, gamma] = group.frame.speed;
-    match group.geometry {
+    let frame = group.frame;
+    let [beta, _, _, gamma] = frame.speed;
+    let is_oblique = frame.is_oblique();
+    let direction = if is_oblique { ray.direction.in_columns(frame.group_axes) } else { ray.direction };
+    let shift = match group.geometry {
         Geometry::Seen | Geometry::Published | Geometry::OneCone => {
-            let along = turn.x * (group.frame.motion[0] * beta * gamma);
-            V3::new(ray.doppler * turn.x, turn.y - along * ray.direction.y, turn.z - along * ray.direction.z)
+            let along = turn.x * (frame.motion[0] * beta * gamma);
+            V3::new(ray.doppler * turn.x, turn.y - along * direction.y, turn.z - along * direction.z)
         }
         Geometry::Contracted => V3::new(turn.x * gamma, turn.y, turn.z),
         Geometry::Rest => turn,
-    }
+    };
+    if is_oblique { shift.sum_of(frame.group_axes) } else { shift }
 }
