@@ -1,6 +1,6 @@
 //! Values of whoever rides: the instruments, and what clocks along the street show by the rider's reckoning.
 
-use relativity_core::{Aperture, math};
+use relativity_core::math;
 
 use super::here::{Here, Value};
 use crate::settings::Rider;
