@@ -12,7 +12,7 @@ const granted = async ask => {
         console.info(`stereoscope: ${error?.message ?? error}`);
     }
 };
-let isFull = false, isAsked = false, isListening = false, awake;
+let isFull = false, isAsked = false, awake;
 
 // Hands on how the device is turned: alpha, beta, gamma, and the turn of what is shown, degrees.
 function turned({ alpha, beta, gamma }) {
@@ -21,10 +21,10 @@ function turned({ alpha, beta, gamma }) {
     tell('gamow-turned');
 }
 
+// Anew where it is granted only later.
 function listen() {
-    if (isListening || !globalThis.DeviceOrientationEvent) return;
-    isListening = true;
-    addEventListener('deviceorientation', turned);
+    removeEventListener('deviceorientation', turned);
+    if (isOn()) addEventListener('deviceorientation', turned);
 }
 
 // Before anything is waited for: a touch counts for a moment only.
@@ -32,7 +32,7 @@ function touched() {
     if (!isOn() || isAsked) return;
     isAsked = true;
     const asked = globalThis.DeviceOrientationEvent?.requestPermission;
-    if (asked) granted(() => DeviceOrientationEvent.requestPermission()).then(answer => answer === 'granted' && isOn() && listen());
+    if (asked) granted(() => DeviceOrientationEvent.requestPermission()).then(answer => answer === 'granted' && listen());
     granted(async () => {
         if (document.fullscreenElement || !root.requestFullscreen) return;
         await root.requestFullscreen({ navigationUI: 'hide' });
@@ -45,7 +45,7 @@ function touched() {
 
 async function left() {
     removeEventListener('deviceorientation', turned);
-    isListening = isAsked = false;
+    isAsked = false;
     const [wasFull, lock] = [isFull, awake];
     isFull = false;
     awake = undefined;
@@ -53,11 +53,7 @@ async function left() {
     if (wasFull && document.fullscreenElement) await granted(() => document.exitFullscreen());
 }
 
-addEventListener('gamow-stereoscope', () => {
-    if (!isOn()) return void left();
-    // Where no touch is needed for it.
-    if (!globalThis.DeviceOrientationEvent?.requestPermission) listen();
-});
+addEventListener('gamow-stereoscope', () => isOn() ? listen() : left());
 // The window's canvas keeps its touches to itself.
 for (const event of ['touchend', 'mouseup']) addEventListener(event, touched, { capture: true });
 addEventListener('fullscreenchange', () => {

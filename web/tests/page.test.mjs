@@ -16,6 +16,8 @@ const POINT = [200, 150];
 const STOP = [738, 727];
 // In one of 360 by 740 points: the first lesson's button on the start page, its first answer, and the button that predicts.
 const PHONE = [[110, 299], [60, 508], [300, 675]];
+// In one of 740 by 360 points: the button that closes the stereoscope's menu.
+const LOOK = [232, 281];
 
 let server, browser;
 before(async () => {
@@ -73,6 +75,43 @@ test('a newcomer makes the first prediction on a phone, by touch', () => inWindo
     assert.equal((await window.settings()).get('lesson'), 'rods');
     const answers = await eventually('an answer', () => window.stored('gamow/answers.json'));
     assert.match(answers, /Choice|choice/);
+}));
+
+test('a phone in a viewer shows what is around it as it is turned', () => inWindow('#stereoscope&scene=street&beta=0.6&refine=off', async window => {
+    const { page } = window;
+    await page.setViewport({ width: 740, height: 360, deviceScaleFactor: 0, isLandscape: true });
+    const session = await page.createCDPSession();
+    const turn = (alpha, beta, gamma) => session.send('DeviceOrientation.setDeviceOrientationOverride', { alpha, beta, gamma });
+    // On its side and upright, towards the north, with the top of what it shows at its right edge.
+    await turn(90, 0, -90);
+    const told = () => page.evaluate(() => document.documentElement.dataset.turned ?? '');
+    await eventually('the orientation', async () => await told() === '90 0 -90 90');
+    await sleep(1500);
+    await page.touchscreen.tap(...LOOK);
+    await sleep(1500);
+    const picture = async () => {
+        await sleep(2500);
+        return page.screenshot({ type: 'png', encoding: 'base64' });
+    };
+    await eventually('two pictures', async () => await window.colours({ x: 150, y: 20, width: 440, height: 300 }) > 200);
+    const ahead = await picture();
+    await turn(0, 0, -90);
+    const right = await picture();
+    assert.notEqual(right, ahead);
+    await turn(90, 0, -60);
+    const down = await picture();
+    assert.notEqual(down, ahead);
+    assert.notEqual(down, right);
+    await turn(90, 0, -90);
+    assert.equal(await picture(), ahead);
+    assert.ok((await page.evaluate(() => location.hash)).includes('stereoscope'));
+    await window.press('Escape');
+    await eventually('the stereoscope is left', async () => !(await page.evaluate(() => location.hash)).includes('stereoscope'));
+    // What was shown is as it was.
+    const { time, ...settings } = Object.fromEntries(await window.settings());
+    assert.ok(Number.isFinite(Number(time)));
+    assert.deepEqual(settings, { beta: '0.6', refine: 'off' });
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.stereoscope), 'off');
 }));
 
 // Columns of a table whose cells hold no commas.
