@@ -67,11 +67,15 @@ fn a_clicker_steps_the_presets() {
     assert_eq!(window.state().state().document.preset, Some(&Preset::all()[1]));
 }
 
+/// Where things are, in points, is looked at in every preset with few pixels; at the end the window is drawn with all of them.
 fn presenting_works_at_every_size() {
-    for (size, scale) in
-        [([64.0, 64.0], 1.0), ([800.0, 600.0], 1.0), ([3840.0, 2160.0], 1.0), ([1920.0, 1080.0], 2.0)]
-    {
-        let mut window = window_of_size(cyclist(0.9), size, scale);
+    for (size, few, scale) in [
+        ([64.0, 64.0], 1.0, 1.0),
+        ([800.0, 600.0], 1.0, 1.0),
+        ([3840.0, 2160.0], 0.25, 1.0),
+        ([1920.0, 1080.0], 0.5, 2.0),
+    ] {
+        let mut window = window_of_size(cyclist(0.9), size, few);
         window.state_mut().ask(Command::TogglePresenting);
         for _ in Preset::all() {
             window.key_press(Key::PageDown);
@@ -89,6 +93,8 @@ fn presenting_works_at_every_size() {
                 );
             }
         }
+        window.set_pixels_per_point(scale);
+        window.run();
         window.render().expect("a picture");
     }
 }

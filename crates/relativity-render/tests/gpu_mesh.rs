@@ -12,6 +12,7 @@ use crate::gpu_support::scenes::{
     conformal_views, oblique_views, parallel_views, still_life, time_seen_at, view_following,
 };
 use crate::joints::joints;
+use crate::support::sweep;
 
 pub const TESTS: &[Test] = &[
     ("the_picture_keeps_the_bound", the_picture_keeps_the_bound),
@@ -42,13 +43,16 @@ fn views() -> impl Iterator<Item = View> {
     across_gaze.chain(parallel).chain(conformal)
 }
 
+/// The views in all geometries whose light comes along straight lines.
+fn views_of_all_geometries() -> impl Iterator<Item = View> {
+    let geometries = [Geometry::Seen, Geometry::Contracted, Geometry::Rest];
+    views().flat_map(move |view| geometries.map(|geometry| View { geometry, ..view }))
+}
+
 fn the_picture_keeps_the_bound(renderers: &mut Renderers) {
     let scene = PreparedScene::moving(&still_life());
-    for view in views() {
-        for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
-            let view = View { geometry, ..view };
-            keep_bounds(renderers, &BOUNDS_PX, &scene, &still_life(), &view);
-        }
+    for view in sweep(0, 4, views_of_all_geometries()) {
+        keep_bounds(renderers, &BOUNDS_PX, &scene, &still_life(), &view);
     }
 }
 
@@ -65,11 +69,8 @@ fn groups() -> (PreparedScene, Vec<Body>) {
 
 fn groups_keep_the_bound(renderers: &mut Renderers) {
     let (scene, bodies) = groups();
-    for view in views() {
-        for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
-            let view = View { geometry, ..view };
-            keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
-        }
+    for view in sweep(0, 6, views_of_all_geometries()) {
+        keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
     }
 }
 
@@ -92,10 +93,10 @@ fn bodies_that_nearly_touch_are_told_apart(renderers: &mut Renderers) {
         Shape::Sphere { center, radius: 0.2005 },
         Shape::Ring { center, axis: [0.6, 0.0, 0.8], radius: 0.11, tube_radius: 0.091 },
     ];
-    for pair in shapes.windows(2) {
+    for (seed, pair) in (0..).zip(shapes.windows(2)) {
         let bodies: Vec<_> = pair.iter().map(|&shape| Body::new(shape, 600.0)).collect();
         let scene = PreparedScene::moving(&bodies);
-        for view in views() {
+        for view in sweep(seed, 4, views()) {
             keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
         }
     }
@@ -103,9 +104,9 @@ fn bodies_that_nearly_touch_are_told_apart(renderers: &mut Renderers) {
 
 fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
     let mut bodies = joints();
-    for _ in 0..2 {
+    for seed in 0..2 {
         let scene = PreparedScene::moving(&bodies);
-        for view in views() {
+        for view in sweep(seed, 4, views()) {
             keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
         }
         bodies.reverse();
@@ -181,7 +182,7 @@ fn is_a_toss_up(
 }
 
 fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
-    for view in views() {
+    for view in sweep(0, 3, views()) {
         for bound_px in BOUNDS_PX {
             let image = renderers
                 .hits(Method::Mesh { bound_px }, &PreparedScene::moving(&still_life()), &view)
@@ -200,9 +201,9 @@ fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
 /// Eyes close together and eyes as far apart as the bodies are wide, alone and among other groups.
 fn with_one_light_cone_pictures_keep_the_bound(renderers: &mut Renderers) {
     let alone = (PreparedScene::moving(&still_life()), still_life());
-    for (scene, bodies) in [alone, groups()] {
+    for (seed, (scene, bodies)) in (0..).zip([alone, groups()]) {
         let eyes = [[-0.05, 0.0, 0.0], [0.5, 0.0, 0.0], [0.2, -0.3, 0.4]].map(DVec3::from);
-        for (view, off_middle) in views().zip(eyes.into_iter().cycle()) {
+        for (view, off_middle) in sweep(seed, 4, views().zip(eyes.into_iter().cycle())) {
             let [x, y, z] = off_middle.to_array();
             let camera = Camera { aperture: Aperture { x, y, z }, off_middle, ..view.camera };
             let mut view = View { camera, geometry: Geometry::OneCone, ..view };

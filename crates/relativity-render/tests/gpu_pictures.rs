@@ -10,7 +10,7 @@ use relativity_render::{
 
 use crate::gpu_support::Test;
 use crate::gpu_support::scenes::{conformal_views, parallel_views, still_life, time_seen_at, view_following};
-use crate::support::documented;
+use crate::support::{documented, sweep};
 
 pub const TESTS: &[Test] = &[
     ("pictures_are_the_references", pictures_are_the_references),
@@ -72,17 +72,17 @@ fn pictures_are_the_references(renderers: &mut Renderers) {
     bodies[1].brightness = 0.4;
     bodies[3].emission = Emission::White;
     let reference = PreparedScene::moving(&bodies);
-    agree_with_the_reference(renderers, &reference, &appearances());
+    agree_with_the_reference(renderers, &reference, &appearances(), (0, 5));
 }
 
 /// Every pattern, coarse and finer than pixels.
 fn patterns_are_the_references(renderers: &mut Renderers) {
     let emission = Appearance { shading: Shading::Emission, sky: false, ..Appearance::default() };
     let appearances = [emission, Appearance { intensity_exponent: None, doppler_shift: false, ..emission }];
-    for pattern in PATTERNS {
+    for (seed, pattern) in (0..).step_by(100).zip(PATTERNS) {
         let marked = patterned_life().into_iter().map(|body| body.with_pattern(pattern));
         let scene = PreparedScene::moving(&marked.collect::<Vec<_>>());
-        agree_with_the_reference(renderers, &scene, &appearances);
+        agree_with_the_reference(renderers, &scene, &appearances, (seed, 2));
     }
 }
 
@@ -96,6 +96,7 @@ fn the_hatch_is_the_references(renderers: &mut Renderers) {
         renderers,
         &scene,
         &[rest, Appearance::default(), Appearance { light: true, ..rest }],
+        (0, 1),
     );
 }
 
@@ -161,11 +162,13 @@ fn patterned_life() -> Vec<Body> {
     shapes.into_iter().map(|shape| Body::new(shape, 600.0)).collect()
 }
 
-/// Whether both renderers' pictures of `scene` are the reference's, as far as is promised.
+/// Whether both renderers' pictures of the scene are the reference's, as far as is promised: in each view by one of each `share`
+/// of the appearances, drawn from `first_seed` on.
 fn agree_with_the_reference(
     renderers: &mut Renderers,
     reference: &PreparedScene,
     appearances: &[Appearance],
+    (first_seed, share): (u32, usize),
 ) {
     let rays_levels = documented(RENDERERS, "away from outlines colours are within ");
     let bound_px = documented(RENDERERS, "`tests/gpu_pictures.rs`: within ");
@@ -175,13 +178,14 @@ fn agree_with_the_reference(
     let oblique = parallel
         .chain(conformal_views([fast_speed()], FOLLOWED))
         .flat_map(|view| [Geometry::Seen, Geometry::OneCone].map(|geometry| (geometry, view)));
-    for (geometry, view) in geometries.map(|geometry| (geometry, fast())).into_iter().chain(oblique) {
+    let views = geometries.map(|geometry| (geometry, fast())).into_iter().chain(oblique);
+    for (seed, (geometry, view)) in (first_seed..).zip(views) {
         let mut view = View { geometry, ..view };
         if geometry == Geometry::OneCone {
             (view.camera.aperture.x, view.camera.off_middle.x) = (0.3, 0.3);
         }
         let hits = reference.hit_image(&view);
-        for appearance in appearances {
+        for appearance in sweep(seed, share, appearances) {
             let truth = reference.picture(&view, appearance, 1).rgba;
             // A mesh's normals are interpolated between corners.
             let methods = [

@@ -15,7 +15,7 @@ use crate::gpu_support::scenes::{
     time_seen_at, view_following,
 };
 use crate::joints::{joints, shared_pixels};
-use crate::support::{documented, signed_distance};
+use crate::support::{documented, signed_distance, sweep};
 
 pub const TESTS: &[Test] = &[
     ("hits_agree_with_the_reference", hits_agree_with_the_reference),
@@ -42,6 +42,13 @@ fn views() -> impl Iterator<Item = View> {
     let parallel = parallel_views(speeds(), FOLLOWED);
     views_across_gaze().chain(parallel).chain(conformal_views(speeds(), FOLLOWED))
 }
+
+/// The views in each of these geometries.
+fn views_of(geometries: &[Geometry]) -> impl Iterator<Item = View> {
+    geometries.iter().flat_map(|&geometry| views().map(move |view| View { geometry, ..view }))
+}
+
+const GEOMETRIES: [Geometry; 3] = [Geometry::Seen, Geometry::Contracted, Geometry::Rest];
 
 fn views_across_gaze() -> impl Iterator<Item = View> {
     speeds().into_iter().flat_map(|speed| {
@@ -72,11 +79,8 @@ static PROMISE: LazyLock<Promise> = LazyLock::new(|| Promise {
 const RENDERERS: &str = include_str!("../src/renderers.rs");
 
 fn hits_agree_with_the_reference(renderers: &mut Renderers) {
-    for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
-        for view in views() {
-            let view = View { geometry, ..view };
-            agrees(renderers, &PreparedScene::moving(&still_life()), &still_life(), &view);
-        }
+    for view in sweep(0, 4, views_of(&GEOMETRIES)) {
+        agrees(renderers, &PreparedScene::moving(&still_life()), &still_life(), &view);
     }
 }
 
@@ -139,10 +143,8 @@ fn groups_agree_with_the_reference(renderers: &mut Renderers) {
     ];
     let bodies: Vec<_> = groups.iter().flat_map(|(_, bodies)| bodies.clone()).collect();
     let scene = PreparedScene::new(groups.iter().map(|(motion, bodies)| Group { motion: *motion, bodies }));
-    for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
-        for view in views() {
-            agrees(renderers, &scene, &bodies, &View { geometry, ..view });
-        }
+    for view in sweep(0, 6, views_of(&GEOMETRIES)) {
+        agrees(renderers, &scene, &bodies, &view);
     }
 }
 
@@ -244,7 +246,8 @@ fn around([u, v]: [f64; 2]) -> [[f64; 2]; 16] {
 }
 
 fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
-    for (view, method) in views().flat_map(|view| METHODS.map(|method| (view, method))) {
+    let cases = views().flat_map(|view| METHODS.map(|method| (view, method)));
+    for (view, method) in sweep(0, 3, cases) {
         let image =
             renderers.hits(method, &PreparedScene::moving(&still_life()), &view).expect("device works");
         for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
@@ -264,8 +267,8 @@ fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
 
 fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
     let mut bodies = joints();
-    for _ in 0..2 {
-        for view in views_across_gaze() {
+    for seed in 0..2 {
+        for view in sweep(seed, 3, views_across_gaze()) {
             for method in METHODS {
                 let image =
                     renderers.hits(method, &PreparedScene::moving(&bodies), &view).expect("device works");
@@ -285,31 +288,26 @@ fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
 fn bounds_never_clip(renderers: &mut Renderers) {
     let mut unbounded = Renderers::brute_force(renderers.gpu().expect("a device").clone());
     let bodies = crowd(150);
-    for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
-        for speed in speeds() {
-            let cases = [([2.0, 1.0, 0.5], 50.0), ([-3.0, 0.5, -1.0], 120.0)];
-            let right = DVec3::new(0.96, 0.0, 0.28);
-            let projections = [
-                Projection::Gaze,
-                Projection::Parallel { right, shift: 0.1 },
-                Projection::Mercator { right, shift: 0.1 },
-                Projection::Mercator { right: DVec3::X, shift: 0.1 },
-            ];
-            let cases = cases
-                .into_iter()
-                .flat_map(|case| projections.into_iter().map(move |projection| (case, projection)));
-            for ((rest, fov), projection) in cases {
-                let mut view = View { geometry, ..view_following(rest, speed, 0.3, fov) };
-                view.camera.projection = projection;
-                let [found, expected] = [&mut *renderers, &mut unbounded].map(|renderers| {
-                    renderers
-                        .hits(Method::Rays, &PreparedScene::moving(&bodies), &view)
-                        .expect("device works")
-                });
-                let differing = found.hits.iter().zip(&expected.hits).filter(|(a, b)| a != b).count();
-                assert_eq!(differing, 0, "{geometry:?} gamma {} fov {fov} {projection:?}", speed.gamma());
-            }
-        }
+    let right = DVec3::new(0.96, 0.0, 0.28);
+    let projections = [
+        Projection::Gaze,
+        Projection::Parallel { right, shift: 0.1 },
+        Projection::Mercator { right, shift: 0.1 },
+        Projection::Mercator { right: DVec3::X, shift: 0.1 },
+    ];
+    let cases = GEOMETRIES.into_iter().flat_map(|geometry| speeds().map(|speed| (geometry, speed)));
+    let cases = cases.flat_map(|case| {
+        [([2.0, 1.0, 0.5], 50.0), ([-3.0, 0.5, -1.0], 120.0)].map(|followed| (case, followed))
+    });
+    let cases = cases.flat_map(|case| projections.map(|projection| (case, projection)));
+    for (((geometry, speed), (rest, fov)), projection) in sweep(0, 5, cases) {
+        let mut view = View { geometry, ..view_following(rest, speed, 0.3, fov) };
+        view.camera.projection = projection;
+        let [found, expected] = [&mut *renderers, &mut unbounded].map(|renderers| {
+            renderers.hits(Method::Rays, &PreparedScene::moving(&bodies), &view).expect("device works")
+        });
+        let differing = found.hits.iter().zip(&expected.hits).filter(|(a, b)| a != b).count();
+        assert_eq!(differing, 0, "{geometry:?} gamma {} fov {fov} {projection:?}", speed.gamma());
     }
 }
 

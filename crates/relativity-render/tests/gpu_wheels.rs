@@ -10,7 +10,7 @@ use relativity_render::{
 };
 
 use crate::gpu_support::Test;
-use crate::support::documented;
+use crate::support::{documented, sweep};
 use crate::wheels::spokes::wrong_pixels;
 use crate::wheels::{From, SPIN, scene, view_of_wheel};
 
@@ -67,7 +67,7 @@ fn the_rays_and_packets_agree_with_the_reference(renderers: &mut Renderers) {
     let cases = cases.flat_map(|case| PROJECTIONS.map(|projection| (case, projection)));
     let methods = [Method::Rays, Method::Packets];
     for (method, ((beta, geometry), projection)) in
-        cases.flat_map(|case| methods.map(|method| (method, case)))
+        sweep(0, 4, cases).flat_map(|case| methods.map(|method| (method, case)))
     {
         let (mut shown, mut wrong, mut most_off, mut most_doppler) = (0, 0, 0.0f64, 0.0f64);
         for (from, aside) in From::ALL.into_iter().flat_map(|from| ASIDE.map(|aside| (from, aside))) {
@@ -160,10 +160,10 @@ fn outline_distance(scene: &PreparedScene, view: &View, [u, v]: [f64; 2], hit: O
 fn bounds_never_clip(renderers: &mut Renderers) {
     let mut unbounded = Renderers::brute_force(renderers.gpu().expect("a device").clone());
     let scene = scene();
-    for (beta, geometry) in BETAS[1..].iter().flat_map(|&beta| GEOMETRIES.map(|geometry| (beta, geometry))) {
-        for (from, projection) in
-            From::ALL.into_iter().flat_map(|from| PROJECTIONS.map(|projection| (from, projection)))
-        {
+    let motions = BETAS[1..].iter().flat_map(|&beta| GEOMETRIES.map(|geometry| (beta, geometry)));
+    for (seed, (beta, geometry)) in (0..).zip(motions) {
+        let cases = From::ALL.into_iter().flat_map(|from| PROJECTIONS.map(|projection| (from, projection)));
+        for (from, projection) in sweep(seed, 4, cases) {
             let view =
                 projected(view_of_wheel(from, beta, geometry, ASIDE[0]).with_size([96, 96]), projection);
             let [found, expected] = [&mut *renderers, &mut unbounded]
@@ -181,13 +181,11 @@ const BOUNDS_PX: [f64; 2] = [0.5, 2.0];
 fn the_mesh_keeps_its_bound(renderers: &mut Renderers) {
     let scene = scene();
     let geometries = [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone];
-    for (beta, geometry) in
-        [0.5, 0.93, 0.99].iter().flat_map(|&beta| geometries.map(|geometry| (beta, geometry)))
-    {
+    let motions = [0.5, 0.93, 0.99].into_iter().flat_map(|beta| geometries.map(|geometry| (beta, geometry)));
+    for (seed, (beta, geometry)) in (0..).zip(motions) {
         let bounds = From::ALL.into_iter().zip(BOUNDS_PX.into_iter().cycle());
-        for ((from, bound_px), projection) in
-            bounds.flat_map(|case| PROJECTIONS.map(|projection| (case, projection)))
-        {
+        let cases = bounds.flat_map(|case| PROJECTIONS.map(|projection| (case, projection)));
+        for ((from, bound_px), projection) in sweep(seed, 3, cases) {
             let view =
                 projected(view_of_wheel(from, beta, geometry, ASIDE[0]), projection).with_size([140, 140]);
             let truth = scene.hit_image(&view);
@@ -236,11 +234,11 @@ fn the_mesh_shows_points_where_they_are_seen(renderers: &mut Renderers) {
     let geometries =
         [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone, Geometry::Published];
     let mut most_of_bound = 0.0f64;
-    for (beta, geometry) in BETAS[1..].iter().flat_map(|&beta| geometries.map(|geometry| (beta, geometry))) {
+    let motions = BETAS[1..].iter().flat_map(|&beta| geometries.map(|geometry| (beta, geometry)));
+    for (seed, (beta, geometry)) in (0..).zip(motions) {
         let cases = From::ALL.into_iter().flat_map(|from| PROJECTIONS.map(|projection| (from, projection)));
-        for (from, projection) in
-            cases.filter(|&(from, projection)| is_bounded(from, beta, geometry, projection))
-        {
+        let cases = cases.filter(|&(from, projection)| is_bounded(from, beta, geometry, projection));
+        for (from, projection) in sweep(seed, 4, cases) {
             let view = projected(view_of_wheel(from, beta, geometry, ASIDE[0]), projection);
             for bound_px in BOUNDS_PX {
                 let image = renderers.hits(Method::Mesh { bound_px }, &scene, &view).expect("device works");
