@@ -17,8 +17,11 @@ const DEFAULT_SPACING: f64 = 0.25;
 const OF_EVERY_OBJECT: [&str; 8] =
     ["name", "wavelength_nm", "light", "brightness", "pattern", "spacing", "repeat", "step"];
 
+/// Reads the shape of an object.
+type ShapeReader = fn(&Table) -> Result<Shape, Located>;
+
 /// The shapes: the name of each, the same with its article, and its reader.
-const SHAPES: [(&str, &str, fn(&Table) -> Result<Shape, Located>); 5] = [
+const SHAPES: [(&str, &str, ShapeReader); 5] = [
     ("sphere", "a sphere", sphere),
     ("tube", "a tube", tube),
     ("ring", "a ring", ring),

@@ -5,12 +5,10 @@
 //! hierarchies, about the nearest first, and stops behind what covers it.
 
 mod backdrop;
-mod block;
 mod body;
 mod colour;
 mod contact;
 mod course;
-mod cylinder;
 mod daylight;
 mod edge;
 mod encode;
@@ -25,7 +23,6 @@ mod pattern;
 mod places;
 mod ray;
 mod received;
-mod ring;
 mod shading;
 mod shape;
 mod spin;
@@ -36,7 +33,6 @@ mod testing;
 #[cfg(test)]
 mod tests;
 mod tile;
-mod tube;
 mod turning;
 
 use fearless_simd::Level;

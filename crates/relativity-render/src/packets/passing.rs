@@ -3,8 +3,7 @@
 use super::body::{Body, Group, Ray};
 use super::places::{PACKETS, packet_places};
 use super::ray::{corner_sights, line_of_sight, nearest_to, rest_ray};
-use super::ring;
-use super::shape::around;
+use super::shape::{around, ring};
 use crate::kind::Kind;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3, all, clamp, select};
 

@@ -16,6 +16,12 @@ pub(crate) fn arc(off: f64, outward: DVec3, z: f64, radius: f64) -> Arc {
     (radius * atan2(z, off), gradient)
 }
 
+/// Entry into a ball at the origin, by the discriminant r^2 - |start x direction|^2.
+pub(crate) fn ball_entry(start: DVec3, direction: DVec3, radius: f64) -> Option<f64> {
+    let discriminant = radius * radius - start.cross(direction).length_squared();
+    (discriminant >= 0.0).then(|| -start.dot(direction) - discriminant.sqrt())
+}
+
 /// The step, radians, of an even number of squares around a circle of this `radius`, each about `step` wide.
 pub(crate) fn closing(radius: f64, step: f64) -> f64 {
     TAU / (2.0 * (0.5 * TAU * radius / step).round()).max(2.0)

@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec2, DVec3};
 
 use super::questions::{CentredShape, Foot, LocalRay, Packed, PackedForm, PlacedShape, SegmentsNeeded};
-use super::round::{Arc, closing};
+use super::round::{Arc, ball_entry, closing};
 use super::strokes::Stroke;
 use super::tube::{along_tube, segments_of_tube};
 use crate::capsule::Capsule;
@@ -130,10 +130,4 @@ impl CentredShape for SphereForm {
     fn segments(&self, needed: &SegmentsNeeded<'_>) -> [(f64, u32); 3] {
         segments_of_tube(0.0, self.radius, needed)
     }
-}
-
-/// Entry into a ball at the origin, by the discriminant r^2 - |start x direction|^2.
-pub(super) fn ball_entry(start: DVec3, direction: DVec3, radius: f64) -> Option<f64> {
-    let discriminant = radius * radius - start.cross(direction).length_squared();
-    (discriminant >= 0.0).then(|| -start.dot(direction) - discriminant.sqrt())
 }

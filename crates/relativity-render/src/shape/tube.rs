@@ -6,8 +6,7 @@ use glam::{DQuat, DVec3};
 use relativity_core::math::sin_cos;
 
 use super::questions::{CentredShape, LocalRay, Packed, PackedForm, PlacedShape, SegmentsNeeded};
-use super::round::{Arc, arc, closing, grid, outward, turn_to};
-use super::sphere::ball_entry;
+use super::round::{Arc, arc, ball_entry, closing, grid, outward, turn_to};
 use super::strokes::{Path, Stroke};
 use crate::capsule::Capsule;
 use crate::corners::Template;

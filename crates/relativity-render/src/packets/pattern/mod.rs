@@ -36,29 +36,12 @@ pub fn mark<S: Simd>(
         #[inline(always)]
         || {
             let place = body.body_from_rest(place);
-            let normal = body.body_from_rest(normal);
-            let dark = darkness(kind, group, body, pattern, place, normal, ray, distance);
+            let normal = shape::own_normal(kind, body, place, body.body_from_rest(normal));
+            let covered = covered_by_pixel(group, body, ray, normal, distance);
+            let dark = shape::darkness(kind, body, pattern, place, normal, &covered);
             1.0 - clamp(dark, all(simd, 0.0), all(simd, 1.0)) * (1.0 - DARK) as f32
         },
     )
-}
-
-/// In the body's own axes.
-#[inline(always)]
-#[expect(clippy::too_many_arguments, reason = "those of `mark`")]
-fn darkness<S: Simd>(
-    kind: Kind,
-    group: &Group,
-    body: &Body<S>,
-    pattern: [f32; 3],
-    place: V3<S>,
-    normal: V3<S>,
-    ray: &Ray<S>,
-    distance: F<S>,
-) -> F<S> {
-    let normal = shape::own_normal(kind, body, place, normal);
-    let covered = covered_by_pixel(group, body, ray, normal, distance);
-    shape::darkness(kind, body, pattern, place, normal, &covered)
 }
 
 /// In the body's own axes.

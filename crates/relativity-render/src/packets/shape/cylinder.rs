@@ -1,7 +1,7 @@
 //! Rays against cylinders with flat ends: `shaders/cylinder.wgsl`.
 
-use super::body::{Body, Group, Ray, Surface, own_ray};
-use super::edge::share_of_other;
+use super::super::body::{Body, Group, Ray, Surface, own_ray};
+use super::super::edge::share_of_other;
 use crate::lanes::{F, Simd, SimdFloat, V2, V3, all, clamp, select, sign_of};
 
 /// Returns the surface of the body where rays meet it.

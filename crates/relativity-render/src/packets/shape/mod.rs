@@ -1,9 +1,13 @@
 //! Rays against bodies of each kind, and the patterns on these.
 
+mod block;
+mod cylinder;
+pub(super) mod ring;
+mod tube;
+
 use super::body::{Body, Capsule, Group, Ray, Surface};
 use super::pattern::coverage::Covered;
 use super::pattern::{chart, die};
-use super::{block, cylinder, ring, tube};
 use crate::kind::Kind;
 use crate::lanes::{F, Simd, V3};
 

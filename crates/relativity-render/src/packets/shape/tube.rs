@@ -1,7 +1,7 @@
 //! Rays against cylinders with rounded ends, and balls: `shaders/tube.wgsl`.
 
-use super::body::{Body, Capsule, Ray, Surface};
-use super::ray::nearest_to;
+use super::super::body::{Body, Capsule, Ray, Surface};
+use super::super::ray::nearest_to;
 use crate::lanes::{Simd, SimdFloat, SimdMask, V3, clamp, select};
 
 /// Margin beside the ends, in radii.

@@ -1,7 +1,7 @@
 //! Rays against tori: `shaders/ring.wgsl`, where the method is explained.
 
-use super::body::{Body, Capsule, Ray, Surface};
-use super::ray::nearest_to;
+use super::super::body::{Body, Capsule, Ray, Surface};
+use super::super::ray::nearest_to;
 use crate::lanes::{F, Mask, Simd, SimdFloat, SimdMask, V3, all, no, select};
 
 /// Reached only where the ray grazes within rounding.

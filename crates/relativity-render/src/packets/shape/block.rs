@@ -1,7 +1,7 @@
 //! Rays against boxes: `shaders/box.wgsl`.
 
-use super::body::{Body, Capsule, Group, Ray, Surface, own_ray};
-use super::edge::share_of_other;
+use super::super::body::{Body, Capsule, Group, Ray, Surface, own_ray};
+use super::super::edge::share_of_other;
 use crate::lanes::{F, Mask, Simd, SimdFloat, V3, all, select, sign_of};
 
 /// Below this sine of its angle to the ray the image of an axis is a point.
