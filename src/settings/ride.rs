@@ -5,7 +5,8 @@
 
 use clap::Args;
 use relativity_core::{
-    Aperture, Boost, Event, Leg, Observer, ObserverVelocity, Odometers, RideMoment, RiderVelocity, Speed, math,
+    Aperture, Boost, Event, Leg, Observer, ObserverVelocity, Odometers, RideMoment, RiderVelocity, Speed,
+    math,
 };
 use relativity_render::Velocity;
 use serde::Serialize;

@@ -1,8 +1,8 @@
 //! Views of both eyes: their gaze, field of view and zero parallax become two cameras.
 
 use glam::DVec3;
-use relativity_core::math::{asinh, sinh};
 use relativity_core::Aperture;
+use relativity_core::math::{asinh, sinh};
 use relativity_render::{Camera, Framing, Gaze, Geometry, Motion, Outline, PreparedScene, Projection, View};
 
 use super::all::Settings;
