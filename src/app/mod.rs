@@ -84,7 +84,7 @@ use saving::Saver;
 use screens::full_screen::FullScreen;
 use screens::other_screen::Screen;
 use state::State;
-use stereoscope::Stereoscope;
+use stereoscope::viewer::Stereoscope;
 use views::corrected::Corrected;
 use views::examination::Examination;
 use views::eyes::{Chosen, EyePictures};

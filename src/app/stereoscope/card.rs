@@ -6,6 +6,8 @@ use eframe::egui::{Color32, CursorIcon, Id, Rect, Sense, Stroke, StrokeKind, Ui,
 pub const CARD_MM: [f64; 2] = [85.60, 53.98];
 /// Least length that the side of a card is drawn with, points.
 const LEAST: f32 = 120.0;
+/// Height of a button with its margin, points.
+const BUTTON: f32 = 40.0;
 /// Margin around the card, and between its outline and the words in it, points.
 const MARGIN: f32 = 12.0;
 
@@ -30,6 +32,17 @@ pub enum Match {
 /// Returns the side of a card that lies level in this `area`: the long one where that is wider than high.
 fn level_side(area: Rect) -> f64 {
     CARD_MM[usize::from(area.width() < area.height())]
+}
+
+/// Returns the room that a card on this `outline` leaves in `area`: to its right, else below it.
+fn beside(outline: Rect, area: Rect) -> Rect {
+    let right = Rect::from_min_max(pos2(outline.max.x + 2.0 * MARGIN, outline.min.y), area.max);
+    let below = Rect::from_min_max(pos2(outline.min.x, outline.max.y + 2.0 * MARGIN), area.max);
+    if right.width() >= LEAST || below.height() < BUTTON {
+        right.with_min_x(right.min.x.min(area.max.x - LEAST))
+    } else {
+        below
+    }
 }
 
 impl Card {
@@ -63,12 +76,15 @@ impl Card {
         let ends = [outline.right_top(), outline.right_bottom()];
         painter.line_segment(ends, Stroke::new(4.0, Color32::WHITE));
         let within = UiBuilder::new().id_salt("card").max_rect(outline.shrink(MARGIN));
-        ui.scope_builder(within, |ui| self.words(ui)).inner
+        ui.scope_builder(within, |ui| {
+            ui.label("Lay a bank card onto this outline, with its left edge on the left one.");
+            ui.label("Drag the white edge until the card just fits: it is 85.60 mm by 53.98 mm.");
+        });
+        let within = UiBuilder::new().id_salt("beside the card").max_rect(beside(outline, area));
+        ui.scope_builder(within, |ui| self.buttons(ui)).inner
     }
 
-    fn words(self, ui: &mut Ui) -> Match {
-        ui.label("Lay a bank card onto this outline, with its left edge on the left one.");
-        ui.label("Drag the white edge until the card just fits: it is 85.60 mm by 53.98 mm.");
+    fn buttons(self, ui: &mut Ui) -> Match {
         let mut answer = Match::Open;
         ui.horizontal_wrapped(|ui| {
             if ui.button("It matches").clicked() {
@@ -99,6 +115,8 @@ mod tests {
                 "{}",
                 outline.width()
             );
+            let room = beside(outline, area);
+            assert!(!room.intersects(outline) && room.width() >= LEAST && room.height() >= BUTTON, "{room}");
             let aspect = f64::from(outline.height() / outline.width());
             let [long, short] = CARD_MM;
             let expected = if side == long { short / long } else { long / short };
