@@ -66,7 +66,7 @@ fn what_turns_is_met_where_it_is_shown() {
                 // The body is met where it is when that is shown, and where it first is.
                 let hub = DVec3::from(spin.hub);
                 let own = hub + about_y(place - hub, -turn) - solid.center();
-                let off = solid.form.distance(own).0.abs() / allowed;
+                let off = solid.form.answers().distance(own).0.abs() / allowed;
                 let apart = place.distance(entry.position) * cosine / allowed;
                 if off >= 1.0 || apart >= 4.0 {
                     assert!(prepared.kind != Kind::Tube, "{context}: {off} {apart} {entry:?} but {found:?}");
