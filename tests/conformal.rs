@@ -23,7 +23,7 @@ fn the_cyclist_slides_by_the_rapidity() {
     for time in [0.0, 1.6, 4.0] {
         let subject = Subject { scene: &prepared, tracked: scene.track(None) };
         let [view, _] = settings.views(subject, time, SIZE);
-        let moving = slid(View { speed: Speed::from_beta(0.9).expect("below 1"), ..view }, &subject);
+        let moving = slid(&View { speed: Speed::from_beta(0.9).expect("below 1"), ..view }, &subject);
         let resting = View { geometry: Geometry::Rest, ..moving };
         let [seen, at_rest] = [moving, resting].map(|view| prepared.hit_image(&view));
         let width = SIZE[0] as usize;
@@ -49,10 +49,10 @@ fn the_cyclist_slides_by_the_rapidity() {
 }
 
 /// `view` with the cyclist as far on the left in motion as on the right at rest, and this many columns apart.
-fn slid(view: View, subject: &Subject<'_>) -> View {
+fn slid(view: &View, subject: &Subject<'_>) -> View {
     let point = subject.tracked.point();
     let places = [Geometry::Seen, Geometry::Rest]
-        .map(|geometry| View { geometry, ..view }.apparent_position(point).expect("in the domain"));
+        .map(|geometry| View { geometry, ..*view }.apparent_position(point).expect("in the domain"));
     let middle = 0.5 * places.iter().map(|place| (place.x / place.y.hypot(place.z)).asinh()).sum::<f64>();
     let half_width =
         0.5 * f64::from(SIZE[0]) * (view.speed.beta() * view.speed.gamma()).asinh() / COLUMNS as f64;
@@ -64,7 +64,7 @@ fn slid(view: View, subject: &Subject<'_>) -> View {
         projection: Projection::Mercator { right: DVec3::X, shift: 0.0 },
         ..view.camera
     };
-    View { camera, geometry: Geometry::Seen, ..view }
+    View { camera, geometry: Geometry::Seen, ..*view }
 }
 
 /// The centre of pixel `i`.

@@ -40,6 +40,31 @@ fn a_film_of_a_ride_follows_the_riders_clock() {
     assert!(differ < 60, "{differ} values differ");
 }
 
+/// Whoever rides across the street and upwards out of rest, and brakes as hard, sees what an eye at rest does that stands there.
+#[test]
+fn a_ride_leads_off_the_street() {
+    let folder = folder();
+    let (place, time) = (4.0 * (0.5_f64.cosh() - 1.0), 4.0 * 0.5_f64.sinh());
+    let flat = format!("render {RIDE} --layout left --projection gaze");
+    for (heading, shift) in [
+        ("--ride-azimuth -90", format!("--depth-shift {}", place - 5.5)),
+        ("--ride-elevation 90", format!("--depth-shift -5.5 --height-shift {}", -place)),
+    ] {
+        let ride = format!("{flat} --ride 1@0.5,1@-0.5 {heading}");
+        run_gamow(folder.path(), &format!("{ride} --frames 3 --out ride"));
+        let standing = flat.replace("--depth-shift -5.5", &shift);
+        run_gamow(folder.path(), &format!("{standing} --ride coast --time {time} --out standing.png"));
+        let [begun, moving, ridden, standing] =
+            ["ride/frame_00000.png", "ride/frame_00001.png", "ride/frame_00002.png", "standing.png"]
+                .map(|name| Png::read(&folder.path().join(name)));
+        assert!(moving.texts["Parameters"].contains(&heading.replace(' ', "=")), "{:?}", moving.texts);
+        let differ = |a: &Png, b: &Png| a.rgb.iter().zip(&b.rgb).filter(|(a, b)| a.abs_diff(**b) > 2).count();
+        assert!(differ(&ridden, &standing) < 60, "{heading}: {} values differ", differ(&ridden, &standing));
+        assert!(differ(&moving, &begun) > 2000 && differ(&moving, &ridden) > 2000, "{heading}");
+        fs::remove_dir_all(folder.path().join("ride")).expect("it is there");
+    }
+}
+
 /// Commands that assume eyes at rest refuse such pictures in one line, and write nothing.
 #[test]
 fn pictures_of_a_ride_are_refused_by_what_knows_eyes_at_rest() {

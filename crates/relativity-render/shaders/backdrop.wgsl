@@ -51,7 +51,9 @@ fn tile_corner(number: vec2u) -> vec2f {
 fn shows(number: vec2u) -> bool {
     // The plane of the ground is a bowl to whoever does not move along it.
     if OBLIQUE_STREET {
-        return GROUND == (frame.ground.z > NO_GROUND) && FRONTS == (frame.road.z > 0.0 && frame.road.x < frame.road.y);
+        // Without branches, see `tests/shaders.rs`.
+        let has_fronts = all(vec2<bool>(frame.road.z > 0.0, frame.road.x < frame.road.y));
+        return all(vec2<bool>(GROUND == (frame.ground.z > NO_GROUND), FRONTS == has_fronts));
     }
     let low = tile_corner(number);
     let high = tile_corner(number + 1u);

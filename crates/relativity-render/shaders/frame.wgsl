@@ -30,6 +30,9 @@ struct Frame {
     reference_axes: mat3x3f,
     to_street: mat3x3f,
     street_axes: mat3x3f,
+    // Of what rides along otherwise than along the street: what its place from the camera, and its distance, add to its height on the
+    // ground.
+    rising: vec4f,
     // beta, 1 - beta, 1/gamma, gamma on the ground.
     on_ground: vec4f,
     // xyz: where the camera is from the middle between the eyes, where these have one light cone, else 0; in axes along

@@ -84,7 +84,8 @@ fn sample_of_model(fragment: Fragment, index: u32) -> Sample {
     let pixel = floor(fragment.position.xy) + 0.5;
     let hit = model_at(fragment, pixel + vec2f(SAMPLE_U[index], SAMPLE_V[index]));
     let body = body_of(fragment);
-    let height = frame.middle.z + body.place.z + hit.place.z;
+    let own_height = frame.middle.z + body.place.z + hit.place.z;
+    let height = height_on_ground(own_height, body.place + hit.place);
     if !(hit.triangle != 0u && height >= frame.ground.z) {
         discard;
     }

@@ -22,7 +22,8 @@ fn shaded(fragment: Fragment) -> Shaded {
         alpha = min(hit.half_width / max(half_pixel, 1e-30), 1.0);
         clearance += max(half_pixel - hit.half_width, 0.0);
     }
-    let height = frame.middle.z + middle(body).z + hit.place.z;
+    let own_height = frame.middle.z + middle(body).z + hit.place.z;
+    let height = height_on_ground(own_height, middle(body) + hit.place);
     // So that what is no number is nowhere: where light leaves farther away than f32 can say.
     if !(distance > 0.0 && height >= frame.ground.z) {
         discard;

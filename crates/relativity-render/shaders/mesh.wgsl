@@ -374,7 +374,8 @@ fn cover(fragment: Fragment) -> f32 {
 // Height of what appears, above the camera's event on the ground.
 fn height_of(fragment: Fragment) -> f32 {
     if OBLIQUE {
-        return frame.middle.z + middle(body_of(fragment)).z + fragment.place.z;
+        let place = middle(body_of(fragment)) + fragment.place;
+        return height_on_ground(frame.middle.z + place.z, place);
     }
     return fragment.apparent.z;
 }

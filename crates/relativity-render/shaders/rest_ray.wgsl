@@ -52,6 +52,15 @@ fn reference_sight(sight: vec3f) -> vec3f {
     return sight;
 }
 
+// The height on the ground, from the camera, of what is at this `height` in the group's frame, at `place` from its middle.
+fn height_on_ground(height: f32, place: vec3f) -> f32 {
+    if OBLIQUE {
+        let from_camera = frame.middle.xyz + place;
+        return height + dot(frame.rising.xyz, from_camera) + frame.rising.w * sqrt(dot(from_camera, from_camera));
+    }
+    return height;
+}
+
 struct Ray {
     // Unit vector towards the source, in the ground frame.
     sight: vec3f,

@@ -50,6 +50,9 @@ pub struct Frame {
     pub to_street: [[f32; 4]; 3],
     /// Unit vectors along the street's motion, in the ground's axes.
     pub street_axes: [[f32; 4]; 3],
+    /// Of what rides along otherwise than along the street: the factors of its place from the camera, and of its distance, in what is added
+    /// to its height to have it on the ground.
+    pub rising: [f32; 4],
     /// Speed of the group on the ground, as `speed`.
     pub on_ground: [f32; 4],
     /// Place of the camera from the middle between the eyes, if these have one light cone, else 0; in axes along the group's motion.
@@ -211,23 +214,19 @@ impl Frame {
         let street = StreetSight::new(camera, view.view_geometry);
         let street_light = street.light(appearance);
         let ground = backdrop.ground_height().unwrap_or(f64::from(f32::MIN));
-        let coarse = pole.as_vec2();
-        let fine = (pole - coarse.as_dvec2()).as_vec2();
         let from_camera = extent.middle - view.origin;
         let middle = packed(from_camera, 0.5 / extent.reach);
         let [x, y, z, _] = middle;
         let speed = velocity.packed_speed();
         let reflection = velocity.sign() as f32;
         let to_street = street.sight_axes().transpose() * velocity.sight_axes();
-        let is_one_cone = view.geometry == Geometry::OneCone;
-        let eye = if is_one_cone { velocity.motion_from_camera(camera.off_middle) } else { DVec3::ZERO };
-        let eye = vector(eye);
+        let eye = eye(view);
         Self {
             base,
             right,
             down,
             radial,
-            pole: [coarse.x, coarse.y, fine.x, fine.y],
+            pole: coarse_and_fine(pole),
             speed,
             motion: [
                 reflection,
@@ -240,6 +239,7 @@ impl Frame {
             reference_axes: columns(DMat3::IDENTITY),
             to_street: columns(to_street),
             street_axes: columns(street.ground_axes()),
+            rising: rising(view),
             on_ground: view.on_ground.packed_speed(),
             eye,
             reference_eye: eye,
@@ -293,6 +293,30 @@ impl Frame {
             (true, true) => Floor::Road,
         }
     }
+}
+
+/// Returns [`Frame::eye`].
+fn eye(view: &GroupView) -> [f32; 4] {
+    let is_one_cone = view.geometry == Geometry::OneCone;
+    vector(if is_one_cone { view.velocity.motion_from_camera(view.camera.off_middle) } else { DVec3::ZERO })
+}
+
+/// Returns both coordinates, and what f32 loses of them.
+fn coarse_and_fine(place: DVec2) -> [f32; 4] {
+    let coarse = place.as_vec2();
+    let fine = (place - coarse.as_dvec2()).as_vec2();
+    [coarse.x, coarse.y, fine.x, fine.y]
+}
+
+/// Returns [`Frame::rising`]: on the ground z is z + [(Gamma - 1) p - Gamma V R] `v_z` of what is seen at the distance R, and p along the
+/// unit vector v of the motion.
+fn rising(view: &GroupView) -> [f32; 4] {
+    if !view.rides_aside() {
+        return [0.0; 4];
+    }
+    let (speed, direction) = (view.camera.velocity.speed(), DVec3::from(view.camera.velocity.direction()));
+    let along = direction * (speed.gamma_minus_one() * direction.z);
+    packed(along, -speed.proper() * direction.z)
 }
 
 fn middle_of(frame: &Frame) -> DVec3 {

@@ -11,7 +11,7 @@
 //! its rest frame; and models of [`triangles`], painted in white light.
 //! They are opaque and do not light each other; the shading is a choice of looks, fixed to the rest frame. Motion is
 //! uniform and along x, but for bodies that turn evenly about an axle along y ([`wheel`]): nothing else accelerates, turns or
-//! deforms. The camera is a pinhole that rests on the ground or rides along. The published binocular model, which has no lines of sight, is drawn by triangles alone.
+//! deforms. The camera is a pinhole that rests on the ground, or moves evenly in any direction. The published binocular model, which has no lines of sight, is drawn by triangles alone.
 //!
 //! Out of scope are windows and files (it knows wgpu, but reads and writes nothing), and a medium: light travels at c.
 //!

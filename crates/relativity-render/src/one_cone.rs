@@ -44,12 +44,10 @@ impl GroupView {
         let tangent = straight - self.bend(line_of_sight.dot(received_along), sine);
         let rest_per_ground = tangent.length();
         // By how much longer light takes to the middle than from where the ray touches to its origin.
+        let ahead = velocity.speed.beta() * velocity.motion_from_camera(eye).x;
         let lag = match (distance, from_middle) {
             (Some(distance), Some(place)) => place.length() / doppler_factor - distance * rest_per_ground,
-            _ => {
-                let ahead = velocity.speed.beta() * velocity.motion_from_camera(eye).x;
-                velocity.speed.gamma() * (eye.dot(line_of_sight) + ahead)
-            }
+            _ => velocity.speed.gamma() * (eye.dot(line_of_sight) + ahead),
         };
         RestRay {
             origin: self.origin + self.origin_from_middle(eye, received_along, doppler_factor),

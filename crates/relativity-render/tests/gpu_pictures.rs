@@ -213,6 +213,10 @@ fn levels_off(drawn: &[[u8; 4]], truth: &[[u8; 4]], counts: impl Fn(usize) -> bo
 /// Whether neither a pixel nor any around it shows a body.
 fn is_free(hits: &HitImage, i: usize) -> bool {
     let [width, height] = hits.size.map(|v| v as usize);
+    if !(1..width - 1).contains(&(i % width)) || !(1..height - 1).contains(&(i / width)) {
+        // What is beside the picture may reach into its edge.
+        return false;
+    }
     let around = |at: usize, end: usize| at.saturating_sub(1)..(at + 2).min(end);
     around(i / width, height).all(|v| around(i % width, width).all(|u| hits.hits[v * width + u].is_none()))
 }

@@ -34,14 +34,8 @@ pub(super) struct RelativeMotion {
 impl RelativeMotion {
     /// The motion of `point`, which moves along +x at `speed`, against `observer`.
     ///
-    /// With v the observer's velocity, V its size and Gamma its Lorentz factor, e a unit vector along its part across x and
-    /// h the sine of its angle with x, the point's proper velocity in the observer's frame is
-    ///
-    /// ```text
-    /// W = gamma beta h p + gamma Gamma (beta v_x/V - V) v/V,     p = (h, -v_x e_y/V, -v_x e_z/V)
-    /// ```
-    ///
-    /// and its place, from r = where it is on the ground at the event of the observer,
+    /// With W, V, e and h as in [`RelativeVelocity::new`], its place, from r = where it is on the ground at the event of the
+    /// observer, is
     ///
     /// ```text
     /// along W:  -[gamma^2 Gamma r_x (v_x - beta) + Gamma V h r_e]/(gamma' |W|)

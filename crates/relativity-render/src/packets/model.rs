@@ -8,6 +8,7 @@ use super::body::{Body, Group, Ray, own_ray};
 use super::colour::Hatched;
 use super::look::{Look, Seen};
 use super::pattern::shift;
+use super::ray::height_on_ground;
 use super::received::Element;
 use super::spin::Spin;
 use super::tables::Tables;
@@ -202,6 +203,7 @@ impl<S: Simd> Meetings<S> {
     #[inline(always)]
     pub fn above_ground(&self, group: &Group<'_>, body: &Body<S>) -> Mask<S> {
         let height = body.place.z + self.place.z + group.frame.middle[2];
+        let height = height_on_ground(group, height, body.place + self.place);
         self.holds & height.simd_ge(group.frame.ground[2])
     }
 

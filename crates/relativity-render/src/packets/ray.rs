@@ -250,6 +250,17 @@ pub fn rest_ray<S: Simd>(simd: S, group: &Group, sight: Sight<S>) -> Ray<S> {
     Ray { sight: n, scale, steps, direction, ground_per_rest, doppler, moment, to_centre }
 }
 
+/// Returns the height on the ground, from the camera, of what is at this `height` in the group's frame, at `place` from its middle.
+#[inline(always)]
+pub fn height_on_ground<S: Simd>(group: &Group, height: F<S>, place: V3<S>) -> F<S> {
+    let frame = group.frame;
+    if !frame.is_oblique() {
+        return height;
+    }
+    let from_camera = V3::of_four(height.simd, frame.middle) + place;
+    height + V3::of_four(height.simd, frame.rising).dot(from_camera) + from_camera.length() * frame.rising[3]
+}
+
 /// Returns the movement of the ray's direction (rest frame) along the unit vector `across`, perpendicular to it, from one pixel to
 /// the next, to the right and down.
 #[inline(always)]

@@ -5,7 +5,7 @@ use super::look::{Look, Seen};
 use super::model::{Meetings, ModelPart};
 use super::passing::{Middles, may_show as may_show_in};
 use super::places::PACKETS;
-use super::ray::{TileSights, depth, movement, rest_ray};
+use super::ray::{TileSights, depth, height_on_ground, movement, rest_ray};
 use super::shape;
 use super::spin::Spin;
 use super::turning::surface_when_shown;
@@ -486,6 +486,7 @@ impl<S: Simd> Test<S> {
         test.alpha = (surface.half_width / half_pixel.max(1e-30)).min(1.0);
         test.clearance += (half_pixel - surface.half_width).max(0.0);
         let height = shape::middle(kind, body).z + surface.place.z + group.frame.middle[2];
+        let height = height_on_ground(group, height, shape::middle(kind, body) + surface.place);
         test.is_there = is_in_front & height.simd_ge(group.frame.ground[2]);
         test
     }

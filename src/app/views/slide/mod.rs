@@ -21,7 +21,7 @@ use sliding_view::SlidingView;
 
 /// Draws into `pane` what is switched on, and returns the height of the ruler and the spectrum there, points.
 pub fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) -> f32 {
-    let Some(slide) = SlidingView::new(state, state.view(pane.eye, pane.size)) else { return 0.0 };
+    let Some(slide) = SlidingView::new(state, &state.view(pane.eye, pane.size)) else { return 0.0 };
     let scale = theme::text_scale(ui.style());
     if state.document.settings.window.resting {
         resting::paint(painter, state, pane, &slide, scale);

@@ -21,12 +21,12 @@ pub struct SlidingView {
 impl SlidingView {
     /// Returns `None` where `view` is not conformal, or the head is tilted: motion is no slide along the rows then.
     #[must_use]
-    pub fn new(state: &State, view: View) -> Option<Self> {
+    pub fn new(state: &State, view: &View) -> Option<Self> {
         let mercator =
             view.camera.mercator().filter(|_| state.document.settings.baseline().is_along_motion())?;
         let shows_motion = matches!(view.geometry, Geometry::Seen | Geometry::Rest);
         let ahead = mercator.axes.right.x.signum();
-        shows_motion.then_some(Self { view, mercator, ahead })
+        shows_motion.then_some(Self { view: *view, mercator, ahead })
     }
 
     /// Returns by how much u `velocity` slides the resting picture to the right: the rapidity, against the motion.
