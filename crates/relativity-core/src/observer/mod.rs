@@ -48,6 +48,13 @@ use crate::speed::Speed;
 use crate::stereo::{Stereo, StereoError, along_motion, meeting};
 
 impl Observer {
+    /// Returns the place on the ground of an eye that is at `aperture` in the observer's axes when the observer's clock shows 0, and T
+    /// there.
+    #[must_use]
+    pub fn event_of(&self, aperture: Aperture) -> (Aperture, f64) {
+        EyeOnGround::new(&Speed::REST, self, aperture).event(self)
+    }
+
     /// Returns the point's speed past the observer, and its place in axes along that velocity: what eyes at rest see of this point
     /// at T is what the observer's eyes see of theirs when the observer's clock shows T, but for where the axes point.
     ///

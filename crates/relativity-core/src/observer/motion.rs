@@ -1,9 +1,6 @@
 //! Velocity and place of an observer.
 
-use super::eye::EyeOnGround;
 use super::velocity::ObserverVelocity;
-use crate::aperture::Aperture;
-use crate::speed::Speed;
 
 /// An observer who moves evenly.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,13 +25,6 @@ impl Observer {
     pub fn mirrored(&self) -> Self {
         let [x, y, z] = self.place;
         Self { velocity: self.velocity.mirrored(), place: [-x, y, z], ..*self }
-    }
-
-    /// Returns the place on the ground of an eye that is at `aperture` in the observer's axes when the observer's clock shows 0, and T
-    /// there.
-    #[must_use]
-    pub fn event_of(&self, aperture: Aperture) -> (Aperture, f64) {
-        EyeOnGround::new(&Speed::REST, self, aperture).event(self)
     }
 
     /// Returns the event of the observer at this time of the observer's own clock: the same observer, its clock set to 0 there.
