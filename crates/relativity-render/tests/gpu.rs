@@ -1,4 +1,4 @@
-//! The renderers on a graphics device: one program and one device for all tests but those that break it.
+//! The renderers on a graphics device: one program, and one device for all tests but those that need their own.
 
 mod gpu_allocations;
 mod gpu_compose;
@@ -24,7 +24,6 @@ use gpu_support::scenes;
 
 fn main() -> ExitCode {
     let shared = [
-        ("gpu_allocations", gpu_allocations::TESTS),
         ("gpu_compose", gpu_compose::TESTS),
         ("gpu_conformal", gpu_conformal::TESTS),
         ("gpu_mesh", gpu_mesh::TESTS),
@@ -35,5 +34,6 @@ fn main() -> ExitCode {
         ("gpu_textures", gpu_textures::TESTS),
         ("gpu_wheels", gpu_wheels::TESTS),
     ];
-    gpu_support::run(&shared, ("gpu_faults", gpu_faults::TESTS))
+    let own = [("gpu_allocations", gpu_allocations::TESTS), ("gpu_faults", gpu_faults::TESTS)];
+    gpu_support::run(&shared, &own)
 }

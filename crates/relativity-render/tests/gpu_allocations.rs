@@ -1,28 +1,30 @@
-//! A slider moved: a frame in which only the speed changes allocates nothing per body.
+//! A slider moved: a frame in which only the speed changes allocates nothing per body. Each test has a device of its own, since what other
+//! tests leave on one is cleared away by whoever uses it next.
 
 use relativity_core::Speed;
-use relativity_render::{Appearance, EyeTarget, Method, PreparedScene, Renderers};
+use relativity_render::{Appearance, EyeTarget, Gpu, Method, PreparedScene, Renderers};
 
-use crate::gpu_support::Test;
+use crate::gpu_support::OwnDeviceTest;
 use crate::gpu_support::scenes::{crowd, view_following};
 
-pub const TESTS: &[Test] = &[
+pub const TESTS: &[OwnDeviceTest] = &[
     ("frames_of_rays_allocate_nothing_per_body", frames_of_rays_allocate_nothing_per_body),
     ("mesh_frames_allocate_nothing_per_body", mesh_frames_allocate_nothing_per_body),
 ];
 
-fn frames_of_rays_allocate_nothing_per_body(renderers: &mut Renderers) {
-    allocate_nothing_per_body(renderers, Method::Rays);
+fn frames_of_rays_allocate_nothing_per_body() {
+    allocate_nothing_per_body(Method::Rays);
 }
 
-fn mesh_frames_allocate_nothing_per_body(renderers: &mut Renderers) {
-    allocate_nothing_per_body(renderers, Method::Mesh { bound_px: 2.0 });
+fn mesh_frames_allocate_nothing_per_body() {
+    allocate_nothing_per_body(Method::Mesh { bound_px: 2.0 });
 }
 
-fn allocate_nothing_per_body(renderers: &mut Renderers, method: Method) {
+fn allocate_nothing_per_body(method: Method) {
+    let mut renderers = Renderers::new(Some(Gpu::headless().expect("a device")));
     // Allocations are counted on this thread, so all work is done on it.
     let here = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build().expect("a pool");
-    let [few, many] = here.install(|| [64, 640].map(|count| allocations(renderers, method, count)));
+    let [few, many] = here.install(|| [64, 640].map(|count| allocations(&mut renderers, method, count)));
     println!("{method}: {few} and {many} allocations");
     assert!(many <= few + 16, "{method}: {few} allocations for 64 bodies, {many} for 640");
 }

@@ -10,14 +10,14 @@ use relativity_render::{Gpu, Renderers};
 /// A test's name, and what it does with renderers on the device that all share.
 pub type Test = (&'static str, fn(&mut Renderers));
 
-/// A test's name, and what it does with a device of its own, which it may break.
+/// A test's name, and what it does with a device of its own: one that it may break, or whose work no other test may add to.
 pub type OwnDeviceTest = (&'static str, fn());
 
 /// The name of a file of tests, and those in it.
 pub type File<T> = (&'static str, &'static [T]);
 
 /// Runs the tests of `shared`, each with renderers of its own on one device, and those of `own`.
-pub fn run(shared: &[File<Test>], (own_name, own): File<OwnDeviceTest>) -> ExitCode {
+pub fn run(shared: &[File<Test>], own: &[File<OwnDeviceTest>]) -> ExitCode {
     let arguments = Arguments::from_args();
     // Made first and alone: what a driver sets up for the process is not raced for.
     let gpu = Gpu::headless();
@@ -32,8 +32,9 @@ pub fn run(shared: &[File<Test>], (own_name, own): File<OwnDeviceTest>) -> ExitC
             Ok(())
         })
     });
-    let on_own = own.iter().map(|&(name, test)| {
-        Trial::test(format!("{own_name}::{name}"), move || {
+    let on_own = own.iter().flat_map(|&(file, tests)| tests.iter().map(move |test| (file, test)));
+    let on_own = on_own.map(|(file, &(name, test))| {
+        Trial::test(format!("{file}::{name}"), move || {
             test();
             Ok(())
         })
