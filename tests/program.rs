@@ -1,4 +1,4 @@
-//! All tests of the whole program but those of its window, which are `ui`: one program.
+//! The tests of the whole program, but those of its window, which are in `ui`.
 
 mod accuracy;
 mod cli;

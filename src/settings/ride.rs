@@ -74,7 +74,7 @@ impl Riding {
         Rider::new(self.start().along(legs, time), self)
     }
 
-    /// The direction of the ride, as a velocity at `speed` has it.
+    /// Returns the velocity at `speed` in the direction of the ride.
     fn heading(&self, speed: Speed) -> ObserverVelocity {
         ObserverVelocity::new(speed, self.ride_azimuth.to_radians(), self.ride_elevation.to_radians())
     }

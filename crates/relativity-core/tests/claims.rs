@@ -1,4 +1,4 @@
-//! All tests of the crate but those against high precision, which are `oracle`: one program.
+//! The tests of the crate, but those against high precision, which are in `oracle`.
 
 mod common;
 mod conformal;

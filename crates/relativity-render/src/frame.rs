@@ -50,8 +50,8 @@ pub struct Frame {
     pub to_street: [[f32; 4]; 3],
     /// Unit vectors along the street's motion, in the ground's axes.
     pub street_axes: [[f32; 4]; 3],
-    /// Of what rides along otherwise than along the street: the factors of its place from the camera, and of its distance, in what is added
-    /// to its height to have it on the ground.
+    /// Height on the ground of what rides along otherwise than along the street: the factors of its place from the camera, and of its
+    /// distance, in what is added to its height before the camera.
     pub rising: [f32; 4],
     /// Speed of the group on the ground, as `speed`.
     pub on_ground: [f32; 4],
@@ -295,7 +295,7 @@ impl Frame {
     }
 }
 
-/// Returns [`Frame::eye`].
+/// Returns the place of the camera from the middle between the eyes, as [`Frame::eye`] has it.
 fn eye(view: &GroupView) -> [f32; 4] {
     let is_one_cone = view.geometry == Geometry::OneCone;
     vector(if is_one_cone { view.velocity.motion_from_camera(view.camera.off_middle) } else { DVec3::ZERO })

@@ -217,7 +217,7 @@ impl<S: Simd> V3<S> {
         Self::of_four(simd, x) * self.x + Self::of_four(simd, y) * self.y + Self::of_four(simd, z) * self.z
     }
 
-    /// Its products with these columns.
+    /// Returns the vector's products with these columns.
     #[inline(always)]
     pub fn in_columns(self, columns: [[f32; 4]; 3]) -> Self {
         let simd = self.x.simd;

@@ -23,7 +23,7 @@ pub struct Card {
 pub enum Match {
     /// Not yet.
     Open,
-    /// It does where a millimetre has this many points.
+    /// The outline matches: a millimetre has this many points.
     Found(f64),
     /// The screen stays as it is.
     GivenUp,

@@ -14,7 +14,7 @@ const TO_SCREEN_MM: std::ops::RangeInclusive<f64> = 25.0..=100.0;
 /// Height of what a finger meets, points.
 const FINGER: f32 = 30.0;
 
-/// What is asked for in the menu.
+/// The page that the menu leads to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Choice {
     /// The pictures alone.
@@ -25,7 +25,7 @@ pub enum Choice {
     Card,
 }
 
-/// What the menu says of the device and its screen.
+/// Facts about the device and its screen, for the menu's words.
 #[derive(Debug, Clone, Copy)]
 pub struct Known {
     /// Whether the device tells how it is turned.

@@ -74,7 +74,7 @@ impl PlacedShape for Cuboid {
             .collect()
     }
 
-    /// The twelve edges.
+    /// Returns the twelve edges.
     fn strokes(&self) -> Vec<Stroke> {
         let axes = DVec3::AXES.map(|axis| self.turn * (axis * self.half));
         let edge = |edge: usize| {
@@ -111,7 +111,7 @@ impl PlacedShape for Cuboid {
 /// A box about its centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct BoxForm {
-    /// Its own axes are the columns.
+    /// The box's own axes, as columns.
     pub axes: DMat3,
     pub half: DVec3,
 }
@@ -173,7 +173,7 @@ impl CentredShape for BoxForm {
         (0.0, DVec3::ZERO)
     }
 
-    /// The corners.
+    /// Returns the eight corners.
     fn farthest(&self) -> Vec<DVec3> {
         let corner = |i: u32| {
             let sign = |bit: u32| if i & bit == 0 { -1.0 } else { 1.0 };

@@ -78,7 +78,7 @@ impl PlacedShape for Cylinder {
         self.from.lerp(self.to, along) + rim
     }
 
-    /// Around both ends.
+    /// Returns places around both ends.
     fn samples(&self) -> Vec<DVec3> {
         let axis = self.to - self.from;
         [self.from, self.to].into_iter().flat_map(|end| circle(end, axis, self.radius, AROUND)).collect()
@@ -104,7 +104,7 @@ impl PlacedShape for Cylinder {
         vec![Capsule { from: self.from, to: self.to, radius: self.radius }]
     }
 
-    /// Of a longer one the ends of a capsule are less than the corners of a block.
+    /// Returns the block of a short cylinder: around a longer one the ends of a capsule are smaller than the corners of a block.
     fn block(&self) -> Option<Block> {
         let is_short = self.half_length() < self.radius;
         is_short.then(|| Block::new(0.5 * (self.from + self.to), self.half(), self.turn()))

@@ -1,4 +1,4 @@
-//! What shapes with flat faces have in common: each is what pairs of planes or a tube have in common.
+//! Geometry of shapes with flat faces: distances from a box, and the part of a ray between planes or within a tube.
 
 use glam::DVec3;
 

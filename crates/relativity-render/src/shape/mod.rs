@@ -129,7 +129,7 @@ impl Shape {
         }
     }
 
-    /// Its centre, and the shape about it.
+    /// Returns the shape's centre, and the shape about it.
     pub(crate) fn about_centre(&self) -> (DVec3, Form) {
         match *self {
             Self::Sphere { center, radius } => (center.into(), Form::Sphere(SphereForm { radius })),
@@ -254,7 +254,7 @@ impl Shape {
         self.ask(|shape| shape.foot())
     }
 
-    /// Its numbers for the shaders.
+    /// Returns the shape's numbers for the shaders.
     pub(crate) fn packed(&self) -> Packed {
         self.ask(|shape| shape.packed())
     }

@@ -76,7 +76,7 @@ impl PlacedShape for Ring {
         vec![Stroke { path, radius: self.tube_radius }]
     }
 
-    /// Its arcs, each in a capsule along its chord, moved outwards by half the sagitta.
+    /// Returns the ring's arcs, each in a capsule along its chord, moved outwards by half the sagitta.
     fn capsules(&self) -> Vec<Capsule> {
         let Self { center, axis, radius, tube_radius } = *self;
         // Half the sagitta, radius angle^2/16, adds no more than half the tube's radius. A thick ring has eight arcs

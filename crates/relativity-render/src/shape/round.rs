@@ -1,4 +1,4 @@
-//! What round shapes have in common: arcs, circles, turns, and corners of triangles around an axis.
+//! Geometry of round shapes: arcs, circles, turns, and corners of triangles around an axis.
 
 use std::f64::consts::TAU;
 
@@ -44,7 +44,7 @@ pub(crate) fn outward(angle: f64) -> DVec3 {
     DVec3::new(cosine, sine, 0.0)
 }
 
-/// How far across each axis a disc about `axis` reaches.
+/// Returns the reach along x, y and z of a disc of radius 1 about `axis`.
 pub(crate) fn disc(axis: DVec3) -> DVec3 {
     DVec3::from(axis.to_array().map(|along| (1.0 - along * along).max(0.0).sqrt()))
 }

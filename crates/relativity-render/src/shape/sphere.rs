@@ -52,7 +52,7 @@ impl PlacedShape for Sphere {
         self.center + self.radius * DVec3::X
     }
 
-    /// Its ends along the axes.
+    /// Returns the ends of the diameters along x, y and z.
     fn samples(&self) -> Vec<DVec3> {
         let ends = DVec3::AXES.into_iter().flat_map(|axis| [-axis, axis]);
         ends.map(|end| self.center + self.radius * end).collect()
@@ -122,7 +122,7 @@ impl CentredShape for SphereForm {
         along_tube(0.0, self.radius, off_axis, outward, z)
     }
 
-    /// One for all of it.
+    /// Returns one place, which stands for all of the surface.
     fn farthest(&self) -> Vec<DVec3> {
         vec![DVec3::X * self.radius]
     }

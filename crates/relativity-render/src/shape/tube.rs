@@ -159,7 +159,7 @@ impl CentredShape for TubeForm {
         along_tube(self.half_length, self.radius, off_axis, outward, z)
     }
 
-    /// Both ends.
+    /// Returns a place at the rim of each end.
     fn farthest(&self) -> Vec<DVec3> {
         [-1.0, 1.0].map(|t| DVec3::Z * (t * self.half_length) + outward(0.0) * self.radius).to_vec()
     }
