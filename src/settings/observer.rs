@@ -16,14 +16,14 @@ use crate::scene::{Scene, SceneError, Track};
 use crate::time_range;
 
 impl Settings {
-    /// The scene that they name, with or without what rests around what moves; with a bicycle below the eyes that ride.
+    /// The scene that they name, with or without what rests around what moves; with a bicycle below eyes that ride along the street.
     ///
     /// # Errors
     /// A scene that cannot be had.
     pub fn opened_scene(&self) -> Result<Scene, SceneError> {
         let scene = Scene::open(&self.scene)?;
         let scene = if self.light.surroundings { scene } else { scene.without_surroundings() };
-        Ok(if self.ride.is_on() { scene.with_own_bicycle() } else { scene })
+        Ok(if self.ride.has_bicycle() { scene.with_own_bicycle() } else { scene })
     }
 
     /// The point of `scene` that is tracked. One that is among the followed points moves with its body.
@@ -112,8 +112,11 @@ impl Settings {
     /// The frame that the map is drawn in: that of the ground for that of a rider who rests.
     #[must_use]
     pub fn map_frame(&self) -> Frame {
-        let has_rider = self.ride.is_on() && self.ride.is_along_street();
-        if self.map.frame == Frame::Rider && !has_rider { Frame::Ground } else { self.map.frame }
+        if self.map.frame == Frame::Rider && !self.ride.has_bicycle() {
+            Frame::Ground
+        } else {
+            self.map.frame
+        }
     }
 
     /// The worldline of `point` from the point between the eyes, reflected to move along +x.

@@ -17,6 +17,11 @@ use crate::flags::{RideLegs, StreetVelocity, within};
 /// Gentlest and hardest pedalling, units of c per unit of the rider's clock.
 pub const PUSH: std::ops::RangeInclusive<f64> = 1e-6..=100.0;
 
+/// Directions of a ride along the ground, degrees from +x towards +y.
+pub const AZIMUTH: std::ops::RangeInclusive<f64> = -360.0..=360.0;
+/// Directions of a ride above the ground, degrees.
+pub const ELEVATION: std::ops::RangeInclusive<f64> = -90.0..=90.0;
+
 /// Why a picture that was taken on a ride is refused by what knows eyes at rest.
 pub const ON_A_RIDE: &str = "it was taken on a ride, and this needs pictures taken by eyes at rest";
 
@@ -40,11 +45,11 @@ pub struct Riding {
     #[arg(long, value_name = "X", value_parser = within(-MAX_LENGTH..=MAX_LENGTH), allow_hyphen_values = true)]
     pub ride_from: f64,
     /// Direction of the ride, degrees from +x, along the street, towards +y, across it. Speeds and accelerations are along it; in any direction but 0 and
-    /// 180 the map stays in the ground's frame.
-    #[arg(long, value_name = "DEGREES", value_parser = within(-360.0..=360.0), allow_hyphen_values = true)]
+    /// 180 there is neither a bicycle nor a map.
+    #[arg(long, value_name = "DEGREES", value_parser = within(AZIMUTH), allow_hyphen_values = true)]
     pub ride_azimuth: f64,
     /// Direction of the ride, degrees above the street; 90 is straight up.
-    #[arg(long, value_name = "DEGREES", value_parser = within(-90.0..=90.0), allow_hyphen_values = true)]
+    #[arg(long, value_name = "DEGREES", value_parser = within(ELEVATION), allow_hyphen_values = true)]
     pub ride_elevation: f64,
     /// Proper acceleration of a push on the pedals or the brakes in the window, c per unit of the rider's clock: what an accelerometer on the bicycle
     /// shows.
@@ -107,6 +112,12 @@ impl Riding {
     #[must_use]
     pub const fn is_on(&self) -> bool {
         !self.ride.is_off()
+    }
+
+    /// Whether the eyes ride on a bicycle: one faces along the street, and would be dragged aside on any other way.
+    #[must_use]
+    pub fn has_bicycle(&self) -> bool {
+        self.is_on() && self.is_along_street()
     }
 
     /// Whether all of the ride has one velocity.

@@ -53,7 +53,10 @@ fn a_ride_leads_off_the_street() {
         let ride = format!("{flat} --ride 1@0.5,1@-0.5 {heading}");
         run_gamow(folder.path(), &format!("{ride} --frames 3 --out ride"));
         let standing = flat.replace("--depth-shift -5.5", &shift);
-        run_gamow(folder.path(), &format!("{standing} --ride coast --time {time} --out standing.png"));
+        run_gamow(
+            folder.path(),
+            &format!("{standing} --ride coast {heading} --time {time} --out standing.png"),
+        );
         let [begun, moving, ridden, standing] =
             ["ride/frame_00000.png", "ride/frame_00001.png", "ride/frame_00002.png", "standing.png"]
                 .map(|name| Png::read(&folder.path().join(name)));

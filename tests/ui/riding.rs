@@ -5,8 +5,9 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
+use gamow::app::riding::saddle::RideCommand;
 use gamow::app::state::State;
-use gamow::settings::{Frame, Preset, Settings};
+use gamow::settings::{Frame, Preset, Riding, Settings};
 use relativity_core::{Baseline, Model, Observer, ObserverVelocity, SourcePoint, Speed};
 
 use super::Test;
@@ -15,6 +16,7 @@ use super::support::{FRAME, assert_sane, label_starting_with, shown, type_into, 
 pub const TESTS: &[Test] = &[
     ("pedals_and_brakes_are_recorded_as_they_are_pushed", pedals_and_brakes),
     ("a_rider_reads_what_the_core_says", a_rider_reads_what_the_core_says),
+    ("a_ride_off_the_street_has_the_cores_numbers_and_no_map", a_ride_off_the_street),
     ("a_typed_speed_is_reached_by_pedalling", a_typed_speed_is_reached),
     ("the_map_has_a_riders_frame_while_one_rides", the_map_has_a_riders_frame),
     ("a_fit_finds_ones_own_speed", a_fit_finds_ones_own_speed),
@@ -126,6 +128,36 @@ fn a_rider_reads_what_the_core_says() {
     for part in ["8.10 by wheel", "18.58 by lamps"] {
         assert!(instruments.contains(part), "{part} in {instruments}");
     }
+}
+
+fn a_ride_off_the_street() {
+    let mut window = window(preset("ride-lamps"));
+    window.state_mut().ask(Command::Time(8.0));
+    let bodies = state(&window).document.scene.bodies.len();
+    let along = state(&window).document.settings.ride.clone();
+    let aslant = Riding { ride_azimuth: 60.0, ..along.clone() };
+    window.state_mut().ask(Command::Ride(RideCommand::Set(aslant)));
+    window.run_steps(2);
+    // A bicycle faces along the street.
+    assert!(state(&window).document.scene.bodies.len() < bodies);
+    assert!(window.query_by_label_contains("The map lies along the street").is_some());
+    let speed = Speed::from_beta(0.9).expect("a speed");
+    let way = 0.9 * speed.gamma() * 8.0;
+    let velocity = ObserverVelocity::new(speed, 60_f64.to_radians(), 0.0);
+    let place = [0.5 * way, 5.5 + 0.75_f64.sqrt() * way, 0.0];
+    let observer = Observer { velocity, place, time: speed.gamma() * 8.0 };
+    let pair = Baseline { turn: -std::f64::consts::FRAC_PI_2, ..Baseline::straight(0.1) }.apertures();
+    let lamp = SourcePoint { x0: 20.0, y: 1.2, z: 2.4 };
+    let both = observer.disparity(Model::Exact, &Speed::REST, lamp, pair, 0.0).expect("in the domain");
+    assert!((shown(&window, "Left eye, Doppler factor D") - both.primary.doppler_factor).abs() < 6e-5);
+    assert!((shown(&window, "Right eye, happened t") - both.secondary.retarded_time).abs() < 6e-5);
+    assert!((shown(&window, "Disparity Δφ") - both.dphi).abs() < 6e-6);
+    assert_sane(state(&window));
+
+    window.state_mut().ask(Command::Ride(RideCommand::Set(along)));
+    window.run_steps(2);
+    assert_eq!(state(&window).document.scene.bodies.len(), bodies);
+    assert!(window.query_by_label_contains("The map lies along the street").is_none());
 }
 
 fn a_typed_speed_is_reached() {

@@ -150,7 +150,7 @@ impl State {
         let shown = &self.document.settings;
         let is_same = settings.scene == shown.scene
             && settings.light.surroundings == shown.light.surroundings
-            && settings.ride.is_on() == shown.ride.is_on();
+            && settings.ride.has_bicycle() == shown.ride.has_bicycle();
         if !is_same {
             self.show_scene(settings.opened_scene()?.into());
         }

@@ -10,7 +10,7 @@ use crate::app::state::State;
 use crate::app::widgets::{NumberRow, row, typed_text};
 use crate::flags::{RideLegs, StreetVelocity};
 use crate::number_text;
-use crate::settings::{MAX_LENGTH, PUSH, Riding, about};
+use crate::settings::{AZIMUTH, ELEVATION, MAX_LENGTH, PUSH, Riding, about};
 
 /// Width of the fields, points.
 const FIELD: f32 = 150.0;
@@ -29,6 +29,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     speed_row(ui, state, commands);
     push().show(ui, &mut ride.push, default.push);
     start(ui, state, &mut ride, &default);
+    direction(ui, &mut ride, &default);
     legs_row(ui, &mut ride);
     row(ui, "Comfort", "Helps against motion sickness on a ride.", |ui| {
         let mut window = state.document.settings.window;
@@ -92,6 +93,15 @@ fn start(ui: &mut Ui, state: &State, ride: &mut Riding, default: &Riding) {
     if let Some(speed) = checked(ui, "Starts with β", about("ride-speed"), &shown, str::parse) {
         ride.ride_speed = speed;
     }
+}
+
+/// The direction of the ride, in degrees.
+fn direction(ui: &mut Ui, ride: &mut Riding, default: &Riding) {
+    let angle = |name, tip, slider, typed| NumberRow { name, tip, slider, typed, decimals: 3, suffix: "°" };
+    let azimuth = angle("Direction", about("ride-azimuth"), -180.0..=180.0, AZIMUTH);
+    azimuth.show(ui, &mut ride.ride_azimuth, default.ride_azimuth);
+    let elevation = angle("Upwards", about("ride-elevation"), ELEVATION, ELEVATION);
+    elevation.show(ui, &mut ride.ride_elevation, default.ride_elevation);
 }
 
 fn legs_row(ui: &mut Ui, ride: &mut Riding) {
