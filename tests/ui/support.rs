@@ -17,8 +17,6 @@ use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::Settings;
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
 
-use super::device;
-
 /// What is shown in `state` is what its file gives back: nothing the user did has set a value that the judges of settings
 /// refuse. All that follows from it is a number.
 pub fn assert_sane(state: &State) {
@@ -68,7 +66,7 @@ pub fn builder(size: [f32; 2]) -> HarnessBuilder<App> {
 pub fn window_of_size(state: State, size: [f32; 2], pixels_per_point: f32) -> Harness<'static, App> {
     let mut harness = builder(size)
         .with_pixels_per_point(pixels_per_point)
-        .renderer(device::renderer())
+        .wgpu()
         .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).without_refinement());
     harness.run_steps(3);
     harness
