@@ -199,7 +199,8 @@ fn half_pixel(body: &PreparedBody, solid: &Solid, view: &GroupView) -> f64 {
             if is_conformal { hypot(depth, place.dot(axes.up)) } else { depth }
         })
     };
-    let farthest = solid.form.answers().farthest().into_iter();
-    let farthest = farthest.map(|own| depth(solid.center() + body.turn * own)).fold(0.0, f64::max);
+    let mut farthest = 0.0_f64;
+    let mut visit = |own: DVec3| farthest = farthest.max(depth(solid.center() + body.turn * own));
+    solid.form.answers().visit_farthest(&mut visit);
     0.5 * farthest / view.camera.focal_length_px()
 }

@@ -173,13 +173,13 @@ impl CentredShape for BoxForm {
         (0.0, DVec3::ZERO)
     }
 
-    /// Returns the eight corners.
-    fn farthest(&self) -> Vec<DVec3> {
+    /// Visits the eight corners.
+    fn visit_farthest(&self, visit: &mut dyn FnMut(DVec3)) {
         let corner = |i: u32| {
             let sign = |bit: u32| if i & bit == 0 { -1.0 } else { 1.0 };
             DVec3::new(sign(1), sign(2), sign(4)) * self.half
         };
-        (0..8).map(corner).collect()
+        (0..8).map(corner).for_each(visit);
     }
 
     /// Along each of its own axes.

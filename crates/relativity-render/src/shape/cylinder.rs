@@ -217,8 +217,8 @@ impl CentredShape for CylinderForm {
     }
 
     /// The middles of both ends.
-    fn farthest(&self) -> Vec<DVec3> {
-        [-1.0, 1.0].map(|t| self.at(t, 0.0, 0.0)).to_vec()
+    fn visit_farthest(&self, visit: &mut dyn FnMut(DVec3)) {
+        [-1.0, 1.0].map(|t| self.at(t, 0.0, 0.0)).into_iter().for_each(visit);
     }
 
     /// Around, from the middle of each end to its rim, and along the side.

@@ -138,8 +138,9 @@ pub(crate) trait CentredShape {
         None
     }
 
-    /// Places in its own axes of which one is about as far away as the farthest of the surface.
-    fn farthest(&self) -> Vec<DVec3>;
+    /// Visits places in the shape's own axes of which one is about as far away as the farthest of the surface. Nothing is allocated, since
+    /// it is asked in each frame.
+    fn visit_farthest(&self, visit: &mut dyn FnMut(DVec3));
 
     /// The numbers of segments that triangles need each way, and the least numbers that look round, by the most that a surface
     /// needs per unit of its parameter.

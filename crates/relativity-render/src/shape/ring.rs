@@ -232,8 +232,8 @@ impl CentredShape for RingForm {
     }
 
     /// Four places around it.
-    fn farthest(&self) -> Vec<DVec3> {
-        (0..4).map(|i| self.at(FRAC_PI_2 * f64::from(i), 0.0)).collect()
+    fn visit_farthest(&self, visit: &mut dyn FnMut(DVec3)) {
+        (0..4).for_each(|i| visit(self.at(FRAC_PI_2 * f64::from(i), 0.0)));
     }
 
     /// Around the axis, and around the tube.

@@ -122,9 +122,9 @@ impl CentredShape for SphereForm {
         along_tube(0.0, self.radius, off_axis, outward, z)
     }
 
-    /// Returns one place, which stands for all of the surface.
-    fn farthest(&self) -> Vec<DVec3> {
-        vec![DVec3::X * self.radius]
+    /// Visits one place, which stands for all of the surface.
+    fn visit_farthest(&self, visit: &mut dyn FnMut(DVec3)) {
+        visit(DVec3::X * self.radius);
     }
 
     fn segments(&self, needed: &SegmentsNeeded<'_>) -> [(f64, u32); 3] {

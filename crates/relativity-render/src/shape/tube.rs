@@ -159,9 +159,10 @@ impl CentredShape for TubeForm {
         along_tube(self.half_length, self.radius, off_axis, outward, z)
     }
 
-    /// Returns a place at the rim of each end.
-    fn farthest(&self) -> Vec<DVec3> {
-        [-1.0, 1.0].map(|t| DVec3::Z * (t * self.half_length) + outward(0.0) * self.radius).to_vec()
+    /// Visits a place at the rim of each end.
+    fn visit_farthest(&self, visit: &mut dyn FnMut(DVec3)) {
+        let rim = |t: f64| DVec3::Z * (t * self.half_length) + outward(0.0) * self.radius;
+        [-1.0, 1.0].map(rim).into_iter().for_each(visit);
     }
 
     fn segments(&self, needed: &SegmentsNeeded<'_>) -> [(f64, u32); 3] {
