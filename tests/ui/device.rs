@@ -4,7 +4,7 @@
 use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuConfiguration, WgpuError};
 use egui_kittest::wgpu::default_wgpu_setup;
 
-/// Makes a device.
+/// Returns a device for a window without a display, with the instance and the adapters that the toolkit finds.
 ///
 /// # Errors
 /// There is none.

@@ -67,7 +67,7 @@ fn a_clicker_steps_the_presets() {
     assert_eq!(window.state().state().document.preset, Some(&Preset::all()[1]));
 }
 
-/// Where things are, in points, is looked at in every preset with few pixels; at the end the window is drawn with all of them.
+/// Checks the places of everything, in points, in every preset with few pixels; at the end the window is drawn with all pixels.
 fn presenting_works_at_every_size() {
     for (size, few, scale) in [
         ([64.0, 64.0], 1.0, 1.0),

@@ -28,7 +28,7 @@ pub enum Choice {
 /// Facts about the device and its screen, for the menu's words.
 #[derive(Debug, Clone, Copy)]
 pub struct Known {
-    /// Whether the device tells how it is turned.
+    /// Whether the device reports its orientation.
     pub is_turned: bool,
     /// Whether the size of its screen can be found by a card.
     pub takes_card: bool,

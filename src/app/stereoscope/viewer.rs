@@ -16,7 +16,7 @@ pub struct Stereoscope {
     pub page: Page,
     /// Gaze that is straight before the viewer: towards what the views showed.
     pub ahead: Gaze,
-    /// Orientation of the device, where it tells that.
+    /// Orientation of the device, if it reports one.
     pub device: Option<Orientation>,
     /// Angle from the device's axes to those of the scene, to the left, radians; unset until the device is held towards what is ahead.
     pub heading: Option<f64>,
@@ -53,7 +53,7 @@ impl Stereoscope {
         (self.ahead, self.heading) = (gaze, None);
     }
 
-    /// Turns the head to the left and up, by angles in radians: up only where the device does not tell how it is turned.
+    /// Turns the head to the left and up, by angles in radians: up only where the device reports no orientation.
     pub fn turn(&mut self, [left, up]: [f64; 2]) {
         if let Some(heading) = &mut self.heading {
             *heading += left;
