@@ -453,8 +453,9 @@ impl State {
         self.stay_at(zoomed.gaze_with(direction, zoom.pixel));
     }
 
-    /// Both eyes look there from now on, with the present field of view.
+    /// Both eyes look there, in the observer's axes, from now on, with the present field of view.
     fn stay_at(&mut self, gaze: Gaze) {
+        let gaze = self.rider().gaze_to_head(gaze);
         self.document.settings.look.fov = self.look().fov;
         let azimuth = gaze.azimuth.rem_euclid(std::f64::consts::TAU);
         self.document.settings.look.gaze = GazeChoice::fixed_at(Gaze { azimuth, ..gaze });

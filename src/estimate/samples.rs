@@ -109,7 +109,7 @@ impl SamplesWithTruth {
     /// A row for each sample, as `gamow fit` reads it: T, the eyes, and the reading of each curve in radians.
     #[must_use]
     pub fn csv(&self) -> String {
-        let (names, eyes) = eye_columns(self.baseline);
+        let (names, eyes) = eye_columns(self.baseline, false);
         let mut rows = Rows::new(Vec::new());
         // Into memory: writing does not fail.
         let _ = rows.write(&mut ["T"].iter().chain(names).chain(&["dphi", "dtheta"]).copied().collect(), &[]);
@@ -122,11 +122,14 @@ impl SamplesWithTruth {
     }
 }
 
-/// Returns the columns of a table that place the eyes, and their numbers in each row: roll and turn, in radians, of a
-/// head that is not straight.
+/// Returns the columns of a table that place the eyes, and their numbers in a row: roll and turn, in radians, of a
+/// head that is not straight, or `turns`.
 #[must_use]
-pub fn eye_columns(Baseline { separation, roll, turn }: Baseline) -> (&'static [&'static str], Vec<f64>) {
-    if roll == 0.0 && turn == 0.0 {
+pub fn eye_columns(
+    Baseline { separation, roll, turn }: Baseline,
+    turns: bool,
+) -> (&'static [&'static str], Vec<f64>) {
+    if roll == 0.0 && turn == 0.0 && !turns {
         return (&["d"], vec![separation]);
     }
     (&["d", ROLL, TURN], vec![separation, roll, turn])

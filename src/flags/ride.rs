@@ -1,10 +1,10 @@
-//! A ride along the street: its legs, and the speed at which it starts.
+//! A ride: its legs, and the speed at which it starts.
 
 use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use relativity_core::Leg;
+use relativity_core::{Leg, RideMoment, math};
 use serde::{Serialize, Serializer};
 
 use super::{SpeedParameter, finite_number};
@@ -16,7 +16,8 @@ const MAX_RIDER_RAPIDITY: f64 = 14.6;
 /// Longest leg, and greatest proper acceleration.
 const MOST_OF_A_LEG: f64 = 1e6;
 
-/// The legs of a ride along the street, written `DURATION@ACCELERATION,...`; `coast` has none, and `off` is no ride: the eyes rest.
+/// The legs of a ride, written `DURATION@ACCELERATION,...`; `coast` has none, and `off` is no ride: the eyes rest. An acceleration is
+/// a number, ahead, or up to three, `AHEAD:LEFT:UP`, along the axes of the head.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RideLegs(pub Option<Arc<[Leg]>>);
 
@@ -47,7 +48,8 @@ impl fmt::Display for RideLegs {
             Some([]) => f.write_str("coast"),
             Some(legs) => legs.iter().enumerate().try_for_each(|(number, leg)| {
                 let separator = if number == 0 { "" } else { "," };
-                write!(f, "{separator}{}@{}", leg.duration, leg.acceleration[0])
+                write!(f, "{separator}{}@", leg.duration)?;
+                write_acceleration(f, leg.acceleration)
             }),
         }
     }
@@ -65,12 +67,28 @@ impl FromStr for RideLegs {
     }
 }
 
-/// Whether the rapidity that `legs` add stays within bounds all along.
+/// As few numbers as say it: those to the left and up are left out where they are 0.
+fn write_acceleration(f: &mut fmt::Formatter<'_>, acceleration: [f64; 3]) -> fmt::Result {
+    let [ahead, left, up] = acceleration;
+    match (left, up) {
+        (0.0, 0.0) => write!(f, "{ahead}"),
+        (_, 0.0) => write!(f, "{ahead}:{left}"),
+        _ => write!(f, "{ahead}:{left}:{up}"),
+    }
+}
+
+/// Whether the rapidity that `legs` add stays within bounds all along: during a leg it is nowhere greater than at both ends.
 fn check_rapidities(legs: &[Leg]) -> Result<(), String> {
-    let mut rapidity = 0.0_f64;
-    for Leg { duration, acceleration: [along, ..] } in legs {
-        rapidity += duration * along;
-        if rapidity.abs() > MAX_RIDER_RAPIDITY {
+    let mut moment = RideMoment::AT_REST;
+    for Leg { duration, acceleration } in legs {
+        let gained = duration * size(*acceleration);
+        // So much is too fast at the end, whatever it was before; more has no number.
+        let is_within = gained <= 2.0 * MAX_RIDER_RAPIDITY;
+        if is_within {
+            moment = moment.after(*duration, *acceleration);
+        }
+        let rapidity = if is_within { moment.rapidity().abs() } else { gained };
+        if rapidity > MAX_RIDER_RAPIDITY {
             return Err(format!(
                 "the legs add a rapidity of {rapidity:.1}, which must be at most {MAX_RIDER_RAPIDITY}"
             ));
@@ -79,18 +97,30 @@ fn check_rapidities(legs: &[Leg]) -> Result<(), String> {
     Ok(())
 }
 
+fn size([x, y, z]: [f64; 3]) -> f64 {
+    math::hypot(x, math::hypot(y, z))
+}
+
 fn leg(text: &str) -> Result<Leg, String> {
     let (duration, acceleration) = text
         .split_once('@')
-        .ok_or("write off, coast, or legs like 2@0.5,4@0: durations and accelerations")?;
-    let [duration, acceleration] = [finite_number(duration)?, finite_number(acceleration)?];
+        .ok_or("write off, coast, or legs like 2@0.5,4@0,1@0:0.5: durations and accelerations")?;
+    let duration = finite_number(duration)?;
     if !(0.0..=MOST_OF_A_LEG).contains(&duration) {
         return Err("the duration of a leg must be between 0 and 1e6".to_owned());
     }
-    if acceleration.abs() > MOST_OF_A_LEG {
+    Ok(Leg { duration, acceleration: parse_acceleration(acceleration)? })
+}
+
+fn parse_acceleration(text: &str) -> Result<[f64; 3], String> {
+    let parts = text.split(':').map(finite_number).collect::<Result<Vec<_>, _>>()?;
+    if parts.len() > 3 {
+        return Err(format!("{text} has more parts than AHEAD:LEFT:UP"));
+    }
+    if parts.iter().any(|part| part.abs() > MOST_OF_A_LEG) {
         return Err("the acceleration of a leg must be between -1e6 and 1e6".to_owned());
     }
-    Ok(Leg { duration, acceleration: [acceleration, 0.0, 0.0] })
+    Ok(std::array::from_fn(|axis| parts.get(axis).copied().unwrap_or(0.0)))
 }
 
 impl Serialize for RideLegs {
@@ -162,10 +192,26 @@ mod tests {
 
     #[test]
     fn legs_are_read_as_they_are_written() {
-        for text in ["off", "coast", "2@0.5", "2@1,2@-1,0.25@0"] {
+        for text in ["off", "coast", "2@0.5", "2@1,2@-1,0.25@0", "1@0:0.5,1@1:0:-2,3@-1:0.25:1"] {
             assert_eq!(text.parse::<RideLegs>().map(|legs| legs.to_string()), Ok(text.to_owned()));
         }
-        for text in ["", "on", "2", "2@", "-1@1", "1@nan", "1@1,", "1e7@1", "1@2e6", "8@2"] {
+        for text in [
+            "",
+            "on",
+            "2",
+            "2@",
+            "-1@1",
+            "1@nan",
+            "1@1,",
+            "1e7@1",
+            "1@2e6",
+            "8@2",
+            "1@1:",
+            "1@1:2:3:4",
+            "8@0:2",
+            "1e6@1e6:1e6",
+            "10@1,10@-1:5",
+        ] {
             assert!(text.parse::<RideLegs>().is_err(), "{text}");
         }
         let many = vec!["1@0"; MOST_LEGS + 1].join(",");

@@ -105,7 +105,7 @@ impl<'a> Instant<'a> {
                 Frame::Rider => self.settings.pair().map(position),
                 _ => seen.map(|view| position(view.camera.aperture) + shift),
             },
-            pair: self.settings.stereo_pair(),
+            pair: self.settings.baseline_at(self.time).stereo_apertures(self.settings.ride.is_on()),
             model: self.model,
             seen: seen.map(|view| view.of_group(motion)),
             observer: self.rider.observer(),

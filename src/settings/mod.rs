@@ -20,6 +20,7 @@ mod panorama;
 mod photograph;
 mod presets;
 mod ride;
+mod rider;
 mod sections;
 mod start;
 #[cfg(test)]
@@ -35,7 +36,8 @@ pub use head::Head;
 pub use link::{is_link, link_of_pairs};
 pub use photograph::CameraArgs;
 pub use presets::Preset;
-pub use ride::{AZIMUTH, ELEVATION, ON_A_RIDE, PUSH, Rider, Riding};
+pub use ride::{AZIMUTH, ELEVATION, ON_A_RIDE, PUSH, Riding};
+pub use rider::Rider;
 pub use sections::{
     BOUND_PX, Coordinates, DataFrom, Daylight, FIT_SAMPLES, Face, FitSetup, Frame, Framing, LENS_MM, Light,
     Look, MAX_LENGTH, MAX_SEED, Map, Motion, NOISE_PERCENT, PICTURE_MM, Picture, Playback, PlotTab, Plots,

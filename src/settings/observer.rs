@@ -9,7 +9,7 @@ use relativity_core::{
 use relativity_render::{Geometry, MaterialPoint, Motion, RelativeVelocity, Velocity};
 
 use super::all::Settings;
-use super::ride::Rider;
+use super::rider::Rider;
 use super::sections::{self, Frame};
 use crate::flags::MAX_TIME;
 use crate::scene::{Scene, SceneError, Track};
@@ -61,6 +61,12 @@ impl Settings {
     pub const fn baseline(&self) -> Baseline {
         let sections::Motion { d, roll, turn, .. } = self.motion;
         Baseline { separation: d, roll: roll.to_radians(), turn: turn.to_radians() }
+    }
+
+    /// The same at `time` in the observer's axes, in which the head of who is pushed aside turns.
+    #[must_use]
+    pub fn baseline_at(&self, time: f64) -> Baseline {
+        self.rider(time).baseline(self.baseline())
     }
 
     /// Returns the places of both eyes, from the point between them.
@@ -212,7 +218,9 @@ impl Settings {
 
     fn disparity_by(&self, model: Model, point: &Track, time: f64) -> Result<Disparity, ObserverError> {
         let place = self.from_between_eyes(point);
-        self.velocity(point.motion).disparity_before(&self.rider(time).observer(), model, place, self.pair())
+        let rider = self.rider(time);
+        let pair = rider.baseline(self.baseline()).apertures();
+        self.velocity(point.motion).disparity_before(&rider.observer(), model, place, pair)
     }
 
     /// Returns the stereo position of `point` at `observation_time`, by the [`Self::model`] of the views.
@@ -221,14 +229,10 @@ impl Settings {
     /// A time outside the domain of the core; lines of sight that do not meet.
     pub fn stereo(&self, point: &Track, observation_time: f64) -> Result<Stereo, ObserverError> {
         let place = self.from_between_eyes(point);
-        let observer = self.rider(observation_time).observer();
-        self.velocity(point.motion).stereo_before(&observer, self.model(), place, self.stereo_pair())
-    }
-
-    /// The eyes of which stereo positions are had: of eyes in one place the limit.
-    #[must_use]
-    pub fn stereo_pair(&self) -> [Aperture; 2] {
-        self.baseline().stereo_apertures(self.ride.is_on())
+        let rider = self.rider(observation_time);
+        // Of eyes in one place the limit.
+        let pair = rider.baseline(self.baseline()).stereo_apertures(self.ride.is_on());
+        self.velocity(point.motion).stereo_before(&rider.observer(), self.model(), place, pair)
     }
 
     /// Returns the velocity at which `point`, or the hub that it turns about, passes the observer, and its place by the observer's

@@ -1,16 +1,14 @@
-//! The ride of the observer: a section of the settings, and the observer at each moment of it.
+//! The ride of the observer: a section of the settings.
 //!
 //! While one rides, the time of everything is the rider's clock. It shows 0 where the ride starts, and so does the street's
 //! clock there.
 
 use clap::Args;
-use relativity_core::{
-    Aperture, Boost, Event, Leg, Observer, ObserverVelocity, Odometers, RideMoment, RiderVelocity, Speed,
-    math,
-};
-use relativity_render::Velocity;
+use glam::{DMat3, DVec3};
+use relativity_core::{Leg, ObserverVelocity, Odometers, RideMoment, RiderVelocity, Speed};
 use serde::Serialize;
 
+use super::rider::Rider;
 use super::sections::MAX_LENGTH;
 use crate::flags::{RideLegs, StreetVelocity, within};
 
@@ -28,14 +26,14 @@ pub const ON_A_RIDE: &str = "it was taken on a ride, and this needs pictures tak
 /// A shorter part of the time is rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// The ride of the observer along a straight line, the street unless another is chosen.
+/// The ride of the observer: along a straight line, the street unless another is chosen, until a leg pushes aside.
 #[derive(Debug, Clone, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Ride")]
 pub struct Riding {
     /// Ride of the eyes, along the street unless another direction is chosen, in place of resting beside it. Legs are durations by the rider's clock at proper accelerations, in c
-    /// per unit of that clock: `2@0.5,4@0,2@-0.5` speeds up for 2, coasts for 4 and brakes for 2; after the last, one coasts. `coast` keeps its first
-    /// speed. T is the rider's clock then.
+    /// per unit of that clock: `2@0.5,4@0,2@-0.5` speeds up for 2, coasts for 4 and brakes for 2; after the last, one coasts. `1@0.5:0.2` pushes to the
+    /// left as well, by the axes of the head, which is carried along without being turned, and `1@0:0:1` up. `coast` keeps its first speed. T is the rider's clock then.
     #[arg(long, value_name = "off|coast|DURATION@ACCELERATION,...", allow_hyphen_values = true)]
     pub ride: RideLegs,
     /// Speed at which the ride starts: v/c, or like `gamma:10` and `rapidity:2`; below 0 towards -x.
@@ -45,7 +43,7 @@ pub struct Riding {
     #[arg(long, value_name = "X", value_parser = within(-MAX_LENGTH..=MAX_LENGTH), allow_hyphen_values = true)]
     pub ride_from: f64,
     /// Direction of the ride, degrees from +x, along the street, towards +y, across it. Speeds and accelerations are along it; in any direction but 0 and
-    /// 180 there is neither a bicycle nor a map.
+    /// 180 there is no bicycle.
     #[arg(long, value_name = "DEGREES", value_parser = within(AZIMUTH), allow_hyphen_values = true)]
     pub ride_azimuth: f64,
     /// Direction of the ride, degrees above the street; 90 is straight up.
@@ -76,24 +74,40 @@ impl Riding {
     #[must_use]
     pub fn rider(&self, time: f64) -> Rider {
         let Some(legs) = self.ride.0.as_deref() else { return Rider::at_rest(time) };
-        Rider::new(self.start().along(legs, time), self)
+        let moment = self.start().along(legs, time);
+        if self.is_straight() { Rider::on_line(moment, self) } else { Rider::off_line(&moment, self) }
     }
 
     /// Returns the velocity at `speed` in the direction of the ride.
-    fn heading(&self, speed: Speed) -> ObserverVelocity {
+    pub(super) fn heading(&self, speed: Speed) -> ObserverVelocity {
         ObserverVelocity::new(speed, self.ride_azimuth.to_radians(), self.ride_elevation.to_radians())
+    }
+
+    /// Whether no leg pushes aside, so that all of the ride is on one line.
+    #[must_use]
+    pub fn is_straight(&self) -> bool {
+        let legs = self.ride.0.as_deref().unwrap_or_default();
+        legs.iter().all(|Leg { acceleration: [_, left, up], .. }| [*left, *up] == [0.0; 2])
     }
 
     /// Whether the ride is along the street, one way or the other.
     #[must_use]
     pub fn is_along_street(&self) -> bool {
-        self.heading(Speed::REST).is_along_street()
+        self.heading(Speed::REST).is_along_street() && self.is_straight()
     }
 
-    /// The unit vector along the ride.
+    /// The unit vector along the ride, as it starts.
     #[must_use]
     pub fn direction(&self) -> [f64; 3] {
         self.heading(Speed::REST).direction()
+    }
+
+    /// From the axes of the line (ahead, left, up) to the ground's.
+    pub(super) fn axes(&self) -> DMat3 {
+        let level = ObserverVelocity::new(Speed::REST, self.ride_azimuth.to_radians(), 0.0);
+        let ([x, y, _], ahead) = (level.direction(), DVec3::from(self.direction()));
+        let left = DVec3::new(-y, x, 0.0);
+        DMat3::from_cols(ahead, left, ahead.cross(left))
     }
 
     fn start(&self) -> RideMoment {
@@ -103,9 +117,9 @@ impl Riding {
         RideMoment { velocity, place: [from, 0.0, 0.0], ..RideMoment::AT_REST }
     }
 
-    /// Whether the line of the ride is another than the street towards +x.
-    fn has_own_line(&self) -> bool {
-        self.direction() != [1.0, 0.0, 0.0]
+    /// Whether the ride is not all along the street towards +x or back.
+    pub(super) fn has_own_line(&self) -> bool {
+        self.direction() != [1.0, 0.0, 0.0] || !self.is_straight()
     }
 
     /// Whether the eyes ride.
@@ -133,18 +147,18 @@ impl Riding {
         self.coasts() && self.is_along_street()
     }
 
-    /// Two odometers of the rider when the clock of the ride shows `time`.
+    /// Two odometers of the rider when the clock of the ride shows `time`; `None` off its line, where nothing rolls.
     #[must_use]
-    pub fn odometers(&self, time: f64) -> Odometers {
-        self.start().odometers(self.ride.0.as_deref().unwrap_or_default(), time)
+    pub fn odometers(&self, time: f64) -> Option<Odometers> {
+        self.is_straight().then(|| self.start().odometers(self.ride.0.as_deref().unwrap_or_default(), time))
     }
 
-    /// Returns this ride as it was until `time`, and from then on with a push of this proper `acceleration` for
-    /// `duration`. A push that continues another is one leg with it.
+    /// Returns this ride as it was until `time`, and from then on with a `push` of this proper acceleration, ahead and to the left,
+    /// for `duration`. A push that continues another is one leg with it.
     ///
     /// # Errors
     /// A ride that is full, or would be too fast, in words.
-    pub fn pushed(&self, time: f64, duration: f64, acceleration: f64) -> Result<Self, String> {
+    pub fn pushed(&self, time: f64, duration: f64, push: [f64; 2]) -> Result<Self, String> {
         let mut legs: Vec<Leg> = Vec::new();
         let mut left = time.max(0.0);
         for leg in self.ride.0.as_deref().unwrap_or_default() {
@@ -158,7 +172,7 @@ impl Riding {
         if left > ROUNDING * time.abs() {
             legs.push(Leg { duration: left, acceleration: [0.0; 3] });
         }
-        let acceleration = [acceleration, 0.0, 0.0];
+        let acceleration = [push[0], push[1], 0.0];
         match legs.last_mut().filter(|last| last.acceleration == acceleration) {
             Some(last) => last.duration += duration,
             None => legs.push(Leg { duration, acceleration }),
@@ -182,93 +196,10 @@ impl Riding {
     }
 }
 
-/// A moment of a ride, or of resting eyes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rider {
-    /// Velocity along the line of the ride.
-    pub velocity: Velocity,
-    /// Place x on the street.
-    pub x: f64,
-    /// Places y and z beside the middle between eyes that rest, and above.
-    pub aside: [f64; 2],
-    /// The time of the street's clock there.
-    pub street_time: f64,
-    /// Velocity on the ground.
-    on_ground: ObserverVelocity,
-}
-
-impl Rider {
-    /// At rest at the ground's origin.
-    const fn at_rest(time: f64) -> Self {
-        let on_ground = ObserverVelocity::REST;
-        Self { velocity: Velocity::REST, x: 0.0, aside: [0.0; 2], street_time: time, on_ground }
-    }
-
-    /// The `moment` of a ride along the line of `riding`, which it has as x.
-    fn new(moment: RideMoment, riding: &Riding) -> Self {
-        let rapidity = match moment.velocity {
-            RiderVelocity::AlongStreet { rapidity } => rapidity,
-            RiderVelocity::Any { proper: [along, ..] } => math::asinh(along),
-        };
-        let velocity = Velocity::from_rapidity(rapidity);
-        let ([x, ..], street_time) = (moment.place, moment.time);
-        if !riding.has_own_line() {
-            return Self { velocity, x, aside: [0.0; 2], street_time, on_ground: velocity.into() };
-        }
-        let [along_x, y, z] = riding.direction().map(|part| part * x);
-        let ahead = riding.heading(velocity.speed);
-        let on_ground = match (velocity == Velocity::REST, velocity.is_backward) {
-            (true, _) => ObserverVelocity::REST,
-            (_, true) => ahead.opposite(),
-            (_, false) => ahead,
-        };
-        Self { velocity, x: riding.ride_from + along_x, aside: [y, z], street_time, on_ground }
-    }
-
-    /// The part of the velocity that is along the street.
-    #[must_use]
-    pub fn along_street(&self) -> Velocity {
-        Velocity::along_street(&self.on_ground).unwrap_or_else(|| {
-            let [ahead, ..] = self.on_ground.direction();
-            Velocity::from_beta(ahead * self.on_ground.speed().beta()).unwrap_or(Velocity::REST)
-        })
-    }
-
-    /// The event of the middle between the eyes, on the street.
-    #[must_use]
-    pub const fn event(&self) -> Event {
-        Event { x: self.x, t: self.street_time }
-    }
-
-    /// The event of an eye that is at `aperture` from the middle between the eyes, in the rider's frame: its place on the ground,
-    /// and the time of the street's clock there.
-    #[must_use]
-    pub fn event_of(&self, aperture: Aperture) -> (Aperture, f64) {
-        let Some(velocity) = Velocity::along_street(&self.on_ground) else {
-            return self.observer().event_of(aperture);
-        };
-        let Event { x, t } = self.event().plus(Boost::from(velocity).simultaneous_step(aperture.x));
-        let [y, z] = self.aside;
-        (Aperture { x, y: y + aperture.y, z: z + aperture.z }, t)
-    }
-
-    /// The event of such an eye, in the street's one dimension.
-    #[must_use]
-    pub fn event_on_street(&self, aperture: Aperture) -> Event {
-        let (Aperture { x, .. }, t) = self.event_of(aperture);
-        Event { x, t }
-    }
-
-    /// The observer of this moment.
-    #[must_use]
-    pub fn observer(&self) -> Observer {
-        let [y, z] = self.aside;
-        Observer { velocity: self.on_ground, place: [self.x, y, z], time: self.street_time }
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use relativity_render::Velocity;
+
     use super::*;
 
     fn riding(ride: &str, speed: &str) -> Riding {
@@ -296,7 +227,7 @@ mod tests {
             for push in [0.5, -0.5] {
                 for _ in 0..2 * steps {
                     let step = 1.0 / f64::from(steps);
-                    ride = ride.pushed(time, step, push).expect("there is room");
+                    ride = ride.pushed(time, step, [push, 0.0]).expect("there is room");
                     time += step;
                 }
             }
@@ -306,25 +237,12 @@ mod tests {
             assert!(rider.velocity.beta().abs() < 1e-14, "{steps}: {legs:?}");
         }
         // What was planned after a push is given up.
-        let again = riding("2@1,2@-1", "0").pushed(1.0, 0.5, 0.25).expect("there is room");
+        let again = riding("2@1,2@-1", "0").pushed(1.0, 0.5, [0.25, 0.0]).expect("there is room");
         assert_eq!(again.ride.to_string(), "1@1,0.5@0.25");
-        assert!(riding("14@1", "0").pushed(14.0, 1.0, 1.0).is_err());
-    }
-
-    #[test]
-    fn eyes_along_the_motion_are_gamma_d_apart_on_the_street() {
-        let rider = riding("coast", "gamma:-10").rider(0.0);
-        let [near, far] = [-0.05, 0.05].map(|x| rider.event_of(Aperture { x, y: 0.0, z: 0.0 }));
-        assert!((far.0.x - near.0.x - 1.0).abs() < 1e-14);
-        assert!((far.1 - near.1 + 0.99_f64.sqrt()).abs() < 1e-14);
-    }
-
-    #[test]
-    fn without_a_ride_the_eyes_rest_where_they_are() {
-        let rider = Riding::default().rider(2.5);
-        let eye = Aperture { x: -0.05, y: 0.0, z: 0.0 };
-        assert_eq!(rider.event_of(eye), (eye, 2.5));
-        assert_eq!(rider.observer(), Observer::at_rest(2.5));
+        let aside = again.pushed(1.5, 2.0, [-0.5, 0.25]).expect("there is room");
+        assert_eq!(aside.ride.to_string(), "1@1,0.5@0.25,2@-0.5:0.25");
+        assert!(aside.is_along_street() != again.is_along_street());
+        assert!(riding("14@1", "0").pushed(14.0, 1.0, [1.0, 0.0]).is_err());
     }
 
     /// The same clocks and distances as along the street, whichever way one rides.

@@ -6,6 +6,7 @@ use relativity_core::math::{asinh, sinh};
 use relativity_render::{Camera, Framing, Gaze, Geometry, Motion, Outline, PreparedScene, Projection, View};
 
 use super::all::Settings;
+use super::rider::Rider;
 use super::sections::{FOV_AHEAD, Look, USUAL_FOV};
 use crate::flags::FieldOfView;
 use crate::flags::choices::{GazeChoice, ProjectionChoice, ZeroParallax};
@@ -65,9 +66,10 @@ impl Settings {
             GazeChoice::Whole | GazeChoice::Passage => self.framing(subject.scene, observation_time),
             _ => None,
         };
+        let rider = self.rider(observation_time);
         let gaze = match self.look.gaze {
             GazeChoice::Point => self.gaze_at(&subject.tracked, observation_time),
-            other => other.fixed().or(framing.map(|framing| framing.gaze)),
+            other => other.fixed().or(framing.map(|framing| rider.gaze_to_head(framing.gaze))),
         };
         // Inside an aperture, and where nothing is, there is no direction to follow.
         let fixed_at = |gaze: Option<Gaze>| GazeChoice::fixed_at(gaze.unwrap_or(Gaze::STRAIGHT_AHEAD));
@@ -86,7 +88,11 @@ impl Settings {
             _ => whole.map_or(USUAL_FOV, |whole| whole.horizontal_fov(size).to_degrees()),
         };
         let fov = FieldOfView(Some(self.look.set_fov().unwrap_or_else(fitted)));
-        let look = Look { gaze: whole.map_or(gaze, |whole| fixed_at(Some(whole.gaze))), fov, ..look };
+        let look = Look {
+            gaze: whole.map_or(gaze, |whole| fixed_at(Some(rider.gaze_to_head(whole.gaze)))),
+            fov,
+            ..look
+        };
         // Where pictures turn with the gaze, the shift has turned a little, too.
         let unshifted = Look { zero_parallax: self.look.zero_parallax, ..look };
         Look { zero_parallax: self.zero_parallax(&unshifted, &steady, observation_time), ..look }
@@ -125,7 +131,7 @@ impl Settings {
         }
         let [camera, _] = self.cameras_with(look, [1, 1]);
         let along_baseline = self.rows_along_baseline(look);
-        let columns = self.directions(point, observation_time).map(|direction| {
+        let columns = self.directions_from_head(point, observation_time).map(|direction| {
             let place = direction.and_then(|direction| camera.coordinates(direction));
             // There is no place behind the picture plane.
             place.map_or(f64::NAN, |[aside, _]| aside * along_baseline)
@@ -141,7 +147,7 @@ impl Settings {
 
     /// The gaze at `point`: as far to the left of it in one picture as to the right in the other.
     fn gaze_at(&self, point: &Track, observation_time: f64) -> Option<Gaze> {
-        let [left, right] = self.directions(point, observation_time);
+        let [left, right] = self.directions_from_head(point, observation_time);
         let directions = [left?, right?];
         if self.projection() == ProjectionChoice::Gaze {
             return Gaze::towards(directions);
@@ -167,6 +173,12 @@ impl Settings {
         self.views_ahead(observation_time).map(place)
     }
 
+    /// The same directions in the axes of the head.
+    fn directions_from_head(&self, point: &Track, observation_time: f64) -> [Option<DVec3>; 2] {
+        let rider = self.rider(observation_time);
+        self.directions(point, observation_time).map(|direction| direction.map(|there| rider.to_head(there)))
+    }
+
     /// The views of eyes that look straight ahead, in pictures of no matter what size.
     pub(crate) fn views_ahead(&self, observation_time: f64) -> [View; 2] {
         self.views_with(&Look { gaze: GazeChoice::Ahead, ..self.look }, observation_time, [1, 1])
@@ -177,14 +189,19 @@ impl Settings {
     pub fn views_with(&self, look: &Look, observation_time: f64, size: [u32; 2]) -> [View; 2] {
         let geometry = self.geometry();
         let rider = self.rider(observation_time);
-        let rolled = if self.ride.is_on() { self.ride.odometers(observation_time).rolled } else { 0.0 };
+        let odometers = self.ride.odometers(observation_time).filter(|_| self.ride.is_on());
+        let rolled = odometers.map_or(0.0, |odometers| odometers.rolled);
         let [left, mut right] = self.cameras_with(look, size);
         // The published right eye's view is from where the left eye is.
         if geometry == Geometry::Published {
             (right.aperture, right.off_middle) = (left.aperture, left.off_middle);
         }
+        let [_, behind, below] = self.rest_place([0.0; 3]);
         [(left, geometry.of_left_eye()), (right, geometry)].map(|(camera, geometry)| {
-            let (aperture, observation_time) = rider.event_of(camera.aperture);
+            let camera = carried(camera, &rider);
+            let DVec3 { x, y, z } = camera.off_middle;
+            let (eye, observation_time) = rider.event_of(Aperture { x, y, z });
+            let aperture = Aperture { y: eye.y - behind, z: eye.z - below, ..eye };
             let camera = Camera { aperture, velocity: rider.observer().velocity, rolled, ..camera };
             View { camera, speed: self.speed(), observation_time, geometry }
         })
@@ -263,4 +280,17 @@ impl Settings {
         }
         Ok(self.cameras_with(look, size))
     }
+}
+
+/// `camera`, whose directions are in the axes of the head of `rider`, with them in the observer's.
+fn carried(camera: Camera, rider: &Rider) -> Camera {
+    let turned = |right| rider.from_head(right);
+    let projection = match camera.projection {
+        Projection::Gaze => Projection::Gaze,
+        Projection::Parallel { right, shift } => Projection::Parallel { right: turned(right), shift },
+        Projection::Mercator { right, shift } => Projection::Mercator { right: turned(right), shift },
+        Projection::Vr180 { right } => Projection::Vr180 { right: turned(right) },
+    };
+    let (gaze, off_middle) = (rider.gaze_from_head(camera.gaze), turned(camera.off_middle));
+    Camera { gaze, off_middle, projection, ..camera }
 }

@@ -15,6 +15,7 @@ use super::support::{FRAME, assert_sane, label_starting_with, shown, type_into, 
 
 pub const TESTS: &[Test] = &[
     ("pedals_and_brakes_are_recorded_as_they_are_pushed", pedals_and_brakes),
+    ("who_walks_goes_where_they_look_and_leaves_the_bicycle", walks),
     ("a_rider_reads_what_the_core_says", a_rider_reads_what_the_core_says),
     ("a_ride_off_the_street_has_the_cores_numbers_and_no_map", a_ride_off_the_street),
     ("a_typed_speed_is_reached_by_pedalling", a_typed_speed_is_reached),
@@ -94,6 +95,67 @@ fn pedals_and_brakes() {
     assert!(!state(&window).document.settings.ride.is_on());
     assert!(!has_bicycle(&window));
     assert_eq!(state(&window).document.settings.motion.turn, 0.0);
+}
+
+fn walks() {
+    let hold = |window: &mut Harness<'_, App>, keys: &[Key], frames: usize| {
+        keys.iter().for_each(|key| window.key_down(*key));
+        window.run_steps(frames);
+        keys.iter().for_each(|key| window.key_up(*key));
+        window.step();
+    };
+    // Keys are let go one after the other, which leaves short legs between.
+    let last_leg = |window: &Harness<'_, App>| {
+        let legs = state(window).document.settings.ride.ride.0.clone().expect("it is on");
+        *legs.iter().rfind(|leg| leg.duration > 0.3).expect("it was pushed")
+    };
+    let mut window = window(street());
+    window.key_press(Key::I);
+    window.run_steps(2);
+    let (bodies, push) =
+        (state(&window).document.scene.bodies.len(), state(&window).document.settings.ride.push);
+    hold(&mut window, &[Key::D], 40);
+    let leg = last_leg(&window);
+    assert_eq!(leg.acceleration, [0.0, -push, 0.0]);
+    assert!(state(&window).document.scene.bodies.len() < bodies, "the bicycle stays behind");
+    let rider = state(&window).rider();
+    let rapidity = push * leg.duration;
+    assert!((rider.velocity.rapidity() - rapidity).abs() < 1e-12);
+    let coasted = state(&window).document.time - state(&window).document.settings.ride.duration();
+    let expected = (rapidity.cosh() - 1.0) / push + rapidity.sinh() * coasted;
+    assert!((rider.aside[0] + expected).abs() < 1e-12 && (rider.x + 20.0).abs() < 1e-12, "{rider:?}");
+    assert!(label_starting_with(&window, "Left eye, instruments").contains("at x, y = "));
+    assert_sane(state(&window));
+
+    // Two keys push between both; the head is carried, and turns against the observer's axes.
+    hold(&mut window, &[Key::W, Key::D], 30);
+    let [ahead, left, _] = last_leg(&window).acceleration;
+    assert!((ahead - push * 0.5_f64.sqrt()).abs() < 1e-15 && (left + ahead).abs() < 1e-15);
+    // Who brakes comes to rest from any way of moving.
+    hold(&mut window, &[Key::ArrowDown], 90);
+    assert!(state(&window).rider().velocity.rapidity() < 1e-12);
+    let place = state(&window).rider().observer().place;
+    window.run_steps(3);
+    assert!((state(&window).rider().observer().place[1] - place[1]).abs() < 1e-10);
+    // A head that turns on has pushes in steps of 5 degrees.
+    window.state_mut().ask(Command::LookAside([-0.11, 0.0]));
+    window.step();
+    hold(&mut window, &[Key::W], 10);
+    let [ahead, left, _] = last_leg(&window).acceleration;
+    let degrees = left.atan2(ahead).to_degrees();
+    let looks = state(&window).gaze().azimuth.to_degrees();
+    assert!((degrees / 5.0 - (degrees / 5.0).round()).abs() < 1e-12 && (degrees - looks).abs() < 2.5);
+    assert!(degrees > 4.0, "{degrees}");
+    assert_sane(state(&window));
+
+    window.state_mut().ask(Command::TogglePlaying);
+    for _ in 0..12 {
+        if !state(&window).document.settings.ride.is_straight() {
+            window.state_mut().ask(Command::Undo);
+            window.step();
+        }
+    }
+    assert_eq!(state(&window).document.scene.bodies.len(), bodies, "back on the bicycle");
 }
 
 fn a_rider_reads_what_the_core_says() {

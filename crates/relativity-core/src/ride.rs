@@ -125,6 +125,15 @@ impl RideMoment {
         }
     }
 
+    /// The rapidity on the ground: along the street below 0 towards -x, in any other direction its magnitude.
+    #[must_use]
+    pub fn rapidity(&self) -> f64 {
+        match self.velocity {
+            RiderVelocity::AlongStreet { rapidity } => rapidity,
+            RiderVelocity::Any { proper: [x, y, z] } => math::asinh(math::hypot(x, math::hypot(y, z))),
+        }
+    }
+
     /// Returns the moment after `duration` of proper time with this proper `acceleration` along the axes of the head.
     #[must_use]
     pub fn after(&self, duration: f64, acceleration: [f64; 3]) -> Self {

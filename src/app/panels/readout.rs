@@ -269,7 +269,7 @@ impl OfWheel {
 fn row(ui: &mut Ui, state: &State, received: &Received, quantity: Quantity) {
     let &Row { name, about, decimals, of, .. } = quantity.row();
     let unit = quantity.unit(&state.measures());
-    let axes = state.document.settings.baseline().axes();
+    let axes = state.document.settings.baseline_at(state.document.time).axes();
     let value_of = |seen: &Sighting| match of {
         Of::Sighting(of) => of(seen),
         Of::Conformal(of) => axes.conformal(seen.position).map_or(f64::NAN, |seen| of(&seen)),

@@ -1,20 +1,22 @@
 //! The keys that belong to whoever rides.
 
-use eframe::egui::{Context, Event, Key};
+use eframe::egui::{Context, Event, InputState, Key};
 
 use super::saddle::Direction;
 use crate::app::command::{Command, LOOK_STEP};
 use crate::app::state::State;
 
-/// Keys that push towards +x, and those that push back.
-const FORWARDS: [Key; 2] = [Key::ArrowUp, Key::W];
-const BACKWARDS: [Key; 2] = [Key::ArrowDown, Key::S];
 /// Keys that look to the left, and to the right.
-const LOOKS: [(Key, f64); 4] =
-    [(Key::ArrowLeft, -1.0), (Key::A, -1.0), (Key::ArrowRight, 1.0), (Key::D, 1.0)];
+const LOOKS: [(Key, f64); 2] = [(Key::ArrowLeft, -1.0), (Key::ArrowRight, 1.0)];
+/// Keys that pedal and brake.
+const PEDALS: [(Key, Direction); 2] =
+    [(Key::ArrowUp, Direction::Forwards), (Key::ArrowDown, Direction::Backwards)];
+/// Keys that walk: which way each pushes, by how far to the right and how far ahead of where one looks.
+const WALKS: [(Key, [i16; 2]); 4] =
+    [(Key::W, [0, 1]), (Key::A, [-1, 0]), (Key::S, [0, -1]), (Key::D, [1, 0])];
 
-/// Keys that belong to the ride, in words.
-pub const TOLD: &str = "↑ W pedal   ↓ S brake   ← → A D look";
+/// Keys that belong to the ride, in words, a line each.
+pub const TOLD: &[&str] = &["↑ pedal   ↓ brake   ← → look", "W A S D walk where you look"];
 
 /// Returns whether `event` presses a key that belongs to the ride while one rides; what it asks for, where that is done at once.
 #[must_use]
@@ -27,7 +29,8 @@ pub fn taken(state: &State, event: &Event) -> Option<Option<(Key, Command)>> {
     if let Some(&(key, side)) = look {
         return Some(Some((key, Command::LookAside([side * LOOK_STEP, 0.0]))));
     }
-    [FORWARDS, BACKWARDS].as_flattened().contains(key).then_some(None)
+    let mut pushes = PEDALS.iter().map(|(pedal, _)| pedal).chain(WALKS.iter().map(|(walk, _)| walk));
+    pushes.any(|push| push == key).then_some(None)
 }
 
 /// The direction in which keys push just now, if they do.
@@ -36,12 +39,24 @@ pub fn held(ctx: &Context, state: &State) -> Option<Direction> {
     if !state.document.settings.ride.is_on() || ctx.egui_wants_keyboard_input() {
         return None;
     }
-    ctx.input(|input| {
-        let holds = |keys: [Key; 2]| !input.modifiers.any() && keys.iter().any(|key| input.key_down(*key));
-        match (holds(FORWARDS), holds(BACKWARDS)) {
-            (true, false) => Some(Direction::Forwards),
-            (false, true) => Some(Direction::Backwards),
-            _ => None,
-        }
-    })
+    ctx.input(|input| if input.modifiers.any() { None } else { pedalled(input).or_else(|| walked(input)) })
+}
+
+/// The one pedal that is pushed.
+fn pedalled(input: &InputState) -> Option<Direction> {
+    let mut held = PEDALS.iter().filter(|(key, _)| input.key_down(*key));
+    held.next().map(|(_, direction)| *direction).filter(|_| held.next().is_none())
+}
+
+/// Where the keys that walk push together.
+fn walked(input: &InputState) -> Option<Direction> {
+    let held = WALKS.iter().filter(|(key, _)| input.key_down(*key)).map(|(_, push)| push);
+    let [right, ahead] = held.fold([0, 0], |[right, ahead], [x, y]| [right + x, ahead + y]);
+    match ([right, ahead], right.signum()) {
+        ([0, 0], _) => None,
+        ([0, ahead], _) => Some(if ahead > 0 { 0 } else { 180 }),
+        ([_, 0], side) => Some(-90 * side),
+        ([_, ahead], side) => Some(if ahead > 0 { -45 * side } else { -135 * side }),
+    }
+    .map(Direction::Beside)
 }

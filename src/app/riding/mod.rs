@@ -20,8 +20,6 @@ use crate::settings::{Look, Motion, Rider, Riding, Settings};
 const FOV: f64 = 90.0;
 /// Place x where one gets on: what passes x = 0 at T = 0 is still ahead.
 const START: f64 = -20.0;
-/// A smaller rapidity is none: what rounding leaves of one that was braked away.
-const AT_REST: f64 = 1e-12;
 
 impl State {
     /// Does what a rider asks for.
@@ -93,35 +91,42 @@ impl State {
             self.document.settings.ride.ride_speed = velocity;
             return;
         }
-        let gained = velocity.rapidity() - self.rider().velocity.rapidity();
+        let rider = self.rider();
+        let gained = velocity.rapidity() - rider.velocity.rapidity();
         if gained != 0.0 {
-            let (duration, acceleration) = (gained.abs() / ride.push, ride.push.copysign(gained));
-            self.record(ride.pushed(self.document.time, duration, acceleration));
+            let acceleration = rider.ahead().map(|part| part * ride.push.copysign(gained));
+            self.record(ride.pushed(self.document.time, gained.abs() / ride.push, acceleration));
         }
     }
 
     fn push(&mut self, direction: Direction, step: f64) {
-        let (sign, now) = (direction.sign(), self.rider().velocity.rapidity());
+        let (rider, time) = (self.rider(), self.document.time);
         let held = self.scratch.saddle.push.filter(|push| push.direction == direction);
-        let push = held.unwrap_or(Push { direction, brakes: now.abs() > AT_REST && now * sign < 0.0 });
-        self.scratch.saddle = Saddle { is_taken: true, push: Some(push) };
+        let looks = |ride: &Riding| self.gaze().azimuth.to_degrees() - ride.ride_azimuth;
         let ride = &self.document.settings.ride;
-        // Who brakes comes to rest, and pushes off the other way by another push.
-        let until_rest = if push.brakes { now.abs() / ride.push } else { f64::INFINITY };
-        let time = self.document.time;
-        let duration = step.min(until_rest);
-        let has_stopped = push.brakes && now.abs() <= AT_REST;
+        let begun = Push::new(direction, looks(ride), &rider);
+        // Who walks pushes elsewhere as the head turns; pedals push along the motion that they began with.
+        let is_held =
+            |held: &Push| !matches!(direction, Direction::Beside(_)) || held.towards == begun.towards;
+        let push = held.filter(is_held).unwrap_or(begun);
+        let duration = push.duration(step, ride.push, &rider);
         // The ride starts at 0, and before that it moves as it starts.
-        if time >= 0.0 && duration > 0.0 && !has_stopped {
-            self.record(ride.pushed(time, duration, sign * ride.push));
+        let ridden = (time >= 0.0 && duration > 0.0)
+            .then(|| ride.pushed(time, duration, push.towards.map(|part| part * ride.push)));
+        self.scratch.saddle = Saddle { is_taken: true, push: Some(push) };
+        if let Some(ridden) = ridden {
+            self.record(ridden);
         }
         self.document.time = clock::bounded(time + step);
     }
 
-    /// Has the ride that was ridden on, unless that cannot be.
+    /// Has the ride that was ridden on, unless that cannot be. Who leaves the street leaves the bicycle there.
     fn record(&mut self, ride: Result<Riding, String>) {
         match ride {
-            Ok(ride) => self.document.settings.ride = ride,
+            Ok(ride) if ride.has_bicycle() == self.document.settings.ride.has_bicycle() => {
+                self.document.settings.ride = ride;
+            }
+            Ok(ride) => self.have(Settings { ride, ..Settings::clone(&self.document.settings) }),
             Err(reason) => self.scratch.notice = Some(Notice::error(format!("No further push: {reason}."))),
         }
     }
@@ -160,7 +165,7 @@ impl State {
         if !ride.is_on() {
             return None;
         }
-        let Rider { velocity, x, street_time, .. } = self.rider();
+        let Rider { velocity, x, aside, street_time, .. } = self.rider();
         let measures = self.measures();
         let (length, time) = (measures.length, measures.time);
         let sign = if velocity.is_backward { "−" } else { "" };
@@ -169,17 +174,23 @@ impl State {
             number_text::significant(velocity.speed.gamma(), 4),
             number_text::fixed(velocity.rapidity(), 3),
         ];
-        let Odometers { by_wheel, by_lamps, .. } = ride.odometers(self.document.time);
-        let keys = (!self.session.stage.is_presented()).then(|| keys::TOLD.to_owned());
+        let keys = (!self.session.stage.is_presented()).then_some(keys::TOLD).into_iter().flatten();
+        let place = match ride.is_along_street() {
+            true => format!("at x = {}", length.text(x, 2)),
+            false => format!("at x, y = {}, {}", length.number(x, 2), length.text(aside[0], 2)),
+        };
         let lines = [
             format!("β = {sign}{beta}   γ = {gamma}   η = {rapidity}"),
             format!("my clock {}", time.text(self.document.time, 2)),
             format!("street clock here {}", time.text(street_time, 2)),
-            format!("at x = {}", length.text(x, 2)),
-            format!("ridden {} by wheel", length.text(by_wheel, 2)),
-            format!("ridden {} by lamps", length.text(by_lamps, 2)),
+            place,
         ];
-        Some(lines.into_iter().chain(keys).collect())
+        let odometers = ride.odometers(self.document.time).map(|Odometers { by_wheel, by_lamps, .. }| {
+            [(by_wheel, "wheel"), (by_lamps, "lamps")]
+                .map(|(way, counted)| format!("ridden {} by {counted}", length.text(way, 2)))
+        });
+        let odometers = odometers.into_iter().flatten();
+        Some(lines.into_iter().chain(odometers).chain(keys.map(|line| (*line).to_owned())).collect())
     }
 }
 

@@ -1,7 +1,9 @@
 //! The saddle: what a rider asks for, and does just now.
 
+use relativity_core::{ObserverVelocity, Speed};
+
 use crate::flags::StreetVelocity;
-use crate::settings::Riding;
+use crate::settings::{Rider, Riding};
 
 /// A command of the rider.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,29 +14,27 @@ pub enum RideCommand {
     Set(Riding),
     /// Pedal or brake until this speed is reached.
     Reach(StreetVelocity),
-    /// Pedals pushed towards +x (1) or -x (-1) for this step of the rider's clock.
+    /// A push in this direction for this step of the rider's clock.
     Push(Direction, f64),
 }
 
-/// The direction of a push along the street.
+/// The direction of a push.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
-    /// A push towards +x.
+    /// Where one rides: along the line of the ride, or off it as one moves.
     Forwards,
-    /// A push towards -x.
+    /// The other way.
     Backwards,
+    /// So many degrees to the left of where one looks, from any way of moving.
+    Beside(i16),
 }
 
-impl Direction {
-    /// 1 towards +x, -1 towards -x.
-    #[must_use]
-    pub const fn sign(self) -> f64 {
-        match self {
-            Self::Forwards => 1.0,
-            Self::Backwards => -1.0,
-        }
-    }
-}
+/// Walks are pushed along directions that are so far apart, degrees: a head that turns does not make a leg in every frame.
+const DEGREES_OF_WALKS: f64 = 5.0;
+/// What points along the motion, or against it, but for rounding: the sine of the angle between both.
+const ALONG: f64 = 1e-9;
+/// A smaller rapidity is none: what rounding leaves of one that was braked away.
+const AT_REST: f64 = 1e-12;
 
 /// The saddle: what the rider does just now.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -50,6 +50,44 @@ pub struct Saddle {
 pub struct Push {
     /// Direction of the push.
     pub direction: Direction,
+    /// Where `direction` points: a unit vector in the axes of the head, along the line of the ride and to its left.
+    pub towards: [f64; 2],
     /// Whether the push brakes: then it ends at rest.
     pub brakes: bool,
+}
+
+impl Push {
+    /// The push that `rider` begins in this `direction`, looking so many degrees to the left of the line of the ride.
+    #[must_use]
+    pub fn new(direction: Direction, looks: f64, rider: &Rider) -> Self {
+        let ahead = rider.ahead();
+        let towards = match direction {
+            Direction::Forwards => ahead,
+            Direction::Backwards => ahead.map(|part| 0.0 - part),
+            Direction::Beside(degrees) => {
+                let steps = ((looks + f64::from(degrees)) / DEGREES_OF_WALKS).round();
+                let [x, y, _] =
+                    ObserverVelocity::new(Speed::REST, (steps * DEGREES_OF_WALKS).to_radians(), 0.0)
+                        .direction();
+                [x, y]
+            }
+        };
+        let along = towards[0] * ahead[0] + towards[1] * ahead[1];
+        let aside = towards[0] * ahead[1] - towards[1] * ahead[0];
+        let rapidity = rider.velocity.rapidity();
+        let brakes = rapidity.abs() > AT_REST && along * rapidity < 0.0 && aside.abs() < ALONG;
+        Self { direction, towards, brakes }
+    }
+
+    /// The part of `step` for which it is pushed at this proper `acceleration`: who brakes comes to rest, and pushes off the other
+    /// way by another push.
+    #[must_use]
+    pub fn duration(&self, step: f64, acceleration: f64, rider: &Rider) -> f64 {
+        let rapidity = rider.velocity.rapidity().abs();
+        match self.brakes {
+            true if rapidity <= AT_REST => 0.0,
+            true => step.min(rapidity / acceleration),
+            false => step,
+        }
+    }
 }

@@ -85,7 +85,7 @@ impl State {
     /// The coordinates in a conformal picture of what is seen; none in another picture, and along the line between the eyes.
     fn conformal(&self, seen: &Sighting) -> Option<String> {
         let is_conformal = self.document.settings.projection() == ProjectionChoice::Mercator;
-        let axes = self.document.settings.baseline().axes();
+        let axes = self.document.settings.baseline_at(self.document.time).axes();
         let Conformal { u, v } = axes.conformal(seen.position).filter(|_| is_conformal)?;
         Some(format!("u = {}, v = {} rad", number_text::fixed(u, 3), number_text::fixed(v, 3)))
     }

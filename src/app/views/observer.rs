@@ -204,10 +204,10 @@ impl State {
         self.document.settings.fit.data_from.model().unwrap_or_else(|| self.document.settings.model())
     }
 
-    /// Returns the gaze of both eyes now, in parallel.
+    /// Returns the gaze of both eyes now, in parallel, in the axes of the head.
     #[must_use]
     pub fn gaze(&self) -> Gaze {
-        self.view(Eye::Left, [1, 1]).camera.gaze
+        self.rider().gaze_to_head(self.view(Eye::Left, [1, 1]).camera.gaze)
     }
 
     /// The picture of `eye`, `size` in pixels: one look for both eyes, however their panes are rounded to pixels.

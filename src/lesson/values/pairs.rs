@@ -37,7 +37,7 @@ pub const VALUES: &[Value] = &[
         name: "T_right",
         what: "when the right eye receives what the left eye receives at T",
         work_out: |here| {
-            let (seen, [left, right]) = (here.left()?, here.settings.pair());
+            let (seen, [left, right]) = (here.left()?, here.settings.baseline_at(here.time).apertures());
             let from_right = [left.x - right.x, left.y - right.y, left.z - right.z];
             let [x, y, z] = [0, 1, 2].map(|axis| seen.position[axis] + from_right[axis]);
             Some(seen.retarded_time + math::hypot(math::hypot(x, y), z))

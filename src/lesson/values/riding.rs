@@ -32,12 +32,12 @@ pub const VALUES: &[Value] = &[
     Value {
         name: "by_wheel",
         what: "way that the rider's wheel has counted",
-        work_out: |here| Some(here.settings.ride.odometers(here.time).by_wheel),
+        work_out: |here| Some(here.settings.ride.odometers(here.time)?.by_wheel),
     },
     Value {
         name: "by_lamps",
         what: "the same way by the lamps of the street",
-        work_out: |here| Some(here.settings.ride.odometers(here.time).by_lamps),
+        work_out: |here| Some(here.settings.ride.odometers(here.time)?.by_lamps),
     },
     Value {
         name: "street_gain",
@@ -89,7 +89,7 @@ pub const VALUES: &[Value] = &[
         what: "the same for an eye at rest there, of what rests on the street",
         work_out: |here| {
             let [_, y, z] = here.settings.rest_place(here.track.axle());
-            let [left, _] = here.settings.pair();
+            let [left, _] = here.settings.baseline_at(here.time).apertures();
             let eye = here.rider().event_on_street(left).x;
             let aside = math::hypot(y - left.y, z - left.z);
             Some(math::atan2(aside, here.place_on_street()? - eye).to_degrees())

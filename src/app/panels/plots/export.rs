@@ -89,13 +89,15 @@ fn css(colour: Color32) -> String {
 /// the numbers of a row, in the scene's own units and radians.
 fn readable(state: &State) -> (Vec<&'static str>, impl Fn(f64) -> Vec<f64>) {
     let seen = state.seen_point(state.document.points.selected());
-    let (names, eyes) = eye_columns(state.document.settings.baseline());
+    let turns = !seen.ride.is_straight();
+    let (names, _) = eye_columns(seen.baseline, turns);
     let names = names.iter().copied().chain(["dphi", "dtheta"]).collect();
     let numbers = move |time| {
         let angles = [Quantity::DeltaPhi, Quantity::DeltaTheta].map(|quantity| {
             let curve = Curve { quantity, whose: Whose::Both };
             seen.value(seen.model, curve, time).unwrap_or(f64::NAN)
         });
+        let (_, eyes) = eye_columns(seen.baseline_at(time), turns);
         [&[time], eyes.as_slice(), &angles].concat()
     };
     (names, numbers)

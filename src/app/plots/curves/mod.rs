@@ -66,7 +66,7 @@ pub struct SeenPoint {
     pub velocity: Velocity,
     /// Place of the point, at rest or on its wheel, from between the eyes.
     pub point: MaterialPoint,
-    /// From the left to the right eye.
+    /// From the left to the right eye, in the axes of the head.
     pub baseline: Baseline,
     /// The model of what the views show.
     pub model: Model,
@@ -102,6 +102,12 @@ impl SeenPoint {
         plotted.is_finite().then_some(plotted)
     }
 
+    /// From the left to the right eye at `time`, in the observer's axes.
+    #[must_use]
+    pub fn baseline_at(&self, time: f64) -> Baseline {
+        self.ride.rider(time).baseline(self.baseline)
+    }
+
     /// The observer at `time`.
     fn observer(&self, time: f64) -> Observer {
         self.ride.rider(time).observer()
@@ -109,7 +115,7 @@ impl SeenPoint {
 
     /// The disparity at `time` in this `model`; `None` outside the domain of the core.
     fn disparity(&self, model: Model, time: f64) -> Option<Disparity> {
-        let pair = self.baseline.apertures();
+        let pair = self.baseline_at(time).apertures();
         self.velocity.disparity_before(&self.observer(time), model, self.point, pair).ok()
     }
 
@@ -117,7 +123,7 @@ impl SeenPoint {
     /// is the difference of what each eye sees, known to 1e-15 of u and v.
     fn conformal(&self, model: Model, time: f64) -> Option<ConformalDisparity> {
         if self.ride.is_on() {
-            let (both, axes) = (self.disparity(model, time)?, self.baseline.axes());
+            let (both, axes) = (self.disparity(model, time)?, self.baseline_at(time).axes());
             let [primary, secondary] =
                 [both.primary, both.secondary].map(|seen| axes.conformal(seen.position));
             let (primary, secondary) = (primary?, secondary?);
@@ -137,7 +143,7 @@ impl SeenPoint {
 
     /// Returns the stereo position in this `model` at `time`; `None` where the lines of sight do not meet.
     fn stereo(&self, model: Model, time: f64) -> Option<Stereo> {
-        let pair = self.baseline.stereo_apertures(self.ride.is_on());
+        let pair = self.baseline_at(time).stereo_apertures(self.ride.is_on());
         self.velocity.stereo_before(&self.observer(time), model, self.point, pair).ok()
     }
 

@@ -19,7 +19,7 @@ const COLUMNS: [[&str; 3]; 2] =
 pub fn csv(state: &State, fitting: &Fitting) -> String {
     let Some(outcome) = fitting.shown() else { return String::new() };
     let (names, eyes) = match outcome.key.samples {
-        Samples::Simulated(_) => eye_columns(state.document.settings.baseline()),
+        Samples::Simulated(_) => eye_columns(state.document.settings.baseline(), false),
         Samples::Measured(..) => (&[] as &[_], Vec::new()),
     };
     let mut rows = Rows::new(Vec::new());
