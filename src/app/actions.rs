@@ -74,6 +74,7 @@ pub static ACTIONS: &[Action] = &[
     action("much faster", &[with_shift(Key::ArrowUp)], Command::NudgeSpeed(10)),
     action("much slower", &[with_shift(Key::ArrowDown)], Command::NudgeSpeed(-10)),
     action("get on the bicycle and ride, or get off", &[key(Key::I)], Command::Ride(RideCommand::Toggle)),
+    action("face where you ride", &[with_shift(Key::I)], Command::Ride(RideCommand::Face)),
     action("as seen", &[key(Key::Num1)], Command::Geometry(Geometry::Seen)),
     action("contracted only", &[key(Key::Num2)], Command::Geometry(Geometry::Contracted)),
     action("at rest", &[key(Key::Num3)], Command::Geometry(Geometry::Rest)),

@@ -61,6 +61,7 @@ pub struct Simulated {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 enum ObstacleOfRide {
     ChangingSpeed,
+    Aslant,
     TurningPoint,
     EyesAcross,
 }
@@ -69,10 +70,9 @@ impl ObstacleOfRide {
     const fn text(self) -> &'static str {
         match self {
             Self::ChangingSpeed => "the ride changes its speed, and a fit needs one that coasts",
+            Self::Aslant => "a fit of a ride off the street needs one on the level, and a point at rest",
             Self::TurningPoint => "the point turns, and a fit of a ride needs one that does not",
-            Self::EyesAcross => {
-                "a fit of a ride needs eyes that look along the street: turn the head by −90°"
-            }
+            Self::EyesAcross => "a fit of a ride needs eyes that look where it leads: face ahead",
         }
     }
 }
@@ -120,6 +120,24 @@ impl SamplesWithTruth {
         }
         rows.into_text()
     }
+}
+
+/// A ride off the street that coasts on the level, and a point at rest before it, turned about the vertical where the ride starts: for
+/// the eyes it is a ride along the street. `None` of any other ride or point.
+fn along_street(settings: &Settings, point: &Track) -> Option<(Settings, Track)> {
+    let ride = &settings.ride;
+    let is_level = ride.is_on() && ride.coasts() && !ride.is_along_street() && ride.ride_elevation == 0.0;
+    if !is_level || settings.velocity(point.motion).beta() != 0.0 {
+        return None;
+    }
+    let ([along, across, _], [x, y, z]) = (ride.direction(), settings.rest_place(point.rest));
+    let x = x - ride.ride_from;
+    let mut turned = settings.clone();
+    turned.motion.turn -= ride.ride_azimuth;
+    turned.ride.ride_azimuth = 0.0;
+    let [_, behind, below] = settings.rest_place([0.0; 3]);
+    let rest = [ride.ride_from + along * x + across * y, along * y - across * x - behind, z - below];
+    Some((turned, Track { rest, ..*point }))
 }
 
 /// Returns the columns of a table that place the eyes, and their numbers in a row: roll and turn, in radians, of a
@@ -238,6 +256,14 @@ impl Simulated {
     /// Simulates a measurement of `point` with `settings`.
     #[must_use]
     pub fn new(settings: &Settings, point: &Track) -> Self {
+        match along_street(settings, point) {
+            Some((settings, point)) => Self::along_street(&settings, &point),
+            None => Self::along_street(settings, point),
+        }
+    }
+
+    /// The same of eyes that rest or ride along the street.
+    fn along_street(settings: &Settings, point: &Track) -> Self {
         // A ride that coasts has what passes it move evenly, as a rest of the eyes has.
         let passage = settings.passage(point).filter(|_| settings.ride.is_on());
         let (velocity, source) = passage.map_or_else(
@@ -246,13 +272,13 @@ impl Simulated {
         );
         let pair = settings.pair();
         let is_across = pair.iter().all(|eye| eye.x == 0.0);
-        let obstacle =
-            match (settings.ride.coasts_along_street(), point.spin, is_across || !velocity.is_backward) {
-                (false, ..) => Some(ObstacleOfRide::ChangingSpeed),
-                (_, Some(_), _) => Some(ObstacleOfRide::TurningPoint),
-                (.., false) => Some(ObstacleOfRide::EyesAcross),
-                _ => None,
-            };
+        let obstacle = match &settings.ride {
+            ride if !ride.coasts() => Some(ObstacleOfRide::ChangingSpeed),
+            ride if !ride.is_along_street() => Some(ObstacleOfRide::Aslant),
+            _ if point.spin.is_some() => Some(ObstacleOfRide::TurningPoint),
+            _ if !is_across && velocity.is_backward => Some(ObstacleOfRide::EyesAcross),
+            _ => None,
+        };
         // Turned or mirrored so that it passes towards +x in front of the eyes: those across the street exchange their sides at most.
         let (velocity, source, pair) = match source {
             Source::Point(place) if settings.ride.is_on() => {

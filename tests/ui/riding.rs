@@ -137,6 +137,18 @@ fn walks() {
     let place = state(&window).rider().observer().place;
     window.run_steps(3);
     assert!((state(&window).rider().observer().place[1] - place[1]).abs() < 1e-10);
+    hold(&mut window, &[Key::A], 20);
+    window.state_mut().ask(Command::Ride(RideCommand::Face));
+    window.run_steps(2);
+    let velocity = state(&window).rider().observer().velocity.direction();
+    let camera = state(&window).view(gamow::eye::Eye::Left, [400, 300]).camera;
+    let gaze = camera.gaze.axes();
+    assert!((gaze.right.x * velocity[0] + gaze.right.y * velocity[1]).abs() < 1e-9, "{velocity:?}");
+    assert!(gaze.forward.x * velocity[0] + gaze.forward.y * velocity[1] > 0.9);
+    assert!((camera.off_middle.normalize() + gaze.right).length() < 1e-9, "both eyes are abreast");
+    hold(&mut window, &[Key::ArrowDown], 90);
+    window.state_mut().ask(Command::Ride(RideCommand::Face));
+    window.step();
     // A head that turns on has pushes in steps of 5 degrees.
     window.state_mut().ask(Command::LookAside([-0.11, 0.0]));
     window.step();
@@ -258,18 +270,24 @@ fn the_map_has_a_riders_frame() {
 }
 
 fn a_fit_finds_ones_own_speed() {
-    let mut settings = Preset::named("ride-lamps").expect("a preset").settings.clone();
-    settings.plots.plot = gamow::settings::PlotTab::Fit;
-    settings.fit.noise_percent = 0.0;
-    let mut window = window(State::open(settings).expect("a preset"));
-    let start = std::time::Instant::now();
-    while !window.state().is_settled() && start.elapsed() < std::time::Duration::from_mins(1) {
-        std::thread::sleep(std::time::Duration::from_millis(5));
-        window.step();
+    let along = Preset::named("ride-lamps").expect("a preset").settings.clone();
+    let mut aslant = along.clone();
+    (aslant.ride.ride_azimuth, aslant.motion.turn) = (60.0, -30.0);
+    // The lamp is 20 ahead on the street and 4.3 aside of it.
+    let aside = 4.3 * 60_f64.to_radians().cos() + 20.0 * 60_f64.to_radians().sin();
+    for (mut settings, expected) in [(along, 4.3), (aslant, aside)] {
+        settings.plots.plot = gamow::settings::PlotTab::Fit;
+        settings.fit.noise_percent = 0.0;
+        let mut window = window(State::open(settings).expect("a preset"));
+        let start = std::time::Instant::now();
+        while !window.state().is_settled() && start.elapsed() < std::time::Duration::from_mins(1) {
+            std::thread::sleep(std::time::Duration::from_millis(5));
+            window.step();
+        }
+        let outcome = window.state().fitting().shown().expect("it is fitted");
+        let fitted = outcome.fitted.as_ref().expect("it can be");
+        let beta = fitted.value(relativity_core::Parameter::Beta).expect("it is fitted");
+        let aside = fitted.value(relativity_core::Parameter::Y).expect("it is fitted");
+        assert!((beta - 0.9).abs() < 1e-6 && (aside - expected).abs() < 1e-5, "{beta} {aside} {expected}");
     }
-    let outcome = window.state().fitting().shown().expect("it is fitted");
-    let fitted = outcome.fitted.as_ref().expect("it can be");
-    let beta = fitted.value(relativity_core::Parameter::Beta).expect("it is fitted");
-    let aside = fitted.value(relativity_core::Parameter::Y).expect("it is fitted");
-    assert!((beta - 0.9).abs() < 1e-6 && (aside - 4.3).abs() < 1e-5, "{beta} {aside}");
 }

@@ -34,6 +34,7 @@ impl State {
                 self.have(Settings { ride, ..Settings::clone(&self.document.settings) });
             }
             RideCommand::Reach(velocity) => self.pedal_to(velocity),
+            RideCommand::Face => self.face(),
             RideCommand::Push(direction, step) => self.push(direction, step),
         }
     }
@@ -53,6 +54,20 @@ impl State {
         self.document.time = 0.0;
         self.scratch.saddle = Saddle { is_taken: true, push: None };
         self.scratch.playing = true;
+    }
+
+    /// Turns head and gaze to where the rider moves; at rest along the line of the ride.
+    fn face(&mut self) {
+        let (rider, elevation) = (self.rider(), self.gaze().elevation.to_degrees());
+        let settings = &mut self.document.settings;
+        if !settings.ride.is_on() {
+            return;
+        }
+        let [ahead, left] =
+            rider.ahead().map(|part| if rider.velocity.is_backward { 0.0 - part } else { part });
+        let azimuth = settings.ride.ride_azimuth + math::atan2(left, ahead).to_degrees();
+        settings.motion.turn = (azimuth + 90.0).rem_euclid(360.0) - 180.0;
+        settings.look.gaze = GazeChoice::Fixed([azimuth.rem_euclid(360.0), elevation]);
     }
 
     /// Puts the observer back beside the street.

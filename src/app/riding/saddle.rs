@@ -14,6 +14,8 @@ pub enum RideCommand {
     Set(Riding),
     /// Pedal or brake until this speed is reached.
     Reach(StreetVelocity),
+    /// Face where one moves: the head and the gaze, as high as that was.
+    Face,
     /// A push in this direction for this step of the rider's clock.
     Push(Direction, f64),
 }

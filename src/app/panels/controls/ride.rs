@@ -18,6 +18,9 @@ const FIELD: f32 = 150.0;
 const SPEED_TIP: &str = "Pedals or brakes until this speed is reached: v/c, below 0 the other way, or like \
     gamma:10. Before the start it sets the speed to start with.";
 
+const FACE_TIP: &str = "Turns your head to where you ride. On a ride that is pushed aside the head keeps its way as a gyroscope \
+    does, and turns against the street.";
+
 /// Shows the rows of the section.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     button(ui, state, commands);
@@ -57,10 +60,13 @@ pub fn button(ui: &mut Ui, state: &State, commands: &mut Commands) {
             "Puts you on a bicycle on the road, at first at rest. The arrow keys ↑ and ↓ pedal and brake.",
         )
     };
-    let tip = with_keys(tip, &[Command::Ride(RideCommand::Toggle)]);
-    row(ui, "Ride", &tip, |ui| {
-        if ui.button(text).on_hover_text(&tip).clicked() {
-            commands.push(Command::Ride(RideCommand::Toggle));
+    let buttons = [(text, tip, RideCommand::Toggle), ("Face ahead", FACE_TIP, RideCommand::Face)];
+    row(ui, "Ride", tip, |ui| {
+        for (text, tip, asked) in buttons.into_iter().take(if is_on { 2 } else { 1 }) {
+            let asked = Command::Ride(asked);
+            if ui.button(text).on_hover_text(with_keys(tip, std::slice::from_ref(&asked))).clicked() {
+                commands.push(asked);
+            }
         }
     });
 }
