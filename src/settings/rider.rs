@@ -265,7 +265,7 @@ mod tests {
     /// An event, the velocity there, and three axes of a head that no torque turns.
     type Carried = [Four; 5];
 
-    /// Fermi-Walker transport: u' = a^i e_i, e_i' = a^i u.
+    /// Fermi and Walker's transport: the velocity changes by the push along the axes, and each axis by as much along the velocity.
     fn rate(carried: &Carried, acceleration: [f64; 3]) -> Carried {
         let [_, u, axes @ ..] = *carried;
         let push = (0..3).fold([0.0; 4], |push, i| sum(push, acceleration[i], axes[i]));
