@@ -1,4 +1,4 @@
-//! What the views, the map, and the window's own way to paint itself cost: frames of a 1280x800 window while it plays, with
+//! What the views, the map, a ride, and the window's own way to paint itself cost: frames of a 1200x760 window while it plays, with
 //! and without each, in one run. Prints medians of whole frames, each drawn on the device before the next begins and not read
 //! back, and of what the program itself does of them: all but waiting for the device.
 //!
@@ -10,19 +10,23 @@ use eframe::egui::{Context, Pos2, RawInput, Rect};
 use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
 use eframe::wgpu;
 use gamow::app::command::Command;
+use gamow::app::riding::saddle::RideCommand;
 use gamow::app::state::State;
 use gamow::app::views::offscreen;
 use gamow::app::{App, painting};
 use gamow::scene::Scene;
 use gamow::settings::{Presence, Settings, Window};
 
-const SIZE: [u32; 2] = [1280, 800];
+const SIZE: [u32; 2] = [1200, 760];
 const FRAMES: usize = 30;
 const ROUNDS: usize = 3;
 
 fn main() {
     println!("{}", gpu_description());
-    let part = |views, map| Window { views, map, ..Window::default() };
+    let part = |views, map| {
+        let window = Window { views, map, ..Window::default() };
+        State::new(Settings { window, ..Settings::default() }, Scene::default())
+    };
     compare(
         "views",
         [part(true, Presence::Off), part(false, Presence::Off)].map(|parts| Shown::new(parts, true)),
@@ -31,7 +35,20 @@ fn main() {
         "map",
         [part(true, Presence::On), part(true, Presence::Off)].map(|parts| Shown::new(parts, true)),
     );
+    compare("riding", [riding(), part(true, Presence::Off)].map(|state| Shown::new(state, true)));
     compare("painting", [true, false].map(|is_painted| Shown::new(part(true, Presence::Off), is_painted)));
+}
+
+/// The same street from a bicycle at 0.9 c.
+fn riding() -> State {
+    let mut state = State::new(Settings::default(), Scene::default());
+    state.apply(Command::Ride(RideCommand::Toggle));
+    let mut settings = Settings::clone(&state.document.settings);
+    settings.ride.ride_speed = "0.9".parse().expect("a velocity");
+    settings.window.map = Presence::Off;
+    state.apply(Command::Ride(RideCommand::Set(settings.ride.clone())));
+    state.apply(Command::Window(settings.window));
+    state
 }
 
 /// Prints what a part costs that the first of these windows has and the second has not.
@@ -69,8 +86,8 @@ struct Shown {
 }
 
 impl Shown {
-    /// One with these `parts`, which is painted as the program's is on a software GPU, or by the toolkit.
-    fn new(parts: Window, is_painted: bool) -> Self {
+    /// One of this `state`, which is painted as the program's is on a software GPU, or by the toolkit.
+    fn new(state: State, is_painted: bool) -> Self {
         let config = WgpuConfiguration {
             wgpu_setup: WgpuSetup::CreateNew(WgpuSetupCreateNew::without_display_handle()),
             ..WgpuConfiguration::default()
@@ -83,7 +100,6 @@ impl Shown {
         if is_painted {
             painting::install(&ctx, &render_state);
         }
-        let state = State::new(Settings { window: parts, ..Settings::default() }, Scene::default());
         let app = App::new(&ctx, Some(&render_state), state);
         let [width, height] = SIZE;
         let target = render_state.device.create_texture(&wgpu::TextureDescriptor {

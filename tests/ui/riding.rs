@@ -99,9 +99,13 @@ fn pedals_and_brakes() {
 
 fn walks() {
     let hold = |window: &mut Harness<'_, App>, keys: &[Key], frames: usize| {
-        keys.iter().for_each(|key| window.key_down(*key));
+        for key in keys {
+            window.key_down(*key);
+        }
         window.run_steps(frames);
-        keys.iter().for_each(|key| window.key_up(*key));
+        for key in keys {
+            window.key_up(*key);
+        }
         window.step();
     };
     // Keys are let go one after the other, which leaves short legs between.

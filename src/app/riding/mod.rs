@@ -190,9 +190,10 @@ impl State {
             number_text::fixed(velocity.rapidity(), 3),
         ];
         let keys = (!self.session.stage.is_presented()).then_some(keys::TOLD).into_iter().flatten();
-        let place = match ride.is_along_street() {
-            true => format!("at x = {}", length.text(x, 2)),
-            false => format!("at x, y = {}, {}", length.number(x, 2), length.text(aside[0], 2)),
+        let place = if ride.is_along_street() {
+            format!("at x = {}", length.text(x, 2))
+        } else {
+            format!("at x, y = {}, {}", length.number(x, 2), length.text(aside[0], 2))
         };
         let lines = [
             format!("β = {sign}{beta}   γ = {gamma}   η = {rapidity}"),
