@@ -53,6 +53,7 @@ pub fn step_size([from, to]: [f64; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::settings::Preset;
 
     #[test]
     fn playing_loops_or_stops_at_the_end() {
@@ -62,6 +63,23 @@ mod tests {
         assert_eq!(advanced(9.0, 1.5, 1.0, false, range), Tick { time: 10.0, playing: false });
         assert_eq!(advanced(-50.0, 1.0, 2.0, true, range), Tick { time: 2.0, playing: true });
         assert_eq!(advanced(5.0, 1.0, 1.0, true, [3.0, 3.0]), Tick { time: 3.0, playing: false });
+    }
+
+    /// Each moment of a ride is told without those before it.
+    #[test]
+    fn a_ride_ends_alike_at_5_and_at_120_frames_a_second() {
+        let ride = &Preset::named("ride-twins").expect("a preset").settings.ride;
+        let [slow, fast] = [5.0, 120.0].map(|frames: f64| {
+            let mut tick = Tick { time: 0.0, playing: true };
+            let mut frame = 0.0;
+            while tick.playing {
+                tick = advanced(tick.time, 1.0 / frames, 1.0, false, [0.0, ride.duration()]);
+                frame += 1.0;
+            }
+            assert!((frame / frames - ride.duration()).abs() < 1.5 / frames, "{frame}");
+            ride.rider(tick.time)
+        });
+        assert_eq!(slow, fast);
     }
 
     #[test]
