@@ -94,6 +94,7 @@ use views::thumbnails::Thumbnails;
 use web::{watch::Watch, worker};
 
 use crate::flags::MAX_TIME;
+use crate::platform;
 use crate::settings::PlotTab;
 
 /// The application: the whole window.
@@ -253,6 +254,18 @@ impl App {
         if let Some(keeper) = &self.keeper {
             keeper.note(&mut self.state);
         }
+    }
+
+    /// The direction in which keys or a game controller push whoever rides; a controller looks around in this `step` of the wall clock,
+    /// seconds, too.
+    fn pushed(&mut self, ctx: &egui::Context, step: f64) -> Option<Direction> {
+        let held = riding::keys::held(ctx, &self.state);
+        let sticks = self.state.document.settings.ride.is_on().then(platform::sticks::sticks).flatten();
+        let Some(sticks) = sticks else { return held };
+        if let Some(turned) = riding::controller::looked(&sticks, step) {
+            self.ask(Command::LookAside(turned));
+        }
+        held.or_else(|| riding::controller::pushed(&sticks))
     }
 
     /// Lets T run by a `step` of the wall clock, seconds, while keys push the pedals, or do not.
@@ -453,8 +466,8 @@ impl eframe::App for App {
         if let Some(keeper) = &self.keeper {
             keeper.keep_on(&mut self.state, ctx);
         }
-        let pushed = riding::keys::held(ctx, &self.state);
         let step = f64::from(ctx.input(|input| input.stable_dt));
+        let pushed = self.pushed(ctx, step);
         self.advance(step, pushed);
         if self.state.follow_for_comfort(step) {
             ctx.request_repaint();

@@ -1,5 +1,5 @@
 //! The platform: everything that the system provides, each thing in one module, which decides what a platform lacks: the clock, files,
-//! locks, threads, interrupts, being ended, limits, what names of files mean, the environment, the standard streams, a terminal, how much memory a file may ask for, and messages to another instance of the program.
+//! locks, threads, interrupts, being ended, limits, what names of files mean, a game controller, the environment, the standard streams, a terminal, how much memory a file may ask for, and messages to another instance of the program.
 
 pub mod clock;
 #[cfg(feature = "desktop")]
@@ -21,6 +21,7 @@ pub mod names;
 pub mod progress;
 pub mod shared;
 pub mod sizes;
+pub mod sticks;
 #[cfg(feature = "desktop")]
 pub mod threads;
 #[cfg(not(feature = "desktop"))]

@@ -120,6 +120,19 @@ const table = text => {
     return rows.map(row => Object.fromEntries(head.map((name, i) => [name, row[i]])));
 };
 
+test('a game controller pedals, and looks around', () => inWindow('#scene=street', async window => {
+    await window.press('i');
+    await eventually('a ride', async () => (await window.settings()).get('ride') === 'coast');
+    const gaze = (await window.settings()).get('gaze');
+    // A controller in hand, with the left stick ahead and the right one to the right.
+    await window.page.evaluate(() => {
+        const held = Object.create(Gamepad.prototype, { connected: { value: true }, axes: { value: [0, -1, 0.8, 0] } });
+        navigator.getGamepads = () => [null, held];
+    });
+    await eventually('a push', async () => /@0\.25$/.test((await window.settings()).get('ride')));
+    await eventually('another gaze', async () => (await window.settings()).get('gaze') !== gaze);
+}));
+
 test('the numbers of a curve are those of the desktop, digit by digit', { skip: !existsSync(GAMOW) && `no ${GAMOW}` }, () => {
     return inWindow('#scene=cube&beta=0.9&point=0,6,0.5', async window => {
         await window.act('save the plots as a table');

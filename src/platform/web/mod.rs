@@ -1,5 +1,6 @@
 //! The browser in place of an operating system: the page, its storage, downloads, and time between two frames.
 
+pub mod controller;
 pub mod download;
 pub mod instances;
 pub mod locks;
