@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Baseline, Boost, ConformalDisparity, Disparity, MAX_GAMMA, Model, Observer, ObserverError,
+    Aperture, Baseline, Boost, ConformalDisparity, Disparity, Model, Observer, ObserverError,
     ObserverVelocity, PairError, Sighting, Source, SourcePoint, Speed, SpeedError, Stereo, StereoError,
     Turning, WheelPoint, aberration, math,
 };
@@ -33,6 +33,12 @@ pub struct Velocity {
 
 impl From<Velocity> for Boost {
     fn from(Velocity { speed, is_backward }: Velocity) -> Self {
+        Self { speed, is_backward }
+    }
+}
+
+impl From<Boost> for Velocity {
+    fn from(Boost { speed, is_backward }: Boost) -> Self {
         Self { speed, is_backward }
     }
 }
@@ -70,12 +76,10 @@ impl Velocity {
         Ok(Self { speed, is_backward: beta < 0.0 })
     }
 
-    /// From the rapidity, negative towards -x; of one beyond [`MAX_GAMMA`] that.
+    /// From the rapidity, negative towards -x; of one beyond [`MAX_GAMMA`](relativity_core::MAX_GAMMA) that.
     #[must_use]
-    #[expect(clippy::missing_panics_doc, reason = "the greatest gamma is a speed")]
     pub fn from_rapidity(rapidity: f64) -> Self {
-        let speed = Speed::from_rapidity(rapidity.abs()).or_else(|_| Speed::from_gamma(MAX_GAMMA));
-        Self { speed: speed.expect("the greatest gamma is one"), is_backward: rapidity < 0.0 }
+        Boost::from_rapidity(rapidity).into()
     }
 
     /// v/c, negative towards -x.
@@ -312,20 +316,13 @@ impl Velocity {
     /// Returns the rapidity along +x, below 0 for the other way.
     #[must_use]
     pub fn rapidity(&self) -> f64 {
-        self.direction() * self.speed.rapidity()
+        Boost::from(*self).rapidity()
     }
 
-    /// This velocity as a camera sees it that moves at `camera`: rapidities subtract.
+    /// This velocity as a camera sees it that moves at `camera`.
     #[must_use]
     pub fn seen_from(self, camera: Self) -> Self {
-        if camera.is_rest() {
-            return self;
-        }
-        if self.is_rest() {
-            return Self { is_backward: !camera.is_backward, ..camera };
-        }
-        // Two that fly apart at the greatest gamma part no faster than that.
-        Self::from_rapidity(self.rapidity() - camera.rapidity())
+        Boost::from(self).seen_from(camera).into()
     }
 }
 
