@@ -12,6 +12,7 @@ use glam::DVec3;
 use relativity_core::aberration;
 use relativity_core::math::{self, atan2};
 
+use crate::capsule::Capsule;
 use crate::cone::Cone;
 use crate::first_entry::Found;
 use crate::group_view::{GroupView, RestRay};
@@ -24,6 +25,8 @@ use crate::view::{Geometry, View};
 const ROUNDS: u32 = 12;
 /// A tangent serves this far from where it touches, in parts of the distance: it is off by the square.
 const SETTLED: f64 = 1e-7;
+/// What rounding leaves of a distance from a plane, in parts of what it is made up of.
+const ROUNDING: f64 = 1e-12;
 /// Distances closer than this, as parts of themselves, are compared along the ray, where they have more digits.
 const ALIKE: f64 = 1e-9;
 
@@ -133,6 +136,37 @@ impl GroupView {
     }
 }
 
+/// The plane of the rest frame that holds all events along a line of sight: they are off the ray's limit along the motion alone. What
+/// does not reach it is met nowhere, however the ray bends.
+struct PlaneOfEvents {
+    /// A place of the plane.
+    origin: DVec3,
+    /// Unit vector; 0 along the motion, where each place counts as in the plane.
+    normal: DVec3,
+    /// What reaches to within so far of it may meet it: what rounding leaves of the distance of the origin.
+    rounding: f64,
+}
+
+impl PlaneOfEvents {
+    /// Of this `line_of_sight`, whose ray has this `limit`.
+    fn new(view: &GroupView, line_of_sight: DVec3, limit: &RestRay) -> Self {
+        let along = view.velocity.motion_from_camera(line_of_sight);
+        let normal = DVec3::new(0.0, 0.0 - along.z, along.y).normalize_or_zero();
+        let normal = view.velocity.group_from_motion(normal);
+        let rounding = ROUNDING * (1.0 + (limit.origin * normal).abs().element_sum());
+        Self { origin: limit.origin, normal, rounding }
+    }
+
+    /// Whether one of these `capsules` reaches it.
+    fn meets(&self, capsules: &[Capsule]) -> bool {
+        capsules.iter().any(|capsule| {
+            let [from, to] = [capsule.from, capsule.to].map(|end| (end - self.origin).dot(self.normal));
+            let reach = capsule.radius + self.rounding;
+            from.min(to) <= reach && from.max(to) >= -reach
+        })
+    }
+}
+
 /// The meeting of a line of sight with a body.
 struct Meeting {
     body: usize,
@@ -155,9 +189,13 @@ impl PreparedScene {
     ) -> Option<(Found, f64, RestRay)> {
         let (middle, tie) = (prepared.extent.middle, prepared.tie());
         let limit = group_view.rest_ray(line_of_sight);
+        let plane = PlaneOfEvents::new(group_view, line_of_sight, &limit);
         let meetings = bodies.iter().filter_map(|&body| {
             let body = body as usize;
-            let (entry, distance) = self.meeting(body, group_view, line_of_sight, middle)?;
+            if !plane.meets(self.around_at_every_angle(body)) {
+                return None;
+            }
+            let (entry, distance) = self.meeting(body, group_view, line_of_sight, limit, middle)?;
             let depth = (entry.position - middle).dot(limit.direction);
             Some(Meeting { body, entry, distance, depth })
         });
@@ -166,16 +204,27 @@ impl PreparedScene {
         Some(((body, entry), distance, group_view.rest_ray_at(line_of_sight, distance)))
     }
 
-    /// Returns the place where `line_of_sight` enters the `body` of this number, and its distance on the ground. Rays are counted from
-    /// near the `middle` of the group.
+    /// Capsules that contain the body of this number, whatever the angle to which it turns.
+    fn around_at_every_angle(&self, body: usize) -> &[Capsule] {
+        let prepared = &self.bodies()[body];
+        if prepared.spin.is_some() {
+            std::slice::from_ref(self.ball_around(prepared))
+        } else {
+            self.around(prepared)
+        }
+    }
+
+    /// Returns the place where `line_of_sight`, whose ray has this `limit` at great distances, enters the `body` of this number, and its
+    /// distance on the ground. Rays are counted from near the `middle` of the group.
     fn meeting(
         &self,
         body: usize,
         view: &GroupView,
         line_of_sight: DVec3,
+        limit: RestRay,
         middle: DVec3,
     ) -> Option<(Entry, f64)> {
-        let mut ray = view.rest_ray(line_of_sight);
+        let mut ray = limit;
         let mut touched = f64::INFINITY;
         let mut found = None;
         for _ in 0..ROUNDS {
