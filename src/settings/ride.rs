@@ -153,12 +153,12 @@ impl Riding {
         self.is_straight().then(|| self.start().odometers(self.ride.0.as_deref().unwrap_or_default(), time))
     }
 
-    /// Returns this ride as it was until `time`, and from then on with a `push` of this proper acceleration, ahead and to the left,
+    /// Returns this ride as it was until `time`, and from then on with a push of this proper `acceleration` along the axes of the head
     /// for `duration`. A push that continues another is one leg with it.
     ///
     /// # Errors
     /// A ride that is full, or would be too fast, in words.
-    pub fn pushed(&self, time: f64, duration: f64, push: [f64; 2]) -> Result<Self, String> {
+    pub fn pushed(&self, time: f64, duration: f64, acceleration: [f64; 3]) -> Result<Self, String> {
         let mut legs: Vec<Leg> = Vec::new();
         let mut left = time.max(0.0);
         for leg in self.ride.0.as_deref().unwrap_or_default() {
@@ -172,7 +172,6 @@ impl Riding {
         if left > ROUNDING * time.abs() {
             legs.push(Leg { duration: left, acceleration: [0.0; 3] });
         }
-        let acceleration = [push[0], push[1], 0.0];
         match legs.last_mut().filter(|last| last.acceleration == acceleration) {
             Some(last) => last.duration += duration,
             None => legs.push(Leg { duration, acceleration }),
@@ -227,7 +226,7 @@ mod tests {
             for push in [0.5, -0.5] {
                 for _ in 0..2 * steps {
                     let step = 1.0 / f64::from(steps);
-                    ride = ride.pushed(time, step, [push, 0.0]).expect("there is room");
+                    ride = ride.pushed(time, step, [push, 0.0, 0.0]).expect("there is room");
                     time += step;
                 }
             }
@@ -237,12 +236,12 @@ mod tests {
             assert!(rider.velocity.beta().abs() < 1e-14, "{steps}: {legs:?}");
         }
         // What was planned after a push is given up.
-        let again = riding("2@1,2@-1", "0").pushed(1.0, 0.5, [0.25, 0.0]).expect("there is room");
+        let again = riding("2@1,2@-1", "0").pushed(1.0, 0.5, [0.25, 0.0, 0.0]).expect("there is room");
         assert_eq!(again.ride.to_string(), "1@1,0.5@0.25");
-        let aside = again.pushed(1.5, 2.0, [-0.5, 0.25]).expect("there is room");
+        let aside = again.pushed(1.5, 2.0, [-0.5, 0.25, 0.0]).expect("there is room");
         assert_eq!(aside.ride.to_string(), "1@1,0.5@0.25,2@-0.5:0.25");
         assert!(aside.is_along_street() != again.is_along_street());
-        assert!(riding("14@1", "0").pushed(14.0, 1.0, [1.0, 0.0]).is_err());
+        assert!(riding("14@1", "0").pushed(14.0, 1.0, [1.0, 0.0, 0.0]).is_err());
     }
 
     /// The same clocks and distances as along the street, whichever way one rides.

@@ -25,11 +25,11 @@ pub struct Rider {
     on_ground: ObserverVelocity,
     /// From the axes of the head to the observer's, which are the ground's, boosted without turning.
     head: DQuat,
-    ahead: [f64; 2],
+    ahead: [f64; 3],
 }
 
 /// The direction of the line of a ride in its own axes.
-const AHEAD: [f64; 2] = [1.0, 0.0];
+const AHEAD: [f64; 3] = [1.0, 0.0, 0.0];
 
 impl Rider {
     /// At rest at the ground's origin.
@@ -74,7 +74,7 @@ impl Rider {
         let [real, i, j, k] = moment.head;
         let turned = axes * DVec3::new(i, j, k);
         let to_head = DQuat::from_xyzw(i, j, k, real).conjugate();
-        let moving = (to_head * DVec3::from(moment.proper_velocity())).truncate().try_normalize();
+        let moving = (to_head * DVec3::from(moment.proper_velocity())).try_normalize();
         Self {
             velocity: Velocity::forward(*on_ground.speed()),
             x: riding.ride_from + x,
@@ -86,10 +86,10 @@ impl Rider {
         }
     }
 
-    /// Where the rider moves in the axes of the head: a unit vector along the line of the ride and to its left, along the line
+    /// Where the rider moves in the axes of the head: a unit vector along the line of the ride, to its left and up, along the line
     /// at rest. It is up to the sign of the velocity that it is ahead.
     #[must_use]
-    pub const fn ahead(&self) -> [f64; 2] {
+    pub const fn ahead(&self) -> [f64; 3] {
         self.ahead
     }
 

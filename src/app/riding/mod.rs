@@ -57,14 +57,14 @@ impl State {
         self.scratch.playing = true;
     }
 
-    /// Turns head and gaze to where the rider moves; at rest along the line of the ride.
+    /// Turns head and gaze to where the rider moves, level; at rest along the line of the ride.
     fn face(&mut self) {
         let (rider, elevation) = (self.rider(), self.gaze().elevation.to_degrees());
         let settings = &mut self.document.settings;
         if !settings.ride.is_on() {
             return;
         }
-        let [ahead, left] =
+        let [ahead, left, _] =
             rider.ahead().map(|part| if rider.velocity.is_backward { 0.0 - part } else { part });
         let azimuth = settings.ride.ride_azimuth + math::atan2(left, ahead).to_degrees();
         settings.motion.turn = (azimuth + 90.0).rem_euclid(360.0) - 180.0;

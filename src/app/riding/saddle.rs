@@ -1,5 +1,6 @@
 //! The saddle: what a rider asks for, and does just now.
 
+use glam::DVec3;
 use relativity_core::{ObserverVelocity, Speed};
 
 use crate::flags::StreetVelocity;
@@ -52,8 +53,8 @@ pub struct Saddle {
 pub struct Push {
     /// Direction of the push.
     pub direction: Direction,
-    /// Where `direction` points: a unit vector in the axes of the head, along the line of the ride and to its left.
-    pub towards: [f64; 2],
+    /// Where `direction` points: a unit vector in the axes of the head, along the line of the ride, to its left and up.
+    pub towards: [f64; 3],
     /// Whether the push brakes: then it ends at rest.
     pub brakes: bool,
 }
@@ -68,16 +69,13 @@ impl Push {
             Direction::Backwards => ahead.map(|part| 0.0 - part),
             Direction::Beside(degrees) => {
                 let steps = ((looks + f64::from(degrees)) / DEGREES_OF_WALKS).round();
-                let [x, y, _] =
-                    ObserverVelocity::new(Speed::REST, (steps * DEGREES_OF_WALKS).to_radians(), 0.0)
-                        .direction();
-                [x, y]
+                ObserverVelocity::new(Speed::REST, (steps * DEGREES_OF_WALKS).to_radians(), 0.0).direction()
             }
         };
-        let along = towards[0] * ahead[0] + towards[1] * ahead[1];
-        let aside = towards[0] * ahead[1] - towards[1] * ahead[0];
+        let [way, motion] = [towards, ahead].map(DVec3::from);
+        let (along, aside) = (way.dot(motion), way.cross(motion).length());
         let rapidity = rider.velocity.rapidity();
-        let brakes = rapidity.abs() > AT_REST && along * rapidity < 0.0 && aside.abs() < ALONG;
+        let brakes = rapidity.abs() > AT_REST && along * rapidity < 0.0 && aside < ALONG;
         Self { direction, towards, brakes }
     }
 
