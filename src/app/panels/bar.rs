@@ -5,6 +5,7 @@ mod file_menu;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText, TextStyle, Ui, vec2};
+use gamow_platform::files;
 
 use super::Commands;
 use crate::app::actions::with_keys;
@@ -15,7 +16,6 @@ use crate::app::overlay::Overlay;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::{STEREOSCOPE_TIP, explained_lazily};
-use crate::platform::files;
 use crate::scene::{PRESETS, Scene};
 use crate::settings::{Theme, Window, about, meaning};
 use crate::units::Units;
