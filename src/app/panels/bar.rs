@@ -9,7 +9,7 @@ use gamow_platform::files;
 
 use super::Commands;
 use crate::app::actions::with_keys;
-use crate::app::command::Command;
+use crate::app::command::{Command, Switch};
 use crate::app::file_dialog::purpose::Purpose;
 use crate::app::files::recent::file_name;
 use crate::app::overlay::Overlay;
@@ -273,10 +273,10 @@ fn parts(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut shows_map = state.frame.shows_map;
     if ui
         .toggle_value(&mut shows_map, "Map")
-        .on_hover_text(with_keys(about("map"), &[Command::ToggleMap]))
+        .on_hover_text(with_keys(about("map"), &[Command::Switch(Switch::Map)]))
         .changed()
     {
-        commands.push(Command::ToggleMap);
+        commands.push(Command::Switch(Switch::Map));
     }
     ui.toggle_value(&mut window.views, "Views").on_hover_text(about("views"));
     if window != state.document.settings.window {

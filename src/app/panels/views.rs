@@ -11,7 +11,7 @@ use relativity_core::math;
 use relativity_render::{Camera, Colour, Geometry, Method, PreparedScene, Projection, StreetColours, View};
 
 use super::Commands;
-use crate::app::command::{Command, LOOK_STEP};
+use crate::app::command::{Command, GazeCommand, LOOK_STEP};
 use crate::app::lesson::predicted_place;
 use crate::app::measuring::angle_ruler::{Lay, RulerCommand};
 use crate::app::measuring::laid_ruler;
@@ -54,7 +54,7 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, name: &str, commands:
     let describe = |node: &mut egui::accesskit::Node| node.set_description(state.moment().sentence());
     ui.ctx().accesskit_node_builder(response.id, describe);
     if response.double_clicked() {
-        commands.push(Command::FollowAgain);
+        commands.push(Command::Gaze(GazeCommand::WholeAgain));
     } else if response.triple_clicked() {
         // It is a double click that went on.
     } else if let (true, Some(place)) = (response.clicked(), response.interact_pointer_pos()) {
@@ -76,13 +76,13 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, name: &str, commands:
         let factor = math::exp(-scroll * ZOOM_PER_SCROLL) / pinch;
         if factor != 1.0 && factor.is_finite() {
             let place = response.hover_pos().unwrap_or(pane.rect.center());
-            commands.push(Command::Zoom(Zoom {
+            commands.push(Command::Gaze(GazeCommand::Zoom(Zoom {
                 eye: pane.eye,
                 is_second: pane.is_second,
                 pixel: pane.pixel(place),
                 size: pane.size,
                 factor,
-            }));
+            })));
         }
     }
 }
@@ -100,10 +100,10 @@ fn keys(ui: &Ui, response: &Response, commands: &mut Commands) {
 
 fn command_of(key: Key, with_shift: bool) -> Option<Command> {
     match key {
-        Key::ArrowLeft => Some(Command::LookAside([-LOOK_STEP, 0.0])),
-        Key::ArrowRight => Some(Command::LookAside([LOOK_STEP, 0.0])),
-        Key::ArrowUp => Some(Command::LookAside([0.0, LOOK_STEP])),
-        Key::ArrowDown => Some(Command::LookAside([0.0, -LOOK_STEP])),
+        Key::ArrowLeft => Some(Command::Gaze(GazeCommand::Aside([-LOOK_STEP, 0.0]))),
+        Key::ArrowRight => Some(Command::Gaze(GazeCommand::Aside([LOOK_STEP, 0.0]))),
+        Key::ArrowUp => Some(Command::Gaze(GazeCommand::Aside([0.0, LOOK_STEP]))),
+        Key::ArrowDown => Some(Command::Gaze(GazeCommand::Aside([0.0, -LOOK_STEP]))),
         Key::Enter => Some(Command::FollowNext(if with_shift { -1 } else { 1 })),
         Key::Space => Some(Command::TogglePlaying),
         _ => None,
@@ -117,7 +117,7 @@ fn turn(response: &Response, pane: EyePane, commands: &mut Commands) {
     if moved != egui::Vec2::ZERO {
         let [from, to] = [place - moved, place].map(|place| pane.pixel(place));
         let EyePane { eye, is_second, size, .. } = pane;
-        commands.push(Command::Turn(Turn { eye, is_second, from, to, size }));
+        commands.push(Command::Gaze(GazeCommand::Turn(Turn { eye, is_second, from, to, size })));
     }
 }
 
