@@ -81,16 +81,7 @@ impl App {
         self.update_fit(&ctx, plots_are_shown);
         self.update_examination(ui, &layout.panes, plots_are_shown);
         if let Some(rect) = layout.plots {
-            if plots_are_shown {
-                self.update_curves();
-            }
-            let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
-            let examination = self.examination.take();
-            let plotted = Plotted { curves: &curves, fitting: &fitting, examination: examination.as_ref() };
-            self.panel(ui, "plots", rect, |ui, state, commands| {
-                panels::plots::show(ui, state, plotted, commands);
-            });
-            (self.curves, self.fitting, self.examination) = (curves, fitting, examination);
+            self.show_plots(ui, rect, plots_are_shown);
         }
         if let Some(rect) = layout.readout {
             self.panel(ui, "readout", inset(rect), panels::readout::show);
@@ -110,6 +101,20 @@ impl App {
         self.message(&ctx, layout.message_room(area), area);
         self.corrected.take_if(|_| !layout.shows(Content::Corrected));
         self.forget_composed(&layout.panes);
+    }
+
+    /// Shows the plots inside `rect`; where the lesson's plot is drawn in instead, the curves need not be up to date.
+    fn show_plots(&mut self, ui: &mut Ui, rect: Rect, plots_are_shown: bool) {
+        if plots_are_shown {
+            self.update_curves();
+        }
+        let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
+        let examination = self.examination.take();
+        let plotted = Plotted { curves: &curves, fitting: &fitting, examination: examination.as_ref() };
+        self.panel(ui, "plots", rect, |ui, state, commands| {
+            panels::plots::show(ui, state, plotted, commands);
+        });
+        (self.curves, self.fitting, self.examination) = (curves, fitting, examination);
     }
 
     /// Maximises the part of the window whose title is double-clicked, or restores all others. Widgets in a title are above
