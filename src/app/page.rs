@@ -58,10 +58,7 @@ impl App {
         let inset = |rect: Rect| rect.shrink2(INSET);
         self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
         if let Some(rect) = layout.lesson {
-            let rect = rect.with_max_y(rect.max.y - theme::GAP).with_min_x(rect.min.x + theme::GAP);
-            // Beside a panel on the left are the views, which have a margin of their own.
-            let rect = rect.with_max_x(rect.max.x.min(area.max.x - theme::GAP));
-            self.panel(ui, "lesson", rect, panels::lesson::show);
+            self.show_lesson(ui, rect, area);
         }
         if let Some(rect) = layout.controls {
             self.panel(ui, "controls", inset(rect), panels::controls::show);
@@ -101,6 +98,14 @@ impl App {
         self.message(&ctx, layout.message_room(area), area);
         self.corrected.take_if(|_| !layout.shows(Content::Corrected));
         self.forget_composed(&layout.panes);
+    }
+
+    /// Shows the lesson inside `rect`.
+    fn show_lesson(&mut self, ui: &mut Ui, rect: Rect, area: Rect) {
+        let rect = rect.with_max_y(rect.max.y - theme::GAP).with_min_x(rect.min.x + theme::GAP);
+        // Beside a panel on the left are the views, which have a margin of their own.
+        let rect = rect.with_max_x(rect.max.x.min(area.max.x - theme::GAP));
+        self.panel(ui, "lesson", rect, panels::lesson::show);
     }
 
     /// Shows the plots inside `rect`; where the lesson's plot is drawn in instead, the curves need not be up to date.
