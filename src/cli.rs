@@ -5,10 +5,10 @@ use std::process::ExitCode;
 use anyhow::Context as _;
 use clap::builder::Styles;
 use clap::{CommandFactory as _, Parser, Subcommand};
+use gamow_platform::{environment, messages};
 
 use crate::app::{self, args::WindowArgs};
 use crate::commands;
-use crate::platform::{environment, messages};
 
 /// Interactive stereo viewer of special relativity: what each eye sees, exactly.
 ///

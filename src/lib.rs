@@ -29,7 +29,6 @@ pub mod lesson;
 pub mod map;
 mod markup;
 mod number_text;
-pub mod platform;
 mod plot;
 pub mod quantity;
 pub mod scene;

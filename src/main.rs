@@ -3,9 +3,10 @@
 use std::io::{self, Write as _};
 use std::process::ExitCode;
 
+use gamow_platform::{limits, messages};
+
 use clap::Parser as _;
 use gamow::cli::{self, Cli};
-use gamow::platform::{limits, messages};
 
 fn main() -> ExitCode {
     limits::fail_beyond_file_size();

@@ -2,10 +2,9 @@
 
 use std::borrow::Cow;
 
+use gamow_platform::messages;
 use relativity_core::Speed;
 use relativity_core::math;
-
-use crate::platform::messages;
 
 /// Sign for a number that does not exist.
 pub const NONE: &str = "–";

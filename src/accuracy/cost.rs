@@ -1,8 +1,7 @@
 //! The methods that are measured, and how long each takes for a picture.
 
+use gamow_platform::clock::Instant;
 use relativity_render::{Appearance, EyeTarget, GpuError, Method, PreparedScene, Renderers, View};
-
-use crate::platform::clock::Instant;
 
 /// Rays per pixel and direction of the reference, so that it takes as many samples as the GPU does.
 pub const REFERENCE_SAMPLES: u32 = 2;

@@ -1,5 +1,6 @@
 //! The expected error of a method in one view, and its cost there.
 
+use gamow_platform::threads::prelude::*;
 use relativity_render::{Appearance, GpuError, HitImage, Method, PreparedScene, Renderers, View};
 
 use super::cost::frame_ms;
@@ -7,7 +8,6 @@ use super::difference::Difference;
 use super::outline::{OutlinePoint, displacement_px, outline_pixels};
 use super::rounds::RoundsError;
 use super::spread::Spread;
-use crate::platform::threads::prelude::*;
 
 /// The effort with which a view is examined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

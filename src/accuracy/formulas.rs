@@ -6,6 +6,7 @@
 use std::fmt;
 use std::hint::black_box;
 
+use gamow_platform::clock::Instant;
 use glam::DVec3;
 use relativity_core::batch::{BatchError, PointColumns, Real, SightingColumns, Threads, sightings_of_points};
 use relativity_core::{Aperture, SourcePoint, Speed};
@@ -13,7 +14,6 @@ use relativity_core::{Aperture, SourcePoint, Speed};
 use super::difference::{ARCSECONDS, angle};
 use super::spread::Spread;
 use super::views::Place;
-use crate::platform::clock::Instant;
 
 /// Points in a batch: few enough for a core's cache, so that arithmetic is timed and not memory.
 const POINTS: usize = 1024;

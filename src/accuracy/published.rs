@@ -2,13 +2,13 @@
 
 use std::hint::black_box;
 
+use gamow_platform::clock::Instant;
 use glam::{DVec2, DVec3};
 use relativity_core::{Aperture, Disparity, Model, PairError, PublishedVariant, SourcePoint};
 use relativity_render::{Hit, Motion, PreparedScene, View};
 
 use super::difference::{ARCSECONDS, angle};
 use super::spread::Spread;
-use crate::platform::clock::Instant;
 
 /// Greatest number of points that are compared.
 const POINTS: usize = 2000;

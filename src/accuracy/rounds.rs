@@ -4,6 +4,7 @@
 
 use std::hint::black_box;
 
+use gamow_platform::clock::Instant;
 use glam::{DVec2, DVec3};
 use relativity_render::lines_of_sight::LinesOfSight;
 use relativity_render::wheel::rounds::Search;
@@ -11,7 +12,6 @@ use relativity_render::{Geometry, GroupView, HitImage, PreparedScene, View};
 use serde::{Deserialize, Serialize};
 
 use super::spread::Spread;
-use crate::platform::clock::Instant;
 
 /// The numbers of rounds that are measured. The shader takes six at most, for bodies that are no tubes.
 const ROUNDS: [u32; 4] = [1, 2, 3, 6];

@@ -4,7 +4,7 @@ use eframe::egui::text_selection::LabelSelectionState;
 use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
 use relativity_render::Geometry;
 
-use crate::app::command::{Command, LOOK_STEP};
+use crate::app::command::{Command, GazeCommand, LOOK_STEP, Switch};
 use crate::app::digits;
 use crate::app::file_dialog::purpose::{Product, Purpose};
 use crate::app::focus;
@@ -82,17 +82,17 @@ pub static ACTIONS: &[Action] = &[
     action(
         "two pictures of one eye: as seen, contracted, at rest, D²",
         &[key(Key::B)],
-        Command::NextComparison,
+        Command::Switch(Switch::Comparison),
     ),
-    action("frame: the whole scene in the views", &[key(Key::F)], Command::Frame),
+    action("frame: the whole scene in the views", &[key(Key::F)], Command::Gaze(GazeCommand::Whole)),
     action("follow the next body", &[key(Key::N)], Command::FollowNext(1)),
     action("follow the body before", &[with_shift(Key::N)], Command::FollowNext(-1)),
-    action("zoom in", &[key(Key::Plus), key(Key::Equals)], Command::Magnify(ZOOM_STEP)),
-    action("zoom out", &[key(Key::Minus)], Command::Magnify(1.0 / ZOOM_STEP)),
-    action("look to the left", &[], Command::LookAside([-LOOK_STEP, 0.0])),
-    action("look to the right", &[], Command::LookAside([LOOK_STEP, 0.0])),
-    action("look up", &[], Command::LookAside([0.0, LOOK_STEP])),
-    action("look down", &[], Command::LookAside([0.0, -LOOK_STEP])),
+    action("zoom in", &[key(Key::Plus), key(Key::Equals)], Command::Gaze(GazeCommand::Magnify(ZOOM_STEP))),
+    action("zoom out", &[key(Key::Minus)], Command::Gaze(GazeCommand::Magnify(1.0 / ZOOM_STEP))),
+    action("look to the left", &[], Command::Gaze(GazeCommand::Aside([-LOOK_STEP, 0.0]))),
+    action("look to the right", &[], Command::Gaze(GazeCommand::Aside([LOOK_STEP, 0.0]))),
+    action("look up", &[], Command::Gaze(GazeCommand::Aside([0.0, LOOK_STEP]))),
+    action("look down", &[], Command::Gaze(GazeCommand::Aside([0.0, -LOOK_STEP]))),
     action(
         "a ruler for angles: the next drag in a view lays it; remove it",
         &[key(Key::R)],
@@ -104,15 +104,27 @@ pub static ACTIONS: &[Action] = &[
         Command::Stopwatch(StopwatchCommand::Press),
     ),
     action("show or hide the stopwatch", &[with_shift(Key::T)], Command::Stopwatch(StopwatchCommand::Toggle)),
-    action("next layout of the two pictures", &[key(Key::L)], Command::NextLayout(1)),
-    action("the layout before", &[with_shift(Key::L)], Command::NextLayout(-1)),
-    action("conformal or camera pictures", &[key(Key::V)], Command::ToggleProjection),
-    action("the panorama of the whole passage, or two views", &[key(Key::U)], Command::TogglePanorama),
-    action("few controls, or all", &[], Command::ToggleSimple),
-    action("show or hide the resting outline in conformal views", &[key(Key::O)], Command::ToggleResting),
-    action("swap the eyes", &[key(Key::X)], Command::SwapEyes),
-    action("show or hide the map", &[key(Key::M)], Command::ToggleMap),
-    action("draw the map in the ground's or the bicycle's frame", &[key(Key::G)], Command::ToggleFrame),
+    action("next layout of the two pictures", &[key(Key::L)], Command::Switch(Switch::Layout(1))),
+    action("the layout before", &[with_shift(Key::L)], Command::Switch(Switch::Layout(-1))),
+    action("conformal or camera pictures", &[key(Key::V)], Command::Switch(Switch::Projection)),
+    action(
+        "the panorama of the whole passage, or two views",
+        &[key(Key::U)],
+        Command::Switch(Switch::Panorama),
+    ),
+    action("few controls, or all", &[], Command::Switch(Switch::Simple)),
+    action(
+        "show or hide the resting outline in conformal views",
+        &[key(Key::O)],
+        Command::Switch(Switch::Resting),
+    ),
+    action("swap the eyes", &[key(Key::X)], Command::Switch(Switch::Eyes)),
+    action("show or hide the map", &[key(Key::M)], Command::Switch(Switch::Map)),
+    action(
+        "draw the map in the ground's or the bicycle's frame",
+        &[key(Key::G)],
+        Command::Switch(Switch::Frame),
+    ),
     action(
         "a cursor in the plots at T: the first, the second, none",
         &[key(Key::C)],

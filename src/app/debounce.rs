@@ -3,8 +3,7 @@
 use std::time::Duration;
 
 use eframe::egui::Context;
-
-use crate::platform::clock::Instant;
+use gamow_platform::clock::Instant;
 
 /// Time without a change after which something counts as still.
 const REST: Duration = Duration::from_millis(150);

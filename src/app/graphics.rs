@@ -7,9 +7,8 @@ use eframe::egui_wgpu::{
     NativeAdapterSelectorMethod, SurfaceErrorAction, WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew,
 };
 use eframe::wgpu::{self, CurrentSurfaceTexture};
+use gamow_platform::clock::Instant;
 use relativity_render::{adapter_name, named_adapter};
-
-use crate::platform::clock::Instant;
 
 /// Least time between two configurations of a surface that cannot be drawn on.
 const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(250);

@@ -4,6 +4,9 @@ use std::path::Path;
 
 use eframe::egui::ViewportBuilder;
 use eframe::{CreationContext, NativeOptions};
+use gamow_platform::clock::Instant;
+use gamow_platform::last_word::LastWord;
+use gamow_platform::{messages, threads};
 use relativity_render::{colour, planck};
 
 use crate::app::args::WindowArgs;
@@ -15,9 +18,6 @@ use crate::app::state::State;
 use crate::app::{App, TITLE, graphics, icon, painting};
 use crate::files::whole::ensure_ending;
 use crate::flags::words::Shell;
-use crate::platform::clock::Instant;
-use crate::platform::last_word::LastWord;
-use crate::platform::{messages, threads};
 use crate::settings::Settings;
 
 /// Name of the window for the system, and of the folder of its settings.

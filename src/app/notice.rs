@@ -1,6 +1,7 @@
 //! Messages to the user about the last thing that was done, or could not be.
 
-use crate::platform::{files, messages};
+use gamow_platform::{files, messages};
+
 use std::path::Path;
 
 /// A message. It stays until it is closed or another takes its place.

@@ -58,10 +58,7 @@ impl App {
         let inset = |rect: Rect| rect.shrink2(INSET);
         self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
         if let Some(rect) = layout.lesson {
-            let rect = rect.with_max_y(rect.max.y - theme::GAP).with_min_x(rect.min.x + theme::GAP);
-            // Beside a panel on the left are the views, which have a margin of their own.
-            let rect = rect.with_max_x(rect.max.x.min(area.max.x - theme::GAP));
-            self.panel(ui, "lesson", rect, panels::lesson::show);
+            self.show_lesson(ui, rect, area);
         }
         if let Some(rect) = layout.controls {
             self.panel(ui, "controls", inset(rect), panels::controls::show);
@@ -81,16 +78,7 @@ impl App {
         self.update_fit(&ctx, plots_are_shown);
         self.update_examination(ui, &layout.panes, plots_are_shown);
         if let Some(rect) = layout.plots {
-            if plots_are_shown {
-                self.update_curves();
-            }
-            let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
-            let examination = self.examination.take();
-            let plotted = Plotted { curves: &curves, fitting: &fitting, examination: examination.as_ref() };
-            self.panel(ui, "plots", rect, |ui, state, commands| {
-                panels::plots::show(ui, state, plotted, commands);
-            });
-            (self.curves, self.fitting, self.examination) = (curves, fitting, examination);
+            self.show_plots(ui, rect, plots_are_shown);
         }
         if let Some(rect) = layout.readout {
             self.panel(ui, "readout", inset(rect), panels::readout::show);
@@ -110,6 +98,28 @@ impl App {
         self.message(&ctx, layout.message_room(area), area);
         self.corrected.take_if(|_| !layout.shows(Content::Corrected));
         self.forget_composed(&layout.panes);
+    }
+
+    /// Shows the lesson inside `rect`.
+    fn show_lesson(&mut self, ui: &mut Ui, rect: Rect, area: Rect) {
+        let rect = rect.with_max_y(rect.max.y - theme::GAP).with_min_x(rect.min.x + theme::GAP);
+        // Beside a panel on the left are the views, which have a margin of their own.
+        let rect = rect.with_max_x(rect.max.x.min(area.max.x - theme::GAP));
+        self.panel(ui, "lesson", rect, panels::lesson::show);
+    }
+
+    /// Shows the plots inside `rect`; where the lesson's plot is drawn in instead, the curves need not be up to date.
+    fn show_plots(&mut self, ui: &mut Ui, rect: Rect, plots_are_shown: bool) {
+        if plots_are_shown {
+            self.update_curves();
+        }
+        let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
+        let examination = self.examination.take();
+        let plotted = Plotted { curves: &curves, fitting: &fitting, examination: examination.as_ref() };
+        self.panel(ui, "plots", rect, |ui, state, commands| {
+            panels::plots::show(ui, state, plotted, commands);
+        });
+        (self.curves, self.fitting, self.examination) = (curves, fitting, examination);
     }
 
     /// Maximises the part of the window whose title is double-clicked, or restores all others. Widgets in a title are above

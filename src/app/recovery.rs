@@ -9,12 +9,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use eframe::egui::{Context, Ui};
+use gamow_platform::clock::Instant;
 
 use crate::app::App;
 use crate::app::notice::Notice;
 use crate::app::state::{Scratch, State};
 use crate::caption::capitalised;
-use crate::platform::clock::Instant;
 
 /// Time within which a device that is lost again is given up.
 const SOON: Duration = Duration::from_mins(1);

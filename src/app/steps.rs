@@ -4,10 +4,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
+use gamow_platform::clock::Instant;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-
-use crate::platform::clock::Instant;
 
 /// Time after which a job is given up for a newer one. A shorter one is finished, so that
 /// the view follows while a control is dragged.

@@ -64,9 +64,9 @@ mod tests {
     use std::sync::mpsc::channel;
 
     use eframe::egui::Id;
+    use gamow_platform::threads;
 
     use super::*;
-    use crate::platform::threads;
 
     #[test]
     fn a_thread_that_wakes_a_window_never_ends_it() {

@@ -6,9 +6,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 use eframe::egui::Context;
+use gamow_platform::threads::{self, JoinHandle};
 
 pub use crate::app::steps::{Step, Wanted, Work};
-use crate::platform::threads::{self, JoinHandle};
 
 /// The thread; it waits without using the processor, and ends with this.
 pub struct Worker<J, R> {
@@ -152,8 +152,9 @@ impl<W: Work<Tools: Send>, L: Clone + Send + 'static> BackgroundWork<W, L> {
 mod tests {
     use std::time::Duration;
 
+    use gamow_platform::clock::Instant;
+
     use super::*;
-    use crate::platform::clock::Instant;
 
     fn eventually<T>(mut value: impl FnMut() -> Option<T>) -> T {
         let start = Instant::now();

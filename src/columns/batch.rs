@@ -1,5 +1,6 @@
 //! The columns of many observations at once, on all threads.
 
+use gamow_platform::threads::prelude::*;
 use relativity_core::batch::{DisparityColumns, Threads, disparities_over_time};
 use relativity_core::{Model, Source, StereoError};
 use thiserror::Error;
@@ -7,7 +8,6 @@ use thiserror::Error;
 use super::header::{Header, InputError};
 use super::model::ModelArgs;
 use super::observation::{GivenInputs, Observation};
-use crate::platform::threads::prelude::*;
 
 /// Number of observations that a task fills.
 const CHUNK: usize = 4096;

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use anyhow::Context as _;
 use clap::Args;
+use gamow_platform::interrupt::Noted;
+use gamow_platform::{clock, messages, progress};
 use relativity_core::{Curves, DEFAULT_REPLICATES, FitOptions, Model, Passage};
 
 use crate::estimate::FitReport;
@@ -13,8 +15,6 @@ use crate::files::csv_in;
 use crate::files::whole::ReportArgs;
 use crate::flags::{COORDINATES, HeadArgs, WheelArgs, finite_number, within};
 use crate::number_text;
-use crate::platform::interrupt::Noted;
-use crate::platform::{clock, messages, progress};
 
 /// Fits speed and distance of a point to the disparities that two eyes measured.
 ///

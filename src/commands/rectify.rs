@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
 use clap::{Args, ValueEnum};
+use gamow_platform::files;
 use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
 use relativity_render::rectify::{LightCorrection, Rectification};
 use relativity_render::{Camera, Picture, Projection, Velocity};
@@ -14,7 +15,6 @@ use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
 use crate::flags::choices::{FileKind, GazeChoice, Layout};
 use crate::flags::{IntensityExponent, OnOff, SpeedArgs, SpeedParameter, field_of_view, switch};
-use crate::platform::files;
 use crate::settings::{CameraArgs, NO_PAIR, ON_A_RIDE, Settings};
 use crate::studio::Sheet;
 

@@ -4,11 +4,11 @@ use std::io::Read;
 
 use anyhow::Context as _;
 use csv::ByteRecord;
+use gamow_platform::sizes;
 use relativity_core::{Baseline, Curves, FitError, MAX_COORDINATE, Observations, Reading, Sample};
 
 use crate::columns::{CLOCK, ROLL, TURN};
 use crate::files::csv_in::{HeaderError, Names, RowError, Rows};
-use crate::platform::sizes;
 
 const NEEDED: &str = "T, dphi or dtheta, and d unless --d gives it";
 const NEEDED_OF_RIDER: &str = "clock, dphi or dtheta, and d unless --d gives it";

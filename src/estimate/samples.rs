@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use anyhow::Context as _;
 use csv::ByteRecord;
+use gamow_platform::{files, shared, sizes};
 use relativity_core::{
     Aperture, Baseline, Curves, FitOptions, Model, Observations, Parameter, Passage, Rolling, Simulation,
     Source, SourcePoint, Turning, WheelPoint,
@@ -16,7 +17,6 @@ use super::data::{Data, Eyes};
 use crate::columns::{ROLL, TURN};
 use crate::files::csv_out::Rows;
 use crate::flags::words::Shell;
-use crate::platform::{files, shared, sizes};
 use crate::scene::{Scene, Track};
 use crate::settings::{FitSetup, Settings, message};
 use crate::time_range::time_within;

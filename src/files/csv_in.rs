@@ -11,10 +11,10 @@ use std::path::Path;
 
 use anyhow::Context as _;
 use csv::ByteRecord;
+use gamow_platform::{files, messages, sizes};
 use thiserror::Error;
 
 use super::csv_out::io_error;
-use crate::platform::{files, messages, sizes};
 
 const BUFFER_BYTES: usize = 1 << 16;
 

@@ -13,13 +13,13 @@ use exr::prelude::{
     AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes, LineOrder,
     ReadChannels as _, ReadLayers as _, SmallVec, Text, WritableImage, f16, read,
 };
+use gamow_platform::files::{self, Regular};
+use gamow_platform::sizes;
 use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_render::rectify::LightCorrection;
 use relativity_render::{Appearance, Hit, HitImage, PreparedScene};
 
 use super::provenance::{SOFTWARE, command_in_comments};
-use crate::platform::files::{self, Regular};
-use crate::platform::sizes;
 
 /// The layers: the eyes, in the order in which two eyes are given everywhere.
 pub const EYES: [&str; 2] = ["left", "right"];

@@ -4,10 +4,10 @@ use std::io::{BufRead, BufReader, Seek, Write};
 use std::path::Path;
 
 use anyhow::Context as _;
+use gamow_platform::{files, sizes};
 use relativity_render::Picture;
 
 use super::provenance::{SOFTWARE, command_in_texts};
-use crate::platform::{files, sizes};
 
 /// Keyword of the text that names the program.
 const SOFTWARE_KEYWORD: &str = "Software";

@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
+use gamow_platform::messages;
 use toml::de::Error;
 
 use crate::number_text;
-use crate::platform::messages;
 
 /// Returns the problem that the TOML reader found in `text`, and its range of bytes.
 #[must_use]

@@ -1,6 +1,6 @@
 //! Command lines as text: how a shell is given words, and which words a POSIX shell would make of a line.
 
-use crate::platform::messages;
+use gamow_platform::messages;
 
 /// A shell that a command line is written for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,10 +4,10 @@
 use std::fmt;
 use std::ops::Range;
 
+use gamow_platform::sizes;
 use pulldown_cmark::{CowStr, Event, LinkType, OffsetIter, Options, Parser, Tag, TagEnd};
 
 use super::{Formula, FormulaError, Style};
-use crate::platform::sizes;
 
 /// The extensions of Markdown.
 pub const OPTIONS: Options = Options::ENABLE_TABLES.union(Options::ENABLE_MATH);

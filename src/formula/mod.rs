@@ -10,6 +10,7 @@ mod svg;
 mod tests;
 mod words;
 
+use gamow_platform::{messages, sizes};
 use ratex_layout::LayoutOptions;
 use ratex_parser::ParseNode;
 use ratex_types::MathStyle;
@@ -17,7 +18,6 @@ use ratex_types::display_item::DisplayItem;
 use ratex_types::path_command::PathCommand;
 
 pub use self::faces::Face;
-use crate::platform::{messages, sizes};
 
 /// Size of a formula's em in that of the text around it: TeX's letters are small beside those of screens.
 pub const EM: f32 = 1.1;

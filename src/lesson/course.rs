@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use gamow_platform::shared;
 use serde::{Deserialize, Serialize};
 
 use super::answer::{Answer, Confidence, Outcome, Record};
@@ -9,7 +10,6 @@ use super::answers::LessonProgress;
 use super::error::LessonError;
 use super::place::{Phase, Place};
 use super::plan::{Kind, Lesson, Prediction, Step};
-use crate::platform::shared;
 
 /// Somebody's way through a lesson.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

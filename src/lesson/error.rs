@@ -1,8 +1,7 @@
 //! Errors of lessons, each in one line.
 
+use gamow_platform::messages;
 use thiserror::Error;
-
-use crate::platform::messages;
 
 /// A lesson that cannot be had.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
 
+use gamow_platform::files;
+
 use super::error::LessonError;
 use super::plan::Lesson;
-use crate::platform::files;
 use crate::scene::looks_like_a_name;
 use crate::settings::Preset;
 

@@ -3,12 +3,12 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
+use gamow_platform::messages;
 use relativity_render::{Body, Group, MaterialPoint, Motion, PreparedScene, Spin, Velocity};
 use serde::{Deserialize, Serialize};
 
 use super::similar::{NEAREST, nearest};
 use super::table::coincide;
-use crate::platform::messages;
 
 /// Distance from a body's surface up to which a point is taken to be on it: coordinates may be rounded to three decimals.
 const ON_BODY: f64 = 1e-3;

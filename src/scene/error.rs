@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
+use gamow_platform::{messages, sizes};
 use thiserror::Error;
 
 use super::presets::PRESETS;
 use crate::files::syntax;
-use crate::platform::{messages, sizes};
 
 /// A scene that cannot be had.
 #[derive(Debug, Error)]

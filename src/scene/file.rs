@@ -4,6 +4,7 @@ use std::path::Path;
 use std::rc::Rc;
 use std::sync::OnceLock;
 
+use gamow_platform::{files, sizes};
 use relativity_render::{Body, Motion, Velocity};
 use toml::de::DeTable;
 
@@ -15,7 +16,6 @@ use super::object::{Object, object};
 use super::presets::{self, PRESETS};
 use super::table::Table;
 use super::wheel::{Changes, wheel};
-use crate::platform::{files, sizes};
 
 /// Default word for whatever rides past.
 const RIDER: &str = "rider";

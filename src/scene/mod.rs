@@ -19,7 +19,8 @@ mod wheel;
 
 use std::path::Path;
 
-use crate::platform::files;
+use gamow_platform::files;
+
 pub use content::{Scene, SceneGroup, Track};
 pub use error::{Problem, SceneError};
 pub use model::ridden::text as scene_text;

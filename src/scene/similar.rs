@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::platform::{messages, sizes};
+use gamow_platform::{messages, sizes};
 
 /// Number of similar names that an error message suggests.
 pub(super) const NEAREST: usize = 3;

@@ -2,13 +2,13 @@
 
 use std::ops::{Range, RangeInclusive};
 
+use gamow_platform::{messages, sizes};
 use glam::DQuat;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::{Located, Problem};
 use super::model::ModelFiles;
-use crate::platform::{messages, sizes};
 
 /// Largest magnitude of a coordinate: beyond it, f32 has steps of more than 1/16.
 const MAX_COORDINATE: f64 = 1e6;

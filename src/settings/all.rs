@@ -5,6 +5,7 @@ use std::path::Path;
 
 use clap::Args;
 use clap::builder::{OsStringValueParser, TypedValueParser as _};
+use gamow_platform::files;
 use serde::Serialize;
 
 use super::error::SettingsError;
@@ -13,7 +14,6 @@ use super::sections::{
     FitSetup, Light, Look, Map, Motion, Picture, Playback, Plots, Quality, Screen, Window,
 };
 use crate::flags::{Followed, coordinates, time};
-use crate::platform::files;
 use crate::scene::PRESETS;
 
 /// Everything that is set.

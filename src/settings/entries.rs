@@ -4,13 +4,13 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use clap::{Arg, Args as _, Command, FromArgMatches as _};
+use gamow_platform::files;
 use toml::{Table, Value};
 
 use super::all::Settings;
 use super::error::{Problem, SettingsError};
 use crate::flags::choices::ProjectionChoice;
 use crate::flags::words::{Shell, words};
-use crate::platform::files;
 
 /// The flags of all settings.
 pub(super) static FLAGS: LazyLock<Command> = LazyLock::new(|| {

@@ -1,10 +1,9 @@
 //! Errors of settings, in one line: where, what, and the correction.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use gamow_platform::messages;
 use std::error::Error as _;
 use thiserror::Error;
-
-use crate::platform::messages;
 
 /// Settings that cannot be had.
 #[derive(Debug, Error)]

@@ -3,6 +3,8 @@
 use std::ops::Range;
 use std::path::Path;
 
+use gamow_platform::names::problem_in_a_file;
+use gamow_platform::{files, messages};
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
@@ -12,8 +14,6 @@ use super::error::{Problem, SettingsError};
 use super::link::is_link;
 use crate::files::{exr, png, syntax};
 use crate::flags::choices::FileKind;
-use crate::platform::names::problem_in_a_file;
-use crate::platform::{files, messages};
 use crate::scene::{Scene, SceneError, looks_like_a_name};
 
 impl Settings {

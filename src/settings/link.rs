@@ -3,12 +3,12 @@
 
 use std::path::Path;
 
+use gamow_platform::messages;
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
 
 use super::all::Settings;
 use super::entries::{Entry, SCENE};
 use super::error::SettingsError;
-use crate::platform::messages;
 use crate::scene::Scene;
 
 const SCHEME: &str = "gamow:";

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
+use gamow_platform::files;
 use relativity_render::Picture;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -16,7 +17,6 @@ use crate::files::whole::write_whole;
 use crate::files::{gif, png};
 use crate::flags::choices::FileKind;
 use crate::flags::words::Shell;
-use crate::platform::files;
 use crate::time_range::time_within;
 
 /// Frames a second: a whole number of hundredths of a second each, as a GIF needs.

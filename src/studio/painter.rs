@@ -1,14 +1,14 @@
 //! The painter of files: the method that the settings choose, on the device it needs.
 
 use anyhow::Context as _;
+use gamow_platform::clock::Instant;
+use gamow_platform::{messages, threads};
 use relativity_render::{
     Appearance, Geometry, Gpu, HitImage, Method, Picture, PreparedScene, Renderers, View,
 };
 
 use crate::accuracy::{Automatic, Choice, Machine, Sight};
 use crate::flags::choices::{ProjectionChoice, RendererChoice};
-use crate::platform::clock::Instant;
-use crate::platform::{messages, threads};
 use crate::settings::{Quality, Settings};
 
 /// A method, and the renderers that draw by it.

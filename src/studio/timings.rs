@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::platform::clock::Instant;
+use gamow_platform::clock::Instant;
 
 /// Durations of stages, in the order in which they first ran.
 #[derive(Debug, Default)]

@@ -121,13 +121,19 @@ fn panels_stand_apart_but_have_parts_and_share_a_room() {
 }
 
 #[test]
-fn what_belongs_to_one_room_is_found_elsewhere() {
+fn what_belongs_to_one_room_or_to_none_is_found_elsewhere() {
     let files = [
-        ("lib.rs", "mod files; mod platform;"),
+        ("lib.rs", "mod files; mod formula;"),
         ("files/mod.rs", "use std::{fs, io}; const A: u8 = { 1 }; static B: u8 = { 2 };"),
-        ("platform/mod.rs", "use std::fs::File;"),
+        ("formula/mod.rs", "use ratex_layout::layout;"),
     ];
     assert_fault(&files, &["files/mod.rs names std::fs"]);
+    let files = [
+        ("lib.rs", "mod markup; mod formula;"),
+        ("markup.rs", "use ratex_layout::layout;"),
+        ("formula/mod.rs", "use ratex_layout::layout;"),
+    ];
+    assert_fault(&files, &["markup.rs names ratex_layout"]);
 }
 
 #[test]

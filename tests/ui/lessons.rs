@@ -5,7 +5,7 @@ use eframe::egui::{Event, Key, Rect, Vec2, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::App;
-use gamow::app::command::Command;
+use gamow::app::command::{Command, Switch};
 use gamow::app::lesson::session::LessonCommand;
 use gamow::app::state::State;
 use gamow::lesson::{Answer, Confidence, Course, Kind, Lesson, Library, Outcome, Phase, Place};
@@ -358,7 +358,7 @@ fn what_was_explored_is_set_up_again() {
     let mut window = window(&lesson(), [1024.0, 600.0]);
     let told = window.state().state().document.settings.clone();
     assert!(window.query_by_label("Set up again").is_none());
-    for change in [Command::NudgeSpeed(3), Command::Time(3.0), Command::ToggleMap] {
+    for change in [Command::NudgeSpeed(3), Command::Time(3.0), Command::Switch(Switch::Map)] {
         window.state_mut().ask(change);
         window.run_steps(2);
         press(&mut window, "Set up again");

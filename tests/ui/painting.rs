@@ -2,7 +2,7 @@
 
 use eframe::egui::{pos2, vec2};
 use egui_kittest::Harness;
-use gamow::app::command::Command;
+use gamow::app::command::{Command, Switch};
 use gamow::app::overlay::Overlay;
 use gamow::app::{App, painting};
 use gamow::flags::choices::{Layout, RendererChoice};
@@ -88,7 +88,7 @@ fn what_changed_is_painted() {
     pair.asks(&Command::NudgeSpeed(-7));
     pair.asks(&Command::Toggle(Overlay::Help));
     pair.asks(&Command::Toggle(Overlay::Help));
-    pair.asks(&Command::ToggleMap);
+    pair.asks(&Command::Switch(Switch::Map));
     let mut window = pair.windows[0].state().state().document.settings.window;
     window.theme = Theme::Light;
     pair.asks(&Command::Window(window));

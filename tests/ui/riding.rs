@@ -4,7 +4,7 @@ use eframe::egui::Key;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
-use gamow::app::command::Command;
+use gamow::app::command::{Command, GazeCommand};
 use gamow::app::riding::saddle::RideCommand;
 use gamow::app::state::State;
 use gamow::settings::{Frame, Preset, Riding, Settings};
@@ -154,7 +154,7 @@ fn walks() {
     window.state_mut().ask(Command::Ride(RideCommand::Face));
     window.step();
     // A head that turns on has pushes in steps of 5 degrees.
-    window.state_mut().ask(Command::LookAside([-0.11, 0.0]));
+    window.state_mut().ask(Command::Gaze(GazeCommand::Aside([-0.11, 0.0])));
     window.step();
     hold(&mut window, &[Key::W], 10);
     let [ahead, left, _] = last_leg(&window).acceleration;

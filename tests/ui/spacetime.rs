@@ -5,7 +5,7 @@ use eframe::egui::{Modifiers, Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
-use gamow::app::command::Command;
+use gamow::app::command::{Command, Switch};
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::{Face, Frame, Framing, Map, Presence, Settings, Theme, Window};
@@ -238,7 +238,7 @@ fn spacetime_that_is_not_shown() {
     window.run();
     assert!(!is_there(&window));
     window.state_mut().ask(Command::Map(Map { face: Face::Spacetime, ..Map::default() }));
-    window.state_mut().ask(Command::ToggleMap);
+    window.state_mut().ask(Command::Switch(Switch::Map));
     window.run();
     assert!(!is_there(&window));
 }

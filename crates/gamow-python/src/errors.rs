@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use gamow::platform::messages;
+use gamow_platform::messages;
 use pyo3::PyErr;
 use pyo3::exceptions::PyValueError;
 

@@ -105,7 +105,7 @@ fn measured_in_state<'py>(
     let place: PathBuf = folder.getattr("name")?.extract()?;
     let mut settings = state.settings().clone();
     let scene = Path::new(&settings.scene);
-    if let Some(name) = scene.file_name().filter(|_| gamow::platform::files::is_file(scene)) {
+    if let Some(name) = scene.file_name().filter(|_| gamow_platform::files::is_file(scene)) {
         // Files name the scene beside them.
         let copy = place.join(name);
         py.import("shutil")?.call_method1("copyfile", (scene, &copy))?;

@@ -4,7 +4,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use gamow::files::whole::write_whole;
-use gamow::platform::files;
+use gamow_platform::files;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

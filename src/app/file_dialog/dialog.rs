@@ -5,12 +5,12 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::time::Duration;
 
 use eframe::egui::Context;
+use gamow_platform::clock::Instant;
+use gamow_platform::{files, threads};
 
 use crate::app::file_dialog::answer::Answer;
 use crate::app::file_dialog::purpose::Purpose;
 use crate::app::waker::Woken;
-use crate::platform::clock::Instant;
-use crate::platform::{files, threads};
 
 /// A dialog of the system. A thread waits for it, as that may take as long as the user likes.
 pub struct Dialog {

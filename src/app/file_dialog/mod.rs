@@ -11,6 +11,7 @@ pub mod purpose;
 use std::path::{Path, PathBuf};
 
 use eframe::egui::Context;
+use gamow_platform::files;
 
 use self::answer::Answer;
 use self::dialog::Dialog;
@@ -19,7 +20,6 @@ use crate::app::file_dialog::purpose::{Product, Purpose};
 use crate::app::orders::Saving;
 use crate::app::state::State;
 use crate::flags::choices::Size;
-use crate::platform::files;
 use crate::settings::is_link;
 use crate::studio::film::FilmKind;
 

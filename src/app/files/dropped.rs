@@ -15,8 +15,8 @@ pub fn take(ctx: &Context) -> Option<PathBuf> {
 pub fn take(ctx: &Context) -> Option<PathBuf> {
     use eframe::egui::Id;
 
-    use crate::platform::files;
-    use crate::platform::web::tasks;
+    use gamow_platform::files;
+    use gamow_platform::web::tasks;
 
     let read = Id::unique("dropped file");
     if let Some(file) = ctx.input(|input| input.raw.dropped_files.first().cloned()) {

@@ -9,12 +9,13 @@ pub(super) mod watch;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use gamow_platform::files;
+
 use crate::app::command::Command;
 use crate::app::files::reader::{Contents, Errand, ReadFile, ReadyScene, Use};
 use crate::app::notice::Notice;
 use crate::app::state::State;
 use crate::flags::choices::FileKind;
-use crate::platform::files;
 use crate::settings::{PlotTab, Settings, is_link};
 
 impl State {

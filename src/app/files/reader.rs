@@ -6,14 +6,14 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
 use eframe::egui::Context;
+use gamow_platform::clock::Instant;
+use gamow_platform::{files, threads};
 use relativity_render::PreparedScene;
 
 use crate::app::waker::Woken;
 use crate::estimate::samples::DataFile;
 use crate::flags::choices::FileKind;
 use crate::lesson::Lesson;
-use crate::platform::clock::Instant;
-use crate::platform::{files, threads};
 use crate::scene::Scene;
 use crate::settings::{Settings, SettingsError, is_link, looks_like_settings};
 

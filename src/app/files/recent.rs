@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::platform::files;
+use gamow_platform::files;
 
 /// Greatest number of files.
 const MAX_FILES: usize = 8;

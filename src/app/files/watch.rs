@@ -5,9 +5,9 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
 use eframe::egui::Context;
+use gamow_platform::{files, threads};
 
 use crate::app::waker::{Waker, Woken};
-use crate::platform::{files, threads};
 
 /// Interval between two looks at the files.
 const INTERVAL: Duration = Duration::from_secs(1);

@@ -6,12 +6,12 @@ mod plot_line;
 use std::time::Duration;
 
 use eframe::egui::Context;
+use gamow_platform::clock::Instant;
 
 pub use outcome::{FitOutcome, FitSteps, Fitted, FittedCurve};
 
 use super::worker::BackgroundWork;
 use crate::estimate::samples::FitKey;
-use crate::platform::clock::Instant;
 
 /// An outdated outcome is shown as such once the next has been awaited for this long; sooner, it would
 /// only flicker.

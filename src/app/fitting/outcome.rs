@@ -4,6 +4,8 @@
 use std::time::Duration;
 
 use egui_plot::PlotPoint;
+use gamow_platform::clock::Instant;
+use gamow_platform::threads::prelude::*;
 use relativity_core::bootstrap::percentiles_95;
 use relativity_core::{
     Aperture, Bootstrap, DEFAULT_REPLICATES, Fit, FitOptions, Observations, Parameter, Rolling,
@@ -16,8 +18,6 @@ use crate::app::plots::curves::{Bends, Sample, sampled};
 use crate::app::worker::{Step, Wanted, Work};
 use crate::estimate::samples::{FitKey, Fittable, Samples, Simulated};
 use crate::estimate::{Estimate, estimate, other_side};
-use crate::platform::clock::Instant;
-use crate::platform::threads::prelude::*;
 
 /// The samples and what became of them.
 #[derive(Debug, Clone, Serialize, Deserialize)]

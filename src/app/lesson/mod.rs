@@ -7,6 +7,7 @@ pub mod session;
 use std::path::Path;
 use std::sync::Arc;
 
+use gamow_platform::clock as wall_clock;
 use relativity_render::Gaze;
 
 use crate::app::clock;
@@ -17,7 +18,6 @@ use crate::app::state::State;
 use crate::lesson::{
     Animated, Answer, Answers, Course, Kind, Lesson, LessonError, Library, Phase, Prediction,
 };
-use crate::platform::clock as wall_clock;
 use crate::settings::{Settings, Window};
 
 /// Entries in a lesson are noted at once: whoever opens it again goes on where it was. Answers are no steps of the way back: undoing leads back to settings and

@@ -5,17 +5,17 @@ mod file_menu;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText, TextStyle, Ui, vec2};
+use gamow_platform::files;
 
 use super::Commands;
 use crate::app::actions::with_keys;
-use crate::app::command::Command;
+use crate::app::command::{Command, Switch};
 use crate::app::file_dialog::purpose::Purpose;
 use crate::app::files::recent::file_name;
 use crate::app::overlay::Overlay;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::{STEREOSCOPE_TIP, explained_lazily};
-use crate::platform::files;
 use crate::scene::{PRESETS, Scene};
 use crate::settings::{Theme, Window, about, meaning};
 use crate::units::Units;
@@ -273,10 +273,10 @@ fn parts(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut shows_map = state.frame.shows_map;
     if ui
         .toggle_value(&mut shows_map, "Map")
-        .on_hover_text(with_keys(about("map"), &[Command::ToggleMap]))
+        .on_hover_text(with_keys(about("map"), &[Command::Switch(Switch::Map)]))
         .changed()
     {
-        commands.push(Command::ToggleMap);
+        commands.push(Command::Switch(Switch::Map));
     }
     ui.toggle_value(&mut window.views, "Views").on_hover_text(about("views"));
     if window != state.document.settings.window {

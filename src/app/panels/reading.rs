@@ -1,11 +1,11 @@
 //! The file that is being read, where that takes long, and a way to give it up.
 
 use eframe::egui::{Align2, Context, Spinner, Window};
+use gamow_platform::files;
 
 use super::Commands;
 use crate::app::command::Command;
 use crate::app::files::reader::Reader;
-use crate::platform::files;
 
 /// Above the lower edge of the window, points: above what is being saved.
 const ABOVE: f32 = 130.0;

@@ -4,9 +4,10 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use gamow_platform::{files, locks};
+
 use super::kept_file::KeptFile;
 use crate::lesson::{Answers, Moment};
-use crate::platform::{files, locks};
 
 /// The name of the file of answers.
 pub const NAME: &str = "answers.json";

@@ -4,8 +4,9 @@
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
+use gamow_platform::files;
+
 use crate::files::whole::write_whole;
-use crate::platform::files;
 
 /// At most this many old versions are kept aside; then the last one makes room.
 const MOST_ASIDE: u32 = 9;

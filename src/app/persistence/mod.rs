@@ -15,16 +15,16 @@ use std::rc::Rc;
 use std::time::Duration;
 
 use eframe::egui::{Context, ViewportBuilder};
+use gamow_platform::clock::Instant;
+#[cfg(feature = "desktop")]
+use gamow_platform::environment;
+use gamow_platform::files;
+use gamow_platform::locks::{self, Lock};
 
 use super::notice::Notice;
 use super::overlay::Overlay;
 use super::state::State;
 use crate::lesson::{Answers, Moment};
-use crate::platform::clock::Instant;
-#[cfg(feature = "desktop")]
-use crate::platform::environment;
-use crate::platform::files;
-use crate::platform::locks::{self, Lock};
 use crate::settings::{Settings, Window};
 use answers_file::AnswersFile;
 use kept_file::KeptFile;

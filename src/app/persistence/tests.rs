@@ -3,13 +3,13 @@
 use std::path::Path;
 
 use eframe::egui;
+use gamow_platform::sizes::TEXT_BYTES;
 
 use super::*;
 use crate::app::App;
 use crate::app::command::Command;
 use crate::app::lesson::session::LessonCommand;
 use crate::lesson::{Answer, Library, Outcome};
-use crate::platform::sizes::TEXT_BYTES;
 
 fn folder() -> tempfile::TempDir {
     tempfile::tempdir().expect("there is a place for temporary files")

@@ -1,7 +1,7 @@
 //! A game controller in the hands of whoever rides: the left stick pedals, brakes and looks aside, the right one looks around.
 
 use super::saddle::Direction;
-use crate::platform::sticks::Sticks;
+use gamow_platform::sticks::Sticks;
 
 /// A stick that is held less than so far from its middle rests: springs wear out.
 const RESTS: f64 = 0.2;

@@ -3,7 +3,7 @@
 use eframe::egui::{Context, Event, InputState, Key};
 
 use super::saddle::Direction;
-use crate::app::command::{Command, LOOK_STEP};
+use crate::app::command::{Command, GazeCommand, LOOK_STEP};
 use crate::app::state::State;
 
 /// Keys that look to the left, and to the right.
@@ -28,7 +28,7 @@ pub fn taken(state: &State, event: &Event) -> Option<Option<(Key, Command)>> {
     }
     let look = LOOKS.iter().find(|(look, _)| look == key);
     if let Some(&(key, side)) = look {
-        return Some(Some((key, Command::LookAside([side * LOOK_STEP, 0.0]))));
+        return Some(Some((key, Command::Gaze(GazeCommand::Aside([side * LOOK_STEP, 0.0])))));
     }
     let mut pushes = PEDALS.iter().map(|(pedal, _)| pedal).chain(WALKS.iter().map(|(walk, _)| walk));
     pushes.any(|push| push == key).then_some(None)

@@ -1,6 +1,7 @@
 //! Does what the state cannot do itself: writes files, and copies.
 
 use eframe::egui::{Context, Ui};
+use gamow_platform::files;
 use relativity_render::Picture;
 
 use super::MOST_FRAMES;
@@ -15,7 +16,6 @@ use crate::app::web::link_to;
 use crate::files::whole::write_whole;
 use crate::flags::choices::{Compare, RendererChoice, Size};
 use crate::flags::words::Shell;
-use crate::platform::files;
 use crate::scene::is_model;
 #[cfg(feature = "desktop")]
 use crate::settings::link_of_pairs as link_to;

@@ -10,6 +10,8 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use eframe::egui::Context;
+use gamow_platform::clock::Instant;
+use gamow_platform::files;
 
 pub use self::progress::Progress;
 use self::progress::{Reporter, lock};
@@ -18,8 +20,6 @@ use self::work::{Job, Made};
 use super::state::State;
 use super::worker::BackgroundWork;
 use crate::files::whole::write_whole;
-use crate::platform::clock::Instant;
-use crate::platform::files;
 use crate::studio::film::{Written, frame_count};
 
 impl State {

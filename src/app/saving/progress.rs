@@ -5,7 +5,6 @@ use std::time::Duration;
 
 use eframe::egui::Context;
 
-use crate::platform;
 use crate::studio::film::Written;
 
 /// Interval between two reports of progress: each costs a frame of the window.
@@ -48,7 +47,7 @@ impl Reporter {
     pub fn report(&self, written: Written) {
         let Self(Some((ctx, all_written))) = self else {
             let [frames, bytes] = [u64::from(written.frames), written.bytes].map(u64::to_le_bytes);
-            return platform::note(&[frames, bytes].concat());
+            return gamow_platform::note(&[frames, bytes].concat());
         };
         *lock(all_written) = written;
         ctx.request_repaint_after(TOLD);

@@ -3,6 +3,7 @@
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
+use gamow_platform::files::{self, Sent};
 use relativity_core::DEFAULT_REPLICATES;
 use relativity_render::Picture;
 use serde::{Deserialize, Serialize};
@@ -17,7 +18,6 @@ use crate::flags::words::Shell;
 use crate::lesson::worksheet::{self, Sheet};
 use crate::lesson::{Course, Lesson, report};
 use crate::number_text;
-use crate::platform::files::{self, Sent};
 use crate::scene::{Scene, Track, scene_text};
 use crate::settings::{Settings, message};
 use crate::studio::Studio;

@@ -6,6 +6,7 @@ use std::time::Duration;
 use anyhow::Context as _;
 use eframe::egui::{Context, Pos2, RawInput, Rect, vec2};
 use eframe::egui_wgpu::{RenderState, RendererOptions};
+use gamow_platform::threads;
 use relativity_render::{EyeTarget, Gpu, Picture};
 
 use crate::app::state::State;
@@ -13,7 +14,6 @@ use crate::app::views::offscreen;
 use crate::app::{App, graphics};
 use crate::files::png;
 use crate::files::whole::write_whole;
-use crate::platform::threads;
 
 /// Frames until the layout has settled: the size of a scroll area is known from the frame before.
 const FRAMES: usize = 3;

@@ -55,6 +55,11 @@ impl Stage {
         self.maximised = if self.maximised == Some(part) { None } else { Some(part) };
     }
 
+    /// Has the window as the screen of a stereoscope, or no longer.
+    pub const fn toggle_stereoscope(&mut self) {
+        self.stereoscope = !self.stereoscope;
+    }
+
     /// The number of the view that is shown alone.
     #[must_use]
     pub const fn maximised_pane(&self) -> Option<usize> {

@@ -4,7 +4,7 @@ pub mod history;
 
 use std::path::PathBuf;
 
-use crate::app::command::Command;
+use crate::app::command::{Command, GazeCommand};
 use crate::app::notice::Notice;
 use crate::app::riding::saddle::RideCommand;
 use crate::app::state::State;
@@ -29,7 +29,7 @@ impl State {
     }
 
     fn step(&mut self, command: Command) {
-        if command == Command::FollowAgain
+        if command == Command::Gaze(GazeCommand::WholeAgain)
             && let Some(before) = self.session.history.taken_pick()
         {
             self.document.points = before.points;
@@ -77,7 +77,7 @@ const fn nudge(command: &Command) -> Option<Run> {
     match command {
         Command::NudgeSpeed(_) => Some(Run::Speed),
         Command::Ride(RideCommand::Push(..)) => Some(Run::Pedals),
-        Command::Zoom(_) | Command::Magnify(_) => Some(Run::Zoom),
+        Command::Gaze(GazeCommand::Zoom(_) | GazeCommand::Magnify(_)) => Some(Run::Zoom),
         _ => None,
     }
 }

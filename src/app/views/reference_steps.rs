@@ -1,11 +1,11 @@
 //! A picture by the reference renderer, drawn in steps: one where there are threads, else bands of rows, between which the window goes on.
 
+use gamow_platform::threads;
 use relativity_render::{Appearance, Picture, PreparedScene, View};
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::REFERENCE_SAMPLES;
 use crate::app::worker::{Step, Wanted, Work};
-use crate::platform::threads;
 
 /// A picture to draw.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

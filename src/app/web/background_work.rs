@@ -5,11 +5,11 @@ use std::collections::VecDeque;
 use std::rc::{Rc, Weak};
 
 use eframe::egui::Context;
+use gamow_platform::web::instances::{Asked, Heard, Instance, answer, fail, listen};
+use gamow_platform::web::page;
 
 use super::page_worker::Worker;
 use crate::app::steps::{Message, Step, Wanted, Work};
-use crate::platform::web::instances::{Asked, Heard, Instance, answer, fail, listen};
-use crate::platform::web::page;
 
 /// Work of one kind in an instance of its own, which is started for the first job; the label of a job comes back with its result. Where
 /// the browser has no workers that load modules, the work is done in steps between the frames of the page.

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use eframe::egui::Context;
+use gamow_platform::files;
+use gamow_platform::web::download;
 
 use crate::app::file_dialog::answer::Answer;
 use crate::app::file_dialog::purpose::Purpose;
-use crate::platform::files;
-use crate::platform::web::download;
 
 /// A dialog of the browser.
 pub struct Dialog(Rc<RefCell<Option<Answer>>>);

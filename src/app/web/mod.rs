@@ -11,6 +11,8 @@ use std::panic;
 use std::path::Path;
 
 use eframe::{CreationContext, WebOptions, WebRunner};
+use gamow_platform::files;
+use gamow_platform::web::{instances, page, tasks};
 
 use self::address::Fragment;
 use self::page_app::PageApp;
@@ -26,8 +28,6 @@ use crate::app::views::{
     thumbnails::ThumbnailSteps,
 };
 use crate::app::{App, graphics, painting};
-use crate::platform::files;
-use crate::platform::web::{instances, page, tasks};
 use crate::settings::Settings;
 
 /// The sentence for a browser without graphics.

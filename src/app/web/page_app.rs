@@ -4,14 +4,14 @@ use std::time::Duration;
 
 use eframe::WebRunner;
 use eframe::egui::{Context, RawInput, Ui, Vec2};
+use gamow_platform::clock::Instant;
+use gamow_platform::web::{page, tasks};
 
 use super::address::Fragment;
 use crate::app::App;
 use crate::app::command::Command;
 use crate::app::lesson::session::LessonCommand;
 use crate::app::state::document::Document;
-use crate::platform::clock::Instant;
-use crate::platform::web::{page, tasks};
 
 /// Time between a change of the state and its appearance in the address.
 const REST: Duration = Duration::from_secs(1);

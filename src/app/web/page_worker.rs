@@ -8,10 +8,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 use eframe::egui::Context;
+use gamow_platform::clock::Instant;
+use gamow_platform::web::tasks;
 
 use crate::app::steps::{Step, Wanted};
-use crate::platform::clock::Instant;
-use crate::platform::web::tasks;
 
 /// Time for the steps of a job between two frames.
 const SLICE: Duration = Duration::from_millis(12);

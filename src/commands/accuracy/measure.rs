@@ -1,6 +1,7 @@
 //! The measurement itself: every method in every view.
 
 use anyhow::Context as _;
+use gamow_platform::{progress, threads};
 use relativity_core::Speed;
 use relativity_render::{Appearance, Gpu, Method, PreparedScene, Renderers, View};
 
@@ -14,7 +15,6 @@ use crate::accuracy::{
     methods, published_error, view_at,
 };
 use crate::files::provenance::SOFTWARE;
-use crate::platform::{progress, threads};
 use crate::scene::Scene;
 
 /// Separation of the apertures: the paper's for its cyclist.

@@ -2,9 +2,10 @@
 
 use std::fmt;
 
+use gamow_platform::messages;
+
 use super::report::{AccuracyReport, Circumstances, FormulaRow, PictureErrors, PictureRow, RendererReport};
 use crate::accuracy::{RESOLUTION_PX, RoundsError, Spread};
-use crate::platform::messages;
 
 impl fmt::Display for AccuracyReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -2,9 +2,10 @@
 
 use std::fmt;
 
+use gamow_platform::messages;
+
 use crate::files::whole::write_out;
 use crate::lesson::{Lesson, Library, Refused};
-use crate::platform::messages;
 use crate::scene::Scene;
 
 /// Writes all of `library`, a line each: its name, how long it takes, the concept that it serves, its title; and for each

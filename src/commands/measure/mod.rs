@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Context as _;
 use clap::Args;
 use csv::ByteRecord;
+use gamow_platform::{files, messages};
 use relativity_core::math;
 use relativity_render::Camera;
 
@@ -24,7 +25,6 @@ use crate::files::png::PngFile;
 use crate::files::whole::OutArgs;
 use crate::flags::choices::{FileKind, Layout};
 use crate::flags::{COORDINATES, coordinates, within};
-use crate::platform::{self, files, messages};
 use crate::settings::{CameraArgs, MAX_LENGTH, NO_PAIR, ON_A_RIDE, Picture, Settings};
 use crate::studio::Sheet;
 use crate::time_range::time_within;
@@ -181,8 +181,8 @@ fn files(inputs: &[PathBuf], target: Target<'_>) -> anyhow::Result<Vec<PathBuf>>
     let mut files = Vec::new();
     for input in inputs {
         let name = || files::shown(input);
-        if platform::files::is_folder(input) {
-            let inside = platform::files::list_folder(input).with_context(name)?;
+        if files::is_folder(input) {
+            let inside = files::list_folder(input).with_context(name)?;
             files.extend(inside.into_iter().filter(|path| FileKind::from_path(path) == Some(kind)));
         } else {
             anyhow::ensure!(
@@ -194,7 +194,7 @@ fn files(inputs: &[PathBuf], target: Target<'_>) -> anyhow::Result<Vec<PathBuf>>
             files.push(input.clone());
         }
     }
-    let places = || inputs.iter().map(|input| platform::files::shown(input)).collect::<Vec<_>>().join(", ");
+    let places = || inputs.iter().map(|input| files::shown(input)).collect::<Vec<_>>().join(", ");
     anyhow::ensure!(!files.is_empty(), "{}: there is no .{} file", places(), kind.extension());
     Ok(files)
 }

@@ -16,10 +16,10 @@ use std::path::PathBuf;
 
 use anyhow::Context as _;
 use clap::Args;
+use gamow_platform::{files, sizes};
 
 use crate::files::html::{Page, Style};
 use crate::files::whole::say;
-use crate::platform::{files, sizes};
 
 /// Reproduces the paper: its figures as SVG, CSV and PNG, and a report with its numbers beside ours.
 ///

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use gamow_platform::{files, sizes};
 use relativity_core::{Disparity, Model, PairError};
 use relativity_render::{Geometry, Shading};
 
@@ -11,7 +12,6 @@ use super::figures;
 use crate::files::html::data_uri;
 use crate::flags::choices::{FileKind, RendererChoice, Size};
 use crate::flags::{SpeedParameter, SpeedSetting};
-use crate::platform::{files, sizes};
 use crate::settings::{Daylight, Picture, Preset, Settings};
 use crate::studio::{Sheet, Studio};
 

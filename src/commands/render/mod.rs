@@ -6,12 +6,12 @@ mod vr180;
 use std::path::{Path, PathBuf};
 
 use clap::{Arg, Args};
+use gamow_platform::{files, messages};
 
 use self::sequence::TimeArgs;
 pub use self::vr180::fitted;
 use crate::files::whole::say;
 use crate::flags::choices::FileKind;
-use crate::platform::{files, messages};
 use crate::settings::{Settings, StartArgs};
 use crate::studio::Studio;
 use crate::studio::film::FilmKind;

@@ -6,12 +6,12 @@ use std::str::FromStr;
 
 use anyhow::Context as _;
 use clap::Args;
+use gamow_platform::{files, messages, progress};
 
 use super::vr180;
 use crate::flags::choices::{FileKind, RendererChoice};
 use crate::flags::finite_number;
 use crate::number_text;
-use crate::platform::{files, messages, progress};
 use crate::studio::Studio;
 use crate::studio::film::{FilmKind, Written, frame_path};
 use crate::time_range::{passage_times, time_within};

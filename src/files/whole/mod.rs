@@ -8,13 +8,13 @@ mod web;
 
 use std::path::Path;
 
+use gamow_platform::files;
+
 pub use json::write_json;
 #[cfg(feature = "desktop")]
 pub use native::*;
 #[cfg(not(feature = "desktop"))]
 pub use web::write_whole;
-
-use crate::platform::files;
 
 /// Refuses a `path`, given by `flag`, whose name does not end in `.ending`, and gives the one that would be right: the name should
 /// tell what a file holds. Devices are called as they are.

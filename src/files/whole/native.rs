@@ -8,12 +8,12 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use anyhow::Context as _;
 use clap::Args;
+use gamow_platform::files::{self, File, Rights, TempPath};
+use gamow_platform::{closed, interrupt, messages};
 use serde::Serialize;
 
 use super::json::write_json;
 use crate::files::watched::{Named, write_named};
-use crate::platform::files::{self, File, Rights, TempPath};
-use crate::platform::{closed, interrupt, messages};
 
 /// The output of a command.
 #[derive(Debug, Clone, Args)]

@@ -4,9 +4,9 @@ use std::io::Cursor;
 use std::path::Path;
 
 use anyhow::Context as _;
+use gamow_platform::files;
 
 use crate::files::watched::{Named, write_named};
-use crate::platform::files;
 
 /// Hands `write` a buffer that becomes the file at `path` once all is written.
 ///

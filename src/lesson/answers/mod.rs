@@ -6,11 +6,11 @@ mod progress;
 
 use std::collections::BTreeMap;
 
+use gamow_platform::sizes::TEXT_BYTES;
 use serde::{Deserialize, Serialize};
 
 use super::course::Course;
 use super::plan::Lesson;
-use crate::platform::sizes::TEXT_BYTES;
 use dated::{Dated, LAST};
 use progress::{Draft, named};
 

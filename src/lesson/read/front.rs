@@ -1,8 +1,9 @@
 //! The front matter of a lesson: lines `key: value` between two lines of three dashes.
 
+use gamow_platform::messages;
+
 use super::limits::check_name;
 use super::wrong::Wrong;
-use crate::platform::messages;
 
 /// The front matter of a lesson.
 pub struct Front {

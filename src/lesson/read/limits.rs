@@ -1,8 +1,9 @@
 //! The limits of a lesson, which keep a frame of the window and the file of answers small.
 
+use gamow_platform::{messages, sizes};
+
 use super::wrong::Wrong;
 use crate::lesson::plan::{Choices, Kind, Lesson, Options, Prediction, Step, Text};
-use crate::platform::{messages, sizes};
 
 /// Whether a lesson's `text` is short enough to be read.
 ///

@@ -8,6 +8,8 @@ mod wrong;
 use std::io::ErrorKind;
 use std::path::Path;
 
+use gamow_platform::{files, messages, sizes};
+
 use self::front::Front;
 use self::parts::{Block, Part, check_blocks, check_slips, parts};
 use self::wrong::Wrong;
@@ -19,7 +21,6 @@ use super::plan::{
 use super::values;
 use crate::files::syntax;
 use crate::flags::{SpeedParameter, SpeedSetting};
-use crate::platform::{files, messages, sizes};
 use crate::quantity::Quantity;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;

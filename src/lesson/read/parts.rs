@@ -1,8 +1,9 @@
 //! Parts of a Markdown text: the text below its headings, its blocks between fences, its lists of choices.
 
+use gamow_platform::messages;
+
 use super::wrong::Wrong;
 use crate::lesson::plan::{Options, Text};
-use crate::platform::messages;
 
 /// A part: the text below a heading.
 #[derive(Debug)]

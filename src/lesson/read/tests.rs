@@ -215,7 +215,7 @@ fn what_cannot_be_worked_out_is_named_with_its_line() {
 fn a_lesson_that_is_no_text_is_told() {
     let folder = tempfile::tempdir().expect("a folder");
     let told = |name: &str| Lesson::load(&folder.path().join(name)).expect_err(name).to_string();
-    crate::platform::files::create_folder(&folder.path().join("folder.md")).expect("a folder");
+    gamow_platform::files::create_folder(&folder.path().join("folder.md")).expect("a folder");
     assert!(
         told("folder.md").ends_with("it is a folder; a lesson is a file of Markdown (.md)"),
         "{}",

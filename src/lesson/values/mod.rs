@@ -15,6 +15,7 @@ mod places;
 mod riding;
 mod rolling;
 
+use gamow_platform::{messages, sizes};
 use pulldown_cmark::{Event, Parser, Tag};
 
 use self::fitted::Fit;
@@ -23,7 +24,6 @@ use self::places::{filled, line_of_lone_dollar};
 use super::error::LessonError;
 use super::plan::{Choices, Kind, Lesson, Prediction, StateBlock, Text};
 use crate::formula::markdown::{OPTIONS, first_fault};
-use crate::platform::{messages, sizes};
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 

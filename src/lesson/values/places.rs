@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
+use gamow_platform::messages;
 use pulldown_cmark::{Event, Parser};
 
 use crate::caption::decimal;
 use crate::formula::markdown::OPTIONS;
-use crate::platform::messages;
 
 /// Letters of the shortest name that is no sign of a formula, where braces are TeX's.
 const SHORTEST: usize = 3;

@@ -3,7 +3,8 @@
 use std::io;
 use std::path::{Component, Path};
 
-use crate::platform::{files, sizes};
+use gamow_platform::{files, sizes};
+
 use crate::scene::presets;
 
 /// The place of the files of a scene's models.

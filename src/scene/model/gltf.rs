@@ -15,6 +15,7 @@ use std::iter;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use gamow_platform::sizes;
 use glam::{DMat4, DQuat, DVec3};
 use gltf::buffer::Source;
 use gltf::json::{Path, validation};
@@ -30,7 +31,6 @@ use super::accessor::{COLOURS, INDICES, PLACES, TEXTURE_PLACES, check, data_of};
 use super::limits::check_count;
 use super::parts::{NamedModel, Part};
 use super::textures::Textures;
-use crate::platform::sizes;
 
 /// Extensions that a file may require.
 const KNOWN: [&str; 2] = ["KHR_materials_unlit", "KHR_texture_transform"];

@@ -16,6 +16,7 @@ mod textures;
 
 use std::path::Path;
 
+use gamow_platform::messages;
 use glam::{DMat3, DVec3};
 use relativity_core::Turning;
 use relativity_render::{Body, Model};
@@ -26,7 +27,6 @@ use super::error::{Located, Problem};
 use super::object::{Object, brightness};
 use super::table::Table;
 use super::wheel::Changes;
-use crate::platform::messages;
 
 /// Parses a model, and reads its file: the bodies of its wheels come after the rest of it. These changes to wheels are for its own, too.
 pub(super) fn model(table: &Table, changes: Changes) -> Result<Vec<Object>, Located> {

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
+use gamow_platform::messages;
 use relativity_render::Model;
 
-use crate::platform::messages;
 use crate::scene::similar::nearest;
 
 /// A model, and the named parts of its file.

@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use gamow_platform::{files, sizes};
 use glam::DVec3;
 use relativity_render::Model;
 
 use super::{ModelFiles, one_line, read, stem, upright_axes};
-use crate::platform::{files, sizes};
 use crate::scene::presets;
 
 /// Height of the model, units of the street: that of the cyclist.

@@ -1,30 +1,20 @@
 //! A pinhole camera at an aperture: lines of sight of pixels, and pixels of lines of sight.
 
+mod gaze;
+mod gaze_at_pixel;
+
 use glam::{DVec2, DVec3};
-use relativity_core::math::{asin, asinh, atan, atan2, hypot, sin_cos, sinh, tan};
+use relativity_core::math::{asinh, atan, atan2, hypot, sinh, tan};
 use relativity_core::{Aperture, ObserverVelocity};
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use crate::axes::level_across;
 pub use crate::axes::{Axes, MAX_ELEVATION};
-use crate::axes::{LEAST_ACROSS, level_across};
 use crate::lines_of_sight::{LinesOfSight, Map};
-use crate::mercator::{MOST_ASIDE, MOST_SHIFTED, Mercator};
-
-/// A gaze: the direction of a camera's optical axis. The camera's horizon stays level.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Gaze {
-    /// Azimuth from +x towards +y, radians; pi/2 looks straight ahead along +y.
-    pub azimuth: f64,
-    /// Elevation from the x-y plane, radians, in (-pi/2, pi/2).
-    pub elevation: f64,
-}
-
-/// Greatest angle of a gaze from the plane across the baseline for which a picture stays parallel to the baseline, radians: further
-/// on it would be stretched too much, and turns with the gaze.
-pub const MAX_SLANT: f64 = 65.0 * PI / 180.0;
-/// The farthest that a gaze can be aside for the tilt of a picture parallel to the baseline to be found, radians.
-const MOST_SLANT: f64 = FRAC_PI_2 - 1e-6;
+use crate::mercator::{MOST_SHIFTED, Mercator};
+use gaze::aside;
+pub(crate) use gaze::held;
+pub use gaze::{Gaze, MAX_SLANT};
 
 /// A pinhole camera at rest on the ground. Its [`Projection`] gives the place of the picture plane: across the gaze, unless two
 /// eyes' pictures are to be fused.
@@ -113,37 +103,6 @@ impl Projection {
     #[must_use]
     pub const fn is_conformal(&self) -> bool {
         matches!(self, Self::Mercator { .. })
-    }
-}
-
-impl Gaze {
-    /// The gaze along +y.
-    pub const STRAIGHT_AHEAD: Self = Self { azimuth: std::f64::consts::FRAC_PI_2, elevation: 0.0 };
-
-    /// The gaze that looks along `direction` (any length above 0).
-    #[must_use]
-    pub fn along([x, y, z]: [f64; 3]) -> Self {
-        Self { azimuth: atan2(y, x), elevation: atan2(z, hypot(x, y)) }
-    }
-
-    /// The gaze of two parallel eyes towards something that appears in these two directions (any lengths): their
-    /// bisector, so that it lies as far left of the middle in one picture as right in the other. `None` for opposite
-    /// directions, and inside an aperture.
-    #[must_use]
-    pub fn towards(directions: [DVec3; 2]) -> Option<Self> {
-        let [left, right] = directions.map(DVec3::try_normalize);
-        let Self { azimuth, elevation } = Self::along((left? + right?).try_normalize()?.to_array());
-        Some(Self { azimuth, elevation: elevation.clamp(-MAX_ELEVATION, MAX_ELEVATION) })
-    }
-
-    /// The camera's unit vectors.
-    #[must_use]
-    pub fn axes(&self) -> Axes {
-        let (sin_azimuth, cos_azimuth) = sin_cos(self.azimuth);
-        let (sin_elevation, cos_elevation) = sin_cos(self.elevation);
-        let right = DVec3::new(sin_azimuth, -cos_azimuth, 0.0);
-        let forward = DVec3::new(cos_elevation * cos_azimuth, cos_elevation * sin_azimuth, sin_elevation);
-        Axes { right, up: right.cross(forward), forward }
     }
 }
 
@@ -294,61 +253,6 @@ impl Camera {
         self.lines_of_sight().through(pixel)
     }
 
-    /// The gaze with which something along `direction` (any length above 0) appears at `pixel`, the horizon staying
-    /// level; the nearest there is where that would tilt further than [`MAX_ELEVATION`]. A picture of half the sky stays as it
-    /// is.
-    #[must_use]
-    pub fn gaze_with(&self, direction: DVec3, pixel: [f64; 2]) -> Gaze {
-        match self.projection {
-            Projection::Gaze => self.level_gaze_with(direction, pixel),
-            Projection::Parallel { right, shift } => self.slanted_gaze_with(direction, pixel, right, shift),
-            Projection::Mercator { right, shift } => self.slid_gaze_with(direction, pixel, right, shift),
-            Projection::Vr180 { .. } => self.gaze,
-        }
-    }
-
-    /// Returns the gaze that puts `direction` at this pixel of a picture across the gaze.
-    fn level_gaze_with(&self, direction: DVec3, [u, v]: [f64; 2]) -> Gaze {
-        let [width, height] = self.size.map(f64::from);
-        // Right, up and forward of that pixel's line of sight.
-        let (right, up, forward) = (u - 0.5 * width, 0.5 * height - v, self.focal_length_px());
-        let (steepness, reach) = (atan2(up, forward), hypot(up, forward));
-        let Gaze { azimuth, elevation } = Gaze::along(direction.to_array());
-        // The height of the line of sight above the horizon is reach sin(elevation of the gaze + steepness).
-        let height = sin_cos(elevation).0 * hypot(reach, right) / reach;
-        let tilt = asin(height.clamp(-1.0, 1.0)) - steepness;
-        let elevation = tilt.clamp(-MAX_ELEVATION, MAX_ELEVATION);
-        Gaze { azimuth: azimuth + atan2(right, reach * sin_cos(elevation + steepness).1), elevation }
-    }
-
-    /// Returns the gaze that puts `direction` at this pixel of a picture parallel to `baseline`.
-    fn slanted_gaze_with(&self, direction: DVec3, [u, v]: [f64; 2], baseline: DVec3, shift: f64) -> Gaze {
-        let [width, height] = self.size.map(f64::from);
-        let focal_length = self.focal_length_px();
-        let (aside, rise) = ((u - 0.5 * width) / focal_length, (0.5 * height - v) / focal_length);
-        // Turned about the baseline until it is at that height in the picture.
-        let across = Axes::across(baseline, direction);
-        let Axes { right, up, forward } = across;
-        let ahead = Axes::upright(right, forward - up * rise).forward;
-        let depth = direction.dot(ahead).max(f64::MIN_POSITIVE);
-        let slant = direction.dot(right) / depth + shift - aside;
-        if held(slant) == slant {
-            return Gaze::along((ahead + right * slant).to_array());
-        }
-        across.turned_gaze_with(direction, [held(slant) + aside - shift, rise])
-    }
-
-    /// Returns the gaze that puts `direction` at this pixel of a conformal picture, whose content only slides as the gaze moves.
-    fn slid_gaze_with(&self, direction: DVec3, [x, y]: [f64; 2], baseline: DVec3, shift: f64) -> Gaze {
-        let [width, height] = self.size.map(f64::from);
-        let off_middle = DVec2::new(x - 0.5 * width, 0.5 * height - y) / self.focal_length_px();
-        let across = Axes::across(baseline, direction);
-        let (sine, cosine) = sin_cos(-off_middle.y);
-        let axes = Axes::upright(across.right, across.forward * cosine + across.up * sine);
-        let u = (aside(&across, direction) - off_middle.x + shift).clamp(-MOST_ASIDE, MOST_ASIDE);
-        Gaze::along((axes.forward + axes.right * sinh(u)).to_array())
-    }
-
     /// Returns the place in the picture (pixels) where something along `direction` (any length above 0) appears; `None` behind the
     /// camera, and along the baseline of a conformal picture. The place may lie outside the picture.
     #[must_use]
@@ -419,52 +323,6 @@ impl Camera {
         let is_inside = |(place, side): (f64, u32)| (0.0..=f64::from(side)).contains(&place);
         self.pixel(direction).is_some_and(|pixel| pixel.into_iter().zip(self.size).all(is_inside))
     }
-}
-
-impl Axes {
-    /// Returns the axes of the picture beside `baseline` with `gaze` in its middle: parallel to the baseline, up to [`MAX_SLANT`].
-    pub(crate) fn beside(baseline: DVec3, gaze: DVec3) -> Self {
-        let across = Self::across(baseline, gaze);
-        let slant = atan2(gaze.dot(across.right), gaze.dot(across.forward));
-        across.turned(slant - slant.clamp(-MAX_SLANT, MAX_SLANT))
-    }
-
-    /// The gaze further aside than [`MAX_SLANT`] with which something along `direction`, which these are across the baseline
-    /// for, is at these tangents to the right of the turned picture's axis and up.
-    fn turned_gaze_with(&self, direction: DVec3, [aside, rise]: [f64; 2]) -> Gaze {
-        let off_axis = atan(aside);
-        let (along, off_baseline) = (direction.dot(self.right), direction.dot(self.forward));
-        // Its height over its distance along the plane through the rows, and that over its whole distance.
-        let steepness = rise * sin_cos(off_axis).1;
-        let height = steepness * hypot(along, off_baseline) / hypot(1.0, steepness);
-        let tilt = asin((height / off_baseline.max(f64::MIN_POSITIVE)).clamp(-1.0, 1.0));
-        let (sine, cosine) = sin_cos(tilt);
-        let Self { right, forward, .. } = Self::upright(self.right, self.forward * cosine - self.up * sine);
-        let slanted = atan2(along, direction.dot(forward)) - off_axis;
-        let (least, most) = if aside > 0.0 { (MAX_SLANT, MOST_SLANT) } else { (-MOST_SLANT, -MAX_SLANT) };
-        let slant = slanted + MAX_SLANT.copysign(aside);
-        let (sine, cosine) = sin_cos(slant.clamp(least, most));
-        Gaze::along((forward * cosine + right * sine).to_array())
-    }
-
-    /// The tangent to the right of the axis at which the picture has `gaze` in its middle, up to [`MAX_SLANT`].
-    pub(crate) fn shear_towards(&self, gaze: DVec3) -> f64 {
-        let (aside, depth) = (gaze.dot(self.right), gaze.dot(self.forward));
-        held(if depth > LEAST_ACROSS { aside / depth } else { f64::MAX.copysign(aside) })
-    }
-}
-
-/// Returns the u of `gaze` in a conformal picture, up to [`MOST_ASIDE`].
-fn aside(axes: &Axes, gaze: DVec3) -> f64 {
-    let u = asinh(gaze.dot(axes.right) / hypot(gaze.dot(axes.forward), gaze.dot(axes.up)));
-    // No number inside the aperture.
-    if u.is_nan() { 0.0 } else { u.clamp(-MOST_ASIDE, MOST_ASIDE) }
-}
-
-/// A tangent, held at that of [`MAX_SLANT`].
-pub(crate) fn held(tangent: f64) -> f64 {
-    let steepest = tan(MAX_SLANT);
-    tangent.clamp(-steepest, steepest)
 }
 
 /// The axes that give the place of anything in a flat picture: its products with `right` and `up`, over that with `forward`, count

@@ -3,7 +3,7 @@
 use super::body::{Body, Group, Ray, Surface};
 use super::look::{Look, Seen};
 use super::spin::Spin;
-use super::tile::{Owner, Packet, Test};
+use super::tile::{Owner, Packet, RayTest};
 use super::turning::{doppler_of, surface_when_shown};
 use crate::lanes::{F, Simd};
 
@@ -15,7 +15,7 @@ pub struct Met<'a, S: Simd> {
     pub spin: Spin<S>,
     pub ray: &'a Ray<S>,
     pub surface: Surface<S>,
-    pub test: Test<S>,
+    pub test: RayTest<S>,
     /// Doppler factor of the light from there.
     pub doppler: F<S>,
     /// From the camera, ground frame.
@@ -31,7 +31,7 @@ impl<'a, S: Simd> Met<'a, S> {
         let body = Body::new(simd, &seen.shown.placement);
         let spin = Spin::new(simd, &seen.shown);
         let surface = surface_when_shown(simd, kind, turns, &group, &body, ray, &spin);
-        let test = Test::new(simd, &group, kind, &body, ray, surface, N > 1);
+        let test = RayTest::new(simd, &group, kind, &body, ray, surface, N > 1);
         let Surface { place, normal, .. } = surface;
         let doppler = doppler_of(kind, turns, &group, &body, place, normal, ray.sight, ray.doppler, &spin);
         let distance = test.distance * ray.ground_per_rest;

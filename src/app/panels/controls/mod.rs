@@ -15,7 +15,7 @@ use relativity_render::Geometry;
 
 use super::Commands;
 use crate::app::actions::with_keys;
-use crate::app::command::Command;
+use crate::app::command::{Command, GazeCommand, Switch};
 use crate::app::state::State;
 use crate::app::state::defaults::Section;
 use crate::app::theme;
@@ -83,7 +83,7 @@ fn few(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let tip = "Shows all controls (path, look, light, quality) and all plots. The palette (Ctrl+P) leads \
         back.";
     if ui.button("More controls").on_hover_text(tip).clicked() {
-        commands.push(Command::ToggleSimple);
+        commands.push(Command::Switch(Switch::Simple));
     }
 }
 
@@ -173,7 +173,7 @@ fn look(ui: &mut Ui, state: &State, commands: &mut Commands) {
 
 /// Shows the choice of the layout.
 fn layout_row(ui: &mut Ui, picture: Picture, commands: &mut Commands) {
-    let tip = with_keys(about("layout"), &[Command::NextLayout(1)]);
+    let tip = with_keys(about("layout"), &[Command::Switch(Switch::Layout(1))]);
     row(ui, "Layout", &tip, |ui| {
         ComboBox::from_id_salt("layout")
             .selected_text(layouts::name(picture.layout))
@@ -193,9 +193,9 @@ fn layout_row(ui: &mut Ui, picture: Picture, commands: &mut Commands) {
         let mut is_swapped = picture.swapped.has(picture.layout);
         let swap = egui::Checkbox::new(&mut is_swapped, "swap eyes");
         let response = ui.add_enabled(picture.layout.has_both(), swap);
-        let tip = with_keys(about("swapped"), &[Command::SwapEyes]);
+        let tip = with_keys(about("swapped"), &[Command::Switch(Switch::Eyes)]);
         if response.on_hover_text(tip).on_disabled_hover_text("This layout shows one eye.").changed() {
-            commands.push(Command::SwapEyes);
+            commands.push(Command::Switch(Switch::Eyes));
         }
     });
 }
@@ -245,7 +245,7 @@ fn more_rows(ui: &mut Ui, before: Window, unit: Unit, commands: &mut Commands) {
     row(ui, "Also show", "Chooses what stands beside the views, and what is drawn into them.", |ui| {
         ui.checkbox(&mut window.corrected, "corrected").on_hover_text(about("corrected"));
         ui.checkbox(&mut window.dials, "clocks").on_hover_text(dial::tip(unit, false));
-        let resting = with_keys(about("resting"), &[Command::ToggleResting]);
+        let resting = with_keys(about("resting"), &[Command::Switch(Switch::Resting)]);
         ui.checkbox(&mut window.resting, "outline").on_hover_text(resting);
     });
     row(ui, "Below views", "Chooses what stands below the views.", |ui| {
@@ -336,9 +336,9 @@ fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, commands: &mu
             look.fov = FieldOfView(Some(fov).filter(|_| !is_auto));
         }
         let tip = "Holds the whole scene in the views, with an automatic field of view, as a double click in a view does.";
-        let tip = with_keys(tip, &[Command::Frame]);
+        let tip = with_keys(tip, &[Command::Gaze(GazeCommand::Whole)]);
         if ui.button("Frame").on_hover_text(tip).clicked() {
-            commands.push(Command::Frame);
+            commands.push(Command::Gaze(GazeCommand::Whole));
         }
     });
 }

@@ -1,6 +1,7 @@
 //! The controls of quality: what draws the views, what that keeps, and whether they get smoother.
 
 use eframe::egui::{Checkbox, RichText, Ui};
+use gamow_platform::threads;
 
 use crate::app::command::Command;
 use crate::app::panels::Commands;
@@ -8,7 +9,6 @@ use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, named_text, row};
 use crate::flags::choices::RendererChoice;
 use crate::flags::{BUDGET_MS, ERROR_PX, Goal};
-use crate::platform::threads;
 use crate::settings::{BOUND_PX, Quality, about};
 
 /// Shows the controls of the quality.

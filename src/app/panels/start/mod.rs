@@ -7,6 +7,7 @@ mod words;
 use std::sync::Arc;
 
 use eframe::egui::{Button, Key, Memory, RichText, ScrollArea, TextStyle, Ui, UiBuilder, Vec2, vec2};
+use gamow_platform::messages;
 
 use self::card::{Card, Cards};
 use super::Commands;
@@ -18,7 +19,6 @@ use crate::app::state::State;
 use crate::app::theme;
 use crate::app::views::thumbnails::Thumbnails;
 use crate::lesson::{Lesson, Refused};
-use crate::platform::messages;
 use crate::settings::Preset;
 
 /// The widest that what is on the page becomes, and what stays free at its sides, points.

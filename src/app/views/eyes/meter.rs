@@ -2,12 +2,12 @@
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 
+use gamow_platform::clock::Instant;
 use relativity_render::{EyeTarget, Geometry, Gpu, GpuError, Method, Renderers};
 
 use super::request::Request;
 use crate::accuracy::{Automatic, Choice, Machine, REFERENCE_SAMPLES, Sight};
 use crate::flags::Goal;
-use crate::platform::clock::Instant;
 
 /// Frames in a row in which pictures were drawn, after which they are taken to move: only then others are tried.
 const MOVING: u32 = 8;

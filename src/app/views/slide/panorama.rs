@@ -3,7 +3,7 @@
 use eframe::egui::{Align, Pos2, Rect, Stroke, Ui};
 
 use crate::app::actions::with_keys;
-use crate::app::command::Command;
+use crate::app::command::{Command, Switch};
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::theme;
@@ -58,9 +58,9 @@ pub fn offer(ui: &mut Ui, state: &State, strip: Rect, commands: &mut Commands) {
     };
     let after_name = strip.with_min_x(strip.min.x + theme::text_scale(ui.style()) * AFTER_NAME);
     if strip_button(ui, after_name, Align::Min, name)
-        .on_hover_text(with_keys(tip, &[Command::TogglePanorama]))
+        .on_hover_text(with_keys(tip, &[Command::Switch(Switch::Panorama)]))
         .clicked()
     {
-        commands.push(Command::TogglePanorama);
+        commands.push(Command::Switch(Switch::Panorama));
     }
 }

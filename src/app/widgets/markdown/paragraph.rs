@@ -82,12 +82,7 @@ fn drawn(
     let mut y = 0.0;
     let mut is_after_displayed = false;
     for (index, line) in lines.into_iter().enumerate() {
-        let mut reach = if line.is_displayed { [0.0; 2] } else { [ascent, descent] };
-        for part in &line.parts {
-            if let Part::Formula { formula, em, .. } = part {
-                reach = [reach[0].max(em * formula.ascent), reach[1].max(em * formula.descent)];
-            }
-        }
+        let reach = reach_of(&line, [ascent, descent]);
         let gap = if line.is_displayed || is_after_displayed { DISPLAYED_GAP } else { LEADING };
         if index > 0 {
             y += pixels.nearest(gap * size);
@@ -97,35 +92,13 @@ fn drawn(
         if index == 0 {
             paragraph.baseline = baseline;
         }
-        let left = match (line.is_displayed, side) {
-            (true, _) | (_, Side::Middle) => (room - line.width).max(0.0) / 2.0,
-            (false, Side::Left) => 0.0,
-            (false, Side::Right) => (room - line.width).max(0.0),
-        };
-        let left = if left.is_finite() { left } else { 0.0 };
+        let left = inset(&line, room, side);
         paragraph.size.x = paragraph.size.x.max(left + line.width);
         let bottom = pixels.at_least(baseline + reach[1]);
         let mut x = left;
         for part in joined(line.parts) {
             let width = part.width();
-            let look = match part {
-                Part::Word { text, look, .. } => {
-                    let format = ink.format(look);
-                    let bolder = if look.is_strong { 0.035 * size } else { 0.0 };
-                    let at = pos2(x, baseline);
-                    paragraph.shapes.extend(formula::text(fonts, pixels, &text, at, format.clone()));
-                    if look.is_strong {
-                        let at = at + vec2(bolder, 0.0);
-                        paragraph.shapes.extend(formula::text(fonts, pixels, &text, at, format));
-                    }
-                    look
-                }
-                Part::Formula { formula, look, em } => {
-                    let colour = ink.format(look).color;
-                    formula::draw(fonts, pixels, &formula, [em, x, baseline], colour, &mut paragraph.shapes);
-                    look
-                }
-            };
+            let look = draw(fonts, pixels, ink, part, [x, baseline], &mut paragraph.shapes);
             if let Some(link) = look.link {
                 let rect = Rect::from_min_max(pos2(x, baseline - reach[0]), pos2(x + width, bottom));
                 paragraph.links.push((rect, link));
@@ -136,4 +109,53 @@ fn drawn(
     }
     paragraph.size.y = y;
     paragraph
+}
+
+/// Returns the reach of a line above and below its baseline; text has this one.
+fn reach_of(line: &Line, of_text: [f32; 2]) -> [f32; 2] {
+    let mut reach = if line.is_displayed { [0.0; 2] } else { of_text };
+    for part in &line.parts {
+        if let Part::Formula { formula, em, .. } = part {
+            reach = [reach[0].max(em * formula.ascent), reach[1].max(em * formula.descent)];
+        }
+    }
+    reach
+}
+
+/// Returns the room to the left of a line.
+fn inset(line: &Line, room: f32, side: Side) -> f32 {
+    let left = match (line.is_displayed, side) {
+        (true, _) | (_, Side::Middle) => (room - line.width).max(0.0) / 2.0,
+        (false, Side::Left) => 0.0,
+        (false, Side::Right) => (room - line.width).max(0.0),
+    };
+    if left.is_finite() { left } else { 0.0 }
+}
+
+/// Adds a part of a line to `shapes`, from `x` on; returns its style.
+fn draw(
+    fonts: &mut FontsView<'_>,
+    pixels: Pixels,
+    ink: &Ink,
+    part: Part,
+    [x, baseline]: [f32; 2],
+    shapes: &mut Vec<Shape>,
+) -> WordStyle {
+    match part {
+        Part::Word { text, look, .. } => {
+            let format = ink.format(look);
+            let at = pos2(x, baseline);
+            shapes.extend(formula::text(fonts, pixels, &text, at, format.clone()));
+            if look.is_strong {
+                let at = at + vec2(0.035 * ink.font.size, 0.0);
+                shapes.extend(formula::text(fonts, pixels, &text, at, format));
+            }
+            look
+        }
+        Part::Formula { formula, look, em } => {
+            let colour = ink.format(look).color;
+            formula::draw(fonts, pixels, &formula, [em, x, baseline], colour, shapes);
+            look
+        }
+    }
 }

@@ -25,23 +25,9 @@ pub fn surface<S: Simd>(simd: S, group: &Group, body: &Body<S>, ray: &Ray<S>) ->
     let y = sine * own.nearest.z - n.z * towards;
     let off_axis = V3::new(-flat.y, flat.x, zero);
     let along_axis = V3::new(-n.z * flat.x, -n.z * flat.y, sine);
-
-    // The ends are ellipses, and between their middles are two straight lines.
-    let beyond_end = y.abs() - extent * sine;
     let chord = ((radius - x) * (radius + x)).max(0.0).sqrt();
-    let end = ellipse(x, beyond_end, radius, cosine);
-    // Seen from the side an end is a line.
-    let slant_length = V2::new(cosine * x, chord).length().max(1e-30);
-    let slant = V2::new(cosine * x / slant_length, chord / slant_length);
-    let to_end = (cosine * chord - beyond_end) * slant.y;
-    let to_side = radius - x.abs();
-    let is_end = beyond_end.simd_gt(0.0);
-    let is_slant = to_end.simd_lt(to_side);
-    let at_end = off_axis * end.outward.x + along_axis * (end.outward.y * sign_of(y));
-    let at_slant = off_axis * slant.x + along_axis * (slant.y * sign_of(y));
-    let between = V3::select(is_slant, at_slant, off_axis * sign_of(x));
-    let clearance = select(is_end, end.inside, select(is_slant, to_end, to_side));
-    let outward = V3::select(is_end, at_end, between);
+    let image = Image { radius, extent, sine, cosine, x, y, chord, off_axis, along_axis };
+    let Outline { clearance, outward } = image.outline();
 
     let rise = sign_of(n.z);
     let slope = cosine.max(1e-12);
@@ -76,6 +62,53 @@ pub fn surface<S: Simd>(simd: S, group: &Group, body: &Body<S>, ray: &Ray<S>) ->
         beyond,
         place: body.rest_from_body(place),
         normal: body.rest_from_body(normal),
+    }
+}
+
+/// A cylinder as it is seen along rays.
+struct Image<S: Simd> {
+    radius: F<S>,
+    extent: F<S>,
+    /// Of the angle between ray and axis.
+    sine: F<S>,
+    cosine: F<S>,
+    /// Place of the ray, off the image of the axis and along it.
+    x: F<S>,
+    y: F<S>,
+    /// Half the chord of an end at that x.
+    chord: F<S>,
+    off_axis: V3<S>,
+    along_axis: V3<S>,
+}
+
+struct Outline<S: Simd> {
+    /// Depth inside the outline.
+    clearance: F<S>,
+    /// Unit vector across it.
+    outward: V3<S>,
+}
+
+impl<S: Simd> Image<S> {
+    /// The outline: the ends are ellipses, and between their middles are two straight lines.
+    #[inline(always)]
+    fn outline(&self) -> Outline<S> {
+        let Self { radius, extent, sine, cosine, x, y, chord, off_axis, along_axis } = *self;
+        let beyond_end = y.abs() - extent * sine;
+        let end = ellipse(x, beyond_end, radius, cosine);
+        // Seen from the side an end is a line.
+        let slant_length = V2::new(cosine * x, chord).length().max(1e-30);
+        let slant = V2::new(cosine * x / slant_length, chord / slant_length);
+        let to_end = (cosine * chord - beyond_end) * slant.y;
+        let to_side = radius - x.abs();
+        let is_end = beyond_end.simd_gt(0.0);
+        let is_slant = to_end.simd_lt(to_side);
+        let at_end = off_axis * end.outward.x + along_axis * (end.outward.y * sign_of(y));
+        let at_slant = off_axis * slant.x + along_axis * (slant.y * sign_of(y));
+        let between = V3::select(is_slant, at_slant, off_axis * sign_of(x));
+        Outline {
+            clearance: select(is_end, end.inside, select(is_slant, to_end, to_side)),
+            outward: V3::select(is_end, at_end, between),
+        }
     }
 }
 

@@ -152,13 +152,7 @@ pub fn surface<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
         search.s = select(search.found, search.s, at_level.s);
         search.value = select(search.found, search.value, at_level.value);
     }
-    // How deep inside the outline: the least F of this passage, by Newton's method.
-    let (mut deepest, mut s) = (search, search.s);
-    for _ in 0..4 {
-        let at = torus_at(&course, body, s);
-        deepest = nearer(&deepest, s, at.value);
-        s -= at.first / at.second.max(LEAST_SECOND);
-    }
+    let deepest = deepest(&course, body, search);
     let miss = (deepest.value + body.radius * body.radius).max(0.0).sqrt();
     // What was entered is inside, whatever rounding makes of a graze.
     let inside = body.radius - miss;
@@ -172,6 +166,18 @@ pub fn surface<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
         place,
         normal: torus_normal(place, body),
     }
+}
+
+/// Returns how deep inside the outline rays come: the least F of this passage, by Newton's method.
+#[inline(always)]
+fn deepest<S: Simd>(course: &Course<S>, body: &Body<S>, search: Search<S>) -> Search<S> {
+    let (mut deepest, mut s) = (search, search.s);
+    for _ in 0..4 {
+        let at = torus_at(course, body, s);
+        deepest = nearer(&deepest, s, at.value);
+        s -= at.first / at.second.max(LEAST_SECOND);
+    }
+    deepest
 }
 
 #[inline(always)]

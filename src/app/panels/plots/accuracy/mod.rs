@@ -9,6 +9,7 @@ mod table;
 pub use table::csv;
 
 use eframe::egui::{Checkbox, Label, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
+use gamow_platform::threads;
 
 use super::split::{part, table_and_plots};
 use crate::app::command::Command;
@@ -19,7 +20,6 @@ use crate::app::views::heat_map;
 use crate::app::widgets::explained_lazily;
 use crate::flags::choices::RendererChoice;
 use crate::number_text;
-use crate::platform::threads;
 use crate::settings::{Quality, about, meaning};
 
 /// The remark below figures that are complete.

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
 use super::paths::folder_of;
-use crate::platform::names;
+use crate::names;
 
 pub use std::fs::File;
 pub use tempfile::TempPath;

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
 
-use crate::platform::web::{download, instances, storage};
+use crate::web::{download, instances, storage};
 
 /// Whether there are folders.
 pub const HAS_FOLDERS: bool = false;

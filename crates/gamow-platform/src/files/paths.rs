@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::platform::messages;
+use crate::messages;
 
 /// `path` as messages name it: on one line, with nothing in it that a terminal would obey. What is neither text nor fit
 /// to be shown stands as its escape.

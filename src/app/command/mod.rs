@@ -1,8 +1,13 @@
 //! Everything that can be done in the window, and the one place where it is done.
 
+mod gaze;
+mod points;
+mod switch;
+mod time;
+
 use std::path::{Path, PathBuf};
 
-use relativity_render::{Camera, Gaze, Geometry};
+use relativity_render::Geometry;
 
 use crate::app::clock;
 use crate::app::file_dialog::purpose::Purpose;
@@ -14,24 +19,20 @@ use crate::app::notice::Notice;
 use crate::app::orders::{Copied, Order, Saving};
 use crate::app::overlay::Overlay;
 use crate::app::plots::look::PlotCommand;
-use crate::app::pointer::{Pick, Select, Turn, Zoom};
+use crate::app::pointer::{Pick, Select};
 use crate::app::riding::saddle::RideCommand;
 use crate::app::screens::stage::{Part, next_to_show};
 use crate::app::state::defaults::Section;
 use crate::app::state::{Scratch, Session, State};
 use crate::comfort::comfortable_separation;
-use crate::eye::Eye;
-use crate::flags::FieldOfView;
-use crate::flags::choices::GazeChoice;
 use crate::map::Viewpoint;
 use crate::settings::{
-    Daylight, FitSetup, Frame, Light, Look, Map, Motion, Picture, Playback, Plots, Presence, Preset, Quality,
-    Screen, Settings, Window,
+    Daylight, FitSetup, Light, Look, Map, Motion, Picture, Playback, Plots, Preset, Quality, Screen,
+    Settings, Window,
 };
-use crate::time_range::time_within;
 
-/// Turn of the gaze for a press of a key, widths of a view.
-pub const LOOK_STEP: f64 = 0.05;
+pub use gaze::{GazeCommand, LOOK_STEP};
+pub use switch::Switch;
 
 /// A command of the user.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,20 +45,8 @@ pub enum Command {
     Look(Look),
     /// Another layout of the eyes' pictures, or another way to make files of them.
     Picture(Picture),
-    /// Layouts further in the list of them, or back.
-    NextLayout(isize),
-    /// Shows conformal pictures, or if these are shown camera pictures, which look at the same.
-    ToggleProjection,
-    /// Shows the whole passage in one strip for each eye, or if that is shown two views.
-    TogglePanorama,
-    /// Outlines in conformal views what moves where it would be seen at rest, or no longer.
-    ToggleResting,
-    /// Shows few controls, or all.
-    ToggleSimple,
-    /// Swap the eyes of the present layout.
-    SwapEyes,
-    /// Compare the left eye's picture with the next other picture of it that can be shown.
-    NextComparison,
+    /// Gives a setting its next value.
+    Switch(Switch),
     /// Sets the light.
     Light(Light),
     /// Another renderer, or another bound of it.
@@ -99,18 +88,8 @@ pub enum Command {
     NudgeSpeed(i32),
     /// Shows this geometry.
     Geometry(Geometry),
-    /// Turn the gaze so that what is seen at a place is seen at another, and keep it there.
-    Turn(Turn),
-    /// Multiply the field of view; what is seen at a place stays there.
-    Zoom(Zoom),
-    /// Look aside: to the right and up, in widths of a view.
-    LookAside([f64; 2]),
-    /// Multiply the field of view; what is seen in the middle stays there.
-    Magnify(f64),
-    /// Hold the whole scene in the views.
-    Frame,
-    /// Frames the whole scene after a double click, whose first click may have picked a point: [`crate::app::undo`] takes that back.
-    FollowAgain,
+    /// Turn or widen what the views show.
+    Gaze(GazeCommand),
     /// Select the point of the scene at a pixel of an eye's picture.
     Pick(Pick),
     /// Select a point of the scene.
@@ -161,10 +140,6 @@ pub enum Command {
     Copy(Copied),
     /// Give up what is being saved.
     StopSaving,
-    /// Show or hide the map.
-    ToggleMap,
-    /// Draw the map in the other frame.
-    ToggleFrame,
     /// Shows or hides an overlay.
     Toggle(Overlay),
     /// Take the whole screen, or leave it.
@@ -217,13 +192,7 @@ impl Command {
 impl State {
     /// Performs a command.
     pub(super) fn perform(&mut self, command: Command) {
-        self.scratch.missed = None;
-        if command.sets_what_runs() {
-            self.stop_run();
-        }
-        if command.shows_another() && self.session.overlay == Some(Overlay::Start) {
-            self.session.overlay = None;
-        }
+        self.make_way_for(&command);
         let settings = &mut self.document.settings;
         match command {
             Command::Motion(motion) => settings.motion = motion,
@@ -231,20 +200,7 @@ impl State {
             Command::Look(look) => settings.look = look,
             Command::Picture(picture) => settings.picture = picture,
             Command::Value { name, value } => self.set_by_name(name, &value),
-            Command::ToggleProjection => {
-                settings.look.projection = settings.look.projection.toggled();
-            }
-            Command::TogglePanorama => {
-                let default = self.defaults();
-                self.document.settings.toggle_panorama(&default);
-            }
-            Command::ToggleSimple => settings.window.simple = !settings.window.simple,
-            Command::ToggleResting => settings.window.resting = !settings.window.resting,
-            Command::NextLayout(steps) => {
-                settings.picture.layout = settings.picture.layout.further(steps);
-            }
-            Command::SwapEyes => self.swap_eyes(),
-            Command::NextComparison => settings.compare_next(),
+            Command::Switch(switch) => self.apply_switch(switch),
             Command::Light(light) => self.set_light(light),
             Command::Quality(quality) => settings.quality = quality,
             Command::Playback(playback) => settings.playback = playback,
@@ -260,18 +216,9 @@ impl State {
             Command::Step(steps) => self.step_in_time(steps),
             Command::TimeInRange(fraction) => self.go_within_range(fraction),
             Command::TogglePlaying => self.toggle_playing(),
-            Command::NudgeSpeed(steps) => {
-                settings.motion.speed = settings.motion.speed.nudged(steps);
-            }
+            Command::NudgeSpeed(steps) => settings.motion.speed = settings.motion.speed.nudged(steps),
             Command::Geometry(geometry) => settings.look.geometry = geometry,
-            Command::Turn(turn) => self.turn(turn),
-            Command::Zoom(zoom) => self.zoom(zoom),
-            Command::Frame | Command::FollowAgain => {
-                settings.look.gaze = GazeChoice::Whole;
-                settings.look.fov = FieldOfView(None);
-            }
-            Command::LookAside(aside) => self.look_aside(aside),
-            Command::Magnify(factor) => self.magnify(factor),
+            Command::Gaze(command) => self.apply_to_gaze(command),
             Command::Pick(pick) => self.of_picture(pick.is_second, |state| state.pick(pick)),
             Command::Select(Select { track, body, add }) => self.document.points.choose(track, body, add),
             Command::Ruler(command) => self.apply_to_ruler(command),
@@ -279,12 +226,8 @@ impl State {
             Command::FollowNext(steps) => self.follow_next(steps),
             Command::SelectPoint(index) => self.document.points.select(index),
             Command::RemovePoint(index) => self.document.points.remove(index),
-            Command::Preset(name) => {
-                self.show(Settings::clone(&self.document.settings).with_scene(name.to_owned()));
-            }
-            Command::State(preset) => {
-                self.show(preset.settings.clone().in_place_of(&self.document.settings));
-            }
+            Command::Preset(name) => self.show_named_scene(name),
+            Command::State(preset) => self.show_preset(preset),
             Command::ShowNext(steps) => self.show_next(steps),
             Command::Open(_) | Command::OpenData(_) | Command::Reload(_) => self.read_and_show(&command),
             Command::ShowFile(file) => self.show_file(*file),
@@ -295,43 +238,29 @@ impl State {
             Command::Reset => self.show(self.with_defaults()),
             Command::ResetSection(section) => self.reset(section),
             Command::Simulate => self.session.data = None,
-            Command::Save(saving) => {
-                self.scratch.chooser = None;
-                self.session.orders.push(Order::Save(saving));
-            }
+            Command::Save(saving) => self.save(saving),
             Command::Copy(copied) => self.session.orders.push(Order::Copy(copied)),
             Command::StopSaving => self.session.orders.push(Order::Stop),
-            Command::ToggleMap => {
-                let is_shown = self.frame.shows_map;
-                settings.window.map = if is_shown { Presence::Off } else { Presence::On };
-            }
-            Command::ToggleFrame => self.toggle_frame(),
             Command::Toggle(overlay) => self.toggle(overlay),
             Command::ToggleFullScreen => self.session.stage.full_screen = !self.session.stage.full_screen,
             Command::TogglePresenting => self.session.stage.toggle_presenting(),
             Command::ToggleProjector => self.session.stage.projector = !self.session.stage.projector,
-            Command::ToggleStereoscope => {
-                let stage = &mut self.session.stage;
-                stage.stereoscope = !stage.stereoscope;
-            }
+            Command::ToggleStereoscope => self.session.stage.toggle_stereoscope(),
             Command::ToggleMaximised(part) => self.session.stage.toggle_maximised(part),
             Command::CloseNotice => self.scratch.notice = None,
             Command::Close => self.close(),
         }
     }
 
-    fn swap_eyes(&mut self) {
-        let picture = &mut self.document.settings.picture;
-        picture.swapped = picture.swapped.toggled(picture.layout);
-    }
-
-    fn toggle_frame(&mut self) {
-        let frame = match self.document.settings.map.frame {
-            Frame::Ground => Frame::Bicycle,
-            Frame::Bicycle if self.document.settings.ride.is_on() => Frame::Rider,
-            Frame::Bicycle | Frame::Rider => Frame::Ground,
-        };
-        self.set_map(Map { frame, ..self.document.settings.map });
+    /// Ends what a command ends besides what it does.
+    fn make_way_for(&mut self, command: &Command) {
+        self.scratch.missed = None;
+        if command.sets_what_runs() {
+            self.stop_run();
+        }
+        if command.shows_another() && self.session.overlay == Some(Overlay::Start) {
+            self.session.overlay = None;
+        }
     }
 
     fn show_next(&mut self, steps: i32) {
@@ -341,6 +270,19 @@ impl State {
         } else if let Some(preset) = next_to_show(self.document.preset, steps) {
             self.perform(Command::State(preset));
         }
+    }
+
+    fn show_named_scene(&mut self, name: &str) {
+        self.show(Settings::clone(&self.document.settings).with_scene(name.to_owned()));
+    }
+
+    fn show_preset(&mut self, preset: &Preset) {
+        self.show(preset.settings.clone().in_place_of(&self.document.settings));
+    }
+
+    fn save(&mut self, saving: Saving) {
+        self.scratch.chooser = None;
+        self.session.orders.push(Order::Save(saving));
     }
 
     fn toggle(&mut self, overlay: Overlay) {
@@ -400,97 +342,6 @@ impl State {
             self.scratch.map_view = Viewpoint::default();
         }
         self.document.settings.map = map;
-    }
-
-    fn step_in_time(&mut self, steps: i32) {
-        let size = clock::step_size(self.time_range());
-        // Onto the multiples of the step, so that stepping gives round times.
-        let next = (self.document.time / size).round() + f64::from(steps);
-        self.document.time = clock::bounded(next * size);
-        self.scratch.playing = false;
-    }
-
-    fn go_within_range(&mut self, fraction: f64) {
-        self.document.time = clock::bounded(time_within(self.time_range(), fraction));
-    }
-
-    fn toggle_playing(&mut self) {
-        let [from, to] = self.time_range();
-        self.scratch.playing = !self.scratch.playing;
-        // Play at the end means play again.
-        if self.scratch.playing && self.document.time >= to {
-            self.document.time = from;
-        }
-    }
-
-    fn magnify(&mut self, factor: f64) {
-        let size = self.frame.picture_size;
-        let pixel = size.map(|side| 0.5 * f64::from(side));
-        self.zoom(Zoom { eye: Eye::Left, is_second: false, pixel, size, factor });
-    }
-
-    fn turn(&mut self, turn: Turn) {
-        let camera = self.of_picture(turn.is_second, |state| state.view(turn.eye, turn.size).camera);
-        self.stay_at(camera.gaze_with(camera.line_of_sight(turn.from), turn.to));
-    }
-
-    fn look_aside(&mut self, [across, up]: [f64; 2]) {
-        let size = self.frame.picture_size;
-        let [width, height] = size.map(f64::from);
-        let from = [0.5 * width, 0.5 * height];
-        let to = [from[0] - across * width, from[1] + up * width];
-        self.turn(Turn { eye: Eye::Left, is_second: false, from, to, size });
-    }
-
-    fn zoom(&mut self, zoom: Zoom) {
-        let camera = self.of_picture(zoom.is_second, |state| state.view(zoom.eye, zoom.size).camera);
-        let direction = camera.line_of_sight(zoom.pixel);
-        let fov = camera.horizontal_fov.to_degrees() * zoom.factor;
-        let range = self.document.settings.look.fov_range();
-        let fov = fov.clamp(*range.start(), *range.end());
-        self.document.settings.look.fov = FieldOfView(Some(fov));
-        let zoomed = Camera { horizontal_fov: fov.to_radians(), ..camera };
-        self.stay_at(zoomed.gaze_with(direction, zoom.pixel));
-    }
-
-    /// Both eyes look there, in the observer's axes, from now on, with the present field of view.
-    fn stay_at(&mut self, gaze: Gaze) {
-        let gaze = self.rider().gaze_to_head(gaze);
-        self.document.settings.look.fov = self.look().fov;
-        let azimuth = gaze.azimuth.rem_euclid(std::f64::consts::TAU);
-        self.document.settings.look.gaze = GazeChoice::fixed_at(Gaze { azimuth, ..gaze });
-    }
-
-    fn pick(&mut self, pick: Pick) {
-        if self.predicts_by(&pick) {
-            return;
-        }
-        if self.sees_as_published(pick.eye) {
-            // The published right eye is defined point by point: no ray leads back.
-            self.scratch.notice =
-                Some(Notice::error("With the right eye as published, click in the left eye's view."));
-            return;
-        }
-        let meant = self.meant(pick.eye, pick.pixel, pick.size);
-        match meant.and_then(|pixel| self.point_at(pick.eye, pixel, pick.size)) {
-            Some((track, body)) => {
-                self.document.points.choose(track, body, pick.add);
-                self.session.hint = false;
-            }
-            None => self.scratch.missed = Some(pick),
-        }
-    }
-
-    fn follow_next(&mut self, steps: isize) {
-        let scene = &self.document.scene;
-        let body = self.document.points.selected().body.or_else(|| scene.tracked_body());
-        let next = body.unwrap_or(0).wrapping_add_signed(steps);
-        // Before the first comes the last.
-        let count = scene.bodies.len();
-        let next = if next >= count { if steps > 0 { 0 } else { count - 1 } } else { next };
-        if let Some(track) = scene.track_on(next) {
-            self.document.points.choose(track, next, false);
-        }
     }
 
     /// Shows what `settings` say; where their scene cannot be had, a message. T runs on unless they give one.

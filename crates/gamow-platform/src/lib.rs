@@ -1,5 +1,17 @@
 //! The platform: everything that the system provides, each thing in one module, which decides what a platform lacks: the clock, files,
-//! locks, threads, interrupts, being ended, limits, what names of files mean, a game controller, the environment, the standard streams, a terminal, how much memory a file may ask for, and messages to another instance of the program.
+//! locks, threads, interrupts, being ended, limits, what names of files mean, a game controller, the environment, the standard streams, a
+//! terminal, how much memory a file may ask for, and messages to another instance of the program.
+//!
+//! With the feature `desktop` it is an operating system's, without it a browser's; both have the same names.
+#![cfg_attr(
+    not(test),
+    warn(clippy::disallowed_methods, clippy::disallowed_types, clippy::print_stdout, clippy::print_stderr)
+)]
+
+#[cfg(all(not(feature = "desktop"), not(target_arch = "wasm32")))]
+compile_error!(
+    "without the feature `desktop` the platform is a browser, for the target wasm32-unknown-unknown"
+);
 
 pub mod clock;
 #[cfg(feature = "desktop")]

@@ -5,7 +5,7 @@
 use wasm_bindgen::JsCast as _;
 use web_sys::{Gamepad, window};
 
-use crate::platform::sticks::Sticks;
+use crate::sticks::Sticks;
 
 /// Both sticks as they are held now; `None` without a controller.
 pub fn sticks() -> Option<Sticks> {

@@ -1,0 +1,101 @@
+//! Markers at the places where an eye sees the followed points, and their clocks.
+
+use eframe::egui::{Color32, Painter, Pos2, Stroke, Ui};
+use relativity_render::{PreparedScene, View};
+
+use crate::app::state::State;
+use crate::app::state::points::Point;
+use crate::app::theme;
+use crate::app::views::dial::{self, DialPlacement};
+use crate::app::views::layouts;
+use crate::app::views::panes::EyePane;
+use crate::eye::Eye;
+use crate::flags::choices::Form;
+
+/// A coat of a marker's paint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Coat {
+    /// The halo that sets markers off from the picture.
+    Halo,
+    /// The markers themselves, and the clocks.
+    Ring,
+}
+
+pub fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, coat: Coat) {
+    let view = state.view(pane.eye, pane.size);
+    let (scene, visuals) = (&state.document.prepared, ui.visuals());
+    for (index, point) in state.document.points.all().iter().enumerate() {
+        let Some(marker) = Marker::new(state, point, &view, scene, pane.eye) else { continue };
+        let radius = if index == state.document.points.selected_index() { 6.0 } else { 4.5 };
+        let place = pane.place(marker.pixel);
+        if coat == Coat::Halo {
+            Marker::paint_halo(painter, place, radius, layouts::halo_colour(state, visuals));
+            continue;
+        }
+        // Two clocks in one place could not be read.
+        if pane.rect.contains(place) && can_be_read(state, pane) {
+            clock(ui, state, pane, point, place);
+        }
+        let own = theme::point_colour(point.number, visuals);
+        let [ring, dot] =
+            if pane.is_shared { layouts::marker_colours(state, pane.eye, own, visuals) } else { [own; 2] };
+        marker.paint(painter, place, radius, [ring, dot]);
+    }
+    if coat == Coat::Ring && can_be_read(state, pane) {
+        dial::show_resting(ui, state, pane.eye, pane.rect);
+    }
+}
+
+/// Whether a clock in `pane` does not stand where the other eye's does.
+fn can_be_read(state: &State, pane: EyePane) -> bool {
+    pane.takes_the_mouse() || is_in_turn(state)
+}
+
+/// Whether the eyes are shown one after the other.
+fn is_in_turn(state: &State) -> bool {
+    state.document.settings.picture.layout.form() == Form::InTurn
+}
+
+/// The clock at `point`, which is marked at this `place`.
+fn clock(ui: &Ui, state: &State, pane: EyePane, point: &Point, place: Pos2) {
+    let Some(dial) = state.dial(point, pane.eye) else { return };
+    let colour = theme::point_colour(point.number, ui.visuals());
+    let drawn = DialPlacement { marker: place, view: pane.rect, colour };
+    let name = format!("Clock of {}, {}", state.name_of(point), pane.eye.name());
+    dial::show(ui, dial, drawn, &name, dial::tip(state.measures().time, point.track.spin.is_some()));
+}
+
+/// A marker at the place where an eye sees a followed point.
+struct Marker {
+    pixel: [f64; 2],
+    hidden: bool,
+}
+
+/// A surface this much nearer than the point, in parts of its distance, hides it. A picked point lies
+/// on its surface only up to rounding.
+const HIDING_MARGIN: f64 = 1e-4;
+
+impl Marker {
+    fn new(state: &State, point: &Point, view: &View, scene: &PreparedScene, eye: Eye) -> Option<Self> {
+        let direction = state.direction(point, eye)?;
+        let pixel = view.camera.pixel(direction)?;
+        // In the published model no ray leads back from the right eye, so nothing is known to hide it.
+        let seen_along_rays = !state.sees_as_published(eye);
+        let first = direction.try_normalize().filter(|_| seen_along_rays);
+        let first = first.and_then(|line_of_sight| scene.first_hit(view, line_of_sight));
+        let hidden = first.is_some_and(|hit| hit.distance < direction.length() * (1.0 - HIDING_MARGIN));
+        pixel.iter().all(|value| value.is_finite()).then_some(Self { pixel, hidden })
+    }
+
+    fn paint_halo(painter: &Painter, place: Pos2, radius: f32, colour: Color32) {
+        painter.circle_stroke(place, radius, Stroke::new(4.0, colour));
+    }
+
+    /// A ring, filled in the middle where the point is in sight and hollow where it is hidden.
+    fn paint(&self, painter: &Painter, place: Pos2, radius: f32, [ring, dot]: [Color32; 2]) {
+        painter.circle_stroke(place, radius, Stroke::new(2.0, ring));
+        if !self.hidden {
+            painter.circle_filled(place, 2.0, dot);
+        }
+    }
+}
