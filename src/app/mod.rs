@@ -253,7 +253,8 @@ impl App {
     /// seconds, too.
     fn pushed(&mut self, ctx: &egui::Context, step: f64) -> Option<Direction> {
         let held = riding::keys::held(ctx, &self.state);
-        let sticks = self.state.document.settings.ride.is_on().then(gamow_platform::sticks::sticks).flatten();
+        let sticks =
+            self.state.document.settings.ride.is_on().then(gamow_platform::controller::sticks).flatten();
         let Some(sticks) = sticks else { return held };
         if let Some(turned) = riding::controller::looked(&sticks, step) {
             self.ask(Command::Gaze(GazeCommand::Aside(turned)));

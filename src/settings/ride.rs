@@ -8,7 +8,6 @@ use glam::{DMat3, DVec3};
 use relativity_core::{Leg, ObserverVelocity, Odometers, RideMoment, RiderVelocity, Speed};
 use serde::Serialize;
 
-use super::rider::Rider;
 use super::sections::MAX_LENGTH;
 use crate::flags::{RideLegs, StreetVelocity, within};
 
@@ -70,14 +69,6 @@ impl Default for Riding {
 }
 
 impl Riding {
-    /// The observer when the clock of the ride shows `time`; at rest at this T without a ride.
-    #[must_use]
-    pub fn rider(&self, time: f64) -> Rider {
-        let Some(legs) = self.ride.0.as_deref() else { return Rider::at_rest(time) };
-        let moment = self.start().along(legs, time);
-        if self.is_straight() { Rider::on_line(moment, self) } else { Rider::off_line(&moment, self) }
-    }
-
     /// Returns the velocity at `speed` in the direction of the ride.
     pub(super) fn heading(&self, speed: Speed) -> ObserverVelocity {
         ObserverVelocity::new(speed, self.ride_azimuth.to_radians(), self.ride_elevation.to_radians())
@@ -110,7 +101,7 @@ impl Riding {
         DMat3::from_cols(ahead, left, ahead.cross(left))
     }
 
-    fn start(&self) -> RideMoment {
+    pub(super) fn start(&self) -> RideMoment {
         // Along the line of the ride, whichever way that leads.
         let velocity = RiderVelocity::AlongStreet { rapidity: self.ride_speed.rapidity() };
         let from = if self.has_own_line() { 0.0 } else { self.ride_from };

@@ -31,9 +31,19 @@ pub struct Rider {
 /// The direction of the line of a ride in its own axes.
 const AHEAD: [f64; 3] = [1.0, 0.0, 0.0];
 
+impl Riding {
+    /// The observer when the clock of the ride shows `time`; at rest at this T without a ride.
+    #[must_use]
+    pub fn rider(&self, time: f64) -> Rider {
+        let Some(legs) = self.ride.0.as_deref() else { return Rider::at_rest(time) };
+        let moment = self.start().along(legs, time);
+        if self.is_straight() { Rider::on_line(moment, self) } else { Rider::off_line(&moment, self) }
+    }
+}
+
 impl Rider {
     /// At rest at the ground's origin.
-    pub(super) const fn at_rest(time: f64) -> Self {
+    const fn at_rest(time: f64) -> Self {
         let (on_ground, head) = (ObserverVelocity::REST, DQuat::IDENTITY);
         Self {
             velocity: Velocity::REST,
@@ -47,7 +57,7 @@ impl Rider {
     }
 
     /// The `moment` of a straight ride, which has the line of `riding` as x.
-    pub(super) fn on_line(moment: RideMoment, riding: &Riding) -> Self {
+    fn on_line(moment: RideMoment, riding: &Riding) -> Self {
         let velocity = Velocity::from_rapidity(moment.rapidity());
         let ([x, ..], street_time) = (moment.place, moment.time);
         let at_origin = Self { velocity, street_time, ..Self::at_rest(street_time) };
@@ -65,7 +75,7 @@ impl Rider {
     }
 
     /// The `moment` of a ride that is pushed aside, in the axes of the line of `riding`.
-    pub(super) fn off_line(moment: &RideMoment, riding: &Riding) -> Self {
+    fn off_line(moment: &RideMoment, riding: &Riding) -> Self {
         let axes = riding.axes();
         let [x, y, z] = (axes * DVec3::from(moment.place)).to_array();
         let proper = (axes * DVec3::from(moment.proper_velocity())).to_array();

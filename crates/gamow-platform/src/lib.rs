@@ -17,6 +17,8 @@ pub mod clock;
 #[cfg(feature = "desktop")]
 pub mod closed;
 #[cfg(feature = "desktop")]
+pub mod controller;
+#[cfg(feature = "desktop")]
 pub mod environment;
 pub mod files;
 #[cfg(feature = "desktop")]
@@ -40,7 +42,7 @@ pub mod threads;
 pub mod web;
 
 #[cfg(not(feature = "desktop"))]
-pub use web::{instances::note, locks, threads};
+pub use web::{controller, instances::note, locks, threads};
 
 /// Sends a note on the job under way to another instance of the program; a desktop has one.
 #[cfg(feature = "desktop")]

@@ -8,13 +8,3 @@ pub struct Sticks {
     /// The stick under the right thumb.
     pub right: [f64; 2],
 }
-
-/// Both sticks as they are held now; a desktop has none that a program reads without a library of the system's.
-#[cfg(feature = "desktop")]
-#[must_use]
-pub const fn sticks() -> Option<Sticks> {
-    None
-}
-
-#[cfg(not(feature = "desktop"))]
-pub use super::web::controller::sticks;
