@@ -3,9 +3,11 @@
 //! The point passes beside the eyes, not through them. So what is drawn of an eye's past light cone is its cut by the
 //! point's own plane, in which y and z are the point's: a hyperbola, whose asymptotes are light that runs along x.
 
-use relativity_core::{Aperture, Event, ObserverError, SourcePoint, math};
+use glam::DVec3;
+use relativity_core::{Aperture, Event, Observer, ObserverError, ObserverVelocity, SourcePoint, math};
 use relativity_render::Velocity;
 
+use super::frame::event_in;
 use super::light::{Ray, rays};
 use super::straight_line::StraightLine;
 use super::worldline::PointWorldline;
@@ -70,9 +72,9 @@ impl Cone {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Diagram {
     /// The frame it is drawn in, by its velocity on the ground.
-    pub frame: Velocity,
+    pub frame: ObserverVelocity,
     /// The velocity of the other frame beside the ground's: that in which the scene rests, or whoever rides does at this moment.
-    pub other: Velocity,
+    pub other: ObserverVelocity,
     /// Worldline of the point.
     pub point: PointWorldline,
     /// The light that the eyes receive at T.
@@ -83,10 +85,8 @@ pub struct Diagram {
     pub time: f64,
     /// The time of the settings: T, or the clock of who rides.
     pub clock: f64,
-    /// The velocity of the eyes on the ground.
-    pub observer: Velocity,
-    /// The middle between the eyes on the ground.
-    here: Event,
+    /// The middle between the eyes on the ground, and its velocity.
+    pub observer: Observer,
 }
 
 impl Diagram {
@@ -99,24 +99,22 @@ impl Diagram {
         settings: &Settings,
         point: &Track,
         time: f64,
-        frame: Velocity,
+        frame: ObserverVelocity,
     ) -> Result<Self, ObserverError> {
-        let rider = settings.rider(time);
-        let here = rider.event();
+        let observer = settings.rider(time).observer();
         Ok(Self {
             frame,
             other: if settings.ride.is_on() {
-                rider.along_street()
+                observer.velocity
             } else {
-                Velocity::forward(settings.speed())
+                ObserverVelocity::along_street(settings.speed())
             },
             point: PointWorldline::new(settings, point, frame),
             rays: rays(settings, point, time, frame)?,
-            present: here.in_frame(frame),
-            time: rider.street_time,
+            present: event_in(&frame, observer.place.into(), observer.time),
+            time: observer.time,
             clock: time,
-            observer: rider.along_street(),
-            here,
+            observer,
         })
     }
 
@@ -131,7 +129,7 @@ impl Diagram {
     #[must_use]
     pub fn other_now(&self) -> f64 {
         // All of that frame's now has the t' of the eyes' event.
-        self.point.ground_time_in(self.other, self.here.in_frame(self.other).t)
+        self.point.ground_time_at(&Observer { velocity: self.other, ..self.observer })
     }
 
     /// The ground's times at which the point's worldline is to be drawn between these corners, later and later; none where it
@@ -153,33 +151,74 @@ impl Diagram {
     /// The worldlines of the eyes, a step for each unit of their clock; of eyes that accelerate, as they would coast on.
     #[must_use]
     pub fn eyes(&self) -> [StraightLine; 2] {
-        let step = Event { x: 0.0, t: 1.0 }.in_frame(self.frame.seen_from(self.observer));
+        let own = Event { x: 0.0, t: 1.0 };
+        let velocity = &self.observer.velocity;
+        let step = if let Some(relative) = self.frame_seen_from(velocity) {
+            own.in_frame(relative)
+        } else if self.frame == *velocity {
+            own
+        } else {
+            event_in(&self.frame, velocity.proper().into(), velocity.speed().gamma())
+        };
         self.rays.map(|ray| StraightLine { through: ray.received, step })
     }
 
-    /// Returns the present by the ground's clocks, and that by the clocks of the other frame.
+    /// The velocity of the frame that is drawn as one sees it that moves at `of`, both along the street.
+    fn frame_seen_from(&self, of: &ObserverVelocity) -> Option<Velocity> {
+        Some(Velocity::along_street(&self.frame)?.seen_from(Velocity::along_street(of)?))
+    }
+
+    /// Returns the present by the ground's clocks, and that by the clocks of the other frame. That of one who moves aslant of the
+    /// street is cut by the plane in which the point moves, and so need not pass the eyes.
     #[must_use]
     pub fn nows(&self) -> [StraightLine; 2] {
-        [Velocity::REST, self.other].map(|of| {
-            let step = Event { x: 1.0, t: 0.0 }.in_frame(self.frame.seen_from(of));
-            StraightLine { through: self.present, step }
+        [(ObserverVelocity::REST, self.time), (self.other, self.other_now())].map(|(of, then)| {
+            let along_x = Event { x: 1.0, t: 0.0 };
+            let through = self.present;
+            if let Some(relative) = self.frame_seen_from(&of) {
+                return StraightLine { through, step: along_x.in_frame(relative) };
+            }
+            if of == self.frame {
+                return StraightLine { through, step: along_x };
+            }
+            // T + V.(r - o) at r, above or below the place of the eyes, and V.x for each unit of x.
+            let here = DVec3::from(self.observer.place);
+            let abreast = DVec3 { x: here.x, ..self.point.place(then) };
+            let slope = of.speed().beta() * DVec3::from(of.direction());
+            let t = self.time + slope.dot(abreast - here);
+            let step = event_in(&self.frame, DVec3::X, slope.x);
+            StraightLine { through: event_in(&self.frame, abreast, t), step }
         })
     }
 
-    /// The past light cones of the eyes at T.
+    /// The past light cones of the eyes at T; `None` in the frame of one who moves aslant of the street, in which the point
+    /// changes its y and z.
     #[must_use]
-    pub fn cones(&self) -> [Cone; 2] {
-        self.rays.map(|ray| Cone { apex: ray.apex, distance: ray.aside })
+    pub fn cones(&self) -> Option<[Cone; 2]> {
+        let cones = self.rays.map(|ray| Cone { apex: ray.apex, distance: ray.aside });
+        self.frame.is_along_street().then_some(cones)
+    }
+
+    /// Whether the other frame moves aslant of the street, so that its present passes the point's plane elsewhere than the eyes.
+    #[must_use]
+    pub fn is_aslant(&self) -> bool {
+        !self.other.is_along_street()
     }
 }
 
 /// The places of the left (0) or the right (1) eye in the frame that moves at `frame`, at evenly spread times of the clock in this range.
 #[must_use]
-pub fn worldline_of_eye(settings: &Settings, frame: Velocity, eye: usize, range: [f64; 2]) -> Vec<Event> {
-    let aperture = settings.pair()[eye];
+pub fn worldline_of_eye(
+    settings: &Settings,
+    frame: &ObserverVelocity,
+    eye: usize,
+    range: [f64; 2],
+) -> Vec<Event> {
     let event = |piece: i32| {
         let time = time_range::time_within(range, f64::from(piece) / f64::from(Cone::PIECES));
-        settings.rider(time).event_on_street(aperture).in_frame(frame)
+        let aperture = settings.baseline_at(time).apertures()[eye];
+        let (Aperture { x, y, z }, t) = settings.rider(time).event_of(aperture);
+        event_in(frame, DVec3::new(x, y, z), t)
     };
     (0..=Cone::PIECES).map(event).collect()
 }
@@ -203,7 +242,7 @@ pub fn home(
     settings: &Settings,
     point: &Track,
     time: f64,
-    frame: Velocity,
+    frame: ObserverVelocity,
 ) -> Result<[Event; 2], ObserverError> {
     // It holds still while a point of a wheel turns.
     let point = &Track { rest: point.axle(), spin: None, ..*point };
@@ -214,15 +253,16 @@ pub fn home(
     let mut high = Event { x: f64::NEG_INFINITY, t: f64::NEG_INFINITY };
     for shown in [first, last, shown] {
         let diagram = Diagram::new(settings, point, shown, frame)?;
-        let is_ground = frame == Velocity::REST || settings.ride.is_on();
+        let is_ground = frame.is_rest() || settings.ride.is_on();
         let here = if frame == diagram.other && !is_ground { diagram.present } else { diagram.measured() };
         let ends = diagram.rays.iter().flat_map(|ray| [ray.left, ray.received]);
-        for event in ends.chain([here]) {
+        let aslant = diagram.is_aslant().then(|| diagram.point.at(diagram.other_now()));
+        for event in ends.chain([here]).chain(aslant) {
             low = Event { x: low.x.min(event.x), t: low.t.min(event.t) };
             high = Event { x: high.x.max(event.x), t: high.t.max(event.t) };
         }
     }
-    let onward = Event { x: 0.0, t: time - shown }.in_frame(frame);
+    let onward = event_in(&frame, DVec3::ZERO, time - shown);
     Ok([low.plus(onward), high.plus(onward)])
 }
 
@@ -295,7 +335,7 @@ mod tests {
             let settings = settings(SpeedParameter::Beta, beta);
             for track in tracks() {
                 for time in [-6.0, 1.1, 3.6, 20.0] {
-                    let frames = [Velocity::REST, Velocity::forward(settings.speed())];
+                    let frames = [ObserverVelocity::REST, ObserverVelocity::along_street(settings.speed())];
                     all.push(
                         frames.map(|frame| {
                             Diagram::new(&settings, &track, time, frame).expect("in the domain")
@@ -307,14 +347,16 @@ mod tests {
         all
     }
 
+    /// The cones, of frames along the street.
+    fn cones(diagram: &Diagram) -> [Cone; 2] {
+        diagram.cones().expect("it moves along the street")
+    }
+
     /// Returns the magnitude of its numbers.
     fn scale(diagram: &Diagram) -> f64 {
         let [left, right] = diagram.rays;
         let events = [diagram.measured(), left.left, left.received, right.left, right.received];
-        events
-            .iter()
-            .map(|event| event.x.abs().max(event.t.abs()))
-            .fold(diagram.cones()[0].distance, f64::max)
+        events.iter().map(|event| event.x.abs().max(event.t.abs())).fold(cones(diagram)[0].distance, f64::max)
     }
 
     #[track_caller]
@@ -326,7 +368,7 @@ mod tests {
     fn light_leaves_the_worldline_where_it_meets_the_cone_and_takes_no_interval_in_both_frames() {
         for diagram in diagrams().iter().flatten() {
             let scale = scale(diagram);
-            for (ray, cone) in diagram.rays.iter().zip(diagram.cones()) {
+            for (ray, cone) in diagram.rays.iter().zip(cones(diagram)) {
                 assert_same(diagram.point.at(ray.happened), ray.left, scale);
                 assert!((cone.time(ray.left.x) - ray.left.t).abs() < 1e-12 * scale, "{diagram:?}");
                 let [x, t] = [ray.received.x - ray.left.x, ray.received.t - ray.left.t];
@@ -343,14 +385,14 @@ mod tests {
             let mut settings = settings(SpeedParameter::Beta, 0.9);
             settings.look.geometry = geometry;
             for track in tracks() {
-                let rays = rays(&settings, &track, 1.7, Velocity::REST).expect("in the domain");
+                let rays = rays(&settings, &track, 1.7, ObserverVelocity::REST).expect("in the domain");
                 let instant = Instant::new(&settings, 1.7);
                 for (eye, ray) in rays.iter().enumerate() {
                     let place = instant.place(&track, Picture::Seen(eye)).expect("in the domain");
                     let off = place - glam::DVec3::new(ray.left.x, place.y, place.z);
                     assert!(off.length() < 1e-9, "{geometry:?} {track:?}: {off}");
                     let glam::DVec3 { y, z, .. } =
-                        PointWorldline::new(&settings, &track, Velocity::REST).place(0.0);
+                        PointWorldline::new(&settings, &track, ObserverVelocity::REST).place(0.0);
                     assert!((place.y - y).abs() < 1e-12 && (place.z - z).abs() < 1e-12);
                 }
             }
@@ -361,11 +403,11 @@ mod tests {
     fn one_cone_for_both_eyes_has_its_apex_between_them() {
         let mut settings = settings(SpeedParameter::Beta, 0.9);
         settings.look.geometry = relativity_render::Geometry::OneCone;
-        for frame in [Velocity::REST, Velocity::forward(settings.speed())] {
+        for frame in [ObserverVelocity::REST, ObserverVelocity::along_street(settings.speed())] {
             let diagram = Diagram::new(&settings, &tracks()[0], 2.0, frame).expect("in the domain");
             let [left, right] = diagram.rays;
             assert_same(left.left, right.left, 10.0);
-            for cone in diagram.cones() {
+            for cone in cones(&diagram) {
                 assert_eq!(cone.apex, diagram.present);
                 assert!((cone.time(left.left.x) - left.left.t).abs() < 1e-12 * 10.0);
             }
@@ -376,7 +418,7 @@ mod tests {
     fn the_diagram_of_the_other_frame_is_this_one_transformed() {
         for [ground, scene] in diagrams() {
             let (scale, frame) = (scale(&ground).max(scale(&scene)), scene.frame);
-            let there = |event: Event| event.in_frame(frame);
+            let there = |event: Event| event_in(&frame, DVec3::X * event.x, event.t);
             for (here, seen) in ground.rays.iter().zip(scene.rays) {
                 assert_same(there(here.left), seen.left, scale);
                 assert_same(there(here.received), seen.received, scale);
@@ -423,7 +465,7 @@ mod tests {
     fn fronts_grow_with_time_and_arrive_as_often_as_the_doppler_factor_says() {
         let settings = settings(SpeedParameter::Beta, 0.9);
         let track = tracks()[0];
-        let at = |time| Diagram::new(&settings, &track, time, Velocity::REST).expect("in the domain");
+        let at = |time| Diagram::new(&settings, &track, time, ObserverVelocity::REST).expect("in the domain");
         let diagram = at(2.0);
         let [earlier, later] = [2.0, 2.2].map(|now| fronts(&diagram.point, now, 0.75).collect::<Vec<_>>());
         for front in &earlier {
@@ -446,15 +488,15 @@ mod tests {
         for gamma in [1e9, 1e30] {
             let settings = settings(SpeedParameter::Gamma, gamma);
             for track in tracks() {
-                for (time, frame) in [-1e6, 0.0, 4.0]
-                    .into_iter()
-                    .flat_map(|time| [Velocity::REST, Velocity::forward(settings.speed())].map(|f| (time, f)))
-                {
+                for (time, frame) in [-1e6, 0.0, 4.0].into_iter().flat_map(|time| {
+                    [ObserverVelocity::REST, ObserverVelocity::along_street(settings.speed())]
+                        .map(|f| (time, f))
+                }) {
                     let diagram = Diagram::new(&settings, &track, time, frame).expect("in the domain");
                     let [low, high] = home(&settings, &track, time, frame).expect("in the domain");
                     let lines = diagram.nows().into_iter().chain(diagram.eyes()).chain([diagram.worldline()]);
                     let drawn = lines.filter_map(|line| line.within(low, high)).flatten();
-                    let curves = diagram.cones().into_iter().flat_map(|cone| cone.curve([low.x, high.x]));
+                    let curves = cones(&diagram).into_iter().flat_map(|cone| cone.curve([low.x, high.x]));
                     let now = diagram.point.at(diagram.other_now());
                     if frame == diagram.other && diagram.point.rests() {
                         assert!(
@@ -475,12 +517,13 @@ mod tests {
     fn what_is_shown_at_first_holds_still_while_the_point_passes_grows_and_then_follows() {
         let settings = settings(SpeedParameter::Beta, 0.9);
         let track = Track { rest: [0.0, 3.0, 2.0], motion: Motion::Scene, spin: None };
-        let home = |time| home(&settings, &track, time, Velocity::REST).expect("in the domain");
+        let home = |time| home(&settings, &track, time, ObserverVelocity::REST).expect("in the domain");
         let [low, high] = home(3.6);
         assert_eq!(home(1.1), [low, high]);
         assert!((high.t - low.t - (high.x - low.x)).abs() < 5.0, "about square: {low:?} {high:?}");
         for time in [1.1, 3.6, 4.3] {
-            let diagram = Diagram::new(&settings, &track, time, Velocity::REST).expect("in the domain");
+            let diagram =
+                Diagram::new(&settings, &track, time, ObserverVelocity::REST).expect("in the domain");
             for event in diagram.rays.iter().flat_map(|ray| [ray.left, ray.received]) {
                 assert!((low.x..=high.x).contains(&event.x) && (low.t..=high.t).contains(&event.t));
             }

@@ -1,6 +1,7 @@
 //! The fitted part of the world in a map. It depends on the scene and on how far from the eyes it passes, not on T, and on the speed
 //! only in steps: nothing jumps while time runs.
 
+use glam::DVec3;
 use relativity_core::math;
 use relativity_render::{Motion, Velocity};
 
@@ -22,6 +23,13 @@ const WIDEST: f64 = 1.5;
 const MARGIN: f64 = 0.7;
 /// Part of the street around who rides, behind and ahead, units.
 const AROUND_RIDER: [f64; 2] = [-8.0, 16.0];
+/// Half the part of the world around who does not ride along the street, units, and how far it is shifted at the speed of light.
+const AROUND_ASLANT: [f64; 3] = [6.0, 6.0, 2.0];
+const AHEAD_ASLANT: f64 = 4.0;
+/// What such a rider sees is fitted up to this distance.
+const FURTHEST: f64 = 120.0;
+/// Least height of the view from the side, of that of the plan.
+const LEAST_SIDE: f64 = 0.25;
 /// Space between the plan and the view from the side, points.
 const BETWEEN: f64 = 10.0;
 
@@ -49,6 +57,24 @@ impl Extent {
         let mut extent = Self::of_space(settings, scene);
         extent.0[0] = AROUND_RIDER.map(|along| x + along);
         extent
+    }
+}
+
+impl Extent {
+    /// Returns the part around who does not ride along the street: more of it ahead of `here` than behind, by `velocity`, and
+    /// all of `seen` that is not too far off.
+    #[must_use]
+    pub fn of_ride_aslant(here: DVec3, velocity: DVec3, seen: impl Iterator<Item = DVec3>) -> Self {
+        let (middle, half) =
+            (here + AHEAD_ASLANT * velocity, DVec3::from(AROUND_ASLANT) + AHEAD_ASLANT * velocity.abs());
+        let within = seen.map(|place| here + (place - here).clamp_length_max(FURTHEST));
+        let around = (middle - half, middle + half);
+        let (low, high) = within.fold(around, |(low, high), place| {
+            (low.min(place - DVec3::splat(MARGIN)), high.max(place + DVec3::splat(MARGIN)))
+        });
+        let lacks = DVec3::Z * 0.5 * (LEAST_SIDE * (high.y - low.y) - (high.z - low.z)).max(0.0);
+        let (low, high) = (low - lacks, high + lacks);
+        Self([0, 1, 2].map(|axis| [low[axis], high[axis]]))
     }
 }
 

@@ -1,10 +1,11 @@
 //! The present T of an observer, as the map asks for it: where points are, and where they are seen.
 
 use glam::DVec3;
-use relativity_core::{Aperture, Event, Model, Observer, Stereo, Worldline};
+use relativity_core::{Aperture, Model, Observer, ObserverVelocity, Stereo, Worldline};
 use relativity_render::{Camera, Geometry, GroupView, MaterialPoint, Motion, Velocity, View};
 
-use super::present::Present;
+use super::frame::event_in;
+use super::present::{Present, measured_by};
 use crate::scene::Track;
 use crate::settings::{Frame, Look, Rider, Settings};
 
@@ -73,7 +74,7 @@ impl<'a> Instant<'a> {
     #[must_use]
     pub fn eyes(&self) -> [DVec3; 2] {
         if self.frame() == Frame::Rider {
-            return self.settings.pair().map(position);
+            return self.pair();
         }
         let street = self.places(Motion::Own(Velocity::REST));
         if !self.settings.ride.is_on() {
@@ -82,9 +83,26 @@ impl<'a> Instant<'a> {
         let frame = self.settings.frame(self.time);
         self.seen.map(|view| {
             let place = position(view.camera.aperture) + street.shift;
-            let event = Event { x: place.x, t: view.observation_time }.in_frame(frame);
-            DVec3 { x: event.x, ..place }
+            DVec3 { x: event_in(&frame, place, view.observation_time).x, ..place }
         })
+    }
+
+    /// The eyes in the axes of whoever rides, from the middle between them.
+    fn pair(&self) -> [DVec3; 2] {
+        self.settings.baseline_at(self.time).apertures().map(position)
+    }
+
+    /// The middle between the eyes on the ground.
+    #[must_use]
+    pub fn observer(&self) -> Observer {
+        self.rider.observer()
+    }
+
+    /// The place on the map of the middle between the eyes.
+    #[must_use]
+    pub fn middle(&self) -> DVec3 {
+        let [left, right] = self.eyes();
+        0.5 * (left + right)
     }
 
     /// Returns the places of everything with this `motion`.
@@ -92,28 +110,34 @@ impl<'a> Instant<'a> {
     pub fn places(&self, motion: Motion) -> Places {
         let Settings { motion: set, .. } = self.settings;
         let frame = self.settings.frame(self.time);
-        let here = self.rider.event().in_frame(frame);
+        let observer = self.rider.observer();
+        let (here, is_riders) = (DVec3::from(observer.place), self.frame() == Frame::Rider);
+        let now = event_in(&frame, here, observer.time);
         let shift = DVec3::new(0.0, set.depth_shift, set.height_shift);
         // On the ground is what eyes at rest would see that receive the same light.
-        let from = if self.frame() == Frame::Rider { self.rider.along_street() } else { Velocity::REST };
-        let seen =
-            self.seen.map(|view| View { camera: Camera { velocity: from.into(), ..view.camera }, ..view });
+        let from = if is_riders { frame } else { ObserverVelocity::REST };
+        let seen = self.seen.map(|view| View { camera: Camera { velocity: from, ..view.camera }, ..view });
+        let along_street = Velocity::along_street(&frame);
+        let velocity = self.settings.velocity(motion);
         Places {
             shift,
-            origin: if self.frame() == Frame::Rider { here.x } else { 0.0 },
+            origin: if is_riders { DVec3 { x: now.x, ..here } } else { DVec3::ZERO },
             eyes: match self.frame() {
-                Frame::Rider => self.settings.pair().map(position),
+                Frame::Rider => self.pair(),
                 _ => seen.map(|view| position(view.camera.aperture) + shift),
             },
             pair: self.settings.baseline_at(self.time).stereo_apertures(self.settings.ride.is_on()),
             model: self.model,
             seen: seen.map(|view| view.of_group(motion)),
-            observer: self.rider.observer(),
+            observer,
             present: Present {
-                on_ground: self.settings.velocity(motion),
-                relative: self.settings.velocity(motion).seen_from(frame),
-                time: here.t,
+                on_ground: velocity,
+                relative: velocity.seen_from(along_street.unwrap_or(Velocity::REST)),
+                time: now.t,
             },
+            aslant: along_street
+                .is_none()
+                .then(|| measured_by(&observer, here - shift, self.settings.speed()).of_group(motion)),
             frame: self.frame(),
         }
     }
@@ -130,8 +154,8 @@ impl<'a> Instant<'a> {
 pub struct Places {
     /// From the scene's coordinates to those from between the eyes.
     shift: DVec3,
-    /// x of the origin of the map in its frame.
-    origin: f64,
+    /// The origin of the map in its frame.
+    origin: DVec3,
     /// Places of the eyes on the map, where light reaches them.
     eyes: [DVec3; 2],
     /// The eyes, from the middle between them.
@@ -142,6 +166,8 @@ pub struct Places {
     observer: Observer,
     /// The present of the frame that is drawn.
     present: Present,
+    /// What is measured in a frame that does not move along the street, in which whoever rides rests.
+    aslant: Option<GroupView>,
     frame: Frame,
 }
 
@@ -188,10 +214,13 @@ impl Places {
     /// Returns the place of the `point` now.
     #[must_use]
     pub fn measured(&self, point: impl Into<MaterialPoint>) -> DVec3 {
+        if let Some(aslant) = &self.aslant {
+            return aslant.apparent_position(point).unwrap_or(DVec3::NAN);
+        }
         let Present { relative, time, .. } = self.present;
         let place = self.present.place(point.into());
         let now = Worldline::at_rest(relative, place.x).at(time);
-        DVec3 { x: now.x - self.origin, ..place } + self.shift
+        DVec3 { x: now.x, ..place } - self.origin + self.shift
     }
 }
 

@@ -1,9 +1,10 @@
 //! Light that leaves the selected point: the events at which it left for each eye, the ray from there, and its wave
 //! fronts.
 
-use relativity_core::{Event, Model, ObserverError, math};
-use relativity_render::Velocity;
+use glam::DVec3;
+use relativity_core::{Aperture, Event, Model, ObserverError, ObserverVelocity, math};
 
+use super::frame::event_in;
 use super::worldline::PointWorldline;
 use crate::scene::Track;
 use crate::settings::Settings;
@@ -19,9 +20,9 @@ pub struct Ray {
     pub received: Event,
     /// The event in whose past light cone it left: of reception, or where one cone serves both eyes, that between them.
     pub apex: Event,
-    /// Distance at which the point passes the line along x through that event.
+    /// Distance from the point there to the line along x through that event.
     pub aside: f64,
-    /// y and z of the eye.
+    /// y and z of the eye on the ground.
     pub eye: [f64; 2],
     /// When the ray left, on the ground's clocks.
     pub happened: f64,
@@ -39,12 +40,16 @@ pub fn rays(
     settings: &Settings,
     point: &Track,
     time: f64,
-    frame: Velocity,
+    frame: ObserverVelocity,
 ) -> Result<[Ray; 2], ObserverError> {
     let worldline = PointWorldline::new(settings, point, frame);
     let both = settings.disparity(point, time)?;
-    let ([left, right], rider) = (settings.pair(), settings.rider(time));
+    let ([left, right], rider) = (settings.baseline_at(time).apertures(), settings.rider(time));
     let one_cone = settings.model() == Model::OneCone;
+    let event = |eye| {
+        let (Aperture { x, y, z }, t) = rider.event_of(eye);
+        (DVec3::new(x, y, z), t)
+    };
     Ok([(both.primary, left), (both.secondary, right)].map(|(seen, eye)| {
         // Where and when it rests is known better than by its place on the ground.
         let place = worldline.place(seen.retarded_time);
@@ -53,17 +58,14 @@ pub fn rays(
         } else {
             worldline.at(seen.retarded_time)
         };
-        let received = rider.event_on_street(eye).in_frame(frame);
-        let between = rider.event().in_frame(frame);
-        let apex = if one_cone { between } else { received };
-        let across = [place.y, place.z];
-        let [y, z] = if one_cone { across } else { [seen.position[1], seen.position[2]] };
+        let (eye, received) = event(eye);
+        let (apex, apex_time) = if one_cone { event(Aperture::default()) } else { (eye, received) };
         Ray {
             left,
-            across,
-            received,
-            apex,
-            aside: math::hypot(y, z),
+            across: [place.y, place.z],
+            received: event_in(&frame, eye, received),
+            apex: event_in(&frame, apex, apex_time),
+            aside: math::hypot(place.y - apex.y, place.z - apex.z),
             eye: [eye.y, eye.z],
             happened: seen.retarded_time,
             proper_time: seen.proper_time,

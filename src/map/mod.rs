@@ -1,14 +1,15 @@
 //! The map, as lines and marks in scene units: places of things at the observer's present T, beside those where
 //! they are seen. It knows nothing of the window, and asks the same functions as the views.
 //!
-//! Coordinates are from between the eyes: x along the motion, y away from the eyes, z up; those of the bicycle's frame
-//! have their origin where the eyes' has it at t = 0.
+//! Coordinates are from between resting eyes: x along the motion, y away from the eyes, z up; those of the bicycle's frame
+//! have their origin where the eyes' has it at t = 0, and those of the frame of who rides have it between the eyes.
 
 mod chart;
 mod clip;
 mod close_up;
 mod diagram;
 mod fit;
+mod frame;
 mod instant;
 mod light;
 mod lines;
@@ -18,6 +19,7 @@ mod present;
 mod projection;
 mod sight;
 mod straight_line;
+mod street;
 #[cfg(test)]
 mod tests;
 mod ticks;
@@ -27,6 +29,7 @@ pub use chart::{Chart, Viewpoint};
 pub use close_up::around_now;
 pub use diagram::{Cone, Diagram, chart, home, worldline_of_eye};
 pub use fit::{Extent, plan_and_side};
+pub use frame::event_in;
 pub use instant::{Instant, Picture, Places};
 pub use light::{Front, Ray, fronts, rays};
 pub use lines::{Ball, Line, Lines, Vertex};
@@ -35,5 +38,6 @@ pub use outline::strokes;
 pub use projection::Projection;
 pub use sight::field_of_view;
 pub use straight_line::StraightLine;
+pub use street::{StreetLine, street_lines, way_of_rider};
 pub use ticks::ticks;
 pub use worldline::PointWorldline;

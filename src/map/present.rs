@@ -1,9 +1,9 @@
 //! Places of points at one time of a frame: those that rest in the frame of their group, and those that turn there.
 
 use glam::DVec3;
-use relativity_core::Worldline;
 use relativity_core::wheel::measured_later;
-use relativity_render::{MaterialPoint, Velocity};
+use relativity_core::{Aperture, Observer, Speed, Worldline};
+use relativity_render::{Camera, Gaze, Geometry, MaterialPoint, Velocity, View};
 
 /// A time of a frame, and how a group moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,4 +32,12 @@ impl Present {
     pub fn proper_time(&self, place: DVec3) -> f64 {
         Worldline::at_rest(self.relative, place.x).proper_time(self.time)
     }
+}
+
+/// The view of all that is at one time of the `observer`, from `place`, where the middle between the eyes is; the scene's speed is `speed`.
+pub(super) fn measured_by(observer: &Observer, place: DVec3, speed: Speed) -> View {
+    let DVec3 { x, y, z } = place;
+    let camera = Camera::new(Aperture { x, y, z }, Gaze::STRAIGHT_AHEAD, 1.0, [1, 1]);
+    let camera = Camera { velocity: observer.velocity, ..camera };
+    View { camera, speed, observation_time: observer.time, geometry: Geometry::Contracted }
 }

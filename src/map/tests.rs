@@ -1,12 +1,13 @@
 //! The map, held against formulas written down here.
 
+mod riding;
 mod wheels;
 
 use std::time::{Duration, Instant as Clock};
 
 use glam::DVec3;
-use relativity_core::{Aperture, SourcePoint, Speed, sighting};
-use relativity_render::{Geometry, Motion, Shape, Velocity};
+use relativity_core::{Aperture, ObserverVelocity, SourcePoint, Speed, sighting};
+use relativity_render::{Geometry, Motion, Shape};
 
 use super::*;
 use crate::flags::{SpeedParameter, SpeedSetting};
@@ -260,8 +261,9 @@ fn a_tilted_and_turned_head_has_its_eyes_and_its_light_where_they_are() {
     let eyes = instant.eyes();
     assert!(eyes[0].distance(-half) < 1e-12 && eyes[1].distance(half) < 1e-12, "{eyes:?}");
     let track = Track { rest: [-0.7, 3.0, 2.0], motion: Motion::Scene, spin: None };
-    let diagram = Diagram::new(&settings, &track, 1.5, Velocity::REST).expect("in the domain");
-    for ((eye, ray), cone) in eyes.into_iter().zip(diagram.rays).zip(diagram.cones()) {
+    let diagram = Diagram::new(&settings, &track, 1.5, ObserverVelocity::REST).expect("in the domain");
+    for ((eye, ray), cone) in eyes.into_iter().zip(diagram.rays).zip(diagram.cones().expect("of the ground"))
+    {
         assert!((ray.received.x - eye.x).abs() < 1e-12);
         assert!((DVec3::new(eye.x, ray.eye[0], ray.eye[1]) - eye).length() < 1e-12);
         let way = DVec3::new(ray.left.x, 3.0, 2.0).distance(eye);

@@ -3,10 +3,11 @@
 use std::f64::consts::TAU;
 
 use glam::DVec3;
-use relativity_core::{Event, Worldline, math};
-use relativity_render::{MaterialPoint, Velocity};
+use relativity_core::{Event, Observer, ObserverVelocity, Worldline, math};
+use relativity_render::{MaterialPoint, Motion, Velocity};
 
-use super::present::Present;
+use super::frame::event_in;
+use super::present::{Present, measured_by};
 use super::straight_line::StraightLine;
 use crate::scene::Track;
 use crate::settings::Settings;
@@ -22,7 +23,7 @@ pub struct PointWorldline {
     /// The velocity of the point's group on the ground.
     velocity: Velocity,
     /// The frame of the map, by its velocity on the ground.
-    frame: Velocity,
+    frame: ObserverVelocity,
     /// The point in the frame of its group, from the point between the eyes.
     point: MaterialPoint,
     /// Place of the axle; of the point itself, if it does not turn.
@@ -34,11 +35,11 @@ pub struct PointWorldline {
 impl PointWorldline {
     /// Returns the worldline of `point` in the frame that moves at `frame`.
     #[must_use]
-    pub fn new(settings: &Settings, point: &Track, frame: Velocity) -> Self {
+    pub fn new(settings: &Settings, point: &Track, frame: ObserverVelocity) -> Self {
         let velocity = settings.velocity(point.motion);
         let axle = settings.rest_place(point.axle()).into();
         let point = settings.from_between_eyes(point);
-        Self { velocity, frame, point, axle, rests: velocity == frame }
+        Self { velocity, frame, point, axle, rests: Velocity::along_street(&frame) == Some(velocity) }
     }
 
     /// Returns the event of the worldline at the ground's time `t`.
@@ -48,7 +49,8 @@ impl PointWorldline {
         if self.rests {
             return Event { x: place.x, t: self.now(t).proper_time(place) };
         }
-        self.clock_at(place).at(t).in_frame(self.frame)
+        let Event { x, t } = self.clock_at(place).at(t);
+        event_in(&self.frame, DVec3 { x, ..place }, t)
     }
 
     /// Returns the place in the frame of its group at the ground's time `t`, from the point between the eyes.
@@ -71,11 +73,24 @@ impl PointWorldline {
     /// The ground's time of its event at the time `t` of the map's frame.
     #[must_use]
     pub fn ground_time(&self, t: f64) -> f64 {
-        self.ground_time_in(self.frame, t)
+        let velocity = self.frame;
+        Velocity::along_street(&velocity).map_or_else(
+            || self.ground_time_aslant(&Observer { velocity, ..Observer::at_rest(0.0) }.at(t)),
+            |frame| self.ground_time_in(frame, t),
+        )
+    }
+
+    /// The ground's time of its event at the present of `observer`.
+    pub(super) fn ground_time_at(&self, observer: &Observer) -> f64 {
+        let here = Event { x: observer.place[0], t: observer.time };
+        Velocity::along_street(&observer.velocity).map_or_else(
+            || self.ground_time_aslant(observer),
+            |frame| self.ground_time_in(frame, here.in_frame(frame).t),
+        )
     }
 
     /// The ground's time of its event at the time `t` of the frame that moves at `frame`.
-    pub(super) fn ground_time_in(&self, frame: Velocity, t: f64) -> f64 {
+    fn ground_time_in(&self, frame: Velocity, t: f64) -> f64 {
         if frame == Velocity::REST {
             return t;
         }
@@ -83,6 +98,17 @@ impl PointWorldline {
         let then = Present { on_ground: self.velocity, relative, time: t };
         let place = then.place(self.point);
         self.clock_at(place).at_proper_time(then.proper_time(place)).t
+    }
+
+    /// The same of one who does not move along the street: by T + V.(r - o), what is at r is as late as the middle between the eyes
+    /// at o.
+    fn ground_time_aslant(&self, observer: &Observer) -> f64 {
+        let (speed, here) = (self.velocity.speed, DVec3::from(observer.place));
+        let view = measured_by(observer, here, speed).of_group(Motion::Own(self.velocity));
+        let place = view.place_when_shown(self.point);
+        let start = DVec3 { x: self.clock_at(place).at(0.0).x, ..place };
+        let slope = observer.velocity.speed().beta() * DVec3::from(observer.velocity.direction());
+        (observer.time + slope.dot(start - here)) / (1.0 - self.velocity.beta() * slope.x)
     }
 
     /// The worldline on the ground, along x, of a clock at `place` in the frame of its group.
@@ -102,12 +128,15 @@ impl PointWorldline {
     #[must_use]
     pub fn straight(&self, time: f64) -> StraightLine {
         let axle = MaterialPoint { rest: self.axle, spin: None };
-        StraightLine { through: Self { point: axle, ..*self }.at(time), step: self.step_in(self.frame) }
+        StraightLine { through: Self { point: axle, ..*self }.at(time), step: self.step() }
     }
 
-    /// The step that the axle makes in a unit of the ground's time, in the frame that moves at `frame`: that is 1/gamma of its
+    /// The step that the axle makes in a unit of the ground's time, in the frame of the map: that is 1/gamma of its
     /// own, which the frame's clocks have as gamma of the velocity between the two.
-    fn step_in(&self, frame: Velocity) -> Event {
+    fn step(&self) -> Event {
+        let Some(frame) = Velocity::along_street(&self.frame) else {
+            return event_in(&self.frame, DVec3::new(self.velocity.beta(), 0.0, 0.0), 1.0);
+        };
         let relative = self.velocity.seen_from(frame);
         let t = relative.speed.gamma() / self.velocity.speed.gamma();
         Event { x: relative.beta() * t, t }

@@ -3,8 +3,8 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Baseline, Disparity, Model, Observer, ObserverError, PairError, PublishedVariant, Source,
-    SourcePoint, Speed, Stereo, equidistance_time,
+    Aperture, Baseline, Disparity, Model, Observer, ObserverError, ObserverVelocity, PairError,
+    PublishedVariant, Source, SourcePoint, Speed, Stereo, equidistance_time,
 };
 use relativity_render::{Geometry, MaterialPoint, Motion, RelativeVelocity, Velocity};
 
@@ -103,26 +103,20 @@ impl Settings {
         }
     }
 
-    /// The velocity of the frame that the map is drawn in at `time`.
+    /// The velocity on the ground of the frame that the map is drawn in at `time`.
     #[must_use]
-    pub fn frame(&self, time: f64) -> Velocity {
+    pub fn frame(&self, time: f64) -> ObserverVelocity {
         match self.map.frame {
-            Frame::Ground => Velocity::REST,
-            Frame::Bicycle => Velocity::forward(self.speed()),
-            // The map is a plane along the street.
-            Frame::Rider if !self.ride.is_along_street() => Velocity::REST,
-            Frame::Rider => self.rider(time).along_street(),
+            Frame::Ground => ObserverVelocity::REST,
+            Frame::Bicycle => ObserverVelocity::along_street(self.speed()),
+            Frame::Rider => self.rider(time).observer().velocity,
         }
     }
 
-    /// The frame that the map is drawn in: that of the ground for that of a rider who rests.
+    /// The frame that the map is drawn in: that of the ground for that of eyes that do not ride.
     #[must_use]
     pub fn map_frame(&self) -> Frame {
-        if self.map.frame == Frame::Rider && !self.ride.has_bicycle() {
-            Frame::Ground
-        } else {
-            self.map.frame
-        }
+        if self.map.frame == Frame::Rider && !self.ride.is_on() { Frame::Ground } else { self.map.frame }
     }
 
     /// The worldline of `point` from the point between the eyes, reflected to move along +x.

@@ -1,7 +1,9 @@
 //! The numbers: what each eye receives of the selected point now, and how the two differ.
 
 use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, ScrollArea, Sense, Ui, vec2};
-use relativity_core::{Disparity, Model, ObserverError, Sighting, StereoError, doppler::received_wavelength};
+use relativity_core::{
+    Disparity, Model, ObserverError, ObserverVelocity, Sighting, StereoError, doppler::received_wavelength,
+};
 use relativity_render::{Velocity, colour};
 
 use super::Commands;
@@ -94,7 +96,7 @@ const RECKONED_TIP: &str = "What the clock at the point shows now, by my reckoni
 /// Shows beside the clock that is seen what that clock shows now, as whoever rides reckons.
 fn reckoned(ui: &mut Ui, state: &State, point: &Point) {
     let (settings, time) = (&state.document.settings, state.document.time);
-    let diagram = Diagram::new(settings, &point.track, time, Velocity::REST).ok();
+    let diagram = Diagram::new(settings, &point.track, time, ObserverVelocity::REST).ok();
     let shows = diagram.map_or(f64::NAN, |diagram| diagram.point.proper_time(diagram.other_now()));
     let unit = state.measures().time;
     ui.label(RichText::new(unit.label("τ now, reckoned")).weak()).on_hover_text(RECKONED_TIP);

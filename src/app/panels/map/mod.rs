@@ -8,7 +8,7 @@ mod space;
 mod spacetime;
 mod times;
 
-use eframe::egui::{Label, Rect, RichText, Ui, UiBuilder, vec2};
+use eframe::egui::{Rect, RichText, Ui, UiBuilder, vec2};
 
 use super::Commands;
 use crate::app::command::Command;
@@ -19,10 +19,6 @@ use crate::settings::{Face, Frame, Framing, meaning};
 
 /// Height of the strip.
 const STRIP_HEIGHT: f32 = 26.0;
-/// Space around the words in place of a map, points.
-const MARGIN: f32 = 8.0;
-
-const OFF_THE_STREET: &str = "The map lies along the street, and does not follow a ride that leads off it.";
 
 /// Shows the map with its controls.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -49,12 +45,6 @@ pub fn show_presented(ui: &mut Ui, state: &State, commands: &mut Commands) {
 }
 
 fn face(ui: &mut Ui, state: &State, below: Rect, commands: &mut Commands) {
-    let ride = &state.document.settings.ride;
-    if ride.is_on() && !ride.is_along_street() {
-        let said = Label::new(RichText::new(OFF_THE_STREET).weak()).wrap();
-        ui.scope_builder(UiBuilder::new().max_rect(below.shrink(MARGIN)), |ui| ui.add(said));
-        return;
-    }
     match state.document.settings.map.face {
         Face::Space => space::show(ui, state, below, commands),
         Face::Spacetime => spacetime::show(ui, state, below, commands),

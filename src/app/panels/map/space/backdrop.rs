@@ -2,6 +2,7 @@
 
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Ui, Vec2, pos2, vec2};
 use glam::DVec3;
+use relativity_core::Event;
 
 use super::sheet::Sheet;
 use crate::app::panels::map::axes::{self, Axis};
@@ -10,13 +11,17 @@ use crate::app::panels::map::labels::Labels;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{Instant, Projection, field_of_view};
-use crate::settings::{Frame, Motion};
+use crate::map::{Instant, Projection, StraightLine, StreetLine, field_of_view, street_lines, way_of_rider};
+use crate::settings::Frame;
 
 /// Size of the words.
 const WORDS_SIZE: f32 = theme::SMALL_SIZE;
 /// From the corner to the title, beside the symbol of the axis, points.
 const TITLE: Vec2 = vec2(44.0, 3.0);
+/// Least distance of a name of the street from the upper edge, points.
+const NAME_BELOW: f32 = 20.0;
+/// The name of a way is written where this part of it has gone by.
+const NAMED_AFTER: usize = 6;
 
 /// Draws the backdrop.
 pub(super) fn paint(
@@ -39,9 +44,10 @@ pub(super) fn paint(
         Projection::Side => "from the side",
     };
     words(sheet.room().min + theme::text_scale(ui.style()) * TITLE, Align2::LEFT_TOP, title, labels);
-    for (place, name) in street(ui, painter, state, sheet) {
+    for (place, name) in street(ui, painter, state, instant, sheet) {
         words(place, Align2::RIGHT_BOTTOM, name, labels);
     }
+    way(ui, painter, state, sheet, labels);
     abreast(ui, painter, state, instant, sheet, labels);
 }
 
@@ -64,10 +70,14 @@ fn write(
 /// Returns the axes of a chart. Both charts share x, whose numbers are below the lower one.
 fn axes_of(state: &State, projection: Projection) -> [Axis<'static>; 2] {
     let unit = state.measures().length;
-    let across = if state.document.settings.map_frame() == Frame::Ground { "x" } else { "x′" };
-    let up = match projection {
-        Projection::Plan => "y",
-        Projection::Side => "z",
+    let frame = state.document.settings.map_frame();
+    let across = if frame == Frame::Ground { "x" } else { "x′" };
+    let is_aslant = frame == Frame::Rider && !state.document.settings.ride.is_along_street();
+    let up = match (projection, is_aslant) {
+        (Projection::Plan, false) => "y",
+        (Projection::Plan, true) => "y′",
+        (Projection::Side, false) => "z",
+        (Projection::Side, true) => "z′",
     };
     [(across, projection == Projection::Side), (up, true)].map(|(symbol, is_written)| Axis {
         symbol,
@@ -77,24 +87,62 @@ fn axes_of(state: &State, projection: Projection) -> [Axis<'static>; 2] {
 }
 
 /// The kerbs and the house fronts from above, the ground from the side; what they are called, and where.
-fn street(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) -> Vec<(Pos2, &'static str)> {
-    let Motion { depth_shift, height_shift, .. } = state.document.settings.motion;
-    let scene = &state.document.scene;
-    let lines: Vec<(f64, &str)> = match sheet.projection {
-        Projection::Plan => {
-            let names = ["kerb", "kerb", "house fronts"];
-            scene.street.into_iter().flatten().map(|y| y + depth_shift).zip(names).collect()
-        }
-        Projection::Side => scene.ground_z.map(|z| (z + height_shift, "ground")).into_iter().collect(),
-    };
+fn street(
+    ui: &Ui,
+    painter: &Painter,
+    state: &State,
+    instant: &Instant,
+    sheet: &Sheet,
+) -> Vec<(Pos2, &'static str)> {
     let stroke = Stroke::new(1.5, ui.visuals().weak_text_color().gamma_multiply(0.7));
     let room = sheet.room();
-    let drawn = |(up, name): (f64, &'static str)| {
-        let y = canvas::place(&sheet.chart, [sheet.chart.center[0], up]).y;
-        painter.hline(room.x_range(), y, stroke);
-        (pos2(room.max.x - 5.0, y - 1.0), name)
+    let drawn = |([from, to], name): StreetLine| {
+        if from[1] == to[1] {
+            let y = canvas::place(&sheet.chart, [sheet.chart.center[0], from[1]]).y;
+            painter.hline(room.x_range(), y, stroke);
+            return Some((pos2(room.max.x - 5.0, y - 1.0), name));
+        }
+        let ends = across_chart(sheet, [from, to])?;
+        painter.line_segment(ends, stroke);
+        let right = if ends[0].x < ends[1].x { ends[1] } else { ends[0] };
+        Some((pos2(right.x - 5.0, (right.y - 1.0).clamp(room.min.y + NAME_BELOW, room.max.y - 3.0)), name))
     };
-    lines.into_iter().map(drawn).collect()
+    let lines = street_lines(instant, &state.document.scene, sheet.projection);
+    lines.into_iter().filter_map(drawn).collect()
+}
+
+/// The part of the straight line through two places that the chart shows, on screen.
+fn across_chart(sheet: &Sheet, [from, to]: [[f64; 2]; 2]) -> Option<[Pos2; 2]> {
+    let event = |[x, t]: [f64; 2]| Event { x, t };
+    let step = Event { x: to[0] - from[0], t: to[1] - from[1] };
+    let [[left, right], [low, high]] = sheet.chart.range();
+    let ends =
+        StraightLine { through: event(from), step }.within(event([left, low]), event([right, high]))?;
+    Some(ends.map(|Event { x, t }| canvas::place(&sheet.chart, [x, t])))
+}
+
+/// A place on a line in the first part of it, away from the eyes.
+fn part_way(places: &[Pos2]) -> Option<Pos2> {
+    let piece = places.len() / NAMED_AFTER;
+    let ends = places.get(piece).zip(places.get(piece + 1));
+    ends.map(|(from, to)| from.lerp(*to, 1.0 / NAMED_AFTER as f32))
+}
+
+/// The way of whoever does not ride along the street, and its name.
+fn way(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet, labels: &mut Labels) {
+    let (settings, time) = (&state.document.settings, state.document.time);
+    let way = way_of_rider(settings, time, state.time_range());
+    let colour = ui.visuals().text_color().gamma_multiply(0.5);
+    let mut named = None;
+    sheet.chart.clipped(way.iter().map(|place| sheet.projection.flat(*place)), 0.0, |run| {
+        let places: Vec<Pos2> = run.iter().map(|&[x, y]| pos2(x as f32, y as f32)).collect();
+        labels.avoid(&places);
+        named = named.or(part_way(&places));
+        painter.line(places, Stroke::new(1.0, colour));
+    });
+    if let Some(place) = named {
+        labels.write(painter, (place, 2.0), "my way", theme::scaled_font(ui.style(), WORDS_SIZE), colour);
+    }
 }
 
 /// Draws the field of view of each eye. In a frame in which the eyes move it is another angle; it is left out there.
@@ -119,15 +167,18 @@ fn fields_of_view(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, 
     }
 }
 
-/// The line that is beside the eyes: x = 0 on the ground.
+/// The line that is beside the eyes: x = 0 on the ground. None of who does not ride along the street.
 fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet, labels: &mut Labels) {
-    let [left, right] = instant.eyes();
-    let x = place(sheet, 0.5 * (left + right)).x;
+    let ride = &state.document.settings.ride;
+    if ride.is_on() && !ride.is_along_street() {
+        return;
+    }
+    let x = place(sheet, instant.middle()).x;
     let room = sheet.room();
     let colour = ui.visuals().text_color().gamma_multiply(0.7);
     dashed(painter, [pos2(x, room.min.y), pos2(x, room.max.y)], colour);
     if sheet.projection == Projection::Plan {
-        let text = if instant.frame() == Frame::Ground && !state.document.settings.ride.is_on() {
+        let text = if instant.frame() == Frame::Ground && !ride.is_on() {
             "abreast: x = 0"
         } else {
             "abreast of the eyes"

@@ -14,7 +14,7 @@ use crate::app::panels::map::times::{labelled, times};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{Front, PointWorldline, Projection, Ray, along, fronts, rays};
+use crate::map::{Front, PointWorldline, Projection, Ray, along, event_in, fronts, rays};
 use crate::plot::round_step;
 use crate::quantity::Quantity;
 use crate::settings::Frame;
@@ -43,6 +43,8 @@ pub(super) struct Light<'a> {
     rays: [Ray; 2],
     /// The present by the clocks of the frame that is drawn.
     now: f64,
+    /// The middle between the eyes on the ground.
+    here: DVec3,
 }
 
 impl<'a> Light<'a> {
@@ -53,12 +55,14 @@ impl<'a> Light<'a> {
         if settings.map_frame() == Frame::Rider {
             return None;
         }
-        let rider = settings.rider(time);
+        let observer = settings.rider(time).observer();
+        let here = observer.place.into();
         Some(Self {
             sheet,
             worldline: PointWorldline::new(settings, &track, frame),
             rays: rays(settings, &track, time, frame).ok()?,
-            now: rider.event().in_frame(frame).t,
+            now: event_in(&frame, here, observer.time).t,
+            here,
         })
     }
 
@@ -164,8 +168,8 @@ impl<'a> Light<'a> {
     fn circle(&self, front: &Front) -> Option<(Pos2, f32)> {
         let [y, z] = front.across;
         let from_plane = match self.sheet.projection {
-            Projection::Plan => z,
-            Projection::Side => y,
+            Projection::Plan => z - self.here.z,
+            Projection::Side => y - self.here.y,
         };
         let radius = front.radius_in_plane(from_plane.abs())?;
         Some((self.place(front.left, [y, z]), (radius * self.sheet.chart.scale) as f32))

@@ -10,6 +10,7 @@ mod pointer;
 mod sheet;
 
 use eframe::egui::{Rect, Ui};
+use glam::DVec3;
 
 use self::light::Light;
 use self::sheet::Sheet;
@@ -17,7 +18,7 @@ use super::canvas;
 use super::labels::Labels;
 use crate::app::panels::Commands;
 use crate::app::state::State;
-use crate::map::{Chart, Extent, Instant, Lines, Projection, plan_and_side};
+use crate::map::{Chart, Extent, Instant, Lines, Picture, Projection, plan_and_side};
 use crate::settings::Framing;
 
 /// Shows it in `rect`.
@@ -53,11 +54,18 @@ fn charts(state: &State, instant: &Instant, rect: Rect) -> [Chart; 2] {
         Framing::Passage => None,
     };
     let extent = close_up.unwrap_or_else(|| {
-        let (settings, [left, right]) = (&state.document.settings, instant.eyes());
-        if settings.ride.is_on() {
-            Extent::of_ride(settings, scene, 0.5 * (left.x + right.x))
-        } else {
+        let (settings, here) = (&state.document.settings, instant.middle());
+        if !settings.ride.is_on() {
             Extent::of_space(settings, scene)
+        } else if settings.ride.is_along_street() {
+            Extent::of_ride(settings, scene, here.x)
+        } else {
+            let velocity = instant.observer().velocity;
+            let beta = velocity.speed().beta() * DVec3::from(velocity.direction());
+            let point = &state.document.points.selected().track;
+            let pictures = [Picture::Measured, Picture::Seen(0), Picture::Seen(1)];
+            let seen = pictures.into_iter().filter_map(|picture| instant.place(point, picture));
+            Extent::of_ride_aslant(here, beta, seen)
         }
     });
     let area = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(f64::from);

@@ -106,7 +106,7 @@ fn times(state: &State, picture: Picture, track: &Track) -> Vec<String> {
         (Picture::Measured, Frame::Rider) => vec![time("now, by my clock", now)],
         // On board all clocks agree.
         (Picture::Measured, Frame::Bicycle) => {
-            vec![time(Quantity::ProperTime.row().name, frame.speed.gamma() * now)]
+            vec![time(Quantity::ProperTime.row().name, frame.speed().gamma() * now)]
         }
         // From two events, each with times of its own.
         (Picture::Stereo, _) => vec![time(state.clock().received.name, now)],

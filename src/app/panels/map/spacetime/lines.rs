@@ -2,12 +2,13 @@
 
 use eframe::egui::{Color32, Pos2, Shape, Stroke, TextStyle};
 use relativity_core::Event;
+use relativity_render::Velocity;
 
 use super::sheet::{NEAR, Sheet};
 use crate::app::panels::map::labels::Labels;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{Diagram, Ray, StraightLine, worldline_of_eye};
+use crate::map::{Cone, Diagram, Ray, StraightLine, worldline_of_eye};
 use crate::quantity::Quantity;
 use crate::settings::Frame;
 
@@ -65,14 +66,15 @@ fn nows(sheet: &Sheet<'_>, labels: &mut Labels) {
 
 /// Returns the number of presents: one where both frames are the same.
 fn number_of_nows(sheet: &Sheet<'_>) -> usize {
-    if sheet.diagram.other.beta() == 0.0 { 1 } else { 2 }
+    if sheet.diagram.other.is_rest() { 1 } else { 2 }
 }
 
 /// The colours of what is at one time on the ground, and in the scene's frame: the latter in the colour of the point where
 /// it rests there.
 pub fn now_colours(sheet: &Sheet<'_>) -> [Color32; 2] {
     let measured = theme::measured_colour(sheet.ui.visuals());
-    let moves_with_scene = sheet.diagram.point.velocity() == sheet.diagram.other;
+    let moves_with_scene =
+        Velocity::along_street(&sheet.diagram.other) == Some(sheet.diagram.point.velocity());
     let scene =
         if moves_with_scene { point_colour(sheet).gamma_multiply(0.8) } else { measured.gamma_multiply(0.4) };
     [measured.gamma_multiply(0.55), scene]
@@ -85,8 +87,9 @@ fn point_colour(sheet: &Sheet<'_>) -> Color32 {
 /// The past light cones in the plane of the point, and light that runs along x.
 fn cones(sheet: &Sheet<'_>, labels: &mut Labels) {
     let [low, high] = sheet.corners();
-    paint_past(sheet);
-    for (eye, cone) in Eye::BOTH.into_iter().zip(sheet.diagram.cones()) {
+    let Some(cones) = sheet.diagram.cones() else { return };
+    paint_past(sheet, &cones[0]);
+    for (eye, cone) in Eye::BOTH.into_iter().zip(cones) {
         let colour = theme::eye_colour(eye, sheet.ui.visuals());
         for line in cone.asymptotes() {
             let past = Event { x: -1e-9 * line.step.x, t: -1e-9 };
@@ -104,9 +107,8 @@ fn cones(sheet: &Sheet<'_>, labels: &mut Labels) {
 }
 
 /// Tints all from where light has arrived by now.
-fn paint_past(sheet: &Sheet<'_>) {
+fn paint_past(sheet: &Sheet<'_>, cone: &Cone) {
     let [low, high] = sheet.corners();
-    let cone = sheet.diagram.cones()[0];
     let Some([left, right]) = cone.later_than(low.t) else { return };
     let [left, right] = [left.clamp(low.x, high.x), right.clamp(low.x, high.x)];
     let mut outline: Vec<Pos2> =
@@ -131,7 +133,7 @@ fn eyes(sheet: &Sheet<'_>, labels: &mut Labels) {
 fn riding_eyes(sheet: &Sheet<'_>, labels: &mut Labels) {
     let (settings, range) = (&sheet.state.document.settings, sheet.state.time_range());
     for eye in Eye::BOTH {
-        let events = worldline_of_eye(settings, sheet.diagram.frame, eye.index(), range);
+        let events = worldline_of_eye(settings, &sheet.diagram.frame, eye.index(), range);
         let places: Vec<Pos2> = events.into_iter().map(|event| sheet.place(event)).collect();
         labels.avoid(&places);
         sheet.painter.line(places, Stroke::new(1.5, theme::eye_colour(eye, sheet.ui.visuals())));
@@ -273,7 +275,7 @@ fn name_eyes(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
 fn name_light(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
     let colour = sheet.ui.visuals().weak_text_color();
     let [low, high] = sheet.corners();
-    let [_, cone] = sheet.diagram.cones();
+    let Some([_, cone]) = sheet.diagram.cones() else { return };
     let at = |part: f64| low.t + part * (high.t - low.t);
     if let Some([left, right]) = cone.later_than(at(0.12)) {
         let x = if right < high.x { right } else { left };
@@ -289,19 +291,9 @@ fn name_light(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
 /// Describes the line under the pointer, if it is no worldline.
 pub fn hover_text(sheet: &Sheet<'_>, pointer: Pos2) -> Option<String> {
     let near = |line: StraightLine| sheet.nearest(line, pointer).1 < NEAR;
-    let world = sheet.chart.world([pointer.x, pointer.y].map(f64::from));
-    let [cone, _] = sheet.diagram.cones();
-    let off = sheet.place(Event { x: world[0], t: cone.time(world[0]) }).y - pointer.y;
-    if off.abs() < NEAR {
-        let distance = sheet.state.measures().length.text(cone.distance, 2);
-        return Some(format!(
-            "Past light cone: light that leaves here, {distance} beside the line of the eyes, arrives now.\n\
-             Far away it runs along x, at 45 degrees: one unit of length in one of time. Near the eyes it takes its \
-             time across."
-        ));
-    }
-    if cone.asymptotes().into_iter().any(near) && world[1] < cone.apex.t {
-        return Some("Light that runs along x at 45 degrees, and arrives now.".to_owned());
+    let light = sheet.diagram.cones().and_then(|[cone, _]| light_text(sheet, &cone, pointer));
+    if light.is_some() {
+        return light;
     }
     let [ground, other] = sheet.diagram.nows();
     let told = |clocks: String| {
@@ -311,4 +303,21 @@ pub fn hover_text(sheet: &Sheet<'_>, pointer: Pos2) -> Option<String> {
         .into_iter()
         .find(|(line, _)| near(*line));
     named.map(|(_, clocks)| told(clocks))
+}
+
+/// Describes the light under the pointer.
+fn light_text(sheet: &Sheet<'_>, cone: &Cone, pointer: Pos2) -> Option<String> {
+    let world = sheet.chart.world([pointer.x, pointer.y].map(f64::from));
+    let near = |line: StraightLine| sheet.nearest(line, pointer).1 < NEAR;
+    let off = sheet.place(Event { x: world[0], t: cone.time(world[0]) }).y - pointer.y;
+    if off.abs() < NEAR {
+        let distance = sheet.state.measures().length.text(cone.distance, 2);
+        return Some(format!(
+            "Past light cone: light that leaves here, {distance} beside the line of the eyes, arrives now.\n\
+             Far away it runs along x, at 45 degrees: one unit of length in one of time. Near the eyes it takes its \
+             time across."
+        ));
+    }
+    let runs_along_x = cone.asymptotes().into_iter().any(near) && world[1] < cone.apex.t;
+    runs_along_x.then(|| "Light that runs along x at 45 degrees, and arrives now.".to_owned())
 }

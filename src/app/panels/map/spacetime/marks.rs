@@ -38,7 +38,7 @@ pub fn all(sheet: &Sheet<'_>) -> Vec<Mark> {
     let eyes = Eye::BOTH.into_iter().zip(diagram.rays).zip(labels);
     let mut marks: Vec<Mark> =
         eyes.flat_map(|((eye, ray), label)| of_light(sheet, eye, &ray, label)).collect();
-    if diagram.other.beta() != 0.0 {
+    if !diagram.other.is_rest() {
         let colour = lines::now_colours(sheet)[1];
         let name = format!("now on {} clocks", lines::whose(sheet));
         let mark = of_point(sheet, diagram.other_now(), &name, "", colour);

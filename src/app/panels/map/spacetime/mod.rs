@@ -11,8 +11,7 @@ use std::sync::Arc;
 use eframe::egui::{
     Align2, CursorIcon, Galley, Pos2, Rect, Response, Sense, TextStyle, Ui, Vec2, accesskit::Role, vec2,
 };
-use relativity_core::Event;
-use relativity_render::Velocity;
+use relativity_core::{Event, ObserverVelocity};
 
 use self::sheet::{HANDLE, NEAR, Sheet};
 use super::axes::{self, Axis};
@@ -60,7 +59,7 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, commands: &mut Commands) {
 }
 
 /// The followed points beside the selected one, with their diagrams at `time` in `frame`.
-fn others(state: &State, time: f64, frame: Velocity) -> Vec<(&Point, Diagram)> {
+fn others(state: &State, time: f64, frame: ObserverVelocity) -> Vec<(&Point, Diagram)> {
     let points = &state.document.points;
     let others = points.all().iter().enumerate().filter(|(index, _)| *index != points.selected_index());
     let diagram = |point: &Point| Diagram::new(&state.document.settings, &point.track, time, frame).ok();
@@ -87,6 +86,15 @@ fn axes_of(state: &State) -> [Axis<'static>; 2] {
     [(x, measures.length), (t, measures.time)].map(|(symbol, unit)| Axis { symbol, unit, is_written: true })
 }
 
+/// What is drawn otherwise, or not, where whoever rides does not move along the street.
+fn aslant_words(diagram: &Diagram) -> Option<String> {
+    let words = match diagram.cones() {
+        Some(_) => "now, mine is drawn where the point is, beside me",
+        None => "no light cone: by my rulers the point moves aside, too",
+    };
+    diagram.is_aslant().then(|| words.to_owned())
+}
+
 /// In whose frame it is drawn, in the corner beside the name of the axis.
 struct Title {
     rect: Rect,
@@ -100,7 +108,8 @@ impl Title {
             Frame::Bicycle => &format!("on the {}'s", sheet.state.document.scene.rider),
             Frame::Rider => "on my own",
         };
-        let text = format!("{whose} clocks and rulers");
+        let text = [format!("{whose} clocks and rulers")].into_iter().chain(aslant_words(&sheet.diagram));
+        let text = text.collect::<Vec<_>>().join("\n");
         let font = TextStyle::Small.resolve(sheet.ui.style());
         let galley = sheet.painter.layout_no_wrap(text, font, sheet.ui.visuals().text_color());
         Self { rect: Align2::LEFT_TOP.anchor_size(sheet.room().min + TITLE, galley.size()), galley }

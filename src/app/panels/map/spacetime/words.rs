@@ -6,7 +6,7 @@ use super::sheet::Sheet;
 use crate::app::panels::map::times::times;
 use crate::caption::capitalised;
 use crate::eye::Eye;
-use crate::map::{Diagram, Ray};
+use crate::map::{Diagram, Ray, event_in};
 use crate::settings::Frame;
 
 /// Decimals of a length or a time in the scene's unit.
@@ -43,8 +43,8 @@ pub fn of_ray(sheet: &Sheet<'_>, eye: Eye, ray: &Ray) -> String {
 
 /// Describes the eyes at T = `received`.
 pub fn of_eyes(sheet: &Sheet<'_>, received: f64) -> String {
-    let rider = sheet.state.document.settings.rider(received);
-    let event = rider.event().in_frame(sheet.diagram.frame);
+    let observer = sheet.state.document.settings.rider(received).observer();
+    let event = event_in(&sheet.diagram.frame, observer.place.into(), observer.time);
     format!(
         "Both eyes receive light\n{}\nreceived T = {}\nDrag it, or click on the line, to change T.",
         place(sheet, event),
