@@ -203,10 +203,9 @@ impl State {
             place,
         ];
         let odometers = ride.odometers(self.document.time).map(|Odometers { by_wheel, by_lamps, .. }| {
-            [(by_wheel, "wheel"), (by_lamps, "lamps")]
-                .map(|(way, counted)| format!("ridden {} by {counted}", length.text(way, 2)))
+            let [by_wheel, by_lamps] = [by_wheel, by_lamps].map(|way| length.text(way, 2));
+            format!("{by_wheel} by wheel, {by_lamps} by lamps")
         });
-        let odometers = odometers.into_iter().flatten();
         Some(lines.into_iter().chain(odometers).chain(keys.map(|line| (*line).to_owned())).collect())
     }
 }
