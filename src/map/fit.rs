@@ -24,12 +24,12 @@ const MARGIN: f64 = 0.7;
 /// Part of the street around who rides, behind and ahead, units.
 const AROUND_RIDER: [f64; 2] = [-8.0, 16.0];
 /// Half the part of the world around who does not ride along the street, units, and how far it is shifted at the speed of light.
-const AROUND_ASLANT: [f64; 3] = [6.0, 6.0, 2.0];
+const AROUND_ASLANT: [f64; 3] = [6.0, 6.0, 3.0];
 const AHEAD_ASLANT: f64 = 4.0;
 /// What such a rider sees is fitted up to this distance.
 const FURTHEST: f64 = 120.0;
-/// Least height of the view from the side, of that of the plan.
-const LEAST_SIDE: f64 = 0.25;
+/// Least height of the plan and of the view from the side, of that of the other.
+const LEAST_SHARE: f64 = 0.25;
 /// Space between the plan and the view from the side, points.
 const BETWEEN: f64 = 10.0;
 
@@ -72,7 +72,8 @@ impl Extent {
         let (low, high) = within.fold(around, |(low, high), place| {
             (low.min(place - DVec3::splat(MARGIN)), high.max(place + DVec3::splat(MARGIN)))
         });
-        let lacks = DVec3::Z * 0.5 * (LEAST_SIDE * (high.y - low.y) - (high.z - low.z)).max(0.0);
+        let size = high - low;
+        let lacks = (0.5 * (LEAST_SHARE * DVec3::new(0.0, size.z, size.y) - size)).max(DVec3::ZERO);
         let (low, high) = (low - lacks, high + lacks);
         Self([0, 1, 2].map(|axis| [low[axis], high[axis]]))
     }

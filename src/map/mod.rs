@@ -38,6 +38,6 @@ pub use outline::strokes;
 pub use projection::Projection;
 pub use sight::field_of_view;
 pub use straight_line::StraightLine;
-pub use street::{StreetLine, street_lines, way_of_rider};
+pub use street::{street_lines, way_of_rider};
 pub use ticks::ticks;
 pub use worldline::PointWorldline;

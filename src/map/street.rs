@@ -15,7 +15,7 @@ const STEP: f64 = 10.0;
 const PIECES: i32 = 128;
 
 /// A straight line of the street on a chart: two places on it, right and up, and its name.
-pub type StreetLine = ([[f64; 2]; 2], &'static str);
+type StreetLine = ([[f64; 2]; 2], &'static str);
 
 /// Returns the kerbs and the foot of the house fronts from above, and the ground from the side, as `instant` measures them: of a ground
 /// that leans towards the eyes or away from them, where it is straight below them.

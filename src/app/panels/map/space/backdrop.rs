@@ -11,15 +11,15 @@ use crate::app::panels::map::labels::Labels;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{Instant, Projection, StraightLine, StreetLine, field_of_view, street_lines, way_of_rider};
+use crate::map::{Instant, Projection, StraightLine, field_of_view, street_lines, way_of_rider};
 use crate::settings::Frame;
 
 /// Size of the words.
 const WORDS_SIZE: f32 = theme::SMALL_SIZE;
 /// From the corner to the title, beside the symbol of the axis, points.
 const TITLE: Vec2 = vec2(44.0, 3.0);
-/// Least distance of a name of the street from the upper edge, points.
-const NAME_BELOW: f32 = 20.0;
+/// Where on a line of the street that is not level its name is, of its length.
+const NAMED_AT: f32 = 0.85;
 /// The name of a way is written where this part of it has gone by.
 const NAMED_AFTER: usize = 6;
 
@@ -35,18 +35,14 @@ pub(super) fn paint(
     painter.rect_filled(sheet.room(), 0.0, ui.visuals().extreme_bg_color);
     fields_of_view(ui, painter, state, instant, sheet);
     axes::paint(ui, painter, &sheet.chart, axes_of(state, sheet.projection), labels);
-    let words = |place, align, text: &str, labels: &mut Labels| {
-        let font = theme::scaled_font(ui.style(), WORDS_SIZE);
-        write(painter, place, align, (text, font, ui.visuals().weak_text_color()), labels);
-    };
     let title = match sheet.projection {
         Projection::Plan => "from above",
         Projection::Side => "from the side",
     };
-    words(sheet.room().min + theme::text_scale(ui.style()) * TITLE, Align2::LEFT_TOP, title, labels);
-    for (place, name) in street(ui, painter, state, instant, sheet) {
-        words(place, Align2::RIGHT_BOTTOM, name, labels);
-    }
+    let place = sheet.room().min + theme::text_scale(ui.style()) * TITLE;
+    let words = (title, theme::scaled_font(ui.style(), WORDS_SIZE), ui.visuals().weak_text_color());
+    write(painter, place, Align2::LEFT_TOP, words, labels);
+    street(ui, painter, state, instant, sheet, labels);
     way(ui, painter, state, sheet, labels);
     abreast(ui, painter, state, instant, sheet, labels);
 }
@@ -86,29 +82,26 @@ fn axes_of(state: &State, projection: Projection) -> [Axis<'static>; 2] {
     })
 }
 
-/// The kerbs and the house fronts from above, the ground from the side; what they are called, and where.
-fn street(
-    ui: &Ui,
-    painter: &Painter,
-    state: &State,
-    instant: &Instant,
-    sheet: &Sheet,
-) -> Vec<(Pos2, &'static str)> {
+/// The kerbs and the house fronts from above, the ground from the side, and their names.
+fn street(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet, labels: &mut Labels) {
+    let (font, colour) = (theme::scaled_font(ui.style(), WORDS_SIZE), ui.visuals().weak_text_color());
     let stroke = Stroke::new(1.5, ui.visuals().weak_text_color().gamma_multiply(0.7));
     let room = sheet.room();
-    let drawn = |([from, to], name): StreetLine| {
+    let mut level = Vec::new();
+    for ([from, to], name) in street_lines(instant, &state.document.scene, sheet.projection) {
         if from[1] == to[1] {
             let y = canvas::place(&sheet.chart, [sheet.chart.center[0], from[1]]).y;
             painter.hline(room.x_range(), y, stroke);
-            return Some((pos2(room.max.x - 5.0, y - 1.0), name));
+            level.push((pos2(room.max.x - 5.0, y - 1.0), name));
+        } else if let Some(ends) = across_chart(sheet, [from, to]) {
+            painter.line_segment(ends, stroke);
+            labels.avoid(&ends);
+            labels.write(painter, (ends[0].lerp(ends[1], NAMED_AT), 1.0), name, font.clone(), colour);
         }
-        let ends = across_chart(sheet, [from, to])?;
-        painter.line_segment(ends, stroke);
-        let right = if ends[0].x < ends[1].x { ends[1] } else { ends[0] };
-        Some((pos2(right.x - 5.0, (right.y - 1.0).clamp(room.min.y + NAME_BELOW, room.max.y - 3.0)), name))
-    };
-    let lines = street_lines(instant, &state.document.scene, sheet.projection);
-    lines.into_iter().filter_map(drawn).collect()
+    }
+    for (place, name) in level {
+        write(painter, place, Align2::RIGHT_BOTTOM, (name, font.clone(), colour), labels);
+    }
 }
 
 /// The part of the straight line through two places that the chart shows, on screen.
