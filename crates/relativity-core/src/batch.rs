@@ -111,8 +111,10 @@ pub fn sightings_of_points<F: Real>(
     let SightingColumns { apparent_x, retarded_time, doppler_factor } = out;
     let origin = SourcePoint { x0: 0.0, y: 0.0, z: 0.0 };
     check_common::<F>(speed, origin, &[aperture], observation_time.into())?;
-    let view =
-        View { coefficients: speed.coefficients(), aperture: rounded([aperture.x, aperture.y, aperture.z]) };
+    let view = PointBatch {
+        coefficients: speed.coefficients(),
+        aperture: rounded([aperture.x, aperture.y, aperture.z]),
+    };
     let is_inside = match threads {
         Threads::One => (x0.chunks(CHUNK).zip(y.chunks(CHUNK)).zip(z.chunks(CHUNK)))
             .zip(
@@ -156,8 +158,10 @@ pub fn sightings_over_time<F: Real>(
     out.check_lengths(times.len())?;
     let SightingColumns { apparent_x, retarded_time, doppler_factor } = out;
     check_common::<F>(speed, point, &[aperture], 0.0)?;
-    let view =
-        View { coefficients: speed.coefficients(), aperture: rounded([aperture.x, aperture.y, aperture.z]) };
+    let view = PointBatch {
+        coefficients: speed.coefficients(),
+        aperture: rounded([aperture.x, aperture.y, aperture.z]),
+    };
     let point = rounded([point.x0, point.y, point.z]);
     let is_inside = match threads {
         Threads::One => (times.chunks(CHUNK).zip(apparent_x.chunks_mut(CHUNK)))
@@ -207,12 +211,12 @@ pub fn disparities_over_time<F: Real>(
 }
 
 /// A speed and an aperture in the precision of a batch.
-struct View<F> {
+struct PointBatch<F> {
     coefficients: Coefficients<F>,
     aperture: [F; 3],
 }
 
-impl<F: Real> View<F> {
+impl<F: Real> PointBatch<F> {
     /// Fills the columns `[apparent_x, retarded_time, doppler_factor]`; whether all points are inside the domain.
     fn points(&self, time: F, inputs: [&[F]; 3], outputs: [&mut [F]; 3]) -> bool {
         pulp::Arch::new().dispatch(

@@ -57,7 +57,7 @@ pub fn wheel_sightings_over_time<F: Real>(
     if let Some(&value) = lengths.iter().find(|value| value.abs() > F::MAX_COORDINATE.into()) {
         return Err(BatchError::Single(value));
     }
-    let view = View::new(speed, point, aperture);
+    let view = WheelBatch::new(speed, point, aperture);
     let is_inside = match threads {
         Threads::One => view.fill(times, [apparent_x, retarded_time, doppler_factor]),
         Threads::All => (
@@ -73,7 +73,7 @@ pub fn wheel_sightings_over_time<F: Real>(
 }
 
 /// A point of a wheel before an aperture, in the precision of a batch.
-struct View<F> {
+struct WheelBatch<F> {
     coefficients: Coefficients<F>,
     circle: Circle<F>,
     x0: F,
@@ -82,7 +82,7 @@ struct View<F> {
     from: [F; 3],
 }
 
-impl<F: Real> View<F> {
+impl<F: Real> WheelBatch<F> {
     fn new(speed: &Speed, point: &WheelPoint, aperture: Aperture) -> Self {
         let [x0, y, z] = rounded([point.hub.x0, point.hub.y, point.hub.z]);
         let [ax, ay, az] = rounded([aperture.x, aperture.y, aperture.z]);
