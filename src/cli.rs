@@ -157,7 +157,7 @@ mod tests {
         assert_eq!(sentence.matches('`').count() % 2, 0, "{place}: {text}");
     }
 
-    fn assert_flags_finished(command: &HeadlessCommand) {
+    fn assert_flags_finished(command: &Command) {
         let about = [command.get_about(), command.get_long_about()];
         about.into_iter().flatten().for_each(|text| assert_finished(command.get_name(), &text.to_string()));
         for flag in command.get_arguments() {
