@@ -17,7 +17,7 @@ use crate::commands;
 #[command(version, before_help = EXAMPLES, after_help = CONVENTIONS, args_conflicts_with_subcommands = true)]
 pub struct Cli {
     #[command(subcommand)]
-    command: Option<Command>,
+    command: Option<HeadlessCommand>,
     #[command(flatten)]
     window: WindowArgs,
 }
@@ -38,7 +38,7 @@ The eyes rest at x = -d/2 (left) and x = +d/2 (right).
 
 /// A headless command.
 #[derive(Debug, Subcommand)]
-enum Command {
+enum HeadlessCommand {
     Eval(commands::eval::EvalArgs),
     Curve(commands::curve::CurveArgs),
     Fit(commands::fit::FitArgs),
@@ -61,15 +61,15 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
             None => commands::lesson::list::list(&cli.window.library()?),
         },
         None => app::launch::launch(&cli.window),
-        Some(Command::Eval(args)) => commands::eval::run(&args),
-        Some(Command::Curve(args)) => commands::curve::run(&args),
-        Some(Command::Fit(args)) => commands::fit::run(&args),
-        Some(Command::Lesson(args)) => commands::lesson::run(&args),
-        Some(Command::Measure(args)) => commands::measure::run(&args),
-        Some(Command::Paper(args)) => commands::paper::run(&args),
-        Some(Command::Rectify(args)) => commands::rectify::run(&args),
-        Some(Command::Render(args)) => commands::render::run(&args),
-        Some(Command::Accuracy(args)) => commands::accuracy::run(&args),
+        Some(HeadlessCommand::Eval(args)) => commands::eval::run(&args),
+        Some(HeadlessCommand::Curve(args)) => commands::curve::run(&args),
+        Some(HeadlessCommand::Fit(args)) => commands::fit::run(&args),
+        Some(HeadlessCommand::Lesson(args)) => commands::lesson::run(&args),
+        Some(HeadlessCommand::Measure(args)) => commands::measure::run(&args),
+        Some(HeadlessCommand::Paper(args)) => commands::paper::run(&args),
+        Some(HeadlessCommand::Rectify(args)) => commands::rectify::run(&args),
+        Some(HeadlessCommand::Render(args)) => commands::render::run(&args),
+        Some(HeadlessCommand::Accuracy(args)) => commands::accuracy::run(&args),
     }
 }
 
@@ -119,14 +119,16 @@ impl Cli {
     const fn draws_without_a_window(&self) -> bool {
         match self.command {
             None => self.window.screenshot.is_some(),
-            Some(Command::Paper(_) | Command::Render(_) | Command::Accuracy(_)) => true,
+            Some(HeadlessCommand::Paper(_) | HeadlessCommand::Render(_) | HeadlessCommand::Accuracy(_)) => {
+                true
+            }
             Some(
-                Command::Eval(_)
-                | Command::Curve(_)
-                | Command::Fit(_)
-                | Command::Lesson(_)
-                | Command::Measure(_)
-                | Command::Rectify(_),
+                HeadlessCommand::Eval(_)
+                | HeadlessCommand::Curve(_)
+                | HeadlessCommand::Fit(_)
+                | HeadlessCommand::Lesson(_)
+                | HeadlessCommand::Measure(_)
+                | HeadlessCommand::Rectify(_),
             ) => false,
         }
     }

@@ -89,7 +89,7 @@ pub fn formula_error(
 ) -> Result<FormulaError, BatchError> {
     let speed = &rounded_down(speed);
     let time = place.observation_time(speed, SourcePoint::from_rest(tracked, speed));
-    let batch = Batch {
+    let batch = FormulaBatch {
         speed: *speed,
         points: points(tracked, speed),
         aperture_x: f64::from(aperture_x as f32),
@@ -126,23 +126,23 @@ fn points(tracked: [f64; 3], speed: &Speed) -> [Vec<f64>; 3] {
 }
 
 /// Apparent X and Doppler factor of every point.
-struct Seen {
+struct SeenPoints {
     apparent_x: Vec<f64>,
     doppler_factor: Vec<f64>,
 }
 
-struct Batch {
+struct FormulaBatch {
     speed: Speed,
     points: [Vec<f64>; 3],
     aperture_x: f64,
     time: f64,
 }
 
-impl Batch {
-    fn stable<F: Precision>(&self) -> Result<(Seen, f64), BatchError> {
+impl FormulaBatch {
+    fn stable<F: Precision>(&self) -> Result<(SeenPoints, f64), BatchError> {
         let [x0, y, z] = &self.columns::<F>();
         let aperture = Aperture { x: self.aperture_x, ..Aperture::default() };
-        let mut out = Columns::new();
+        let mut out = OutputColumns::new();
         let mut result = Ok(());
         let point_ns = point_ns(|| {
             let points = PointColumns { x0, y, z };
@@ -153,10 +153,10 @@ impl Batch {
         result.map(|()| (out.seen(), point_ns))
     }
 
-    fn naive<F: Precision>(&self) -> (Seen, f64) {
+    fn naive<F: Precision>(&self) -> (SeenPoints, f64) {
         let columns = &self.columns::<F>();
         let [beta, time, aperture_x] = [self.speed.beta(), self.time, self.aperture_x].map(F::rounded);
-        let mut out = Columns::new();
+        let mut out = OutputColumns::new();
         let point_ns = point_ns(|| {
             let outputs = out.0.each_mut().map(Vec::as_mut_slice);
             pulp::Arch::new().dispatch(
@@ -172,9 +172,9 @@ impl Batch {
         self.points.each_ref().map(|column| column.iter().map(|&v| F::rounded(v)).collect())
     }
 
-    fn error(&self, truth: &Seen, seen: &Seen, point_ns: f64) -> FormulaError {
+    fn error(&self, truth: &SeenPoints, seen: &SeenPoints, point_ns: f64) -> FormulaError {
         let [_, y, z] = &self.points;
-        let direction = |seen: &Seen, i: usize| DVec3::new(seen.apparent_x[i], y[i], z[i]);
+        let direction = |seen: &SeenPoints, i: usize| DVec3::new(seen.apparent_x[i], y[i], z[i]);
         // Where a form breaks down altogether (0/0), its line of sight is as wrong as can be.
         let or_worst = |error: f64, worst: f64| if error.is_finite() { error } else { worst };
         let sight = |i| or_worst(ARCSECONDS * angle(direction(truth, i), direction(seen, i)), 180.0 * 3600.0);
@@ -206,9 +206,9 @@ impl Precision for f64 {
 }
 
 /// Output columns: apparent X, retarded time, Doppler factor.
-struct Columns<F>([Vec<F>; 3]);
+struct OutputColumns<F>([Vec<F>; 3]);
 
-impl<F: Precision> Columns<F> {
+impl<F: Precision> OutputColumns<F> {
     fn new() -> Self {
         Self([(); 3].map(|()| vec![F::zero(); POINTS]))
     }
@@ -218,10 +218,10 @@ impl<F: Precision> Columns<F> {
         SightingColumns { apparent_x, retarded_time, doppler_factor }
     }
 
-    fn seen(self) -> Seen {
+    fn seen(self) -> SeenPoints {
         let [apparent_x, _, doppler_factor] =
             self.0.map(|column| column.into_iter().map(Into::into).collect());
-        Seen { apparent_x, doppler_factor }
+        SeenPoints { apparent_x, doppler_factor }
     }
 }
 

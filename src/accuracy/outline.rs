@@ -70,7 +70,7 @@ impl OutlinePoint {
     #[must_use]
     pub fn between(pixels: &OutlinePixels, scene: &PreparedScene, view: &View) -> Option<Self> {
         let OutlinePixels { body, inside, outside } = *pixels;
-        let search = Search { scene, view, body };
+        let search = EdgeSearch { scene, view, body };
         let aside = NEIGHBOUR_PX * (outside - inside).perp();
         let [pixel, beyond] = search.edge(inside, outside)?;
         let [neighbour, _] = search.edge(inside + aside, outside + aside)?;
@@ -81,13 +81,13 @@ impl OutlinePoint {
 }
 
 /// A search for the edge of a body in the reference's picture.
-struct Search<'a> {
+struct EdgeSearch<'a> {
     scene: &'a PreparedScene,
     view: &'a View,
     body: usize,
 }
 
-impl Search<'_> {
+impl EdgeSearch<'_> {
     /// The last place that shows the body between one that does and one that does not, and the next place.
     fn edge(&self, inside: DVec2, outside: DVec2) -> Option<[DVec2; 2]> {
         let shows = |place| self.hit(place).is_some_and(|hit| hit.body == self.body);

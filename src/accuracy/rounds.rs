@@ -51,7 +51,7 @@ pub struct AfterRounds {
 }
 
 /// A ray, and the body that turns where it enters.
-struct Sample<'a> {
+struct TurningSample<'a> {
     body: usize,
     view: &'a GroupView,
     line_of_sight: DVec3,
@@ -66,14 +66,14 @@ impl RoundsError {
         let views = scene.group_views(view);
         let pixels = if has_rays { turned_pixels(scene, image) } else { Vec::new() };
         let lines_of_sight = view.camera.lines_of_sight();
-        let samples = |(pixel, body): (DVec2, usize)| Sample {
+        let samples = |(pixel, body): (DVec2, usize)| TurningSample {
             body,
             view: &views[scene.group_of(body)],
             line_of_sight: lines_of_sight.through(pixel.to_array()),
         };
         let rays: Vec<_> = evenly(&pixels, RAYS).map(samples).collect();
         let (exact, exact_ns) = timed(scene, &rays, Search::Exact);
-        let edges = Edges { scene, views: &views, lines_of_sight: &lines_of_sight };
+        let edges = OutlineEdges { scene, views: &views, lines_of_sight: &lines_of_sight };
         let outlines: Vec<_> = evenly(&pixels, 8 * places).filter_map(|pixel| edges.exact(pixel)).collect();
         let outlines: Vec<_> = evenly(&outlines, places).collect();
         let after = |rounds: u32| {
@@ -135,8 +135,8 @@ fn evenly<T: Copy>(all: &[T], most: usize) -> impl Iterator<Item = T> {
 }
 
 /// Returns the place where each ray enters, and nanoseconds per ray.
-fn timed(scene: &PreparedScene, rays: &[Sample<'_>], search: Search) -> (Vec<Option<f64>>, f64) {
-    let entry = |ray: &Sample<'_>| scene.turned_entry(ray.body, ray.view, ray.line_of_sight, search);
+fn timed(scene: &PreparedScene, rays: &[TurningSample<'_>], search: Search) -> (Vec<Option<f64>>, f64) {
+    let entry = |ray: &TurningSample<'_>| scene.turned_entry(ray.body, ray.view, ray.line_of_sight, search);
     let mut fastest = f64::INFINITY;
     let mut entries = Vec::new();
     for _ in 0..RUNS {
@@ -149,7 +149,7 @@ fn timed(scene: &PreparedScene, rays: &[Sample<'_>], search: Search) -> (Vec<Opt
 
 /// A place on the outline of a body, between two pixels side by side.
 #[derive(Debug, Clone, Copy)]
-struct Edge {
+struct OutlineEdge {
     body: usize,
     inside: DVec2,
     outside: DVec2,
@@ -160,26 +160,26 @@ struct Edge {
 }
 
 /// Outlines of single bodies in a view, whatever is before them.
-struct Edges<'a> {
+struct OutlineEdges<'a> {
     scene: &'a PreparedScene,
     views: &'a [GroupView],
     lines_of_sight: &'a LinesOfSight,
 }
 
-impl Edges<'_> {
+impl OutlineEdges<'_> {
     /// The edge to the right of the middle of a pixel that shows the body; `None` if there is none.
-    fn exact(&self, (inside, body): (DVec2, usize)) -> Option<Edge> {
+    fn exact(&self, (inside, body): (DVec2, usize)) -> Option<OutlineEdge> {
         let outside = inside + DVec2::X;
         let aside = NEIGHBOUR_PX * DVec2::Y;
         let place = self.edge(body, inside, outside, Search::Exact)?;
         let neighbour = self.edge(body, inside + aside, outside + aside, Search::Exact)?;
         let across = NEIGHBOUR_PX / (neighbour - place).length();
-        Some(Edge { body, inside, outside, place, across })
+        Some(OutlineEdge { body, inside, outside, place, across })
     }
 
     /// Returns the displacement of the edge, pixels; if it is not between the two pixels, the distance of the nearer one that shows so.
-    fn displacement(&self, edge: &Edge, search: Search) -> f64 {
-        let Edge { body, inside, outside, place, across } = *edge;
+    fn displacement(&self, edge: &OutlineEdge, search: Search) -> f64 {
+        let OutlineEdge { body, inside, outside, place, across } = *edge;
         let found = self
             .edge(body, inside, outside, search)
             .unwrap_or_else(|| if self.shows(body, inside, search) { outside } else { inside });

@@ -9,15 +9,15 @@ const NEAR: f32 = 12.0;
 
 /// Time of the last key, seconds, and where a click has opened what is under the pointer since then.
 #[derive(Debug, Clone, Copy)]
-struct Seen {
+struct LastInput {
     key: f64,
     opened: Option<Pos2>,
 }
 
-fn seen(ctx: &Context) -> Seen {
+fn seen(ctx: &Context) -> LastInput {
     let id = Id::unique(("what the pointer was used for", ctx.viewport_id()));
-    let before = ctx.data(|data| data.get_temp::<Seen>(id));
-    let mut seen = before.unwrap_or(Seen { key: f64::NEG_INFINITY, opened: None });
+    let before = ctx.data(|data| data.get_temp::<LastInput>(id));
+    let mut seen = before.unwrap_or(LastInput { key: f64::NEG_INFINITY, opened: None });
     let is_key = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
     let (time, has_key, clicked) = ctx.input(|input| {
         let clicked = input.pointer.primary_clicked().then(|| input.pointer.interact_pos()).flatten();
@@ -26,7 +26,7 @@ fn seen(ctx: &Context) -> Seen {
     let here = ctx.pointer_hover_pos();
     let is_left = |at: &Pos2| here.is_none_or(|here| here.distance(*at) > NEAR);
     if has_key {
-        seen = Seen { key: time, opened: None };
+        seen = LastInput { key: time, opened: None };
     } else if clicked.is_some() || seen.opened.as_ref().is_some_and(is_left) {
         seen.opened = clicked;
     }

@@ -142,8 +142,9 @@ impl RectifyArgs {
             let channel = Channel::from_name(name);
             let nothing = channel.map_or(0.0, Channel::nothing);
             let factor = |doppler| channel.map_or(1.0, |channel| channel.factor(doppler, light));
-            let value = |source: &Option<Source>| {
-                source.map_or(nothing, |Source { pixel, doppler }| values[pixel] * factor(doppler) as f32)
+            let value = |source: &Option<PixelSource>| {
+                source
+                    .map_or(nothing, |PixelSource { pixel, doppler }| values[pixel] * factor(doppler) as f32)
             };
             sources[eye].iter().map(value).collect()
         });
@@ -218,7 +219,7 @@ impl RectifyArgs {
 
 /// The source of a pixel of the corrected picture.
 #[derive(Debug, Clone, Copy)]
-struct Source {
+struct PixelSource {
     /// Number of the pixel in the picture from the ground.
     pixel: usize,
     /// Doppler factor of the light at that pixel's centre.
@@ -226,13 +227,13 @@ struct Source {
 }
 
 /// The source of every pixel, row by row. Measurements are not interpolated: between two bodies lies none.
-fn sources(rectification: &Rectification) -> Vec<Option<Source>> {
+fn sources(rectification: &Rectification) -> Vec<Option<PixelSource>> {
     let [width, height] = rectification.rest().size;
     let source = |column: u32, row: u32| {
         let place = [f64::from(column) + 0.5, f64::from(row) + 0.5];
         let [u, v] = rectification.ground_place(place)?.map(f64::floor);
         let doppler = rectification.doppler_factor([u + 0.5, v + 0.5]);
-        Some(Source { pixel: v as usize * width as usize + u as usize, doppler })
+        Some(PixelSource { pixel: v as usize * width as usize + u as usize, doppler })
     };
     (0..height).flat_map(|row| (0..width).map(move |column| source(column, row))).collect()
 }

@@ -61,25 +61,25 @@ impl Eyes {
 }
 
 /// The places of the inputs in each row.
-struct Header {
+struct DataHeader {
     time: usize,
     /// Sources of d, roll and turn.
-    eyes: [Source; 3],
-    curves: [Option<Curve>; 2],
-    /// Whether the eyes ride, so that rows are mirrored: see [`Header::sample`].
+    eyes: [EyesSource; 3],
+    curves: [Option<DataCurve>; 2],
+    /// Whether the eyes ride, so that rows are mirrored: see [`DataHeader::sample`].
     ride: bool,
     names: Names,
 }
 
 /// The source of a number that places the eyes.
 #[derive(Clone, Copy)]
-enum Source {
+enum EyesSource {
     Given(f64),
     Column(usize),
 }
 
 #[derive(Clone, Copy)]
-struct Curve {
+struct DataCurve {
     value: usize,
     sigma: Option<usize>,
 }
@@ -95,7 +95,7 @@ impl Data {
         let mut row = ByteRecord::new();
         input.read(&mut row).with_context(|| name.to_owned())?;
         let place = |line: u64| format!("{name}:{line}");
-        let header = Header::new(row.clone(), eyes).with_context(|| place(input.line(&row)))?;
+        let header = DataHeader::new(row.clone(), eyes).with_context(|| place(input.line(&row)))?;
         let (mut baselines, mut samples, mut lines) = (Vec::new(), Vec::new(), Vec::new());
         while input.read(&mut row).with_context(|| name.to_owned())? {
             let line = input.line(&row);
@@ -120,7 +120,7 @@ impl Data {
             observations,
             has: header.curves.map(|curve| curve.is_some()),
             has_sigmas: header.curves.iter().flatten().any(|curve| curve.sigma.is_some()),
-            has_separation: matches!(header.eyes[0], Source::Column(_)),
+            has_separation: matches!(header.eyes[0], EyesSource::Column(_)),
         })
     }
 
@@ -136,7 +136,7 @@ impl Data {
     }
 }
 
-impl Header {
+impl DataHeader {
     fn new(row: ByteRecord, eyes: Eyes) -> Result<Self, HeaderError> {
         let names = Names::new(row)?;
         let (time, needed) = if eyes.ride { (CLOCK, NEEDED_OF_RIDER) } else { ("T", NEEDED) };
@@ -144,17 +144,17 @@ impl Header {
         let ride = eyes.ride;
         let source = |index: usize, column| {
             if let Some(number) = eyes.given[index] {
-                return Ok(Source::Given(number));
+                return Ok(EyesSource::Given(number));
             }
-            let place = names.place(column)?.map(Source::Column);
-            let source = place.or(eyes.default[index].map(Source::Given));
+            let place = names.place(column)?.map(EyesSource::Column);
+            let source = place.or(eyes.default[index].map(EyesSource::Given));
             source.ok_or_else(|| names.missing(column, needed))
         };
         let eyes = [source(0, "d")?, source(1, ROLL)?, source(2, TURN)?];
         let curve = |value, sigma| {
             let value = names.place(value)?;
             let sigma = names.place(sigma)?;
-            Ok(value.map(|value| Curve { value, sigma }))
+            Ok(value.map(|value| DataCurve { value, sigma }))
         };
         let curves = [curve("dphi", "sigma_dphi")?, curve("dtheta", "sigma_dtheta")?];
         if curves.iter().all(Option::is_none) {
@@ -171,13 +171,13 @@ impl Header {
     fn sample(&self, row: &ByteRecord, baselines: &mut Vec<Baseline>) -> Result<Sample, RowError> {
         self.names.check_length(row)?;
         let number = |source| match source {
-            Source::Given(number) => Ok(number),
-            Source::Column(place) => self.names.number(row, place),
+            EyesSource::Given(number) => Ok(number),
+            EyesSource::Column(place) => self.names.number(row, place),
         };
         let [separation, roll, turn] = self.eyes.map(number);
         let mirrored = if self.ride { -1.0 } else { 1.0 };
         let baseline = Baseline { separation: separation?, roll: mirrored * roll?, turn: mirrored * turn? };
-        if let (Source::Column(place), false) = (self.eyes[0], is_separation(baseline.separation)) {
+        if let (EyesSource::Column(place), false) = (self.eyes[0], is_separation(baseline.separation)) {
             return Err(self.names.out_of_range(row, place, SEPARATION));
         }
         let known = baselines.iter().position(|&other| other == baseline);
@@ -191,8 +191,9 @@ impl Header {
     }
 
     /// The reading in `row`; none if its cell is empty.
-    fn reading(&self, row: &ByteRecord, curve: Option<Curve>) -> Result<Option<Reading>, RowError> {
-        let Some(Curve { value, sigma }) = curve.filter(|curve| !row[curve.value].trim_ascii().is_empty())
+    fn reading(&self, row: &ByteRecord, curve: Option<DataCurve>) -> Result<Option<Reading>, RowError> {
+        let Some(DataCurve { value, sigma }) =
+            curve.filter(|curve| !row[curve.value].trim_ascii().is_empty())
         else {
             return Ok(None);
         };

@@ -24,14 +24,14 @@ pub fn events(markdown: &str) -> Events<'_> {
 pub struct Events<'a> {
     parser: OffsetIter<'a>,
     /// The elements that are open.
-    open: Vec<Element>,
+    open: Vec<OpenElement>,
     /// Number of open elements that count towards [`sizes::NESTED`].
     depth: usize,
 }
 
 /// An open element of a Markdown text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Element {
+enum OpenElement {
     /// An element that can contain another of its kind, and counts towards the depth.
     Nested,
     /// An element that cannot contain another of its kind.
@@ -51,17 +51,17 @@ impl<'a> Iterator for Events<'a> {
                     let tag = with_scheme(tag);
                     let element = self.element(&tag);
                     self.open.push(element);
-                    self.depth += usize::from(element == Element::Nested);
+                    self.depth += usize::from(element == OpenElement::Nested);
                     (Event::Start(tag), element)
                 }
                 Event::End(tag) => {
-                    let element = self.open.pop().unwrap_or(Element::Simple);
-                    self.depth -= usize::from(element == Element::Nested);
+                    let element = self.open.pop().unwrap_or(OpenElement::Simple);
+                    self.depth -= usize::from(element == OpenElement::Nested);
                     (Event::End(tag), element)
                 }
-                event => (event, Element::Simple),
+                event => (event, OpenElement::Simple),
             };
-            if element != Element::Dropped {
+            if element != OpenElement::Dropped {
                 return Some((event, place));
             }
         }
@@ -69,14 +69,14 @@ impl<'a> Iterator for Events<'a> {
 }
 
 impl Events<'_> {
-    fn element(&self, tag: &Tag<'_>) -> Element {
+    fn element(&self, tag: &Tag<'_>) -> OpenElement {
         match tag {
-            Tag::Link { dest_url, .. } if !is_link(dest_url) => Element::Dropped,
+            Tag::Link { dest_url, .. } if !is_link(dest_url) => OpenElement::Dropped,
             // The items go with their list.
-            Tag::Item if self.open.last() == Some(&Element::Dropped) => Element::Dropped,
-            tag if !can_nest(tag.to_end()) => Element::Simple,
-            _ if self.depth >= sizes::NESTED => Element::Dropped,
-            _ => Element::Nested,
+            Tag::Item if self.open.last() == Some(&OpenElement::Dropped) => OpenElement::Dropped,
+            tag if !can_nest(tag.to_end()) => OpenElement::Simple,
+            _ if self.depth >= sizes::NESTED => OpenElement::Dropped,
+            _ => OpenElement::Nested,
         }
     }
 }

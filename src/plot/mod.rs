@@ -174,7 +174,7 @@ pub fn svg(panels: &[Panel]) -> String {
     );
     let mut left = 0.0;
     for panel in panels {
-        Axes::new(panel, left).draw(&mut svg);
+        PanelAxes::new(panel, left).draw(&mut svg);
         left += panel.width;
     }
     svg.push_str("</svg>\n");
@@ -205,7 +205,7 @@ fn row_height(panels: &[Panel]) -> f64 {
 }
 
 /// The axes of a panel, which place its coordinates in the picture.
-struct Axes<'a> {
+struct PanelAxes<'a> {
     panel: &'a Panel,
     /// Left, right, top and bottom of the box, pixels.
     frame: [f64; 4],
@@ -219,7 +219,7 @@ const ROOM: [f64; 2] = [0.0, 0.06];
 /// Part of two logarithmic axes that stays free at each end.
 const FREE: f64 = 0.05;
 
-impl<'a> Axes<'a> {
+impl<'a> PanelAxes<'a> {
     fn new(panel: &'a Panel, left: f64) -> Self {
         let legend = LEGEND_ROW * panel.legend().count() as f64;
         let frame = [

@@ -49,7 +49,7 @@ impl Settings {
     pub fn as_far_as_told(text: &str) -> (Self, Vec<String>) {
         let mut settings = Self::default();
         let given = given(text).unwrap_or_else(|problem| vec![Err(problem)]);
-        let set = |given: Result<FileSetting, Located>| match given {
+        let set = |given: Result<FileSetting, LocatedProblem>| match given {
             Ok(given) => settings.set(vec![given.flag()]).err().map(|problem| problem.text),
             Err((_, problem)) => Some(problem),
         };
@@ -181,7 +181,7 @@ impl FileSetting {
 }
 
 /// Something wrong, and where.
-type Located = (Range<usize>, String);
+type LocatedProblem = (Range<usize>, String);
 
 /// The file called `source_name`, with the line of `text` in which `span` begins.
 fn place(text: &str, source_name: &str, span: &Range<usize>) -> String {
@@ -190,7 +190,7 @@ fn place(text: &str, source_name: &str, span: &Range<usize>) -> String {
 }
 
 /// The settings that a file's text gives, and what in it is none.
-fn given(text: &str) -> Result<Vec<Result<FileSetting, Located>>, Located> {
+fn given(text: &str) -> Result<Vec<Result<FileSetting, LocatedProblem>>, LocatedProblem> {
     let top = DeTable::parse(text).map_err(|error| syntax::problem(text, &error))?;
     let mut all = Vec::new();
     for (key, value) in top.get_ref() {
@@ -208,7 +208,7 @@ fn given(text: &str) -> Result<Vec<Result<FileSetting, Located>>, Located> {
     Ok(all)
 }
 
-fn check_section(section: &Spanned<DeString>) -> Result<(), Located> {
+fn check_section(section: &Spanned<DeString>) -> Result<(), LocatedProblem> {
     let mut known: Vec<String> =
         names().map(|(section, _)| section).filter(|name| !name.is_empty()).collect();
     known.dedup();
@@ -221,7 +221,11 @@ fn check_section(section: &Spanned<DeString>) -> Result<(), Located> {
     ))
 }
 
-fn setting(section: &str, key: &Spanned<DeString>, value: &Spanned<DeValue>) -> Result<FileSetting, Located> {
+fn setting(
+    section: &str,
+    key: &Spanned<DeString>,
+    value: &Spanned<DeValue>,
+) -> Result<FileSetting, LocatedProblem> {
     let known: Vec<&str> = names().filter(|(name, _)| name == section).map(|(_, key)| key).collect();
     let name = key.get_ref();
     if !known.contains(&name.as_ref()) {

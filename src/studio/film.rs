@@ -127,12 +127,12 @@ pub fn frame_path(folder: &Path, number: u32, kind: FileKind) -> PathBuf {
 }
 
 /// An animated file that is being written.
-enum Animated<W: Write> {
+enum AnimationFile<W: Write> {
     Gif(gif::Frames<W>),
     Png(png::Frames<W>),
 }
 
-impl<W: Write> Animated<W> {
+impl<W: Write> AnimationFile<W> {
     /// Begins a film of `frames` frames of this `size`, whose provenance is `record`.
     fn new(
         kind: FilmKind,
@@ -200,7 +200,7 @@ impl Studio {
             let picture = self.shown_in_film(&frame, 0)?;
             let out = Counted { out: file, bytes: &bytes };
             let record = self.provenance(&frame, path);
-            let mut film = Animated::new(kind, picture.size, times.len(), &record, out)?;
+            let mut film = AnimationFile::new(kind, picture.size, times.len(), &record, out)?;
             film.write(&picture)?;
             for (number, &time) in (1..).zip(rest) {
                 let frame = next(self, number, time)?;

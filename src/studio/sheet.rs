@@ -61,12 +61,12 @@ pub struct Sheet {
     /// Height of the strip of letters, 0 without.
     strip: u32,
     /// The pictures in the sheet.
-    parts: Vec<Part>,
+    parts: Vec<SheetPicture>,
 }
 
 /// A picture in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Part {
+struct SheetPicture {
     /// Eye of the picture (0 left, 1 right).
     eye: usize,
     /// Number of the frame in the file.
@@ -96,7 +96,7 @@ impl Sheet {
         let parts: Vec<_> = places
             .into_iter()
             .zip(picture.eyes())
-            .map(|((frame, corner), &eye)| Part { eye, frame, corner })
+            .map(|((frame, corner), &eye)| SheetPicture { eye, frame, corner })
             .collect();
         let size = match (form, parts.last()) {
             (Form::Composed(composition), _) => composition.size(eye_size),
@@ -133,7 +133,7 @@ impl Sheet {
         let blank = Picture { size: self.size, rgba: vec![[r, g, b, u8::MAX]; pixels] };
         let last = self.parts.last().map_or(0, |part| part.frame);
         let mut frames = vec![blank; last + 1];
-        for (&Part { eye, frame, corner: [x, y] }, picture) in self.parts.iter().zip(pictures) {
+        for (&SheetPicture { eye, frame, corner: [x, y] }, picture) in self.parts.iter().zip(pictures) {
             let sheet = &mut frames[frame];
             for (row, pixels) in (y..).zip(picture.rgba.chunks(self.eye_size[0] as usize)) {
                 let first = (row * self.size[0] + x) as usize;
@@ -163,7 +163,7 @@ impl Sheet {
     /// The picture of `eye` (0 left, 1 right) in the `frames` of a file that has this sheet; `None` if it is not in it.
     #[must_use]
     pub fn picture_of(&self, eye: usize, frames: &[Picture]) -> Option<Picture> {
-        let Part { frame, corner, .. } = *self.parts.iter().find(|part| part.eye == eye)?;
+        let SheetPicture { frame, corner, .. } = *self.parts.iter().find(|part| part.eye == eye)?;
         let [x, y] = corner.map(|side| side as usize);
         let [width, height] = self.eye_size.map(|side| side as usize);
         let rows = frames.get(frame)?.rgba.chunks(self.size[0] as usize).skip(y).take(height);

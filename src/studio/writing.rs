@@ -64,7 +64,7 @@ const fn lowered(letter: char) -> Option<char> {
 }
 
 /// A letter of a line of height 1.
-struct Placed {
+struct PlacedLetter {
     /// The distance of the text's beginning from the left.
     x: f64,
     /// The height of the writing.
@@ -76,7 +76,7 @@ struct Placed {
 }
 
 /// The letters of `text` in a line of height 1, and the width of that.
-fn laid_out(text: &str) -> (Vec<Placed>, f64) {
+fn laid_out(text: &str) -> (Vec<PlacedLetter>, f64) {
     let (mut placed, mut end) = (Vec::new(), 0.0);
     for letter in text.to_uppercase().chars() {
         let raised = lowered(letter);
@@ -84,7 +84,7 @@ fn laid_out(text: &str) -> (Vec<Placed>, f64) {
         let (columns, told) = strokes(raised.unwrap_or(letter));
         let x = if end > 0.0 { end + BETWEEN * COLUMN / ROWS } else { 0.0 };
         let width = scale * columns * COLUMN / ROWS;
-        placed.push(Placed { x, scale, width, lines: told.split('|').flat_map(lines).collect() });
+        placed.push(PlacedLetter { x, scale, width, lines: told.split('|').flat_map(lines).collect() });
         end = x + width;
     }
     (placed, end)
@@ -105,7 +105,7 @@ pub fn draw(picture: &mut Picture, text: &str, middle: [f64; 2], [room, height]:
     let (placed, width) = laid_out(text);
     let height = height.min(SHARE * room / width.max(f64::MIN_POSITIVE));
     let corner = DVec2::from(middle) - 0.5 * height * DVec2::new(width, 1.0);
-    for Placed { x, scale, width, lines } in placed {
+    for PlacedLetter { x, scale, width, lines } in placed {
         let from = corner + height * DVec2::new(x, 0.0);
         let middle = from + 0.5 * height * DVec2::new(width, scale);
         let distance =

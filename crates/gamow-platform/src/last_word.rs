@@ -7,12 +7,12 @@ use std::cell::Cell;
 use std::marker::PhantomData;
 
 /// The last action, and the exit status that it gives.
-type Word = Box<dyn FnOnce() -> u8>;
+type LastAction = Box<dyn FnOnce() -> u8>;
 
 thread_local!(static LAST: Last = const { Last(Cell::new(None)) });
 
 /// The word of a thread.
-struct Last(Cell<Option<Word>>);
+struct Last(Cell<Option<LastAction>>);
 
 impl Drop for Last {
     fn drop(&mut self) {

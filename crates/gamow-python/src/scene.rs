@@ -22,12 +22,12 @@ use crate::tables;
 #[derive(PartialEq)]
 pub struct Scene {
     scene: gamow::scene::Scene,
-    source: Source,
+    source: SceneSource,
 }
 
 /// The source of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
-enum Source {
+enum SceneSource {
     /// A preset's name or a file's path.
     Named(String),
     /// The text of a file that is not written.
@@ -39,10 +39,10 @@ impl Scene {
     #[new]
     #[pyo3(signature = (source = None, /))]
     fn new(source: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
-        let source = source.map_or_else(|| Ok(Source::Named("street".to_owned())), sourced)?;
+        let source = source.map_or_else(|| Ok(SceneSource::Named("street".to_owned())), sourced)?;
         let scene = match &source {
-            Source::Named(name) => gamow::scene::Scene::open(name),
-            Source::Text(text) => gamow::scene::Scene::parse(text, "scene"),
+            SceneSource::Named(name) => gamow::scene::Scene::open(name),
+            SceneSource::Text(text) => gamow::scene::Scene::parse(text, "scene"),
         };
         Ok(Self { scene: scene.map_err(value_error)?, source })
     }
@@ -84,7 +84,7 @@ impl Scene {
 
     /// Writes a scene from text or a dict as a scene file, whole or not at all, and returns the scene in that file.
     fn save(&self, path: PathBuf) -> PyResult<Self> {
-        let Source::Text(text) = &self.source else {
+        let SceneSource::Text(text) = &self.source else {
             return Err(value_error(
                 "a preset or a file is a scene file already: only text and dicts are saved",
             ));
@@ -93,35 +93,35 @@ impl Scene {
             .map_err(|error| of_command(&error))?;
         let named =
             path.into_os_string().into_string().map_err(|_| value_error("path: must be text in UTF-8"))?;
-        Ok(Self { scene: self.scene.clone(), source: Source::Named(named) })
+        Ok(Self { scene: self.scene.clone(), source: SceneSource::Named(named) })
     }
 
     /// The preset's name or the file's path, so that a scene can be given wherever a path can.
     fn __fspath__(&self) -> PyResult<&str> {
         match &self.source {
-            Source::Named(name) => Ok(name),
-            Source::Text(_) => Err(value_error(
+            SceneSource::Named(name) => Ok(name),
+            SceneSource::Text(_) => Err(value_error(
                 "a scene from text or a dict has no file: scene.save('scene.toml') writes one",
             )),
         }
     }
 
     fn __repr__(&self) -> String {
-        let (Source::Named(text) | Source::Text(text)) = &self.source;
+        let (SceneSource::Named(text) | SceneSource::Text(text)) = &self.source;
         format!("Scene({text:?})")
     }
 }
 
 /// Returns the source that a value of Python names or holds.
-fn sourced(source: &Bound<'_, PyAny>) -> PyResult<Source> {
+fn sourced(source: &Bound<'_, PyAny>) -> PyResult<SceneSource> {
     if let Ok(scene) = source.cast::<Scene>() {
         return Ok(scene.get().source.clone());
     }
     if let Ok(dict) = source.cast::<PyDict>() {
-        return Ok(Source::Text(tables::table(dict, str::to_owned)?.to_string()));
+        return Ok(SceneSource::Text(tables::table(dict, str::to_owned)?.to_string()));
     }
     let text = word("scene", source)?
         .ok_or_else(|| value_error("a scene is a name, a path, TOML text, a dict or a Scene"))?;
     let is_toml = text.contains('\n') || text.contains('=') && !files::is_file(Path::new(&text));
-    Ok(if is_toml { Source::Text(text) } else { Source::Named(text) })
+    Ok(if is_toml { SceneSource::Text(text) } else { SceneSource::Named(text) })
 }

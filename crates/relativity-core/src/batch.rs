@@ -111,8 +111,10 @@ pub fn sightings_of_points<F: Real>(
     let SightingColumns { apparent_x, retarded_time, doppler_factor } = out;
     let origin = SourcePoint { x0: 0.0, y: 0.0, z: 0.0 };
     check_common::<F>(speed, origin, &[aperture], observation_time.into())?;
-    let view =
-        View { coefficients: speed.coefficients(), aperture: rounded([aperture.x, aperture.y, aperture.z]) };
+    let view = PointBatch {
+        coefficients: speed.coefficients(),
+        aperture: rounded([aperture.x, aperture.y, aperture.z]),
+    };
     let is_inside = match threads {
         Threads::One => (x0.chunks(CHUNK).zip(y.chunks(CHUNK)).zip(z.chunks(CHUNK)))
             .zip(
@@ -134,45 +136,6 @@ pub fn sightings_of_points<F: Real>(
             .all(|(x0, y, z, x, t, d)| view.points(observation_time, [x0, y, z], [x, t, d])),
     };
     if is_inside { Ok(()) } else { first_outside(&[("x0", x0), ("y", y), ("z", z)]) }
-}
-
-/// Writes the sightings of one point by `aperture` at many observation `times`.
-///
-/// # Accuracy
-///
-/// As [`sightings_of_points`]; the point is rounded to `F` first.
-///
-/// # Errors
-///
-/// Columns of unequal length; a value outside the domain.
-pub fn sightings_over_time<F: Real>(
-    speed: &Speed,
-    point: SourcePoint,
-    aperture: Aperture,
-    times: &[F],
-    out: SightingColumns<'_, F>,
-    threads: Threads,
-) -> Result<(), BatchError> {
-    out.check_lengths(times.len())?;
-    let SightingColumns { apparent_x, retarded_time, doppler_factor } = out;
-    check_common::<F>(speed, point, &[aperture], 0.0)?;
-    let view =
-        View { coefficients: speed.coefficients(), aperture: rounded([aperture.x, aperture.y, aperture.z]) };
-    let point = rounded([point.x0, point.y, point.z]);
-    let is_inside = match threads {
-        Threads::One => (times.chunks(CHUNK).zip(apparent_x.chunks_mut(CHUNK)))
-            .zip(retarded_time.chunks_mut(CHUNK).zip(doppler_factor.chunks_mut(CHUNK)))
-            .all(|((times, x), (t, d))| view.over_time(point, times, [x, t, d])),
-        Threads::All => (
-            times.par_chunks(CHUNK),
-            apparent_x.par_chunks_mut(CHUNK),
-            retarded_time.par_chunks_mut(CHUNK),
-            doppler_factor.par_chunks_mut(CHUNK),
-        )
-            .into_par_iter()
-            .all(|(times, x, t, d)| view.over_time(point, times, [x, t, d])),
-    };
-    if is_inside { Ok(()) } else { first_outside(&[("T", times)]) }
 }
 
 /// Disparities of one point between two apertures at many observation `times`.
@@ -207,12 +170,12 @@ pub fn disparities_over_time<F: Real>(
 }
 
 /// A speed and an aperture in the precision of a batch.
-struct View<F> {
+struct PointBatch<F> {
     coefficients: Coefficients<F>,
     aperture: [F; 3],
 }
 
-impl<F: Real> View<F> {
+impl<F: Real> PointBatch<F> {
     /// Fills the columns `[apparent_x, retarded_time, doppler_factor]`; whether all points are inside the domain.
     fn points(&self, time: F, inputs: [&[F]; 3], outputs: [&mut [F]; 3]) -> bool {
         pulp::Arch::new().dispatch(
@@ -235,32 +198,6 @@ impl<F: Real> View<F> {
             let cone = LightCone::at(&self.coefficients, s, y[i] - self.aperture[1], z[i] - self.aperture[2]);
             x[i] = cone.solution.x;
             t[i] = time - cone.solution.r;
-            d[i] = cone.solution.doppler_factor;
-        }
-        is_inside
-    }
-
-    /// Fills the columns for one point at many times; whether all times are inside the domain.
-    fn over_time(&self, point: [F; 3], times: &[F], outputs: [&mut [F]; 3]) -> bool {
-        pulp::Arch::new().dispatch(
-            #[inline(always)]
-            || self.over_time_loop(point, times, outputs),
-        )
-    }
-
-    #[inline(always)]
-    #[expect(clippy::inline_always, reason = "what pulp dispatches must be inlined to use wider registers")]
-    fn over_time_loop(&self, [x0, y, z]: [F; 3], times: &[F], [x, t, d]: [&mut [F]; 3]) -> bool {
-        let s0 = x0 - self.aperture[0];
-        let (y, z) = (y - self.aperture[1], z - self.aperture[2]);
-        let rows = times.len();
-        let (x, t, d) = (&mut x[..rows], &mut t[..rows], &mut d[..rows]);
-        let mut is_inside = true;
-        for i in 0..rows {
-            is_inside &= times[i].abs() <= F::MAX_COORDINATE;
-            let cone = LightCone::at(&self.coefficients, s0 + self.coefficients.beta * times[i], y, z);
-            x[i] = cone.solution.x;
-            t[i] = times[i] - cone.solution.r;
             d[i] = cone.solution.doppler_factor;
         }
         is_inside

@@ -111,8 +111,8 @@ impl<F: Elementary> ConePair<F> {
             return (zero, zero); // the point is inside both apertures, which then coincide
         }
         let x = self.apparent_xs();
-        let y = Across { left: left.y, right: right.y, offset: offset.y };
-        let z = Across { left: left.z, right: right.z, offset: offset.z };
+        let y = AcrossMotion { left: left.y, right: right.y, offset: offset.y };
+        let z = AcrossMotion { left: left.z, right: right.z, offset: offset.z };
         let dphi = if wanted[0] {
             math::atan2(self.cross_with_x(&x, &y, &z), x.left * x.right + y.left * y.right)
         } else {
@@ -132,7 +132,7 @@ impl<F: Elementary> ConePair<F> {
     /// With X = gamma^2 (S - beta q) the products of u and q are reduced like a difference of roots; what
     /// remains vanishes term by term where the two lines of sight agree.
     #[inline]
-    fn cross_with_x(&self, x: &ApparentXs<F>, u: &Across<F>, v: &Across<F>) -> F {
+    fn cross_with_x(&self, x: &ApparentXs<F>, u: &AcrossMotion<F>, v: &AcrossMotion<F>) -> F {
         let (left, right) = (&self.left.solution, &self.right.solution);
         let plain = (u.left * x.right, -u.right * x.left);
         let u_q = u.left * right.q + u.right * left.q;
@@ -148,7 +148,14 @@ impl<F: Elementary> ConePair<F> {
     /// `z_l h_r - z_r h_l`, h being the horizontal distances: as
     /// `(z_l^2 h_r^2 - z_r^2 h_l^2)/(z_l h_r + z_r h_l)` with the differences of squares factored.
     #[inline]
-    fn elevation_cross(&self, x: &ApparentXs<F>, y: &Across<F>, z: &Across<F>, left_h: F, right_h: F) -> F {
+    fn elevation_cross(
+        &self,
+        x: &ApparentXs<F>,
+        y: &AcrossMotion<F>,
+        z: &AcrossMotion<F>,
+        left_h: F,
+        right_h: F,
+    ) -> F {
         let plain = (z.left * right_h, -z.right * left_h);
         let sum = plain.0 - plain.1;
         if !z.same_sign() || sum == F::zero() {
@@ -184,8 +191,8 @@ impl<F: Elementary> ConePair<F> {
         }
         let x = self.apparent_xs();
         let along = half(offset.s * x.sum) + offset.y * y + offset.z * z;
-        let of_y = (y, Across { left: left.y, right: right.y, offset: offset.y });
-        let of_z = (z, Across { left: left.z, right: right.z, offset: offset.z });
+        let of_y = (y, AcrossMotion { left: left.y, right: right.y, offset: offset.y });
+        let of_z = (z, AcrossMotion { left: left.z, right: right.z, offset: offset.z });
         Some(LinesOfSight {
             each: [[x.left, left.y, left.z], [x.right, right.y, right.z]],
             mean: [half(x.sum), y, z],
@@ -204,8 +211,8 @@ impl<F: Elementary> ConePair<F> {
     fn mean_cross_with_x(
         &self,
         x: &ApparentXs<F>,
-        (mean_u, u): &(F, Across<F>),
-        (mean_v, v): &(F, Across<F>),
+        (mean_u, u): &(F, AcrossMotion<F>),
+        (mean_v, v): &(F, AcrossMotion<F>),
     ) -> F {
         let (left, right) = (&self.left.solution, &self.right.solution);
         let plain = (u.offset * half(x.sum), -*mean_u * x.difference);
@@ -293,13 +300,13 @@ impl LinesOfSight<f64> {
 }
 
 /// A coordinate across the motion, from both apertures, and left minus right.
-struct Across<F> {
+struct AcrossMotion<F> {
     left: F,
     right: F,
     offset: F,
 }
 
-impl<F: Elementary> Across<F> {
+impl<F: Elementary> AcrossMotion<F> {
     #[inline]
     fn same_sign(&self) -> bool {
         let zero = F::zero();

@@ -82,7 +82,6 @@ pub mod apparent;
 pub mod baseline;
 pub mod batch;
 mod batch_error;
-pub mod batch_wheel;
 pub mod bootstrap;
 pub mod combined;
 mod cone_pair;

@@ -50,7 +50,7 @@ impl<T> Rows<'_, T> {
 }
 
 /// The fixed data of a division of a picture.
-struct Division<'a> {
+struct PictureDivision<'a> {
     scene: &'a PreparedScene,
     views: &'a [GroupView],
     lines_of_sight: LinesOfSight,
@@ -84,7 +84,7 @@ impl PreparedScene {
         if image.is_empty() {
             return image;
         }
-        let division = Division::new(self, view, group_views);
+        let division = PictureDivision::new(self, view, group_views);
         let bands = image.par_chunks_mut(width as usize * BAND as usize).enumerate();
         bands.filter(|(number, _)| wanted(*number as u32 * BAND)).for_each(|(number, values)| {
             let top = number as u32 * BAND;
@@ -114,7 +114,7 @@ impl PreparedScene {
     }
 }
 
-impl<'a> Division<'a> {
+impl<'a> PictureDivision<'a> {
     fn new(scene: &'a PreparedScene, view: &View, views: &'a [GroupView]) -> Self {
         let (mut cones, mut others) = (Vec::new(), Vec::new());
         let mut add = |body: &PreparedBody| {

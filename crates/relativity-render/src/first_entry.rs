@@ -38,7 +38,7 @@ struct First {
 }
 
 /// A search for the first entry of rays.
-struct Search<'a> {
+struct EntrySearch<'a> {
     scene: &'a PreparedScene,
     view: &'a GroupView,
     chosen: &'a Chosen<'a>,
@@ -72,7 +72,7 @@ impl PreparedScene {
         view: &GroupView,
     ) -> Vec<Option<Found>> {
         let tie = self.groups()[chosen.group].tie();
-        let search = Search { scene: self, view, chosen, tie };
+        let search = EntrySearch { scene: self, view, chosen, tie };
         let mut firsts = vec![First::default(); rays.len()];
         for (first, ray) in firsts.iter_mut().zip(rays) {
             for &body in chosen.others {
@@ -97,7 +97,7 @@ impl PreparedScene {
 
 /// Rays that look for them at once.
 struct All<'a> {
-    search: &'a Search<'a>,
+    search: &'a EntrySearch<'a>,
     rays: &'a [Ray],
     lines: Lines,
     firsts: &'a mut [First],
@@ -127,7 +127,7 @@ impl All<'_> {
     }
 }
 
-impl Search<'_> {
+impl EntrySearch<'_> {
     /// Looks along `rays`, which are inside of `beam`, at once.
     fn along_all(&self, beam: &Beam, rays: &[Ray], firsts: &mut [First]) {
         let mut farthest = [f32::NEG_INFINITY; Lines::MOST];

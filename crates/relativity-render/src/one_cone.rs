@@ -168,7 +168,7 @@ impl PlaneOfEvents {
 }
 
 /// The meeting of a line of sight with a body.
-struct Meeting {
+struct BodyMeeting {
     body: usize,
     entry: Entry,
     /// Distance in the ground frame.
@@ -197,10 +197,10 @@ impl PreparedScene {
             }
             let (entry, distance) = self.meeting(body, group_view, line_of_sight, limit, middle)?;
             let depth = (entry.position - middle).dot(limit.direction);
-            Some(Meeting { body, entry, distance, depth })
+            Some(BodyMeeting { body, entry, distance, depth })
         });
         let first = meetings.reduce(|first, next| if next.is_before(&first, tie) { next } else { first })?;
-        let Meeting { body, entry, distance, .. } = first;
+        let BodyMeeting { body, entry, distance, .. } = first;
         Some(((body, entry), distance, group_view.rest_ray_at(line_of_sight, distance)))
     }
 
@@ -258,7 +258,7 @@ impl PreparedScene {
     }
 }
 
-impl Meeting {
+impl BodyMeeting {
     fn is_before(&self, other: &Self, tie: f64) -> bool {
         let are_alike = (self.distance - other.distance).abs() <= ALIKE * other.distance;
         if are_alike { self.depth < other.depth - tie } else { self.distance < other.distance }

@@ -51,7 +51,7 @@ enum Lies {
     /// Pictures are across the gaze, and do not depend on that line.
     Alone,
     /// In pictures parallel to that line.
-    Sheared(Sheared),
+    Sheared(ShearedOutline),
     /// The outline lies in conformal pictures.
     Slid(Slid),
 }
@@ -72,7 +72,7 @@ pub(crate) type Range = [f64; 2];
 
 /// The place of an outline in both eyes' pictures, parallel to the baseline.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Sheared {
+struct ShearedOutline {
     /// Axes of pictures parallel to the baseline.
     axes: Axes,
     /// Between which angles to the right of their axis it lies, for the left eye and for the right one.
@@ -153,7 +153,7 @@ impl Framing {
     pub(crate) fn sheared(axes: Axes, across: [Range; 2], up: impl Fn(&Axes) -> Range) -> Self {
         let turn = turn(across, [0.0; 2]);
         let up = up(&axes.turned(turn)).map(|up| tangent(up).abs());
-        let lies = Lies::Sheared(Sheared { axes, across, up: up[0].max(up[1]), turn });
+        let lies = Lies::Sheared(ShearedOutline { axes, across, up: up[0].max(up[1]), turn });
         Self { gaze: Gaze::STRAIGHT_AHEAD, reach: [0.0; 2], lies }.shifted([0.0; 2])
     }
 
@@ -176,8 +176,8 @@ impl Framing {
         }
     }
 
-    fn sheared_by(&self, sheared: Sheared, shifts: [f64; 2]) -> Self {
-        let Sheared { axes, across, up, turn: known } = sheared;
+    fn sheared_by(&self, sheared: ShearedOutline, shifts: [f64; 2]) -> Self {
+        let ShearedOutline { axes, across, up, turn: known } = sheared;
         let turn = turn(across, shifts);
         let axes = axes.turned(turn);
         let [low, high] = shown(across, shifts, turn);

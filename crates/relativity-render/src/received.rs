@@ -48,7 +48,7 @@ impl PreparedScene {
                 let ball = body.block.as_ref().map(|block| block.ball_around());
                 let capsules = ball.as_ref().map_or_else(|| self.capsules(body), slice::from_ref);
                 let samples = capsules.iter().flat_map(|capsule| samples(capsule, body, &seen));
-                for Sample { weight, doppler_factor } in samples {
+                for LightSample { weight, doppler_factor } in samples {
                     shares[light.band(appearance, lit * doppler_factor) as usize] += weight;
                 }
             }
@@ -59,7 +59,7 @@ impl PreparedScene {
 }
 
 /// The light that arrives from one place.
-struct Sample {
+struct LightSample {
     /// About how large it is in the picture, 0 outside.
     weight: f64,
     doppler_factor: f64,
@@ -70,7 +70,7 @@ fn samples<'a>(
     capsule: &'a Capsule,
     body: &'a PreparedBody,
     seen: &'a GroupView,
-) -> impl Iterator<Item = Sample> + 'a {
+) -> impl Iterator<Item = LightSample> + 'a {
     let length = capsule.from.distance(capsule.to) / PLACES.len() as f64;
     let area = capsule.radius * (length + capsule.radius);
     PLACES.into_iter().filter_map(move |place| {
@@ -84,7 +84,7 @@ fn samples<'a>(
         // Aberration makes what is blueshifted smaller: solid angles by D^2.
         let angle = area / (place.distance_squared(seen.origin) + area) / (of_group * of_group);
         let weight = if seen.camera.shows(line_of_sight) { angle } else { 0.0 };
-        weight.is_finite().then_some(Sample { weight, doppler_factor })
+        weight.is_finite().then_some(LightSample { weight, doppler_factor })
     })
 }
 

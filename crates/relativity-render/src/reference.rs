@@ -341,7 +341,7 @@ impl PreparedScene {
         lines_of_sight: &LinesOfSight,
         samples: u32,
         wanted: &(dyn Fn(u32) -> bool + Sync),
-        value: impl Fn(&Met<'_>) -> T + Sync,
+        value: impl Fn(&PixelHits<'_>) -> T + Sync,
     ) -> Vec<T> {
         // As many pixels are looked at together as have the rays of a tile with one ray to each.
         let side = (TILE_SIDE / samples).max(1);
@@ -361,8 +361,11 @@ impl PreparedScene {
                 let mut first = 0;
                 part.pixels().for_each(|pixel| {
                     let own = first..first + count;
-                    let met =
-                        Met { places: &places[own.clone()], sights: &sights[own.clone()], hits: &hits[own] };
+                    let met = PixelHits {
+                        places: &places[own.clone()],
+                        sights: &sights[own.clone()],
+                        hits: &hits[own],
+                    };
                     rows.put(pixel, value(&met));
                     first += count;
                 });
@@ -372,7 +375,7 @@ impl PreparedScene {
 }
 
 /// The hits of a pixel's rays.
-struct Met<'a> {
+struct PixelHits<'a> {
     /// Places of the rays in the picture, px.
     places: &'a [[f64; 2]],
     /// Lines of sight of the rays.

@@ -42,12 +42,12 @@ pub struct Costs {
     machine: Machine,
     /// Rays per pixel of the reference are the square of this.
     samples: u32,
-    records: Vec<Record>,
+    records: Vec<CostRecord>,
 }
 
 /// The measurements of one method in views of one kind.
 #[derive(Debug, Clone)]
-struct Record {
+struct CostRecord {
     method: Method,
     geometry: Geometry,
     /// Drawings, measured or not.
@@ -58,7 +58,7 @@ struct Record {
     at_ms: f64,
 }
 
-impl Record {
+impl CostRecord {
     /// The median of the last few, milliseconds per megapixel.
     fn median(&self) -> Option<f64> {
         let mut sorted = self.recent.clone();
@@ -85,7 +85,7 @@ impl Costs {
         self.records.clear();
     }
 
-    fn record(&self, method: Method, geometry: Geometry) -> Option<&Record> {
+    fn record(&self, method: Method, geometry: Geometry) -> Option<&CostRecord> {
         self.records.iter().find(|record| (record.method, record.geometry) == (method, geometry))
     }
 
@@ -102,9 +102,9 @@ impl Costs {
     pub fn note(&mut self, method: Method, geometry: Geometry, measured: Option<(f64, f64)>, now_ms: f64) {
         if self.record(method, geometry).is_none() {
             let recent = Vec::new();
-            self.records.push(Record { method, geometry, drawings: 0, recent, at_ms: now_ms });
+            self.records.push(CostRecord { method, geometry, drawings: 0, recent, at_ms: now_ms });
         }
-        let is_it = |record: &&mut Record| (record.method, record.geometry) == (method, geometry);
+        let is_it = |record: &&mut CostRecord| (record.method, record.geometry) == (method, geometry);
         let Some(record) = self.records.iter_mut().find(is_it) else { return };
         record.drawings = record.drawings.saturating_add(1);
         let Some((ms, pixels)) = measured.filter(|(ms, pixels)| ms.is_finite() && *pixels > 0.0) else {
@@ -137,7 +137,7 @@ impl Costs {
             // A GPU that is software is the same processors.
             let is_alike =
                 |other: Method| self.machine != Machine::Gpu || other.is_on_cpu() == method.is_on_cpu();
-            let beside = |record: &&Record| record.geometry == geometry && is_alike(record.method);
+            let beside = |record: &&CostRecord| record.geometry == geometry && is_alike(record.method);
             let newest = self
                 .records
                 .iter()

@@ -162,10 +162,10 @@ pub struct Reader {
     read: Receiver<(u64, ReadFile)>,
     sender: Sender<(u64, ReadFile)>,
     begun: u64,
-    underway: Vec<Underway>,
+    underway: Vec<PendingRead>,
 }
 
-struct Underway {
+struct PendingRead {
     number: u64,
     path: PathBuf,
     purpose: Use,
@@ -185,13 +185,13 @@ impl Reader {
     pub fn begin(&mut self, errand: Errand) {
         let Errand { ref path, purpose, .. } = errand;
         self.begun += 1;
-        let replaces = |other: &Underway| {
+        let replaces = |other: &PendingRead| {
             let is_renewed = other.purpose == purpose && other.path == *path;
             is_renewed || purpose.opens() && other.purpose.opens()
         };
         self.underway.retain(|other| !replaces(other));
         let number = self.begun;
-        self.underway.push(Underway { number, path: path.clone(), purpose, since: Instant::now() });
+        self.underway.push(PendingRead { number, path: path.clone(), purpose, since: Instant::now() });
         let (sender, waker) = (self.sender.clone(), self.woken.waker());
         // Nothing waits for this thread: a disc that does not answer keeps nobody from leaving.
         threads::spawn(move || {

@@ -22,7 +22,7 @@ use window_picture::{PictureCallback, WindowPicture};
 pub fn install(ctx: &Context, render_state: &RenderState) {
     let RenderState { adapter, device, queue, target_format, .. } = render_state;
     if Gpu::from_device(adapter, device.clone(), queue.clone()).is_software() && !target_format.is_srgb() {
-        ctx.add_plugin(Painting::new(render_state));
+        ctx.add_plugin(WindowPainter::new(render_state));
     }
 }
 
@@ -36,17 +36,17 @@ pub fn is_drawn_anew(ctx: &Context, texture: TextureId) {
 struct Anew(HashSet<TextureId>);
 
 /// The painter of all windows.
-struct Painting {
+struct WindowPainter {
     render_state: RenderState,
     pipelines: Pipelines,
     /// Windows whose passes have begun, the innermost last.
     begun: Vec<ViewportId>,
-    windows: Vec<(ViewportId, Painted)>,
+    windows: Vec<(ViewportId, PaintedWindow)>,
 }
 
 /// The picture of a window.
 #[derive(Default)]
-struct Painted {
+struct PaintedWindow {
     /// Size of the window as last reported, points.
     size: Option<Vec2>,
     kept: Option<WindowPicture>,
@@ -65,7 +65,7 @@ struct News {
     is_all: bool,
 }
 
-impl Painting {
+impl WindowPainter {
     fn new(render_state: &RenderState) -> Self {
         Self {
             render_state: render_state.clone(),
@@ -76,7 +76,7 @@ impl Painting {
     }
 
     /// The window called `id`, for a while.
-    fn take(&mut self, id: ViewportId) -> Painted {
+    fn take(&mut self, id: ViewportId) -> PaintedWindow {
         let place = self.windows.iter().position(|(window, _)| *window == id);
         place.map(|place| self.windows.swap_remove(place).1).unwrap_or_default()
     }
@@ -100,17 +100,17 @@ impl Painting {
     }
 }
 
-impl Painted {
+impl PaintedWindow {
     /// Paints what of `shapes` is not yet there; what shows it.
     fn paint(
         &mut self,
-        painting: &Painting,
+        painting: &WindowPainter,
         ctx: &Context,
         shapes: Vec<ClippedShape>,
         size: Vec2,
         pixels_per_point: f32,
     ) -> PictureCallback {
-        let Painting { render_state, pipelines, .. } = painting;
+        let WindowPainter { render_state, pipelines, .. } = painting;
         let News { pictures, is_all } = std::mem::take(&mut self.news);
         let whole = Rect::from_min_size(Pos2::ZERO, size);
         let pixels = size * pixels_per_point;
@@ -147,7 +147,7 @@ impl Painted {
     }
 }
 
-impl Plugin for Painting {
+impl Plugin for WindowPainter {
     fn debug_name(&self) -> &'static str {
         "painting"
     }

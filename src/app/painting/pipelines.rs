@@ -29,14 +29,14 @@ impl Pipelines {
             step_mode: wgpu::VertexStepMode::Vertex,
             attributes: &wgpu::vertex_attr_array![0 => Float32x2, 1 => Float32x2, 2 => Unorm8x4],
         };
-        let triangles = Painting {
+        let triangles = PlannedPipeline {
             name: "triangles",
             layouts: &[Some(&of_window), Some(&of_image)],
             entries: ["vertex", "fragment"],
             buffers: &[Some(vertices)],
             blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
         };
-        let shown = Painting {
+        let shown = PlannedPipeline {
             name: "shown",
             layouts: &[Some(&of_kept)],
             entries: ["whole", "show"],
@@ -53,7 +53,7 @@ impl Pipelines {
 }
 
 /// A pipeline of the window, before a device has made it.
-struct Painting<'a> {
+struct PlannedPipeline<'a> {
     name: &'a str,
     layouts: &'a [Option<&'a wgpu::BindGroupLayout>],
     /// Entry points of the vertices and of the fragments.
@@ -62,7 +62,7 @@ struct Painting<'a> {
     blend: Option<wgpu::BlendState>,
 }
 
-impl Painting<'_> {
+impl PlannedPipeline<'_> {
     /// Returns its pipeline, for windows whose pixels have this format.
     fn pipeline(
         &self,

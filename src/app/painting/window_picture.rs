@@ -34,7 +34,7 @@ struct Buffer {
 }
 
 /// Triangles that are painted at once.
-struct Run {
+struct TriangleRun {
     scissor: [u32; 4],
     texture: TextureId,
     indices: Range<u32>,
@@ -124,7 +124,7 @@ impl WindowPicture {
         pass.set_vertex_buffer(0, vertices.slice(..));
         pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
         let renderer = renderer.read();
-        for Run { scissor: [x, y, width, height], texture, indices } in runs {
+        for TriangleRun { scissor: [x, y, width, height], texture, indices } in runs {
             if let Some(texture) = renderer.texture(&texture) {
                 pass.set_bind_group(1, &texture.bind_group, &[]);
                 pass.set_scissor_rect(x, y, width, height);
@@ -136,14 +136,18 @@ impl WindowPicture {
     }
 
     /// The triangles of all that is to be seen of `primitives`, with the bytes of their vertices and indices.
-    fn runs(&self, primitives: &[ClippedPrimitive], pixels_per_point: f32) -> (Vec<Run>, Vec<u8>, Vec<u8>) {
+    fn runs(
+        &self,
+        primitives: &[ClippedPrimitive],
+        pixels_per_point: f32,
+    ) -> (Vec<TriangleRun>, Vec<u8>, Vec<u8>) {
         let (mut runs, mut vertices, mut indices) = (Vec::new(), Vec::new(), Vec::new());
         let (mut first_vertex, mut first_index) = (0, 0);
         for ClippedPrimitive { clip_rect, primitive } in primitives {
             let Primitive::Mesh(mesh) = primitive else { continue };
             let Some(scissor) = scissor(*clip_rect, pixels_per_point, self.size) else { continue };
             let after = first_index + mesh.indices.len() as u32;
-            runs.push(Run { scissor, texture: mesh.texture_id, indices: first_index..after });
+            runs.push(TriangleRun { scissor, texture: mesh.texture_id, indices: first_index..after });
             vertices.extend_from_slice(bytemuck::cast_slice(&mesh.vertices));
             // Not every browser can add the first vertex of a mesh to its indices.
             indices.extend(mesh.indices.iter().flat_map(|index| (first_vertex + index).to_ne_bytes()));

@@ -23,7 +23,7 @@ const MOST: usize = 200;
 
 /// Something to ask for.
 #[derive(Debug, Clone, PartialEq)]
-struct Entry {
+struct PaletteEntry {
     name: String,
     keys: String,
     /// Tooltip of the entry: the sentence about a setting or its value; empty for the others.
@@ -33,7 +33,7 @@ struct Entry {
 
 /// The search: the text typed, and the chosen entry.
 #[derive(Debug, Clone, Default)]
-struct Search {
+struct PaletteSearch {
     text: String,
     chosen: usize,
 }
@@ -42,9 +42,9 @@ struct Search {
 pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
     let id = Id::unique("palette");
     if state.session.overlay != Some(Overlay::Palette) {
-        return ctx.data_mut(|data| data.remove::<Search>(id));
+        return ctx.data_mut(|data| data.remove::<PaletteSearch>(id));
     }
-    let before = ctx.data(|data| data.get_temp::<Search>(id));
+    let before = ctx.data(|data| data.get_temp::<PaletteSearch>(id));
     let is_new = before.is_none();
     let mut search = before.unwrap_or_default();
     let entries = found(state, &search.text);
@@ -94,7 +94,7 @@ fn moved(ctx: &Context, chosen: usize, count: usize) -> usize {
 }
 
 /// Lists `entries`; the one that is clicked.
-fn list(ui: &mut Ui, entries: &[Entry], search: &Search) -> Option<Entry> {
+fn list(ui: &mut Ui, entries: &[PaletteEntry], search: &PaletteSearch) -> Option<PaletteEntry> {
     if entries.is_empty() {
         ui.label(RichText::new("Nothing has this name.").weak());
     }
@@ -118,7 +118,7 @@ fn is_a_key(event: &eframe::egui::Event) -> bool {
 }
 
 /// The name of `entry`, and at the right end its keys.
-fn row(ui: &mut Ui, entry: &Entry, is_chosen: bool) -> Response {
+fn row(ui: &mut Ui, entry: &PaletteEntry, is_chosen: bool) -> Response {
     ui.horizontal(|ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.label(RichText::new(&entry.keys).text_style(TextStyle::Small).weak());
@@ -134,20 +134,20 @@ fn row(ui: &mut Ui, entry: &Entry, is_chosen: bool) -> Response {
 }
 
 /// Returns the entries that have every word of `text` in their names, in any order.
-fn found(state: &State, text: &str) -> Vec<Entry> {
+fn found(state: &State, text: &str) -> Vec<PaletteEntry> {
     let text = text.to_lowercase();
     let words: Vec<&str> = text.split_whitespace().collect();
-    let fits = |entry: &Entry| {
+    let fits = |entry: &PaletteEntry| {
         let name = entry.name.to_lowercase();
         words.iter().all(|word| name.contains(word))
     };
-    let actions = ACTIONS.iter().map(|action| Entry {
+    let actions = ACTIONS.iter().map(|action| PaletteEntry {
         name: action.name.to_owned(),
         keys: action.keys_text(),
         sentence: "",
         command: action.command.clone(),
     });
-    let entry = |name: String, command| Entry { name, keys: String::new(), sentence: "", command };
+    let entry = |name: String, command| PaletteEntry { name, keys: String::new(), sentence: "", command };
     let presets =
         Preset::all().iter().map(|preset| entry(format!("preset: {}", preset.title), Command::State(preset)));
     let library = state.library();
@@ -174,15 +174,15 @@ fn settings() -> impl Iterator<Item = &'static About> {
 }
 
 /// The entry that gives a setting this value, with the sentence about the value if there is one.
-fn setting(about: &'static About, value: &str, meaning: &'static str) -> Entry {
+fn setting(about: &'static About, value: &str, meaning: &'static str) -> PaletteEntry {
     let name = format!("{}: {value}", about.name.replace('-', " "));
     let sentence = if meaning.is_empty() { &about.sentence } else { meaning };
     let command = Command::Value { name: about.name, value: value.to_owned() };
-    Entry { name, keys: String::new(), sentence, command }
+    PaletteEntry { name, keys: String::new(), sentence, command }
 }
 
 /// Returns an entry where `words` are those of a setting's name and then a value that it can have.
-fn typed(state: &State, words: &[&str]) -> Option<Entry> {
+fn typed(state: &State, words: &[&str]) -> Option<PaletteEntry> {
     let (value, name) = words.split_last()?;
     let name = name.join("-");
     let about = settings().find(|about| about.name == name && about.is_open)?;

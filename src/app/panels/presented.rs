@@ -28,7 +28,7 @@ const NEARLY: f32 = 0.92;
 
 /// Height of words, as far as it is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Known {
+struct KnownHeight {
     /// Hash of the words, the panel beside them and the window's size.
     key: u64,
     /// The height that they need; infinite if they would be too small.
@@ -65,7 +65,7 @@ impl Words<'_> {
     /// Returns the height that they need, if that is known.
     #[must_use]
     pub fn needed(&self, ctx: &Context) -> Option<f32> {
-        let known = ctx.data(|data| data.get_temp::<Known>(id(ctx)));
+        let known = ctx.data(|data| data.get_temp::<KnownHeight>(id(ctx)));
         known.filter(|known| known.key == self.key()).map(|known| known.need)
     }
 
@@ -92,7 +92,7 @@ impl Words<'_> {
 /// What is too small, or grows while it is shown, gets all the room there is.
 fn note(ctx: &Context, key: u64, [need, room]: [f32; 2], is_small: bool) {
     let id = id(ctx);
-    let known = ctx.data(|data| data.get_temp::<Known>(id)).filter(|known| known.key == key);
+    let known = ctx.data(|data| data.get_temp::<KnownHeight>(id)).filter(|known| known.key == key);
     let exceeds = need > room + 0.5;
     let next = match known.map(|known| known.need) {
         Some(f32::INFINITY) => return,
@@ -104,7 +104,7 @@ fn note(ctx: &Context, key: u64, [need, room]: [f32; 2], is_small: bool) {
         None if need > NEARLY * room => room,
         None => need,
     };
-    ctx.data_mut(|data| data.insert_temp(id, Known { key, need: next }));
+    ctx.data_mut(|data| data.insert_temp(id, KnownHeight { key, need: next }));
     ctx.request_discard("the words get as much room as they need");
     ctx.request_repaint();
 }

@@ -49,7 +49,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 /// Shows a table of what each eye receives.
 fn table(ui: &mut Ui, state: &State) {
     let point = state.document.points.selected();
-    let received = Received {
+    let received = SelectedSightings {
         shown: Eye::BOTH.map(|eye| state.sighting(point, eye)),
         exact: exact_beside(state).map(|exact| exact.secondary),
     };
@@ -107,14 +107,14 @@ fn reckoned(ui: &mut Ui, state: &State, point: &Point) {
 }
 
 /// Sightings of both eyes of the selected point now.
-struct Received {
+struct SelectedSightings {
     /// Sightings as the views show them.
     shown: [Option<Sighting>; 2],
     /// Exact sighting of the right eye, where that is not shown.
     exact: Option<Sighting>,
 }
 
-impl Received {
+impl SelectedSightings {
     /// `tip`, and for an eye that is not shown exactly what it receives exactly, in the words of `text`.
     fn tip(&self, eye: Eye, tip: &str, text: impl Fn(&Sighting) -> String) -> String {
         match &self.exact {
@@ -251,7 +251,7 @@ const TURNING: [OfWheel; 2] = [
 ];
 
 impl OfWheel {
-    fn row(&self, ui: &mut Ui, state: &State, received: &Received) {
+    fn row(&self, ui: &mut Ui, state: &State, received: &SelectedSightings) {
         let track = state.document.points.selected().track;
         ui.label(RichText::new(self.symbol).weak()).on_hover_text(self.tip);
         let text = |seen: &Sighting| {
@@ -268,7 +268,7 @@ impl OfWheel {
 }
 
 /// Shows the row of a quantity that each eye has.
-fn row(ui: &mut Ui, state: &State, received: &Received, quantity: Quantity) {
+fn row(ui: &mut Ui, state: &State, received: &SelectedSightings, quantity: Quantity) {
     let &Row { name, about, decimals, of, .. } = quantity.row();
     let unit = quantity.unit(&state.measures());
     let axes = state.document.settings.baseline_at(state.document.time).axes();
@@ -288,7 +288,7 @@ fn row(ui: &mut Ui, state: &State, received: &Received, quantity: Quantity) {
 }
 
 /// Shows the row of the observer's own time, at which both eyes receive what they see.
-fn received_time(ui: &mut Ui, state: &State, received: &Received) {
+fn received_time(ui: &mut Ui, state: &State, received: &SelectedSightings) {
     let (unit, TimeName { name, tip }) = (state.measures().time, state.clock().received);
     ui.label(RichText::new(unit.label(name)).weak()).on_hover_text(tip);
     for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
@@ -299,7 +299,7 @@ fn received_time(ui: &mut Ui, state: &State, received: &Received) {
     ui.end_row();
 }
 
-fn wavelengths(ui: &mut Ui, received: &Received, rest_wavelength: Option<f64>) {
+fn wavelengths(ui: &mut Ui, received: &SelectedSightings, rest_wavelength: Option<f64>) {
     let tip = rest_wavelength.map_or_else(
         || "White light has every wavelength.".to_owned(),
         |nm| {

@@ -72,7 +72,7 @@ fn wavelength_at(strip: Rect, x: f32) -> f64 {
 }
 
 /// A wavelength on the scale.
-struct Mark {
+struct WavelengthMark {
     /// Name of the mark's wavelength.
     name: &'static str,
     wavelength_nm: f64,
@@ -82,7 +82,7 @@ struct Mark {
     is_at_rest: bool,
 }
 
-impl Mark {
+impl WavelengthMark {
     /// Returns the place of the mark: at an end of the strip where it lies beyond.
     fn x(&self, strip: Rect) -> f32 {
         place(strip, self.wavelength_nm).clamp(strip.min.x, strip.max.x.max(strip.min.x))
@@ -90,9 +90,9 @@ impl Mark {
 }
 
 /// The marks of `moment`: at rest, and what arrives at each eye, or at both in one place.
-fn marks(moment: &Moment, are_eyes_together: bool, visuals: &Visuals) -> Vec<Mark> {
+fn marks(moment: &Moment, are_eyes_together: bool, visuals: &Visuals) -> Vec<WavelengthMark> {
     let Source::Line(at_rest) = moment.source else { return Vec::new() };
-    let mark = |name, text: &str, wavelength_nm: f64, colour| Mark {
+    let mark = |name, text: &str, wavelength_nm: f64, colour| WavelengthMark {
         name,
         wavelength_nm,
         text: format!("{text} {}", in_words(&[wavelength_nm])),
@@ -100,7 +100,7 @@ fn marks(moment: &Moment, are_eyes_together: bool, visuals: &Visuals) -> Vec<Mar
         is_at_rest: false,
     };
     let rest = mark("at rest", "at rest", at_rest, visuals.text_color());
-    let mut marks = vec![Mark { is_at_rest: true, ..rest }];
+    let mut marks = vec![WavelengthMark { is_at_rest: true, ..rest }];
     let received = moment.wavelengths_nm();
     if let ([Some(both), _], true) = (received, are_eyes_together) {
         marks.push(mark("both eyes", "L = R", both, visuals.strong_text_color()));
@@ -114,7 +114,7 @@ fn marks(moment: &Moment, are_eyes_together: bool, visuals: &Visuals) -> Vec<Mar
 }
 
 /// The scale for those who do not see it.
-fn description(marks: &[Mark], moment: &Moment) -> String {
+fn description(marks: &[WavelengthMark], moment: &Moment) -> String {
     let texts: Vec<_> =
         marks.iter().map(|mark| format!("{} {}", mark.name, in_words(&[mark.wavelength_nm]))).collect();
     if texts.is_empty() { moment.light().unwrap_or_default() } else { texts.join(", ") }
@@ -129,7 +129,7 @@ fn paint_colours(painter: &Painter, strip: Rect, visuals: &Visuals) {
 }
 
 /// Paints the ends of the scale, and names of bands without a colour; left out where a mark is.
-fn paint_names(painter: &Painter, strip: Rect, marks: &[Mark], visuals: &Visuals) {
+fn paint_names(painter: &Painter, strip: Rect, marks: &[WavelengthMark], visuals: &Visuals) {
     let [violet, red] = VISIBLE_NM.map(|end| place(strip, end));
     let names = [
         (strip.min.x + 5.0, Align2::LEFT_CENTER, "100 nm"),
@@ -159,7 +159,7 @@ fn scale_colour(wavelength_nm: f64, visuals: &Visuals) -> Color32 {
 }
 
 /// Ticks on the strip, and above them the numbers, none of which covers another.
-fn paint_marks(ui: &Ui, strip: Rect, marks: &[Mark]) {
+fn paint_marks(ui: &Ui, strip: Rect, marks: &[WavelengthMark]) {
     let painter = ui.painter();
     let galleys: Vec<_> =
         marks.iter().map(|mark| painter.layout_no_wrap(mark.text.clone(), FONT, mark.colour)).collect();
@@ -178,7 +178,7 @@ fn paint_marks(ui: &Ui, strip: Rect, marks: &[Mark]) {
 }
 
 /// The tick of `mark`, an arrow where it lies beyond an end of the strip.
-fn paint_tick(ui: &Ui, strip: Rect, mark: &Mark) {
+fn paint_tick(ui: &Ui, strip: Rect, mark: &WavelengthMark) {
     let painter = ui.painter();
     let halo = theme::halo_colour(ui.visuals());
     let (wanted, x) = (place(strip, mark.wavelength_nm), mark.x(strip));

@@ -231,14 +231,14 @@ const BETWEEN: f32 = 14.0;
 const ROUNDING: f64 = 1e-12;
 
 /// A time to go to: when the selected point is abreast, in one sense of the word or the other.
-struct Mark {
+struct TimeMark {
     name: &'static str,
     tip: &'static str,
     time: f64,
     colour: Color32,
 }
 
-impl Mark {
+impl TimeMark {
     /// Returns the marks of the selected point; none at rest.
     fn all(state: &State, visuals: &Visuals) -> Vec<Self> {
         let point = state.document.points.selected();
@@ -294,9 +294,9 @@ const TURNING_TIPS: [&str; 2] = [
 /// Ticks on the scrubber, and below it their names, to click, none of which covers another.
 fn marks(ui: &mut Ui, state: &State, slider: Rect, commands: &mut Commands) {
     let (marks, unit, [from, to]) =
-        (Mark::all(state, ui.visuals()), state.measures().time, state.time_range());
+        (TimeMark::all(state, ui.visuals()), state.measures().time, state.time_range());
     let font = TextStyle::Small.resolve(ui.style());
-    let fraction = |mark: &Mark| (mark.time - from) / (to - from);
+    let fraction = |mark: &TimeMark| (mark.time - from) / (to - from);
     let galleys: Vec<_> = marks
         .iter()
         .map(|mark| ui.painter().layout_no_wrap(mark.text(unit, fraction(mark)), font.clone(), mark.colour))
@@ -330,7 +330,7 @@ fn tick(ui: &Ui, slider: Rect, x: f32, name: Rect, colour: Color32) {
 }
 
 /// The name of `mark`, laid out as `galley`, to click.
-fn name(ui: &Ui, mark: &Mark, place: Rect, galley: Arc<Galley>) -> Response {
+fn name(ui: &Ui, mark: &TimeMark, place: Rect, galley: Arc<Galley>) -> Response {
     let id = ui.scope_id().with(mark.name);
     let response = ui.interact(place, id, Sense::click()).on_hover_cursor(CursorIcon::PointingHand);
     let colour = if response.hovered() { ui.visuals().strong_text_color() } else { mark.colour };

@@ -33,7 +33,7 @@ pub struct Memory {
     folded: BTreeSet<String>,
     /// The files that were opened, the latest first.
     recent: Vec<String>,
-    place: Option<Place>,
+    place: Option<WindowPlace>,
 }
 
 impl Default for Memory {
@@ -51,7 +51,7 @@ impl Default for Memory {
 
 /// The place of a window, in points of the system, which the zoom does not change.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-struct Place {
+struct WindowPlace {
     /// The upper left corner with its frame, on systems that report it.
     position: Option<[f32; 2]>,
     /// The inner size of the window while it is not maximised.
@@ -72,7 +72,7 @@ impl Memory {
                 .unwrap_or(default.zoom),
             folded: taken(&mut table, "folded", |_| true, &mut problems).unwrap_or(default.folded),
             recent: taken(&mut table, "recent", |_| true, &mut problems).unwrap_or_default(),
-            place: taken(&mut table, "place", Place::can_be, &mut problems),
+            place: taken(&mut table, "place", WindowPlace::can_be, &mut problems),
         };
         Ok((memory, problems))
     }
@@ -103,8 +103,8 @@ impl Memory {
             self.folded = folded;
         }
         if is_default {
-            let place = Place::from_context(ctx, self.place);
-            self.place = place.filter(Place::can_be).or(self.place);
+            let place = WindowPlace::from_context(ctx, self.place);
+            self.place = place.filter(WindowPlace::can_be).or(self.place);
         }
     }
 
@@ -121,7 +121,7 @@ impl Memory {
     /// Has a window open where the last one was.
     #[must_use]
     pub fn placed(&self, window: ViewportBuilder) -> ViewportBuilder {
-        let Some(Place { position, size, maximised }) = self.place else { return window };
+        let Some(WindowPlace { position, size, maximised }) = self.place else { return window };
         let window = window.with_inner_size(size).with_maximized(maximised);
         match position {
             Some(position) => window.with_position(position),
@@ -146,7 +146,7 @@ impl Memory {
     }
 }
 
-impl Place {
+impl WindowPlace {
     /// The place of the window; while it is maximised or has the whole screen, its size is the `last` one.
     fn from_context(ctx: &Context, last: Option<Self>) -> Option<Self> {
         let zoom = ctx.zoom_factor();

@@ -41,10 +41,10 @@ const GRACE: Duration = Duration::from_millis(300);
 pub struct Saver {
     worker: Option<BackgroundWork<SavingStep, ()>>,
     written: Arc<Mutex<Written>>,
-    underway: Option<Underway>,
+    underway: Option<PendingSave>,
 }
 
-struct Underway {
+struct PendingSave {
     name: String,
     frames: u32,
     since: Instant,
@@ -54,7 +54,7 @@ impl Saver {
     /// Begins a `job`, which makes `frames` pictures of the product called `name`.
     fn begin(&mut self, ctx: &Context, job: Job, name: String, frames: u32) {
         *lock(&self.written) = Written::default();
-        self.underway = Some(Underway { name, frames, since: Instant::now() });
+        self.underway = Some(PendingSave { name, frames, since: Instant::now() });
         let worker = || BackgroundWork::new(ctx, Reporter::new(ctx, &self.written));
         self.worker.get_or_insert_with(worker).request((), files::given(), job);
     }

@@ -143,7 +143,7 @@ pub fn show(ui: &Ui, dial: Dial, drawn: DialPlacement, name: &str, tip: String) 
     let outwards = (centre - drawn.marker).normalized();
     let [near, far] = [drawn.marker + 7.0 * outwards, centre - radius * outwards];
     ui.painter().with_clip_rect(drawn.view).line_segment([near, far], Stroke::new(1.5, drawn.colour));
-    paint(ui, dial, Face { centre, radius, view: drawn.view, colour: drawn.colour }, name, tip);
+    paint(ui, dial, DialFace { centre, radius, view: drawn.view, colour: drawn.colour }, name, tip);
 }
 
 /// Draws the clock that rests beside the eyes at the lower edge of the `view` of `eye`, if it is shown.
@@ -155,12 +155,12 @@ pub fn show_resting(ui: &Ui, state: &State, eye: Eye, view: Rect) {
     let radius = radius(view);
     let centre = pos2(view.center().x, view.max.y - radius - BELOW_RESTING);
     let colour = ui.visuals().strong_text_color();
-    paint(ui, dial, Face { centre, radius, view, colour }, &name, TIP.to_owned());
+    paint(ui, dial, DialFace { centre, radius, view, colour }, &name, TIP.to_owned());
 }
 
 /// The face of a dial.
 #[derive(Debug, Clone, Copy)]
-struct Face {
+struct DialFace {
     centre: Pos2,
     radius: f32,
     /// The view that contains the dial.
@@ -169,7 +169,7 @@ struct Face {
     colour: Color32,
 }
 
-fn paint(ui: &Ui, dial: Dial, Face { centre, radius, view, colour }: Face, name: &str, tip: String) {
+fn paint(ui: &Ui, dial: Dial, DialFace { centre, radius, view, colour }: DialFace, name: &str, tip: String) {
     let (painter, visuals) = (ui.painter().with_clip_rect(view), ui.visuals());
     let behind =
         if visuals.dark_mode { Color32::from_black_alpha(215) } else { Color32::from_white_alpha(235) };

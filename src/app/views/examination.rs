@@ -48,7 +48,7 @@ pub struct Figures {
 type HeatMaps = Vec<(Eye, HeatMap)>;
 
 /// The outcome of one method.
-struct Outcome {
+struct MethodOutcome {
     method: Method,
     /// Number of the sight in which the outcome was measured.
     sight: u64,
@@ -59,22 +59,22 @@ struct Outcome {
 /// The measuring of one method in the views of the eyes, one after the other.
 pub struct MethodSteps {
     scene: PreparedScene,
-    job: Job,
+    job: ExaminationJob,
     /// Errors in the views so far.
     found: Vec<ExpectedError>,
 }
 
 /// A job: the views, the appearance of their light, and the method to measure.
-type Job = (Vec<(Eye, View)>, Appearance, Method);
+type ExaminationJob = (Vec<(Eye, View)>, Appearance, Method);
 
 impl Work for MethodSteps {
     const NAME: &'static str = "accuracy";
     type Base = PreparedScene;
-    type Job = Job;
+    type Job = ExaminationJob;
     type Result = (Result<Figures, String>, HeatMaps);
     type Tools = Renderers;
 
-    fn begin(scene: PreparedScene, job: Job) -> Self {
+    fn begin(scene: PreparedScene, job: ExaminationJob) -> Self {
         Self { scene, job, found: Vec::new() }
     }
 
@@ -126,7 +126,7 @@ pub struct Examination {
     methods: Vec<Method>,
     /// Method that draws the views.
     chosen: Method,
-    outcomes: Vec<Outcome>,
+    outcomes: Vec<MethodOutcome>,
     shown_maps: Option<ShownMaps>,
 }
 
@@ -206,7 +206,7 @@ impl Examination {
         let methods = &self.methods;
         self.outcomes.retain(|outcome| methods.contains(&outcome.method));
         let Some(((method, sight), (figures, maps))) = self.worker.result() else { return };
-        let new = Outcome { method, sight, figures, maps };
+        let new = MethodOutcome { method, sight, figures, maps };
         if new.sight != self.number {
             return;
         }
@@ -214,7 +214,7 @@ impl Examination {
         self.outcomes.push(new);
     }
 
-    fn outcome(&self, method: Method) -> Option<&Outcome> {
+    fn outcome(&self, method: Method) -> Option<&MethodOutcome> {
         self.outcomes.iter().find(|outcome| outcome.method == method)
     }
 

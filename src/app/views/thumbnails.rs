@@ -51,14 +51,14 @@ impl Work for ThumbnailSteps {
 
 /// The key of a thumbnail: a preset may be called like a lesson.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Key {
+struct ThumbnailKey {
     name: String,
     is_of_a_preset: bool,
     eye: Eye,
     size: [u32; 2],
 }
 
-impl Key {
+impl ThumbnailKey {
     fn new(lesson: &Lesson, Look { size, eye, .. }: Look) -> Self {
         Self { name: lesson.name.clone(), is_of_a_preset: lesson.is_a_preset(), eye, size }
     }
@@ -73,8 +73,8 @@ struct KeptThumbnail {
 /// The thumbnails that were drawn, the one that is drawn now, and the one that comes next.
 #[derive(Default)]
 pub struct Thumbnails {
-    worker: Option<BackgroundWork<ThumbnailSteps, (Key, bool)>>,
-    kept: HashMap<Key, KeptThumbnail>,
+    worker: Option<BackgroundWork<ThumbnailSteps, (ThumbnailKey, bool)>>,
+    kept: HashMap<ThumbnailKey, KeptThumbnail>,
     /// The first that is missing, and whether it is in view.
     missing: Option<(Arc<Lesson>, Look, bool)>,
     /// Number of thumbnails drawn.
@@ -109,7 +109,7 @@ impl Thumbnails {
 
     /// Returns the thumbnail of `lesson`, once there is one; until it has this `look` it is noted as missing. Those in view come first.
     pub fn picture(&mut self, lesson: &Arc<Lesson>, look: Look, is_in_view: bool) -> Option<&TextureHandle> {
-        let kept = self.kept.get(&Key::new(lesson, look));
+        let kept = self.kept.get(&ThumbnailKey::new(lesson, look));
         let is_missing = kept.is_none_or(|kept| kept.in_light_window != look.in_light_window);
         if is_missing && self.missing.as_ref().is_none_or(|(.., other)| is_in_view && !other) {
             self.missing = Some((Arc::clone(lesson), look, is_in_view));
@@ -123,7 +123,7 @@ impl Thumbnails {
         let Some((lesson, look, _)) = missing.filter(|_| self.is_settled()) else { return };
         let settings = lesson.settings(0, true, &Settings::default()).ok();
         let settings = settings.map(|settings| settings.to_toml());
-        let label = (Key::new(&lesson, look), look.in_light_window);
+        let label = (ThumbnailKey::new(&lesson, look), look.in_light_window);
         let worker = self.worker.get_or_insert_with(|| BackgroundWork::new(ctx, ()));
         worker.request(label, (), (settings, look));
     }

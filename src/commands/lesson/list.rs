@@ -15,7 +15,7 @@ use crate::scene::Scene;
 ///
 /// Those of standard output.
 pub fn list(library: &Library) -> anyhow::Result<()> {
-    write_out(|out| Ok(write!(out, "{}", Table(library))?))
+    write_out(|out| Ok(write!(out, "{}", LessonTable(library))?))
 }
 
 /// Writes the names of the bodies of `scene`, a line each.
@@ -29,9 +29,9 @@ pub fn list_bodies(scene: &Scene) -> anyhow::Result<()> {
 }
 
 /// Lessons in rows, in columns as wide as they need.
-struct Table<'a>(&'a Library);
+struct LessonTable<'a>(&'a Library);
 
-impl fmt::Display for Table<'_> {
+impl fmt::Display for LessonTable<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let refused = self.0.refused().iter().map(refused_row);
         let rows: Vec<_> = self.0.all().iter().map(|lesson| row(lesson)).chain(refused).collect();

@@ -83,7 +83,7 @@ pub fn in_layer(
                 }
                 _ => rest.map(Cow::Borrowed),
             };
-            Ok(Surface { width, ids, rest }.place(point.into()))
+            Ok(BodySurface { width, ids, rest }.place(point.into()))
         }
         Target::Body(name) => {
             let body = settings.opened_scene()?.body_called(name).map_err(anyhow::Error::msg)? as f32;
@@ -111,13 +111,13 @@ fn at_start(scene: &Scene, ids: &[f32], rest: [&[f32]; 3], angles: &[f32]) -> [V
 }
 
 /// The surface that each pixel shows: a place of a body.
-struct Surface<'a> {
+struct BodySurface<'a> {
     width: usize,
     ids: &'a [f32],
     rest: [Cow<'a, [f32]>; 3],
 }
 
-impl Surface<'_> {
+impl BodySurface<'_> {
     /// Returns the place where `point` is seen: from the pixel that shows the nearest place on by how the places change, and
     /// how that change changes, from pixel to pixel; `None` if that leads out of the pixel's reach.
     ///
@@ -151,7 +151,7 @@ impl Surface<'_> {
     }
 
     /// The surface around a pixel; none where no neighbour shows the same body.
-    fn patch(&self, pixel: usize) -> Option<Patch> {
+    fn patch(&self, pixel: usize) -> Option<SurfacePatch> {
         let (column, row) = (pixel % self.width, pixel / self.width);
         let [across, down] = [self.change(pixel, column, 1)?, self.change(pixel, row, self.width)?];
         let shown = |du: isize, dv: isize| {
@@ -166,7 +166,7 @@ impl Surface<'_> {
         };
         let twists: Vec<_> = [(1, 1), (1, -1), (-1, 1), (-1, -1)].into_iter().filter_map(quarter).collect();
         let twist = twists.iter().sum::<DVec3>() / twists.len().max(1) as f64;
-        Some(Patch { here: self.at(pixel), across, down, twist, is_twist_known: !twists.is_empty() })
+        Some(SurfacePatch { here: self.at(pixel), across, down, twist, is_twist_known: !twists.is_empty() })
     }
 
     fn at(&self, pixel: usize) -> DVec3 {
@@ -222,7 +222,7 @@ impl Change {
 }
 
 /// The surface around a pixel, to second order in the offset from its middle.
-struct Patch {
+struct SurfacePatch {
     here: DVec3,
     across: Change,
     down: Change,
@@ -231,7 +231,7 @@ struct Patch {
     is_twist_known: bool,
 }
 
-impl Patch {
+impl SurfacePatch {
     /// The place at an offset to the right and down, px, and how it changes there along both.
     fn at(&self, [u, v]: [f64; 2]) -> (DVec3, [DVec3; 2]) {
         let Self { here, across, down, twist, .. } = self;

@@ -71,9 +71,9 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
     args.times.check_renderer(settings.quality.renderer)?;
     let mut studio = Studio::new(settings)?;
     let kind = match output {
-        Output::File(kind) => kind,
-        Output::Sequence => return sequence::run(&mut studio, &args.times, &args.out),
-        Output::Film(kind) => return sequence::run_film(&mut studio, &args.times, kind, &args.out),
+        RenderOutput::File(kind) => kind,
+        RenderOutput::Sequence => return sequence::run(&mut studio, &args.times, &args.out),
+        RenderOutput::Film(kind) => return sequence::run_film(&mut studio, &args.times, kind, &args.out),
     };
     let frame = studio.frame(None)?;
     let out = vr180::named(studio.settings(), &args.out);
@@ -93,24 +93,24 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
 }
 
 /// The output that is made.
-enum Output {
+enum RenderOutput {
     File(FileKind),
     Sequence,
     Film(FilmKind),
 }
 
 impl RenderArgs {
-    fn output(&self) -> anyhow::Result<Output> {
+    fn output(&self) -> anyhow::Result<RenderOutput> {
         let out = files::shown(&self.out);
         match (FileKind::from_path(&self.out), FilmKind::from_path(&self.out), self.times.frames) {
             (Some(FileKind::Exr), _, Some(_)) => {
                 anyhow::bail!("--out {out}: a sequence of measurements needs a folder, not a file")
             }
-            (Some(kind), _, None) => Ok(Output::File(kind)),
+            (Some(kind), _, None) => Ok(RenderOutput::File(kind)),
             (None, Some(FilmKind::Gif), None) => {
                 anyhow::bail!("--out {out}: an animation needs --frames")
             }
-            (_, Some(kind @ (FilmKind::Gif | FilmKind::Png)), Some(_)) => Ok(Output::Film(kind)),
+            (_, Some(kind @ (FilmKind::Gif | FilmKind::Png)), Some(_)) => Ok(RenderOutput::Film(kind)),
             (None, _, None) => {
                 anyhow::bail!("--out {out}: a file must end in .png or .exr; a folder needs --frames")
             }
@@ -119,7 +119,7 @@ impl RenderArgs {
                     "--out {out}: an animation must end in .gif or .png; of a folder of pictures ffmpeg makes any other"
                 )
             }
-            (_, _, Some(_)) => Ok(Output::Sequence),
+            (_, _, Some(_)) => Ok(RenderOutput::Sequence),
         }
     }
 }

@@ -25,7 +25,7 @@ pub struct TimeArgs {
     /// Draw one part of a sequence alone: every Kth frame, beginning with the Ith. K runs with I from 1 to K, on any machines that
     /// share the folder, draw each frame once. The renderer must be named, so that all parts are drawn alike.
     #[arg(long, value_name = "I/K", requires = "frames")]
-    part: Option<Part>,
+    part: Option<SequencePart>,
     /// Make the frames of a sequence .exr files of what every pixel shows, not .png pictures.
     #[arg(long, requires = "frames")]
     exr: bool,
@@ -40,12 +40,12 @@ pub struct TimeArgs {
 
 /// A part of the frames of a sequence: part `index`, from 0, of `count`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Part {
+struct SequencePart {
     index: u32,
     count: u32,
 }
 
-impl Part {
+impl SequencePart {
     const WHOLE: Self = Self { index: 0, count: 1 };
 
     /// Returns the numbers of the frames in this part of a sequence of `frames` frames.
@@ -54,7 +54,7 @@ impl Part {
     }
 }
 
-impl FromStr for Part {
+impl FromStr for SequencePart {
     type Err = &'static str;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
@@ -68,7 +68,7 @@ impl FromStr for Part {
     }
 }
 
-impl fmt::Display for Part {
+impl fmt::Display for SequencePart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}/{}", self.index + 1, self.count)
     }
@@ -93,7 +93,7 @@ impl TimeArgs {
 impl TimeArgs {
     /// Returns the numbers of the frames to draw, of a sequence of `frames` frames.
     fn numbers(&self, frames: u32) -> Vec<u32> {
-        self.part.unwrap_or(Part::WHOLE).frames(frames).collect()
+        self.part.unwrap_or(SequencePart::WHOLE).frames(frames).collect()
     }
 
     /// Refuses a part of a sequence whose frames each machine would draw in its own way.

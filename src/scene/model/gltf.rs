@@ -38,17 +38,22 @@ const KNOWN: [&str; 2] = ["KHR_materials_unlit", "KHR_texture_transform"];
 const HEAD: u32 = 12;
 
 /// Reads files that a model names.
-type Beside<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
+type ReadBeside<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
 
 /// Reads a model; `beside` reads the files that it names.
-pub(super) fn model(bytes: &[u8], beside: Beside<'_>) -> Result<NamedModel, String> {
+pub(super) fn model(bytes: &[u8], beside: ReadBeside<'_>) -> Result<NamedModel, String> {
     let Gltf { document, blob } = document(bytes)?;
     let buffers = buffers(&document, blob, beside)?;
-    let mut reader =
-        Reader { document: &document, buffers, beside, textures: Textures::new(), model: Model::default() };
+    let mut reader = ModelReader {
+        document: &document,
+        buffers,
+        beside,
+        textures: Textures::new(),
+        model: Model::default(),
+    };
     // Parts that have not ended, and how deep their nodes lie.
     let (mut parts, mut open) = (Vec::<Part>::new(), Vec::<(usize, usize)>::new());
-    for Placed { node, axes, depth } in placed_nodes(&document)? {
+    for PlacedNode { node, axes, depth } in placed_nodes(&document)? {
         let first = reader.model.triangles.len();
         while let Some((part, _)) = open.pop_if(|(_, outer)| *outer >= depth) {
             parts[part].triangles[0].end = first;
@@ -65,7 +70,7 @@ pub(super) fn model(bytes: &[u8], beside: Beside<'_>) -> Result<NamedModel, Stri
     for (part, _) in open {
         parts[part].triangles[0].end = reader.model.triangles.len();
     }
-    let Reader { textures, mut model, .. } = reader;
+    let ModelReader { textures, mut model, .. } = reader;
     textures.put_into(&mut model);
     Ok(NamedModel { model, parts })
 }
@@ -120,7 +125,7 @@ fn wrong(path: &str, error: validation::Error) -> Option<String> {
 fn buffers(
     document: &Document,
     mut blob: Option<Vec<u8>>,
-    beside: Beside<'_>,
+    beside: ReadBeside<'_>,
 ) -> Result<Vec<Vec<u8>>, String> {
     let mut all = Vec::new();
     let mut length = 0;
@@ -142,7 +147,7 @@ fn buffers(
 }
 
 /// Returns the data at `uri`, those of `what`: in itself, or in a file beside.
-fn data_at(uri: &str, what: &str, beside: Beside<'_>) -> Result<Vec<u8>, String> {
+fn data_at(uri: &str, what: &str, beside: ReadBeside<'_>) -> Result<Vec<u8>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
         let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
         let decoded = encoded.and_then(|encoded| STANDARD.decode(encoded).ok());
@@ -153,7 +158,7 @@ fn data_at(uri: &str, what: &str, beside: Beside<'_>) -> Result<Vec<u8>, String>
 }
 
 /// A node of the scene.
-struct Placed<'a> {
+struct PlacedNode<'a> {
     node: Node<'a>,
     /// From its axes to those of the scene.
     axes: DMat4,
@@ -162,7 +167,7 @@ struct Placed<'a> {
 }
 
 /// Returns the nodes of the scene, each before those that it is around.
-fn placed_nodes(document: &Document) -> Result<Vec<Placed<'_>>, String> {
+fn placed_nodes(document: &Document) -> Result<Vec<PlacedNode<'_>>, String> {
     let scene = document.default_scene().or_else(|| document.scenes().next());
     let roots: Vec<Node<'_>> = scene.map_or_else(|| roots(document), |scene| scene.nodes().collect());
     let mut is_seen = vec![false; document.nodes().len()];
@@ -175,7 +180,7 @@ fn placed_nodes(document: &Document) -> Result<Vec<Placed<'_>>, String> {
         let own = around * transform(&node);
         let children: Vec<_> = node.children().map(|child| (child, own, depth + 1)).collect();
         waiting.extend(children.into_iter().rev());
-        placed.push(Placed { node, axes: own, depth });
+        placed.push(PlacedNode { node, axes: own, depth });
     }
     Ok(placed)
 }
@@ -207,16 +212,16 @@ fn turn(quaternion: [f64; 4]) -> DQuat {
 }
 
 /// A model that is being read.
-struct Reader<'a> {
+struct ModelReader<'a> {
     document: &'a Document,
     buffers: Vec<Vec<u8>>,
-    beside: Beside<'a>,
+    beside: ReadBeside<'a>,
     /// By the numbers that the file has for them.
     textures: Textures<usize>,
     model: Model,
 }
 
-impl Reader<'_> {
+impl ModelReader<'_> {
     /// Adds the triangles of `primitive`, as `placed`.
     fn add(&mut self, primitive: &Primitive<'_>, placed: DMat4) -> Result<(), String> {
         let mode = primitive.mode();

@@ -54,7 +54,7 @@ impl Rolling {
         wanted: [bool; 2],
     ) -> Slopes {
         let (wheel, speed) = (self.point(trial), &trial.speed);
-        let sight = |time: f64, dtime: Gradient| Sight { trial, wheel: &wheel, time, dtime };
+        let sight = |time: f64, dtime: Gradient| ApertureSight { trial, wheel: &wheel, time, dtime };
         let dtime = [0.0, 0.0, 0.0, -1.0];
         let ((dphi, dtheta), gradients) = match model {
             Model::Exact => {
@@ -93,14 +93,14 @@ impl Rolling {
 }
 
 /// A view by one aperture at one time, which may depend on the parameters.
-struct Sight<'a> {
+struct ApertureSight<'a> {
     trial: &'a Trial,
     wheel: &'a WheelPoint,
     time: f64,
     dtime: Gradient,
 }
 
-impl Sight<'_> {
+impl ApertureSight<'_> {
     /// Returns the gradients of phi and theta.
     fn angle_gradients(&self, seen: &Seen<f64>) -> [Gradient; 2] {
         let [dx, dz] = self.place_gradients(seen);

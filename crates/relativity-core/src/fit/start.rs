@@ -36,7 +36,7 @@ const STARTS: usize = 56;
 
 /// A start, and how badly it fits.
 #[derive(Debug, Clone, Copy)]
-struct Candidate {
+struct StartCandidate {
     free: Free,
     cost: f64,
 }
@@ -54,7 +54,7 @@ pub(super) fn starts(problem: &Problem, coarse: &Problem) -> Vec<Free> {
     let features = Features::new(problem, coarse);
     let best_of_speed = |&rapidity: &f64| SLOPES.map(|slopes| features.best_of(problem, rapidity, slopes));
     let best = RAPIDITIES.par_iter().flat_map_iter(best_of_speed);
-    let mut best: Vec<Candidate> = best.flatten_iter().flatten().collect();
+    let mut best: Vec<StartCandidate> = best.flatten_iter().flatten().collect();
     best.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     best.iter().take(STARTS).map(|candidate| candidate.free).collect()
 }
@@ -113,7 +113,12 @@ impl Features {
     }
 
     /// Returns the best trial object of one speed and some elevations, for each feature that may give its time of passage.
-    fn best_of(&self, problem: &Problem, rapidity: f64, slopes: &[f64]) -> [Option<Candidate>; FEATURES] {
+    fn best_of(
+        &self,
+        problem: &Problem,
+        rapidity: f64,
+        slopes: &[f64],
+    ) -> [Option<StartCandidate>; FEATURES] {
         let mut best = [None; FEATURES];
         let Ok(speed) = Speed::from_rapidity(rapidity) else { return best };
         let ways = if problem.fits_passage { FEATURES } else { 1 };
@@ -168,7 +173,12 @@ impl Features {
 
     /// `trial`, or its mirror image at -z, for which Delta-theta has the other sign unless it turns; `best` if that fits
     /// better.
-    fn better(&self, problem: &Problem, trial: Trial, best: Option<Candidate>) -> Option<Candidate> {
+    fn better(
+        &self,
+        problem: &Problem,
+        trial: Trial,
+        best: Option<StartCandidate>,
+    ) -> Option<StartCandidate> {
         let limit = best.map_or(f64::INFINITY, |best| best.cost);
         let mut costs = [0.0; 2];
         for row in &self.rows {
@@ -185,7 +195,7 @@ impl Features {
             }
         }
         let (cost, z) = if costs[1] < costs[0] { (costs[1], -trial.z) } else { (costs[0], trial.z) };
-        Some(Candidate {
+        Some(StartCandidate {
             free: Free::new(math::ln(trial.speed.rapidity()), math::ln(trial.y), z, trial.passage_time),
             cost,
         })

@@ -33,7 +33,7 @@ pub(crate) struct SeenPair {
 
 /// From one aperture to the other, and by how much later that one looks.
 #[derive(Debug, Clone, Copy)]
-struct Step {
+struct ApertureStep {
     baseline: [f64; 3],
     later: f64,
 }
@@ -48,11 +48,11 @@ pub(crate) struct EventStep {
 }
 
 impl SeenPair {
-    fn new(speed: &Speed, circle: &Circle<f64>, each: [Seen<f64>; 2], step: Step) -> Self {
+    fn new(speed: &Speed, circle: &Circle<f64>, each: [Seen<f64>; 2], step: ApertureStep) -> Self {
         let cones = each.map(|seen| seen.cone);
         let places = cones.map(|LightCone { y, z, solution, .. }| [solution.x, y, z]);
         let mean: [f64; 3] = std::array::from_fn(|i| 0.5 * (places[0][i] + places[1][i]));
-        let Step { baseline, later } = step;
+        let ApertureStep { baseline, later } = step;
         let sum_r = cones[0].solution.r + cones[1].solution.r;
         let along = baseline[0] * mean[0] + baseline[1] * mean[1] + baseline[2] * mean[2];
         let excess = between_events(speed, circle, &each, along + 0.5 * later * sum_r).place;
@@ -127,7 +127,7 @@ impl WheelPoint {
             Seen::new(&coefficients, &circle, &self.before(cone, aperture.x, time))
         };
         let each = [seen(left, &hub.left), seen(right, &hub.right)];
-        SeenPair::new(speed, &circle, each, Step { baseline, later: 0.0 })
+        SeenPair::new(speed, &circle, each, ApertureStep { baseline, later: 0.0 })
     }
 
     /// Returns the point in the published model: seen by the left aperture of a `pair` along x, and again later by the second number.
@@ -146,7 +146,7 @@ impl WheelPoint {
         let first = seen(time);
         let later = published::shift(speed, right.x - left.x, &first.cone, variant);
         let each = [first, seen(time + later)];
-        (SeenPair::new(speed, &circle, each, Step { baseline: [0.0; 3], later }), later)
+        (SeenPair::new(speed, &circle, each, ApertureStep { baseline: [0.0; 3], later }), later)
     }
 
     fn before(&self, hub: &LightCone<f64>, aperture_x: f64, observation_time: f64) -> Hub<f64> {

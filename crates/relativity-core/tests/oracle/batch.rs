@@ -4,12 +4,8 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use relativity_core::batch::{
     DisparityColumns, PointColumns, SightingColumns, Threads, disparities_over_time, sightings_of_points,
-    sightings_over_time,
 };
-use relativity_core::batch_wheel::wheel_sightings_over_time;
-use relativity_core::{
-    Aperture, MAX_ERROR_UNITS, SourcePoint, Speed, Turning, WheelPoint, disparity, sighting,
-};
+use relativity_core::{Aperture, MAX_ERROR_UNITS, SourcePoint, Speed, disparity, sighting};
 
 use crate::arithmetic::{UNIT_F32, error_units};
 use crate::draw::{self, program_speed};
@@ -47,65 +43,31 @@ fn f64_columns_of_points_equal_the_scalar_function() {
             assert_eq!(bits([x[i], t[i], d[i]]), bits(expected), "{point:?}");
         }
     }
+    let mut none = [0.0; 0];
+    let out =
+        SightingColumns { apparent_x: &mut none, retarded_time: &mut [0.0], doppler_factor: &mut [0.0] };
+    let points = PointColumns { x0: &[0.0], y: &[3.0], z: &[2.0] };
+    let error = sightings_of_points(&Speed::REST, points, aperture, 0.0, out, Threads::One);
+    assert_eq!(error.expect_err("short").to_string(), "column apparent_x has 0 rows instead of 1");
 }
 
 #[test]
-fn f64_columns_over_time_equal_the_scalar_functions() {
+fn f64_columns_over_time_equal_the_scalar_function() {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
     let times: Vec<f64> = (0..ROWS).map(|_| draw::length(&mut rng)).collect();
     let point = SourcePoint { x0: 0.5, y: 3.0, z: 2.0 };
     let apertures = Aperture::pair(0.1);
     for (speed, threads) in speeds().into_iter().zip([Threads::One, Threads::All, Threads::One, Threads::All])
     {
-        let [mut x, mut t, mut d, mut dphi, mut dtheta] = [(); 5].map(|()| vec![f64::NAN; ROWS]);
-        let out = SightingColumns { apparent_x: &mut x, retarded_time: &mut t, doppler_factor: &mut d };
-        sightings_over_time(&speed, point, apertures[0], &times, out, threads).expect("inside the domain");
+        let [mut dphi, mut dtheta] = [(); 2].map(|()| vec![f64::NAN; ROWS]);
         let out = DisparityColumns { dphi: &mut dphi, dtheta: &mut dtheta };
         disparities_over_time(&speed, point, apertures, &times, out, threads).expect("inside the domain");
         for i in 0..ROWS {
             let both =
                 disparity(&speed, point, apertures[0], apertures[1], times[i]).expect("inside the domain");
-            let seen = both.primary;
-            let expected =
-                [seen.position[0], seen.retarded_time, seen.doppler_factor, both.dphi, both.dtheta];
-            assert_eq!(bits([x[i], t[i], d[i], dphi[i], dtheta[i]]), bits(expected), "T = {}", times[i]);
+            assert_eq!(bits([dphi[i], dtheta[i]]), bits([both.dphi, both.dtheta]), "T = {}", times[i]);
         }
     }
-}
-
-#[test]
-fn columns_of_wheels_over_time_equal_the_scalar_function() {
-    let hub = SourcePoint { x0: -0.25, y: 3.0, z: 2.0 };
-    let point = WheelPoint { hub, radius: 0.5, rho: 0.75, angle: 0.5, turning: Turning::Rolling };
-    let aperture = Aperture { x: -0.0625, y: 0.25, z: 1.5 };
-    let times: Vec<f64> = (0..2000).map(|i| f64::from(i - 1000) / 64.0).collect();
-    let single: Vec<f32> = times.iter().map(|&time| time as f32).collect();
-    for (beta, threads) in [(0.25, Threads::One), (0.875, Threads::All)] {
-        let speed = Speed::from_beta(beta).expect("a speed");
-        let [mut x, mut t, mut d] = [(); 3].map(|()| vec![f64::NAN; times.len()]);
-        let out = SightingColumns { apparent_x: &mut x, retarded_time: &mut t, doppler_factor: &mut d };
-        wheel_sightings_over_time(&speed, &point, aperture, &times, out, threads).expect("inside the domain");
-        let [mut x32, mut t32, mut d32] = [(); 3].map(|()| vec![f32::NAN; times.len()]);
-        let out = SightingColumns { apparent_x: &mut x32, retarded_time: &mut t32, doppler_factor: &mut d32 };
-        wheel_sightings_over_time(&speed, &point, aperture, &single, out, threads)
-            .expect("inside the domain");
-        for i in 0..times.len() {
-            let seen = sighting(&speed, point, aperture, times[i]).expect("inside the domain");
-            let expected = [seen.position[0], seen.retarded_time, seen.doppler_factor];
-            assert_eq!(bits([x[i], t[i], d[i]]), bits(expected), "T = {}", times[i]);
-            // A rounding of T turns the wheel by omega times as much, and moves what is seen by up to D_max times as much.
-            let size = (16.0 + expected[0].abs()) * speed.head_on_doppler_factor().powi(2) / point.radius;
-            for (single, exact) in [x32[i], t32[i], d32[i]].into_iter().zip(expected) {
-                let error = (f64::from(single) - exact).abs();
-                assert!(error < 8.0 * UNIT_F32 * size, "{error:e} at T = {}", times[i]);
-            }
-        }
-    }
-    let mut none = [0.0; 0];
-    let out =
-        SightingColumns { apparent_x: &mut none, retarded_time: &mut [0.0], doppler_factor: &mut [0.0] };
-    let error = wheel_sightings_over_time(&Speed::REST, &point, aperture, &[0.0], out, Threads::One);
-    assert_eq!(error.expect_err("short").to_string(), "column apparent_x has 0 rows instead of 1");
 }
 
 /// Returns the f64 of a single f32 number.

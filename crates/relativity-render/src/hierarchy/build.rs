@@ -19,7 +19,7 @@ const DEEPEST_BY_COST: usize = DEEPEST - 32;
 
 /// A box, in f32.
 #[derive(Debug, Clone, Copy)]
-struct Bounds {
+struct BoundingBox {
     low: Vec3,
     high: Vec3,
 }
@@ -27,15 +27,15 @@ struct Bounds {
 /// A box of what is not divided further.
 #[derive(Debug, Clone, Copy)]
 struct Leaf {
-    bounds: Bounds,
+    bounds: BoundingBox,
     number: u32,
     holds: Holds,
 }
 
 /// Some of the leaves, in a box.
-struct Part<'a> {
+struct LeafGroup<'a> {
     leaves: &'a mut [Leaf],
-    bounds: Bounds,
+    bounds: BoundingBox,
     /// Number of divisions above this one.
     depth: usize,
 }
@@ -47,7 +47,7 @@ impl Hierarchy {
         let mut leaves: Vec<_> = pieces.into_iter().map(|piece| Leaf::new(&piece, middle)).collect();
         let mut nodes = Vec::with_capacity(leaves.len() / 3);
         if !leaves.is_empty() {
-            Part::new(&mut leaves, 0).build(&mut nodes);
+            LeafGroup::new(&mut leaves, 0).build(&mut nodes);
         }
         Self { nodes }
     }
@@ -59,7 +59,7 @@ impl Leaf {
         let [low, high] = piece.corners.map(|corner| corner - middle);
         // More than f32 loses, of it and of the boxes that it is in.
         let room = 1e-6 * low.abs().max(high.abs()).max_element() as f32;
-        let bounds = Bounds { low: low.as_vec3() - room, high: high.as_vec3() + room };
+        let bounds = BoundingBox { low: low.as_vec3() - room, high: high.as_vec3() + room };
         let holds = if piece.is_one_of_some { Holds::Piece } else { Holds::Body };
         Self { bounds, number: piece.body, holds }
     }
@@ -69,9 +69,9 @@ impl Leaf {
     }
 }
 
-impl<'a> Part<'a> {
+impl<'a> LeafGroup<'a> {
     fn new(leaves: &'a mut [Leaf], depth: usize) -> Self {
-        let bounds = leaves.iter().fold(Bounds::NONE, |around, leaf| around.joined(leaf.bounds));
+        let bounds = leaves.iter().fold(BoundingBox::NONE, |around, leaf| around.joined(leaf.bounds));
         Self { leaves, bounds, depth }
     }
 
@@ -139,8 +139,8 @@ impl Node {
     };
 
     /// Puts the box of `part` here, and what that holds if it is a leaf.
-    fn put(&mut self, lane: usize, part: &Part<'_>) {
-        let Bounds { low, high } = part.bounds;
+    fn put(&mut self, lane: usize, part: &LeafGroup<'_>) {
+        let BoundingBox { low, high } = part.bounds;
         let center = 0.5 * (low + high);
         let half = 0.5 * (high - low) * (1.0 + 1e-6) + ROUNDING * center.abs();
         for axis in 0..3 {
@@ -164,7 +164,7 @@ impl Node {
     }
 }
 
-impl Bounds {
+impl BoundingBox {
     const NONE: Self = Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY };
 
     fn joined(self, other: Self) -> Self {
@@ -180,9 +180,9 @@ impl Bounds {
 
 /// Sorts `leaves` into two halves, and returns the length of the first.
 fn divided(leaves: &mut [Leaf], depth: usize) -> usize {
-    let middles = leaves
-        .iter()
-        .fold(Bounds::NONE, |around, leaf| around.joined(Bounds { low: leaf.middle(), high: leaf.middle() }));
+    let middles = leaves.iter().fold(BoundingBox::NONE, |around, leaf| {
+        around.joined(BoundingBox { low: leaf.middle(), high: leaf.middle() })
+    });
     let sides = middles.high - middles.low;
     let axis = sides.max_position();
     let halved = leaves.len() / 2;
@@ -195,7 +195,7 @@ fn divided(leaves: &mut [Leaf], depth: usize) -> usize {
     }
     let scale = BINS as f32 * (1.0 - 1e-6) / sides[axis];
     let bin = |leaf: &Leaf| (((leaf.middle()[axis] - middles.low[axis]) * scale) as usize).min(BINS - 1);
-    let mut bins = [(Bounds::NONE, 0_usize); BINS];
+    let mut bins = [(BoundingBox::NONE, 0_usize); BINS];
     for leaf in leaves.iter() {
         let (bounds, count) = &mut bins[bin(leaf)];
         *bounds = bounds.joined(leaf.bounds);
@@ -213,14 +213,14 @@ fn divided(leaves: &mut [Leaf], depth: usize) -> usize {
 }
 
 /// The last bin of the first half where the sum of surfaces, each times how many are in it, is least.
-fn cheapest(bins: &[(Bounds, usize); BINS]) -> usize {
+fn cheapest(bins: &[(BoundingBox, usize); BINS]) -> usize {
     let mut costs = [0.0; BINS - 1];
-    let mut so_far = (Bounds::NONE, 0);
+    let mut so_far = (BoundingBox::NONE, 0);
     for (cost, (bounds, count)) in costs.iter_mut().zip(bins) {
         so_far = (so_far.0.joined(*bounds), so_far.1 + count);
         *cost += so_far.0.area() * so_far.1 as f32;
     }
-    let mut so_far = (Bounds::NONE, 0);
+    let mut so_far = (BoundingBox::NONE, 0);
     for (cost, (bounds, count)) in costs.iter_mut().zip(&bins[1..]).rev() {
         so_far = (so_far.0.joined(*bounds), so_far.1 + count);
         *cost += so_far.0.area() * so_far.1 as f32;

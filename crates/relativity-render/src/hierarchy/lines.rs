@@ -11,7 +11,7 @@ use crate::ray::Ray;
 pub struct Lines {
     count: usize,
     /// Two directions across each and each other.
-    across: [Side; 2],
+    across: [DirectionParts; 2],
     axis: [[f32; Self::MOST]; 3],
     /// The sides of one ray of each eight that follow each other.
     rows: [RowSide; 2],
@@ -19,7 +19,7 @@ pub struct Lines {
 
 /// A direction, part by part, and how far along it each ray passes the middle of the group.
 #[derive(Debug)]
-struct Side {
+struct DirectionParts {
     normal: [[f32; Lines::MOST]; 3],
     offset: [f32; Lines::MOST],
 }
@@ -46,7 +46,7 @@ impl Lines {
     #[must_use]
     pub fn new(rays: &[Ray], middle: DVec3) -> Self {
         const NONE: [f32; Lines::MOST] = [0.0; Lines::MOST];
-        let side = || Side { normal: [NONE; 3], offset: NONE };
+        let side = || DirectionParts { normal: [NONE; 3], offset: NONE };
         let count = rays.len().min(Self::MOST);
         let rows = Default::default();
         let mut lines = Self { count, across: [side(), side()], axis: [NONE; 3], rows };
@@ -86,7 +86,7 @@ impl Lines {
     }
 }
 
-impl Side {
+impl DirectionParts {
     /// Returns which rays from the `first` on miss a box on this side or the other.
     #[inline(always)]
     fn misses<S: Simd>(&self, simd: S, first: usize, center: Vec3, reach: Vec3) -> Mask<S> {
@@ -98,7 +98,7 @@ impl Side {
 
 impl RowSide {
     /// Returns the rows of the rays in `side`; the last of all stand in for those that are missing.
-    fn from_side(side: &Side, count: usize) -> Self {
+    fn from_side(side: &DirectionParts, count: usize) -> Self {
         let mut rows = Self::default();
         let ray = |i: usize| (Vec3::from(side.normal.map(|part| part[i])), side.offset[i]);
         for row in 0..count.div_ceil(LANES) {

@@ -35,7 +35,7 @@ pub struct Instance {
 
 /// A body as it is drawn.
 #[derive(Debug, Clone, Copy)]
-struct Part {
+struct DrawnBody {
     division: Division,
     instance: Instance,
     /// The number of its group.
@@ -53,9 +53,9 @@ struct Part {
 #[derive(Debug, Default)]
 pub struct Parts {
     /// Parts found, one for each body, `None` for those out of sight.
-    found: Vec<Option<Part>>,
+    found: Vec<Option<DrawnBody>>,
     /// In the order they are drawn in.
-    sorted: Vec<Part>,
+    sorted: Vec<DrawnBody>,
 }
 
 impl Parts {
@@ -84,7 +84,7 @@ impl Parts {
             let view = &divided_for[body.group];
             // What numbers show is drawn as wide as it is.
             let half_width = appearance.map(|_| half_width(body, scene.solid(body.number), view));
-            Part {
+            DrawnBody {
                 division: division(body, scene.solid(body.number), view, bound_px),
                 instance: Instance::new(body, half_width.unwrap_or_default(), shot),
                 group: body.group,
@@ -118,7 +118,7 @@ impl Parts {
                 Some(around) => self.sorted.extend(around.copies().map(|copy| part.copied(copy))),
             }
         }
-        self.sorted.sort_unstable_by_key(Part::rank);
+        self.sorted.sort_unstable_by_key(DrawnBody::rank);
     }
 
     /// Returns the runs of parts that one draw draws, in order.
@@ -128,7 +128,7 @@ impl Parts {
     }
 }
 
-impl Part {
+impl DrawnBody {
     fn copied(&self, copy: Copy) -> Self {
         Self { instance: Instance { copy, ..self.instance }, ..*self }
     }

@@ -65,7 +65,7 @@ pub fn part<S: Simd>(simd: S, frame: &Frame, [left, top]: [f32; 2], [width, heig
 
 /// Lines of sight on the ground: see [`StreetSight`](crate::street_sight::StreetSight).
 #[derive(Clone, Copy)]
-struct Lines<S: Simd> {
+struct StreetLines<S: Simd> {
     /// Unit vectors along the lines.
     n: V3<S>,
     /// Factor of steps to the next pixels.
@@ -79,7 +79,7 @@ struct Lines<S: Simd> {
     seen: V3<S>,
 }
 
-impl<S: Simd> Lines<S> {
+impl<S: Simd> StreetLines<S> {
     #[inline(always)]
     fn new(simd: S, frame: &Frame, sight: Sight<S>) -> Self {
         let Sight { n, scale, .. } = sight;
@@ -132,7 +132,7 @@ fn street_geometry(frame: &Frame) -> Option<Geometry> {
 /// Linear sRGB of the background along these lines of sight, of which no more than this part is seen.
 #[inline(always)]
 pub fn behind<S: Simd>(simd: S, frame: &Frame, part: Part, sight: Sight<S>) -> V3<S> {
-    let sight = Lines::new(simd, frame, sight);
+    let sight = StreetLines::new(simd, frame, sight);
     let nearness = 1.0 - (sight.n.z.abs() * SKY_RISE as f32).min(1.0);
     let sky = V3::mix(paint(simd, frame, 1), paint(simd, frame, 0), nearness * nearness);
     let mut colour = sky;
@@ -184,7 +184,7 @@ fn hazy<S: Simd>(part: Part, sky: V3<S>, colour: V3<S>, distance: F<S>) -> V3<S>
 #[inline(always)]
 fn pixel_on<S: Simd>(
     frame: &Frame,
-    sight: &Lines<S>,
+    sight: &StreetLines<S>,
     axes: [usize; 2],
     across: usize,
     slope: V2<S>,
@@ -205,7 +205,7 @@ fn size_along<S: Simd>(axis: usize, across: usize, right: [F<S>; 3], down: [F<S>
 }
 
 #[inline(always)]
-fn ground_colour<S: Simd>(simd: S, frame: &Frame, part: Part, sky: V3<S>, sight: Lines<S>) -> V3<S> {
+fn ground_colour<S: Simd>(simd: S, frame: &Frame, part: Part, sky: V3<S>, sight: StreetLines<S>) -> V3<S> {
     let [camera_x, camera_y, ground, _] = frame.ground;
     let per_fall = 1.0 / sight.n.z;
     let distance = per_fall * ground;
@@ -265,7 +265,13 @@ fn marks_cover<S: Simd>(frame: &Frame, foot: V2<S>, along: Covered<S>, across: C
 }
 
 #[inline(always)]
-fn with_fronts<S: Simd>(frame: &Frame, part: Part, without: V3<S>, sky: V3<S>, sight: Lines<S>) -> V3<S> {
+fn with_fronts<S: Simd>(
+    frame: &Frame,
+    part: Part,
+    without: V3<S>,
+    sky: V3<S>,
+    sight: StreetLines<S>,
+) -> V3<S> {
     let [camera_x, _, ground, _] = frame.ground;
     let per_towards = 1.0 / sight.n.y;
     let distance = per_towards * frame.road[2];

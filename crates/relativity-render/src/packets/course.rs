@@ -37,7 +37,7 @@ pub struct Course<'a, S: Simd> {
 }
 
 /// A place on a course.
-struct Place<S: Simd> {
+struct CoursePlace<S: Simd> {
     turn: Turn<S>,
     /// From the tube's axis, and how fast and with which acceleration that changes.
     off: V3<S>,
@@ -88,7 +88,7 @@ impl<'a, S: Simd> Course<'a, S> {
     }
 
     #[inline(always)]
-    fn at(&self, s: F<S>) -> Place<S> {
+    fn at(&self, s: F<S>) -> CoursePlace<S> {
         let simd = s.simd;
         let (zero, one, rate) = (all(simd, 0.0), all(simd, 1.0), self.rate);
         let turn = sine_cosine(self.turn + rate * (s - self.from));
@@ -105,7 +105,7 @@ impl<'a, S: Simd> Course<'a, S> {
         // Beside the axis what is along it does not count.
         let is_beside = along.simd_gt(0.0) & along.simd_lt(1.0);
         let beside = axis * select(is_beside, per_length_squared, zero);
-        Place {
+        CoursePlace {
             turn,
             off,
             velocity: velocity - beside * velocity.dot(axis),
@@ -193,7 +193,7 @@ impl<'a, S: Simd> Course<'a, S> {
     }
 }
 
-impl<S: Simd> Place<S> {
+impl<S: Simd> CoursePlace<S> {
     /// The second derivative of half the distance squared.
     #[inline(always)]
     fn growth(&self) -> F<S> {

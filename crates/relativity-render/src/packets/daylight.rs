@@ -24,7 +24,7 @@ pub struct Facing<S: Simd> {
 
 /// The numbers that all parts of the received light share.
 #[derive(Clone, Copy)]
-struct Course<S: Simd> {
+struct SharedNumbers<S: Simd> {
     gamma: F<S>,
     beta: F<S>,
     /// 1 - beta, to the last digit near the speed of light.
@@ -39,7 +39,7 @@ struct Course<S: Simd> {
 
 /// A part of the light that surfaces receive.
 #[derive(Clone, Copy)]
-struct Part<S: Simd> {
+struct LightPart<S: Simd> {
     /// The share of it, but for a factor.
     share: F<S>,
     log2_doppler: F<S>,
@@ -75,7 +75,7 @@ pub fn facing_of<S: Simd>(
     Facing { rapid, ahead: clamp(time / rapid.max(1e-30), -one, one) }
 }
 
-impl<S: Simd> Course<S> {
+impl<S: Simd> SharedNumbers<S> {
     #[inline(always)]
     fn new(simd: S, Facing { rapid, ahead }: Facing<S>) -> Self {
         const LEAST: f32 = LEAST_BETA as f32;
@@ -102,7 +102,7 @@ impl<S: Simd> Course<S> {
 
     /// The part at this `place`, from the hottest to the coldest, with this `weight`.
     #[inline(always)]
-    fn part(self, simd: S, [first, octaves]: [F<S>; 2], [place, weight]: [f64; 2]) -> Part<S> {
+    fn part(self, simd: S, [first, octaves]: [F<S>; 2], [place, weight]: [f64; 2]) -> LightPart<S> {
         let Self { gamma, beta, below_light, weighed, beside, ahead, across } = self;
         let slowed = power_of_two(octaves * (place as f32) + first);
         let aside = clamp((slowed - beside) / weighed, all(simd, 0.0), all(simd, 2.0));
@@ -112,7 +112,7 @@ impl<S: Simd> Course<S> {
         let half_turn = arc_cosine(simd, clamp(-along / sideways.max(1e-9), -one, one));
         let seen = along * half_turn + (sideways * sideways - along * along).max(0.0).sqrt();
         let log2_doppler = -log2(gamma * (below_light + beta * aside));
-        Part { share: slowed * seen * (weight as f32), log2_doppler }
+        LightPart { share: slowed * seen * (weight as f32), log2_doppler }
     }
 }
 
@@ -144,7 +144,7 @@ pub fn of_street_daylight<S: Simd>(
 ) -> ScreenLight<S> {
     let simd = shift.simd;
     let [band, band_exposure, exposure, band_exponent] = light;
-    let course = Course::new(simd, facing);
+    let course = SharedNumbers::new(simd, facing);
     let ends = course.ends(simd);
     let (own, own_level) = tables.looked_up(BAND_ROW, shift * -tables.band_per_octave + band);
     let quanta = power_of_two(all(simd, tables.daylight_quanta - band / tables.band_per_octave));
@@ -153,7 +153,7 @@ pub fn of_street_daylight<S: Simd>(
     let mut sum = V3::all(simd, [0.0; 3]);
     let (mut shares, mut beyond, mut hottest) = (all(simd, 0.0), all(simd, 0.0), all(simd, 0.0));
     for (i, node) in PARTS.into_iter().enumerate() {
-        let Part { share, log2_doppler } = course.part(simd, ends, node);
+        let LightPart { share, log2_doppler } = course.part(simd, ends, node);
         let place = (shift + log2_doppler) * tables.glow_per_octave + tables.daylight_place;
         let (white, white_level) = tables.looked_up(GLOW_ROW, place);
         let received = quanta * power_of_two(-log2_doppler);

@@ -5,7 +5,7 @@ use crate::lanes::{F, Simd, SimdFloat as _, V3, select};
 
 /// A sine and a cosine less 1.
 #[derive(Debug, Clone, Copy)]
-struct Arc<S: Simd> {
+struct SmallArc<S: Simd> {
     sine: F<S>,
     versine: F<S>,
 }
@@ -13,7 +13,7 @@ struct Arc<S: Simd> {
 /// sin and cos - 1 of `angle`, or the hyperbolic ones where `sign` is 1, of numbers up to 6: both from the series of a quarter
 /// of it, doubled twice. No sum cancels, so that small ones keep all their digits.
 #[inline(always)]
-fn arc<S: Simd>(angle: F<S>, sign: f32) -> Arc<S> {
+fn arc<S: Simd>(angle: F<S>, sign: f32) -> SmallArc<S> {
     let quarter = angle * 0.25;
     let square = quarter * quarter * sign;
     let mut sine = quarter * series(square, [6.0, 20.0, 42.0, 72.0]);
@@ -22,7 +22,7 @@ fn arc<S: Simd>(angle: F<S>, sign: f32) -> Arc<S> {
         sine = sine * 2.0 * (versine + 1.0);
         versine = versine * 2.0 * (versine + 2.0);
     }
-    Arc { sine, versine }
+    SmallArc { sine, versine }
 }
 
 /// 1 + x/a (1 + x/b (1 + x/c (1 + x/d))). Without a closure, which would be a call between registers of other widths.

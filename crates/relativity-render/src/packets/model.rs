@@ -50,7 +50,7 @@ pub struct ModelPart<S: Simd, const N: usize> {
 }
 
 /// The meeting of one ray with a model.
-struct Meeting {
+struct ModelMeeting {
     /// Along the ray; the point and the unit normal there.
     distance: f64,
     place: DVec3,
@@ -60,7 +60,7 @@ struct Meeting {
 }
 
 /// The meetings of eight rays, as each was found.
-struct Found<S: Simd> {
+struct FoundMeetings<S: Simd> {
     holds: Mask<S>,
     distance: F<S>,
     place: V3<S>,
@@ -69,15 +69,17 @@ struct Found<S: Simd> {
     triangle: F<S>,
 }
 
-impl<S: Simd> Found<S> {
+impl<S: Simd> FoundMeetings<S> {
     /// Finds them lane by lane.
-    fn new(simd: S, mut meeting: impl FnMut(usize) -> Option<Meeting>) -> Self {
+    fn new(simd: S, mut meeting: impl FnMut(usize) -> Option<ModelMeeting>) -> Self {
         let mut holds = [0_i32; LANES];
         let mut distances = [0.0; LANES];
         let mut numbers = [0.0; LANES];
         let [mut places, mut normals, mut paints] = [[[0.0; LANES]; 3]; 3];
         for lane in 0..LANES {
-            let Some(Meeting { distance, place, normal, paint, triangle }) = meeting(lane) else { continue };
+            let Some(ModelMeeting { distance, place, normal, paint, triangle }) = meeting(lane) else {
+                continue;
+            };
             holds[lane] = -1;
             distances[lane] = distance as f32;
             numbers[lane] = triangle as f32;
@@ -112,7 +114,7 @@ impl<S: Simd> Meetings<S> {
         let shifts = (!triangles.textures().is_empty()).then(|| {
             ray.steps.map(|step| body.body_from_rest(shift(group, ray, step) * ray.ground_per_rest))
         });
-        let found = Found::new(simd, |lane| {
+        let found = FoundMeetings::new(simd, |lane| {
             let start = vector(own.nearest, lane);
             let direction = vector(own.direction, lane).normalize_or_zero();
             let is_off = start.length_squared() >= triangles.half().length_squared();
@@ -128,7 +130,7 @@ impl<S: Simd> Meetings<S> {
                     Covered::new(direction, crossing.normal, shifts.map(shift))
                 })
             };
-            Some(Meeting {
+            Some(ModelMeeting {
                 distance: crossing.distance,
                 place: start + direction * crossing.distance,
                 normal: crossing.normal,
@@ -166,7 +168,7 @@ impl<S: Simd> Meetings<S> {
         let body = Body::new(simd, &seen.shown.placement);
         let shifts = (!triangles.textures().is_empty())
             .then(|| ray.steps.map(|step| shift(&group, ray, step) * ray.ground_per_rest));
-        let found = Found::new(simd, |lane| {
+        let found = FoundMeetings::new(simd, |lane| {
             let sight = sight_axes * vector(ray.sight, lane);
             let rest = view.rest_ray(sight.try_normalize()?);
             let near = Near::new(rest.origin, rest.direction).counted_from(middle);
@@ -183,7 +185,7 @@ impl<S: Simd> Meetings<S> {
             };
             let range =
                 |gradient| covered().map_or(0.0, |covered| covered.range(solid.rest_from_box(gradient)));
-            Some(Meeting {
+            Some(ModelMeeting {
                 distance,
                 place: position - middle - vector(body.place, lane),
                 normal,
@@ -191,7 +193,7 @@ impl<S: Simd> Meetings<S> {
                 triangle: triangle?.triangle,
             })
         });
-        let Found { holds, distance: beyond, place, normal, paint, triangle } = found;
+        let FoundMeetings { holds, distance: beyond, place, normal, paint, triangle } = found;
         let spin = Spin::new(simd, &seen.shown);
         let (kind, turns) = (seen.body.kind, seen.turns);
         let doppler = doppler_of(kind, turns, &group, &body, place, normal, ray.sight, ray.doppler, &spin);

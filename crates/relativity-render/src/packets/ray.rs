@@ -38,17 +38,17 @@ pub struct TileSights<'a, S: Simd> {
     frame: &'a Frame,
     corner: [u32; 2],
     /// The shared parts, in a conformal picture.
-    parts: Option<Parts<S>>,
+    parts: Option<ConformalParts<S>>,
 }
 
 /// The parts of a conformal picture's lines of sight that the two columns and the four rows of a tile's packets share.
 #[derive(Debug, Clone, Copy)]
-struct Parts<S: Simd> {
+struct ConformalParts<S: Simd> {
     columns: [F<S>; 2],
     rows: [V3<S>; 4],
 }
 
-impl<S: Simd> Parts<S> {
+impl<S: Simd> ConformalParts<S> {
     /// Spreads the parts of the tile's eight columns and eight rows of pixels over its packets.
     #[inline(always)]
     fn new(simd: S, column: F<S>, row: V3<S>) -> Self {
@@ -77,7 +77,11 @@ impl<'a, S: Simd> TileSights<'a, S> {
                 let centres =
                     corner.map(|first| F::from_fn(simd, |place| (first + place as u32) as f32 + 0.5));
                 let offset = conformal_from_pole(frame, centres);
-                Parts::new(simd, mercator::column(frame, offset.x), mercator::row(simd, frame, offset.y))
+                ConformalParts::new(
+                    simd,
+                    mercator::column(frame, offset.x),
+                    mercator::row(simd, frame, offset.y),
+                )
             },
         );
         Self { simd, frame, corner, parts }
@@ -94,7 +98,7 @@ impl<'a, S: Simd> TileSights<'a, S> {
     #[inline(always)]
     pub fn of_packet(&self, place: usize) -> Sight<S> {
         let Self { simd, frame, .. } = *self;
-        if let Some(Parts { columns, rows }) = &self.parts {
+        if let Some(ConformalParts { columns, rows }) = &self.parts {
             return Sight::of_conformal(mercator::line(simd, frame, columns[place % 2], rows[place / 2]));
         }
         let place = centres(simd, packet_places(self.corner, place));

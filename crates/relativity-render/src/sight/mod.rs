@@ -45,27 +45,27 @@ impl PreparedScene {
 }
 
 /// A group, as one view sees it; everything is in axes along its motion.
-struct Sight<'a> {
+struct GroupSight<'a> {
     /// The number of the view.
     eye: usize,
     view: GroupView,
     projection: Projection,
-    bodies: Vec<Seen<'a>>,
+    bodies: Vec<SeenBody<'a>>,
 }
 
 /// A body of the group, as it is seen.
-struct Seen<'a> {
+struct SeenBody<'a> {
     /// Image of the ball around the body; `None` from inside.
     ball: Option<Ball>,
     /// Image of the middle of that ball, from inside.
     middle: Option<DVec3>,
-    bounds: Bounds<'a>,
+    bounds: BodyBounds<'a>,
     /// Images of its pieces, once they were needed.
     images: OnceCell<Vec<Option<Image>>>,
 }
 
 /// The bounds of a body.
-enum Bounds<'a> {
+enum BodyBounds<'a> {
     Capsules(&'a [Capsule]),
     Block(Block),
     /// The hull of a ring, whatever the time: what is seen stays framed alike while wheels turn.
@@ -82,13 +82,13 @@ struct Image {
     bulge: DVec3,
 }
 
-impl Seen<'_> {
+impl SeenBody<'_> {
     /// Tubes that reach as far as it does. Of a block its edges do, wherever they are seen.
     fn pieces(&self) -> Vec<Capsule> {
         match &self.bounds {
-            Bounds::Capsules(capsules) => capsules.to_vec(),
-            Bounds::Block(block) => block.edges().collect(),
-            Bounds::Turning(ring) => ring.capsules(),
+            BodyBounds::Capsules(capsules) => capsules.to_vec(),
+            BodyBounds::Block(block) => block.edges().collect(),
+            BodyBounds::Turning(ring) => ring.capsules(),
         }
     }
 }
@@ -99,15 +99,17 @@ fn outline(scene: &PreparedScene, views: &[View]) -> Outline {
     let as_seen =
         views.iter().enumerate().flat_map(|(eye, view)| as_seen(scene, view).map(move |view| (eye, view)));
     let sights = as_seen.flat_map(|(eye, view)| {
-        groups().into_iter().map(move |group| Sight::new(eye, scene, group, &view.of_group(group.motion)))
+        groups()
+            .into_iter()
+            .map(move |group| GroupSight::new(eye, scene, group, &view.of_group(group.motion)))
     });
     let sights: Vec<_> = sights.collect();
-    let balls = |sight: &Sight| sight.balls().collect::<Vec<_>>();
+    let balls = |sight: &GroupSight| sight.balls().collect::<Vec<_>>();
     let balls: Vec<_> = sights.iter().flat_map(balls).collect();
     let surrounds = sights.iter().flat_map(|sight| &sight.bodies).any(|body| body.ball.is_none());
     let sum: DVec3 = balls.iter().map(|ball| ball.center.normalize_or_zero()).sum();
     // From within the balls around all bodies, such as that around a long one nearby, their middles tell where they are.
-    let middles = || sights.iter().map(Sight::middles).sum::<DVec3>().try_normalize();
+    let middles = || sights.iter().map(GroupSight::middles).sum::<DVec3>().try_normalize();
     let framing = sum.try_normalize().or_else(middles).map(|towards| match views[0].camera.projection {
         PictureProjection::Parallel { right, .. } => framed_parallel_to(right, &sights, towards),
         PictureProjection::Mercator { right, .. } => framed_about(right, &sights, towards),
@@ -117,7 +119,7 @@ fn outline(scene: &PreparedScene, views: &[View]) -> Outline {
 }
 
 /// Returns the framing of everything seen in pictures parallel to the `baseline`; `towards` is somewhere in the midst of it.
-fn framed_parallel_to(baseline: DVec3, sights: &[Sight], towards: DVec3) -> Framing {
+fn framed_parallel_to(baseline: DVec3, sights: &[GroupSight], towards: DVec3) -> Framing {
     let axes = Axes::across(baseline, towards);
     // Angles up are about the baseline, the same from every axis.
     let (sine, cosine) = sin_cos(middle(reach(sights, &axes)[1]));
@@ -129,7 +131,7 @@ fn framed_parallel_to(baseline: DVec3, sights: &[Sight], towards: DVec3) -> Fram
 
 /// Frames all that is seen in conformal pictures with their poles at the ends of the `baseline`; `towards` is somewhere in
 /// the midst of it.
-fn framed_about(baseline: DVec3, sights: &[Sight], towards: DVec3) -> Framing {
+fn framed_about(baseline: DVec3, sights: &[GroupSight], towards: DVec3) -> Framing {
     let axes = Axes::across(baseline, towards);
     let last = sights.last().map_or(0, |sight| sight.eye);
     let [left, right] = [0, last].map(|eye| {
@@ -150,7 +152,7 @@ fn framed_about(baseline: DVec3, sights: &[Sight], towards: DVec3) -> Framing {
 }
 
 /// Returns the framing of everything seen in pictures across the gaze; `towards` is somewhere in the midst of it.
-fn framed(sights: &[Sight], towards: DVec3) -> Framing {
+fn framed(sights: &[GroupSight], towards: DVec3) -> Framing {
     let reach = |gaze: &Gaze| reach(sights, &gaze.axes());
     let mut gaze = Gaze { elevation: 0.0, ..Gaze::along(towards.to_array()) };
     // Level at first, so that azimuths are exact however wide it is.
@@ -171,7 +173,7 @@ fn tilted(elevation: f64) -> f64 {
 }
 
 /// Between which angles from the optical axis, across and up, all that is seen lies.
-fn reach<'a>(sights: impl IntoIterator<Item = &'a Sight<'a>>, axes: &Axes) -> [Range; 2] {
+fn reach<'a>(sights: impl IntoIterator<Item = &'a GroupSight<'a>>, axes: &Axes) -> [Range; 2] {
     let mut found = Reach::NOWHERE;
     for sight in sights {
         sight.widen(axes, Across::Upright, &mut found);
@@ -194,7 +196,7 @@ fn as_seen(scene: &PreparedScene, view: &View) -> impl Iterator<Item = View> + u
     delays.into_iter().flatten().map(at)
 }
 
-impl<'a> Sight<'a> {
+impl<'a> GroupSight<'a> {
     fn new(eye: usize, scene: &'a PreparedScene, group: &PreparedGroup, view: &GroupView) -> Self {
         let projection = Projection::new(view);
         let seen = |body: &PreparedBody| {
@@ -205,11 +207,11 @@ impl<'a> Sight<'a> {
             let point = || projection.apparent_centre(view.along_motion_from_camera(around.from), 0.0);
             let middle = if ball.is_none() { point() } else { None };
             let bounds = match (scene.turning(body.number), &body.block) {
-                (Some(turning), _) => Bounds::Turning(turning.ring_around()),
-                (None, Some(block)) => Bounds::Block(**block),
-                (None, None) => Bounds::Capsules(scene.capsules(body)),
+                (Some(turning), _) => BodyBounds::Turning(turning.ring_around()),
+                (None, Some(block)) => BodyBounds::Block(**block),
+                (None, None) => BodyBounds::Capsules(scene.capsules(body)),
             };
-            Seen { ball, middle, bounds, images: OnceCell::new() }
+            SeenBody { ball, middle, bounds, images: OnceCell::new() }
         };
         let bodies = scene.bodies()[group.bodies.clone()].iter().map(seen).collect();
         Self { eye, view: *view, projection, bodies }

@@ -21,7 +21,7 @@ pub(crate) struct Crossing {
 }
 
 /// A ray, prepared for triangles.
-struct Sheared {
+struct ShearedRay {
     start: DVec3,
     direction: DVec3,
     /// Numbers of the axes across the ray, and of the one that is most along it.
@@ -35,7 +35,7 @@ impl Triangles {
     /// equally near ones that of the lowest number.
     pub(crate) fn crossing(&self, start: DVec3, direction: DVec3, behind: f64) -> Option<Crossing> {
         let ray = Ray::new(start, direction).counted_from(DVec3::ZERO);
-        let sheared = Sheared::new(ray.start, direction);
+        let sheared = ShearedRay::new(ray.start, direction);
         let behind = behind - ray.from_camera;
         // What f32 may be off by along the ray, of boxes beside triangles.
         let room = 1e-6 * self.half.length();
@@ -58,7 +58,7 @@ impl Triangles {
     }
 
     /// Returns the distance at which `ray` meets the triangle of this number, and the weights of its second and third corner there.
-    fn met(&self, ray: &Sheared, triangle: u32) -> Option<(f64, [f64; 2])> {
+    fn met(&self, ray: &ShearedRay, triangle: u32) -> Option<(f64, [f64; 2])> {
         let corners = self.corners_of(triangle);
         let met = ray.met(corners)?;
         let [a, b, c] = corners;
@@ -67,7 +67,7 @@ impl Triangles {
     }
 }
 
-impl Sheared {
+impl ShearedRay {
     fn new(start: DVec3, direction: DVec3) -> Self {
         let along = direction.abs().max_position();
         let [u, v] = [(along + 1) % 3, (along + 2) % 3];

@@ -48,7 +48,7 @@ impl Edges {
     pub fn new(corners: &[Vec3], faces: &[[u32; 3]], size: f64) -> Self {
         let place = |corner: u32| corners[corner as usize].as_dvec3();
         let stands_for = joined(corners, size / if faces.len() > MOST_TRIANGLES { CELLS } else { SAME });
-        let mut found: HashMap<[u32; 2], Met> = HashMap::new();
+        let mut found: HashMap<[u32; 2], EdgeTriangles> = HashMap::new();
         for face in faces {
             let [a, b, c] = face.map(|corner| stands_for[corner as usize]);
             // Most triangles of a large model are within a cell.
@@ -58,7 +58,7 @@ impl Edges {
             let [place_a, place_b, place_c] = face.map(place);
             let Some(normal) = (place_b - place_a).cross(place_c - place_a).try_normalize() else { continue };
             for [from, to] in [[a, b], [b, c], [c, a]].into_iter().filter(|[from, to]| from != to) {
-                let met = Met { normal, is_forward: from < to, other: None };
+                let met = EdgeTriangles { normal, is_forward: from < to, other: None };
                 match found.entry([from.min(to), from.max(to)]) {
                     Entry::Vacant(place) => {
                         place.insert(met);
@@ -80,7 +80,7 @@ impl Edges {
 
 /// The triangles that meet in an edge.
 #[derive(Debug, Clone, Copy)]
-struct Met {
+struct EdgeTriangles {
     /// Normal of the first.
     normal: DVec3,
     /// Whether the first runs along the edge from its lower corner to its higher.
@@ -89,7 +89,7 @@ struct Met {
     other: Option<DVec3>,
 }
 
-impl Met {
+impl EdgeTriangles {
     /// Adds another triangle. Of more than two the one that is bent most against the first counts.
     fn meet(&mut self, next: &Self) {
         // Neighbours run against each other along their edge, unless one is turned inside out.

@@ -87,7 +87,7 @@ impl MipMap {
         let mut map = Self { texels, levels: vec![Level { size, first: 0 }], wrap };
         while let Some(&last) = map.levels.last().filter(|level| level.size != [1, 1]) {
             let next = Level { size: last.size.map(|side| (side / 2).max(1)), first: map.texels.len() };
-            let [rows, columns] = [1, 0].map(|side| Shares::new(last.size[side], next.size[side]));
+            let [rows, columns] = [1, 0].map(|side| TexelShares::new(last.size[side], next.size[side]));
             for row in 0..next.size[1] {
                 for column in 0..next.size[0] {
                     let texel = map.average(last, &columns.of(column), rows.of(row));
@@ -156,13 +156,13 @@ impl MipMap {
 }
 
 /// The shares that the texels of a row have in those of a shorter one.
-struct Shares {
+struct TexelShares {
     /// Length of the row in that of the shorter one.
     step: f64,
     count: u32,
 }
 
-impl Shares {
+impl TexelShares {
     fn new(count: u32, fewer: u32) -> Self {
         Self { step: f64::from(count) / f64::from(fewer), count }
     }

@@ -32,7 +32,7 @@ const LEAST_PART: f64 = 1e-9;
 const MOST_STEPS: u32 = 100;
 
 /// A crossing of a triangle.
-struct Crossing {
+struct TriangleCrossing {
     /// Parameter of the ray at the crossing.
     s: f64,
     point: TrianglePoint,
@@ -42,7 +42,7 @@ struct Crossing {
 }
 
 /// A search along a curve among triangles.
-struct Search<'a> {
+struct CurveSearch<'a> {
     course: &'a Course<'a>,
     triangles: &'a Triangles,
     /// Turn from the axes of the model to those of the rest frame, and the axle along the former.
@@ -70,7 +70,7 @@ impl TurningSolid {
         let turned_at = touches.map_or_else(|| local.behind.max(0.0), |along| along - from_start);
         let found = self.reach_along(&local).and_then(|ends| {
             let course = Course::new(self, &local, view, turned_at);
-            let crossing = Search::new(&course, triangles)?.first(ends)?;
+            let crossing = CurveSearch::new(&course, triangles)?.first(ends)?;
             let turn = course.turn_at(crossing.s);
             let normal = course.axes()? * facing(crossing.across, crossing.direction);
             Some((crossing, about_y(normal, turn)))
@@ -88,7 +88,7 @@ impl Course<'_> {
     }
 }
 
-impl<'a> Search<'a> {
+impl<'a> CurveSearch<'a> {
     /// Returns the search along `course`; `None` where its body has no axes.
     fn new(course: &'a Course<'a>, triangles: &'a Triangles) -> Option<Self> {
         let axes = course.axes()?;
@@ -102,7 +102,7 @@ impl<'a> Search<'a> {
     }
 
     /// The first crossing between these ends.
-    fn first(&self, [from, to]: [f64; 2]) -> Option<Crossing> {
+    fn first(&self, [from, to]: [f64; 2]) -> Option<TriangleCrossing> {
         let length = to - from;
         let bulges = length * (self.course.curvature / (8.0 * BULGE * self.course.reach())).sqrt();
         let count = bulges.ceil().clamp(1.0, MOST_ARCS);
@@ -120,14 +120,14 @@ impl<'a> Search<'a> {
 
     /// The first crossing in the arc between these parameters, which begins and ends at these places. Of crossings in one place that of the
     /// lowest number.
-    fn first_in_arc(&self, [from, to]: [f64; 2], [begin, end]: [DVec3; 2]) -> Option<Crossing> {
+    fn first_in_arc(&self, [from, to]: [f64; 2], [begin, end]: [DVec3; 2]) -> Option<TriangleCrossing> {
         let middle = 0.5 * (from + to);
         let at_middle = self.at(middle);
         let bulge = 0.125 * self.course.curvature * (to - from) * (to - from);
         let length = begin.distance(end);
         // What f32 may be off by along the chord, of boxes beside triangles.
         let room = bulge + 1e-6 * self.triangles.half().length();
-        let mut first: Option<Crossing> = None;
+        let mut first: Option<TriangleCrossing> = None;
         let slabs = Slabs::of_chord([begin, end], room);
         self.triangles.hierarchy().along(&slabs, |candidate| {
             let until = first.as_ref().map_or(to, |first| first.s);
@@ -147,7 +147,13 @@ impl<'a> Search<'a> {
     }
 
     /// The first crossing of a triangle between these parameters, of an arc that is `there` in its `middle`.
-    fn crossing(&self, triangle: u32, ends: [f64; 2], middle: f64, there: [DVec3; 2]) -> Option<Crossing> {
+    fn crossing(
+        &self,
+        triangle: u32,
+        ends: [f64; 2],
+        middle: f64,
+        there: [DVec3; 2],
+    ) -> Option<TriangleCrossing> {
         let [a, b, c] = self.triangles.corners_of(triangle);
         let across = (b - a).cross(c - a);
         let normal = across.normalize();
@@ -177,7 +183,7 @@ impl<'a> Search<'a> {
             let is_seen = self.triangles.is_two_sided() || across.dot(direction) < 0.0;
             if let Some(weights) = weights_at(place - a, [b - a, c - a], across).filter(|_| is_seen) {
                 let point = TrianglePoint { triangle, weights: weights.map(|weight| weight as f32) };
-                return Some(Crossing { s, point, across, direction });
+                return Some(TriangleCrossing { s, point, across, direction });
             }
         }
         None

@@ -15,9 +15,9 @@ use crate::settings::PlotTab;
 const WIDTH: f32 = 230.0;
 
 /// An entry: its label, its command, and its tooltip.
-type Entry = (&'static str, Command, &'static str);
+type MenuEntry = (&'static str, Command, &'static str);
 
-const OPEN: [Entry; 2] = [
+const OPEN: [MenuEntry; 2] = [
     (
         "Open…",
         Command::Choose(Purpose::Open),
@@ -26,7 +26,7 @@ const OPEN: [Entry; 2] = [
     ("Own data…", Command::Choose(Purpose::OpenData), "Opens measured disparities (CSV) and fits them."),
 ];
 
-const SAVE: [Entry; 11] = [
+const SAVE: [MenuEntry; 11] = [
     save("Save picture…", Product::Picture),
     save("Save plots as SVG…", Product::PlotsSvg),
     save("Save plots as CSV…", Product::PlotsCsv),
@@ -40,7 +40,7 @@ const SAVE: [Entry; 11] = [
     save("Teacher’s page of the lesson…", Product::TeachersPage),
 ];
 
-const COPY: [Entry; 6] = [
+const COPY: [MenuEntry; 6] = [
     ("Copy picture", Command::Copy(Copied::Picture), "Copies the views as they are."),
     (
         "Copy values",
@@ -66,7 +66,7 @@ const COPY: [Entry; 6] = [
     ),
 ];
 
-const fn save(label: &'static str, product: Product) -> Entry {
+const fn save(label: &'static str, product: Product) -> MenuEntry {
     (label, Command::Choose(Purpose::Save(product)), product.tip())
 }
 
@@ -87,7 +87,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 }
 
 /// An entry of the menu, with the keys that do the same.
-fn entry(ui: &mut Ui, state: &State, (name, command, tip): &Entry, commands: &mut Commands) {
+fn entry(ui: &mut Ui, state: &State, (name, command, tip): &MenuEntry, commands: &mut Commands) {
     let button = Button::new(*name).shortcut_text(keys_of(std::slice::from_ref(command)));
     let obstacle = obstacle(state, command);
     let response = ui.add_enabled(obstacle.is_none(), button).on_hover_text(*tip);

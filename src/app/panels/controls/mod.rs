@@ -31,15 +31,15 @@ use crate::units::Unit;
 const LAYOUTS_HEIGHT: f32 = 340.0;
 
 /// Shows the rows of a section.
-type Rows = fn(&mut Ui, &State, &mut Commands);
+type SectionRows = fn(&mut Ui, &State, &mut Commands);
 
-const MOTION: (Section, Rows) = (Section::Motion, motion);
-const RIDE: (Section, Rows) = (Section::Ride, ride::show);
-const OTHERS: [(Section, Rows); 3] =
+const MOTION: (Section, SectionRows) = (Section::Motion, motion);
+const RIDE: (Section, SectionRows) = (Section::Ride, ride::show);
+const OTHERS: [(Section, SectionRows); 3] =
     [(Section::Look, look), (Section::TwoEyes, two_eyes::show), (Section::Light, light::show)];
 
 /// Returns the sections in their order: what moves first, which includes the ride of whoever rides.
-fn sections(is_riding: bool) -> impl Iterator<Item = (Section, Rows)> {
+fn sections(is_riding: bool) -> impl Iterator<Item = (Section, SectionRows)> {
     let [before, after] = if is_riding { [Some(RIDE), None] } else { [None, Some(RIDE)] };
     std::iter::once(MOTION).chain(before).chain(OTHERS).chain(after)
 }

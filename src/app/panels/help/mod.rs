@@ -25,7 +25,7 @@ const CAUSES: f32 = 170.0;
 
 /// The parts of the help.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Section {
+enum HelpSection {
     What,
     Words,
     Settings,
@@ -35,14 +35,14 @@ enum Section {
     Licences,
 }
 
-const SECTIONS: [(Section, &str); 7] = [
-    (Section::What, "What is this?"),
-    (Section::Words, "Words"),
-    (Section::Settings, "Settings"),
-    (Section::Keys, "Keys"),
-    (Section::Mouse, "Mouse"),
-    (Section::Paper, "Paper"),
-    (Section::Licences, "Licences"),
+const SECTIONS: [(HelpSection, &str); 7] = [
+    (HelpSection::What, "What is this?"),
+    (HelpSection::Words, "Words"),
+    (HelpSection::Settings, "Settings"),
+    (HelpSection::Keys, "Keys"),
+    (HelpSection::Mouse, "Mouse"),
+    (HelpSection::Paper, "Paper"),
+    (HelpSection::Licences, "Licences"),
 ];
 
 const MOUSE: [(&str, &str); 12] = [
@@ -74,7 +74,7 @@ pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
         return;
     }
     let id = Id::unique("help");
-    let mut shown = ctx.data(|data| data.get_temp(id)).unwrap_or(Section::What);
+    let mut shown = ctx.data(|data| data.get_temp(id)).unwrap_or(HelpSection::What);
     let mut open = true;
     let room = ctx.content_rect().size() - AROUND.into();
     let size = vec2(SIZE[0].min(room.x), SIZE[1].min(room.y)).max(vec2(1.0, 1.0));
@@ -93,7 +93,7 @@ pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
             ui.separator();
             let area =
                 ScrollArea::both().id_salt(shown as usize).max_height(size.y).auto_shrink([false, false]);
-            if shown == Section::Licences {
+            if shown == HelpSection::Licences {
                 licences(ui, area);
             } else {
                 area.scroll([false, true]).show(ui, |ui| section(ui, shown));
@@ -105,23 +105,23 @@ pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
     }
 }
 
-fn section(ui: &mut Ui, section: Section) {
+fn section(ui: &mut Ui, section: HelpSection) {
     match section {
-        Section::What => paragraphs(ui, &WHAT),
-        Section::Words => markdown::show(ui, glossary()),
-        Section::Settings => settings(ui),
-        Section::Keys => {
+        HelpSection::What => paragraphs(ui, &WHAT),
+        HelpSection::Words => markdown::show(ui, glossary()),
+        HelpSection::Settings => settings(ui),
+        HelpSection::Keys => {
             let with_keys = ACTIONS.iter().filter(|action| !action.keys.is_empty());
             table(ui, "keys", with_keys.map(|action| (action.keys_text(), action.name)));
             ui.separator();
             table(ui, "in a view", IN_A_VIEW.into_iter());
         }
-        Section::Mouse => table(ui, "mouse", MOUSE.into_iter()),
-        Section::Paper => {
+        HelpSection::Mouse => table(ui, "mouse", MOUSE.into_iter()),
+        HelpSection::Paper => {
             paragraphs(ui, &PAPER);
             ui.hyperlink(PAPER_ADDRESS);
         }
-        Section::Licences => {}
+        HelpSection::Licences => {}
     }
 }
 

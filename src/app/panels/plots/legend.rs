@@ -113,13 +113,13 @@ fn named(name: &str, detail: Detail) -> String {
 }
 
 /// A block of rows in columns.
-struct Block {
+struct LegendBlock {
     rows: Vec<(Row, Arc<Galley>)>,
     columns: usize,
     cell: Vec2,
 }
 
-impl Block {
+impl LegendBlock {
     fn new(ui: &Ui, rows: Vec<Row>, columns: usize) -> Self {
         let font = TextStyle::Small.resolve(ui.style());
         let laid = |row: Row| {
@@ -190,11 +190,11 @@ pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &Chart<'_>, draw
 /// Draws a legend of these `rows`, the names of the lines in the plot of `what`.
 pub(super) fn show_rows(ui: &Ui, response: &PlotResponse<()>, what: &str, rows: Vec<Row>, drawn: &Drawn) {
     if !rows.is_empty() {
-        put(ui, response, what, &Block::new(ui, rows, 1), drawn);
+        put(ui, response, what, &LegendBlock::new(ui, rows, 1), drawn);
     }
 }
 
-fn put(ui: &Ui, response: &PlotResponse<()>, what: &str, block: &Block, drawn: &Drawn) {
+fn put(ui: &Ui, response: &PlotResponse<()>, what: &str, block: &LegendBlock, drawn: &Drawn) {
     let frame = *response.transform.frame();
     let size = block.size();
     let spots = spots(frame.shrink(3.0), size);
@@ -210,7 +210,7 @@ fn put(ui: &Ui, response: &PlotResponse<()>, what: &str, block: &Block, drawn: &
 }
 
 /// The first that is low enough, else the first that fits at all, from the most telling to the shortest.
-fn block(ui: &Ui, chart: &Chart<'_>, room: Vec2) -> Option<Block> {
+fn block(ui: &Ui, chart: &Chart<'_>, room: Vec2) -> Option<LegendBlock> {
     let ways = [
         (Detail::Full, 1),
         (Detail::Full, 2),
@@ -224,7 +224,7 @@ fn block(ui: &Ui, chart: &Chart<'_>, room: Vec2) -> Option<Block> {
     ];
     let blocks = || {
         let blocks =
-            ways.into_iter().map(|(detail, columns)| Block::new(ui, rows(ui, chart, detail), columns));
+            ways.into_iter().map(|(detail, columns)| LegendBlock::new(ui, rows(ui, chart, detail), columns));
         blocks.filter(|block| !block.rows.is_empty() && block.size().x < room.x && block.size().y < room.y)
     };
     blocks().find(|block| block.size().y < LOW * room.y).or_else(|| blocks().next())

@@ -67,18 +67,18 @@ pub struct Blocks {
 impl Blocks {
     /// The blocks of this Markdown.
     pub fn parse(markdown: &str) -> Self {
-        let mut reader = Reader { events: markdown::events(markdown), links: Vec::new() };
+        let mut reader = BlockReader { events: markdown::events(markdown), links: Vec::new() };
         let blocks = reader.blocks();
         Self { blocks, links: reader.links }
     }
 }
 
-struct Reader<'a> {
+struct BlockReader<'a> {
     events: markdown::Events<'a>,
     links: Vec<String>,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> BlockReader<'a> {
     fn next(&mut self) -> Option<Event<'a>> {
         self.events.next().map(|(event, _)| event)
     }

@@ -26,8 +26,8 @@ pub fn surface<S: Simd>(simd: S, group: &Group, body: &Body<S>, ray: &Ray<S>) ->
     let off_axis = V3::new(-flat.y, flat.x, zero);
     let along_axis = V3::new(-n.z * flat.x, -n.z * flat.y, sine);
     let chord = ((radius - x) * (radius + x)).max(0.0).sqrt();
-    let image = Image { radius, extent, sine, cosine, x, y, chord, off_axis, along_axis };
-    let Outline { clearance, outward } = image.outline();
+    let image = CylinderImage { radius, extent, sine, cosine, x, y, chord, off_axis, along_axis };
+    let CylinderOutline { clearance, outward } = image.outline();
 
     let rise = sign_of(n.z);
     let slope = cosine.max(1e-12);
@@ -66,7 +66,7 @@ pub fn surface<S: Simd>(simd: S, group: &Group, body: &Body<S>, ray: &Ray<S>) ->
 }
 
 /// A cylinder as it is seen along rays.
-struct Image<S: Simd> {
+struct CylinderImage<S: Simd> {
     radius: F<S>,
     extent: F<S>,
     /// Of the angle between ray and axis.
@@ -81,17 +81,17 @@ struct Image<S: Simd> {
     along_axis: V3<S>,
 }
 
-struct Outline<S: Simd> {
+struct CylinderOutline<S: Simd> {
     /// Depth inside the outline.
     clearance: F<S>,
     /// Unit vector across it.
     outward: V3<S>,
 }
 
-impl<S: Simd> Image<S> {
+impl<S: Simd> CylinderImage<S> {
     /// The outline: the ends are ellipses, and between their middles are two straight lines.
     #[inline(always)]
-    fn outline(&self) -> Outline<S> {
+    fn outline(&self) -> CylinderOutline<S> {
         let Self { radius, extent, sine, cosine, x, y, chord, off_axis, along_axis } = *self;
         let beyond_end = y.abs() - extent * sine;
         let end = ellipse(x, beyond_end, radius, cosine);
@@ -105,7 +105,7 @@ impl<S: Simd> Image<S> {
         let at_end = off_axis * end.outward.x + along_axis * (end.outward.y * sign_of(y));
         let at_slant = off_axis * slant.x + along_axis * (slant.y * sign_of(y));
         let between = V3::select(is_slant, at_slant, off_axis * sign_of(x));
-        Outline {
+        CylinderOutline {
             clearance: select(is_end, end.inside, select(is_slant, to_end, to_side)),
             outward: V3::select(is_end, at_end, between),
         }

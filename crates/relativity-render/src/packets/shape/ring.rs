@@ -9,7 +9,7 @@ const MAX_STEPS: u32 = 32;
 /// Least F'' that the search for the least F goes by.
 const LEAST_SECOND: f32 = 0.02;
 
-struct Course<S: Simd> {
+struct RingCourse<S: Simd> {
     /// rho^2 = a s^2 + 2 b s + c, z = height + s slope.
     a: F<S>,
     b: F<S>,
@@ -26,7 +26,7 @@ struct Torus<S: Simd> {
 }
 
 #[derive(Clone, Copy)]
-struct Search<S: Simd> {
+struct RootSearch<S: Simd> {
     found: Mask<S>,
     /// Place of the least F so far, and that F.
     s: F<S>,
@@ -34,7 +34,7 @@ struct Search<S: Simd> {
 }
 
 #[inline(always)]
-fn torus_at<S: Simd>(course: &Course<S>, body: &Body<S>, s: F<S>) -> Torus<S> {
+fn torus_at<S: Simd>(course: &RingCourse<S>, body: &Body<S>, s: F<S>) -> Torus<S> {
     let rho = ((course.a * s + 2.0 * course.b) * s + course.c).max(1e-30).sqrt();
     let rho_first = (course.a * s + course.b) / rho;
     let rho_second = (course.a - rho_first * rho_first) / rho;
@@ -51,12 +51,12 @@ fn torus_at<S: Simd>(course: &Course<S>, body: &Body<S>, s: F<S>) -> Torus<S> {
 #[inline(always)]
 fn entry<S: Simd>(
     body: &Body<S>,
-    course: &Course<S>,
+    course: &RingCourse<S>,
     curvature: F<S>,
     [start, end]: [F<S>; 2],
-    before: Search<S>,
+    before: RootSearch<S>,
     active: Mask<S>,
-) -> Search<S> {
+) -> RootSearch<S> {
     let (mut search, mut s, mut active) = (before, start, active);
     for _ in 0..MAX_STEPS {
         active &= !s.simd_gt(end);
@@ -68,7 +68,7 @@ fn entry<S: Simd>(
         let found = active & at.value.simd_le(1e-6 * body.form_w * body.radius);
         active &= !found;
         let nearer = found | active & at.value.simd_lt(search.value);
-        search = Search {
+        search = RootSearch {
             found: search.found | found,
             s: select(nearer, s, search.s),
             value: select(nearer, at.value, search.value),
@@ -118,7 +118,7 @@ pub fn surface<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
     let flat_direction = n - body.form * slope;
     // A ray along the axis, or one across it (below), is treated as turned by a millionth.
     let a = flat_direction.dot(flat_direction).max(1e-12);
-    let course = Course { a, b: start.dot(flat_direction), c: start.dot(start), height, slope };
+    let course = RingCourse { a, b: start.dot(flat_direction), c: start.dot(start), height, slope };
     let lateral = start.cross(flat_direction);
     let closest_squared = lateral.dot(lateral) / a;
 
@@ -135,7 +135,7 @@ pub fn surface<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
     let first = (turn - outer_half).max(level - body.radius * steep.abs()).max(here);
     let last = (turn + outer_half).min(level + body.radius * steep.abs());
 
-    let mut search = Search { found: no(simd), s: turn, value: torus_at(&course, body, turn).value };
+    let mut search = RootSearch { found: no(simd), s: turn, value: torus_at(&course, body, turn).value };
     let is_near = (outer * outer).simd_gt(closest_squared) & first.simd_lt(last);
     if is_near.any_true() {
         // rho'' = a rho_closest^2/rho^3, at most this where the torus is.
@@ -170,7 +170,7 @@ pub fn surface<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
 
 /// Returns how deep inside the outline rays come: the least F of this passage, by Newton's method.
 #[inline(always)]
-fn deepest<S: Simd>(course: &Course<S>, body: &Body<S>, search: Search<S>) -> Search<S> {
+fn deepest<S: Simd>(course: &RingCourse<S>, body: &Body<S>, search: RootSearch<S>) -> RootSearch<S> {
     let (mut deepest, mut s) = (search, search.s);
     for _ in 0..4 {
         let at = torus_at(course, body, s);
@@ -181,9 +181,9 @@ fn deepest<S: Simd>(course: &Course<S>, body: &Body<S>, search: Search<S>) -> Se
 }
 
 #[inline(always)]
-fn nearer<S: Simd>(search: &Search<S>, s: F<S>, value: F<S>) -> Search<S> {
+fn nearer<S: Simd>(search: &RootSearch<S>, s: F<S>, value: F<S>) -> RootSearch<S> {
     let is_nearer = value.simd_lt(search.value);
-    Search {
+    RootSearch {
         found: search.found,
         s: select(is_nearer, s, search.s),
         value: select(is_nearer, value, search.value),

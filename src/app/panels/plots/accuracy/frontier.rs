@@ -18,7 +18,7 @@ const LEAST_ERROR: f64 = 1e-12;
 const REACH: f32 = 40.0;
 
 /// A method in the plot.
-struct Mark {
+struct MethodMark {
     method: Method,
     name: String,
     /// log10 of its milliseconds and of its error in arcseconds.
@@ -27,7 +27,7 @@ struct Mark {
     radius: f32,
 }
 
-impl Mark {
+impl MethodMark {
     fn new(row: &Row<'_>, is_worth: bool, chosen: Method, visuals: &Visuals) -> Option<Self> {
         let figures = row.figures?.as_ref().ok()?;
         let error = figures.line_of_sight_arcseconds?.p99.max(LEAST_ERROR);
@@ -91,11 +91,11 @@ impl GoalLine {
 const NAME_GAP: f32 = 8.0;
 
 /// Names the marks, each beside its own where no other name or mark is, nor the names of the axes.
-fn name_marks(ui: &Ui, response: &PlotResponse<()>, marks: &[Mark], axes: [Rect; 2]) {
+fn name_marks(ui: &Ui, response: &PlotResponse<()>, marks: &[MethodMark], axes: [Rect; 2]) {
     let frame = *response.transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
     let small = TextStyle::Small.resolve(ui.style());
-    let middle = |mark: &Mark| response.transform.position_from_point(&PlotPoint::from(mark.place));
+    let middle = |mark: &MethodMark| response.transform.position_from_point(&PlotPoint::from(mark.place));
     let mut taken: Vec<Rect> = marks
         .iter()
         .map(|mark| Rect::from_center_size(middle(mark), Vec2::splat(2.0 * mark.radius)))
@@ -128,9 +128,9 @@ fn name_marks(ui: &Ui, response: &PlotResponse<()>, marks: &[Mark], axes: [Rect;
 pub fn show(ui: &mut Ui, size: egui::Vec2, examination: &Examination, chosen: Method, quality: &mut Quality) {
     let mark = |row: Row<'_>| {
         let is_worth = examination.better_than(&row).is_none();
-        Mark::new(&row, is_worth, chosen, ui.visuals())
+        MethodMark::new(&row, is_worth, chosen, ui.visuals())
     };
-    let marks: Vec<Mark> = examination.rows().filter_map(mark).collect();
+    let marks: Vec<MethodMark> = examination.rows().filter_map(mark).collect();
     let rulers = rulers(size);
     let line = GoalLine::new(*quality, examination, ui.visuals());
     let bounds = bounds(&marks, rulers);
@@ -168,10 +168,11 @@ fn annotate(ui: &Ui, response: &PlotResponse<()>) -> [Rect; 2] {
 }
 
 /// The mark that was clicked.
-fn clicked<'a>(marks: &'a [Mark], response: &PlotResponse<()>) -> Option<&'a Mark> {
+fn clicked<'a>(marks: &'a [MethodMark], response: &PlotResponse<()>) -> Option<&'a MethodMark> {
     let pointer = response.response.interact_pointer_pos().filter(|_| response.response.clicked())?;
-    let distance =
-        |mark: &Mark| response.transform.position_from_point(&PlotPoint::from(mark.place)).distance(pointer);
+    let distance = |mark: &MethodMark| {
+        response.transform.position_from_point(&PlotPoint::from(mark.place)).distance(pointer)
+    };
     let nearest = marks.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
     (distance(nearest) < REACH).then_some(nearest)
 }
@@ -182,7 +183,7 @@ fn rulers(size: egui::Vec2) -> [Ruler; 2] {
 }
 
 /// Returns the bounds of all marks with a margin for their names; never of no size.
-fn bounds(marks: &[Mark], rulers: [Ruler; 2]) -> PlotBounds {
+fn bounds(marks: &[MethodMark], rulers: [Ruler; 2]) -> PlotBounds {
     let range = |axis: usize, margin: f64| {
         let range = extent(marks.iter().map(|mark| mark.place[axis]))
             .map_or([-1.0, 1.0], |[lowest, highest]| [lowest - margin.min(1.0), highest + margin]);

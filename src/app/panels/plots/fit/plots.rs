@@ -70,14 +70,14 @@ pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, com
     }
     let [uses_azimuth, _] = state.document.settings.fit.curves.used();
     let quantity = if uses_azimuth { Quantity::DeltaPhi } else { Quantity::DeltaTheta };
-    let drawing = Drawing::new(ui.visuals(), state, fitting, quantity);
+    let drawing = CurveDrawing::new(ui.visuals(), state, fitting, quantity);
     // The numbers along T are larger than the plot reckons with, and the last of them may reach beyond its end.
     let number = TextStyle::Body.resolve(ui.style()).size;
     let size = (ui.available_size() - number * vec2(HALF_A_NUMBER, 0.5)).max(vec2(20.0, 20.0));
     let (name, unit) = (quantity.row().symbol, column_label(quantity, &state.measures()));
     match half {
         Half::Readings => {
-            let readings = Part {
+            let readings = FitPlot {
                 name: format!("Fit of {name} against T"),
                 size,
                 with_times: true,
@@ -86,7 +86,7 @@ pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, com
             readings.show(ui, state, &drawing, Half::Readings, commands);
         }
         Half::Residuals if drawing.fitted.is_some() => {
-            let residuals = Part {
+            let residuals = FitPlot {
                 name: format!("Residuals of {name} against T"),
                 size,
                 with_times: true,
@@ -108,7 +108,7 @@ fn pair(
     commands: &mut Commands,
 ) {
     ui.spacing_mut().item_spacing.y = 2.0;
-    let drawing = Drawing::new(ui.visuals(), state, fitting, quantity);
+    let drawing = CurveDrawing::new(ui.visuals(), state, fitting, quantity);
     let height = (size.y - TITLE_HEIGHT - 4.0).max(20.0);
     let has_residuals = drawing.fitted.is_some();
     let residuals_height = if has_residuals { RESIDUALS_SHARE * height } else { 0.0 };
@@ -124,7 +124,7 @@ fn pair(
         }
     });
     let name = quantity.row().symbol;
-    let curve = Part {
+    let curve = FitPlot {
         name: format!("Fit of {name} against T"),
         size: vec2(size.x, curve_height),
         with_times: !has_residuals,
@@ -132,7 +132,7 @@ fn pair(
     };
     curve.show(ui, state, &drawing, Half::Readings, commands);
     if has_residuals {
-        let residuals = Part {
+        let residuals = FitPlot {
             name: format!("Residuals of {name} against T"),
             size: vec2(size.x, residuals_height),
             with_times: true,
@@ -143,7 +143,7 @@ fn pair(
 }
 
 /// A plot of the readings or of the residuals.
-struct Part<'h> {
+struct FitPlot<'h> {
     name: String,
     size: Vec2,
     /// Whether T is written along it.
@@ -152,8 +152,15 @@ struct Part<'h> {
     heading: Option<&'h str>,
 }
 
-impl Part<'_> {
-    fn show(&self, ui: &mut Ui, state: &State, drawing: &Drawing<'_>, half: Half, commands: &mut Commands) {
+impl FitPlot<'_> {
+    fn show(
+        &self,
+        ui: &mut Ui,
+        state: &State,
+        drawing: &CurveDrawing<'_>,
+        half: Half,
+        commands: &mut Commands,
+    ) {
         let now = VLine::new("T", state.document.time).color(theme::now_colour(ui.visuals())).width(1.0);
         let unit = state.measures().time;
         let plot: Plot<'_> = plot_over_time(ui, self.name.as_str(), unit, self.size)
@@ -184,7 +191,7 @@ impl Part<'_> {
 }
 
 /// The drawing of one curve.
-struct Drawing<'a> {
+struct CurveDrawing<'a> {
     range: [f64; 2],
     data: &'a [PlotPoint],
     fitted: Option<&'a FittedCurve>,
@@ -193,7 +200,7 @@ struct Drawing<'a> {
     band_colour: Color32,
 }
 
-impl<'a> Drawing<'a> {
+impl<'a> CurveDrawing<'a> {
     fn new(visuals: &Visuals, state: &State, fitting: &'a Fitting, quantity: Quantity) -> Self {
         let curve = usize::from(quantity == Quantity::DeltaTheta);
         let outcome = fitting.shown();

@@ -22,7 +22,7 @@ const INTERVAL: usize = 3;
 /// Shows the newest outcome, its lengths in this unit, faintly if it is outdated.
 pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
     ui.spacing_mut().item_spacing.y = 4.0;
-    let Some(outcome) = newest(ui, fitting, length, Columns::All) else { return };
+    let Some(outcome) = newest(ui, fitting, length, TableColumns::All) else { return };
     if let Some(bias) = &outcome.bias {
         let made = outcome.key.simulated().map(|simulated| simulated.model);
         let neglect = Neglect::new(outcome.key.setup.model, made);
@@ -36,11 +36,16 @@ pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
 
 /// Shows an audience the newest outcome: the numbers, and whether they are right.
 pub fn show_presented(ui: &mut Ui, fitting: &Fitting, length: Unit) {
-    newest(ui, fitting, length, Columns::Few);
+    newest(ui, fitting, length, TableColumns::Few);
 }
 
 /// Shows the numbers of the newest outcome and whether they are right, or why there is no fit; returns the outcome.
-fn newest<'a>(ui: &mut Ui, fitting: &'a Fitting, length: Unit, columns: Columns) -> Option<&'a FitOutcome> {
+fn newest<'a>(
+    ui: &mut Ui,
+    fitting: &'a Fitting,
+    length: Unit,
+    columns: TableColumns,
+) -> Option<&'a FitOutcome> {
     let Some(outcome) = fitting.shown() else {
         ui.label(RichText::new("Fitting …").weak());
         return None;
@@ -65,14 +70,14 @@ fn newest<'a>(ui: &mut Ui, fitting: &'a Fitting, length: Unit, columns: Columns)
 
 /// The columns of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Columns {
+enum TableColumns {
     /// Every column, the interval included.
     All,
     /// Every column but the interval, for an audience.
     Few,
 }
 
-fn table(ui: &mut Ui, fitted: &Fitted, length: Unit, columns: Columns) {
+fn table(ui: &mut Ui, fitted: &Fitted, length: Unit, columns: TableColumns) {
     let apart = 6.0 * theme::text_scale(ui.style());
     Grid::new("fit").num_columns(6).spacing([apart, 3.0]).min_col_width(12.0).show(ui, |ui| {
         let mut heads = vec![
@@ -81,7 +86,7 @@ fn table(ui: &mut Ui, fitted: &Fitted, length: Unit, columns: Columns) {
             ("±", "Standard error: standard deviation over the bootstrap's replicates, refits of samples drawn with replacement."),
             ("95 %", "Interval that holds 95 % of the replicates: from the 2.5th to the 97.5th percentile."),
         ];
-        if columns == Columns::Few {
+        if columns == TableColumns::Few {
             heads.truncate(INTERVAL);
         }
         if fitted.estimates.iter().any(|(.., truth)| truth.is_some()) {
@@ -119,7 +124,7 @@ fn row(
     unit: Unit,
     estimate: &Estimate,
     truth: Option<f64>,
-    columns: Columns,
+    columns: TableColumns,
 ) {
     let (symbol, tip) = named(parameter);
     let Estimate { value, uncertainty, ci95: [low, high], .. } = *estimate;
@@ -129,7 +134,7 @@ fn row(
     let value_text = RichText::new(number(value)).strong();
     named_text(ui, value_text, format!("Fitted {symbol}: {}", number(value)));
     named_text(ui, number(uncertainty), format!("Uncertainty of {symbol}: {}", number(uncertainty)));
-    if columns == Columns::All {
+    if columns == TableColumns::All {
         let interval = format!("{} … {}", number(low), number(high));
         named_text(ui, interval.as_str(), format!("95 % interval of {symbol}: {interval}"));
     }
