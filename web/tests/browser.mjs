@@ -117,39 +117,47 @@ export class Window {
         return this.page.evaluate(name => localStorage.getItem(name), name);
     }
 
+    // Waits for these milliseconds, and for the frames in which the window answers: a busy machine takes longer for them.
+    async rest(milliseconds) {
+        await sleep(milliseconds);
+        await this.page.evaluate(async () => {
+            for (let frame = 0; frame < 4; frame += 1) await new Promise(done => requestAnimationFrame(done));
+        });
+    }
+
     async press(...keys) {
         for (const key of keys.slice(0, -1)) await this.page.keyboard.down(key);
         await this.page.keyboard.press(keys.at(-1), { delay: 60 });
         for (const key of keys.slice(0, -1)) await this.page.keyboard.up(key);
-        await sleep(300);
+        await this.rest(300);
     }
 
     // Asks for an action by its name, in the palette of commands.
     async act(name) {
         await this.press('Control', 'p');
-        await sleep(700);
+        await this.rest(700);
         await this.page.keyboard.type(name, { delay: 30 });
-        await sleep(500);
+        await this.rest(500);
         await this.press('Enter');
-        await sleep(500);
+        await this.rest(500);
     }
 
     async click(x, y) {
         await this.page.mouse.move(x, y);
-        await sleep(150);
+        await this.rest(150);
         await this.page.mouse.down();
-        await sleep(80);
+        await this.rest(80);
         await this.page.mouse.up();
     }
 
     async drag(from, to) {
         const at = part => from.map((start, i) => start + (to[i] - start) * part);
         await this.page.mouse.move(...from);
-        await sleep(150);
+        await this.rest(150);
         await this.page.mouse.down();
         for (let step = 1; step <= 8; step += 1) {
             await this.page.mouse.move(...at(step / 8));
-            await sleep(60);
+            await this.rest(60);
         }
         await this.page.mouse.up();
     }

@@ -59,7 +59,7 @@ test('a finger taps a point, and drags the speed', () => inWindow('#scene=globe&
     const finger = await window.page.touchscreen.touchStart(...SPEED.from);
     for (let x = SPEED.from[0]; x <= SPEED.to[0]; x += 16) {
         await finger.move(x, SPEED.from[1]);
-        await sleep(60);
+        await window.rest(60);
     }
     await finger.end();
     await eventually('the dragged speed', async () => Number((await window.settings()).get('beta')) > 0.6);
@@ -67,10 +67,10 @@ test('a finger taps a point, and drags the speed', () => inWindow('#scene=globe&
 
 test('a newcomer makes the first prediction on a phone, by touch', () => inWindow('', async window => {
     await window.page.setViewport({ width: 360, height: 740, deviceScaleFactor: 0 });
-    await sleep(1500);
+    await window.rest(1500);
     for (const [x, y] of PHONE) {
         await window.page.touchscreen.tap(x, y);
-        await sleep(2500);
+        await window.rest(2500);
     }
     assert.equal((await window.settings()).get('lesson'), 'rods');
     const answers = await eventually('an answer', () => window.stored('gamow/answers.json'));
@@ -86,11 +86,11 @@ test('a phone in a viewer shows what is around it as it is turned', () => inWind
     await turn(90, 0, -90);
     const told = () => page.evaluate(() => document.documentElement.dataset.turned ?? '');
     await eventually('the orientation', async () => await told() === '90 0 -90 90');
-    await sleep(1500);
+    await window.rest(1500);
     await page.touchscreen.tap(...LOOK);
-    await sleep(1500);
+    await window.rest(1500);
     const picture = async () => {
-        await sleep(2500);
+        await window.rest(2500);
         return page.screenshot({ type: 'png', encoding: 'base64' });
     };
     await eventually('two pictures', async () => await window.colours({ x: 150, y: 20, width: 440, height: 300 }) > 200);
@@ -150,12 +150,12 @@ test('the numbers of a curve are those of the desktop, digit by digit', { skip: 
 });
 
 test('a lesson is predicted, revealed and remembered', () => inWindow('#lesson=rods', async window => {
-    await sleep(1500);
+    await window.rest(1500);
     await window.press('3');
     await window.press('PageDown');
     const answers = await eventually('an answer', () => window.stored('gamow/answers.json'));
     assert.match(answers, /rods/);
-    await sleep(6000);
+    await window.rest(6000);
     await window.press('1');
     assert.equal((await window.settings()).get('lesson'), 'rods');
     await window.page.reload();
@@ -166,12 +166,12 @@ test('a lesson is predicted, revealed and remembered', () => inWindow('#lesson=r
 
 test('a link leads to the same state', () => inWindow('#beta=0.99&scene=wheel&colour=glowing', async window => {
     await window.press('ArrowRight');
-    await sleep(2500);
+    await window.rest(2500);
     const link = await window.page.evaluate(() => location.hash);
     const other = await Window.open(browser, server.address, link);
     await other.press('ArrowUp');
     await other.press('ArrowDown');
-    await sleep(2500);
+    await window.rest(2500);
     const settings = Object.fromEntries(await other.settings());
     assert.deepEqual(settings, Object.fromEntries(new URLSearchParams(link.slice(1))));
     await other.close();
@@ -179,7 +179,7 @@ test('a link leads to the same state', () => inWindow('#beta=0.99&scene=wheel&co
 
 test('another fragment is followed', () => inWindow('#beta=0.6', async window => {
     await window.page.evaluate(() => { location.hash = '#scene=train&beta=0.8'; });
-    await sleep(1500);
+    await window.rest(1500);
     await window.press('ArrowUp');
     await eventually('the train', async () => {
         const settings = await window.settings();
@@ -191,13 +191,13 @@ test('a scene is dropped, and a wrong one is refused', () => inWindow('#beta=0.6
     await window.press('Escape');
     const ball = '[[object]]\nshape = "sphere"\ncentre = [0, 3, 1]\nradius = 0.5\n';
     await window.drop('mine.toml', `name = "Mine"\n${ball}`);
-    await sleep(2500);
+    await window.rest(2500);
     await window.act('save the state');
     await window.press('Enter');
     const { bytes } = await window.download();
     assert.match(bytes.toString(), /scene = "mine.toml"/);
     await window.drop('wrong.toml', 'name = "Wrong"\n');
-    await sleep(1500);
+    await window.rest(1500);
     await window.act('save the state');
     await window.press('Enter');
     assert.match((await window.download()).bytes.toString(), /scene = "mine.toml"/);
@@ -217,7 +217,7 @@ const textInPng = (bytes, name) => {
 test('a saved picture is that of the desktop, byte for byte', { skip: !existsSync(GAMOW) && `no ${GAMOW}` }, () => {
     return inWindow('#scene=rods&beta=0.7&renderer=reference', async window => {
         await window.press('Control', 's');
-        await sleep(700);
+        await window.rest(700);
         await window.press('Enter');
         const { name, bytes } = await window.download();
         assert.equal(name, 'rods.png');
@@ -238,7 +238,7 @@ test('workers draw thumbnails, and make still views smoother', async t => {
     await inWindow('#scene=rods&beta=0.7', async window => {
         await window.longTasks();
         await eventually('two smoother pictures of each eye', async () => await window.answers() === 4);
-        await sleep(1000);
+        await window.rest(1000);
         t.diagnostic(`still views, tasks of over 50 ms: ${await window.longTasks()}`);
         assert.equal(window.page.workers().length, 2);
         // What is moved is drawn anew.
@@ -267,7 +267,7 @@ test("a fit, the figures of accuracy and a saved worksheet are made beside the p
     ];
     for (const [name, fragment, use] of cases) {
         await inWindow(fragment, async window => {
-            await sleep(2000);
+            await window.rest(2000);
             await window.longTasks();
             await use(window);
             assert.ok(window.page.workers().length >= 1);
@@ -279,12 +279,12 @@ test("a fit, the figures of accuracy and a saved worksheet are made beside the p
 test('a film is stopped at once, and another file is saved', () => inWindow('#scene=rods&renderer=reference&refine=off', async window => {
     await window.act('film');
     await window.press('Enter');
-    await sleep(3000);
+    await window.rest(3000);
     const before = window.page.workers().length;
     await window.click(...STOP);
     await eventually('a worker less', () => window.page.workers().length === before - 1);
     await window.press('Control', 's');
-    await sleep(700);
+    await window.rest(700);
     await window.press('Enter');
     assert.equal((await window.download()).name, 'rods.png');
 }));
@@ -292,7 +292,7 @@ test('a film is stopped at once, and another file is saved', () => inWindow('#sc
 test('the window is resized', () => inWindow('#scene=globe&beta=0.9', async window => {
     for (const [width, height] of [[800, 600], [1600, 1000]]) {
         await window.page.setViewport({ width, height, deviceScaleFactor: 0 });
-        await sleep(1500);
+        await window.rest(1500);
         const size = await window.page.evaluate(() => {
             const { width, height } = document.getElementById('gamow');
             return [width, height];
