@@ -4,7 +4,7 @@ use eframe::egui::Key;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
-use gamow::app::command::{Command, GazeCommand};
+use gamow::app::command::{Command, GazeCommand, Switch};
 use gamow::app::riding::saddle::RideCommand;
 use gamow::app::state::State;
 use gamow::settings::{Frame, Preset, Riding, Settings};
@@ -283,8 +283,8 @@ fn the_map_follows_a_ride_aslant() {
         &[(&measured, [x, y]), ("Left eye", eyes_of_a_turned_head(eye, gamma, [cos, sin]))],
     );
 
-    window.state_mut().ask(Command::ToggleFrame);
-    window.state_mut().ask(Command::ToggleFrame);
+    window.state_mut().ask(Command::Switch(Switch::Frame));
+    window.state_mut().ask(Command::Switch(Switch::Frame));
     window.run_steps(2);
     assert_eq!(self::state(&window).document.settings.map_frame(), Frame::Rider);
     let ahead = cos * x + sin * y;
