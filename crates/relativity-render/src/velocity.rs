@@ -187,7 +187,7 @@ impl Velocity {
     /// # Errors
     ///
     /// A coordinate or time outside the domain of the core; a model that does not know such eyes; a relative Lorentz factor above
-    /// [`MAX_GAMMA`].
+    /// [`MAX_GAMMA`](relativity_core::MAX_GAMMA).
     pub fn disparity_before(
         &self,
         observer: &Observer,
@@ -307,7 +307,7 @@ impl Velocity {
     }
 
     /// Returns the speed at which a point at `place`, at rest in the frame that moves so, passes an `observer`, and its place by
-    /// the observer's clock, both reflected to move along +x. `None` beyond [`MAX_GAMMA`].
+    /// the observer's clock, both reflected to move along +x. `None` beyond [`MAX_GAMMA`](relativity_core::MAX_GAMMA).
     #[must_use]
     pub fn past(&self, observer: &Observer, place: [f64; 3]) -> Option<(Speed, SourcePoint)> {
         self.reflected_observer(observer).relative_motion(&self.speed, self.reflected_point(place)).ok()
