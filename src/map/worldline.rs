@@ -10,7 +10,7 @@ use super::frame::event_in;
 use super::present::{Present, measured_by};
 use super::straight_line::StraightLine;
 use crate::scene::Track;
-use crate::settings::Settings;
+use crate::settings::{Riding, Settings};
 
 /// Pieces of a drawn turn.
 const PIECES_OF_A_TURN: f64 = 48.0;
@@ -116,11 +116,16 @@ impl PointWorldline {
         Worldline::at_rest(self.velocity, place.x)
     }
 
-    /// When light that leaves it at the ground's time `t` is received between the eyes.
+    /// When light that leaves it at the ground's time `t` is received between the eyes, by the clock of whoever rides if they are on
+    /// this `ride`.
     #[must_use]
-    pub fn received(&self, t: f64) -> f64 {
+    pub fn received(&self, ride: &Riding, t: f64) -> f64 {
         let place = self.place(t);
-        self.clock_at(place).reception(t, math::hypot(place.y, place.z))
+        let clock = self.clock_at(place);
+        if ride.is_on() {
+            return ride.received(DVec3 { x: clock.at(t).x, ..place }, t);
+        }
+        clock.reception(t, math::hypot(place.y, place.z))
     }
 
     /// The worldline of the axle that it turns about, from the ground's time `time` on, a step for each unit of that; its own, if

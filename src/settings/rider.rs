@@ -9,6 +9,7 @@ use relativity_core::{Aperture, Baseline, Boost, Event, Observer, ObserverVeloci
 use relativity_render::{Gaze, Velocity};
 
 use super::ride::Riding;
+use crate::flags::MAX_TIME;
 
 /// A moment of a ride, or of resting eyes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,6 +39,25 @@ impl Riding {
         let Some(legs) = self.ride.0.as_deref() else { return Rider::at_rest(time) };
         let moment = self.start().along(legs, time);
         if self.is_straight() { Rider::on_line(moment, self) } else { Rider::off_line(&moment, self) }
+    }
+
+    /// Returns when the clock of the ride shows that light arrives between the eyes which left `place`, from between resting eyes, at the
+    /// ground's time `t`: to the last digit, by bisection, since legs have no formula for it.
+    #[must_use]
+    pub fn received(&self, place: DVec3, t: f64) -> f64 {
+        let has_arrived = |time: f64| {
+            let rider = self.rider(time);
+            let [y, z] = rider.aside;
+            rider.street_time - t >= place.distance(DVec3::new(rider.x, y, z))
+        };
+        let [mut before, mut after] = [-MAX_TIME, MAX_TIME];
+        loop {
+            let middle = before.midpoint(after);
+            if middle <= before || middle >= after {
+                return after;
+            }
+            *(if has_arrived(middle) { &mut after } else { &mut before }) = middle;
+        }
     }
 }
 
@@ -352,6 +372,26 @@ mod tests {
                     "{legs}: {of_sighting}"
                 );
                 assert!((sighting.doppler_factor - expected.length() / distance).abs() < 1e-9);
+            }
+        }
+    }
+
+    /// What is received says itself when it left.
+    #[test]
+    fn light_arrives_when_it_is_received() {
+        let mut settings = Preset::named("ride-lamps").expect("a preset").settings.clone();
+        let lamp = settings.track(&settings.opened_scene().expect("a scene"));
+        let place = DVec3::from(settings.rest_place(lamp.axle()));
+        // In one place both eyes are between themselves.
+        settings.motion.d = 0.0;
+        for (legs, speed, azimuth) in
+            [("coast", "0.9", 0.0), ("2@0.8,2@0:0.9", "0", 35.0), ("3@1,3@-2", "-0.5", 90.0)]
+        {
+            settings.ride = Riding { ride_azimuth: azimuth, ..riding(legs, speed) };
+            for time in [-4.0, 0.5, 3.0, 12.0] {
+                let seen = settings.disparity(&lamp, time).expect("in the domain").primary;
+                let received = settings.ride.received(place, seen.retarded_time);
+                assert!((received - time).abs() < 1e-11, "{legs} at {time}: {received}");
             }
         }
     }

@@ -165,7 +165,7 @@ fn fronts_grow_with_time_and_arrive_as_often_as_the_doppler_factor_says() {
     }
     let [happened, soon] = [-4.0, -4.0 + 1e-6];
     let own = |happened| diagram.point.proper_time(happened);
-    let arrival = |happened| diagram.point.received(happened);
+    let arrival = |happened| diagram.point.received(&settings.ride, happened);
     let rate = (own(soon) - own(happened)) / (arrival(soon) - arrival(happened));
     let both = settings.disparity(&track, arrival(happened)).expect("in the domain");
     let expected = 0.5 * (both.primary.doppler_factor + both.secondary.doppler_factor);

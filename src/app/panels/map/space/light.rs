@@ -144,7 +144,7 @@ impl<'a> Light<'a> {
         let front = self.fronts(state).find(|front| self.off_front(front, pointer) < NEAR)?;
         let every = state.measures().time.text(self.period(state), 3);
         let what = format!("Wave front of light that left at one of a series of times, {every} apart");
-        Some(told(&what, self.worldline.received(front.happened), &front))
+        Some(told(&what, self.worldline.received(&state.document.settings.ride, front.happened), &front))
     }
 
     /// The time from one front to the next, round in the unit that is shown.

@@ -157,10 +157,8 @@ struct Aimed {
 fn aimed_at(sheet: &Sheet<'_>, pointer: Pos2) -> Option<Aimed> {
     if let Some((happened, _)) = sheet.nearest_of_worldline(pointer).filter(|(_, off)| *off < NEAR) {
         let words = words::of_point(sheet, happened, "");
-        let time = sheet.diagram.point.received(happened);
-        // When whoever rides receives it is told by no formula.
-        let is_riding = sheet.state.document.settings.ride.is_on();
-        return Some(Aimed { words, time: if is_riding { sheet.diagram.clock } else { time } });
+        let time = sheet.diagram.point.received(&sheet.state.document.settings.ride, happened);
+        return Some(Aimed { words, time });
     }
     let eyes = sheet.diagram.eyes().map(|eye| sheet.nearest(eye, pointer));
     let (steps, off) = if eyes[0].1 < eyes[1].1 { eyes[0] } else { eyes[1] };

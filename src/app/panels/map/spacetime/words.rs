@@ -16,13 +16,14 @@ const DECIMALS: u8 = 3;
 pub fn of_point(sheet: &Sheet<'_>, happened: f64, what: &str) -> String {
     let diagram = &sheet.diagram;
     let event = diagram.point.at(happened);
-    let received = diagram.point.received(happened);
+    let received = diagram.point.received(&sheet.state.document.settings.ride, happened);
     let times = times(sheet.state, [received, happened, diagram.point.proper_time(happened)]);
     let point = sheet.state.document.points.selected().noun(&sheet.state.document.scene);
     format!(
-        "{}{what}\n{}\n{times}\nClick to see it: T = {}",
+        "{}{what}\n{}\n{times}\nClick to see it: {} = {}",
         capitalised(&point),
         place(sheet, event),
+        sheet.state.clock().symbol,
         time(sheet, received)
     )
 }
@@ -30,7 +31,8 @@ pub fn of_point(sheet: &Sheet<'_>, happened: f64, what: &str) -> String {
 /// Another followed point that is measured now, after its `name`.
 pub fn of_other(sheet: &Sheet<'_>, diagram: &Diagram, name: &str) -> String {
     let now = diagram.time;
-    let shown = [diagram.point.received(now), now, diagram.point.proper_time(now)];
+    let received = diagram.point.received(&sheet.state.document.settings.ride, now);
+    let shown = [received, now, diagram.point.proper_time(now)];
     format!("{}\n{}\n{}", capitalised(name), place(sheet, diagram.measured()), times(sheet.state, shown))
 }
 
@@ -45,8 +47,9 @@ pub fn of_ray(sheet: &Sheet<'_>, eye: Eye, ray: &Ray) -> String {
 pub fn of_eyes(sheet: &Sheet<'_>, received: f64) -> String {
     let observer = sheet.state.document.settings.rider(received).observer();
     let event = event_in(&sheet.diagram.frame, observer.place.into(), observer.time);
+    let symbol = sheet.state.clock().symbol;
     format!(
-        "Both eyes receive light\n{}\nreceived T = {}\nDrag it, or click on the line, to change T.",
+        "Both eyes receive light\n{}\nreceived {symbol} = {}\nDrag it, or click on the line, to change {symbol}.",
         place(sheet, event),
         time(sheet, received)
     )
