@@ -289,6 +289,25 @@ test('a film is stopped at once, and another file is saved', () => inWindow('#sc
     assert.equal((await window.download()).name, 'rods.png');
 }));
 
+test('curves and a film are downloaded, and a link is copied that opens the same', () => inWindow('#scene=rods&beta=0.7&refine=off', async window => {
+    const { page } = window;
+    const allowed = ['clipboard-read', 'clipboard-write', 'clipboard-sanitized-write'];
+    await page.browserContext().overridePermissions(new URL(server.address).origin, allowed);
+    for (const [action, name, begin] of [['save the plots as a drawing', /\.svg$/, /^<svg|^<\?xml/], ['film', /\.gif$/, /^GIF89a/]]) {
+        await window.act(action);
+        await window.press('Enter');
+        const file = await window.download();
+        assert.match(file.name, name);
+        assert.match(file.bytes.toString('latin1'), begin);
+    }
+    await window.act('copy a link');
+    const copied = () => page.evaluate(() => navigator.clipboard.readText());
+    const link = new URL(await eventually('a link on the clipboard', copied));
+    assert.equal(link.origin, new URL(server.address).origin);
+    const { beta, scene } = Object.fromEntries(new URLSearchParams(link.hash.slice(1)));
+    assert.deepEqual([beta, scene], ['0.7', 'rods']);
+}));
+
 test('the window is resized', () => inWindow('#scene=globe&beta=0.9', async window => {
     for (const [width, height] of [[800, 600], [1600, 1000]]) {
         await window.page.setViewport({ width, height, deviceScaleFactor: 0 });
