@@ -86,7 +86,7 @@ struct Shown {
 }
 
 impl Shown {
-    /// One of this `state`, which is painted as the program's is on a software GPU, or by the toolkit.
+    /// A window of this `state`, which is painted as the program's is on a software GPU, or by the toolkit.
     fn new(state: State, is_painted: bool) -> Self {
         let config = WgpuConfiguration {
             wgpu_setup: WgpuSetup::CreateNew(WgpuSetupCreateNew::without_display_handle()),

@@ -85,6 +85,19 @@ fn range_of(speed: &Speed, point: SourcePoint, eye: Aperture, distances: [f64; 2
     distances.map(|distances| abreast + distances * nearest / speed.beta())
 }
 
+/// Returns the first time within `range` at which something `has_come`, to the last digit, by bisection: before that time it never has, and
+/// from then on it always has. The end of the range, if it has not come until then.
+#[must_use]
+pub fn first_time([mut before, mut after]: [f64; 2], has_come: impl Fn(f64) -> bool) -> f64 {
+    loop {
+        let middle = before.midpoint(after);
+        if middle <= before || middle >= after {
+            return after;
+        }
+        *(if has_come(middle) { &mut after } else { &mut before }) = middle;
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

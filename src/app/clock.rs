@@ -65,7 +65,7 @@ mod tests {
         assert_eq!(advanced(5.0, 1.0, 1.0, true, [3.0, 3.0]), Tick { time: 3.0, playing: false });
     }
 
-    /// Each moment of a ride is told without those before it.
+    /// Each moment of a ride is computed without those before it.
     #[test]
     fn a_ride_ends_alike_at_5_and_at_120_frames_a_second() {
         let ride = &Preset::named("ride-twins").expect("a preset").settings.ride;

@@ -126,7 +126,7 @@ impl SamplesWithTruth {
 /// the eyes it is a ride along the street. `None` of any other ride or point.
 fn along_street(settings: &Settings, point: &Track) -> Option<(Settings, Track)> {
     let ride = &settings.ride;
-    let is_level = ride.is_on() && ride.coasts() && !ride.is_along_street() && ride.ride_elevation == 0.0;
+    let is_level = ride.leaves_street() && ride.coasts() && ride.ride_elevation == 0.0;
     if !is_level || settings.velocity(point.motion).beta() != 0.0 {
         return None;
     }

@@ -67,7 +67,7 @@ impl FromStr for RideLegs {
     }
 }
 
-/// As few numbers as say it: those to the left and up are left out where they are 0.
+/// Writes as few of the three numbers as needed: those to the left and up are left out where they are 0.
 fn write_acceleration(f: &mut fmt::Formatter<'_>, acceleration: [f64; 3]) -> fmt::Result {
     let [ahead, left, up] = acceleration;
     match (left, up) {

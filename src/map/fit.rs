@@ -26,7 +26,7 @@ const AROUND_RIDER: [f64; 2] = [-8.0, 16.0];
 /// Half the part of the world around who does not ride along the street, units, and how far it is shifted at the speed of light.
 const AROUND_ASLANT: [f64; 3] = [6.0, 6.0, 3.0];
 const AHEAD_ASLANT: f64 = 4.0;
-/// What such a rider sees is fitted up to this distance.
+/// Greatest distance of what such a rider sees that is fitted.
 const FURTHEST: f64 = 120.0;
 /// Least height of the plan and of the view from the side, of that of the other.
 const LEAST_SHARE: f64 = 0.25;

@@ -166,7 +166,7 @@ pub struct Places {
     observer: Observer,
     /// The present of the frame that is drawn.
     present: Present,
-    /// What is measured in a frame that does not move along the street, in which whoever rides rests.
+    /// View of what is measured in the frame of an observer who does not move along the street.
     aslant: Option<GroupView>,
     frame: Frame,
 }

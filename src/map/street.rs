@@ -49,8 +49,7 @@ pub fn street_lines(instant: &Instant, scene: &Scene, projection: Projection) ->
 /// in the frame of whoever rides, and none of who keeps to the street.
 #[must_use]
 pub fn way_of_rider(settings: &Settings, time: f64, range: [f64; 2]) -> Vec<DVec3> {
-    let ride = &settings.ride;
-    if !ride.is_on() || ride.is_along_street() || settings.map_frame() == Frame::Rider {
+    if !settings.ride.leaves_street() || settings.map_frame() == Frame::Rider {
         return Vec::new();
     }
     let frame = settings.frame(time);

@@ -119,6 +119,12 @@ impl Riding {
         !self.ride.is_off()
     }
 
+    /// Whether the eyes ride another way than along the street.
+    #[must_use]
+    pub fn leaves_street(&self) -> bool {
+        self.is_on() && !self.is_along_street()
+    }
+
     /// Whether the eyes ride on a bicycle: one faces along the street, and would be dragged aside on any other way.
     #[must_use]
     pub fn has_bicycle(&self) -> bool {
@@ -186,19 +192,21 @@ impl Riding {
     }
 }
 
+/// A ride with these legs that starts at this speed, for tests.
+#[cfg(test)]
+pub(super) fn riding(ride: &str, speed: &str) -> Riding {
+    Riding {
+        ride: ride.parse().expect("legs"),
+        ride_speed: speed.parse().expect("a velocity"),
+        ..Riding::default()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use relativity_render::Velocity;
 
     use super::*;
-
-    fn riding(ride: &str, speed: &str) -> Riding {
-        Riding {
-            ride: ride.parse().expect("legs"),
-            ride_speed: speed.parse().expect("a velocity"),
-            ..Riding::default()
-        }
-    }
 
     /// The twin of W. Rindler's textbook: eight units of one's own clock, 14.507 at home.
     #[test]

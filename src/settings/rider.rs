@@ -10,6 +10,7 @@ use relativity_render::{Gaze, Velocity};
 
 use super::ride::Riding;
 use crate::flags::MAX_TIME;
+use crate::time_range;
 
 /// A moment of a ride, or of resting eyes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,14 +51,7 @@ impl Riding {
             let [y, z] = rider.aside;
             rider.street_time - t >= place.distance(DVec3::new(rider.x, y, z))
         };
-        let [mut before, mut after] = [-MAX_TIME, MAX_TIME];
-        loop {
-            let middle = before.midpoint(after);
-            if middle <= before || middle >= after {
-                return after;
-            }
-            *(if has_arrived(middle) { &mut after } else { &mut before }) = middle;
-        }
+        time_range::first_time([-MAX_TIME, MAX_TIME], has_arrived)
     }
 }
 
@@ -116,7 +110,7 @@ impl Rider {
         }
     }
 
-    /// Where the rider moves in the axes of the head: a unit vector along the line of the ride, to its left and up, along the line
+    /// Direction in which the rider moves, in the axes of the head: a unit vector along the line of the ride, to its left and up, along the line
     /// at rest. It is up to the sign of the velocity that it is ahead.
     #[must_use]
     pub const fn ahead(&self) -> [f64; 3] {
@@ -138,21 +132,19 @@ impl Rider {
     /// `gaze`, in the axes of the head, in the observer's.
     #[must_use]
     pub fn gaze_from_head(&self, gaze: Gaze) -> Gaze {
-        if self.head == DQuat::IDENTITY {
-            gaze
-        } else {
-            Gaze::along(self.from_head(gaze.axes().forward).into())
-        }
+        self.gaze_turned(gaze, Self::from_head)
     }
 
     /// `gaze`, in the observer's axes, in those of the head.
     #[must_use]
     pub fn gaze_to_head(&self, gaze: Gaze) -> Gaze {
-        if self.head == DQuat::IDENTITY {
-            gaze
-        } else {
-            Gaze::along(self.to_head(gaze.axes().forward).into())
-        }
+        self.gaze_turned(gaze, Self::to_head)
+    }
+
+    /// `gaze` turned as its direction is; to the last digit itself if the head is not turned.
+    fn gaze_turned(&self, gaze: Gaze, turned: fn(&Self, DVec3) -> DVec3) -> Gaze {
+        let is_turned = self.head != DQuat::IDENTITY;
+        if is_turned { Gaze::along(turned(self, gaze.axes().forward).into()) } else { gaze }
     }
 
     /// The line between the eyes, `baseline` in the axes of the head, in the observer's.
@@ -211,15 +203,8 @@ impl Rider {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::settings::ride::riding;
     use crate::settings::{Preset, Settings};
-
-    fn riding(ride: &str, speed: &str) -> Riding {
-        Riding {
-            ride: ride.parse().expect("legs"),
-            ride_speed: speed.parse().expect("a velocity"),
-            ..Riding::default()
-        }
-    }
 
     #[test]
     fn eyes_along_the_motion_are_gamma_d_apart_on_the_street() {
@@ -303,7 +288,7 @@ mod tests {
         [u, push, x, y, z]
     }
 
-    /// One step of Runge and Kutta's fourth order.
+    /// Takes one step of Runge and Kutta's fourth order.
     fn stepped(carried: &Carried, acceleration: [f64; 3], step: f64) -> Carried {
         let along = |scale: f64, rate: &Carried| -> Carried {
             std::array::from_fn(|i| sum(carried[i], scale, rate[i]))
@@ -376,7 +361,7 @@ mod tests {
         }
     }
 
-    /// What is received says itself when it left.
+    /// Light is received when the disparity at that moment says that it left.
     #[test]
     fn light_arrives_when_it_is_received() {
         let mut settings = Preset::named("ride-lamps").expect("a preset").settings.clone();

@@ -25,7 +25,7 @@ use crate::view::{Geometry, View};
 const ROUNDS: u32 = 12;
 /// A tangent serves this far from where it touches, in parts of the distance: it is off by the square.
 const SETTLED: f64 = 1e-7;
-/// What rounding leaves of a distance from a plane, in parts of what it is made up of.
+/// Error of a distance from a plane, in parts of the terms that it is the sum of.
 const ROUNDING: f64 = 1e-12;
 /// Distances closer than this, as parts of themselves, are compared along the ray, where they have more digits.
 const ALIKE: f64 = 1e-9;
@@ -143,12 +143,12 @@ struct PlaneOfEvents {
     origin: DVec3,
     /// Unit vector; 0 along the motion, where each place counts as in the plane.
     normal: DVec3,
-    /// What reaches to within so far of it may meet it: what rounding leaves of the distance of the origin.
+    /// Error of distances from it, by rounding.
     rounding: f64,
 }
 
 impl PlaneOfEvents {
-    /// Of this `line_of_sight`, whose ray has this `limit`.
+    /// The plane of this `line_of_sight`, whose ray has this `limit`.
     fn new(view: &GroupView, line_of_sight: DVec3, limit: &RestRay) -> Self {
         let along = view.velocity.motion_from_camera(line_of_sight);
         let normal = DVec3::new(0.0, 0.0 - along.z, along.y).normalize_or_zero();

@@ -3,11 +3,11 @@
 use super::saddle::Direction;
 use gamow_platform::sticks::Sticks;
 
-/// A stick that is held less than so far from its middle rests: springs wear out.
+/// A stick that is held nearer to its middle than this rests: springs wear out.
 const RESTS: f64 = 0.2;
 /// The stick pushes from here on.
 const PUSHES: f64 = 0.5;
-/// How fast one looks around with a stick at its end, widths of the picture per second.
+/// Speed at which a stick at its end turns the gaze, widths of the picture per second.
 const PACE: f64 = 0.5;
 
 /// The direction in which the sticks push, if they do.
@@ -21,7 +21,7 @@ pub fn pushed(sticks: &Sticks) -> Option<Direction> {
     }
 }
 
-/// How far the gaze is turned in so many `seconds`, in widths of the picture to the right and up; `None` where no stick turns it.
+/// Returns the turn of the gaze in this many `seconds`, in widths of the picture to the right and up; `None` if both sticks rest.
 #[must_use]
 pub fn looked(sticks: &Sticks, seconds: f64) -> Option<[f64; 2]> {
     let turned = |stick: f64| if stick.abs() < RESTS { 0.0 } else { stick };

@@ -48,7 +48,7 @@ fn pedalled(input: &InputState) -> Option<Direction> {
     held.next().map(|(_, direction)| *direction).filter(|_| held.next().is_none())
 }
 
-/// Where the keys that walk push together.
+/// The direction in which the keys that walk push together.
 fn walked(input: &InputState) -> Option<Direction> {
     let held = WALKS.iter().filter(|(key, _)| input.key_down(*key)).map(|(_, push)| push);
     let [right, ahead] = held.fold([0, 0], |[right, ahead], [x, y]| [right + x, ahead + y]);

@@ -24,17 +24,17 @@ pub enum RideCommand {
 /// The direction of a push.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
-    /// Where one rides: along the line of the ride, or off it as one moves.
+    /// A push where the rider moves; along the line of the ride at rest.
     Forwards,
-    /// The other way.
+    /// A push against that.
     Backwards,
-    /// So many degrees to the left of where one looks, from any way of moving.
+    /// A push so many degrees to the left of the gaze.
     Beside(i16),
 }
 
 /// Walks are pushed along directions that are so far apart, degrees: a head that turns does not make a leg in every frame.
 const DEGREES_OF_WALKS: f64 = 5.0;
-/// What points along the motion, or against it, but for rounding: the sine of the angle between both.
+/// Greatest sine of the angle between a push and the motion at which both still count as along one line.
 const ALONG: f64 = 1e-9;
 /// A smaller rapidity is none: what rounding leaves of one that was braked away.
 const AT_REST: f64 = 1e-12;
@@ -53,14 +53,14 @@ pub struct Saddle {
 pub struct Push {
     /// Direction of the push.
     pub direction: Direction,
-    /// Where `direction` points: a unit vector in the axes of the head, along the line of the ride, to its left and up.
+    /// Unit vector of the push in the axes of the head, along the line of the ride, to its left and up.
     pub towards: [f64; 3],
     /// Whether the push brakes: then it ends at rest.
     pub brakes: bool,
 }
 
 impl Push {
-    /// The push that `rider` begins in this `direction`, looking so many degrees to the left of the line of the ride.
+    /// The push that `rider` begins in this `direction`, with a gaze that `looks` so many degrees to the left of the line of the ride.
     #[must_use]
     pub fn new(direction: Direction, looks: f64, rider: &Rider) -> Self {
         let ahead = rider.ahead();

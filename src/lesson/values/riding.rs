@@ -4,6 +4,7 @@ use relativity_core::math;
 
 use super::here::{Here, Value};
 use crate::settings::Rider;
+use crate::time_range;
 
 /// Values of a ride.
 pub const VALUES: &[Value] = &[
@@ -97,9 +98,6 @@ pub const VALUES: &[Value] = &[
     },
 ];
 
-/// Bisections that find a time to its last digit.
-const BISECTIONS: u32 = 60;
-
 impl Here<'_> {
     fn rider(&self) -> Rider {
         self.settings.rider(self.time)
@@ -121,14 +119,8 @@ impl Here<'_> {
     fn time_beside(&self) -> Option<f64> {
         let place = self.place_on_street()?;
         let is_before = |time: f64| self.settings.rider(time).x < place;
-        let [mut before, mut after] = self.settings.time_range(&self.track);
-        if !is_before(before) || is_before(after) {
-            return None;
-        }
-        for _ in 0..BISECTIONS {
-            let middle = before.midpoint(after);
-            *(if is_before(middle) { &mut before } else { &mut after }) = middle;
-        }
-        Some(after)
+        let range = self.settings.time_range(&self.track);
+        let [before, after] = range.map(is_before);
+        (before && !after).then(|| time_range::first_time(range, |time| !is_before(time)))
     }
 }

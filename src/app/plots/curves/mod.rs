@@ -15,7 +15,7 @@ use relativity_render::{MaterialPoint, Velocity};
 
 use crate::eye::Eye;
 use crate::quantity::{Of, Quantity};
-use crate::settings::Riding;
+use crate::settings::{Rider, Riding};
 
 pub(in crate::app) use bends::Bends;
 use sampled::pieces;
@@ -115,15 +115,21 @@ impl SeenPoint {
 
     /// The disparity at `time` in this `model`; `None` outside the domain of the core.
     fn disparity(&self, model: Model, time: f64) -> Option<Disparity> {
-        let pair = self.baseline_at(time).apertures();
-        self.velocity.disparity_before(&self.observer(time), model, self.point, pair).ok()
+        self.disparity_of(&self.ride.rider(time), model)
+    }
+
+    /// The same of this `rider`.
+    fn disparity_of(&self, rider: &Rider, model: Model) -> Option<Disparity> {
+        let pair = rider.baseline(self.baseline).apertures();
+        self.velocity.disparity_before(&rider.observer(), model, self.point, pair).ok()
     }
 
     /// The disparity of conformal pictures in this `model` at `time`; `None` where an eye sees the point along the baseline. That of a ride
     /// is the difference of what each eye sees, known to 1e-15 of u and v.
     fn conformal(&self, model: Model, time: f64) -> Option<ConformalDisparity> {
         if self.ride.is_on() {
-            let (both, axes) = (self.disparity(model, time)?, self.baseline_at(time).axes());
+            let rider = self.ride.rider(time);
+            let (both, axes) = (self.disparity_of(&rider, model)?, rider.baseline(self.baseline).axes());
             let [primary, secondary] =
                 [both.primary, both.secondary].map(|seen| axes.conformal(seen.position));
             let (primary, secondary) = (primary?, secondary?);
@@ -143,8 +149,9 @@ impl SeenPoint {
 
     /// Returns the stereo position in this `model` at `time`; `None` where the lines of sight do not meet.
     fn stereo(&self, model: Model, time: f64) -> Option<Stereo> {
-        let pair = self.baseline_at(time).stereo_apertures(self.ride.is_on());
-        self.velocity.stereo_before(&self.observer(time), model, self.point, pair).ok()
+        let rider = self.ride.rider(time);
+        let pair = rider.baseline(self.baseline).stereo_apertures(self.ride.is_on());
+        self.velocity.stereo_before(&rider.observer(), model, self.point, pair).ok()
     }
 
     /// Returns the distance at `time`, as measured in the observer's frame; no number of a point that turns before eyes that ride.

@@ -163,7 +163,7 @@ fn fields_of_view(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, 
 /// The line that is beside the eyes: x = 0 on the ground. None of who does not ride along the street.
 fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet, labels: &mut Labels) {
     let ride = &state.document.settings.ride;
-    if ride.is_on() && !ride.is_along_street() {
+    if ride.leaves_street() {
         return;
     }
     let x = place(sheet, instant.middle()).x;
