@@ -2,6 +2,9 @@
 //!
 //! Only `+ - * /`, roots, comparisons and roundings are used, which IEEE 754 fixes to the bit, and no fused ones: so
 //! pictures are the same whatever registers a processor has.
+//!
+//! What is given to `Option::map`, `array::map` or `bool::then` is compiled for the narrowest registers, with a call for each number: here
+//! it is `match` and `if`, or `vectorize` inside.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 

@@ -66,14 +66,13 @@ impl PacketRenderer {
         let tables = Tables::shared();
         let rgba = scene.tiles(view, &look.views, &|_| true, |tile, rows| {
             on_registers!(self.level, simd => {
-                let drawn = tile.cap.as_ref().map(
-                    #[inline(always)]
-                    |cap| look.draw(simd, &STANDARD, tile, cap),
-                );
-                match drawn.filter(|drawn| !drawn.packets.is_empty()) {
-                    Some(drawn) => drawn.shade(simd, &look, appearance, tables, &tile.tile, rows),
-                    None => shade_backdrop(simd, &look, &tile.tile, rows),
+                if let Some(cap) = &tile.cap {
+                    let drawn = look.draw(simd, &STANDARD, tile, cap);
+                    if !drawn.packets.is_empty() {
+                        return drawn.shade(simd, &look, appearance, tables, &tile.tile, rows);
+                    }
                 }
+                shade_backdrop(simd, &look, &tile.tile, rows);
             });
         });
         Picture { size: view.camera.size, rgba }

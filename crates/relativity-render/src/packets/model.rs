@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::body::{Body, Group, Ray, own_ray};
 use super::colour::Hatched;
 use super::look::{Look, Seen};
-use super::pattern::shift;
+use super::pattern::shifts;
 use super::ray::height_on_ground;
 use super::received::Element;
 use super::spin::Spin;
@@ -71,6 +71,7 @@ struct FoundMeetings<S: Simd> {
 
 impl<S: Simd> FoundMeetings<S> {
     /// Finds them lane by lane.
+    #[inline(always)]
     fn new(simd: S, mut meeting: impl FnMut(usize) -> Option<ModelMeeting>) -> Self {
         let mut holds = [0_i32; LANES];
         let mut distances = [0.0; LANES];
@@ -100,6 +101,7 @@ impl<S: Simd> FoundMeetings<S> {
 
 impl<S: Simd> Meetings<S> {
     /// Returns the meetings of these rays with `triangles` in the box that is `body`: of `side` times `side` samples to a pixel.
+    #[inline(always)]
     pub fn new(
         simd: S,
         triangles: &Triangles,
@@ -111,9 +113,11 @@ impl<S: Simd> Meetings<S> {
         let own = own_ray(simd, body, ray);
         let along = body.place.dot(ray.direction);
         let to_middle = ray.to_centre + along;
-        let shifts = (!triangles.textures().is_empty()).then(|| {
-            ray.steps.map(|step| body.body_from_rest(shift(group, ray, step) * ray.ground_per_rest))
-        });
+        let [right, down] = shifts(group, ray);
+        let shifts = [
+            body.body_from_rest(right * ray.ground_per_rest),
+            body.body_from_rest(down * ray.ground_per_rest),
+        ];
         let found = FoundMeetings::new(simd, |lane| {
             let start = vector(own.nearest, lane);
             let direction = vector(own.direction, lane).normalize_or_zero();
@@ -125,10 +129,7 @@ impl<S: Simd> Meetings<S> {
             let crossing = triangles.crossing(start, direction, behind)?;
             let covered = || {
                 let distance = (f64::from(to_middle[lane]) + crossing.distance) / side;
-                let shift = |shift: V3<S>| vector(shift, lane) * distance;
-                shifts.map_or(Covered::NOTHING, |shifts| {
-                    Covered::new(direction, crossing.normal, shifts.map(shift))
-                })
+                Covered::new(direction, crossing.normal, shifts.map(|shift| vector(shift, lane) * distance))
             };
             Some(ModelMeeting {
                 distance: crossing.distance,
@@ -152,6 +153,7 @@ impl<S: Simd> Meetings<S> {
 
     /// Returns the meetings of these rays with the model that is `seen`, and turns: from their lines of sight on in f64, as the reference has
     /// them, for `triangles` that stand nowhere.
+    #[inline(always)]
     pub fn with_turning(
         simd: S,
         look: &Look<'_>,
@@ -166,8 +168,8 @@ impl<S: Simd> Meetings<S> {
         let middle = look.scene.groups()[seen.body.group].extent.middle;
         let sight_axes = view.velocity.sight_axes();
         let body = Body::new(simd, &seen.shown.placement);
-        let shifts = (!triangles.textures().is_empty())
-            .then(|| ray.steps.map(|step| shift(&group, ray, step) * ray.ground_per_rest));
+        let [right, down] = shifts(&group, ray);
+        let shifts = [right * ray.ground_per_rest, down * ray.ground_per_rest];
         let found = FoundMeetings::new(simd, |lane| {
             let sight = sight_axes * vector(ray.sight, lane);
             let rest = view.rest_ray(sight.try_normalize()?);
@@ -176,10 +178,8 @@ impl<S: Simd> Meetings<S> {
             let Entry { distance, position, normal, triangle } = entry;
             let covered = || {
                 let distance = (near.from_camera + distance) / side;
-                let shift = |shift: V3<S>| vector(shift, lane) * distance;
-                let covered = shifts.map_or(Covered::NOTHING, |shifts| {
-                    Covered::new(rest.direction, normal, shifts.map(shift))
-                });
+                let shifts = shifts.map(|shift| vector(shift, lane) * distance);
+                let covered = Covered::new(rest.direction, normal, shifts);
                 let turn = view.turn_at(&seen.body.spin?, position);
                 Some(covered.turned_back(turn))
             };

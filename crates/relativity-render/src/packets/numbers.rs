@@ -51,10 +51,10 @@ impl<S: Simd> TileContents<S, 1> {
                 let Some(at) = Packet::owned(simd, &packet.solid, owner) else { continue };
                 let model = self.model(packet.place, owner);
                 let owner = self.owners[owner];
-                let shown = model.map_or_else(
-                    || Shown::new(simd, &Met::new(simd, look, owner, packet)),
-                    |[meetings]| Shown::of_model(simd, &look.seen(owner.number), meetings),
-                );
+                let shown = match model {
+                    None => Shown::new(simd, &Met::new(simd, look, owner, packet)),
+                    Some([meetings]) => Shown::of_model(simd, &look.seen(owner.number), meetings),
+                };
                 let Shown { place, doppler, distance, triangle } = shown;
                 let holds: [i32; LANES] = packet.solid[0].owner.simd_eq(at).into();
                 let number = owner.number as f32;

@@ -71,19 +71,14 @@ impl<'a, S: Simd> TileSights<'a, S> {
     /// Prepares the lines of sight of the tile with this `corner`.
     #[inline(always)]
     pub fn new(simd: S, frame: &'a Frame, corner: [u32; 2]) -> Self {
-        let parts = frame.is_conformal().then(
-            #[inline(always)]
-            || {
-                let centres =
-                    corner.map(|first| F::from_fn(simd, |place| (first + place as u32) as f32 + 0.5));
-                let offset = conformal_from_pole(frame, centres);
-                ConformalParts::new(
-                    simd,
-                    mercator::column(frame, offset.x),
-                    mercator::row(simd, frame, offset.y),
-                )
-            },
-        );
+        let parts = if frame.is_conformal() {
+            let centre_after = |first: u32| F::from_fn(simd, |place| (first + place as u32) as f32 + 0.5);
+            let offset = conformal_from_pole(frame, [centre_after(corner[0]), centre_after(corner[1])]);
+            let (column, row) = (mercator::column(frame, offset.x), mercator::row(simd, frame, offset.y));
+            Some(ConformalParts::new(simd, column, row))
+        } else {
+            None
+        };
         Self { simd, frame, corner, parts }
     }
 

@@ -38,8 +38,11 @@ impl<S: Simd> Element<'_, S> {
         let effects = look.effects(seen.body.group, turns, appearance);
         let light = look.light(seen.body, turns, appearance);
         let is_lit_by_the_street = effects.spectrum() == Spectrum::StreetDaylight;
-        let facing =
-            is_lit_by_the_street.then(|| facing_of(simd, kind, turns, group, body, place, normal, spin));
+        let facing = if is_lit_by_the_street {
+            Some(facing_of(simd, kind, turns, group, body, place, normal, spin))
+        } else {
+            None
+        };
         let colour = received_colour(effects, tables, light, doppler, normal, facing, hatched);
         colour * (seen.body.brightness as f32)
     }

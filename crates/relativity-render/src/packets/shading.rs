@@ -138,8 +138,12 @@ impl<S: Simd> TileContents<S, 4> {
     ) -> [V3<S>; 4] {
         let body = self.owners[owner];
         if let Some(samples) = self.model(packet.place, owner) {
-            return samples
-                .map(|meetings| meetings.colour(simd, look, appearance, tables, body.number, hatched));
+            return samples.map(|meetings| {
+                simd.vectorize(
+                    #[inline(always)]
+                    || meetings.colour(simd, look, appearance, tables, body.number, hatched),
+                )
+            });
         }
         [Self::colour(simd, look, appearance, tables, body, packet, hatched).0; 4]
     }

@@ -44,10 +44,9 @@ impl<S: Simd> Covered<S> {
     pub fn repeated_cover(self, coordinate: F<S>, length: f32, period: f32) -> F<S> {
         let (from, to) = (coordinate - self.half, coordinate + self.half);
         let (before_from, before_to) = ((from * (1.0 / period)).floor(), (to * (1.0 / period)).floor());
-        let within = |end: F<S>, before: F<S>| (end - before * period).min(length);
-        let covered =
-            (before_to - before_from) * length + (within(to, before_to) - within(from, before_from));
-        covered * self.share_per_length
+        let within_from = (from - before_from * period).min(length);
+        let within_to = (to - before_to * period).min(length);
+        ((before_to - before_from) * length + (within_to - within_from)) * self.share_per_length
     }
 }
 

@@ -54,16 +54,22 @@ fn covered_by_pixel<S: Simd>(
     distance: F<S>,
 ) -> Covered<S> {
     let direction = body.body_from_rest(ray.direction);
-    // No `map`: its closure would be a call between registers of different widths.
-    let right = body.body_from_rest(shift(group, ray, ray.steps[0]));
-    let down = body.body_from_rest(shift(group, ray, ray.steps[1]));
-    Covered::new(direction, normal, right, down, distance)
+    let [right, down] = shifts(group, ray);
+    Covered::new(direction, normal, body.body_from_rest(right), body.body_from_rest(down), distance)
+}
+
+/// Returns the shifts in the rest frame of the place seen, to the next pixel on the right and to the one below, per ground distance,
+/// without their parts along the ray.
+#[inline(always)]
+pub fn shifts<S: Simd>(group: &Group, ray: &Ray<S>) -> [V3<S>; 2] {
+    let [right, down] = ray.steps;
+    [shift(group, ray, right), shift(group, ray, down)]
 }
 
 /// Returns the shift in the rest frame of the place seen, from pixel to pixel along `across`, per ground distance, without its part
 /// along the ray. As `GroupView::shift` has it, but for one light cone of both eyes.
 #[inline(always)]
-pub fn shift<S: Simd>(group: &Group, ray: &Ray<S>, across: V3<S>) -> V3<S> {
+fn shift<S: Simd>(group: &Group, ray: &Ray<S>, across: V3<S>) -> V3<S> {
     let turn = (across - ray.sight * ray.sight.dot(across)) * ray.scale;
     let frame = group.frame;
     let [beta, _, _, gamma] = frame.speed;

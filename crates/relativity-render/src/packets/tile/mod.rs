@@ -241,12 +241,20 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         let side = (N as f64).sqrt();
         let Packet { place, ray, .. } = self.drawn.packets[number];
         let samples = samples.map(|offset| {
-            let is_centre = offset == [0.0, 0.0];
-            let ray = if is_centre { ray } else { rest_ray(simd, &group, sights.of_sample(place, offset)) };
-            match turning {
-                Some(turning) => Meetings::with_turning(simd, look, seen, turning, triangles, &ray, side),
-                None => Meetings::new(simd, triangles, &group, placed, &ray, side),
-            }
+            simd.vectorize(
+                #[inline(always)]
+                || {
+                    let is_centre = offset == [0.0, 0.0];
+                    let ray =
+                        if is_centre { ray } else { rest_ray(simd, &group, sights.of_sample(place, offset)) };
+                    match turning {
+                        Some(turning) => {
+                            Meetings::with_turning(simd, look, seen, turning, triangles, &ray, side)
+                        }
+                        None => Meetings::new(simd, triangles, &group, placed, &ray, side),
+                    }
+                },
+            )
         });
         let at = all(simd, owner as f32);
         let mut is_seen = false;
