@@ -15,10 +15,10 @@ use serde::{Deserialize, Serialize};
 
 use super::data::{Data, Eyes};
 use crate::columns::{ROLL, TURN};
-use crate::files::csv_out::Rows;
+use crate::files::csv_out::CsvWriter;
 use crate::flags::words::Shell;
 use crate::scene::{Scene, Track};
-use crate::settings::{FitSetup, Settings, message};
+use crate::settings::{FitSettings, Settings, message};
 use crate::time_range::time_within;
 
 /// Everything that a fit depends on.
@@ -28,7 +28,7 @@ pub struct FitKey {
     pub samples: Samples,
     /// Settings of the simulation, if there is one, and of the fit.
     #[serde(with = "message::fit")]
-    pub setup: FitSetup,
+    pub setup: FitSettings,
 }
 
 /// The source of samples.
@@ -110,7 +110,7 @@ impl SamplesWithTruth {
     #[must_use]
     pub fn csv(&self) -> String {
         let (names, eyes) = eye_columns(self.baseline, false);
-        let mut rows = Rows::new(Vec::new());
+        let mut rows = CsvWriter::new(Vec::new());
         // Into memory: writing does not fail.
         let _ = rows.write(&mut ["T"].iter().chain(names).chain(&["dphi", "dtheta"]).copied().collect(), &[]);
         for sample in self.fittable.observations.samples() {
@@ -224,7 +224,7 @@ impl FitKey {
     ///
     /// Why there are none.
     pub fn fittable(&self) -> Result<Fittable, String> {
-        let FitSetup { model, curves, fit_x0, noise_percent, .. } = self.setup;
+        let FitSettings { model, curves, fit_x0, noise_percent, .. } = self.setup;
         let options = |curves, known: f64, rolling| {
             let passage = if fit_x0 { Passage::Fitted } else { Passage::Known(known) };
             FitOptions { model, curves, passage, rolling }
@@ -304,7 +304,7 @@ impl Simulated {
     /// # Errors
     ///
     /// Why there are none.
-    pub fn observations(&self, setup: &FitSetup, noise_percent: f64) -> Result<Observations, String> {
+    pub fn observations(&self, setup: &FitSettings, noise_percent: f64) -> Result<Observations, String> {
         if let Some(obstacle) = self.obstacle() {
             return Err(obstacle.to_owned());
         }

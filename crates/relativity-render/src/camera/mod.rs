@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::axes::level_across;
 pub use crate::axes::{Axes, MAX_ELEVATION};
-use crate::lines_of_sight::{LinesOfSight, Map};
+use crate::lines_of_sight::{DirectionMap, LinesOfSight};
 use crate::mercator::{MOST_SHIFTED, Mercator};
 use gaze::aside;
 pub(crate) use gaze::held;
@@ -237,12 +237,14 @@ impl Camera {
         let focal_length_px = self.focal_length_px();
         let size = self.size.map(f64::from);
         let map = if let Projection::Vr180 { .. } = self.projection {
-            Map::Round { size }
+            DirectionMap::Round { size }
         } else if let Some(mercator) = self.mercator() {
-            Map::Mercator(mercator)
+            DirectionMap::Mercator(mercator)
         } else {
             let to_left = 0.5 * size[0] - self.middle(&axes) * focal_length_px;
-            Map::Flat { to_top_left: forward * focal_length_px - right * to_left + up * (0.5 * size[1]) }
+            DirectionMap::Flat {
+                to_top_left: forward * focal_length_px - right * to_left + up * (0.5 * size[1]),
+            }
         };
         LinesOfSight { axes, focal_length_px, map }
     }

@@ -2,11 +2,11 @@
 
 use std::f64::consts::LN_2;
 
-use super::body::{Body, Group};
+use super::body::{PacketBody, PacketGroup};
 use super::logarithm::{MOST_POWER, log2, power_of_two};
 use super::shape::middle;
-use super::spin::{Spin, velocity_at};
-use super::tables::{BAND_ROW, GLOW_ROW, LAST, ScreenLight, Tables, shown};
+use super::spin::{PacketSpin, velocity_at};
+use super::tables::{BAND_ROW, GLOW_ROW, LAST, ScreenLights, Tables, shown};
 use crate::daylight::{LEAST_BETA, MOST_RAPID, PARTS};
 use crate::effects::Effects;
 use crate::kind::Kind;
@@ -15,7 +15,7 @@ use crate::wheel::packed::Turns;
 
 /// The motion of surfaces through the street's light.
 #[derive(Debug, Clone, Copy)]
-pub struct Facing<S: Simd> {
+pub struct Facings<S: Simd> {
     /// gamma beta on the street.
     pub rapid: F<S>,
     /// The cosine, in their own frame, of the angle between their normal and their motion.
@@ -52,12 +52,12 @@ pub fn facing_of<S: Simd>(
     simd: S,
     kind: Kind,
     turns: Turns,
-    group: &Group,
-    body: &Body<S>,
+    group: &PacketGroup,
+    body: &PacketBody<S>,
     place: V3<S>,
     normal: V3<S>,
-    spin: &Spin<S>,
-) -> Facing<S> {
+    spin: &PacketSpin<S>,
+) -> Facings<S> {
     let [beta, _, _, gamma] = group.frame.on_ground;
     let sign = group.frame.motion[3];
     let n = normal.reflected(sign);
@@ -72,12 +72,12 @@ pub fn facing_of<S: Simd>(
     let scale = (1.0 - turning * turning).max(1e-30).sqrt();
     let time = (turning + n.x * beta) / scale * gamma;
     let one = all(simd, 1.0);
-    Facing { rapid, ahead: clamp(time / rapid.max(1e-30), -one, one) }
+    Facings { rapid, ahead: clamp(time / rapid.max(1e-30), -one, one) }
 }
 
 impl<S: Simd> SharedNumbers<S> {
     #[inline(always)]
-    fn new(simd: S, Facing { rapid, ahead }: Facing<S>) -> Self {
+    fn new(simd: S, Facings { rapid, ahead }: Facings<S>) -> Self {
         const LEAST: f32 = LEAST_BETA as f32;
         let gamma = (rapid * rapid + 1.0).sqrt();
         let beta = rapid / gamma;
@@ -140,8 +140,8 @@ pub fn of_street_daylight<S: Simd>(
     tables: &Tables,
     light: [f32; 4],
     shift: F<S>,
-    facing: Facing<S>,
-) -> ScreenLight<S> {
+    facing: Facings<S>,
+) -> ScreenLights<S> {
     let simd = shift.simd;
     let [band, band_exposure, exposure, band_exponent] = light;
     let course = SharedNumbers::new(simd, facing);

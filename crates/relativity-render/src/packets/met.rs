@@ -1,19 +1,19 @@
 //! The meeting of a packet's rays with a body that is seen there.
 
-use super::body::{Body, Group, Ray, Surface};
+use super::body::{PacketBody, PacketGroup, RestRays, Surface};
 use super::look::{Look, Seen};
-use super::spin::Spin;
+use super::spin::PacketSpin;
 use super::tile::{Owner, Packet, RayTest};
 use super::turning::{doppler_of, surface_when_shown};
 use crate::lanes::{F, Simd};
 
 /// The meeting of eight pixels with a body.
 pub struct Met<'a, S: Simd> {
-    pub group: Group<'a>,
+    pub group: PacketGroup<'a>,
     pub seen: Seen<'a>,
-    pub body: Body<S>,
-    pub spin: Spin<S>,
-    pub ray: &'a Ray<S>,
+    pub body: PacketBody<S>,
+    pub spin: PacketSpin<S>,
+    pub ray: &'a RestRays<S>,
     pub surface: Surface<S>,
     pub test: RayTest<S>,
     /// Doppler factor of the light from there.
@@ -28,8 +28,8 @@ impl<'a, S: Simd> Met<'a, S> {
     pub fn new<const N: usize>(simd: S, look: &'a Look<'a>, owner: Owner, packet: &'a Packet<S, N>) -> Self {
         let (group, seen, ray) = (look.group(owner.group), look.seen(owner.number), &packet.ray);
         let (kind, turns) = (seen.body.kind, seen.turns);
-        let body = Body::new(simd, &seen.shown.placement);
-        let spin = Spin::new(simd, &seen.shown);
+        let body = PacketBody::new(simd, &seen.shown.placement);
+        let spin = PacketSpin::new(simd, &seen.shown);
         let surface = surface_when_shown(simd, kind, turns, &group, &body, ray, &spin);
         let test = RayTest::new(simd, &group, kind, &body, ray, surface, N > 1);
         let Surface { place, normal, .. } = surface;

@@ -4,18 +4,18 @@
 
 use glam::DVec3;
 
-use super::body::{Body, Group, Ray, own_ray};
+use super::body::{PacketBody, PacketGroup, RestRays, own_ray};
 use super::colour::Hatched;
 use super::look::{Look, Seen};
 use super::pattern::shift;
 use super::ray::height_on_ground;
 use super::received::Element;
-use super::spin::Spin;
+use super::spin::PacketSpin;
 use super::tables::Tables;
 use super::turning::doppler_of;
 use crate::intersect::Entry;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3};
-use crate::pattern::Covered;
+use crate::pattern::SampleShifts;
 use crate::ray::Ray as Near;
 use crate::triangles::Triangles;
 use crate::view::Appearance;
@@ -103,9 +103,9 @@ impl<S: Simd> Meetings<S> {
     pub fn new(
         simd: S,
         triangles: &Triangles,
-        group: &Group<'_>,
-        body: &Body<S>,
-        ray: &Ray<S>,
+        group: &PacketGroup<'_>,
+        body: &PacketBody<S>,
+        ray: &RestRays<S>,
         side: f64,
     ) -> Self {
         let own = own_ray(simd, body, ray);
@@ -126,8 +126,8 @@ impl<S: Simd> Meetings<S> {
             let covered = || {
                 let distance = (f64::from(to_middle[lane]) + crossing.distance) / side;
                 let shift = |shift: V3<S>| vector(shift, lane) * distance;
-                shifts.map_or(Covered::NOTHING, |shifts| {
-                    Covered::new(direction, crossing.normal, shifts.map(shift))
+                shifts.map_or(SampleShifts::NOTHING, |shifts| {
+                    SampleShifts::new(direction, crossing.normal, shifts.map(shift))
                 })
             };
             Some(ModelMeeting {
@@ -158,14 +158,14 @@ impl<S: Simd> Meetings<S> {
         seen: &Seen<'_>,
         turning: &TurningSolid,
         triangles: &Triangles,
-        ray: &Ray<S>,
+        ray: &RestRays<S>,
         side: f64,
     ) -> Self {
         let (number, group) = (seen.number, look.group(seen.body.group));
         let (view, solid) = (&look.views[seen.body.group], look.scene.solid(number));
         let middle = look.scene.groups()[seen.body.group].extent.middle;
         let sight_axes = view.velocity.sight_axes();
-        let body = Body::new(simd, &seen.shown.placement);
+        let body = PacketBody::new(simd, &seen.shown.placement);
         let shifts = (!triangles.textures().is_empty())
             .then(|| ray.steps.map(|step| shift(&group, ray, step) * ray.ground_per_rest));
         let found = FoundMeetings::new(simd, |lane| {
@@ -177,8 +177,8 @@ impl<S: Simd> Meetings<S> {
             let covered = || {
                 let distance = (near.from_camera + distance) / side;
                 let shift = |shift: V3<S>| vector(shift, lane) * distance;
-                let covered = shifts.map_or(Covered::NOTHING, |shifts| {
-                    Covered::new(rest.direction, normal, shifts.map(shift))
+                let covered = shifts.map_or(SampleShifts::NOTHING, |shifts| {
+                    SampleShifts::new(rest.direction, normal, shifts.map(shift))
                 });
                 let turn = view.turn_at(&seen.body.spin?, position);
                 Some(covered.turned_back(turn))
@@ -194,7 +194,7 @@ impl<S: Simd> Meetings<S> {
             })
         });
         let FoundMeetings { holds, distance: beyond, place, normal, paint, triangle } = found;
-        let spin = Spin::new(simd, &seen.shown);
+        let spin = PacketSpin::new(simd, &seen.shown);
         let (kind, turns) = (seen.body.kind, seen.turns);
         let doppler = doppler_of(kind, turns, &group, &body, place, normal, ray.sight, ray.doppler, &spin);
         let distance = (ray.to_centre + beyond) * ray.ground_per_rest;
@@ -203,7 +203,7 @@ impl<S: Simd> Meetings<S> {
 
     /// Returns where they meet it and not below the ground.
     #[inline(always)]
-    pub fn above_ground(&self, group: &Group<'_>, body: &Body<S>) -> Mask<S> {
+    pub fn above_ground(&self, group: &PacketGroup<'_>, body: &PacketBody<S>) -> Mask<S> {
         let height = body.place.z + self.place.z + group.frame.middle[2];
         let height = height_on_ground(group, height, body.place + self.place);
         self.holds & height.simd_ge(group.frame.ground[2])
@@ -221,7 +221,7 @@ impl<S: Simd> Meetings<S> {
         hatched: Hatched<'_>,
     ) -> V3<S> {
         let (group, seen) = (look.group(look.scene.group_of(number)), look.seen(number));
-        let (body, spin) = (Body::new(simd, &seen.shown.placement), Spin::new(simd, &seen.shown));
+        let (body, spin) = (PacketBody::new(simd, &seen.shown.placement), PacketSpin::new(simd, &seen.shown));
         let Self { place, normal, doppler, .. } = *self;
         let there = Element { group: &group, seen: &seen, body: &body, spin: &spin, place, normal, doppler };
         let colour = there.colour(simd, look, appearance, tables, hatched);

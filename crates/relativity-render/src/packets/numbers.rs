@@ -1,14 +1,14 @@
 //! The numbers of a tile.
 
-use super::body::Body;
+use super::body::PacketBody;
 use super::look::{Look, Seen};
 use super::met::Met;
 use super::model::Meetings;
 use super::places::{packet_places, write_one};
-use super::spin::Spin;
+use super::spin::PacketSpin;
 use super::tile::{Packet, TileContents};
 use super::turning::place_of_hit;
-use crate::candidates::Rows;
+use crate::candidates::PixelRows;
 use crate::lanes::{F, LANES, Simd, SimdFloat, V3, all};
 use crate::tiles::Tile;
 
@@ -35,7 +35,7 @@ impl<S: Simd> Shown<S> {
     #[inline(always)]
     fn of_model(simd: S, seen: &Seen<'_>, meetings: &Meetings<S>) -> Self {
         let Meetings { place, doppler, distance, triangle, .. } = *meetings;
-        let (body, spin) = (Body::new(simd, &seen.shown.placement), Spin::new(simd, &seen.shown));
+        let (body, spin) = (PacketBody::new(simd, &seen.shown.placement), PacketSpin::new(simd, &seen.shown));
         let place = place_of_hit(seen.body.kind, seen.turns, &body, place, &spin);
         Self { place, doppler, distance, triangle }
     }
@@ -44,7 +44,7 @@ impl<S: Simd> Shown<S> {
 impl<S: Simd> TileContents<S, 1> {
     /// Writes what the pixels of `tile` show into `rows`.
     #[inline(always)]
-    pub fn measure(&self, simd: S, look: &Look<'_>, tile: &Tile, rows: &mut Rows<'_, Numbers>) {
+    pub fn measure(&self, simd: S, look: &Look<'_>, tile: &Tile, rows: &mut PixelRows<'_, Numbers>) {
         for packet in &self.packets {
             let corner = packet_places(tile.corner, packet.place);
             for owner in packet.owners[0]..packet.owners[1] {

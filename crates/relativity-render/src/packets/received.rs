@@ -1,10 +1,10 @@
 //! The light that is received from where rays meet a body.
 
-use super::body::{Body, Group};
+use super::body::{PacketBody, PacketGroup};
 use super::colour::{Hatched, received_colour};
 use super::daylight::facing_of;
 use super::look::{Look, Seen};
-use super::spin::Spin;
+use super::spin::PacketSpin;
 use super::tables::Tables;
 use crate::effects::Spectrum;
 use crate::lanes::{F, Simd, V3};
@@ -12,10 +12,10 @@ use crate::view::Appearance;
 
 /// A surface element where eight rays meet a body, and the Doppler factor of the light from there.
 pub struct Element<'a, S: Simd> {
-    pub group: &'a Group<'a>,
+    pub group: &'a PacketGroup<'a>,
     pub seen: &'a Seen<'a>,
-    pub body: &'a Body<S>,
-    pub spin: &'a Spin<S>,
+    pub body: &'a PacketBody<S>,
+    pub spin: &'a PacketSpin<S>,
     /// From the middle of the body.
     pub place: V3<S>,
     pub normal: V3<S>,

@@ -13,15 +13,15 @@ use super::received::Element;
 use super::tables::Tables;
 use super::tile::{Owner, Packet, TileContents};
 use super::turning::standing;
-use crate::backdrop::Part;
-use crate::candidates::Rows;
+use crate::backdrop::BackdropPart;
+use crate::candidates::PixelRows;
 use crate::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select};
 use crate::tiles::Tile;
 use crate::view::Appearance;
 
 /// The pixels of a tile behind which no body is.
 #[inline(always)]
-pub fn shade_backdrop<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile, rows: &mut Rows<'_, [u8; 4]>) {
+pub fn shade_backdrop<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile, rows: &mut PixelRows<'_, [u8; 4]>) {
     let part = part_of(simd, look, tile);
     let sights = TileSights::new(simd, look.frame(), tile.corner);
     for place in 0..PACKETS {
@@ -31,12 +31,12 @@ pub fn shade_backdrop<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile, rows: &mut
 }
 
 #[inline(always)]
-fn part_of<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile) -> Part {
+fn part_of<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile) -> BackdropPart {
     part(simd, look.frame(), tile.corner.map(|v| v as f32), tile.size.map(|v| v as f32))
 }
 
 #[inline(always)]
-fn write(tile: &Tile, corner: [u32; 2], rows: &mut Rows<'_, [u8; 4]>, pixels: [[u8; 4]; LANES]) {
+fn write(tile: &Tile, corner: [u32; 2], rows: &mut PixelRows<'_, [u8; 4]>, pixels: [[u8; 4]; LANES]) {
     for (lane, pixel) in pixels.into_iter().enumerate() {
         write_one(tile, corner, rows, lane, pixel);
     }
@@ -52,7 +52,7 @@ impl<S: Simd> TileContents<S, 4> {
         appearance: &Appearance,
         tables: &Tables,
         tile: &Tile,
-        rows: &mut Rows<'_, [u8; 4]>,
+        rows: &mut PixelRows<'_, [u8; 4]>,
     ) {
         let part = part_of(simd, look, tile);
         let sights = TileSights::new(simd, look.frame(), tile.corner);

@@ -1,10 +1,10 @@
 //! Rays against bodies that turn about an axle along y: `shaders/turning.wgsl`, where the method is explained.
 
-use super::body::{Body, Group, Ray, Surface};
-use super::course::Course;
+use super::body::{PacketBody, PacketGroup, RestRays, Surface};
+use super::course::SweptRays;
 use super::ray::{nearest_to, passage};
 use super::shape::{around, middle, surface};
-use super::spin::{Spin, about_y, later, sine_cosine, velocity_at};
+use super::spin::{PacketSpin, about_y, later, sine_cosine, velocity_at};
 use crate::kind::Kind;
 use crate::lanes::{F, Quaternion, Simd, SimdFloat, SimdMask, V2, V3, all, clamp, select};
 use crate::view::Geometry;
@@ -28,7 +28,7 @@ struct CoMoving<S: Simd> {
 /// A body as it is when what is at `place`, from its middle, is shown.
 #[derive(Debug, Clone, Copy)]
 pub struct Standing<S: Simd> {
-    pub body: Body<S>,
+    pub body: PacketBody<S>,
     pub place: V3<S>,
 }
 
@@ -38,10 +38,10 @@ pub fn surface_when_shown<S: Simd>(
     simd: S,
     kind: Kind,
     turns: Turns,
-    group: &Group,
-    body: &Body<S>,
-    ray: &Ray<S>,
-    spin: &Spin<S>,
+    group: &PacketGroup,
+    body: &PacketBody<S>,
+    ray: &RestRays<S>,
+    spin: &PacketSpin<S>,
 ) -> Surface<S> {
     if turns != Turns::About {
         return surface(simd, kind, group, body, ray);
@@ -56,17 +56,17 @@ pub fn surface_when_shown<S: Simd>(
 fn surface_of_turning<S: Simd>(
     simd: S,
     kind: Kind,
-    group: &Group,
-    body: &Body<S>,
-    ray: &Ray<S>,
-    spin: &Spin<S>,
+    group: &PacketGroup,
+    body: &PacketBody<S>,
+    ray: &RestRays<S>,
+    spin: &PacketSpin<S>,
 ) -> Surface<S> {
     let capsule = around(kind, body);
-    let course = Course::new(simd, group, &capsule, ray, spin);
+    let course = SweptRays::new(simd, group, &capsule, ray, spin);
     if kind == Kind::Tube {
         return course.surface(spin);
     }
-    let Course { from, to, .. } = course;
+    let SweptRays { from, to, .. } = course;
     let length = to - from;
     let is_short = (spin.omega.abs() * length).simd_lt(SHORT);
     let mut start = 0.5 * (from + to);
@@ -81,7 +81,7 @@ fn surface_of_turning<S: Simd>(
 
 /// Returns the co-moving place of what is shown at `q`, from the hub, along rays in the direction of `n`.
 #[inline(always)]
-fn co_moving<S: Simd>(simd: S, group: &Group, q: V3<S>, n: V3<S>, spin: &Spin<S>) -> CoMoving<S> {
+fn co_moving<S: Simd>(simd: S, group: &PacketGroup, q: V3<S>, n: V3<S>, spin: &PacketSpin<S>) -> CoMoving<S> {
     let shown = later(simd, group, q, spin);
     let turn = sine_cosine(-spin.omega * shown.time);
     let tangent = n + velocity_at(simd, q, spin) * shown.slowness.dot(n);
@@ -95,10 +95,10 @@ fn co_moving<S: Simd>(simd: S, group: &Group, q: V3<S>, n: V3<S>, spin: &Spin<S>
 fn surface_near<S: Simd>(
     simd: S,
     kind: Kind,
-    group: &Group,
-    body: &Body<S>,
-    ray: &Ray<S>,
-    spin: &Spin<S>,
+    group: &PacketGroup,
+    body: &PacketBody<S>,
+    ray: &RestRays<S>,
+    spin: &PacketSpin<S>,
     start: F<S>,
     reach: F<S>,
 ) -> Surface<S> {
@@ -116,7 +116,7 @@ fn surface_near<S: Simd>(
         let along = place.dot(direction);
         let moment = direction.cross(place);
         let to_centre = ray.to_centre + (hub_along + s) - along;
-        let tangent = Ray { direction, moment, to_centre, ..*ray };
+        let tangent = RestRays { direction, moment, to_centre, ..*ray };
         let mut round = surface(simd, kind, group, body, &tangent);
         let reached = clamp(s + (round.beyond - along) / rate, start - reach, start + reach);
         // The curve departs from its tangent by no more than about this.
@@ -150,9 +150,9 @@ fn surface_near<S: Simd>(
 pub fn place_of_hit<S: Simd>(
     kind: Kind,
     turns: Turns,
-    body: &Body<S>,
+    body: &PacketBody<S>,
     place: V3<S>,
-    spin: &Spin<S>,
+    spin: &PacketSpin<S>,
 ) -> V3<S> {
     if turns == Turns::About {
         return (middle(kind, body) - spin.hub) + place;
@@ -166,10 +166,10 @@ pub fn standing<S: Simd>(
     simd: S,
     kind: Kind,
     turns: Turns,
-    group: &Group,
-    body: &Body<S>,
+    group: &PacketGroup,
+    body: &PacketBody<S>,
     place: V3<S>,
-    spin: &Spin<S>,
+    spin: &PacketSpin<S>,
 ) -> Standing<S> {
     if turns == Turns::Not {
         return Standing { body: *body, place };
@@ -184,7 +184,7 @@ pub fn standing<S: Simd>(
     let turn =
         Quaternion { v: own.v * by.w + by.v * own.w + by.v.cross(own.v), w: by.w * own.w - by.v.dot(own.v) };
     let there = if turns == Turns::About { q - about_y(from_hub, sine_cosine(angle)) } else { place };
-    Standing { body: Body { turn, ..*body }, place: there }
+    Standing { body: PacketBody { turn, ..*body }, place: there }
 }
 
 /// The Doppler factor of what is at `place`, from the body's middle, with this `normal`: that of the light received along
@@ -194,15 +194,15 @@ pub fn standing<S: Simd>(
 pub fn doppler_of<S: Simd>(
     kind: Kind,
     turns: Turns,
-    group: &Group,
-    body: &Body<S>,
+    group: &PacketGroup,
+    body: &PacketBody<S>,
     place: V3<S>,
     normal: V3<S>,
     sight: V3<S>,
     doppler: F<S>,
-    spin: &Spin<S>,
+    spin: &PacketSpin<S>,
 ) -> F<S> {
-    let Group { frame, geometry } = *group;
+    let PacketGroup { frame, geometry } = *group;
     if turns == Turns::Not || geometry == Geometry::Contracted {
         return doppler;
     }
@@ -244,14 +244,14 @@ pub fn doppler_of<S: Simd>(
 fn own_doppler<S: Simd>(
     kind: Kind,
     turns: Turns,
-    group: &Group,
-    body: &Body<S>,
+    group: &PacketGroup,
+    body: &PacketBody<S>,
     place: V3<S>,
     normal: V3<S>,
     sight: V3<S>,
-    spin: &Spin<S>,
+    spin: &PacketSpin<S>,
 ) -> F<S> {
-    let Group { frame, geometry } = *group;
+    let PacketGroup { frame, geometry } = *group;
     let simd = sight.x.simd;
     let n = passage(simd, sight, geometry, frame.speed, frame.motion[0]).direction.sum_of(frame.group_axes);
     let q = (middle(kind, body) - spin.hub) + place;

@@ -6,7 +6,7 @@ use glam::{DQuat, DVec2, DVec3};
 use relativity_core::math;
 
 use super::flat::{LEVEL, between_planes, block_distance};
-use super::questions::{CentredShape, LocalRay, Packed, PackedForm, PlacedShape, SegmentsNeeded};
+use super::questions::{CentredShape, LocalRay, PackedForm, PackedShape, PlacedShape, SegmentsNeeded};
 use super::round::{Arc, circle, closing, disc, grid, outward, turn_to};
 use super::strokes::{Path, Stroke};
 use crate::block::Block;
@@ -110,10 +110,10 @@ impl PlacedShape for Cylinder {
         is_short.then(|| Block::new(0.5 * (self.from + self.to), self.half(), self.turn()))
     }
 
-    fn packed(&self) -> Packed {
+    fn packed(&self) -> PackedShape {
         let half = self.half();
         let form = PackedForm::Vector(half, 0.0);
-        Packed { place: 0.5 * (self.from + self.to), radius: half.min_element(), form }
+        PackedShape { place: 0.5 * (self.from + self.to), radius: half.min_element(), form }
     }
 }
 

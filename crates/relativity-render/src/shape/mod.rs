@@ -23,7 +23,7 @@ use crate::wheel::spin::{Spin, about_y};
 pub(crate) use cuboid::BoxForm;
 use cuboid::Cuboid;
 use cylinder::{Cylinder, CylinderForm};
-use questions::{CentredShape, Foot, Packed, PlacedShape};
+use questions::{CentredShape, Foot, PackedShape, PlacedShape};
 use ring::Ring;
 pub(crate) use ring::RingForm;
 use sphere::{Sphere, SphereForm};
@@ -83,7 +83,7 @@ pub enum Shape {
 
 /// A shape about its centre, prepared for rays, patterns and triangles.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Form {
+pub(crate) enum PreparedShape {
     Sphere(SphereForm),
     Tube(TubeForm),
     Ring(RingForm),
@@ -130,30 +130,30 @@ impl Shape {
     }
 
     /// Returns the shape's centre, and the shape about it.
-    pub(crate) fn about_centre(&self) -> (DVec3, Form) {
+    pub(crate) fn about_centre(&self) -> (DVec3, PreparedShape) {
         match *self {
-            Self::Sphere { center, radius } => (center.into(), Form::Sphere(SphereForm { radius })),
+            Self::Sphere { center, radius } => (center.into(), PreparedShape::Sphere(SphereForm { radius })),
             Self::Tube { from, to, radius } => {
                 let (from, to) = (DVec3::from(from), DVec3::from(to));
                 let half_length = 0.5 * (to - from).length();
                 if half_length == 0.0 {
-                    return (from, Form::Sphere(SphereForm { radius }));
+                    return (from, PreparedShape::Sphere(SphereForm { radius }));
                 }
                 let axis = (to - from) / (2.0 * half_length);
-                (0.5 * (from + to), Form::Tube(TubeForm { axis, half_length, radius }))
+                (0.5 * (from + to), PreparedShape::Tube(TubeForm { axis, half_length, radius }))
             }
             Self::Ring { center, axis, radius, tube_radius } => {
-                (center.into(), Form::Ring(RingForm { axis: axis.into(), radius, tube_radius }))
+                (center.into(), PreparedShape::Ring(RingForm { axis: axis.into(), radius, tube_radius }))
             }
             Self::Box { center, half, turn } => {
                 let axes = DMat3::from_quat(DQuat::from_array(turn));
-                (center.into(), Form::Box(BoxForm { axes, half: half.into() }))
+                (center.into(), PreparedShape::Box(BoxForm { axes, half: half.into() }))
             }
             Self::Cylinder { from, to, radius } => {
                 let (from, to) = (DVec3::from(from), DVec3::from(to));
                 let half_length = 0.5 * (to - from).length();
                 let axis = (to - from).normalize();
-                (0.5 * (from + to), Form::Cylinder(CylinderForm { axis, half_length, radius }))
+                (0.5 * (from + to), PreparedShape::Cylinder(CylinderForm { axis, half_length, radius }))
             }
         }
     }
@@ -255,12 +255,12 @@ impl Shape {
     }
 
     /// Returns the shape's numbers for the shaders.
-    pub(crate) fn packed(&self) -> Packed {
+    pub(crate) fn packed(&self) -> PackedShape {
         self.ask(|shape| shape.packed())
     }
 }
 
-impl Form {
+impl PreparedShape {
     /// The answers of the shape's file.
     #[inline]
     pub fn answers(&self) -> &dyn CentredShape {

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use glam::{DQuat, DVec3};
 use relativity_core::math::sin_cos;
 
-use super::questions::{CentredShape, LocalRay, Packed, PackedForm, PlacedShape, SegmentsNeeded};
+use super::questions::{CentredShape, LocalRay, PackedForm, PackedShape, PlacedShape, SegmentsNeeded};
 use super::round::{Arc, arc, ball_entry, closing, grid, outward, turn_to};
 use super::strokes::{Path, Stroke};
 use crate::capsule::Capsule;
@@ -77,8 +77,8 @@ impl PlacedShape for Tube {
         vec![Capsule { from: self.from, to: self.to, radius: self.radius }]
     }
 
-    fn packed(&self) -> Packed {
-        Packed { place: self.from, radius: self.radius, form: PackedForm::Place(self.to) }
+    fn packed(&self) -> PackedShape {
+        PackedShape { place: self.from, radius: self.radius, form: PackedForm::Place(self.to) }
     }
 }
 

@@ -6,13 +6,13 @@ pub(super) mod die;
 #[cfg(test)]
 mod tests;
 
-use super::body::{Body, Group, Ray};
+use super::body::{PacketBody, PacketGroup, RestRays};
 use super::shape;
 use crate::kind::Kind;
 use crate::lanes::{F, Simd, V3, all, clamp};
 use crate::pattern::DARK;
 use crate::view::Geometry;
-use coverage::Covered;
+use coverage::PixelShifts;
 
 /// The mark of `pattern` (its ruling, and its steps along and around) on `body` at `place` (from its middle), at this
 /// ground distance along the rays: what share of its light is left.
@@ -21,12 +21,12 @@ use coverage::Covered;
 pub fn mark<S: Simd>(
     simd: S,
     kind: Kind,
-    group: &Group,
-    body: &Body<S>,
+    group: &PacketGroup,
+    body: &PacketBody<S>,
     pattern: [f32; 3],
     place: V3<S>,
     normal: V3<S>,
-    ray: &Ray<S>,
+    ray: &RestRays<S>,
     distance: F<S>,
 ) -> F<S> {
     if pattern[0] == 0.0 {
@@ -47,23 +47,23 @@ pub fn mark<S: Simd>(
 /// In the body's own axes.
 #[inline(always)]
 fn covered_by_pixel<S: Simd>(
-    group: &Group,
-    body: &Body<S>,
-    ray: &Ray<S>,
+    group: &PacketGroup,
+    body: &PacketBody<S>,
+    ray: &RestRays<S>,
     normal: V3<S>,
     distance: F<S>,
-) -> Covered<S> {
+) -> PixelShifts<S> {
     let direction = body.body_from_rest(ray.direction);
     // No `map`: its closure would be a call between registers of different widths.
     let right = body.body_from_rest(shift(group, ray, ray.steps[0]));
     let down = body.body_from_rest(shift(group, ray, ray.steps[1]));
-    Covered::new(direction, normal, right, down, distance)
+    PixelShifts::new(direction, normal, right, down, distance)
 }
 
 /// Returns the shift in the rest frame of the place seen, from pixel to pixel along `across`, per ground distance, without its part
 /// along the ray. As `GroupView::shift` has it, but for one light cone of both eyes.
 #[inline(always)]
-pub fn shift<S: Simd>(group: &Group, ray: &Ray<S>, across: V3<S>) -> V3<S> {
+pub fn shift<S: Simd>(group: &PacketGroup, ray: &RestRays<S>, across: V3<S>) -> V3<S> {
     let turn = (across - ray.sight * ray.sight.dot(across)) * ray.scale;
     let frame = group.frame;
     let [beta, _, _, gamma] = frame.speed;

@@ -13,12 +13,12 @@ use fearless_simd::{Level, dispatch};
 use glam::{DQuat, DVec3};
 use relativity_core::{Aperture, Speed, Turning};
 
-use super::body::{Body as PacketBody, Group as PacketGroup};
+use super::body::{PacketBody, PacketGroup};
 use super::ray::{line_of_sight, movement as movement_of, rest_ray};
 use super::shape::middle;
-use super::spin::Spin as PacketSpin;
+use super::spin::PacketSpin;
 use super::turning::{doppler_of, place_of_hit, standing, surface_when_shown};
-use crate::frame::Frame;
+use crate::frame::FrameUniform;
 use crate::lanes::{F, LANES, Simd, SimdFrom, V2, V3};
 use crate::{
     Appearance, Body, Camera, Gaze, Geometry, Group, GroupView, MaterialPoint, Motion, PreparedScene,
@@ -55,7 +55,7 @@ struct Case {
     scene: PreparedScene,
     view: View,
     group_view: GroupView,
-    frame: Frame,
+    frame: FrameUniform,
 }
 
 /// The motion of a group, and its view.
@@ -161,7 +161,7 @@ impl Case {
         let seen = scene.group_views(&view)[0].apparent_position(middle);
         view.camera.gaze = Gaze::along(seen.expect("inside the domain").to_array());
         let views = scene.group_views(&view);
-        let frame = Frame::of_groups(&scene, &views, &Appearance::default())[0];
+        let frame = FrameUniform::of_groups(&scene, &views, &Appearance::default())[0];
         Self { body, view, group_view: views[0], frame, scene }
     }
 

@@ -3,13 +3,13 @@
 mod contents;
 mod ray_test;
 
-use super::body::{Body, Group};
+use super::body::{PacketBody, PacketGroup};
 use super::look::{Look, Seen};
 use super::model::{Meetings, ModelPart};
 use super::passing::{Middles, may_show as may_show_in};
 use super::places::PACKETS;
 use super::ray::{TileSights, rest_ray};
-use super::spin::Spin;
+use super::spin::PacketSpin;
 use super::turning::surface_when_shown;
 use crate::candidates::TileLook;
 use crate::cap::Cap;
@@ -30,7 +30,7 @@ pub const CENTRE: [[f32; 2]; 1] = [[0.0, 0.0]];
 struct OfGroup<'a, S: Simd, const N: usize> {
     simd: S,
     look: &'a Look<'a>,
-    group: Group<'a>,
+    group: PacketGroup<'a>,
     number: usize,
     samples: &'a [[f32; 2]; N],
     sights: TileSights<'a, S>,
@@ -132,13 +132,13 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
     #[inline(always)]
     fn test(&mut self, seen: &Seen<'_>, is_told_about: bool) {
         let simd = self.simd;
-        let body = Body::new(simd, &seen.shown.placement);
+        let body = PacketBody::new(simd, &seen.shown.placement);
         let packets: [i32; PACKETS] = if is_told_about {
             self.middles.may_show(seen.body.kind, &body, self.farthest).into()
         } else {
             [-1; PACKETS]
         };
-        let spin = Spin::new(simd, &seen.shown);
+        let spin = PacketSpin::new(simd, &seen.shown);
         let owner = self.drawn.owners.len();
         let mut is_seen = false;
         for (place, may_show) in packets.into_iter().enumerate() {
@@ -185,8 +185,8 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         number: usize,
         pixel: F<S>,
         seen: &Seen<'_>,
-        body: &Body<S>,
-        spin: &Spin<S>,
+        body: &PacketBody<S>,
+        spin: &PacketSpin<S>,
         owner: usize,
     ) -> bool {
         let Self { simd, group, .. } = *self;
@@ -233,7 +233,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         number: usize,
         triangles: &Triangles,
         seen: &Seen<'_>,
-        placed: &Body<S>,
+        placed: &PacketBody<S>,
         owner: usize,
     ) -> bool {
         let Self { simd, look, group, sights, samples, .. } = *self;
