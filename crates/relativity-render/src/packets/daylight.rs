@@ -2,14 +2,12 @@
 
 use std::f64::consts::LN_2;
 
-use super::body::{PacketBody, PacketGroup};
 use super::logarithm::{MOST_POWER, log2, power_of_two};
-use super::shape::middle;
-use super::spin::{PacketSpin, velocity_at};
+use super::spin::velocity_at;
 use super::tables::{BAND_ROW, GLOW_ROW, LAST, ScreenLights, Tables, shown};
+use super::turning::TurningBody;
 use crate::daylight::{LEAST_BETA, MOST_RAPID, PARTS};
 use crate::effects::Effects;
-use crate::kind::Kind;
 use crate::lanes::{F, Simd, SimdFloat as _, V2, V3, all, clamp, select};
 use crate::wheel::packed::Turns;
 
@@ -46,24 +44,14 @@ struct LightPart<S: Simd> {
 }
 
 /// Returns the motion of the surface at `place`, from the body's middle, with this `normal`.
-#[expect(clippy::too_many_arguments, reason = "as the shader has them, and what are constants there")]
 #[inline(always)]
-pub fn facing_of<S: Simd>(
-    simd: S,
-    kind: Kind,
-    turns: Turns,
-    group: &PacketGroup,
-    body: &PacketBody<S>,
-    place: V3<S>,
-    normal: V3<S>,
-    spin: &PacketSpin<S>,
-) -> Facings<S> {
-    let [beta, _, _, gamma] = group.frame.on_ground;
-    let sign = group.frame.motion[3];
+pub fn facing_of<S: Simd>(simd: S, there: &TurningBody<'_, S>, place: V3<S>, normal: V3<S>) -> Facings<S> {
+    let [beta, _, _, gamma] = there.group.frame.on_ground;
+    let sign = there.group.frame.motion[3];
     let n = normal.reflected(sign);
     let mut own = V3::all(simd, [0.0; 3]);
-    if turns != Turns::Not {
-        own = velocity_at(simd, (middle(kind, body) - spin.hub) + place, spin).reflected(sign);
+    if there.turns != Turns::Not {
+        own = velocity_at(simd, there.from_hub(place), &there.spin).reflected(sign);
     }
     let own_gamma = 1.0 / (1.0 - own.dot(own)).max(1e-30).sqrt();
     let along = (own.x + beta) * own_gamma * gamma;

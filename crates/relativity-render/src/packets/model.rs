@@ -10,9 +10,8 @@ use super::look::{Look, Seen};
 use super::pattern::shift;
 use super::ray::height_on_ground;
 use super::received::Element;
-use super::spin::PacketSpin;
 use super::tables::Tables;
-use super::turning::doppler_of;
+use super::turning::TurningBody;
 use crate::intersect::Entry;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3};
 use crate::pattern::SampleShifts;
@@ -161,13 +160,12 @@ impl<S: Simd> Meetings<S> {
         ray: &RestRays<S>,
         side: f64,
     ) -> Self {
-        let (number, group) = (seen.number, look.group(seen.body.group));
+        let (number, there) = (seen.number, TurningBody::new(simd, look.group(seen.body.group), seen));
         let (view, solid) = (&look.views[seen.body.group], look.scene.solid(number));
         let middle = look.scene.groups()[seen.body.group].extent.middle;
         let sight_axes = view.velocity.sight_axes();
-        let body = PacketBody::new(simd, &seen.shown.placement);
         let shifts = (!triangles.textures().is_empty())
-            .then(|| ray.steps.map(|step| shift(&group, ray, step) * ray.ground_per_rest));
+            .then(|| ray.steps.map(|step| shift(&there.group, ray, step) * ray.ground_per_rest));
         let found = FoundMeetings::new(simd, |lane| {
             let sight = sight_axes * vector(ray.sight, lane);
             let rest = view.rest_ray(sight.try_normalize()?);
@@ -187,16 +185,14 @@ impl<S: Simd> Meetings<S> {
                 |gradient| covered().map_or(0.0, |covered| covered.range(solid.rest_from_box(gradient)));
             Some(ModelMeeting {
                 distance,
-                place: position - middle - vector(body.place, lane),
+                place: position - middle - vector(there.body.place, lane),
                 normal,
                 paint: triangles.paint_over(triangle?, range),
                 triangle: triangle?.triangle,
             })
         });
         let FoundMeetings { holds, distance: beyond, place, normal, paint, triangle } = found;
-        let spin = PacketSpin::new(simd, &seen.shown);
-        let (kind, turns) = (seen.body.kind, seen.turns);
-        let doppler = doppler_of(kind, turns, &group, &body, place, normal, ray.sight, ray.doppler, &spin);
+        let doppler = there.doppler(place, normal, ray);
         let distance = (ray.to_centre + beyond) * ray.ground_per_rest;
         Self { holds, beyond, place, normal, paint, triangle, doppler, distance }
     }
@@ -220,10 +216,10 @@ impl<S: Simd> Meetings<S> {
         number: usize,
         hatched: Hatched<'_>,
     ) -> V3<S> {
-        let (group, seen) = (look.group(look.scene.group_of(number)), look.seen(number));
-        let (body, spin) = (PacketBody::new(simd, &seen.shown.placement), PacketSpin::new(simd, &seen.shown));
+        let seen = look.seen(number);
+        let turning = TurningBody::new(simd, look.group(look.scene.group_of(number)), &seen);
         let Self { place, normal, doppler, .. } = *self;
-        let there = Element { group: &group, seen: &seen, body: &body, spin: &spin, place, normal, doppler };
+        let there = Element { seen: &seen, turning: &turning, place, normal, doppler };
         let colour = there.colour(simd, look, appearance, tables, hatched);
         let mut factors = [[0.0; LANES]; 3];
         for lane in 0..LANES {

@@ -1,13 +1,11 @@
 //! The numbers of a tile.
 
-use super::body::PacketBody;
-use super::look::{Look, Seen};
+use super::look::Look;
 use super::met::Met;
 use super::model::Meetings;
 use super::places::{packet_places, write_one};
-use super::spin::PacketSpin;
 use super::tile::{Packet, TileContents};
-use super::turning::place_of_hit;
+use super::turning::TurningBody;
 use crate::candidates::PixelRows;
 use crate::lanes::{F, LANES, Simd, SimdFloat, V3, all};
 use crate::tiles::Tile;
@@ -27,16 +25,15 @@ struct Shown<S: Simd> {
 impl<S: Simd> Shown<S> {
     #[inline(always)]
     fn new(simd: S, met: &Met<'_, S>) -> Self {
-        let Met { seen, body, spin, surface, doppler, distance, .. } = met;
-        let place = place_of_hit(seen.body.kind, seen.turns, body, surface.place, spin);
+        let Met { turning, surface, doppler, distance, .. } = met;
+        let place = turning.place_of_hit(surface.place);
         Self { place, doppler: *doppler, distance: *distance, triangle: all(simd, 0.0) }
     }
 
     #[inline(always)]
-    fn of_model(simd: S, seen: &Seen<'_>, meetings: &Meetings<S>) -> Self {
+    fn of_model(turning: &TurningBody<'_, S>, meetings: &Meetings<S>) -> Self {
         let Meetings { place, doppler, distance, triangle, .. } = *meetings;
-        let (body, spin) = (PacketBody::new(simd, &seen.shown.placement), PacketSpin::new(simd, &seen.shown));
-        let place = place_of_hit(seen.body.kind, seen.turns, &body, place, &spin);
+        let place = turning.place_of_hit(place);
         Self { place, doppler, distance, triangle }
     }
 }
@@ -51,9 +48,10 @@ impl<S: Simd> TileContents<S, 1> {
                 let Some(at) = Packet::owned(simd, &packet.solid, owner) else { continue };
                 let model = self.model(packet.place, owner);
                 let owner = self.owners[owner];
+                let turning = || TurningBody::new(simd, look.group(owner.group), &look.seen(owner.number));
                 let shown = model.map_or_else(
                     || Shown::new(simd, &Met::new(simd, look, owner, packet)),
-                    |[meetings]| Shown::of_model(simd, &look.seen(owner.number), meetings),
+                    |[meetings]| Shown::of_model(&turning(), meetings),
                 );
                 let Shown { place, doppler, distance, triangle } = shown;
                 let holds: [i32; LANES] = packet.solid[0].owner.simd_eq(at).into();

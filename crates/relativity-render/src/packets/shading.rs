@@ -12,7 +12,7 @@ use super::ray::TileSights;
 use super::received::Element;
 use super::tables::Tables;
 use super::tile::{Owner, Packet, TileContents};
-use super::turning::standing;
+use super::turning::{Standing, TurningBody};
 use crate::backdrop::BackdropPart;
 use crate::candidates::PixelRows;
 use crate::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select};
@@ -159,19 +159,17 @@ impl<S: Simd> TileContents<S, 4> {
         simd.vectorize(
             #[inline(always)]
             || {
-                let Met { group, seen, body, spin, ray, surface, test, doppler, distance } =
+                let Met { seen, turning, ray, surface, test, doppler, distance } =
                     Met::new(simd, look, owner, packet);
                 let Surface { place, normal, .. } = surface;
-                let there =
-                    Element { group: &group, seen: &seen, body: &body, spin: &spin, place, normal, doppler };
+                let there = Element { seen: &seen, turning: &turning, place, normal, doppler };
                 let colour = there.colour(simd, look, appearance, tables, hatched);
                 if seen.body.marking.is_none() {
                     return (colour, test.alpha);
                 }
-                let (kind, turns) = (seen.body.kind, seen.turns);
-                let there = standing(simd, kind, turns, &group, &body, place, &spin);
-                let pattern = seen.body.pattern();
-                let mark = mark(simd, kind, &group, &there.body, pattern, there.place, normal, ray, distance);
+                let (TurningBody { kind, group, .. }, pattern) = (&turning, seen.body.pattern());
+                let Standing { body, place } = turning.standing(simd, place);
+                let mark = mark(simd, *kind, group, &body, pattern, place, normal, ray, distance);
                 (colour * mark, test.alpha)
             },
         )

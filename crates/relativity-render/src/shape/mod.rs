@@ -28,7 +28,7 @@ use ring::Ring;
 pub(crate) use ring::RingForm;
 use sphere::{Sphere, SphereForm};
 use strokes::Stroke;
-use tube::{Tube, TubeForm};
+use tube::TubeForm;
 
 /// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,6 +81,11 @@ pub enum Shape {
     },
 }
 
+/// Returns the tube between these ends.
+fn capsule(from: [f64; 3], to: [f64; 3], radius: f64) -> Capsule {
+    Capsule { from: from.into(), to: to.into(), radius }
+}
+
 /// A shape about its centre, prepared for rays, patterns and triangles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum PreparedShape {
@@ -96,16 +101,14 @@ impl Shape {
     fn ask<T>(&self, question: impl FnOnce(&dyn PlacedShape) -> T) -> T {
         match *self {
             Self::Sphere { center, radius } => question(&Sphere { center: center.into(), radius }),
-            Self::Tube { from, to, radius } => question(&Tube { from: from.into(), to: to.into(), radius }),
+            Self::Tube { from, to, radius } => question(&capsule(from, to, radius)),
             Self::Ring { center, axis, radius, tube_radius } => {
                 question(&Ring { center: center.into(), axis: axis.into(), radius, tube_radius })
             }
             Self::Box { center, half, turn } => {
                 question(&Cuboid { center: center.into(), half: half.into(), turn: DQuat::from_array(turn) })
             }
-            Self::Cylinder { from, to, radius } => {
-                question(&Cylinder { from: from.into(), to: to.into(), radius })
-            }
+            Self::Cylinder { from, to, radius } => question(&Cylinder(capsule(from, to, radius))),
         }
     }
 

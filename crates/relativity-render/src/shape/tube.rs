@@ -16,14 +16,8 @@ use crate::wheel::spin::Spin;
 /// Steps along a tube from one of its samples to the next.
 const ALONG: u32 = 4;
 
-/// A tube where it is placed.
-pub(super) struct Tube {
-    pub from: DVec3,
-    pub to: DVec3,
-    pub radius: f64,
-}
-
-impl PlacedShape for Tube {
+/// A tube where it is placed: its own capsule.
+impl PlacedShape for Capsule {
     fn name(&self) -> &'static str {
         "tube"
     }
@@ -74,7 +68,7 @@ impl PlacedShape for Tube {
     }
 
     fn capsules(&self) -> Vec<Capsule> {
-        vec![Capsule { from: self.from, to: self.to, radius: self.radius }]
+        vec![*self]
     }
 
     fn packed(&self) -> PackedShape {

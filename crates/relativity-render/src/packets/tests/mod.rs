@@ -17,7 +17,7 @@ use super::body::{PacketBody, PacketGroup};
 use super::ray::{line_of_sight, movement as movement_of, rest_ray};
 use super::shape::middle;
 use super::spin::PacketSpin;
-use super::turning::{doppler_of, place_of_hit, standing, surface_when_shown};
+use super::turning::TurningBody;
 use crate::frame::FrameUniform;
 use crate::lanes::{F, LANES, Simd, SimdFrom, V2, V3};
 use crate::{
@@ -224,14 +224,14 @@ fn found<S: Simd>(simd: S, case: &Case, [u, v]: &[[f32; LANES]; 2]) -> [Found; L
     let spin = PacketSpin::new(simd, &shown);
     let sight = line_of_sight(simd, &case.frame, F::simd_from(simd, *u), F::simd_from(simd, *v));
     let ray = rest_ray(simd, &group, sight);
-    let met = surface_when_shown(simd, kind, turns, &group, &body, &ray, &spin);
+    let turning = TurningBody { kind, turns, group, body, spin };
+    let met = turning.surface_when_shown(simd, &ray);
     let across = ray.direction.cross(V3::all(simd, [0.3, -0.5, 0.8]));
     let across = across / across.length();
     let moved: V2<S> = movement_of(&group, &ray, across);
-    let own_doppler =
-        doppler_of(kind, turns, &group, &body, met.place, met.normal, ray.sight, ray.doppler, &spin);
-    let from_hub = place_of_hit(kind, turns, &body, met.place, &spin);
-    let stands = standing(simd, kind, turns, &group, &body, met.place, &spin);
+    let own_doppler = turning.doppler(met.place, met.normal, &ray);
+    let from_hub = turning.place_of_hit(met.place);
+    let stands = turning.standing(simd, met.place);
     let place = middle(kind, &body) + met.place;
     array::from_fn(|lane| {
         let number = |x: F<S>| f64::from(x[lane]);
