@@ -7,7 +7,6 @@ use glam::DVec3;
 use relativity_core::{Aperture, Event, Observer, ObserverError, ObserverVelocity, SourcePoint, math};
 use relativity_render::Velocity;
 
-use super::frame::event_in;
 use super::light::{ReceivedRay, rays};
 use super::straight_line::StraightLine;
 use super::worldline::PointWorldline;
@@ -111,7 +110,7 @@ impl Diagram {
             },
             point: PointWorldline::new(settings, point, frame),
             rays: rays(settings, point, time, frame)?,
-            present: event_in(&frame, observer.place.into(), observer.time),
+            present: frame.event_at(observer.place, observer.time),
             time: observer.time,
             clock: time,
             observer,
@@ -158,7 +157,7 @@ impl Diagram {
         } else if self.frame == *velocity {
             own
         } else {
-            event_in(&self.frame, velocity.proper().into(), velocity.speed().gamma())
+            self.frame.event_at(velocity.proper(), velocity.speed().gamma())
         };
         self.rays.map(|ray| StraightLine { through: ray.received, step })
     }
@@ -186,8 +185,8 @@ impl Diagram {
             let abreast = DVec3 { x: here.x, ..self.point.place(then) };
             let slope = of.speed().beta() * DVec3::from(of.direction());
             let t = self.time + slope.dot(abreast - here);
-            let step = event_in(&self.frame, DVec3::X, slope.x);
-            StraightLine { through: event_in(&self.frame, abreast, t), step }
+            let step = self.frame.event_at([1.0, 0.0, 0.0], slope.x);
+            StraightLine { through: self.frame.event_at(abreast.into(), t), step }
         })
     }
 
@@ -218,7 +217,7 @@ pub fn worldline_of_eye(
         let time = time_range::time_within(range, f64::from(piece) / f64::from(PastCone::PIECES));
         let aperture = settings.baseline_at(time).apertures()[eye];
         let (Aperture { x, y, z }, t) = settings.rider(time).event_of(aperture);
-        event_in(frame, DVec3::new(x, y, z), t)
+        frame.event_at([x, y, z], t)
     };
     (0..=PastCone::PIECES).map(event).collect()
 }
@@ -262,7 +261,7 @@ pub fn home(
             high = Event { x: high.x.max(event.x), t: high.t.max(event.t) };
         }
     }
-    let onward = event_in(&frame, DVec3::ZERO, time - shown);
+    let onward = frame.event_at([0.0; 3], time - shown);
     Ok([low.plus(onward), high.plus(onward)])
 }
 

@@ -4,7 +4,6 @@ use glam::DVec3;
 use relativity_core::{Aperture, Model, Observer, ObserverVelocity, Stereo, Worldline};
 use relativity_render::{Camera, Geometry, GroupView, MaterialPoint, Motion, Velocity, View};
 
-use super::frame::event_in;
 use super::present::{Present, measured_by};
 use crate::scene::Track;
 use crate::settings::{LookSettings, MapFrame, Rider, Settings};
@@ -83,7 +82,7 @@ impl<'a> MapInstant<'a> {
         let frame = self.settings.frame(self.time);
         self.seen.map(|view| {
             let place = position(view.camera.aperture) + street.shift;
-            DVec3 { x: event_in(&frame, place, view.observation_time).x, ..place }
+            DVec3 { x: frame.event_at(place.into(), view.observation_time).x, ..place }
         })
     }
 
@@ -112,7 +111,7 @@ impl<'a> MapInstant<'a> {
         let frame = self.settings.frame(self.time);
         let observer = self.rider.observer();
         let (here, is_riders) = (DVec3::from(observer.place), self.frame() == MapFrame::Rider);
-        let now = event_in(&frame, here, observer.time);
+        let now = frame.event_at(observer.place, observer.time);
         let shift = DVec3::new(0.0, set.depth_shift, set.height_shift);
         // On the ground is what eyes at rest would see that receive the same light.
         let from = if is_riders { frame } else { ObserverVelocity::REST };

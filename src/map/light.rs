@@ -4,7 +4,6 @@
 use glam::DVec3;
 use relativity_core::{Aperture, Event, Model, ObserverError, ObserverVelocity, math};
 
-use super::frame::event_in;
 use super::worldline::PointWorldline;
 use crate::scene::Track;
 use crate::settings::Settings;
@@ -63,8 +62,8 @@ pub fn rays(
         ReceivedRay {
             left,
             across: [place.y, place.z],
-            received: event_in(&frame, eye, received),
-            apex: event_in(&frame, apex, apex_time),
+            received: frame.event_at(eye.into(), received),
+            apex: frame.event_at(apex.into(), apex_time),
             aside: math::hypot(place.y - apex.y, place.z - apex.z),
             eye: [eye.y, eye.z],
             happened: seen.retarded_time,

@@ -3,7 +3,6 @@
 use glam::DVec3;
 use relativity_render::{Motion, Velocity};
 
-use super::frame::event_in;
 use super::{MapInstant, MapProjection};
 use crate::scene::Scene;
 use crate::settings::{MapFrame, Settings};
@@ -57,7 +56,7 @@ pub fn way_of_rider(settings: &Settings, time: f64, range: [f64; 2]) -> Vec<DVec
         let observer =
             settings.rider(time_range::time_within(range, f64::from(piece) / f64::from(PIECES))).observer();
         let place = DVec3::from(observer.place);
-        DVec3 { x: event_in(&frame, place, observer.time).x, ..place }
+        DVec3 { x: frame.event_at(observer.place, observer.time).x, ..place }
     };
     (0..=PIECES).map(place).collect()
 }

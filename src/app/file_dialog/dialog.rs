@@ -12,7 +12,8 @@ use crate::app::file_dialog::answer::DialogAnswer;
 use crate::app::file_dialog::purpose::Purpose;
 use crate::app::waker::Woken;
 
-/// A dialog of the system. A thread waits for it, as that may take as long as the user likes.
+/// A dialog of the system. A thread waits for it, as that may take as long as the user likes; so nothing waits for the thread: an open
+/// dialog would keep the program from its end. The thread holds nothing of the window's but a waker, which wakes nobody then.
 pub struct Dialog {
     answer: Receiver<DialogAnswer>,
     _woken: Woken,

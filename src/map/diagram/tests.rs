@@ -107,7 +107,7 @@ fn one_cone_for_both_eyes_has_its_apex_between_them() {
 fn the_diagram_of_the_other_frame_is_this_one_transformed() {
     for [ground, scene] in diagrams() {
         let (scale, frame) = (scale(&ground).max(scale(&scene)), scene.frame);
-        let there = |event: Event| event_in(&frame, DVec3::X * event.x, event.t);
+        let there = |event: Event| frame.event_at([event.x, 0.0, 0.0], event.t);
         for (here, seen) in ground.rays.iter().zip(scene.rays) {
             assert_same(there(here.left), seen.left, scale);
             assert_same(there(here.received), seen.received, scale);

@@ -11,7 +11,7 @@ use super::{accuracy, fit};
 use crate::app::plots::curves::{Curve, Whose};
 use crate::app::plots::look::quantities;
 use crate::app::state::State;
-use crate::estimate::samples::eye_columns;
+use crate::estimate::samples::EyeColumns;
 use crate::files::csv_out::CsvWriter;
 use crate::plot::{self, Line, LineStroke, Panel};
 use crate::quantity::Quantity;
@@ -89,15 +89,15 @@ fn css(colour: Color32) -> String {
 /// the numbers of a row, in the scene's own units and radians.
 fn readable(state: &State) -> (Vec<&'static str>, impl Fn(f64) -> Vec<f64>) {
     let seen = state.seen_point(state.document.points.selected());
-    let turns = !seen.ride.is_straight();
-    let (names, _) = eye_columns(seen.baseline, turns);
-    let names = names.iter().copied().chain(["dphi", "dtheta"]).collect();
+    let keeps_head = seen.ride.is_straight();
+    let columns = if keeps_head { EyeColumns::for_eyes(seen.baseline) } else { EyeColumns::Head };
+    let names = columns.names().iter().copied().chain(["dphi", "dtheta"]).collect();
     let numbers = move |time| {
         let angles = [Quantity::DeltaPhi, Quantity::DeltaTheta].map(|quantity| {
             let curve = Curve { quantity, whose: Whose::Both };
             seen.value(seen.model, curve, time).unwrap_or(f64::NAN)
         });
-        let (_, eyes) = eye_columns(seen.baseline_at(time), turns);
+        let eyes = columns.numbers(seen.baseline_at(time));
         [&[time], eyes.as_slice(), &angles].concat()
     };
     (names, numbers)

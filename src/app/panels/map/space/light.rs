@@ -14,7 +14,7 @@ use crate::app::panels::map::times::{labelled, times};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{Front, MapProjection, PointWorldline, ReceivedRay, along, event_in, fronts, rays};
+use crate::map::{Front, MapProjection, PointWorldline, ReceivedRay, along, fronts, rays};
 use crate::plot::round_step;
 use crate::quantity::Quantity;
 use crate::settings::MapFrame;
@@ -61,7 +61,7 @@ impl<'a> ChartLight<'a> {
             sheet,
             worldline: PointWorldline::new(settings, &track, frame),
             rays: rays(settings, &track, time, frame).ok()?,
-            now: event_in(&frame, here, observer.time).t,
+            now: frame.event_at(observer.place, observer.time).t,
             here,
         })
     }

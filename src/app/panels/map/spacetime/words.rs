@@ -6,7 +6,7 @@ use super::sheet::DiagramSheet;
 use crate::app::panels::map::times::times;
 use crate::caption::capitalised;
 use crate::eye::Eye;
-use crate::map::{Diagram, ReceivedRay, event_in};
+use crate::map::{Diagram, ReceivedRay};
 use crate::settings::MapFrame;
 
 /// Decimals of a length or a time in the scene's unit.
@@ -46,7 +46,7 @@ pub fn of_ray(sheet: &DiagramSheet<'_>, eye: Eye, ray: &ReceivedRay) -> String {
 /// Describes the eyes at T = `received`.
 pub fn of_eyes(sheet: &DiagramSheet<'_>, received: f64) -> String {
     let observer = sheet.state.document.settings.rider(received).observer();
-    let event = event_in(&sheet.diagram.frame, observer.place.into(), observer.time);
+    let event = sheet.diagram.frame.event_at(observer.place, observer.time);
     let symbol = sheet.state.clock().symbol;
     format!(
         "Both eyes receive light\n{}\nreceived {symbol} = {}\nDrag it, or click on the line, to change {symbol}.",

@@ -5,7 +5,7 @@ use csv::ByteRecord;
 use crate::app::fitting::{FitOutcome, Fitting};
 use crate::app::panels::plots::axes::{axis_label, time_label};
 use crate::app::state::State;
-use crate::estimate::samples::{Samples, eye_columns};
+use crate::estimate::samples::{EyeColumns, Samples};
 use crate::files::csv_out::CsvWriter;
 use crate::plot::{BLACK, BLUE, Line, LineStroke, Panel};
 use crate::quantity::Quantity;
@@ -18,8 +18,10 @@ const COLUMNS: [[&str; 3]; 2] =
 /// ones, and of both curves the reading, the fit, and what is left over, in radians.
 pub fn csv(state: &State, fitting: &Fitting) -> String {
     let Some(outcome) = fitting.shown() else { return String::new() };
+    let baseline = state.document.settings.baseline();
+    let columns = EyeColumns::for_eyes(baseline);
     let (names, eyes) = match outcome.key.samples {
-        Samples::Simulated(_) => eye_columns(state.document.settings.baseline(), false),
+        Samples::Simulated(_) => (columns.names(), columns.numbers(baseline)),
         Samples::Measured(..) => (&[] as &[_], Vec::new()),
     };
     let mut rows = CsvWriter::new(Vec::new());
