@@ -15,7 +15,7 @@ use gamow::app::state::State;
 use gamow::app::views::offscreen;
 use gamow::app::{App, painting};
 use gamow::scene::Scene;
-use gamow::settings::{Presence, Settings, Window};
+use gamow::settings::{Presence, Settings, WindowSettings};
 
 const SIZE: [u32; 2] = [1200, 760];
 const FRAMES: usize = 30;
@@ -24,7 +24,7 @@ const ROUNDS: usize = 3;
 fn main() {
     println!("{}", gpu_description());
     let part = |views, map| {
-        let window = Window { views, map, ..Window::default() };
+        let window = WindowSettings { views, map, ..WindowSettings::default() };
         State::new(Settings { window, ..Settings::default() }, Scene::default())
     };
     compare(

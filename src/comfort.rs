@@ -36,7 +36,7 @@ pub struct Comfort {
 
 /// The verdict on a pair of pictures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
+pub enum ComfortVerdict {
     /// Comfortable for a long time.
     Comfortable,
     /// Fused with effort.
@@ -86,19 +86,19 @@ impl Comfort {
 
     /// Returns the verdict on the pair.
     #[must_use]
-    pub fn verdict(self) -> Verdict {
+    pub fn verdict(self) -> ComfortVerdict {
         let [comfortable, most] = RANGES;
         if self.range > most || self.vertical > VERTICAL {
-            Verdict::TooMuch
+            ComfortVerdict::TooMuch
         } else if self.range > comfortable {
-            Verdict::Tiring
+            ComfortVerdict::Tiring
         } else {
-            Verdict::Comfortable
+            ComfortVerdict::Comfortable
         }
     }
 }
 
-impl Verdict {
+impl ComfortVerdict {
     /// Returns the verdict in a word or two.
     #[must_use]
     pub const fn word(self) -> &'static str {
@@ -116,7 +116,7 @@ const HALVINGS: usize = 40;
 /// The widest separation of the eyes, at most `separation` and of two digits, with which the pair is comfortable, where
 /// `comfort` tells how a separation is. `None` if none is narrow enough.
 pub fn comfortable_separation(separation: f64, comfort: impl Fn(f64) -> Option<Comfort>) -> Option<f64> {
-    let suits = |d: f64| comfort(d).is_none_or(|comfort| comfort.verdict() == Verdict::Comfortable);
+    let suits = |d: f64| comfort(d).is_none_or(|comfort| comfort.verdict() == ComfortVerdict::Comfortable);
     if suits(separation) {
         return Some(separation);
     }
@@ -270,8 +270,8 @@ mod tests {
         let verdict = |range: f64, vertical: f64| {
             Comfort { range: range.to_radians(), vertical: (vertical / 60.0).to_radians() }.verdict()
         };
-        assert_eq!(verdict(0.99, 19.9), Verdict::Comfortable);
-        assert_eq!(verdict(1.01, 0.0), Verdict::Tiring);
-        assert_eq!([verdict(2.01, 0.0), verdict(0.0, 20.1)], [Verdict::TooMuch; 2]);
+        assert_eq!(verdict(0.99, 19.9), ComfortVerdict::Comfortable);
+        assert_eq!(verdict(1.01, 0.0), ComfortVerdict::Tiring);
+        assert_eq!([verdict(2.01, 0.0), verdict(0.0, 20.1)], [ComfortVerdict::TooMuch; 2]);
     }
 }

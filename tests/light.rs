@@ -81,7 +81,7 @@ fn exposure_is_found_once_for_a_scene_and_recorded_as_a_number() {
     assert_eq!(early.to_bits(), found(Settings { time: Some(5.0), ..settings(4.0) }).to_bits());
     assert!((-2.0..-1.0).contains(&early), "{early}");
     let set = Settings {
-        light: gamow::settings::Light { exposure: Exposure(Some(0.5)), ..settings(4.0).light },
+        light: gamow::settings::LightSettings { exposure: Exposure(Some(0.5)), ..settings(4.0).light },
         ..settings(4.0)
     };
     assert_eq!(found(set), 0.5);

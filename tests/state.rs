@@ -13,7 +13,7 @@ use gamow::files::png::PngFile;
 use gamow::flags::choices::{GazeChoice, Layout};
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::scene::{PRESETS, Scene, Track};
-use gamow::settings::{Light, Preset, Settings, Subject, Theme};
+use gamow::settings::{LightSettings, Preset, Settings, Subject, Theme};
 use relativity_render::camera::MAX_SLANT;
 use relativity_render::{Geometry, Motion, PreparedScene, View};
 
@@ -341,7 +341,7 @@ fn surroundings_are_left_out_and_put_back_and_all_else_stays() {
     let mut state = started(&["--time", "2.5"], Settings::default());
     let before = state.clone();
     let set = |state: &mut State, surroundings| {
-        state.apply(Command::Light(Light { surroundings, ..state.document.settings.light }));
+        state.apply(Command::Light(LightSettings { surroundings, ..state.document.settings.light }));
     };
     set(&mut state, false);
     assert!(state.document.prepared.groups().iter().all(|group| group.motion == Motion::Scene));

@@ -142,7 +142,7 @@ mod tests {
     use relativity_render::{Body, Gaze, PreparedScene, Shape};
 
     use super::*;
-    use crate::accuracy::{Place, view_at};
+    use crate::accuracy::{TrackedPlace, view_at};
 
     fn ball(center: [f64; 3], radius: f64) -> Body {
         Body::new(Shape::Sphere { center, radius }, 600.0)
@@ -150,7 +150,7 @@ mod tests {
 
     fn view(beta: f64) -> View {
         let speed = Speed::from_beta(beta).expect("it is a speed");
-        view_at(Place::Abreast, speed, [0.0, 5.0, 0.0], 0.0, 1.0, [60, 40]).expect("inside the domain")
+        view_at(TrackedPlace::Abreast, speed, [0.0, 5.0, 0.0], 0.0, 1.0, [60, 40]).expect("inside the domain")
     }
 
     fn figures(view: &View, shown: &HitImage, truth: &[Body]) -> DifferenceFigures {

@@ -86,7 +86,7 @@ mod tests {
     use relativity_core::Speed;
 
     use super::*;
-    use crate::accuracy::{Place, view_at};
+    use crate::accuracy::{TrackedPlace, view_at};
     use crate::scene::Scene;
 
     #[test]
@@ -94,8 +94,8 @@ mod tests {
         let scene = Scene::preset("cyclist").expect("a preset");
         let (mut renderers, prepared) = (Renderers::new(None), scene.prepared());
         let speed = Speed::from_beta(0.9).expect("it is a speed");
-        let view =
-            view_at(Place::Abreast, speed, scene.tracked, 0.1, 1.0, [32, 24]).expect("inside the domain");
+        let view = view_at(TrackedPlace::Abreast, speed, scene.tracked, 0.1, 1.0, [32, 24])
+            .expect("inside the domain");
         let mut examined = |cancelled| {
             let appearance = Appearance::default();
             let work = || {

@@ -13,7 +13,7 @@ use relativity_core::{Aperture, SourcePoint, Speed};
 
 use super::difference::{ARCSECONDS, angle};
 use super::spread::Spread;
-use super::views::Place;
+use super::views::TrackedPlace;
 
 /// Points in a batch: few enough for a core's cache, so that arithmetic is timed and not memory.
 const POINTS: usize = 1024;
@@ -24,7 +24,7 @@ const REACH: f64 = 1.5;
 
 /// A form of the light-cone solution, in a precision.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Formula {
+pub enum ConeFormula {
     /// The core's, in f64.
     StableF64,
     /// The core's, in f32.
@@ -35,7 +35,7 @@ pub enum Formula {
     NaiveF32,
 }
 
-impl Formula {
+impl ConeFormula {
     /// Every form and precision.
     pub const ALL: [Self; 4] = [Self::StableF64, Self::StableF32, Self::NaiveF64, Self::NaiveF32];
 
@@ -49,7 +49,7 @@ impl Formula {
     }
 }
 
-impl fmt::Display for Formula {
+impl fmt::Display for ConeFormula {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::StableF64 => "stable f64",
@@ -62,7 +62,7 @@ impl fmt::Display for Formula {
 
 /// Cost and error of a formula.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FormulaError {
+pub struct FormulaAccuracy {
     /// Nanoseconds per point, one thread.
     pub point_ns: f64,
     /// Angle between the lines of sight, arcseconds.
@@ -81,12 +81,12 @@ pub struct FormulaError {
 ///
 /// Points outside the domain of the core.
 pub fn formula_error(
-    formula: Formula,
+    formula: ConeFormula,
     speed: &Speed,
-    place: Place,
+    place: TrackedPlace,
     tracked: [f64; 3],
     aperture_x: f64,
-) -> Result<FormulaError, BatchError> {
+) -> Result<FormulaAccuracy, BatchError> {
     let speed = &rounded_down(speed);
     let time = place.observation_time(speed, SourcePoint::from_rest(tracked, speed));
     let batch = FormulaBatch {
@@ -97,10 +97,10 @@ pub fn formula_error(
     };
     let (truth, _) = batch.stable::<f64>()?;
     let (seen, point_ns) = match formula {
-        Formula::StableF64 => batch.stable::<f64>()?,
-        Formula::StableF32 => batch.stable::<f32>()?,
-        Formula::NaiveF64 => batch.naive::<f64>(),
-        Formula::NaiveF32 => batch.naive::<f32>(),
+        ConeFormula::StableF64 => batch.stable::<f64>()?,
+        ConeFormula::StableF32 => batch.stable::<f32>()?,
+        ConeFormula::NaiveF64 => batch.naive::<f64>(),
+        ConeFormula::NaiveF32 => batch.naive::<f32>(),
     };
     Ok(batch.error(&truth, &seen, point_ns))
 }
@@ -172,7 +172,7 @@ impl FormulaBatch {
         self.points.each_ref().map(|column| column.iter().map(|&v| F::rounded(v)).collect())
     }
 
-    fn error(&self, truth: &SeenPoints, seen: &SeenPoints, point_ns: f64) -> FormulaError {
+    fn error(&self, truth: &SeenPoints, seen: &SeenPoints, point_ns: f64) -> FormulaAccuracy {
         let [_, y, z] = &self.points;
         let direction = |seen: &SeenPoints, i: usize| DVec3::new(seen.apparent_x[i], y[i], z[i]);
         // Where a form breaks down altogether (0/0), its line of sight is as wrong as can be.
@@ -180,7 +180,7 @@ impl FormulaBatch {
         let sight = |i| or_worst(ARCSECONDS * angle(direction(truth, i), direction(seen, i)), 180.0 * 3600.0);
         let doppler =
             |i: usize| or_worst((seen.doppler_factor[i] / truth.doppler_factor[i] - 1.0).abs(), f64::MAX);
-        FormulaError {
+        FormulaAccuracy {
             point_ns,
             line_of_sight_arcseconds: Spread::from_errors((0..POINTS).map(sight).collect()),
             doppler_relative: Spread::from_errors((0..POINTS).map(doppler).collect()),
@@ -269,7 +269,7 @@ fn point_ns(mut work: impl FnMut()) -> f64 {
 mod tests {
     use super::*;
 
-    fn worst_arcseconds(formula: Formula, beta: f64, place: Place) -> f64 {
+    fn worst_arcseconds(formula: ConeFormula, beta: f64, place: TrackedPlace) -> f64 {
         let speed = Speed::from_beta(beta).expect("it is a speed");
         let error = formula_error(formula, &speed, place, [0.5, 3.0, 2.0], -0.05).expect("inside the domain");
         error.line_of_sight_arcseconds.expect("there are points").worst
@@ -277,16 +277,17 @@ mod tests {
 
     #[test]
     fn the_naive_form_in_f32_fails_at_high_speed_and_the_stable_one_does_not() {
-        for place in Place::ALL {
-            assert!(worst_arcseconds(Formula::StableF32, 0.9999, place) < 0.2);
+        for place in TrackedPlace::ALL {
+            assert!(worst_arcseconds(ConeFormula::StableF32, 0.9999, place) < 0.2);
         }
-        assert!(worst_arcseconds(Formula::NaiveF32, 0.9999, Place::Receding) > 20.0);
+        assert!(worst_arcseconds(ConeFormula::NaiveF32, 0.9999, TrackedPlace::Receding) > 20.0);
     }
 
     #[test]
     fn the_naive_form_in_f64_fails_at_extreme_speed() {
         let speed = Speed::from_gamma(1e7).expect("it is a speed");
-        let error = formula_error(Formula::NaiveF64, &speed, Place::Receding, [0.5, 3.0, 2.0], -0.05);
+        let error =
+            formula_error(ConeFormula::NaiveF64, &speed, TrackedPlace::Receding, [0.5, 3.0, 2.0], -0.05);
         let worst =
             error.expect("inside the domain").line_of_sight_arcseconds.expect("there are points").worst;
         assert!(worst > 20.0, "{worst}");
@@ -294,8 +295,8 @@ mod tests {
 
     #[test]
     fn at_rest_both_forms_see_a_point_where_it_is() {
-        for formula in Formula::ALL {
-            assert!(worst_arcseconds(formula, 0.0, Place::Abreast) < 0.1, "{formula}");
+        for formula in ConeFormula::ALL {
+            assert!(worst_arcseconds(formula, 0.0, TrackedPlace::Abreast) < 0.1, "{formula}");
         }
     }
 }

@@ -13,13 +13,13 @@ mod rounds;
 mod spread;
 mod views;
 
-pub use automatic::{Automatic, Choice, Machine, Sight, method_name};
+pub use automatic::{Automatic, Choice, Machine, MethodViews, method_name};
 pub use cost::{MESH_BOUNDS_PX, REFERENCE_SAMPLES, frame_ms, methods};
 pub use difference::{ARCSECONDS, Difference, DifferenceFigures, PixelDifference, angle};
 pub use expected::{Effort, ExpectedError, expected_error};
-pub use formulas::{Formula, formula_error};
+pub use formulas::{ConeFormula, formula_error};
 pub use outline::{LARGEST_PX, RESOLUTION_PX};
 pub use published::{PublishedError, published_error};
 pub use rounds::{AfterRounds, RoundsError};
 pub use spread::Spread;
-pub use views::{Place, view_at};
+pub use views::{TrackedPlace, view_at};

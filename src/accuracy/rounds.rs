@@ -210,13 +210,13 @@ mod tests {
     use relativity_core::Speed;
 
     use super::*;
-    use crate::accuracy::{Place, view_at};
+    use crate::accuracy::{TrackedPlace, view_at};
     use crate::scene::Scene;
 
     fn measured(preset: &str, beta: f64, geometry: Geometry) -> Option<RoundsError> {
         let scene = Scene::preset(preset).expect("a preset");
         let speed = Speed::from_beta(beta).expect("it is a speed");
-        let place = Place::Abreast;
+        let place = TrackedPlace::Abreast;
         let view = view_at(place, speed, scene.tracked, 0.1, 0.8, [96, 72]).expect("inside the domain");
         let (prepared, view) = (scene.prepared(), View { geometry, ..view });
         RoundsError::new(&prepared, &view, &prepared.hit_image(&view), 12)

@@ -9,7 +9,7 @@ use crate::time_range::time_seen_at;
 /// The place where the tracked point is seen. Its distance as it passes x = 0 is the unit of length here.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Place {
+pub enum TrackedPlace {
     /// At x = -3, coming.
     Approaching,
     /// At x = 0, passing.
@@ -18,7 +18,7 @@ pub enum Place {
     Receding,
 }
 
-impl Place {
+impl TrackedPlace {
     /// Every place, in the order of a ride.
     pub const ALL: [Self; 3] = [Self::Approaching, Self::Abreast, Self::Receding];
 
@@ -51,7 +51,7 @@ impl Place {
 ///
 /// A place outside the domain of the core.
 pub fn view_at(
-    place: Place,
+    place: TrackedPlace,
     speed: Speed,
     tracked: [f64; 3],
     separation: f64,
@@ -79,7 +79,7 @@ mod tests {
         let point = SourcePoint { x0: 0.3, y: 3.0, z: -4.0 };
         for gamma in [1.01, 2.3, 70.7, 1000.0] {
             let speed = Speed::from_gamma(gamma).expect("it is a speed");
-            for (place, x) in Place::ALL.into_iter().zip([-15.0, 0.0, 15.0]) {
+            for (place, x) in TrackedPlace::ALL.into_iter().zip([-15.0, 0.0, 15.0]) {
                 let time = place.observation_time(&speed, point);
                 let seen = sighting(&speed, point, Aperture::default(), time).expect("inside the domain");
                 assert!((seen.position[0] - x).abs() < 1e-7, "{place:?} at gamma {gamma}: {seen:?}");

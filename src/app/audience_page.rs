@@ -6,7 +6,7 @@ use super::panels::{plots::Plotted, presented::Words};
 use super::state::State;
 use super::window_layout::{Beside, LessonPart, Presentation};
 use super::{App, panels, views};
-use crate::settings::{PlotTab, Presence, Window};
+use crate::settings::{PlotTab, Presence, WindowSettings};
 
 impl App {
     /// Returns the panel to show beside the words for an audience.
@@ -19,8 +19,8 @@ impl App {
             };
         match (self.lesson_part(), self.state.shown_window()) {
             (LessonPart::Nothing, _) => plot,
-            (_, Window { map: Presence::On, .. }) if !self.state.shows_sketch() => Beside::Map,
-            (_, Window { plots: true, .. }) => plot,
+            (_, WindowSettings { map: Presence::On, .. }) if !self.state.shows_sketch() => Beside::Map,
+            (_, WindowSettings { plots: true, .. }) => plot,
             _ => Beside::Nothing,
         }
     }

@@ -3,11 +3,11 @@
 use eframe::egui::{Pos2, Rect};
 
 use crate::flags::Share;
-use crate::settings::Window;
+use crate::settings::WindowSettings;
 
 /// The two parts that a border separates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Split {
+pub enum BorderParts {
     /// The controls, on the right, and the rest.
     Side,
     /// The map and the plots, below, and the views.
@@ -16,7 +16,7 @@ pub enum Split {
     Map,
 }
 
-impl Split {
+impl BorderParts {
     /// Returns the name of the border.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -35,11 +35,11 @@ impl Split {
 
     /// `window` with this `share` of what it parts.
     #[must_use]
-    pub const fn with(self, window: Window, share: Share) -> Window {
+    pub const fn with(self, window: WindowSettings, share: Share) -> WindowSettings {
         match self {
-            Self::Side => Window { side_share: share, ..window },
-            Self::Strip => Window { strip_share: share, ..window },
-            Self::Map => Window { map_share: share, ..window },
+            Self::Side => WindowSettings { side_share: share, ..window },
+            Self::Strip => WindowSettings { strip_share: share, ..window },
+            Self::Map => WindowSettings { map_share: share, ..window },
         }
     }
 }
@@ -48,7 +48,7 @@ impl Split {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Border {
     /// Parts that the border separates.
-    pub split: Split,
+    pub split: BorderParts,
     /// Rectangle where the border can be grabbed, points.
     pub rect: Rect,
     /// Ends of its way, for a share of 0 and of 1: x of an upright one, y of a level one.

@@ -5,7 +5,7 @@ use relativity_core::math;
 
 /// T after a step of the wall clock.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Tick {
+pub struct ClockTick {
     /// The new observation time.
     pub time: f64,
     /// Whether playback goes on from there.
@@ -16,16 +16,16 @@ pub struct Tick {
 ///
 /// At the end it starts again if `looping`, else stops. A time outside the range enters it first.
 #[must_use]
-pub fn advanced(time: f64, step: f64, rate: f64, looping: bool, range: [f64; 2]) -> Tick {
+pub fn advanced(time: f64, step: f64, rate: f64, looping: bool, range: [f64; 2]) -> ClockTick {
     let [from, to] = range;
     let next = time.clamp(from, to) + rate * step;
     if next < to {
-        return Tick { time: next, playing: true };
+        return ClockTick { time: next, playing: true };
     }
     if looping && to > from {
-        Tick { time: from + (next - to).rem_euclid(to - from), playing: true }
+        ClockTick { time: from + (next - to).rem_euclid(to - from), playing: true }
     } else {
-        Tick { time: to, playing: false }
+        ClockTick { time: to, playing: false }
     }
 }
 
@@ -58,11 +58,11 @@ mod tests {
     #[test]
     fn playing_loops_or_stops_at_the_end() {
         let range = [0.0, 10.0];
-        assert_eq!(advanced(9.0, 0.5, 1.0, true, range), Tick { time: 9.5, playing: true });
-        assert_eq!(advanced(9.0, 1.5, 1.0, true, range), Tick { time: 0.5, playing: true });
-        assert_eq!(advanced(9.0, 1.5, 1.0, false, range), Tick { time: 10.0, playing: false });
-        assert_eq!(advanced(-50.0, 1.0, 2.0, true, range), Tick { time: 2.0, playing: true });
-        assert_eq!(advanced(5.0, 1.0, 1.0, true, [3.0, 3.0]), Tick { time: 3.0, playing: false });
+        assert_eq!(advanced(9.0, 0.5, 1.0, true, range), ClockTick { time: 9.5, playing: true });
+        assert_eq!(advanced(9.0, 1.5, 1.0, true, range), ClockTick { time: 0.5, playing: true });
+        assert_eq!(advanced(9.0, 1.5, 1.0, false, range), ClockTick { time: 10.0, playing: false });
+        assert_eq!(advanced(-50.0, 1.0, 2.0, true, range), ClockTick { time: 2.0, playing: true });
+        assert_eq!(advanced(5.0, 1.0, 1.0, true, [3.0, 3.0]), ClockTick { time: 3.0, playing: false });
     }
 
     /// Each moment of a ride is computed without those before it.
@@ -70,7 +70,7 @@ mod tests {
     fn a_ride_ends_alike_at_5_and_at_120_frames_a_second() {
         let ride = &Preset::named("ride-twins").expect("a preset").settings.ride;
         let [slow, fast] = [5.0, 120.0].map(|frames: f64| {
-            let mut tick = Tick { time: 0.0, playing: true };
+            let mut tick = ClockTick { time: 0.0, playing: true };
             let mut frame = 0.0;
             while tick.playing {
                 tick = advanced(tick.time, 1.0 / frames, 1.0, false, [0.0, ride.duration()]);

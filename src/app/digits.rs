@@ -5,7 +5,7 @@ use eframe::egui::{Event, Key};
 use crate::app::command::Command;
 use crate::app::lesson::session::LessonCommand;
 use crate::app::state::State;
-use crate::lesson::{Answer, Kind, Phase};
+use crate::lesson::{Answer, AnswerKind, Phase};
 
 /// The keys of the choices, in their order.
 const KEYS: [Key; 9] =
@@ -32,7 +32,7 @@ pub fn answered(state: &State, event: &Event) -> Option<(Key, Command)> {
     let (key, number) = pressed(event)?;
     let (course, running) = (state.course()?, state.session.lesson.as_ref()?);
     let (count, command) = match course.asked().map(|asked| &asked.kind) {
-        Some(Kind::Choice(options)) => {
+        Some(AnswerKind::Choice(options)) => {
             (options.texts.len(), LessonCommand::Draft(Some(Answer::Choice(number))))
         }
         Some(_) => return None,

@@ -74,8 +74,8 @@ use fitting::Fitting;
 use gpu_errors::GpuErrors;
 use panels::plots::Plotted;
 use persistence::Keeper;
-use plots::curves::Curves;
-use riding::saddle::{Direction, RideCommand};
+use plots::curves::QuantityCurves;
+use riding::saddle::{PushDirection, RideCommand};
 use saving::Saver;
 use screens::full_screen::FullScreen;
 use screens::other_screen::Screen;
@@ -95,7 +95,7 @@ use crate::settings::PlotTab;
 /// The application: the whole window.
 pub struct App {
     state: State,
-    curves: Vec<Curves>,
+    curves: Vec<QuantityCurves>,
     fitting: Fitting,
     corrected: Option<Corrected>,
     examination: Option<Examination>,
@@ -251,7 +251,7 @@ impl App {
 
     /// The direction in which keys or a game controller push whoever rides; a controller looks around in this `step` of the wall clock,
     /// seconds, too.
-    fn pushed(&mut self, ctx: &egui::Context, step: f64) -> Option<Direction> {
+    fn pushed(&mut self, ctx: &egui::Context, step: f64) -> Option<PushDirection> {
         let held = riding::keys::held(ctx, &self.state);
         let sticks =
             self.state.document.settings.ride.is_on().then(gamow_platform::controller::sticks).flatten();
@@ -263,7 +263,7 @@ impl App {
     }
 
     /// Lets T run by a `step` of the wall clock, seconds, while keys push the pedals, or do not.
-    fn advance(&mut self, step: f64, pushed: Option<Direction>) {
+    fn advance(&mut self, step: f64, pushed: Option<PushDirection>) {
         let before = self.state.document.time;
         self.state.run_lesson(step);
         self.state.frame.step = (self.state.document.time - before).abs();
@@ -297,7 +297,7 @@ impl App {
             .into_iter()
             .map(|key| match self.curves.iter().position(|curves| *curves.key() == key) {
                 Some(kept) => self.curves.swap_remove(kept),
-                None => Curves::new(key),
+                None => QuantityCurves::new(key),
             })
             .collect();
     }

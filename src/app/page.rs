@@ -3,8 +3,8 @@
 use eframe::egui::{self, Rect, Ui};
 
 use super::panels::plots::Plotted;
-use super::screens::stage::Part;
-use super::views::panes::Content;
+use super::screens::stage::WindowPart;
+use super::views::panes::PaneContent;
 use super::window_layout::{self, LessonPart, WindowLayout};
 use super::{App, INSET, panels, theme};
 use crate::app::lesson::session::Running;
@@ -96,7 +96,7 @@ impl App {
             });
         }
         self.message(&ctx, layout.message_room(area), area);
-        self.corrected.take_if(|_| !layout.shows(Content::Corrected));
+        self.corrected.take_if(|_| !layout.shows(PaneContent::Corrected));
         self.forget_composed(&layout.panes);
     }
 
@@ -130,11 +130,11 @@ impl App {
             let number = self.state.session.stage.maximised_pane().unwrap_or(number);
             let title =
                 Rect::from_min_max(pane.rect.left_top() - egui::vec2(0.0, height), pane.rect.right_top());
-            (Part::Pane(number), title)
+            (WindowPart::Pane(number), title)
         });
         let strip = |rect: Rect| rect.with_max_y((rect.min.y + height).min(rect.max.y));
-        let map = layout.map.map(|rect| (Part::Map, strip(rect)));
-        let plots = layout.plots.map(|rect| (Part::Plots, strip(rect)));
+        let map = layout.map.map(|rect| (WindowPart::Map, strip(rect)));
+        let plots = layout.plots.map(|rect| (WindowPart::Plots, strip(rect)));
         for (part, title) in panes.chain(map).chain(plots).collect::<Vec<_>>() {
             self.panel(ui, "titles", title, |ui, _, commands| panels::borders::title(ui, part, commands));
         }

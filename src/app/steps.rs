@@ -36,19 +36,19 @@ impl Wanted {
 }
 
 /// The outcome of a step of a job.
-pub enum Step<R> {
+pub enum StepOutcome<R> {
     /// There are further steps.
     More,
     /// The last step, with the result, or without if it was stopped.
     Last(Option<R>),
 }
 
-impl<R> Step<R> {
+impl<R> StepOutcome<R> {
     /// Has `make` turn the result into another.
-    pub fn map<T>(self, make: impl FnOnce(R) -> T) -> Step<T> {
+    pub fn map<T>(self, make: impl FnOnce(R) -> T) -> StepOutcome<T> {
         match self {
-            Self::More => Step::More,
-            Self::Last(result) => Step::Last(result.map(make)),
+            Self::More => StepOutcome::More,
+            Self::Last(result) => StepOutcome::Last(result.map(make)),
         }
     }
 }
@@ -78,7 +78,7 @@ pub trait Work: Sized + 'static {
     fn take_note(_tools: &Self::Tools, _note: &[u8]) {}
 
     /// Does the next step.
-    fn step(&mut self, tools: &mut Self::Tools, wanted: &Wanted) -> Step<Self::Result>;
+    fn step(&mut self, tools: &mut Self::Tools, wanted: &Wanted) -> StepOutcome<Self::Result>;
 }
 
 /// Returns the value as another instance of the program reads it.

@@ -9,7 +9,7 @@ use eframe::egui::{
 
 use crate::app::state::points::MAX_POINTS;
 use crate::app::widgets::formula;
-use crate::comfort::Verdict;
+use crate::comfort::ComfortVerdict;
 use crate::eye::Eye;
 use crate::eye_colours;
 use crate::settings::Theme;
@@ -53,11 +53,11 @@ pub fn stereo_colour(visuals: &Visuals) -> Color32 {
 
 /// Whether a pair can be fused in comfort, on this background.
 #[must_use]
-pub fn verdict_colour(verdict: Verdict, visuals: &Visuals) -> Color32 {
+pub fn verdict_colour(verdict: ComfortVerdict, visuals: &Visuals) -> Color32 {
     let colours = match verdict {
-        Verdict::Comfortable => [[0x1F, 0xD0, 0x9E], [0x00, 0x7A, 0x58]],
-        Verdict::Tiring => [[0xF0, 0xE4, 0x42], [0x7A, 0x68, 0x00]],
-        Verdict::TooMuch => [[0xFF, 0x6B, 0x5E], [0xB8, 0x24, 0x18]],
+        ComfortVerdict::Comfortable => [[0x1F, 0xD0, 0x9E], [0x00, 0x7A, 0x58]],
+        ComfortVerdict::Tiring => [[0xF0, 0xE4, 0x42], [0x7A, 0x68, 0x00]],
+        ComfortVerdict::TooMuch => [[0xFF, 0x6B, 0x5E], [0xB8, 0x24, 0x18]],
     };
     either(visuals.dark_mode, colours)
 }
@@ -65,7 +65,7 @@ pub fn verdict_colour(verdict: Verdict, visuals: &Visuals) -> Color32 {
 /// Returns the colour of a message, which separates failure from success, on this background.
 #[must_use]
 pub fn notice_colour(is_error: bool, visuals: &Visuals) -> Color32 {
-    verdict_colour(if is_error { Verdict::TooMuch } else { Verdict::Comfortable }, visuals)
+    verdict_colour(if is_error { ComfortVerdict::TooMuch } else { ComfortVerdict::Comfortable }, visuals)
 }
 
 /// Returns the colour of what is measured at one time, on this background.
@@ -243,7 +243,7 @@ mod tests {
             let visuals = &style.visuals;
             let backgrounds =
                 [visuals.panel_fill, visuals.window_fill, visuals.extreme_bg_color, visuals.faint_bg_color];
-            let verdicts = [Verdict::Comfortable, Verdict::Tiring, Verdict::TooMuch];
+            let verdicts = [ComfortVerdict::Comfortable, ComfortVerdict::Tiring, ComfortVerdict::TooMuch];
             let mut written = vec![
                 ("text", visuals.text_color()),
                 ("strong text", visuals.strong_text_color()),

@@ -1,6 +1,6 @@
 //! The stopwatch in the window: what is noted at a press.
 
-use crate::app::measuring::stopwatch::{Clock, Elapsed, Mark, Stopwatch, StopwatchCommand, Timed};
+use crate::app::measuring::stopwatch::{Elapsed, PressMoment, SeenClock, Stopwatch, StopwatchCommand, Timed};
 use crate::app::state::State;
 use crate::app::state::points::Point;
 use crate::eye::Eye;
@@ -29,12 +29,12 @@ impl State {
         }
     }
 
-    fn mark(&self) -> Mark {
+    fn mark(&self) -> PressMoment {
         let point = self.document.points.selected();
         let timed =
             Timed { track: point.track, eye: self.timed_eye(), motion: self.document.settings.motion };
         let clock = self.seen_clock(point, timed.eye).map(|clock| (timed, clock));
-        Mark { time: self.document.time, step: self.frame.step, clock }
+        PressMoment { time: self.document.time, step: self.frame.step, clock }
     }
 
     /// The eye in whose view the stopwatch is.
@@ -45,10 +45,10 @@ impl State {
     }
 
     /// The clock at `point` as `eye` sees it; none where no light is shown that it receives.
-    fn seen_clock(&self, point: &Point, eye: Eye) -> Option<Clock> {
+    fn seen_clock(&self, point: &Point, eye: Eye) -> Option<SeenClock> {
         let seen = self.sighting(point, eye).filter(|_| self.shows_what_is_received(eye))?;
         let time = self.slowed(point, seen.proper_time) * seen.proper_time;
         let rate = seen.doppler_factor;
-        (time.is_finite() && rate.is_finite()).then_some(Clock { time, rate })
+        (time.is_finite() && rate.is_finite()).then_some(SeenClock { time, rate })
     }
 }

@@ -8,7 +8,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use eframe::egui::Context;
 use gamow_platform::threads::{self, JoinHandle};
 
-pub use crate::app::steps::{Step, Wanted, Work};
+pub use crate::app::steps::{StepOutcome, Wanted, Work};
 
 /// The thread; it waits without using the processor, and ends with this.
 pub struct Worker<J, R> {
@@ -47,12 +47,12 @@ impl<J: Send + 'static, R: Send + 'static> Worker<J, R> {
     pub fn in_steps<S>(
         ctx: Context,
         mut begin: impl FnMut(J) -> S + Send + 'static,
-        mut step: impl FnMut(&mut S, &Wanted) -> Step<R> + Send + 'static,
+        mut step: impl FnMut(&mut S, &Wanted) -> StepOutcome<R> + Send + 'static,
     ) -> Self {
         Self::new(ctx, move |job, wanted| {
             let mut begun = begin(job);
             while wanted.holds() {
-                if let Step::Last(result) = step(&mut begun, wanted) {
+                if let StepOutcome::Last(result) = step(&mut begun, wanted) {
                     return result;
                 }
             }

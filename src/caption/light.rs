@@ -5,7 +5,7 @@ use relativity_render::spectrum::{self, Band};
 use relativity_render::{Colour, Emission};
 
 use super::numbers::distinct_texts;
-use crate::settings::Light;
+use crate::settings::LightSettings;
 
 /// From this wavelength on, nm, micrometres are easier to read.
 const MICROMETRES_FROM: f64 = 10_000.0;
@@ -14,7 +14,7 @@ const DOPPLER_DECIMALS: u8 = 2;
 
 /// The light of a point where it is at rest, as a picture takes it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Source {
+pub enum RestLight {
     /// Light of one wavelength, nm.
     Line(f64),
     /// Light of a body that glows at this temperature, K.
@@ -23,10 +23,10 @@ pub enum Source {
     Broad,
 }
 
-impl Source {
+impl RestLight {
     /// Returns the light of a body with this `emission`, shown with the settings `light`.
     #[must_use]
-    pub fn new(emission: Emission, light: &Light) -> Self {
+    pub fn new(emission: Emission, light: &LightSettings) -> Self {
         match (light.colour, emission) {
             (Colour::OneWavelength | Colour::False, Emission::Wavelength(nm)) => Self::Line(nm),
             (Colour::Glowing, _) => Self::Glow(light.temperature),

@@ -16,13 +16,13 @@ use relativity_core::Sighting;
 use relativity_core::doppler::received_wavelength;
 use relativity_render::{Colour, Emission, Geometry, View};
 
-pub use self::light::{Source, in_words};
+pub use self::light::{RestLight, in_words};
 pub use self::numbers::decimal;
 use self::numbers::distinct_texts;
 use self::times::ObserverClock;
 pub use self::unseen::notice;
 use crate::scene::Track;
-use crate::settings::{Light, Settings};
+use crate::settings::{LightSettings, Settings};
 use crate::units::{Measures, Unit};
 
 /// Decimals of a time or a place, at least.
@@ -34,7 +34,7 @@ pub struct Moment {
     /// Name of the point, with its article.
     pub name: String,
     /// Light of the point at rest.
-    pub source: Source,
+    pub source: RestLight,
     /// Observation time T, or the clock of who rides.
     pub time: f64,
     /// Whether the eyes ride.
@@ -50,7 +50,7 @@ pub struct Moment {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum ShownPoint {
     /// Light at each eye; at both in one place the same.
-    Received([Sighting; 2], Eyes, Clock),
+    Received([Sighting; 2], EyePlaces, Clock),
     /// Light at the middle between the eyes, as if both received it.
     OneCone(Sighting, Clock),
     /// Light at the left eye, and the light that the published model gives to the right eye.
@@ -85,7 +85,7 @@ impl Clock {
 
 /// Whether the eyes are in one place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Eyes {
+enum EyePlaces {
     Apart,
     Together,
 }
@@ -98,7 +98,7 @@ impl Moment {
         let shown = ShownPoint::new(settings, track, time).unwrap_or(ShownPoint::Unknown);
         Self {
             name,
-            source: Source::new(emission, &settings.light),
+            source: RestLight::new(emission, &settings.light),
             time,
             is_riding: settings.ride.is_on(),
             measures: Measures::OWN,
@@ -130,7 +130,7 @@ impl Moment {
     /// Wavelengths of that light, nm; none for light of many.
     #[must_use]
     pub fn wavelengths_nm(&self) -> [Option<f64>; 2] {
-        let Source::Line(at_rest) = self.source else { return [None; 2] };
+        let RestLight::Line(at_rest) = self.source else { return [None; 2] };
         let received = |factor| Some(received_wavelength(at_rest, factor)).filter(|nm| nm.is_finite());
         self.doppler_factors().map(|factor| factor.and_then(received))
     }
@@ -155,8 +155,8 @@ impl Moment {
             }
             ShownPoint::OneCone(seen, clock) => {
                 let both = [seen, seen];
-                let left =
-                    departure(&both, Eyes::Together, unit, self.is_riding) + &proper_time(clock, &both, unit);
+                let left = departure(&both, EyePlaces::Together, unit, self.is_riding)
+                    + &proper_time(clock, &both, unit);
                 let start =
                     "As if both eyes received the same events: light received midway between them now";
                 self.with_light(&format!("{start} ({clock_now}) left {name} {left}"))
@@ -214,15 +214,15 @@ fn both_texts(unit: Unit, values: [f64; 2]) -> Vec<String> {
 }
 
 /// When the light left that is received by the eyes.
-fn departure(seen: &[Sighting; 2], eyes: Eyes, unit: Unit, is_riding: bool) -> String {
+fn departure(seen: &[Sighting; 2], eyes: EyePlaces, unit: Unit, is_riding: bool) -> String {
     let whose = if is_riding { ", by the street's clocks," } else { "" };
     let times = both_texts(unit, seen.map(|seen| seen.retarded_time));
     match (&times[..], eyes) {
-        ([left, right], Eyes::Apart) => {
+        ([left, right], EyePlaces::Apart) => {
             format!("at t = {left}{whose} for the left eye, {right} for the right")
         }
-        (_, Eyes::Apart) => format!("at t = {}{whose} for both eyes", times[0]),
-        (_, Eyes::Together) => format!("at t = {}{}", times[0], whose.trim_end_matches(',')),
+        (_, EyePlaces::Apart) => format!("at t = {}{whose} for both eyes", times[0]),
+        (_, EyePlaces::Together) => format!("at t = {}{}", times[0], whose.trim_end_matches(',')),
     }
 }
 
@@ -238,7 +238,7 @@ fn proper_time(clock: Clock, seen: &[Sighting; 2], unit: Unit) -> String {
 }
 
 /// Returns the remark on colours that `light` does not draw as they are received.
-const fn drawn(light: &Light) -> &'static str {
+const fn drawn(light: &LightSettings) -> &'static str {
     match light.colour {
         Colour::False => " The colours drawn are false ones, which tell D.",
         _ if light.doppler_shift => "",
@@ -266,7 +266,7 @@ impl ShownPoint {
             }
             // Where nothing moves all geometries are alike.
             _ => {
-                let eyes = if settings.motion.d == 0.0 { Eyes::Together } else { Eyes::Apart };
+                let eyes = if settings.motion.d == 0.0 { EyePlaces::Together } else { EyePlaces::Apart };
                 seen().map(|both| Self::Received([both.primary, both.secondary], eyes, clock))
             }
         }

@@ -34,7 +34,7 @@ impl Input<'_> {
 
 /// The columns to fill.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Wanted {
+pub enum WantedColumns {
     /// Every column of `gamow eval` with the same flags.
     All,
     /// The disparities dphi and dtheta.
@@ -57,14 +57,14 @@ pub struct Batch<'a> {
 /// A row that cannot be filled.
 #[derive(Debug, PartialEq, Error)]
 #[error("{error}")]
-pub struct BatchError {
+pub struct BatchRowError {
     /// Index of the first such row.
     pub row: usize,
     /// Reason why the row cannot be filled.
     pub error: InputError,
 }
 
-impl Wanted {
+impl WantedColumns {
     /// Returns the names of the columns.
     ///
     /// # Errors
@@ -104,9 +104,14 @@ impl Batch<'_> {
     /// # Errors
     ///
     /// The first row with an input outside its domain. Columns are then partly written.
-    pub fn fill(&self, wanted: Wanted, model: &ModelArgs, out: Vec<&mut [f64]>) -> Result<(), BatchError> {
+    pub fn fill(
+        &self,
+        wanted: WantedColumns,
+        model: &ModelArgs,
+        out: Vec<&mut [f64]>,
+    ) -> Result<(), BatchRowError> {
         let mut out = out;
-        if wanted == Wanted::Disparity
+        if wanted == WantedColumns::Disparity
             && let [dphi, dtheta] = out.as_mut_slice()
             && self.is_filled_over_time(model, DisparityColumns { dphi, dtheta })
         {
@@ -127,18 +132,18 @@ impl Batch<'_> {
     /// Fills the rows from `first` on; the first that cannot be filled.
     fn fill_chunk(
         &self,
-        wanted: Wanted,
+        wanted: WantedColumns,
         model: &ModelArgs,
         first: usize,
         mut out: Vec<&mut [f64]>,
-    ) -> Option<BatchError> {
+    ) -> Option<BatchRowError> {
         let given = self.header.given();
         for index in 0..out.first().map_or(0, |column| column.len()) {
             let row = first + index;
             let observation = self.observation(row);
             match observation.and_then(|observation| wanted.values(model, &observation, given)) {
                 Ok(values) => out.iter_mut().zip(values).for_each(|(column, value)| column[index] = value),
-                Err(error) => return Some(BatchError { row, error }),
+                Err(error) => return Some(BatchRowError { row, error }),
             }
         }
         None
@@ -184,10 +189,14 @@ mod tests {
         Header::new(ByteRecord::from(names.to_vec()), |_| Ok(Vec::new())).expect("all are there")
     }
 
-    fn disparities(header: &Header, inputs: &[Input<'_>], rows: usize) -> Result<[Vec<f64>; 2], BatchError> {
+    fn disparities(
+        header: &Header,
+        inputs: &[Input<'_>],
+        rows: usize,
+    ) -> Result<[Vec<f64>; 2], BatchRowError> {
         let (mut dphi, mut dtheta) = (vec![0.0; rows], vec![0.0; rows]);
         let batch = Batch { header, inputs, rows };
-        batch.fill(Wanted::Disparity, &PLAIN, vec![&mut dphi, &mut dtheta])?;
+        batch.fill(WantedColumns::Disparity, &PLAIN, vec![&mut dphi, &mut dtheta])?;
         Ok([dphi, dtheta])
     }
 

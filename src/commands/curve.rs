@@ -81,7 +81,7 @@ Examples:
 pub fn run(args: &CurveArgs) -> anyhow::Result<()> {
     let curve = args.curve()?; // so that a bad flag leaves no header behind on standard output
     args.out.write(|out| {
-        let mut output = csv_out::Rows::new(out);
+        let mut output = csv_out::CsvWriter::new(out);
         output.write(&mut curve.columns()?.into_iter().collect(), &[])?;
         let mut row = ByteRecord::new();
         for values in curve.rows() {
@@ -94,13 +94,13 @@ pub fn run(args: &CurveArgs) -> anyhow::Result<()> {
 
 /// A table of what two eyes see of one point.
 #[derive(Debug)]
-pub struct Curve<'a> {
+pub struct StereoTable<'a> {
     args: &'a CurveArgs,
     first: Observation,
     range: [f64; 2],
 }
 
-impl Curve<'_> {
+impl StereoTable<'_> {
     /// The names of the columns: the inputs, and what is seen.
     ///
     /// # Errors
@@ -131,13 +131,13 @@ impl CurveArgs {
     /// # Errors
     ///
     /// A value out of range, an empty range of times, or a point at rest, which never passes.
-    pub fn curve(&self) -> anyhow::Result<Curve<'_>> {
+    pub fn curve(&self) -> anyhow::Result<StereoTable<'_>> {
         let first = self.observation(0.0)?;
         self.model.values(&first, self.given_inputs())?;
         let range = self.time_range(&first)?;
         let [from, to] = range;
         anyhow::ensure!(from < to, "--from {from} must be below --to {to}");
-        Ok(Curve { args: self, first, range })
+        Ok(StereoTable { args: self, first, range })
     }
 
     /// Returns the number of rows.

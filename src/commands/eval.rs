@@ -51,12 +51,12 @@ pub fn run(args: &EvalArgs) -> anyhow::Result<()> {
 fn evaluate(name: &str, input: impl Read, model: ModelArgs, out: &mut dyn Write) -> anyhow::Result<()> {
     let plain = GivenInputs { is_turned: false, on_wheel: false, is_riding: false };
     model.columns(plain)?; // what has no such columns is no matter of a row
-    let mut input = csv_in::Rows::new(input).with_context(|| name.to_owned())?;
-    let mut output = csv_out::Rows::new(out);
+    let mut input = csv_in::CsvReader::new(input).with_context(|| name.to_owned())?;
+    let mut output = csv_out::CsvWriter::new(out);
     let mut row = ByteRecord::new();
 
     input.read(&mut row).with_context(|| name.to_owned())?;
-    let place = |input: &csv_in::Rows<_>, row: &ByteRecord| format!("{name}:{}", input.line(row));
+    let place = |input: &csv_in::CsvReader<_>, row: &ByteRecord| format!("{name}:{}", input.line(row));
     let header =
         Header::new(row.clone(), |given| model.columns(given)).with_context(|| place(&input, &row))?;
     row.extend(model.columns(header.given())?);

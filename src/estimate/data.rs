@@ -8,7 +8,7 @@ use gamow_platform::sizes;
 use relativity_core::{Baseline, Curves, FitError, MAX_COORDINATE, Observations, Reading, Sample};
 
 use crate::columns::{CLOCK, ROLL, TURN};
-use crate::files::csv_in::{HeaderError, Names, RowError, Rows};
+use crate::files::csv_in::{CsvReader, HeaderError, Names, RowError};
 
 const NEEDED: &str = "T, dphi or dtheta, and d unless --d gives it";
 const NEEDED_OF_RIDER: &str = "clock, dphi or dtheta, and d unless --d gives it";
@@ -91,7 +91,7 @@ impl Data {
     ///
     /// One line that names the file, the line in it, and what is wrong there.
     pub fn read(name: &str, input: impl Read, eyes: Eyes) -> anyhow::Result<Self> {
-        let mut input = Rows::new(input).with_context(|| name.to_owned())?;
+        let mut input = CsvReader::new(input).with_context(|| name.to_owned())?;
         let mut row = ByteRecord::new();
         input.read(&mut row).with_context(|| name.to_owned())?;
         let place = |line: u64| format!("{name}:{line}");

@@ -28,7 +28,7 @@ pub struct FitReport {
     pub riding: bool,
     /// Place of the point on its wheel, if it is on one: y, z and x0 are its hub's.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub wheel: Option<OnWheel>,
+    pub wheel: Option<WheelPlace>,
     /// Fit of all curves together.
     #[serde(flatten)]
     pub fit: CurvesFit,
@@ -44,7 +44,7 @@ pub struct FitReport {
 
 /// The place of a point on a rolling wheel, which is taken for known.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct OnWheel {
+pub struct WheelPlace {
     /// The radius on which the wheel rolls.
     pub wheel_radius: f64,
     /// Distance of the point from the axle, in radii.
@@ -53,7 +53,7 @@ pub struct OnWheel {
     pub angle: f64,
 }
 
-impl From<Rolling> for OnWheel {
+impl From<Rolling> for WheelPlace {
     fn from(Rolling { radius, rho, angle }: Rolling) -> Self {
         Self { wheel_radius: radius, rho, angle }
     }
@@ -182,7 +182,7 @@ const MOST_ROUND: usize = 4096;
 const AGREEING: f64 = 3.0;
 
 /// A fit and its bootstrap, if there is one.
-type Fitted = (Fit, Option<Bootstrap>);
+type BootstrappedFit = (Fit, Option<Bootstrap>);
 
 impl FitReport {
     /// Fits `observations`, with `replicates` bootstrap replicates unless that is 0.
@@ -223,7 +223,7 @@ impl FitReport {
         let mut fitted = fits
             .into_iter()
             .map(|(fit, bootstrap)| Ok((fit?, if drawn < 2 { None } else { Some(bootstrap.checked()?) })));
-        let joint: Fitted =
+        let joint: BootstrappedFit =
             fitted.next().transpose()?.ok_or(FitError::Bootstrap { failed: 0, replicates })?;
         let bootstrap =
             joint.1.as_ref().map(|b| BootstrapSummary { replicates: drawn, failed: b.failed(), seed });
@@ -234,13 +234,13 @@ impl FitReport {
         let model = options.model.name();
         let fit = CurvesFit::new(&joint);
         let sigmas = sigmas::remark(fit.reduced_chi_squared, fit.readings, fit.parameters.iter().count());
-        let wheel = options.rolling.map(OnWheel::from);
+        let wheel = options.rolling.map(WheelPlace::from);
         Ok(Self { model, converged: true, riding: false, wheel, sigmas, fit, bootstrap, fits })
     }
 }
 
 impl Fits {
-    fn new(azimuth: Result<Fitted, FitError>, polar: Result<Fitted, FitError>) -> Self {
+    fn new(azimuth: Result<BootstrappedFit, FitError>, polar: Result<BootstrappedFit, FitError>) -> Self {
         let combined = match (&azimuth, &polar) {
             (Ok((azimuth, Some(a))), Ok((polar, Some(p)))) => {
                 let mean = |parameter| combined((azimuth, a), (polar, p), parameter).into();
@@ -253,7 +253,7 @@ impl Fits {
 }
 
 impl Attempt {
-    fn new(fitted: Result<Fitted, FitError>) -> Self {
+    fn new(fitted: Result<BootstrappedFit, FitError>) -> Self {
         match fitted {
             Ok(fitted) => Self::Fit(Box::new(CurvesFit::new(&fitted))),
             Err(error) => Self::Failure { problem: error.to_string() },
@@ -262,7 +262,7 @@ impl Attempt {
 }
 
 impl CurvesFit {
-    fn new((fit, bootstrap): &Fitted) -> Self {
+    fn new((fit, bootstrap): &BootstrappedFit) -> Self {
         let correlation = |&a: &Parameter, &b: &Parameter| match bootstrap {
             Some(bootstrap) => bootstrap.correlation(a, b),
             None => fit.correlation(a, b),
@@ -312,7 +312,7 @@ impl fmt::Display for FitReport {
             let x0 = "x0 how far the point is behind when the clock shows 0, contracted";
             writeln!(f, "riding     beta is the observer's own speed, {x0}")?;
         }
-        if let Some(OnWheel { wheel_radius, rho, angle }) = self.wheel {
+        if let Some(WheelPlace { wheel_radius, rho, angle }) = self.wheel {
             let known = format!("radius {wheel_radius}, rho {rho}, angle {angle}");
             writeln!(f, "wheel      {known}, taken as known: y, z and x0 are the hub's")?;
         }

@@ -15,10 +15,10 @@ use serde::{Deserialize, Serialize};
 
 use super::data::{Data, Eyes};
 use crate::columns::{ROLL, TURN};
-use crate::files::csv_out::Rows;
+use crate::files::csv_out::CsvWriter;
 use crate::flags::words::Shell;
 use crate::scene::{Scene, Track};
-use crate::settings::{FitSetup, Settings, message};
+use crate::settings::{FitSettings, Settings, message};
 use crate::time_range::time_within;
 
 /// Everything that a fit depends on.
@@ -28,7 +28,7 @@ pub struct FitKey {
     pub samples: Samples,
     /// Settings of the simulation, if there is one, and of the fit.
     #[serde(with = "message::fit")]
-    pub setup: FitSetup,
+    pub setup: FitSettings,
 }
 
 /// The source of samples.
@@ -109,8 +109,9 @@ impl SamplesWithTruth {
     /// A row for each sample, as `gamow fit` reads it: T, the eyes, and the reading of each curve in radians.
     #[must_use]
     pub fn csv(&self) -> String {
-        let (names, eyes) = eye_columns(self.baseline, false);
-        let mut rows = Rows::new(Vec::new());
+        let columns = EyeColumns::for_eyes(self.baseline);
+        let (names, eyes) = (columns.names(), columns.numbers(self.baseline));
+        let mut rows = CsvWriter::new(Vec::new());
         // Into memory: writing does not fail.
         let _ = rows.write(&mut ["T"].iter().chain(names).chain(&["dphi", "dtheta"]).copied().collect(), &[]);
         for sample in self.fittable.observations.samples() {
@@ -140,17 +141,39 @@ fn along_street(settings: &Settings, point: &Track) -> Option<(Settings, Track)>
     Some((turned, Track { rest, ..*point }))
 }
 
-/// Returns the columns of a table that place the eyes, and their numbers in a row: roll and turn, in radians, of a
-/// head that is not straight, or `turns`.
-#[must_use]
-pub fn eye_columns(
-    Baseline { separation, roll, turn }: Baseline,
-    turns: bool,
-) -> (&'static [&'static str], Vec<f64>) {
-    if roll == 0.0 && turn == 0.0 && !turns {
-        return (&["d"], vec![separation]);
+/// The columns of a table that place the eyes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EyeColumns {
+    /// The separation alone: the head is straight.
+    Separation,
+    /// The separation, and the head's roll and turn, in radians.
+    Head,
+}
+
+impl EyeColumns {
+    /// Returns the columns for eyes that stay as they are.
+    #[must_use]
+    pub fn for_eyes(Baseline { roll, turn, .. }: Baseline) -> Self {
+        if roll == 0.0 && turn == 0.0 { Self::Separation } else { Self::Head }
     }
-    (&["d", ROLL, TURN], vec![separation, roll, turn])
+
+    /// The names of the columns.
+    #[must_use]
+    pub const fn names(self) -> &'static [&'static str] {
+        match self {
+            Self::Separation => &["d"],
+            Self::Head => &["d", ROLL, TURN],
+        }
+    }
+
+    /// The numbers of a row.
+    #[must_use]
+    pub fn numbers(self, Baseline { separation, roll, turn }: Baseline) -> Vec<f64> {
+        match self {
+            Self::Separation => vec![separation],
+            Self::Head => vec![separation, roll, turn],
+        }
+    }
 }
 
 /// A file of measured disparities, as it was read.
@@ -224,7 +247,7 @@ impl FitKey {
     ///
     /// Why there are none.
     pub fn fittable(&self) -> Result<Fittable, String> {
-        let FitSetup { model, curves, fit_x0, noise_percent, .. } = self.setup;
+        let FitSettings { model, curves, fit_x0, noise_percent, .. } = self.setup;
         let options = |curves, known: f64, rolling| {
             let passage = if fit_x0 { Passage::Fitted } else { Passage::Known(known) };
             FitOptions { model, curves, passage, rolling }
@@ -304,7 +327,7 @@ impl Simulated {
     /// # Errors
     ///
     /// Why there are none.
-    pub fn observations(&self, setup: &FitSetup, noise_percent: f64) -> Result<Observations, String> {
+    pub fn observations(&self, setup: &FitSettings, noise_percent: f64) -> Result<Observations, String> {
         if let Some(obstacle) = self.obstacle() {
             return Err(obstacle.to_owned());
         }

@@ -29,12 +29,12 @@ pub fn open(file: Option<&Path>) -> anyhow::Result<(String, Box<dyn Read>)> {
 }
 
 /// Reads rows, and knows the line of the last one.
-pub struct Rows<R> {
+pub struct CsvReader<R> {
     csv: csv::Reader<Tap<Chain<Cursor<Vec<u8>>, R>>>,
     has_decimal_commas: bool,
 }
 
-impl<R: Read> Rows<R> {
+impl<R: Read> CsvReader<R> {
     /// Reads `reader` as far as its header, which determines the field separator.
     ///
     /// # Errors

@@ -6,12 +6,12 @@ use std::io::{self, Write};
 use csv::ByteRecord;
 
 /// Writes rows of fields and numbers.
-pub struct Rows<W: Write> {
+pub struct CsvWriter<W: Write> {
     csv: csv::Writer<W>,
     decimals: zmij::Buffer,
 }
 
-impl<W: Write> Rows<W> {
+impl<W: Write> CsvWriter<W> {
     /// Returns a writer into `writer`.
     pub fn new(writer: W) -> Self {
         Self { csv: csv::Writer::from_writer(writer), decimals: zmij::Buffer::new() }
@@ -41,7 +41,7 @@ impl<W: Write> Rows<W> {
     }
 }
 
-impl Rows<Vec<u8>> {
+impl CsvWriter<Vec<u8>> {
     /// Returns all rows as text; invalid UTF-8 in their fields is replaced.
     #[must_use]
     pub fn into_text(self) -> String {

@@ -77,20 +77,20 @@ struct Definition {
     /// Value where nothing is seen.
     nothing: f32,
     /// Value for a hit.
-    value: fn(&Hit, &Light<'_>) -> f64,
+    value: fn(&Hit, &ChannelLight<'_>) -> f64,
     /// Factor of the value on the way to the frame of the bodies, for a Doppler factor.
     factor: fn(f64, LightCorrection) -> f64,
 }
 
 /// A channel that is the same in the frame of the bodies.
-const fn same(name: &'static str, nothing: f32, value: fn(&Hit, &Light<'_>) -> f64) -> Definition {
+const fn same(name: &'static str, nothing: f32, value: fn(&Hit, &ChannelLight<'_>) -> f64) -> Definition {
     Definition { name, nothing, value, factor: |_, _| 1.0 }
 }
 
 /// A channel that is not.
 const fn corrected(
     name: &'static str,
-    value: fn(&Hit, &Light<'_>) -> f64,
+    value: fn(&Hit, &ChannelLight<'_>) -> f64,
     factor: fn(f64, LightCorrection) -> f64,
 ) -> Definition {
     Definition { name, nothing: 0.0, value, factor }
@@ -170,14 +170,14 @@ impl Channel {
 
 /// The data that channels need beside the hits.
 #[derive(Debug, Clone, Copy)]
-pub struct Light<'a> {
+pub struct ChannelLight<'a> {
     /// Scene that is seen.
     pub scene: &'a PreparedScene,
     /// Appearance of the light.
     pub appearance: Appearance,
 }
 
-fn material_angle(hit: &Hit, light: &Light<'_>) -> f64 {
+fn material_angle(hit: &Hit, light: &ChannelLight<'_>) -> f64 {
     let spin = light.scene.bodies()[hit.body].spin;
     spin.map_or(f64::from(NO_ANGLE), |spin| spin.angle(hit.material_position))
 }
@@ -192,12 +192,12 @@ fn in_f32(value: f64) -> f32 {
     (value as f32).clamp(f32::MIN, f32::MAX)
 }
 
-fn received_nm(hit: &Hit, light: &Light<'_>) -> f64 {
+fn received_nm(hit: &Hit, light: &ChannelLight<'_>) -> f64 {
     let rest_nm = light.scene.bodies()[hit.body].emission.wavelength_nm();
     rest_nm.map_or(NO_WAVELENGTH_NM, |rest_nm| received_wavelength(rest_nm, hit.doppler_factor))
 }
 
-fn received_intensity(hit: &Hit, light: &Light<'_>) -> f64 {
+fn received_intensity(hit: &Hit, light: &ChannelLight<'_>) -> f64 {
     let emission = light.scene.bodies()[hit.body].emission;
     relativity_render::received_intensity(emission, &light.appearance, hit.doppler_factor)
 }
@@ -223,7 +223,7 @@ pub struct Measurements {
 impl Measurements {
     /// Returns the measurements of both eyes, with `comments` on how the file was made.
     #[must_use]
-    pub fn of_eyes(eyes: &[HitImage; 2], light: Light<'_>, comments: &str) -> Self {
+    pub fn of_eyes(eyes: &[HitImage; 2], light: ChannelLight<'_>, comments: &str) -> Self {
         let mut channels = BTreeMap::new();
         for (eye, image) in EYES.into_iter().zip(eyes) {
             for channel in Channel::ALL {

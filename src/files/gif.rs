@@ -14,13 +14,13 @@ use super::png::rgb;
 const SPEED: i32 = 10;
 
 /// A file of frames that follow each other without an end, written frame by frame.
-pub struct Frames<W: Write> {
+pub struct GifWriter<W: Write> {
     encoder: Encoder<W>,
     size: [u16; 2],
     hundredths: u16,
 }
 
-impl<W: Write> Frames<W> {
+impl<W: Write> GifWriter<W> {
     /// Begins a file of frames of this `size`, pixels, each of which is shown for this number of `hundredths` of a second.
     ///
     /// # Errors

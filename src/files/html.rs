@@ -10,14 +10,14 @@ pub use crate::markup::escaped;
 
 /// The style of a page, by its use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Style {
+pub enum PageStyle {
     /// To be read on a screen.
     Screen,
     /// To be printed on A4 or Letter, and written on.
     Print,
 }
 
-impl Style {
+impl PageStyle {
     const fn css(self) -> &'static str {
         match self {
             Self::Screen => {
@@ -80,14 +80,14 @@ const FORMULAS: &str = "\
 
 /// A page that is being written.
 #[derive(Debug, Clone)]
-pub struct Page {
+pub struct HtmlPage {
     text: String,
 }
 
-impl Page {
+impl HtmlPage {
     /// An empty page with this title, which the window of a browser shows.
     #[must_use]
-    pub fn new(title: &str, style: Style) -> Self {
+    pub fn new(title: &str, style: PageStyle) -> Self {
         let (title, css) = (escaped(title), style.css());
         let text = format!(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -200,7 +200,7 @@ mod tests {
     use super::*;
 
     fn page(markdown: &str) -> anyhow::Result<String> {
-        let mut page = Page::new("A & B", Style::Print);
+        let mut page = HtmlPage::new("A & B", PageStyle::Print);
         page.markdown(markdown, |file| Ok(format!("<svg>{file}</svg>\n")))?;
         page.html(&answer_lines(2));
         Ok(page.finish())
@@ -216,7 +216,7 @@ mod tests {
         assert!(page.contains(expected), "{page}");
         assert!(page.contains("<td>1 &lt; 2</td><td><code>x</code></td>") && page.contains("<p>Text.</p>"));
         assert!(!page.contains("<p><figure>") && !page.contains("</figure>\n</p>"));
-        let gone = Page::new("A", Style::Screen).markdown(markdown, |_| anyhow::bail!("it is gone"));
+        let gone = HtmlPage::new("A", PageStyle::Screen).markdown(markdown, |_| anyhow::bail!("it is gone"));
         assert!(gone.is_err());
     }
 

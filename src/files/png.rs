@@ -62,9 +62,12 @@ fn write_frames(
 ) -> anyhow::Result<()> {
     let size = frames.first().context("there is nothing to show")?.size;
     let animation = (frames.len() > 1).then(|| {
-        Ok::<_, anyhow::Error>(Animation { frames: u32::try_from(frames.len())?, seconds: FRAME_SECONDS })
+        Ok::<_, anyhow::Error>(AnimationTiming {
+            frames: u32::try_from(frames.len())?,
+            seconds: FRAME_SECONDS,
+        })
     });
-    let mut writer = Frames::new(size, animation.transpose()?, pixels_per_metre, texts, out)?;
+    let mut writer = PngWriter::new(size, animation.transpose()?, pixels_per_metre, texts, out)?;
     for frame in frames {
         writer.write(frame)?;
     }
@@ -73,7 +76,7 @@ fn write_frames(
 
 /// The timing of an animated file, whose frames repeat without an end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Animation {
+pub struct AnimationTiming {
     /// Number of frames, 1 or more.
     pub frames: u32,
     /// Time for which each is shown, seconds as a fraction.
@@ -81,11 +84,11 @@ pub struct Animation {
 }
 
 /// A PNG file that is written frame by frame.
-pub struct Frames<W: Write> {
+pub struct PngWriter<W: Write> {
     writer: png::Writer<W>,
 }
 
-impl<W: Write> Frames<W> {
+impl<W: Write> PngWriter<W> {
     /// A file of frames of this `size`, pixels, one alone unless there is an `animation`, with `texts`, keywords first, and
     /// one that names this program.
     ///
@@ -94,7 +97,7 @@ impl<W: Write> Frames<W> {
     /// Those of `out`.
     pub fn new(
         [width, height]: [u32; 2],
-        animation: Option<Animation>,
+        animation: Option<AnimationTiming>,
         pixels_per_metre: Option<u32>,
         texts: &[(&str, &str)],
         out: W,
@@ -106,7 +109,7 @@ impl<W: Write> Frames<W> {
         let dimensions =
             |per_metre| png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: png::Unit::Meter };
         encoder.set_pixel_dims(pixels_per_metre.map(dimensions));
-        if let Some(Animation { frames, seconds: [numerator, denominator] }) = animation {
+        if let Some(AnimationTiming { frames, seconds: [numerator, denominator] }) = animation {
             encoder.set_animated(frames, 0)?;
             encoder.set_frame_delay(numerator, denominator)?;
         }

@@ -7,7 +7,7 @@ use skrifa::{FontRef, MetadataProvider as _};
 
 /// A font, by its face.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Face {
+pub enum FontFace {
     /// Upright: digits, operators, names of functions, capital Greek.
     Main,
     /// Upright bold letters.
@@ -26,7 +26,7 @@ pub enum Face {
     Size4,
 }
 
-impl Face {
+impl FontFace {
     /// Every font.
     pub const ALL: [Self; 8] =
         [Self::Main, Self::Bold, Self::Italic, Self::Ams, Self::Size1, Self::Size2, Self::Size3, Self::Size4];
@@ -86,10 +86,10 @@ impl Face {
 }
 
 /// The font and character for those that the layout names.
-pub(super) fn glyph(font: &str, code: u32) -> Result<(Face, char), String> {
+pub(super) fn glyph(font: &str, code: u32) -> Result<(FontFace, char), String> {
     let id = FontId::parse(font).ok_or_else(|| format!("there is no font {font}"))?;
     let character = ratex_font::katex_ttf_glyph_char(id, code);
-    let face = Face::ALL
+    let face = FontFace::ALL
         .into_iter()
         .find(|face| face.name().strip_prefix("KaTeX_") == Some(font))
         .ok_or_else(|| format!("the letters of {character:?} are not among the fonts ({font})"))?;

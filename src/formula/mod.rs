@@ -17,7 +17,7 @@ use ratex_types::MathStyle;
 use ratex_types::display_item::DisplayItem;
 use ratex_types::path_command::PathCommand;
 
-pub use self::faces::Face;
+pub use self::faces::FontFace;
 
 /// Size of a formula's em in that of the text around it: TeX's letters are small beside those of screens.
 pub const EM: f32 = 1.1;
@@ -60,7 +60,7 @@ pub enum Mark {
     /// A character of a font.
     Glyph {
         /// Font of the character.
-        face: Face,
+        face: FontFace,
         /// Character that is drawn.
         character: char,
         /// The start of its baseline.

@@ -36,19 +36,19 @@ fn rules(formula: &Formula) -> Vec<([f32; 2], [f32; 2])> {
 #[test]
 fn letters_are_as_wide_as_their_fonts_say() {
     for (tex, face, character) in [
-        ("x", Face::Italic, 'x'),
-        (r"\gamma", Face::Italic, 'γ'),
-        ("7", Face::Main, '7'),
-        (r"\mathrm{h}", Face::Main, 'h'),
-        (r"\Delta", Face::Main, 'Δ'),
-        (r"\mathbf{n}", Face::Bold, 'n'),
+        ("x", FontFace::Italic, 'x'),
+        (r"\gamma", FontFace::Italic, 'γ'),
+        ("7", FontFace::Main, '7'),
+        (r"\mathrm{h}", FontFace::Main, 'h'),
+        (r"\Delta", FontFace::Main, 'Δ'),
+        (r"\mathbf{n}", FontFace::Bold, 'n'),
     ] {
         let formula = inline(tex);
         let advance = face.advance(character).expect("the font has it");
         // TeX adds the italic correction of slanted letters.
         let correction = formula.width - advance;
         assert!((-1e-3..0.06).contains(&correction), "{tex}: {} is not {advance}", formula.width);
-        if face != Face::Italic {
+        if face != FontFace::Italic {
             assert!(correction.abs() < 1e-3, "{tex}: {} is not {advance}", formula.width);
         }
         assert_eq!(glyph(&formula, character), ([0.0, 0.0], 1.0), "{tex}");
@@ -58,7 +58,7 @@ fn letters_are_as_wide_as_their_fonts_say() {
 /// The widths of a sum: TeX puts a medium space of 4/18 em to both sides of a binary operator.
 #[test]
 fn operators_have_room_on_both_sides() {
-    let width = |character| Face::Main.advance(character).expect("the font has it");
+    let width = |character| FontFace::Main.advance(character).expect("the font has it");
     let expected = width('1') + width('2') + width('+') + 2.0 * 4.0 / 18.0;
     assert!((inline("1+2").width - expected).abs() < 1e-3);
 }
@@ -108,7 +108,7 @@ fn brackets_grow_with_what_they_hold() {
         Mark::Glyph { face, character: '(', .. } => Some(*face),
         _ => None,
     });
-    assert!(matches!(face, Some(Face::Size2 | Face::Size3)), "{face:?}");
+    assert!(matches!(face, Some(FontFace::Size2 | FontFace::Size3)), "{face:?}");
 }
 
 /// Marks lie within the room that the formula claims.

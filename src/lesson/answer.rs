@@ -3,7 +3,7 @@
 use relativity_render::Gaze;
 use serde::{Deserialize, Serialize};
 
-use super::plan::{Kind, Number};
+use super::plan::{AnswerKind, Number};
 
 /// A prediction of any kind.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -34,23 +34,23 @@ impl Answer {
 
     /// Whether the answer is right, where that is known without what is seen.
     #[must_use]
-    pub fn is_right(&self, kind: &Kind) -> Option<bool> {
+    pub fn is_right(&self, kind: &AnswerKind) -> Option<bool> {
         match (self, kind) {
-            (Self::Choice(choice), Kind::Choice(options)) => Some(*choice == options.right),
-            (Self::Number(number), Kind::Number(asked)) => asked.is_met_by(*number),
+            (Self::Choice(choice), AnswerKind::Choice(options)) => Some(*choice == options.right),
+            (Self::Number(number), AnswerKind::Number(asked)) => asked.is_met_by(*number),
             _ => None,
         }
     }
 
     /// Returns whether the answer suits a question of this kind.
     #[must_use]
-    pub fn fits(&self, kind: &Kind) -> bool {
+    pub fn fits(&self, kind: &AnswerKind) -> bool {
         match (self, kind) {
-            (Self::Choice(choice), Kind::Choice(options)) => *choice < options.texts.len(),
-            (Self::Votes(votes), Kind::Choice(options)) => votes.len() == options.texts.len(),
-            (Self::Number(_), Kind::Number(_))
-            | (Self::Direction(_), Kind::Point(_))
-            | (Self::Curve(_), Kind::Curve(_)) => true,
+            (Self::Choice(choice), AnswerKind::Choice(options)) => *choice < options.texts.len(),
+            (Self::Votes(votes), AnswerKind::Choice(options)) => votes.len() == options.texts.len(),
+            (Self::Number(_), AnswerKind::Number(_))
+            | (Self::Direction(_), AnswerKind::Point(_))
+            | (Self::Curve(_), AnswerKind::Curve(_)) => true,
             _ => false,
         }
     }

@@ -9,7 +9,7 @@ use super::answer::{Answer, Confidence, Outcome, Record};
 use super::answers::LessonProgress;
 use super::error::LessonError;
 use super::place::{Phase, Place};
-use super::plan::{Kind, Lesson, Prediction, Step};
+use super::plan::{AnswerKind, Lesson, Prediction, Step};
 
 /// Somebody's way through a lesson.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -310,7 +310,7 @@ impl Course {
             Some(Answer::Choice(_)) => false,
             _ => self.is_class,
         };
-        counts && self.asked().is_some_and(|asked| matches!(asked.kind, Kind::Choice(_)))
+        counts && self.asked().is_some_and(|asked| matches!(asked.kind, AnswerKind::Choice(_)))
     }
 }
 

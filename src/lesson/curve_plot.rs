@@ -1,6 +1,6 @@
 //! The plot of a curve that is predicted, on a page.
 
-use super::plan::Curve;
+use super::plan::CurveAnswer;
 use crate::plot::{self, Line, Panel};
 use crate::units::{Measures, Unit};
 
@@ -10,7 +10,7 @@ const SIZE: [f64; 2] = [640.0, 300.0];
 /// The plot that `curve` is drawn into, over `times` (first and last T, in the scene's unit), which are shown in `unit`; with
 /// these lines of T and value.
 #[must_use]
-pub fn svg(curve: &Curve, times: [f64; 2], unit: Unit, mut lines: Vec<Line>) -> String {
+pub fn svg(curve: &CurveAnswer, times: [f64; 2], unit: Unit, mut lines: Vec<Line>) -> String {
     for [time, _] in lines.iter_mut().flat_map(|line| &mut line.pieces).flatten() {
         *time = unit.shown(*time);
     }

@@ -23,14 +23,14 @@ mod verdict;
 pub mod worksheet;
 
 pub use answer::{Answer, Confidence, Outcome, Record};
-pub use answers::{Answers, LessonProgress, Moment};
+pub use answers::{Answers, LessonProgress, Timestamp};
 pub use course::Course;
 pub use error::LessonError;
 pub use library::{Library, Refused};
 pub use place::{Phase, Place};
 pub use plan::{
-    Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, Options, PointAt, Prediction, Reveal,
-    StateBlock, Step, Text,
+    Animated, Animation, AnswerKind, Choices, CurveAnswer, Lab, Lesson, Number, Options, PointAt, Prediction,
+    Reveal, StateBlock, Step, Text,
 };
 pub use score::Score;
 pub use truth::Sight;

@@ -3,7 +3,7 @@
 use crate::files::html::data_uri;
 use crate::flags::OnOff;
 use crate::flags::choices::{Layout, RendererChoice, Size};
-use crate::settings::{Daylight, Light, Picture, Quality, Settings};
+use crate::settings::{Daylight, LightSettings, PictureSettings, QualitySettings, Settings};
 use crate::studio::Studio;
 
 /// Width and height of an eye's picture on a page, pixels.
@@ -19,15 +19,15 @@ const SAMPLES: u32 = 2;
 pub fn figure(settings: &Settings, what: &str) -> anyhow::Result<String> {
     let labels: OnOff = true;
     let settings = Settings {
-        quality: Quality { renderer: RendererChoice::Reference, ..settings.quality },
-        picture: Picture {
+        quality: QualitySettings { renderer: RendererChoice::Reference, ..settings.quality },
+        picture: PictureSettings {
             size: Size(SIZE),
             layout: Layout::SideBySide,
             samples: SAMPLES,
             labels,
             ..settings.picture
         },
-        light: Light { light: Daylight::On, ..settings.light },
+        light: LightSettings { light: Daylight::On, ..settings.light },
         ..settings.clone()
     };
     let mut studio = Studio::new(settings)?;

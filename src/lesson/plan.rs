@@ -105,12 +105,12 @@ pub struct Prediction {
     /// Question in words.
     pub question: Text,
     /// Kind of the answer.
-    pub kind: Kind,
+    pub kind: AnswerKind,
 }
 
 /// The kind of an answer.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub enum Kind {
+pub enum AnswerKind {
     /// A choice among several.
     Choice(Options),
     /// A number with a tolerance.
@@ -118,7 +118,7 @@ pub enum Kind {
     /// A place clicked in a view.
     Point(PointAt),
     /// A curve drawn over T.
-    Curve(Curve),
+    Curve(CurveAnswer),
 }
 
 /// Several answers, one of which is right.
@@ -167,7 +167,7 @@ pub struct PointAt {
 
 /// A curve over T that is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Curve {
+pub struct CurveAnswer {
     /// Quantity that is drawn, for the selected point: one of [`Quantity::DRAWN`], linearly; of those that each eye has, the left eye's.
     pub quantity: Quantity,
     /// The least and the greatest value that can be drawn.

@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 
 use super::answer::{Answer, Outcome, Record};
 use super::course::Course;
-use super::plan::{Choices, Curve, Kind, Prediction, Step};
+use super::plan::{AnswerKind, Choices, CurveAnswer, Prediction, Step};
 use super::truth::Sight;
 use super::verdict::{Verdict, verdict};
 use super::{curve_plot, picture, sketch};
-use crate::files::html::{Page, Style, escaped};
-use crate::plot::{BLACK, BLUE, Line, Stroke};
+use crate::files::html::{HtmlPage, PageStyle, escaped};
+use crate::plot::{BLACK, BLUE, Line, LineStroke};
 use crate::settings::Settings;
 
 /// Returns the report of `course`, whose states are shown on top of `base`; with a `fit` that was made,
@@ -19,7 +19,7 @@ use crate::settings::Settings;
 /// A state of the lesson that cannot be had, those of the renderer, and a text that cannot be drawn.
 pub fn page(course: &Course, base: &Settings, fit: Option<&str>) -> anyhow::Result<String> {
     let lesson = course.lesson();
-    let mut page = Page::new(&lesson.title, Style::Print);
+    let mut page = HtmlPage::new(&lesson.title, PageStyle::Print);
     page.html(&format!("<h1>{}</h1>\n", escaped(&lesson.title)));
     page.text(&lesson.introduction.markdown)?;
     for (number, (told, record)) in lesson.steps.iter().zip(course.records()).enumerate() {
@@ -43,7 +43,7 @@ pub fn page(course: &Course, base: &Settings, fit: Option<&str>) -> anyhow::Resu
 }
 
 /// A step that was done, whose state after the reveal is that of `settings`.
-fn step(page: &mut Page, step: &Step, record: &Record, settings: &Settings) -> anyhow::Result<()> {
+fn step(page: &mut HtmlPage, step: &Step, record: &Record, settings: &Settings) -> anyhow::Result<()> {
     let scene = settings.opened_scene()?;
     let (track, prepared) = (settings.track(&scene), scene.prepared());
     let time = settings.time.unwrap_or_else(|| settings.time_of_approach(&track));
@@ -53,7 +53,7 @@ fn step(page: &mut Page, step: &Step, record: &Record, settings: &Settings) -> a
         if let Some(verdict) = verdict(step, record, &sight) {
             page.text(&outcome_text(&verdict, record))?;
         }
-        if let Kind::Curve(curve) = kind {
+        if let AnswerKind::Curve(curve) = kind {
             page.html(&format!("<figure>\n{}</figure>\n", curves(curve, record, &sight)));
         }
     }
@@ -92,7 +92,7 @@ fn outcome_text(verdict: &Verdict, record: &Record) -> String {
 }
 
 /// The true curve, and the one that was drawn.
-fn curves(curve: &Curve, record: &Record, sight: &Sight<'_>) -> String {
+fn curves(curve: &CurveAnswer, record: &Record, sight: &Sight<'_>) -> String {
     let drawn = match record.answer() {
         Some(Answer::Curve(points)) => points.as_slice(),
         _ => &[],
@@ -104,7 +104,7 @@ fn curves(curve: &Curve, record: &Record, sight: &Sight<'_>) -> String {
     let mut lines = vec![Line::in_pieces("true curve", BLUE, truth)];
     if !drawn.is_empty() {
         let pieces = sketch::pieces(drawn, times);
-        lines.push(Line::in_pieces("drawn curve", BLACK, pieces).with(Stroke::Dashed));
+        lines.push(Line::in_pieces("drawn curve", BLACK, pieces).with(LineStroke::Dashed));
     }
     let unit = sight.settings.window.units.measures(sight.scene).time;
     curve_plot::svg(curve, times, unit, lines)

@@ -2,7 +2,7 @@
 
 use super::answer::{Answer, Outcome};
 use super::course::Course;
-use super::plan::Kind;
+use super::plan::AnswerKind;
 use super::truth::Sight;
 use super::verdict::{difference, verdict};
 use crate::settings::Settings;
@@ -37,12 +37,12 @@ impl Course {
             };
             let mut right = answer.is_right(&prediction.kind);
             let other = match (&prediction.kind, answer) {
-                (Kind::Choice(options), Answer::Votes(votes)) => {
+                (AnswerKind::Choice(options), Answer::Votes(votes)) => {
                     let all: u32 = votes.iter().fold(0, |sum, votes| sum.saturating_add(*votes));
                     let count = votes.get(options.right).copied().unwrap_or(0);
                     Some(format!("{count} of {all} hands were right"))
                 }
-                (Kind::Point(point), Answer::Direction(direction)) => {
+                (AnswerKind::Point(point), Answer::Direction(direction)) => {
                     let settings = self.lesson().settings(number, true, base);
                     let found = settings.ok().and_then(|settings| {
                         with_sight(&settings, |sight| {
@@ -53,7 +53,7 @@ impl Course {
                     right = found.as_ref().and_then(|(right, _)| *right);
                     found.map(|(_, off)| format!("the place was {off} away"))
                 }
-                (Kind::Curve(curve), Answer::Curve(points)) => {
+                (AnswerKind::Curve(curve), Answer::Curve(points)) => {
                     let settings = self.lesson().settings(number, true, base);
                     let off = settings
                         .ok()

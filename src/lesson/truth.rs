@@ -3,7 +3,7 @@
 use glam::DVec3;
 use relativity_render::{Gaze, PreparedScene};
 
-use super::plan::Curve;
+use super::plan::CurveAnswer;
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
@@ -96,7 +96,7 @@ fn refine(
     }
 }
 
-impl Curve {
+impl CurveAnswer {
     /// Returns the value of the curve for the point at `track` at `time`; `None` outside the domain of the core. Radians, or a ratio.
     #[must_use]
     pub fn at(&self, settings: &Settings, track: &Track, time: f64) -> Option<f64> {

@@ -3,7 +3,7 @@
 use relativity_render::Gaze;
 
 use super::answer::{Answer, Record};
-use super::plan::{Curve, Kind, Number, Options, Step};
+use super::plan::{AnswerKind, CurveAnswer, Number, Options, Step};
 use super::truth::{NEAR, Sight, angle_between, rms};
 use crate::caption::decimal;
 use crate::number_text;
@@ -29,18 +29,18 @@ pub fn verdict(step: &Step, record: &Record, sight: &Sight<'_>) -> Option<Verdic
     let answer = record.answer();
     let said = answer.map_or_else(|| "nothing".to_owned(), |answer| said(kind, answer));
     let right = answer.and_then(|answer| match (kind, answer) {
-        (Kind::Point(point), Answer::Direction(direction)) => {
+        (AnswerKind::Point(point), Answer::Direction(direction)) => {
             let seen = sight.direction(&point.body)?;
             Some(angle_between(*direction, seen) <= NEAR || sight.is_on(*direction, &point.body))
         }
         _ => answer.is_right(kind),
     });
     let is = match kind {
-        Kind::Choice(options) => option(options, options.right),
-        Kind::Number(number) => {
+        AnswerKind::Choice(options) => option(options, options.right),
+        AnswerKind::Number(number) => {
             number.truth.map_or_else(|| number_text::NONE.to_owned(), |it| number.text(it))
         }
-        Kind::Point(point) => match (answer, sight.direction(&point.body)) {
+        AnswerKind::Point(point) => match (answer, sight.direction(&point.body)) {
             (Some(Answer::Direction(direction)), Some(seen)) => {
                 let off = number_text::degrees(angle_between(*direction, seen));
                 format!("the ring: {}, {off} away", place(seen))
@@ -48,7 +48,7 @@ pub fn verdict(step: &Step, record: &Record, sight: &Sight<'_>) -> Option<Verdic
             (_, Some(seen)) => format!("the ring: {}", place(seen)),
             (_, None) => format!("nowhere: the {} is not seen", point.body),
         },
-        Kind::Curve(curve) => {
+        AnswerKind::Curve(curve) => {
             let off = match answer {
                 Some(Answer::Curve(points)) => difference(curve, points, sight),
                 _ => None,
@@ -59,14 +59,14 @@ pub fn verdict(step: &Step, record: &Record, sight: &Sight<'_>) -> Option<Verdic
     Some(Verdict { right, said, is })
 }
 
-fn said(kind: &Kind, answer: &Answer) -> String {
+fn said(kind: &AnswerKind, answer: &Answer) -> String {
     match (kind, answer) {
-        (Kind::Choice(options), Answer::Choice(choice)) => option(options, *choice),
-        (Kind::Choice(options), Answer::Votes(votes)) => {
+        (AnswerKind::Choice(options), Answer::Choice(choice)) => option(options, *choice),
+        (AnswerKind::Choice(options), Answer::Votes(votes)) => {
             let of = |(number, votes)| format!("{votes} × {}", option(options, number));
             votes.iter().enumerate().map(of).collect::<Vec<_>>().join(", ")
         }
-        (Kind::Number(asked), Answer::Number(number)) => asked.text(*number),
+        (AnswerKind::Number(asked), Answer::Number(number)) => asked.text(*number),
         (_, Answer::Direction(direction)) => format!("the cross: {}", place(*direction)),
         (_, Answer::Curve(_)) => "the dashed curve".to_owned(),
         _ => "nothing".to_owned(),
@@ -102,7 +102,7 @@ impl Number {
 
 /// Describes the difference of the drawn `points` from the true `curve`, and the range of T; `None` where the curve does not exist.
 #[must_use]
-pub fn difference(curve: &Curve, points: &[[f64; 2]], sight: &Sight<'_>) -> Option<String> {
+pub fn difference(curve: &CurveAnswer, points: &[[f64; 2]], sight: &Sight<'_>) -> Option<String> {
     let ([first, ..], [.., last]) = (points, points) else { return None };
     let off = rms(points, |time| curve.at(sight.settings, &sight.track, time))?;
     let unit = curve.quantity.unit(&Measures::OWN).suffix();

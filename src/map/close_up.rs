@@ -6,10 +6,10 @@ use relativity_core::Event;
 use relativity_render::{Motion, Shape};
 
 use super::diagram::Diagram;
-use super::fit::Extent;
-use super::instant::{Instant, Picture};
+use super::fit::WorldBox;
+use super::instant::{BodyPicture, MapInstant};
 use crate::scene::Scene;
-use crate::settings::Frame;
+use crate::settings::MapFrame;
 
 /// Space left free around the body on each side, as a share of the box.
 const MARGIN: f64 = 0.12;
@@ -25,12 +25,12 @@ const LEAST_SPAN: f64 = 0.25;
 
 /// A box, grown point by point.
 #[derive(Debug, Clone, Copy)]
-struct Bounds {
+struct PointBox {
     low: DVec3,
     high: DVec3,
 }
 
-impl Bounds {
+impl PointBox {
     const EMPTY: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
     fn joined(self, place: DVec3) -> Self {
@@ -50,12 +50,12 @@ impl Bounds {
     }
 }
 
-impl Extent {
+impl WorldBox {
     /// The box around what moves at `motion`, or around all that moves if that rests on the ground: on the ground where
     /// both eyes see it and where two eyes place it, in its own frame where it is. `None` where it is nowhere.
     #[must_use]
-    pub fn close_up(instant: &Instant, scene: &Scene, motion: Motion) -> Option<Self> {
-        let bounds = |picture: Picture, into: Bounds| {
+    pub fn close_up(instant: &MapInstant, scene: &Scene, motion: Motion) -> Option<Self> {
+        let bounds = |picture: BodyPicture, into: PointBox| {
             let framed = |other: Motion| {
                 if instant.rests(motion) { !instant.rests(other) } else { other == motion }
             };
@@ -65,20 +65,20 @@ impl Extent {
                 let stride = group.count.div_ceil(MOST_BODIES).max(1);
                 let bodies = group.bodies().step_by(stride).map(|body| &scene.bodies[body].shape);
                 let seen = bodies.flat_map(Shape::samples).filter_map(|rest| places.place(picture, rest));
-                seen.fold(bounds, Bounds::joined)
+                seen.fold(bounds, PointBox::joined)
             })
         };
         let around = match instant.frame() {
-            Frame::Bicycle => bounds(Picture::Measured, Bounds::EMPTY),
-            Frame::Ground | Frame::Rider => {
-                let seen = bounds(Picture::Seen(1), bounds(Picture::Seen(0), Bounds::EMPTY));
+            MapFrame::Bicycle => bounds(BodyPicture::Measured, PointBox::EMPTY),
+            MapFrame::Ground | MapFrame::Rider => {
+                let seen = bounds(BodyPicture::Seen(1), bounds(BodyPicture::Seen(0), PointBox::EMPTY));
                 let within = seen.grown(STEREO_REACH * seen.size());
-                let stereo = bounds(Picture::Stereo, seen);
-                Bounds { low: stereo.low.max(within.low), high: stereo.high.min(within.high) }
+                let stereo = bounds(BodyPicture::Stereo, seen);
+                PointBox { low: stereo.low.max(within.low), high: stereo.high.min(within.high) }
             }
         };
         let margin = MARGIN * around.size().max_element();
-        let Bounds { low, high } = around.grown(DVec3::splat(margin));
+        let PointBox { low, high } = around.grown(DVec3::splat(margin));
         (margin > 0.0 && around.is_finite()).then(|| Self([0, 1, 2].map(|axis| [low[axis], high[axis]])))
     }
 }
@@ -92,7 +92,7 @@ pub fn around_now(diagrams: &[Diagram]) -> Option<[Event; 2]> {
         nows.map(|time| diagram.point.at(time))
     });
     let places = events.map(|event| DVec3::new(event.x, event.t, 0.0));
-    let around = places.fold(Bounds::EMPTY, Bounds::joined);
+    let around = places.fold(PointBox::EMPTY, PointBox::joined);
     let nearest = diagrams.iter().map(|diagram| diagram.point.distance()).fold(f64::INFINITY, f64::min);
     let span = around.size().max_element();
     let margin = EVENT_MARGIN * span.max(LEAST_SPAN * nearest);

@@ -7,8 +7,7 @@ use glam::DVec3;
 use relativity_core::{Aperture, Event, Observer, ObserverError, ObserverVelocity, SourcePoint, math};
 use relativity_render::Velocity;
 
-use super::frame::event_in;
-use super::light::{Ray, rays};
+use super::light::{ReceivedRay, rays};
 use super::straight_line::StraightLine;
 use super::worldline::PointWorldline;
 use super::{Chart, Viewpoint};
@@ -18,14 +17,14 @@ use crate::time_range;
 
 /// The past light cone of an eye, cut by the plane in which the point moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cone {
+pub struct PastCone {
     /// The event of reception, or that between the eyes where one cone serves both.
     pub apex: Event,
     /// Distance at which the point passes the line along x through the event.
     pub distance: f64,
 }
 
-impl Cone {
+impl PastCone {
     /// Pieces of a drawn curve: enough for one of a few hundred pixels.
     const PIECES: i32 = 64;
 
@@ -78,7 +77,7 @@ pub struct Diagram {
     /// Worldline of the point.
     pub point: PointWorldline,
     /// The light that the eyes receive at T.
-    pub rays: [Ray; 2],
+    pub rays: [ReceivedRay; 2],
     /// The middle between the eyes at T.
     pub present: Event,
     /// The time of the ground's clocks there: T, of eyes that rest.
@@ -111,7 +110,7 @@ impl Diagram {
             },
             point: PointWorldline::new(settings, point, frame),
             rays: rays(settings, point, time, frame)?,
-            present: event_in(&frame, observer.place.into(), observer.time),
+            present: frame.event_at(observer.place, observer.time),
             time: observer.time,
             clock: time,
             observer,
@@ -158,7 +157,7 @@ impl Diagram {
         } else if self.frame == *velocity {
             own
         } else {
-            event_in(&self.frame, velocity.proper().into(), velocity.speed().gamma())
+            self.frame.event_at(velocity.proper(), velocity.speed().gamma())
         };
         self.rays.map(|ray| StraightLine { through: ray.received, step })
     }
@@ -186,16 +185,16 @@ impl Diagram {
             let abreast = DVec3 { x: here.x, ..self.point.place(then) };
             let slope = of.speed().beta() * DVec3::from(of.direction());
             let t = self.time + slope.dot(abreast - here);
-            let step = event_in(&self.frame, DVec3::X, slope.x);
-            StraightLine { through: event_in(&self.frame, abreast, t), step }
+            let step = self.frame.event_at([1.0, 0.0, 0.0], slope.x);
+            StraightLine { through: self.frame.event_at(abreast.into(), t), step }
         })
     }
 
     /// The past light cones of the eyes at T; `None` in the frame of one who moves aslant of the street, in which the point
     /// changes its y and z.
     #[must_use]
-    pub fn cones(&self) -> Option<[Cone; 2]> {
-        let cones = self.rays.map(|ray| Cone { apex: ray.apex, distance: ray.aside });
+    pub fn cones(&self) -> Option<[PastCone; 2]> {
+        let cones = self.rays.map(|ray| PastCone { apex: ray.apex, distance: ray.aside });
         self.frame.is_along_street().then_some(cones)
     }
 
@@ -215,20 +214,20 @@ pub fn worldline_of_eye(
     range: [f64; 2],
 ) -> Vec<Event> {
     let event = |piece: i32| {
-        let time = time_range::time_within(range, f64::from(piece) / f64::from(Cone::PIECES));
+        let time = time_range::time_within(range, f64::from(piece) / f64::from(PastCone::PIECES));
         let aperture = settings.baseline_at(time).apertures()[eye];
         let (Aperture { x, y, z }, t) = settings.rider(time).event_of(aperture);
-        event_in(frame, DVec3::new(x, y, z), t)
+        frame.event_at([x, y, z], t)
     };
-    (0..=Cone::PIECES).map(event).collect()
+    (0..=PastCone::PIECES).map(event).collect()
 }
 
 /// A part of a passage: from where to where the point is seen to pass, in distances at which it does; and, of slow
 /// passages, how long before and after it is seen abreast, in the same.
-type Part = ([f64; 2], f64);
+type PassagePart = ([f64; 2], f64);
 /// Part shown at first, and the largest.
-const AT_FIRST: Part = ([-1.2, 0.2], 1.0);
-const AT_MOST: Part = ([-2.5, 2.2], 3.0);
+const AT_FIRST: PassagePart = ([-1.2, 0.2], 1.0);
+const AT_MOST: PassagePart = ([-2.5, 2.2], 3.0);
 /// The smallest distance that is made room for.
 const NEAREST: f64 = 0.05;
 
@@ -262,7 +261,7 @@ pub fn home(
             high = Event { x: high.x.max(event.x), t: high.t.max(event.t) };
         }
     }
-    let onward = event_in(&frame, DVec3::ZERO, time - shown);
+    let onward = frame.event_at([0.0; 3], time - shown);
     Ok([low.plus(onward), high.plus(onward)])
 }
 
@@ -290,7 +289,7 @@ pub fn chart([left, top, width, height]: [f64; 4], [low, high]: [Event; 2], view
 fn shown_times(
     settings: &Settings,
     point: &Track,
-    ([from, to], longest): Part,
+    ([from, to], longest): PassagePart,
 ) -> Result<[f64; 2], ObserverError> {
     if settings.ride.is_on() {
         return Ok(settings.time_range(point));

@@ -7,11 +7,11 @@ use relativity_render::{Motion, Velocity};
 
 use super::{Chart, Viewpoint};
 use crate::scene::Scene;
-use crate::settings::{Frame, Settings};
+use crate::settings::{MapFrame, Settings};
 
 /// A box of the world: lowest and highest x, y, z.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extent(pub [[f64; 2]; 3]);
+pub struct WorldBox(pub [[f64; 2]; 3]);
 
 /// Distance on either side within which a passage is shown, in units of its closest approach.
 const PASSAGE: f64 = 2.0;
@@ -33,7 +33,7 @@ const LEAST_SHARE: f64 = 0.25;
 /// Space between the plan and the view from the side, points.
 const BETWEEN: f64 = 10.0;
 
-impl Extent {
+impl WorldBox {
     /// Returns the part in the space face: both eyes, and what moves, as it passes them.
     #[must_use]
     pub fn of_space(settings: &Settings, scene: &Scene) -> Self {
@@ -60,7 +60,7 @@ impl Extent {
     }
 }
 
-impl Extent {
+impl WorldBox {
     /// Returns the part around who does not ride along the street: more of it ahead of `here` than behind, by `velocity`, and
     /// all of `seen` that is not too far off.
     #[must_use]
@@ -83,8 +83,8 @@ impl Extent {
 /// and at most so much that the bicycle stays large enough to be seen.
 fn widening(settings: &Settings) -> f64 {
     match settings.map_frame() {
-        Frame::Ground | Frame::Rider => 1.0,
-        Frame::Bicycle => {
+        MapFrame::Ground | MapFrame::Rider => 1.0,
+        MapFrame::Bicycle => {
             let steps = 2.0 * math::log2(settings.speed().gamma());
             math::powf(2.0, 0.5 * steps.ceil()).min(WIDEST)
         }
@@ -111,7 +111,7 @@ fn joined(around: [[f64; 2]; 3], (center, radius): ([f64; 3], f64)) -> [[f64; 2]
 #[must_use]
 pub fn plan_and_side(
     [left, top, width, height]: [f64; 4],
-    extent: &Extent,
+    extent: &WorldBox,
     viewpoint: &Viewpoint,
 ) -> [Chart; 2] {
     let size = extent.0.map(|[low, high]| high - low);

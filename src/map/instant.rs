@@ -4,14 +4,13 @@ use glam::DVec3;
 use relativity_core::{Aperture, Model, Observer, ObserverVelocity, Stereo, Worldline};
 use relativity_render::{Camera, Geometry, GroupView, MaterialPoint, Motion, Velocity, View};
 
-use super::frame::event_in;
 use super::present::{Present, measured_by};
 use crate::scene::Track;
-use crate::settings::{Frame, Look, Rider, Settings};
+use crate::settings::{LookSettings, MapFrame, Rider, Settings};
 
 /// A picture of a body on the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Picture {
+pub enum BodyPicture {
     /// The whole body at one time of the frame that is drawn.
     Measured,
     /// The body where the left (0) or the right (1) eye sees it.
@@ -20,7 +19,7 @@ pub enum Picture {
     Stereo,
 }
 
-impl Picture {
+impl BodyPicture {
     /// Every picture, in the order in which they are drawn.
     pub const ALL: [Self; 4] = [Self::Measured, Self::Seen(0), Self::Seen(1), Self::Stereo];
 
@@ -38,7 +37,7 @@ impl Picture {
 
 /// The present T, in the frame in which the map is drawn.
 #[derive(Debug, Clone)]
-pub struct Instant<'a> {
+pub struct MapInstant<'a> {
     settings: &'a Settings,
     /// The time of the settings: T, or the clock of who rides.
     time: f64,
@@ -47,20 +46,20 @@ pub struct Instant<'a> {
     model: Model,
 }
 
-impl<'a> Instant<'a> {
+impl<'a> MapInstant<'a> {
     /// T = `time` of `settings`.
     #[must_use]
     pub fn new(settings: &'a Settings, time: f64) -> Self {
         // Whatever the views show: what both eyes see, each from where it is.
         let model = settings.model();
         let geometry = if model == Model::OneCone { Geometry::OneCone } else { Geometry::Seen };
-        let shown = Settings { look: Look { geometry, ..settings.look }, ..settings.clone() };
+        let shown = Settings { look: LookSettings { geometry, ..settings.look }, ..settings.clone() };
         Self { settings, time, rider: settings.rider(time), seen: shown.views_ahead(time), model }
     }
 
     /// The frame that is drawn.
     #[must_use]
-    pub fn frame(&self) -> Frame {
+    pub fn frame(&self) -> MapFrame {
         self.settings.map_frame()
     }
 
@@ -73,7 +72,7 @@ impl<'a> Instant<'a> {
     /// Returns the places of the left and the right eye: of eyes that ride, where light reaches each of them.
     #[must_use]
     pub fn eyes(&self) -> [DVec3; 2] {
-        if self.frame() == Frame::Rider {
+        if self.frame() == MapFrame::Rider {
             return self.pair();
         }
         let street = self.places(Motion::Own(Velocity::REST));
@@ -83,7 +82,7 @@ impl<'a> Instant<'a> {
         let frame = self.settings.frame(self.time);
         self.seen.map(|view| {
             let place = position(view.camera.aperture) + street.shift;
-            DVec3 { x: event_in(&frame, place, view.observation_time).x, ..place }
+            DVec3 { x: frame.event_at(place.into(), view.observation_time).x, ..place }
         })
     }
 
@@ -111,8 +110,8 @@ impl<'a> Instant<'a> {
         let Settings { motion: set, .. } = self.settings;
         let frame = self.settings.frame(self.time);
         let observer = self.rider.observer();
-        let (here, is_riders) = (DVec3::from(observer.place), self.frame() == Frame::Rider);
-        let now = event_in(&frame, here, observer.time);
+        let (here, is_riders) = (DVec3::from(observer.place), self.frame() == MapFrame::Rider);
+        let now = frame.event_at(observer.place, observer.time);
         let shift = DVec3::new(0.0, set.depth_shift, set.height_shift);
         // On the ground is what eyes at rest would see that receive the same light.
         let from = if is_riders { frame } else { ObserverVelocity::REST };
@@ -123,7 +122,7 @@ impl<'a> Instant<'a> {
             shift,
             origin: if is_riders { DVec3 { x: now.x, ..here } } else { DVec3::ZERO },
             eyes: match self.frame() {
-                Frame::Rider => self.pair(),
+                MapFrame::Rider => self.pair(),
                 _ => seen.map(|view| position(view.camera.aperture) + shift),
             },
             pair: self.settings.baseline_at(self.time).stereo_apertures(self.settings.ride.is_on()),
@@ -144,7 +143,7 @@ impl<'a> Instant<'a> {
 
     /// Returns the place of the point in `picture`; `None` where there is none, or outside the domain of the core.
     #[must_use]
-    pub fn place(&self, point: &Track, picture: Picture) -> Option<DVec3> {
+    pub fn place(&self, point: &Track, picture: BodyPicture) -> Option<DVec3> {
         self.places(point.motion).place(picture, point.point())
     }
 }
@@ -168,24 +167,24 @@ pub struct Places {
     present: Present,
     /// View of what is measured in the frame of an observer who does not move along the street.
     aslant: Option<GroupView>,
-    frame: Frame,
+    frame: MapFrame,
 }
 
 impl Places {
     /// Returns the place of the scene's `point` in `picture`; `None` where there is none, or outside the domain of the core.
     #[must_use]
-    pub fn place(&self, picture: Picture, point: impl Into<MaterialPoint>) -> Option<DVec3> {
+    pub fn place(&self, picture: BodyPicture, point: impl Into<MaterialPoint>) -> Option<DVec3> {
         let point = point.into();
         let place = match (picture, self.frame) {
-            (Picture::Measured, _) => self.measured(point),
-            (Picture::Seen(eye), Frame::Ground | Frame::Rider) => {
+            (BodyPicture::Measured, _) => self.measured(point),
+            (BodyPicture::Seen(eye), MapFrame::Ground | MapFrame::Rider) => {
                 self.eyes[eye] + self.seen[eye].apparent_position(point)?
             }
             // Two eyes that ride place it in their own frame.
-            (Picture::Stereo, Frame::Ground) if !self.observer.velocity.is_rest() => return None,
-            (Picture::Stereo, Frame::Ground | Frame::Rider) => self.stereo(point)?.position.into(),
+            (BodyPicture::Stereo, MapFrame::Ground) if !self.observer.velocity.is_rest() => return None,
+            (BodyPicture::Stereo, MapFrame::Ground | MapFrame::Rider) => self.stereo(point)?.position.into(),
             // Its light left it where it was in that frame.
-            (Picture::Seen(eye), Frame::Bicycle) if self.present.relative == Velocity::REST => {
+            (BodyPicture::Seen(eye), MapFrame::Bicycle) if self.present.relative == Velocity::REST => {
                 self.seen[eye].place_when_shown(point) + self.shift
             }
             _ => return None,
@@ -196,7 +195,12 @@ impl Places {
     /// Returns the image of a ball of this `radius` around the `point`: its radii along x, y and z, from the place of the
     /// point.
     #[must_use]
-    pub fn ball(&self, picture: Picture, point: impl Into<MaterialPoint>, radius: f64) -> Option<[DVec3; 3]> {
+    pub fn ball(
+        &self,
+        picture: BodyPicture,
+        point: impl Into<MaterialPoint>,
+        radius: f64,
+    ) -> Option<[DVec3; 3]> {
         let point = point.into();
         let center = self.place(picture, point)?;
         let radius_along = |axis: DVec3| {

@@ -4,14 +4,13 @@
 use glam::DVec3;
 use relativity_core::{Aperture, Event, Model, ObserverError, ObserverVelocity, math};
 
-use super::frame::event_in;
 use super::worldline::PointWorldline;
 use crate::scene::Track;
 use crate::settings::Settings;
 
 /// Light that reaches an eye at T.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ray {
+pub struct ReceivedRay {
     /// Event where the light left the point.
     pub left: Event,
     /// y and z of the point there.
@@ -41,7 +40,7 @@ pub fn rays(
     point: &Track,
     time: f64,
     frame: ObserverVelocity,
-) -> Result<[Ray; 2], ObserverError> {
+) -> Result<[ReceivedRay; 2], ObserverError> {
     let worldline = PointWorldline::new(settings, point, frame);
     let both = settings.disparity(point, time)?;
     let ([left, right], rider) = (settings.baseline_at(time).apertures(), settings.rider(time));
@@ -60,11 +59,11 @@ pub fn rays(
         };
         let (eye, received) = event(eye);
         let (apex, apex_time) = if one_cone { event(Aperture::default()) } else { (eye, received) };
-        Ray {
+        ReceivedRay {
             left,
             across: [place.y, place.z],
-            received: event_in(&frame, eye, received),
-            apex: event_in(&frame, apex, apex_time),
+            received: frame.event_at(eye.into(), received),
+            apex: frame.event_at(apex.into(), apex_time),
             aside: math::hypot(place.y - apex.y, place.z - apex.z),
             eye: [eye.y, eye.z],
             happened: seen.retarded_time,
@@ -99,7 +98,7 @@ impl Front {
     }
 }
 
-impl Ray {
+impl ReceivedRay {
     /// The front that the ray belongs to, as it reaches the eye.
     #[must_use]
     pub fn front(&self) -> Front {

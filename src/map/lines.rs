@@ -6,11 +6,11 @@ use glam::{DMat3, DVec2, DVec3};
 use relativity_render::shape::strokes::{Path, Stroke};
 use relativity_render::{Body, MaterialPoint, Spin};
 
-use super::instant::{Instant, Picture, Places};
+use super::instant::{BodyPicture, MapInstant, Places};
 use super::outline::outline;
-use super::{Chart, Projection};
+use super::{Chart, MapProjection};
 use crate::scene::{Scene, SceneGroup};
-use crate::settings::Frame;
+use crate::settings::MapFrame;
 
 /// Greatest distance of a line from its curve, points.
 const TOLERANCE: f64 = 0.25;
@@ -34,36 +34,36 @@ pub struct Vertex {
 
 /// A part of the outline of a body.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Line {
+pub struct OutlineLine {
     /// The number of the body.
     pub body: usize,
     /// Whether the line rests on the ground.
     pub rests: bool,
     /// Picture that the line belongs to.
-    pub picture: Picture,
+    pub picture: BodyPicture,
     /// Ball around the place: the radii along x, y and z of one as thick as the body, at rest and on the map. `None` for an edge.
-    pub ball: Option<Ball>,
+    pub ball: Option<BallOutline>,
     /// The only projection that it is drawn in, if not in both: of a ball, whose outline in each is another.
-    pub only: Option<Projection>,
+    pub only: Option<MapProjection>,
     /// Radius of a ball around the body at rest.
     pub reach: f64,
-    /// Range of the line's points among [`Lines::vertices`].
+    /// Range of the line's points among [`OutlineLines::vertices`].
     vertices: Range<usize>,
 }
 
 /// A ball, and what it becomes on the map.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ball {
+pub struct BallOutline {
     /// Radius at rest.
     pub radius: f64,
     /// Radii along x, y and z on the map, from the middle.
     pub radii: [DVec3; 3],
 }
 
-impl Ball {
+impl BallOutline {
     /// Half its width in `projection` across the line `from` there `to` there.
     #[must_use]
-    pub fn half_width(&self, projection: Projection, [from, to]: [[f64; 2]; 2]) -> f64 {
+    pub fn half_width(&self, projection: MapProjection, [from, to]: [[f64; 2]; 2]) -> f64 {
         let along = DVec2::from(to) - DVec2::from(from);
         let Some(across) = along.try_normalize().map(DVec2::perp) else { return 0.0 };
         // Where the tangent across is, of the ellipsoid that the ball becomes.
@@ -72,37 +72,37 @@ impl Ball {
     }
 }
 
-impl Line {
+impl OutlineLine {
     /// Half its thickness in `projection` between two of its places there.
     #[must_use]
-    pub fn half_width(&self, projection: Projection, ends: [[f64; 2]; 2]) -> f64 {
+    pub fn half_width(&self, projection: MapProjection, ends: [[f64; 2]; 2]) -> f64 {
         self.ball.map_or(0.0, |ball| ball.half_width(projection, ends))
     }
 
     /// Whether the line is drawn in `projection`.
     #[must_use]
-    pub fn is_in(&self, projection: Projection) -> bool {
+    pub fn is_in(&self, projection: MapProjection) -> bool {
         self.only.is_none_or(|only| only == projection)
     }
 }
 
 /// The outlines of all bodies.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Lines {
+pub struct OutlineLines {
     /// In the order in which they are drawn.
-    pub all: Vec<Line>,
+    pub all: Vec<OutlineLine>,
     vertices: Vec<Vertex>,
 }
 
-impl Lines {
+impl OutlineLines {
     /// The outlines of `scene` at `instant` for these charts, the plan and the view from the side.
     #[must_use]
-    pub fn new(instant: &Instant, scene: &Scene, charts: &[Chart; 2]) -> Self {
+    pub fn new(instant: &MapInstant, scene: &Scene, charts: &[Chart; 2]) -> Self {
         let mut lines = Self::default();
         let (street, riders): (Vec<_>, Vec<_>) =
             scene.passing().partition(|group| instant.rests(group.motion));
         for group in street {
-            lines.add_group(&Sampler::new(instant, group, Picture::Measured, charts), scene, group);
+            lines.add_group(&Sampler::new(instant, group, BodyPicture::Measured, charts), scene, group);
         }
         for &picture in pictures(instant.frame()) {
             for group in &riders {
@@ -129,7 +129,7 @@ impl Lines {
 
     /// The points of `line`, one of these.
     #[must_use]
-    pub fn vertices(&self, line: &Line) -> &[Vertex] {
+    pub fn vertices(&self, line: &OutlineLine) -> &[Vertex] {
         &self.vertices[line.vertices.clone()]
     }
 
@@ -143,8 +143,8 @@ impl Lines {
                 let Sampler { picture, rests, places, .. } = *sampler;
                 let radii =
                     (radius > 0.0).then(|| places.ball(picture, sampler.thickest(&path, body), radius));
-                let ball = radii.flatten().map(|radii| Ball { radius, radii });
-                self.all.push(Line { body: number, rests, picture, ball, only, reach, vertices });
+                let ball = radii.flatten().map(|radii| BallOutline { radius, radii });
+                self.all.push(OutlineLine { body: number, rests, picture, ball, only, reach, vertices });
             }
         }
     }
@@ -153,19 +153,19 @@ impl Lines {
 /// The pictures of a body in `frame`, in the order in which they are drawn: a thin line on top, where two eyes place it,
 /// which lies on what one eye sees when the head is tilted. On board of the bicycle nothing is seen elsewhere: the light
 /// left where it rests.
-const fn pictures(frame: Frame) -> &'static [Picture] {
+const fn pictures(frame: MapFrame) -> &'static [BodyPicture] {
     match frame {
-        Frame::Ground | Frame::Rider => {
-            &[Picture::Seen(1), Picture::Seen(0), Picture::Measured, Picture::Stereo]
+        MapFrame::Ground | MapFrame::Rider => {
+            &[BodyPicture::Seen(1), BodyPicture::Seen(0), BodyPicture::Measured, BodyPicture::Stereo]
         }
-        Frame::Bicycle => &[Picture::Measured],
+        MapFrame::Bicycle => &[BodyPicture::Measured],
     }
 }
 
 /// Divides paths into pieces that are straight on the map.
 struct Sampler<'a> {
     places: Places,
-    picture: Picture,
+    picture: BodyPicture,
     rests: bool,
     charts: &'a [Chart; 2],
     /// Turning of the outlined body.
@@ -173,7 +173,7 @@ struct Sampler<'a> {
 }
 
 impl<'a> Sampler<'a> {
-    fn new(instant: &Instant, group: &SceneGroup, picture: Picture, charts: &'a [Chart; 2]) -> Self {
+    fn new(instant: &MapInstant, group: &SceneGroup, picture: BodyPicture, charts: &'a [Chart; 2]) -> Self {
         let rests = instant.rests(group.motion);
         Self { places: instant.places(group.motion), picture, rests, charts, spin: None }
     }
@@ -195,7 +195,7 @@ impl<'a> Sampler<'a> {
     }
 
     /// The direction at `rest` that the map looks along in `projection`, a unit vector at rest.
-    fn line_of_sight(&self, rest: DVec3, projection: Projection) -> DVec3 {
+    fn line_of_sight(&self, rest: DVec3, projection: MapProjection) -> DVec3 {
         let straight = projection.line_of_sight();
         let map = self.places.ball(self.picture, rest, SMALL).map(|[x, y, z]| DMat3::from_cols(x, y, z));
         let turned = map.and_then(|map| (map.inverse() * straight).try_normalize());
@@ -236,7 +236,7 @@ impl<'a> Sampler<'a> {
 
     /// Whether what is between `ends`, as far as `off` from the straight line, comes into a chart.
     fn is_near(&self, ends: [Vertex; 2], off: f64) -> bool {
-        Projection::BOTH.into_iter().zip(self.charts).any(|(projection, chart)| {
+        MapProjection::BOTH.into_iter().zip(self.charts).any(|(projection, chart)| {
             let [a, b] = ends.map(|end| projection.flat(end.place));
             chart.range().into_iter().enumerate().all(|(axis, [low, high])| {
                 a[axis].min(b[axis]) - off <= high && a[axis].max(b[axis]) + off >= low

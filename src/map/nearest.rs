@@ -2,14 +2,14 @@
 
 use glam::DVec3;
 
-use super::lines::{Line, Lines, Vertex};
-use super::{Chart, Projection};
+use super::lines::{OutlineLine, OutlineLines, Vertex};
+use super::{Chart, MapProjection};
 
 /// A point of a body's outline that is near the pointer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nearest<'a> {
     /// Outline that is nearest.
-    pub line: &'a Line,
+    pub line: &'a OutlineLine,
     /// Nearest place on it: in the middle of its thickness.
     pub vertex: Vertex,
     /// Place on the body's surface, in front of that on the side of the eyes; in the scene's coordinates, at rest, or
@@ -17,13 +17,13 @@ pub struct Nearest<'a> {
     pub surface: DVec3,
 }
 
-impl Lines {
+impl OutlineLines {
     /// The point of the outlines nearest to `pointer`, a place on screen, unless it is further than `reach` points from
     /// all of them; of equally near ones that drawn last.
     #[must_use]
     pub fn nearest(
         &self,
-        (projection, chart): (Projection, &Chart),
+        (projection, chart): (MapProjection, &Chart),
         pointer: [f64; 2],
         reach: f64,
     ) -> Option<Nearest<'_>> {
@@ -46,7 +46,7 @@ impl Lines {
 }
 
 impl<'a> Nearest<'a> {
-    fn new(line: &'a Line, [from, to]: [Vertex; 2], part: f64) -> Self {
+    fn new(line: &'a OutlineLine, [from, to]: [Vertex; 2], part: f64) -> Self {
         let vertex = Vertex { rest: from.rest.lerp(to.rest, part), place: from.place.lerp(to.place, part) };
         let along = (to.rest - from.rest).try_normalize();
         let outwards = along.and_then(|along| DVec3::NEG_Y.reject_from_normalized(along).try_normalize());

@@ -4,14 +4,14 @@ use glam::{DQuat, DVec3};
 use relativity_render::shape::strokes::{Path, Stroke};
 use relativity_render::{Body, Shape, Triangles};
 
-use super::Projection;
+use super::MapProjection;
 
 /// The outline of `body`, with the only projection that each part is drawn in, if not in both; `line_of_sight` is the
 /// direction of the body at a place, at rest, that a projection looks along.
 pub(super) fn outline(
     body: &Body,
-    line_of_sight: impl Fn(DVec3, Projection) -> DVec3,
-) -> Vec<(Stroke, Option<Projection>)> {
+    line_of_sight: impl Fn(DVec3, MapProjection) -> DVec3,
+) -> Vec<(Stroke, Option<MapProjection>)> {
     if let Some((model, at_rest)) = model_of(body) {
         let sharp = model.sharp_edges().map(|ends| (at_rest.edge(ends), None));
         if body.spin.is_some() {
@@ -19,7 +19,7 @@ pub(super) fn outline(
             return body.outline().strokes().into_iter().map(|stroke| (stroke, None)).chain(sharp).collect();
         }
         // Where it turns away depends on who looks; in the middle they look as they do everywhere, nearly.
-        let turning = Projection::BOTH.into_iter().flat_map(|projection| {
+        let turning = MapProjection::BOTH.into_iter().flat_map(|projection| {
             let direction = at_rest.turn.inverse() * line_of_sight(at_rest.middle, projection);
             model.turning_edges(direction).map(move |ends| (ends, Some(projection)))
         });
@@ -31,7 +31,7 @@ pub(super) fn outline(
             let path = Path::circle(center.into(), line_of_sight(center.into(), projection), radius);
             (Stroke::edge(path), Some(projection))
         };
-        return Projection::BOTH.map(circle).to_vec();
+        return MapProjection::BOTH.map(circle).to_vec();
     }
     body.shape.strokes().into_iter().map(|stroke| (stroke, None)).collect()
 }

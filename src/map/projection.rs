@@ -4,14 +4,14 @@ use glam::DVec3;
 
 /// A chart of the space face, of two.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Projection {
+pub enum MapProjection {
     /// From above: x to the right, y up.
     Plan,
     /// From the side, from where the eyes are: x to the right, z up.
     Side,
 }
 
-impl Projection {
+impl MapProjection {
     /// Both, from the top.
     pub const BOTH: [Self; 2] = [Self::Plan, Self::Side];
 

@@ -3,12 +3,12 @@
 use glam::DVec3;
 use relativity_render::Camera;
 
-use super::Projection;
+use super::MapProjection;
 
 /// The directions of both edges of what `camera` shows, in `projection`: unit vectors right and up, the left edge first.
 /// `None` where it looks so steeply out of the plane that there is no edge.
 #[must_use]
-pub fn field_of_view(camera: &Camera, projection: Projection) -> Option<[[f64; 2]; 2]> {
+pub fn field_of_view(camera: &Camera, projection: MapProjection) -> Option<[[f64; 2]; 2]> {
     let [width, height] = camera.size.map(f64::from);
     let places = [[0.5 * width, 0.5 * height], [0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
     let mut sights = [[0.0; 2]; 5];
@@ -28,7 +28,7 @@ pub fn field_of_view(camera: &Camera, projection: Projection) -> Option<[[f64; 2
 const ALIKE: f64 = 1e-12;
 
 /// The direction of `v` in `projection`, unless it looks along that.
-fn flat(v: DVec3, projection: Projection) -> Option<[f64; 2]> {
+fn flat(v: DVec3, projection: MapProjection) -> Option<[f64; 2]> {
     let [right, up] = projection.flat(v);
     let length = relativity_core::math::hypot(right, up);
     (length > 0.1).then(|| [right / length, up / length])
@@ -51,12 +51,12 @@ mod tests {
     #[test]
     fn a_level_gaze_has_its_field_of_view_in_the_plan() {
         let camera = Camera::new(Aperture::default(), Gaze { azimuth: 2.0, elevation: 0.0 }, 0.8, [400, 4]);
-        let edges = field_of_view(&camera, Projection::Plan).expect("it looks along the plane");
+        let edges = field_of_view(&camera, MapProjection::Plan).expect("it looks along the plane");
         for (edge, azimuth) in edges.into_iter().zip([2.4f64, 1.6]) {
             let off = (edge[0] - azimuth.cos()).hypot(edge[1] - azimuth.sin());
             assert!(off < 1e-12, "{edges:?}");
         }
         let ahead = Camera { gaze: Gaze::STRAIGHT_AHEAD, ..camera };
-        assert_eq!(field_of_view(&ahead, Projection::Side), None);
+        assert_eq!(field_of_view(&ahead, MapProjection::Side), None);
     }
 }

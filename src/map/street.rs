@@ -3,10 +3,9 @@
 use glam::DVec3;
 use relativity_render::{Motion, Velocity};
 
-use super::frame::event_in;
-use super::{Instant, Projection};
+use super::{MapInstant, MapProjection};
 use crate::scene::Scene;
-use crate::settings::{Frame, Settings};
+use crate::settings::{MapFrame, Settings};
 use crate::time_range;
 
 /// Distance along the street between the two places that a line is given by.
@@ -20,7 +19,7 @@ type StreetLine = ([[f64; 2]; 2], &'static str);
 /// Returns the kerbs and the foot of the house fronts from above, and the ground from the side, as `instant` measures them: of a ground
 /// that leans towards the eyes or away from them, where it is straight below them.
 #[must_use]
-pub fn street_lines(instant: &Instant, scene: &Scene, projection: Projection) -> Vec<StreetLine> {
+pub fn street_lines(instant: &MapInstant, scene: &Scene, projection: MapProjection) -> Vec<StreetLine> {
     let places = instant.places(Motion::Own(Velocity::REST));
     let near = instant.observer().place[0];
     let ground = scene.ground_z.unwrap_or_default();
@@ -28,12 +27,12 @@ pub fn street_lines(instant: &Instant, scene: &Scene, projection: Projection) ->
         [near, near + STEP].map(|x| projection.flat(places.measured(DVec3::new(x, y(x), ground))))
     };
     match projection {
-        Projection::Plan => {
+        MapProjection::Plan => {
             let names = ["kerb", "kerb", "house fronts"];
             let lines = scene.street.into_iter().flatten().zip(names);
             lines.map(|(y, name)| (flat(&|_| y), name)).collect()
         }
-        Projection::Side => {
+        MapProjection::Side => {
             let eyes = instant.middle();
             // What is measured is linear in where it rests.
             let below = |x: f64| {
@@ -49,7 +48,7 @@ pub fn street_lines(instant: &Instant, scene: &Scene, projection: Projection) ->
 /// in the frame of whoever rides, and none of who keeps to the street.
 #[must_use]
 pub fn way_of_rider(settings: &Settings, time: f64, range: [f64; 2]) -> Vec<DVec3> {
-    if !settings.ride.leaves_street() || settings.map_frame() == Frame::Rider {
+    if !settings.ride.leaves_street() || settings.map_frame() == MapFrame::Rider {
         return Vec::new();
     }
     let frame = settings.frame(time);
@@ -57,7 +56,7 @@ pub fn way_of_rider(settings: &Settings, time: f64, range: [f64; 2]) -> Vec<DVec
         let observer =
             settings.rider(time_range::time_within(range, f64::from(piece) / f64::from(PIECES))).observer();
         let place = DVec3::from(observer.place);
-        DVec3 { x: event_in(&frame, place, observer.time).x, ..place }
+        DVec3 { x: frame.event_at(observer.place, observer.time).x, ..place }
     };
     (0..=PIECES).map(place).collect()
 }

@@ -12,15 +12,15 @@ use relativity_render::{Geometry, Motion, Shape};
 use super::*;
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::scene::{Scene, Track};
-use crate::settings::{Frame, Map, Settings};
+use crate::settings::{MapFrame, MapSettings, Settings};
 
 const AREA: [f64; 4] = [0.0, 0.0, 900.0, 600.0];
 
-fn settings(beta: f64, frame: Frame) -> Settings {
+fn settings(beta: f64, frame: MapFrame) -> Settings {
     let mut settings = Settings { scene: "cyclist".to_owned(), ..Settings::default() };
     settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
     settings.motion.d = 0.4;
-    settings.map = Map { frame, ..Map::default() };
+    settings.map = MapSettings { frame, ..MapSettings::default() };
     settings
 }
 
@@ -28,18 +28,18 @@ fn cyclist() -> Scene {
     Scene::preset("cyclist").expect("a preset")
 }
 
-fn lines(settings: &Settings, scene: &Scene, time: f64) -> (Lines, [Chart; 2]) {
-    let extent = Extent::of_space(settings, scene);
+fn lines(settings: &Settings, scene: &Scene, time: f64) -> (OutlineLines, [Chart; 2]) {
+    let extent = WorldBox::of_space(settings, scene);
     let charts = plan_and_side(AREA, &extent, &Viewpoint::default());
-    (Lines::new(&Instant::new(settings, time), scene, &charts), charts)
+    (OutlineLines::new(&MapInstant::new(settings, time), scene, &charts), charts)
 }
 
 #[test]
 fn what_is_measured_is_contracted_and_as_far_as_it_has_come() {
     for beta in [0.0, 0.3, 0.9, 0.999] {
         let gamma = 1.0 / (1.0f64 - beta * beta).sqrt();
-        let (lines, _) = lines(&settings(beta, Frame::Ground), &cyclist(), 2.5);
-        let measured = lines.all.iter().filter(|line| line.picture == Picture::Measured);
+        let (lines, _) = lines(&settings(beta, MapFrame::Ground), &cyclist(), 2.5);
+        let measured = lines.all.iter().filter(|line| line.picture == BodyPicture::Measured);
         let mut count = 0;
         for vertex in measured.flat_map(|line| lines.vertices(line)) {
             let DVec3 { x, y, z } = vertex.rest;
@@ -57,9 +57,9 @@ fn what_an_eye_sees_left_on_its_past_light_cone() {
     for beta in [0.5, 0.9, 0.99] {
         let gamma = 1.0 / (1.0f64 - beta * beta).sqrt();
         for time in [-4.0, 1.0, 6.0] {
-            let (lines, _) = lines(&settings(beta, Frame::Ground), &cyclist(), time);
+            let (lines, _) = lines(&settings(beta, MapFrame::Ground), &cyclist(), time);
             for line in &lines.all {
-                let Picture::Seen(eye) = line.picture else { continue };
+                let BodyPicture::Seen(eye) = line.picture else { continue };
                 for vertex in lines.vertices(line) {
                     let eye = DVec3::new([-0.2, 0.2][eye], 0.0, 0.0);
                     let left_at = time - vertex.place.distance(eye);
@@ -74,8 +74,8 @@ fn what_an_eye_sees_left_on_its_past_light_cone() {
 
 #[test]
 fn two_eyes_take_it_to_be_where_their_lines_of_sight_cross() {
-    let settings = settings(0.9, Frame::Ground);
-    let instant = Instant::new(&settings, 1.5);
+    let settings = settings(0.9, MapFrame::Ground);
+    let instant = MapInstant::new(&settings, 1.5);
     let speed = Speed::from_beta(0.9).expect("a speed");
     for rest in [[0.0, 3.0, 2.0], [-1.6, 2.9, 1.4], [-0.5, 3.2, 3.0]] {
         let point = SourcePoint::from_rest(rest, &speed);
@@ -84,20 +84,20 @@ fn two_eyes_take_it_to_be_where_their_lines_of_sight_cross() {
         let reach = 0.4 / (left[0] - right[0]);
         let expected = DVec3::new(-0.2 + reach * left[0], reach * left[1], reach * left[2]);
         let places = instant.places(Motion::Scene);
-        let shown = places.place(Picture::Stereo, rest).expect("in the domain");
+        let shown = places.place(BodyPicture::Stereo, rest).expect("in the domain");
         assert!(shown.distance(expected) < 1e-12, "{shown} for {expected}");
     }
 }
 
 #[test]
 fn each_eye_sees_from_where_it_is_whatever_the_views_show() {
-    let exact = settings(0.9, Frame::Ground);
+    let exact = settings(0.9, MapFrame::Ground);
     for geometry in [Geometry::Contracted, Geometry::Rest, Geometry::Published] {
         let mut other = exact.clone();
         other.look.geometry = geometry;
         let [there, here] = [&exact, &other].map(|settings| {
-            let places = Instant::new(settings, 1.5).places(Motion::Scene);
-            [Picture::Seen(0), Picture::Seen(1)]
+            let places = MapInstant::new(settings, 1.5).places(Motion::Scene);
+            [BodyPicture::Seen(0), BodyPicture::Seen(1)]
                 .map(|picture| places.place(picture, DVec3::new(0.0, 3.0, 2.0)))
         });
         assert_eq!(there, here, "{geometry:?}");
@@ -106,24 +106,24 @@ fn each_eye_sees_from_where_it_is_whatever_the_views_show() {
 
 #[test]
 fn with_one_light_cone_both_eyes_see_one_place() {
-    let mut settings = settings(0.9, Frame::Ground);
+    let mut settings = settings(0.9, MapFrame::Ground);
     settings.look.geometry = Geometry::OneCone;
-    let places = Instant::new(&settings, 1.5).places(Motion::Scene);
+    let places = MapInstant::new(&settings, 1.5).places(Motion::Scene);
     let place = |picture| places.place(picture, DVec3::new(-0.3, 3.0, 2.0)).expect("in the domain");
-    for picture in [Picture::Seen(1), Picture::Stereo] {
-        assert!(place(picture).distance(place(Picture::Seen(0))) < 1e-12, "{picture:?}");
+    for picture in [BodyPicture::Seen(1), BodyPicture::Stereo] {
+        assert!(place(picture).distance(place(BodyPicture::Seen(0))) < 1e-12, "{picture:?}");
     }
 }
 
 #[test]
 fn in_the_bicycles_frame_it_rests_and_the_street_is_contracted() {
-    let mut settings = settings(0.8, Frame::Bicycle);
+    let mut settings = settings(0.8, MapFrame::Bicycle);
     settings.scene = "street".to_owned();
     let scene = Scene::preset("street").expect("a preset");
     let (lines, _) = lines(&settings, &scene, 3.0);
     let gamma = 1.0 / 0.6;
     // Wheels turn.
-    let stays = |line: &&Line| scene.bodies[line.body].spin.is_none();
+    let stays = |line: &&OutlineLine| scene.bodies[line.body].spin.is_none();
     for line in lines.all.iter().filter(stays) {
         for vertex in lines.vertices(line) {
             let DVec3 { x, y, z } = vertex.rest;
@@ -138,8 +138,8 @@ fn in_the_bicycles_frame_it_rests_and_the_street_is_contracted() {
 #[test]
 fn lines_are_as_smooth_as_they_promise() {
     for beta in [0.9, 0.9999] {
-        let settings = settings(beta, Frame::Ground);
-        let instant = Instant::new(&settings, 0.5);
+        let settings = settings(beta, MapFrame::Ground);
+        let instant = MapInstant::new(&settings, 0.5);
         let (lines, charts) = lines(&settings, &cyclist(), 0.5);
         let places = instant.places(Motion::Scene);
         for line in &lines.all {
@@ -148,7 +148,7 @@ fn lines_are_as_smooth_as_they_promise() {
                 let rest = pair[0].rest.lerp(pair[1].rest, 0.5);
                 let curve = places.place(line.picture, rest).expect("in the domain");
                 let chord = 0.5 * (pair[0].place + pair[1].place);
-                for (projection, chart) in Projection::BOTH.into_iter().zip(&charts) {
+                for (projection, chart) in MapProjection::BOTH.into_iter().zip(&charts) {
                     let [a, b] = [curve, chord].map(|place| chart.screen(projection.flat(place)));
                     let is_inside = |axis: usize| (a[axis] - chart.middle[axis]).abs() < chart.half[axis];
                     if is_inside(0) && is_inside(1) {
@@ -167,23 +167,23 @@ fn a_tube_across_the_motion_is_as_thin_as_it_is_contracted() {
     let shape = Shape::Tube { from: [0.0, 3.0, 0.0], to: [0.0, 3.0, 2.0], radius: 0.1 };
     let mut scene = cyclist();
     scene.bodies[0].shape = shape;
-    let (lines, _) = lines(&settings(0.9, Frame::Ground), &scene, 1.0);
-    let line = lines.all.iter().find(|line| (line.body, line.picture) == (0, Picture::Measured));
+    let (lines, _) = lines(&settings(0.9, MapFrame::Ground), &scene, 1.0);
+    let line = lines.all.iter().find(|line| (line.body, line.picture) == (0, BodyPicture::Measured));
     let line = line.expect("it is drawn");
-    let side = line.half_width(Projection::Side, [[0.0, 0.0], [0.0, 1.0]]);
+    let side = line.half_width(MapProjection::Side, [[0.0, 0.0], [0.0, 1.0]]);
     assert!((side - 0.1 / gamma).abs() < 1e-12, "{side}");
     // A line along the motion is as thick as at rest.
-    let along = line.half_width(Projection::Side, [[0.0, 0.0], [1.0, 0.0]]);
+    let along = line.half_width(MapProjection::Side, [[0.0, 0.0], [1.0, 0.0]]);
     assert!((along - 0.1).abs() < 1e-12, "{along}");
 }
 
 #[test]
 fn what_is_fitted_does_not_depend_on_t_nor_on_the_speed() {
     let scene = cyclist();
-    let extent = |beta| Extent::of_space(&settings(beta, Frame::Ground), &scene);
+    let extent = |beta| WorldBox::of_space(&settings(beta, MapFrame::Ground), &scene);
     assert_eq!(extent(0.1), extent(0.99));
     // In the bicycle's frame it has steps.
-    let on_board = |beta| Extent::of_space(&settings(beta, Frame::Bicycle), &scene);
+    let on_board = |beta| WorldBox::of_space(&settings(beta, MapFrame::Bicycle), &scene);
     assert_eq!(on_board(0.5), on_board(0.55));
     assert_eq!(on_board(0.99), on_board(1.0 - 1e-12));
 }
@@ -191,21 +191,21 @@ fn what_is_fitted_does_not_depend_on_t_nor_on_the_speed() {
 #[test]
 fn the_nearest_point_is_on_the_body_under_the_pointer() {
     let scene = cyclist();
-    let (lines, charts) = lines(&settings(0.9, Frame::Ground), &scene, 1.0);
+    let (lines, charts) = lines(&settings(0.9, MapFrame::Ground), &scene, 1.0);
     let mut checked = 0;
-    for line in lines.all.iter().filter(|line| line.is_in(Projection::Side)).step_by(7) {
+    for line in lines.all.iter().filter(|line| line.is_in(MapProjection::Side)).step_by(7) {
         let vertices = lines.vertices(line);
         let vertex = vertices[vertices.len() / 2];
-        let pointer = charts[1].screen(Projection::Side.flat(vertex.place));
-        let nearest = lines.nearest((Projection::Side, &charts[1]), pointer, 5.0).expect("it is there");
-        let there = charts[1].screen(Projection::Side.flat(nearest.vertex.place));
+        let pointer = charts[1].screen(MapProjection::Side.flat(vertex.place));
+        let nearest = lines.nearest((MapProjection::Side, &charts[1]), pointer, 5.0).expect("it is there");
+        let there = charts[1].screen(MapProjection::Side.flat(nearest.vertex.place));
         let reach = nearest.line.ball.map_or(0.0, |ball| ball.radii.map(DVec3::length).into_iter().sum());
         let off = (there[0] - pointer[0]).hypot(there[1] - pointer[1]);
         assert!(off <= 1e-6 + reach * charts[1].scale, "{off} points off");
         checked += 1;
     }
     assert!(checked > 20, "{checked}");
-    assert_eq!(lines.nearest((Projection::Plan, &charts[0]), [-500.0, -500.0], 9.0), None);
+    assert_eq!(lines.nearest((MapProjection::Plan, &charts[0]), [-500.0, -500.0], 9.0), None);
 }
 
 #[test]
@@ -219,7 +219,7 @@ fn thousands_of_bodies_are_thinned_out() {
     scene.names = vec!["ball".to_owned(); 6400];
     scene.groups[0].count = 6400;
     let start = Clock::now();
-    let (lines, _) = lines(&settings(0.9, Frame::Ground), &scene, 1.0);
+    let (lines, _) = lines(&settings(0.9, MapFrame::Ground), &scene, 1.0);
     let took = start.elapsed();
     assert!((800..5000).contains(&lines.all.len()), "{}", lines.all.len());
     assert!(took < Duration::from_secs(1), "{took:?}");
@@ -230,9 +230,9 @@ fn the_outline_of_a_ball_holds_all_of_it() {
     let shape = Shape::Sphere { center: [-0.5, 3.0, 2.0], radius: 0.2 };
     let mut scene = cyclist();
     scene.bodies[0].shape = shape;
-    let settings = settings(0.9, Frame::Ground);
+    let settings = settings(0.9, MapFrame::Ground);
     let (lines, _) = lines(&settings, &scene, 1.0);
-    let places = Instant::new(&settings, 1.0).places(Motion::Scene);
+    let places = MapInstant::new(&settings, 1.0).places(Motion::Scene);
     let around = |i: usize| std::f64::consts::TAU * i as f64 / 60.0;
     let surface = (0..60).flat_map(|i| (0..60).map(move |j| (around(i), around(j)))).map(|(a, b)| {
         DVec3::new(-0.5, 3.0, 2.0) + 0.2 * DVec3::new(a.cos() * b.cos(), a.sin() * b.cos(), b.sin())
@@ -253,9 +253,9 @@ fn the_outline_of_a_ball_holds_all_of_it() {
 
 #[test]
 fn a_tilted_and_turned_head_has_its_eyes_and_its_light_where_they_are() {
-    let mut settings = settings(0.9, Frame::Ground);
+    let mut settings = settings(0.9, MapFrame::Ground);
     (settings.motion.roll, settings.motion.turn) = (30.0, -60.0);
-    let instant = Instant::new(&settings, 1.5);
+    let instant = MapInstant::new(&settings, 1.5);
     let (sin, cos) = (0.5, 0.75f64.sqrt());
     let half = 0.2 * DVec3::new(cos * 0.5, -cos * cos, sin);
     let eyes = instant.eyes();
@@ -270,25 +270,25 @@ fn a_tilted_and_turned_head_has_its_eyes_and_its_light_where_they_are() {
         assert!((1.5 - ray.left.t - way).abs() < 1e-12, "light takes its time");
         assert!((cone.time(ray.left.x) - ray.left.t).abs() < 1e-12, "it is on the eye's cone");
     }
-    let fused = instant.place(&track, Picture::Stereo).expect("they meet");
+    let fused = instant.place(&track, BodyPicture::Stereo).expect("they meet");
     let stereo = settings.stereo(&track, 1.5).expect("they meet");
     assert_eq!(fused, DVec3::from(stereo.position));
 }
 
 /// The close-up of what moves with the scene at `time`.
-fn close_up(settings: &Settings, scene: &Scene, time: f64) -> Option<Extent> {
-    Extent::close_up(&Instant::new(settings, time), scene, Motion::Scene)
+fn close_up(settings: &Settings, scene: &Scene, time: f64) -> Option<WorldBox> {
+    WorldBox::close_up(&MapInstant::new(settings, time), scene, Motion::Scene)
 }
 
 #[test]
 fn a_close_up_holds_what_is_seen_and_has_little_room_around_it() {
     for scene in ["two-balls", "cyclist", "cube"].map(|name| Scene::preset(name).expect("a preset")) {
         for (beta, time) in [(0.0, 0.0), (0.5, -3.0), (0.8, 6.78), (0.99, 4.0)] {
-            let settings = settings(beta, Frame::Ground);
-            let Extent(extent) = close_up(&settings, &scene, time).expect("it is somewhere");
+            let settings = settings(beta, MapFrame::Ground);
+            let WorldBox(extent) = close_up(&settings, &scene, time).expect("it is somewhere");
             // The outlines that the map draws, each bent as finely as it takes, not the samples that were framed.
             let (lines, _) = lines(&settings, &scene, time);
-            let seen = lines.all.iter().filter(|line| matches!(line.picture, Picture::Seen(_)));
+            let seen = lines.all.iter().filter(|line| matches!(line.picture, BodyPicture::Seen(_)));
             let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
             for vertex in seen.flat_map(|line| lines.vertices(line)) {
                 (low, high) = (low.min(vertex.place), high.max(vertex.place));
@@ -311,13 +311,13 @@ fn a_close_up_holds_what_is_seen_and_has_little_room_around_it() {
 fn a_close_up_is_finite_or_none_at_the_extremes() {
     let scene = cyclist();
     for gamma in [1.0, 1e3, 1e30] {
-        let mut settings = settings(0.5, Frame::Ground);
+        let mut settings = settings(0.5, MapFrame::Ground);
         settings.motion.speed = SpeedSetting::new(SpeedParameter::Gamma, gamma).expect("a speed");
         for time in [-1e9, 0.0, 1e9] {
-            for frame in [Frame::Ground, Frame::Bicycle] {
+            for frame in [MapFrame::Ground, MapFrame::Bicycle] {
                 settings.map.frame = frame;
                 let extent = close_up(&settings, &scene, time);
-                let sizes = extent.map(|Extent(axes)| axes.map(|[low, high]| high - low));
+                let sizes = extent.map(|WorldBox(axes)| axes.map(|[low, high]| high - low));
                 assert!(sizes.is_none_or(|sizes| sizes.iter().all(|size| size.is_finite() && *size > 0.0)));
             }
         }

@@ -6,7 +6,6 @@ use glam::DVec3;
 use relativity_core::{Event, Observer, ObserverVelocity, Worldline, math};
 use relativity_render::{MaterialPoint, Motion, Velocity};
 
-use super::frame::event_in;
 use super::present::{Present, measured_by};
 use super::straight_line::StraightLine;
 use crate::scene::Track;
@@ -50,7 +49,7 @@ impl PointWorldline {
             return Event { x: place.x, t: self.now(t).proper_time(place) };
         }
         let Event { x, t } = self.clock_at(place).at(t);
-        event_in(&self.frame, DVec3 { x, ..place }, t)
+        self.frame.event_at([x, place.y, place.z], t)
     }
 
     /// Returns the place in the frame of its group at the ground's time `t`, from the point between the eyes.
@@ -140,7 +139,7 @@ impl PointWorldline {
     /// own, which the frame's clocks have as gamma of the velocity between the two.
     fn step(&self) -> Event {
         let Some(frame) = Velocity::along_street(&self.frame) else {
-            return event_in(&self.frame, DVec3::new(self.velocity.beta(), 0.0, 0.0), 1.0);
+            return self.frame.event_at([self.velocity.beta(), 0.0, 0.0], 1.0);
         };
         let relative = self.velocity.seen_from(frame);
         let t = relative.speed.gamma() / self.velocity.speed.gamma();

@@ -9,7 +9,7 @@ const BESIDE: f64 = 9.0;
 const DESCENT: f64 = 4.0;
 
 /// The names that are placed already.
-pub struct Labels {
+pub struct PlacedNames {
     /// Left, right, top and bottom of the axes, pixels.
     frame: [f64; 4],
     taken: Vec<[f64; 4]>,
@@ -22,7 +22,7 @@ pub struct Label {
     pub y: f64,
 }
 
-impl Labels {
+impl PlacedNames {
     pub const fn new(frame: [f64; 4]) -> Self {
         Self { frame, taken: Vec::new() }
     }
@@ -65,7 +65,7 @@ mod tests {
     #[test]
     fn names_are_inside_the_axes_and_apart() {
         let frame = [70.0, 500.0, 40.0, 330.0];
-        let mut labels = Labels::new(frame);
+        let mut labels = PlacedNames::new(frame);
         // In the corners, at the axes, and three in one place.
         let marks = [
             [75.0, 45.0],

@@ -16,7 +16,7 @@ pub use self::axis::{
     Axis, MOST_TICKS, Tick, at_least, extent, round_step, ticks_along, widened, with_factor, with_margin,
     zoom_step,
 };
-use self::labels::{Label, Labels};
+use self::labels::{Label, PlacedNames};
 use crate::markup::escaped;
 
 /// Colour black.
@@ -43,7 +43,7 @@ struct Margin {
 
 /// The stroke of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Stroke {
+pub enum LineStroke {
     /// A solid line.
     Solid,
     /// A dashed line.
@@ -66,7 +66,7 @@ pub struct Line {
     /// Colour, in CSS.
     pub colour: Cow<'static, str>,
     /// Stroke of the line.
-    pub stroke: Stroke,
+    pub stroke: LineStroke,
     /// Pieces of the line.
     pub pieces: Vec<Vec<[f64; 2]>>,
 }
@@ -87,12 +87,12 @@ impl Line {
         colour: impl Into<Cow<'static, str>>,
         pieces: Vec<Vec<[f64; 2]>>,
     ) -> Self {
-        Self { name: name.into(), colour: colour.into(), stroke: Stroke::Solid, pieces }
+        Self { name: name.into(), colour: colour.into(), stroke: LineStroke::Solid, pieces }
     }
 
     /// Returns this line, drawn with `stroke`.
     #[must_use]
-    pub fn with(self, stroke: Stroke) -> Self {
+    pub fn with(self, stroke: LineStroke) -> Self {
         Self { stroke, ..self }
     }
 }
@@ -158,7 +158,7 @@ impl Panel {
 
     /// The lines that are named in the legend.
     fn legend(&self) -> impl Iterator<Item = &Line> {
-        self.lines.iter().filter(|line| line.stroke != Stroke::Mark)
+        self.lines.iter().filter(|line| line.stroke != LineStroke::Mark)
     }
 }
 
@@ -270,7 +270,7 @@ impl<'a> PanelAxes<'a> {
                  <g clip-path=\"url(#frame{left}-{top})\">"
             );
         }
-        let mut labels = Labels::new(self.frame);
+        let mut labels = PlacedNames::new(self.frame);
         for line in &self.panel.lines {
             self.draw_line(line, &mut labels, svg);
         }
@@ -286,11 +286,11 @@ impl<'a> PanelAxes<'a> {
         }
     }
 
-    fn draw_line(&self, line: &Line, labels: &mut Labels, svg: &mut String) {
+    fn draw_line(&self, line: &Line, labels: &mut PlacedNames, svg: &mut String) {
         for piece in &line.pieces {
             let places: Vec<_> = piece.iter().map(|&point| self.place(point)).collect();
             draw_piece(line, &places, svg);
-            if line.stroke == Stroke::Mark {
+            if line.stroke == LineStroke::Mark {
                 let Label { anchor, x, y } = labels.place(places[0], &line.name);
                 let name = escaped(&line.name);
                 let _ =
@@ -357,20 +357,22 @@ impl<'a> PanelAxes<'a> {
 
 fn draw_piece(line: &Line, places: &[[f64; 2]], svg: &mut String) {
     let colour = &line.colour;
-    if line.stroke == Stroke::Dots {
+    if line.stroke == LineStroke::Dots {
         for [x, y] in places {
             let _ = writeln!(svg, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"1.5\" fill=\"{colour}\"/>");
         }
         return;
     }
-    if let (Stroke::Mark, [[x, y], ..]) = (line.stroke, places) {
+    if let (LineStroke::Mark, [[x, y], ..]) = (line.stroke, places) {
         let _ = writeln!(svg, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"5\" fill=\"{colour}\"/>");
     }
     let dashes = match line.stroke {
-        Stroke::Dashed => " stroke-dasharray=\"7 4\"".to_owned(),
-        Stroke::Dashes(length) => format!(" stroke-dasharray=\"{length} {:.1}\"", 0.6 * f64::from(length)),
-        Stroke::Dotted => " stroke-dasharray=\"1.6 3\"".to_owned(),
-        Stroke::Solid | Stroke::Dots | Stroke::Mark => String::new(),
+        LineStroke::Dashed => " stroke-dasharray=\"7 4\"".to_owned(),
+        LineStroke::Dashes(length) => {
+            format!(" stroke-dasharray=\"{length} {:.1}\"", 0.6 * f64::from(length))
+        }
+        LineStroke::Dotted => " stroke-dasharray=\"1.6 3\"".to_owned(),
+        LineStroke::Solid | LineStroke::Dots | LineStroke::Mark => String::new(),
     };
     let _ = write!(svg, "<polyline fill=\"none\" stroke-width=\"1.6\" stroke=\"{colour}\"{dashes} points=\"");
     for [x, y] in places {

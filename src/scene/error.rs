@@ -38,13 +38,13 @@ pub enum SceneError {
         /// Line in the file, from 1.
         line: usize,
         /// Problem in that line.
-        problem: Problem,
+        problem: SceneProblem,
     },
 }
 
 /// A problem at one place of a scene file. Values are quoted from the file.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum Problem {
+pub enum SceneProblem {
     /// Text that is no TOML.
     #[error("column {column}: {message}")]
     Syntax {
@@ -193,7 +193,7 @@ pub enum Problem {
 /// A problem and where it is: bytes of the text.
 pub(super) struct Located {
     pub span: Range<usize>,
-    pub problem: Problem,
+    pub problem: SceneProblem,
 }
 
 impl Located {
@@ -207,7 +207,7 @@ impl Located {
     pub fn syntax(text: &str, error: &toml::de::Error) -> Self {
         let (span, message) = syntax::problem(text, error);
         let (_, column) = position(text, span.start);
-        Self { span, problem: Problem::Syntax { column, message } }
+        Self { span, problem: SceneProblem::Syntax { column, message } }
     }
 }
 

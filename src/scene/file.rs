@@ -9,7 +9,7 @@ use relativity_render::{Body, Motion, Velocity};
 use toml::de::DeTable;
 
 use super::content::{Scene, SceneGroup};
-use super::error::{Located, Problem};
+use super::error::{Located, SceneProblem};
 use super::model::{ModelFiles, model, ridden};
 use super::names;
 use super::object::{Object, object};
@@ -34,7 +34,7 @@ pub(super) fn scene_in(text: &str, folder: &Path) -> Result<Scene, Located> {
 pub(super) fn scene_of_model(path: &Path) -> Result<Scene, String> {
     let folder = files::folder_of(path);
     scene_in(&ridden::text(path, folder)?, folder).map_err(|located| match located.problem {
-        Problem::Model { reason, .. } => reason,
+        SceneProblem::Model { reason, .. } => reason,
         problem => problem.to_string(),
     })
 }
@@ -58,7 +58,7 @@ fn changed_scene(text: &str, changes: Changes, models: ModelFiles<'_>) -> Result
     let bodies: Vec<Body> = objects.into_iter().map(|object| object.body).collect();
     let own = groups.first().map_or(&[][..], |group| &bodies[group.bodies()]);
     let Some(forward_most) = forward_most(own) else {
-        return Err(Located { span: top.span, problem: Problem::Empty });
+        return Err(Located { span: top.span, problem: SceneProblem::Empty });
     };
     let tracked = tracked.unwrap_or(forward_most);
     Ok(Scene { name, bodies, names, groups, tracked, rider, metres, ground_z, street })
@@ -68,7 +68,7 @@ fn changed_scene(text: &str, changes: Changes, models: ModelFiles<'_>) -> Result
 fn street(top: &Table) -> Result<Option<[f64; 3]>, Located> {
     let street = top.point("street")?;
     if street.is_some_and(|street| !street.is_sorted_by(|nearer, farther| nearer < farther)) {
-        return Err(top.problem_at("street", Problem::NoWidth));
+        return Err(top.problem_at("street", SceneProblem::NoWidth));
     }
     Ok(street)
 }
@@ -111,14 +111,14 @@ fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec
         vec![SceneGroup { name: name.to_owned(), motion: Motion::Scene, first: 0, count: all.len() }];
     let tables = top.tables("group", "a group")?;
     if let Some(excess) = tables.get(sizes::GROUPS) {
-        return Err(Located { span: excess.span.clone(), problem: Problem::ManyGroups(tables.len()) });
+        return Err(Located { span: excess.span.clone(), problem: SceneProblem::ManyGroups(tables.len()) });
     }
     for table in tables {
         table.check_keys(&["name", "beta", "include", "wheel", "model", "object"])?;
         let (name, motion) = (table.needed_string("name")?.to_owned(), motion(&table)?);
         let own = objects(&table, changes)?;
         if all.len() + own.len() > sizes::BODIES {
-            return Err(Located { span: table.span, problem: Problem::ManyBodies });
+            return Err(Located { span: table.span, problem: SceneProblem::ManyBodies });
         }
         groups.push(SceneGroup { name, motion, first: all.len(), count: own.len() });
         all.extend(own);
@@ -129,7 +129,7 @@ fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec
 /// Returns the motion of a group: at the scene's speed unless it has its own.
 fn motion(group: &Table) -> Result<Motion, Located> {
     let Some(beta) = group.coordinate("beta")? else { return Ok(Motion::Scene) };
-    let velocity = Velocity::from_beta(beta).map_err(|_| group.problem_at("beta", Problem::NoSpeed))?;
+    let velocity = Velocity::from_beta(beta).map_err(|_| group.problem_at("beta", SceneProblem::NoSpeed))?;
     Ok(Motion::Own(velocity))
 }
 
@@ -150,7 +150,7 @@ fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
         let span = table.span.clone();
         objects.extend(repeated(table)?);
         if objects.len() > sizes::BODIES {
-            return Err(Located { span, problem: Problem::ManyBodies });
+            return Err(Located { span, problem: SceneProblem::ManyBodies });
         }
     }
     Ok(objects)
@@ -177,10 +177,10 @@ fn included(include: &Table, label: &Rc<str>, changes: Changes) -> Result<Vec<Ob
         .map(|wheels| Changes::from_table(&wheels))
         .transpose()?;
     let Some(preset) = changed_preset(name, changes.or(own.unwrap_or_default())) else {
-        return Err(include.problem_at("scene", Problem::UnknownInclude));
+        return Err(include.problem_at("scene", SceneProblem::UnknownInclude));
     };
     if own.is_some() && !presets::has_wheels(name) {
-        return Err(include.problem_at("wheels", |_| Problem::NoWheels(name.to_owned())));
+        return Err(include.problem_at("wheels", |_| SceneProblem::NoWheels(name.to_owned())));
     }
     let offset = include.point("offset")?.unwrap_or_default();
     let objects = preset.bodies.into_iter().zip(preset.names);

@@ -22,7 +22,7 @@ use std::path::Path;
 use gamow_platform::files;
 
 pub use content::{Scene, SceneGroup, Track};
-pub use error::{Problem, SceneError};
+pub use error::{SceneError, SceneProblem};
 pub use model::ridden::text as scene_text;
 pub use model::{is_model, read_model};
 pub use presets::{PRESETS, looks_like_a_name};

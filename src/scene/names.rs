@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use super::content::SceneGroup;
-use super::error::{Located, Problem};
+use super::error::{Located, SceneProblem};
 use super::object::Object;
 
 /// Names the bodies of `groups`: like their file, with a distinction behind a name that two of them have. In a group with
@@ -37,7 +37,7 @@ pub(super) fn names(objects: &[Object], groups: &[SceneGroup], rider: &str) -> R
     let mut taken = HashSet::new();
     match names.iter().position(|name| !taken.insert(name)) {
         Some(body) => {
-            let problem = Problem::SameName(plain[body].clone());
+            let problem = SceneProblem::SameName(plain[body].clone());
             Err(Located { span: objects[body].span.clone(), problem })
         }
         None => Ok(names),

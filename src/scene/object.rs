@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use relativity_render::{Body, Emission, Pattern, Shape};
 
-use super::error::{Located, Problem};
+use super::error::{Located, SceneProblem};
 use super::table::{Table, coincide};
 
 /// Red, as in the paper.
@@ -53,7 +53,7 @@ pub(super) fn object(mut object: Table) -> Result<Object, Located> {
     let asked = object.needed_string("shape")?;
     let Some(&(_, owner, read)) = SHAPES.iter().find(|(name, ..)| *name == asked) else {
         return Err(
-            object.problem_at("shape", |shape| Problem::UnknownShape { shape, known: known_shapes() })
+            object.problem_at("shape", |shape| SceneProblem::UnknownShape { shape, known: known_shapes() })
         );
     };
     object.owner = owner;
@@ -141,7 +141,7 @@ fn sphere(object: &Table) -> Result<Shape, Located> {
 }
 
 fn tube(object: &Table) -> Result<Shape, Located> {
-    let (from, to, radius) = ends_and_radius(object, Problem::NoLength)?;
+    let (from, to, radius) = ends_and_radius(object, SceneProblem::NoLength)?;
     Ok(Shape::Tube { from, to, radius })
 }
 
@@ -153,7 +153,9 @@ fn ring(object: &Table) -> Result<Shape, Located> {
     let tube_radius = object.needed_size("tube_radius")?;
     if tube_radius >= radius {
         let radius = object.quoted_value("radius");
-        return Err(object.problem_at("tube_radius", |tube_radius| Problem::NoHole { tube_radius, radius }));
+        return Err(
+            object.problem_at("tube_radius", |tube_radius| SceneProblem::NoHole { tube_radius, radius })
+        );
     }
     Ok(Shape::Ring { center, axis, radius, tube_radius })
 }
@@ -167,14 +169,14 @@ fn cuboid(object: &Table) -> Result<Shape, Located> {
 }
 
 fn cylinder(object: &Table) -> Result<Shape, Located> {
-    let (from, to, radius) = ends_and_radius(object, Problem::NoHeight)?;
+    let (from, to, radius) = ends_and_radius(object, SceneProblem::NoHeight)?;
     Ok(Shape::Cylinder { from, to, radius })
 }
 
 /// The ends of an axis and a radius; `no_axis` is what is wrong with ends in one place.
 fn ends_and_radius(
     object: &Table,
-    no_axis: fn(String) -> Problem,
+    no_axis: fn(String) -> SceneProblem,
 ) -> Result<([f64; 3], [f64; 3], f64), Located> {
     check_keys(object, &["from", "to", "radius"])?;
     let from = object.needed_point("from")?;

@@ -7,7 +7,7 @@ use glam::DQuat;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::error::{Located, Problem};
+use super::error::{Located, SceneProblem};
 use super::model::ModelFiles;
 
 /// Largest magnitude of a coordinate: beyond it, f32 has steps of more than 1/16.
@@ -39,7 +39,7 @@ impl<'a> Table<'a> {
         let unknown = self.entries.keys().filter(|key| !known.contains(&key.get_ref().as_ref()));
         let Some(first) = unknown.min_by_key(|key| key.span().start) else { return Ok(()) };
         let key = first.get_ref().to_string();
-        let problem = Problem::UnknownKey { key, owner: self.owner, known: known.join(", ") };
+        let problem = SceneProblem::UnknownKey { key, owner: self.owner, known: known.join(", ") };
         Err(Located { span: first.span(), problem })
     }
 
@@ -92,7 +92,7 @@ impl<'a> Table<'a> {
         let text = value.get_ref().as_str();
         let text = text.ok_or_else(|| self.wrong_type(key, value, "a text in double quotes"))?;
         if sizes::is_too_long_for_a_name(text) {
-            return Err(self.problem_at(key, |value| Problem::LongName { key, value }));
+            return Err(self.problem_at(key, |value| SceneProblem::LongName { key, value }));
         }
         Ok(Some(text))
     }
@@ -105,7 +105,7 @@ impl<'a> Table<'a> {
         let name = |item: &'a Spanned<DeValue<'a>>| {
             let text = item.get_ref().as_str().ok_or_else(|| self.wrong_type(key, item, EXPECTED))?;
             if sizes::is_too_long_for_a_name(text) {
-                return Err(self.problem_at(key, |value| Problem::LongName { key, value }));
+                return Err(self.problem_at(key, |value| SceneProblem::LongName { key, value }));
             }
             Ok(text)
         };
@@ -142,7 +142,7 @@ impl<'a> Table<'a> {
         let Some(vector) = self.point(key)? else { return Ok(None) };
         let largest = vector.into_iter().fold(0.0, |largest: f64, v| largest.max(v.abs()));
         if largest == 0.0 {
-            return Err(self.problem_at(key, Problem::NoDirection));
+            return Err(self.problem_at(key, SceneProblem::NoDirection));
         }
         // Scaled first, so that no square underflows.
         let scaled = glam::DVec3::from(vector) / largest;
@@ -157,7 +157,9 @@ impl<'a> Table<'a> {
                 let axis = axis.unwrap_or([0.0, 0.0, 1.0]);
                 Ok(DQuat::from_axis_angle(axis.into(), angle.to_radians()))
             }
-            None if axis.is_some() => Err(self.problem_at("axis", |axis| Problem::NoAngle { axis, what })),
+            None if axis.is_some() => {
+                Err(self.problem_at("axis", |axis| SceneProblem::NoAngle { axis, what }))
+            }
             None => Ok(DQuat::IDENTITY),
         }
     }
@@ -191,14 +193,14 @@ impl<'a> Table<'a> {
     }
 
     /// The problem with the value of `key`, which quotes that value.
-    pub fn problem_at(&self, key: &str, problem: impl FnOnce(String) -> Problem) -> Located {
+    pub fn problem_at(&self, key: &str, problem: impl FnOnce(String) -> SceneProblem) -> Located {
         let span = self.value(key).map_or(self.span.clone(), Spanned::span);
         Located { problem: problem(self.quoted(&span)), span }
     }
 
     /// Returns the error that the value of `key` is not what is `expected`.
     pub fn wrong(&self, key: &'static str, expected: &'static str) -> Located {
-        self.problem_at(key, |value| Problem::WrongType { key, value, expected })
+        self.problem_at(key, |value| SceneProblem::WrongType { key, value, expected })
     }
 
     /// Returns the value of `key` in the file's spelling.
@@ -211,13 +213,13 @@ impl<'a> Table<'a> {
     }
 
     fn missing(&self, key: &'static str) -> Located {
-        let problem = Problem::MissingKey { key, owner: self.owner };
+        let problem = SceneProblem::MissingKey { key, owner: self.owner };
         Located { span: self.span.clone(), problem }
     }
 
     fn wrong_type(&self, key: &'static str, value: &Spanned<DeValue>, expected: &'static str) -> Located {
         let span = value.span();
-        Located { problem: Problem::WrongType { key, value: self.quoted(&span), expected }, span }
+        Located { problem: SceneProblem::WrongType { key, value: self.quoted(&span), expected }, span }
     }
 
     fn coordinate_of(
@@ -231,7 +233,7 @@ impl<'a> Table<'a> {
             return Ok(number);
         }
         let span = value.span();
-        Err(Located { problem: Problem::OutOfRange { key, value: self.quoted(&span) }, span })
+        Err(Located { problem: SceneProblem::OutOfRange { key, value: self.quoted(&span) }, span })
     }
 
     fn size_of(&self, key: &'static str, value: &Spanned<DeValue>) -> Result<f64, Located> {
@@ -242,9 +244,9 @@ impl<'a> Table<'a> {
         let span = value.span();
         let value = self.quoted(&span);
         let problem = if size <= 0.0 {
-            Problem::NotPositive { key, value }
+            SceneProblem::NotPositive { key, value }
         } else {
-            Problem::SizeOutOfRange { key, value }
+            SceneProblem::SizeOutOfRange { key, value }
         };
         Err(Located { span, problem })
     }

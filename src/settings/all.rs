@@ -11,7 +11,8 @@ use serde::Serialize;
 use super::error::SettingsError;
 use super::ride::Riding;
 use super::sections::{
-    FitSetup, Light, Look, Map, Motion, Picture, Playback, Plots, Quality, Screen, Window,
+    FitSettings, LightSettings, LookSettings, MapSettings, MotionSettings, PictureSettings, PlaybackSettings,
+    PlotSettings, QualitySettings, ScreenSettings, WindowSettings,
 };
 use crate::flags::{Followed, coordinates, time};
 use crate::scene::PRESETS;
@@ -34,40 +35,40 @@ pub struct Settings {
     pub points: Option<Followed>,
     /// Motion of the scene, and separation of the eyes.
     #[command(flatten)]
-    pub motion: Motion,
+    pub motion: MotionSettings,
     /// Ride of the observer.
     #[command(flatten)]
     pub ride: Riding,
     /// Gaze, projection and geometry of the views.
     #[command(flatten)]
-    pub look: Look,
+    pub look: LookSettings,
     /// Light of the bodies, and its way to a colour.
     #[command(flatten)]
-    pub light: Light,
+    pub light: LightSettings,
     /// Renderer, and its error or time.
     #[command(flatten)]
-    pub quality: Quality,
+    pub quality: QualitySettings,
     /// Layout and size of pictures.
     #[command(flatten)]
-    pub picture: Picture,
+    pub picture: PictureSettings,
     /// Screen that the pictures are seen on.
     #[command(flatten)]
-    pub screen: Screen,
+    pub screen: ScreenSettings,
     /// Playback of time.
     #[command(flatten)]
-    pub playback: Playback,
+    pub playback: PlaybackSettings,
     /// Contents of the map.
     #[command(flatten)]
-    pub map: Map,
+    pub map: MapSettings,
     /// Contents of the plots.
     #[command(flatten)]
-    pub plots: Plots,
+    pub plots: PlotSettings,
     /// Samples and model of the fit.
     #[command(flatten)]
-    pub fit: FitSetup,
+    pub fit: FitSettings,
     /// Parts of the window, and their sizes.
     #[command(flatten)]
-    pub window: Window,
+    pub window: WindowSettings,
 }
 
 /// The name of a scene or its file, as it is recorded.
@@ -87,18 +88,18 @@ impl Default for Settings {
             time: None,
             point: None,
             points: None,
-            motion: Motion::default(),
+            motion: MotionSettings::default(),
             ride: Riding::default(),
-            look: Look::default(),
-            light: Light::default(),
-            quality: Quality::default(),
-            picture: Picture::default(),
-            screen: Screen::default(),
-            playback: Playback::default(),
-            map: Map::default(),
-            plots: Plots::default(),
-            fit: FitSetup::default(),
-            window: Window::default(),
+            look: LookSettings::default(),
+            light: LightSettings::default(),
+            quality: QualitySettings::default(),
+            picture: PictureSettings::default(),
+            screen: ScreenSettings::default(),
+            playback: PlaybackSettings::default(),
+            map: MapSettings::default(),
+            plots: PlotSettings::default(),
+            fit: FitSettings::default(),
+            window: WindowSettings::default(),
         }
     }
 }
@@ -120,15 +121,15 @@ impl Settings {
     #[must_use]
     pub fn with_scene(self, scene: String) -> Self {
         let default = Self::default();
-        let motion = Motion {
+        let motion = MotionSettings {
             depth_shift: default.motion.depth_shift,
             height_shift: default.motion.height_shift,
             ..self.motion
         };
-        let Look { geometry, compare, projection, .. } = self.look;
-        let look = Look { geometry, compare, projection, ..default.look };
-        let playback = Playback { range: default.playback.range, ..self.playback };
-        let fit = FitSetup { fit_range: default.fit.fit_range, ..self.fit };
+        let LookSettings { geometry, compare, projection, .. } = self.look;
+        let look = LookSettings { geometry, compare, projection, ..default.look };
+        let playback = PlaybackSettings { range: default.playback.range, ..self.playback };
+        let fit = FitSettings { fit_range: default.fit.fit_range, ..self.fit };
         let ride = Riding { push: self.ride.push, ..default.ride };
         Self { scene, time: None, point: None, points: None, motion, ride, look, playback, fit, ..self }
     }
@@ -139,10 +140,10 @@ impl Settings {
     pub fn in_place_of(self, other: &Self) -> Self {
         let layout = match (self.is_panorama(), other.is_panorama()) {
             (true, _) => self.picture.layout,
-            (false, true) => Picture::default().layout,
+            (false, true) => PictureSettings::default().layout,
             (false, false) => other.picture.layout,
         };
-        let picture = Picture { layout, ..other.picture };
+        let picture = PictureSettings { layout, ..other.picture };
         Self { picture, screen: other.screen, window: other.window, ..self }
     }
 }

@@ -4,7 +4,7 @@ use relativity_render::exposure::automatic_ev;
 use relativity_render::{Appearance, RelativeVelocity, Velocity};
 
 use super::all::Settings;
-use super::sections::{Daylight, Light, Theme};
+use super::sections::{Daylight, LightSettings, Theme};
 use super::views::Subject;
 use crate::flags::Exposure;
 use crate::scene::Scene;
@@ -68,7 +68,7 @@ impl Settings {
         let exposure = Exposure(
             self.light.exposure.0.or_else(|| Some(self.automatic_ev(scene, self.time.unwrap_or_default()))),
         );
-        Self { light: Light { exposure, ..self.light }, ..self }
+        Self { light: LightSettings { exposure, ..self.light }, ..self }
     }
 
     /// Returns these settings with a number in place of everything automatic: all that decides the picture that `self` makes of this `subject`.

@@ -7,7 +7,7 @@ use relativity_render::{Appearance, Colour, Geometry, View};
 use thiserror::Error;
 
 use super::all::Settings;
-use super::sections::{Light, Look};
+use super::sections::{LightSettings, LookSettings};
 use super::views::Subject;
 use crate::flags::choices::{Compare, Layout, ProjectionChoice};
 use crate::flags::{Exposure, IntensityExponent};
@@ -120,12 +120,13 @@ impl Settings {
             Compare::Off | Compare::Paper => self.look.geometry,
         };
         let light = match compare {
-            Compare::Paper => {
-                Light { intensity_exponent: IntensityExponent(Some(PAPER_INTENSITY_EXPONENT)), ..self.light }
-            }
+            Compare::Paper => LightSettings {
+                intensity_exponent: IntensityExponent(Some(PAPER_INTENSITY_EXPONENT)),
+                ..self.light
+            },
             _ => self.light,
         };
-        let look = Look { geometry, compare: Compare::Off, ..self.look };
+        let look = LookSettings { geometry, compare: Compare::Off, ..self.look };
         Self { look, light, ..self.clone() }
     }
 

@@ -8,7 +8,7 @@ use gamow_platform::files;
 use toml::{Table, Value};
 
 use super::all::Settings;
-use super::error::{Problem, SettingsError};
+use super::error::{SettingProblem, SettingsError};
 use crate::flags::choices::ProjectionChoice;
 use crate::flags::words::{Shell, words};
 
@@ -31,7 +31,7 @@ const OF_PICTURES: &str = "picture";
 
 /// A setting with its value.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Entry {
+pub(super) struct SettingEntry {
     /// The section the entry is in; none at the top.
     pub section: String,
     /// Name of the setting.
@@ -48,12 +48,12 @@ pub(super) fn names() -> impl Iterator<Item = (String, &'static str)> {
 
 impl Settings {
     /// Every setting that has a value, in order.
-    pub(super) fn entries(&self) -> Vec<Entry> {
+    pub(super) fn entries(&self) -> Vec<SettingEntry> {
         let top = Table::try_from(self).expect("settings are numbers, words and lists of them");
         let entry = |(section, key): (String, &str)| {
             let table = if section.is_empty() { &top } else { top.get(&section)?.as_table()? };
             let text = text(table.get(key)?);
-            Some(Entry { section, key: key.to_owned(), text })
+            Some(SettingEntry { section, key: key.to_owned(), text })
         };
         names().filter_map(entry).collect()
     }
@@ -75,7 +75,7 @@ impl Settings {
         let default = Self::default().entries();
         let told =
             self.entries().into_iter().filter(|entry| is_written(&entry.section) || !default.contains(entry));
-        told.fold(command.to_owned(), |line, Entry { key, text, .. }| {
+        told.fold(command.to_owned(), |line, SettingEntry { key, text, .. }| {
             line + " --" + &key + "=" + &shell.quoted(&text)
         })
     }
@@ -126,10 +126,10 @@ impl Settings {
     }
 
     /// Sets what `flags` say.
-    pub(super) fn set(&mut self, flags: Vec<String>) -> Result<(), Problem> {
+    pub(super) fn set(&mut self, flags: Vec<String>) -> Result<(), SettingProblem> {
         let matches = FLAGS.clone().try_get_matches_from(flags);
         let updated = matches.and_then(|matches| self.update_from_arg_matches(&matches));
-        updated.map_err(|error| Problem::new(&error))
+        updated.map_err(|error| SettingProblem::new(&error))
     }
 }
 

@@ -39,14 +39,14 @@ pub enum SettingsError {
 
 /// A problem with a setting.
 #[derive(Debug)]
-pub(super) struct Problem {
+pub(super) struct SettingProblem {
     /// The setting's name, if it has one.
     pub key: Option<String>,
     /// Description of the problem.
     pub text: String,
 }
 
-impl Problem {
+impl SettingProblem {
     /// Returns the problem that `clap` finds, in one line.
     pub fn new(error: &clap::Error) -> Self {
         let key = context(error, ContextKind::InvalidArg).map(name);
@@ -81,7 +81,7 @@ impl Problem {
 /// Returns the problem that `clap` finds with flags that were not typed on a command line, in one line.
 #[must_use]
 pub fn problem_in_one_line(error: &clap::Error) -> String {
-    Problem::new(error).text
+    SettingProblem::new(error).text
 }
 
 /// `depth-shift` of `--depth-shift <DY>`.

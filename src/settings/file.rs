@@ -10,7 +10,7 @@ use toml::de::{DeString, DeTable, DeValue};
 
 use super::all::Settings;
 use super::entries::{SCENE, names};
-use super::error::{Problem, SettingsError};
+use super::error::{SettingProblem, SettingsError};
 use super::link::is_link;
 use crate::files::{exr, png, syntax};
 use crate::flags::choices::FileKind;
@@ -31,7 +31,7 @@ impl Settings {
     pub fn with_toml(mut self, text: &str, source_name: &str) -> Result<Self, SettingsError> {
         let place = |span: Range<usize>| place(text, source_name, &span);
         let given = given(text).and_then(|all| all.into_iter().collect::<Result<Vec<_>, _>>());
-        let given = given.map_err(|(span, text)| Problem { key: None, text }.at(place(span)))?;
+        let given = given.map_err(|(span, text)| SettingProblem { key: None, text }.at(place(span)))?;
         let flags = given.iter().map(FileSetting::flag).collect();
         self.set(flags).map_err(|problem| {
             // An error that names no setting begins with it.

@@ -6,7 +6,7 @@ use relativity_core::math::{asin, atan2, sin_cos};
 use relativity_render::Gaze;
 use relativity_render::camera::Axes;
 
-use super::{Look, Motion, Picture, Settings};
+use super::{LookSettings, MotionSettings, PictureSettings, Settings};
 use crate::flags::FieldOfView;
 use crate::flags::choices::{Compare, GazeChoice, Layout, ProjectionChoice, ZeroParallax};
 
@@ -50,8 +50,8 @@ impl Settings {
         let DVec3 { x, y, z } = head.right;
         let (roll, turn) = (asin(z.clamp(-1.0, 1.0)).to_degrees(), atan2(y, x).to_degrees());
         Self {
-            motion: Motion { roll, turn, ..self.motion },
-            look: Look {
+            motion: MotionSettings { roll, turn, ..self.motion },
+            look: LookSettings {
                 compare: Compare::Off,
                 gaze: GazeChoice::fixed_at(head.gaze()),
                 fov: FieldOfView(Some(fov)),
@@ -59,7 +59,7 @@ impl Settings {
                 zero_parallax: ZeroParallax::Infinity,
                 ..self.look
             },
-            picture: Picture { layout: Layout::SideBySide, ..self.picture },
+            picture: PictureSettings { layout: Layout::SideBySide, ..self.picture },
             ..self.clone()
         }
     }

@@ -7,7 +7,7 @@ use gamow_platform::messages;
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
 
 use super::all::Settings;
-use super::entries::{Entry, SCENE};
+use super::entries::{SCENE, SettingEntry};
 use super::error::SettingsError;
 use crate::scene::Scene;
 
@@ -62,11 +62,12 @@ impl Settings {
             ));
         }
         let default = Self::default().entries();
-        let told =
-            |entry: &Entry| !OF_THE_VIEWER.contains(&entry.section.as_str()) && !default.contains(entry);
+        let told = |entry: &SettingEntry| {
+            !OF_THE_VIEWER.contains(&entry.section.as_str()) && !default.contains(entry)
+        };
         let pairs = self.entries().into_iter().filter(told);
-        let pairs =
-            pairs.map(|Entry { key, text, .. }| format!("{key}={}", utf8_percent_encode(&text, ESCAPED)));
+        let pairs = pairs
+            .map(|SettingEntry { key, text, .. }| format!("{key}={}", utf8_percent_encode(&text, ESCAPED)));
         Ok(pairs.collect::<Vec<_>>().join("&"))
     }
 

@@ -38,15 +38,15 @@ pub mod boxed {
 /// The text of the fit's settings alone.
 pub mod fit {
     use super::{Deserializer, Serializer, Settings};
-    use crate::settings::FitSetup;
+    use crate::settings::FitSettings;
 
     /// Writes the text of the settings.
-    pub fn serialize<S: Serializer>(fit: &FitSetup, serializer: S) -> Result<S::Ok, S::Error> {
+    pub fn serialize<S: Serializer>(fit: &FitSettings, serializer: S) -> Result<S::Ok, S::Error> {
         super::all::serialize(&Settings { fit: *fit, ..Settings::default() }, serializer)
     }
 
     /// Reads the settings from their text.
-    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<FitSetup, D::Error> {
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<FitSettings, D::Error> {
         super::read(deserializer).map(|settings| settings.fit)
     }
 }

@@ -2,10 +2,10 @@
 
 use relativity_render::Method;
 
-use super::Quality;
+use super::QualitySettings;
 use crate::flags::choices::RendererChoice;
 
-impl Quality {
+impl QualitySettings {
     /// The renderer that is chosen, with its bound; `None` where that is automatic.
     #[must_use]
     pub const fn method(&self) -> Option<Method> {

@@ -10,7 +10,7 @@ use relativity_render::{Geometry, MaterialPoint, Motion, RelativeVelocity, Veloc
 
 use super::all::Settings;
 use super::rider::Rider;
-use super::sections::{self, Frame};
+use super::sections::{self, MapFrame};
 use crate::flags::MAX_TIME;
 use crate::scene::{Scene, SceneError, Track};
 use crate::time_range;
@@ -52,14 +52,14 @@ impl Settings {
     /// stand back or lower.
     #[must_use]
     pub fn apertures(&self) -> [Aperture; 2] {
-        let sections::Motion { depth_shift, height_shift, .. } = self.motion;
+        let sections::MotionSettings { depth_shift, height_shift, .. } = self.motion;
         self.pair().map(|Aperture { x, y, z }| Aperture { x, y: y - depth_shift, z: z - height_shift })
     }
 
     /// From the left to the right eye.
     #[must_use]
     pub const fn baseline(&self) -> Baseline {
-        let sections::Motion { d, roll, turn, .. } = self.motion;
+        let sections::MotionSettings { d, roll, turn, .. } = self.motion;
         Baseline { separation: d, roll: roll.to_radians(), turn: turn.to_radians() }
     }
 
@@ -107,16 +107,20 @@ impl Settings {
     #[must_use]
     pub fn frame(&self, time: f64) -> ObserverVelocity {
         match self.map.frame {
-            Frame::Ground => ObserverVelocity::REST,
-            Frame::Bicycle => ObserverVelocity::along_street(self.speed()),
-            Frame::Rider => self.rider(time).observer().velocity,
+            MapFrame::Ground => ObserverVelocity::REST,
+            MapFrame::Bicycle => ObserverVelocity::along_street(self.speed()),
+            MapFrame::Rider => self.rider(time).observer().velocity,
         }
     }
 
     /// The frame that the map is drawn in: that of the ground for that of eyes that do not ride.
     #[must_use]
-    pub fn map_frame(&self) -> Frame {
-        if self.map.frame == Frame::Rider && !self.ride.is_on() { Frame::Ground } else { self.map.frame }
+    pub fn map_frame(&self) -> MapFrame {
+        if self.map.frame == MapFrame::Rider && !self.ride.is_on() {
+            MapFrame::Ground
+        } else {
+            self.map.frame
+        }
     }
 
     /// The worldline of `point` from the point between the eyes, reflected to move along +x.

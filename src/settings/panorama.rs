@@ -1,6 +1,6 @@
 //! The panorama: the whole passage in one conformal strip for each eye, the left eye's above the right eye's.
 
-use super::{Look, Picture, Settings};
+use super::{LookSettings, PictureSettings, Settings};
 use crate::flags::FieldOfView;
 use crate::flags::choices::{Form, GazeChoice, Layout, ProjectionChoice, ZeroParallax};
 
@@ -21,14 +21,15 @@ impl Settings {
         if self.is_panorama() {
             let default = Self::default();
             let default = if defaults.is_panorama() { &default } else { defaults };
-            let (Look { gaze, fov, zero_parallax, .. }, layout) = (default.look, default.picture.layout);
-            self.look = Look { gaze, fov, zero_parallax, ..look };
-            self.picture = Picture { layout, ..picture };
+            let (LookSettings { gaze, fov, zero_parallax, .. }, layout) =
+                (default.look, default.picture.layout);
+            self.look = LookSettings { gaze, fov, zero_parallax, ..look };
+            self.picture = PictureSettings { layout, ..picture };
         } else {
             let (gaze, zero_parallax) = (GazeChoice::Passage, ZeroParallax::Infinity);
             let (projection, fov) = (ProjectionChoice::Mercator, FieldOfView(None));
-            self.look = Look { gaze, fov, projection, zero_parallax, ..look };
-            self.picture = Picture { layout: Layout::OverUnder, ..picture };
+            self.look = LookSettings { gaze, fov, projection, zero_parallax, ..look };
+            self.picture = PictureSettings { layout: Layout::OverUnder, ..picture };
         }
     }
 }

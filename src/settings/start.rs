@@ -6,7 +6,7 @@ use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, value_parser};
 
 use super::all::Settings;
 use super::entries::SCENE;
-use super::error::{Problem, SettingsError};
+use super::error::{SettingProblem, SettingsError};
 use super::link::is_link;
 use super::presets::Preset;
 use crate::flags::choices::FileKind;
@@ -52,7 +52,7 @@ impl StartArgs {
             _ => base,
         };
         let updated = settings.update_from_arg_matches(&self.given);
-        updated.map_err(|error| anyhow::anyhow!(Problem::new(&error).text))?;
+        updated.map_err(|error| anyhow::anyhow!(SettingProblem::new(&error).text))?;
         Ok(settings)
     }
 }

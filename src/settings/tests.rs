@@ -44,7 +44,7 @@ fn choice<T: clap::ValueEnum + std::fmt::Debug + Clone + 'static>() -> impl Stra
     proptest::sample::select(T::value_variants())
 }
 
-fn motion() -> impl Strategy<Value = Motion> {
+fn motion() -> impl Strategy<Value = MotionSettings> {
     let speed = prop_oneof![
         (0.0..1.0).prop_map(|value| (SpeedParameter::Beta, value)),
         (0.0..30.0).prop_map(|power| (SpeedParameter::Gamma, 10f64.powf(power))),
@@ -55,7 +55,7 @@ fn motion() -> impl Strategy<Value = Motion> {
     (speed, number(0.0..=MAX_LENGTH), [angle(), angle()], [length(), length()]).prop_map(
         |((parameter, value), d, [roll, turn], [depth_shift, height_shift])| {
             let speed = SpeedSetting::new(parameter, value).expect("in range");
-            Motion { speed, d, roll, turn, depth_shift, height_shift }
+            MotionSettings { speed, d, roll, turn, depth_shift, height_shift }
         },
     )
 }
@@ -88,7 +88,7 @@ fn choice_of_speed() -> impl Strategy<Value = SpeedParameter> {
     proptest::sample::select(SpeedParameter::ALL.to_vec())
 }
 
-fn look() -> impl Strategy<Value = Look> {
+fn look() -> impl Strategy<Value = LookSettings> {
     let fixed = (number(AZIMUTH), number(ELEVATION))
         .prop_map(|(azimuth, elevation)| GazeChoice::Fixed([azimuth, elevation]));
     let followed = proptest::sample::select(vec![GazeChoice::Whole, GazeChoice::Point, GazeChoice::Ahead]);
@@ -98,7 +98,7 @@ fn look() -> impl Strategy<Value = Look> {
     let zero_parallax = prop_oneof![Just(ZeroParallax::Point), Just(ZeroParallax::Infinity), distance];
     let shown = (choice::<Geometry>(), choice::<Compare>());
     (shown, gaze, fov, choice::<ProjectionChoice>(), zero_parallax).prop_map(
-        |((geometry, compare), gaze, fov, projection, zero_parallax)| Look {
+        |((geometry, compare), gaze, fov, projection, zero_parallax)| LookSettings {
             geometry,
             compare,
             gaze,
@@ -109,7 +109,7 @@ fn look() -> impl Strategy<Value = Look> {
     )
 }
 
-fn light() -> impl Strategy<Value = Light> {
+fn light() -> impl Strategy<Value = LightSettings> {
     let exponent = prop_oneof![Just(None), number(EXPONENT).prop_map(Some)].prop_map(IntensityExponent);
     let exposure = proptest::option::of(number(EXPOSURE_EV)).prop_map(Exposure);
     let numbers = (number(TEMPERATURE_K), exponent, exposure);
@@ -123,7 +123,7 @@ fn light() -> impl Strategy<Value = Light> {
             light,
             [doppler_shift, invisible, surroundings, ground, sky],
         )| {
-            Light {
+            LightSettings {
                 colour,
                 temperature,
                 doppler_shift,
@@ -147,16 +147,16 @@ fn range() -> impl Strategy<Value = TimeRange> {
     prop_oneof![Just(None), ends].prop_map(TimeRange)
 }
 
-fn fit() -> impl Strategy<Value = FitSetup> {
+fn fit() -> impl Strategy<Value = FitSettings> {
     let noise = number(NOISE_PERCENT);
     let from = choice::<DataFrom>();
     (FIT_SAMPLES, from, range(), noise, 0..=MAX_SEED, choice::<Curves>(), choice::<Model>(), any::<bool>())
         .prop_map(|(fit_samples, data_from, fit_range, noise_percent, seed, curves, model, fit_x0)| {
-            FitSetup { fit_samples, data_from, fit_range, noise_percent, seed, curves, model, fit_x0 }
+            FitSettings { fit_samples, data_from, fit_range, noise_percent, seed, curves, model, fit_x0 }
         })
 }
 
-fn window() -> impl Strategy<Value = Window> {
+fn window() -> impl Strategy<Value = WindowSettings> {
     let share = || proptest::option::of(number(0.0..=1.0)).prop_map(Share);
     let shares = (share(), share(), share());
     (any::<[bool; 13]>(), shares, choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
@@ -181,7 +181,7 @@ fn window() -> impl Strategy<Value = Window> {
             units,
             theme,
         )| {
-            Window {
+            WindowSettings {
                 views,
                 corrected,
                 spectrum,
@@ -206,10 +206,10 @@ fn window() -> impl Strategy<Value = Window> {
     )
 }
 
-fn screen() -> impl Strategy<Value = Screen> {
+fn screen() -> impl Strategy<Value = ScreenSettings> {
     let width = proptest::option::of(number(SCREEN_CM)).prop_map(ScreenWidth);
     (width, number(VIEWING_CM), number(PICTURE_MM), number(LENS_MM)).prop_map(
-        |(screen_width, viewing_distance, picture_distance, lens_to_screen)| Screen {
+        |(screen_width, viewing_distance, picture_distance, lens_to_screen)| ScreenSettings {
             screen_width,
             viewing_distance,
             picture_distance,
@@ -218,31 +218,28 @@ fn screen() -> impl Strategy<Value = Screen> {
     )
 }
 
-fn quality_picture_and_screen() -> impl Strategy<Value = (Quality, Picture, Screen)> {
+fn quality_picture_and_screen() -> impl Strategy<Value = (QualitySettings, PictureSettings, ScreenSettings)> {
     let goal = prop_oneof![number(ERROR_PX).prop_map(Goal::Error), number(BUDGET_MS).prop_map(Goal::Budget)];
     let quality = (choice::<RendererChoice>(), number(BOUND_PX), goal, any::<bool>())
-        .prop_map(|(renderer, bound_px, goal, refine)| Quality { renderer, bound_px, goal, refine });
+        .prop_map(|(renderer, bound_px, goal, refine)| QualitySettings { renderer, bound_px, goal, refine });
     let size = (1..=16_384u32, 1..=16_384u32).prop_map(|(width, height)| Size([width, height]));
     let pairs: Vec<_> = Layout::value_variants().iter().copied().filter(|layout| layout.has_both()).collect();
     let swapped = proptest::sample::subsequence(pairs.clone(), 0..=pairs.len())
         .prop_map(|layouts| layouts.into_iter().fold(Swapped::default(), Swapped::toggled));
     let picture = (size, choice::<Layout>(), swapped, any::<bool>(), 1..=16u32).prop_map(
-        |(size, layout, swapped, labels, samples)| Picture { size, layout, swapped, labels, samples },
+        |(size, layout, swapped, labels, samples)| PictureSettings { size, layout, swapped, labels, samples },
     );
     (quality, picture, screen())
 }
 
-fn playback_map_and_plots() -> impl Strategy<Value = (Playback, Map, Plots)> {
-    let playback = (number(RATE), any::<bool>(), range()).prop_map(|(rate, looping, range)| Playback {
-        rate,
-        looping,
-        range,
-    });
+fn playback_map_and_plots() -> impl Strategy<Value = (PlaybackSettings, MapSettings, PlotSettings)> {
+    let playback = (number(RATE), any::<bool>(), range())
+        .prop_map(|(rate, looping, range)| PlaybackSettings { rate, looping, range });
     let plots = (choice::<PlotTab>(), choice::<Coordinates>(), any::<[bool; 2]>()).prop_map(
-        |(plot, coordinates, [published, heat_map])| Plots { plot, coordinates, published, heat_map },
+        |(plot, coordinates, [published, heat_map])| PlotSettings { plot, coordinates, published, heat_map },
     );
-    let map = (choice::<Face>(), choice::<Frame>(), choice::<Framing>())
-        .prop_map(|(face, frame, framing)| Map { face, frame, framing });
+    let map = (choice::<MapFace>(), choice::<MapFrame>(), choice::<MapFraming>())
+        .prop_map(|(face, frame, framing)| MapSettings { face, frame, framing });
     (playback, map, plots)
 }
 
@@ -311,7 +308,8 @@ fn through_file(settings: &Settings, path: &Path) -> Settings {
         png::write(&Pixels { size, rgba: vec![[0; 4]] }, &provenance.texts(), file).expect("it is written");
     } else {
         let eyes = [(); 2].map(|()| HitImage { size, hits: vec![None] });
-        let light = exr::Light { scene: &PreparedScene::moving(&[]), appearance: Appearance::default() };
+        let light =
+            exr::ChannelLight { scene: &PreparedScene::moving(&[]), appearance: Appearance::default() };
         Measurements::of_eyes(&eyes, light, &provenance.comments()).write(file).expect("it is written");
     }
     Settings::default().with_file(path).expect("it was recorded")
@@ -348,7 +346,7 @@ fn a_thousand_states_survive_every_file_and_flags() {
 fn every_setting_is_a_flag_under_the_heading_of_its_section() {
     let points = Some(Followed(vec![FollowedPoint { place: [0.0; 3], body: 0 }]));
     // A comparison is written where there is one.
-    let look = Look { compare: Compare::Rest, ..Look::default() };
+    let look = LookSettings { compare: Compare::Rest, ..LookSettings::default() };
     let settings = Settings { time: Some(1.0), point: Some([0.0; 3]), points, look, ..Settings::default() };
     let entries = settings.entries();
     let known: Vec<_> =

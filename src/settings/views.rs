@@ -7,7 +7,7 @@ use relativity_render::{Camera, Framing, Gaze, Geometry, Motion, Outline, Prepar
 
 use super::all::Settings;
 use super::rider::Rider;
-use super::sections::{FOV_AHEAD, Look, USUAL_FOV};
+use super::sections::{FOV_AHEAD, LookSettings, USUAL_FOV};
 use crate::flags::FieldOfView;
 use crate::flags::choices::{GazeChoice, ProjectionChoice, ZeroParallax};
 use crate::scene::Track;
@@ -48,20 +48,20 @@ impl Settings {
     ///
     /// Two pictures that are compared have the wider of their fields of view, and this is the gaze of the first.
     #[must_use]
-    pub fn fixed_look(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> Look {
+    pub fn fixed_look(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> LookSettings {
         let look = self.own_look(subject, observation_time, size);
         match self.second() {
             Some(second) if self.look.set_fov().is_none() => {
                 let other = second.own_look(subject, observation_time, size);
                 let fov = if other.fov.0 > look.fov.0 { other.fov } else { look.fov };
-                Look { fov, ..look }
+                LookSettings { fov, ..look }
             }
             _ => look,
         }
     }
 
     /// Returns the look of both eyes at `subject` in a picture that is not compared with another.
-    fn own_look(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> Look {
+    fn own_look(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> LookSettings {
         let framing = match self.look.gaze {
             GazeChoice::Whole | GazeChoice::Passage => self.framing(subject.scene, observation_time),
             _ => None,
@@ -80,22 +80,23 @@ impl Settings {
         };
         // A point that turns would have the pictures sway with each turn.
         let steady = subject.tracked.carrier();
-        let zero_parallax = self.zero_parallax(&Look { gaze, ..self.look }, &steady, observation_time);
-        let look = Look { gaze, zero_parallax, ..self.look };
+        let zero_parallax =
+            self.zero_parallax(&LookSettings { gaze, ..self.look }, &steady, observation_time);
+        let look = LookSettings { gaze, zero_parallax, ..self.look };
         let whole = whole.map(|framing| framing.shifted(self.shifts(&look)));
         let fitted = || match self.look.gaze {
             GazeChoice::Passage => self.passage_fov(framing, size),
             _ => whole.map_or(USUAL_FOV, |whole| whole.horizontal_fov(size).to_degrees()),
         };
         let fov = FieldOfView(Some(self.look.set_fov().unwrap_or_else(fitted)));
-        let look = Look {
+        let look = LookSettings {
             gaze: whole.map_or(gaze, |whole| fixed_at(Some(rider.gaze_to_head(whole.gaze)))),
             fov,
             ..look
         };
         // Where pictures turn with the gaze, the shift has turned a little, too.
-        let unshifted = Look { zero_parallax: self.look.zero_parallax, ..look };
-        Look { zero_parallax: self.zero_parallax(&unshifted, &steady, observation_time), ..look }
+        let unshifted = LookSettings { zero_parallax: self.look.zero_parallax, ..look };
+        LookSettings { zero_parallax: self.zero_parallax(&unshifted, &steady, observation_time), ..look }
     }
 
     /// The framing of what moves with the `scene`; of its resting picture, too, where that is outlined.
@@ -124,7 +125,7 @@ impl Settings {
     }
 
     /// Returns the zero parallax of eyes with this `look`, whose gaze is fixed: a distance instead of `point`.
-    fn zero_parallax(&self, look: &Look, point: &Track, observation_time: f64) -> ZeroParallax {
+    fn zero_parallax(&self, look: &LookSettings, point: &Track, observation_time: f64) -> ZeroParallax {
         let is_followed = look.zero_parallax == ZeroParallax::Point;
         if !look.projection.is_fused() || !is_followed {
             return look.zero_parallax;
@@ -181,12 +182,12 @@ impl Settings {
 
     /// The views of eyes that look straight ahead, in pictures of no matter what size.
     pub(crate) fn views_ahead(&self, observation_time: f64) -> [View; 2] {
-        self.views_with(&Look { gaze: GazeChoice::Ahead, ..self.look }, observation_time, [1, 1])
+        self.views_with(&LookSettings { gaze: GazeChoice::Ahead, ..self.look }, observation_time, [1, 1])
     }
 
     /// The views of eyes with this `look`, which follows nothing.
     #[must_use]
-    pub fn views_with(&self, look: &Look, observation_time: f64, size: [u32; 2]) -> [View; 2] {
+    pub fn views_with(&self, look: &LookSettings, observation_time: f64, size: [u32; 2]) -> [View; 2] {
         let geometry = self.geometry();
         let rider = self.rider(observation_time);
         let odometers = self.ride.odometers(observation_time).filter(|_| self.ride.is_on());
@@ -228,7 +229,7 @@ impl Settings {
     }
 
     /// The cameras of eyes with this `look`, which follows nothing.
-    fn cameras_with(&self, look: &Look, size: [u32; 2]) -> [Camera; 2] {
+    fn cameras_with(&self, look: &LookSettings, size: [u32; 2]) -> [Camera; 2] {
         let gaze = look.gaze.fixed().unwrap_or(Gaze::STRAIGHT_AHEAD);
         let horizontal_fov = look.set_fov().unwrap_or(USUAL_FOV).to_radians();
         let right = self.baseline_direction();
@@ -250,13 +251,13 @@ impl Settings {
 
     /// The image shifts of the left and the right eye's pictures with this `look`: what the left eye has further to
     /// the right comes together with what the right eye has.
-    fn shifts(&self, look: &Look) -> [f64; 2] {
+    fn shifts(&self, look: &LookSettings) -> [f64; 2] {
         let half = 0.5 * look.zero_parallax.shift(self.motion.d);
         [-half, half].map(|shift| shift * self.rows_along_baseline(look))
     }
 
     /// 1 where the rows of pictures run as the baseline does, -1 where they run against it, behind the head.
-    fn rows_along_baseline(&self, look: &Look) -> f64 {
+    fn rows_along_baseline(&self, look: &LookSettings) -> f64 {
         let gaze = look.gaze.fixed().unwrap_or(Gaze::STRAIGHT_AHEAD);
         let (right, plain) = (self.baseline_direction(), Camera::new(Aperture::default(), gaze, 1.0, [1, 1]));
         let camera = Camera { projection: Projection::Parallel { right, shift: 0.0 }, ..plain };

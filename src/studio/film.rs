@@ -10,8 +10,8 @@ use relativity_render::Picture;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::{Frame, Studio};
-use crate::files::png::Animation;
+use super::{Studio, StudioFrame};
+use crate::files::png::AnimationTiming;
 use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
 use crate::files::{gif, png};
@@ -128,8 +128,8 @@ pub fn frame_path(folder: &Path, number: u32, kind: FileKind) -> PathBuf {
 
 /// An animated file that is being written.
 enum AnimationFile<W: Write> {
-    Gif(gif::Frames<W>),
-    Png(png::Frames<W>),
+    Gif(gif::GifWriter<W>),
+    Png(png::PngWriter<W>),
 }
 
 impl<W: Write> AnimationFile<W> {
@@ -142,10 +142,10 @@ impl<W: Write> AnimationFile<W> {
         out: W,
     ) -> anyhow::Result<Self> {
         if kind == FilmKind::Gif {
-            return Ok(Self::Gif(gif::Frames::new(size, 100 / FRAMES_PER_SECOND, out)?));
+            return Ok(Self::Gif(gif::GifWriter::new(size, 100 / FRAMES_PER_SECOND, out)?));
         }
-        let animation = Animation { frames: u32::try_from(frames)?, seconds: [1, FRAMES_PER_SECOND] };
-        Ok(Self::Png(png::Frames::new(size, Some(animation), None, &record.texts(), out)?))
+        let animation = AnimationTiming { frames: u32::try_from(frames)?, seconds: [1, FRAMES_PER_SECOND] };
+        Ok(Self::Png(png::PngWriter::new(size, Some(animation), None, &record.texts(), out)?))
     }
 
     fn write(&mut self, frame: &Picture) -> anyhow::Result<()> {
@@ -212,7 +212,7 @@ impl Studio {
     }
 
     /// Draws the frame of this number: where the eyes take turns, the picture of one of them.
-    fn shown_in_film(&mut self, frame: &Frame, number: u32) -> anyhow::Result<Picture> {
+    fn shown_in_film(&mut self, frame: &StudioFrame, number: u32) -> anyhow::Result<Picture> {
         let mut still = self.still(frame)?;
         let turn = (number as usize / FRAMES_PER_TURN) % still.frames.len();
         Ok(still.frames.swap_remove(turn))

@@ -16,7 +16,7 @@ use self::painter::Painter;
 pub use self::sheet::Sheet;
 use self::sheet::{Ink, Labels};
 use self::timings::Timings;
-use crate::files::exr::{Light, Measurements};
+use crate::files::exr::{ChannelLight, Measurements};
 use crate::files::png::Still;
 use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
@@ -98,22 +98,22 @@ impl Studio {
     /// # Errors
     ///
     /// A T outside the domain of the core.
-    pub fn frame(&self, time: Option<f64>) -> anyhow::Result<Frame> {
+    pub fn frame(&self, time: Option<f64>) -> anyhow::Result<StudioFrame> {
         let settings = Settings { time: time.or(self.settings.time), ..self.settings.clone() };
         let settings = settings.resolved(self.subject()).exposed_for(&self.scene);
         let time = settings.time.unwrap_or_default();
         settings.disparity(&self.tracked, time)?;
-        Ok(Frame { settings, time })
+        Ok(StudioFrame { settings, time })
     }
 
     /// Returns the provenance that the file of `frame` at `path` records.
-    fn provenance(&self, frame: &Frame, path: &Path) -> Provenance {
+    fn provenance(&self, frame: &StudioFrame, path: &Path) -> Provenance {
         self.scene.provenance(frame.settings.relative_to(path).command(Shell::RECORDED))
     }
 
     /// Whether `path` is a whole file of this `kind` and of just this `frame`.
     #[must_use]
-    pub fn has_made(&self, frame: &Frame, kind: FileKind, path: &Path) -> bool {
+    pub fn has_made(&self, frame: &StudioFrame, kind: FileKind, path: &Path) -> bool {
         let provenance = self.provenance(frame, path);
         match kind {
             FileKind::Png => png::is_made(path, &provenance.texts()),
@@ -126,7 +126,7 @@ impl Studio {
     /// # Errors
     ///
     /// Those of the renderer and of the file system.
-    pub fn make_file(&mut self, frame: &Frame, kind: FileKind, path: &Path) -> anyhow::Result<()> {
+    pub fn make_file(&mut self, frame: &StudioFrame, kind: FileKind, path: &Path) -> anyhow::Result<()> {
         match kind {
             FileKind::Png => {
                 let provenance = self.provenance(frame, path);
@@ -146,12 +146,12 @@ impl Studio {
     /// # Errors
     ///
     /// Those of the renderer; a comparison, which shows one eye alone.
-    pub fn measurements(&mut self, frame: &Frame, path: &Path) -> anyhow::Result<Measurements> {
+    pub fn measurements(&mut self, frame: &StudioFrame, path: &Path) -> anyhow::Result<Measurements> {
         let provenance = self.provenance(frame, path);
         let hits = self.hits(frame)?;
         let appearance = frame.settings.appearance(&self.scene, frame.time, false);
         let Self { prepared, timings, .. } = self;
-        let light = Light { scene: prepared, appearance };
+        let light = ChannelLight { scene: prepared, appearance };
         Ok(timings.timed("file", || Measurements::of_eyes(&hits, light, &provenance.comments())))
     }
 
@@ -160,7 +160,7 @@ impl Studio {
     /// # Errors
     ///
     /// Those of the renderer.
-    pub fn png(&mut self, frame: &Frame, path: &Path) -> anyhow::Result<Vec<u8>> {
+    pub fn png(&mut self, frame: &StudioFrame, path: &Path) -> anyhow::Result<Vec<u8>> {
         let provenance = self.provenance(frame, path);
         let mut bytes = Vec::new();
         self.still(frame)?.write(&provenance.texts(), &mut bytes)?;
@@ -172,8 +172,8 @@ impl Studio {
     /// # Errors
     ///
     /// Those of the renderer.
-    pub fn still(&mut self, frame: &Frame) -> anyhow::Result<Still> {
-        let Frame { settings, time, .. } = frame;
+    pub fn still(&mut self, frame: &StudioFrame) -> anyhow::Result<Still> {
+        let StudioFrame { settings, time, .. } = frame;
         let picture = &settings.picture;
         let pictures = settings.pictures(self.subject(), &self.scene, *time);
         let stages = if settings.is_comparing() { PICTURES } else { EYES };
@@ -195,8 +195,8 @@ impl Studio {
     }
 
     /// Returns the hits of every pixel of the left and the right eye.
-    fn hits(&mut self, frame: &Frame) -> anyhow::Result<[HitImage; 2]> {
-        let Frame { settings, time, .. } = frame;
+    fn hits(&mut self, frame: &StudioFrame) -> anyhow::Result<[HitImage; 2]> {
+        let StudioFrame { settings, time, .. } = frame;
         anyhow::ensure!(
             !settings.is_comparing(),
             "--compare makes two pictures of one eye, and an .exr file holds those of two eyes: leave one of both out"
@@ -219,7 +219,7 @@ impl Studio {
 
 /// A frame: one observation time of a studio's scene.
 #[derive(Debug, Clone)]
-pub struct Frame {
+pub struct StudioFrame {
     /// The settings, with nothing left to be found out.
     settings: Settings,
     time: f64,

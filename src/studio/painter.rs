@@ -7,9 +7,9 @@ use relativity_render::{
     Appearance, Geometry, Gpu, HitImage, Method, Picture, PreparedScene, Renderers, View,
 };
 
-use crate::accuracy::{Automatic, Choice, Machine, Sight};
+use crate::accuracy::{Automatic, Choice, Machine, MethodViews};
 use crate::flags::choices::{ProjectionChoice, RendererChoice};
-use crate::settings::{Quality, Settings};
+use crate::settings::{QualitySettings, Settings};
 
 /// A method, and the renderers that draw by it.
 pub struct Painter {
@@ -116,14 +116,14 @@ impl Painter {
     #[must_use]
     pub fn choose(
         &mut self,
-        quality: Quality,
+        quality: QualitySettings,
         scene: &PreparedScene,
         view: &View,
         pictures: usize,
-    ) -> Quality {
+    ) -> QualitySettings {
         if let Some(choosing) = self.automatic.as_mut().filter(|choosing| !choosing.is_settled) {
             let pixels = pictures as f64 * view.camera.size.map(f64::from).iter().product::<f64>();
-            choosing.choice = choosing.automatic.choose(quality.goal, Sight { scene, view, pixels });
+            choosing.choice = choosing.automatic.choose(quality.goal, MethodViews { scene, view, pixels });
             choosing.is_settled = choosing.is_measured;
             self.method = choosing.choice.map_or(Method::Reference, |choice| choice.method);
         }

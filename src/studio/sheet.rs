@@ -6,7 +6,7 @@ use relativity_render::Picture;
 use super::{letters, writing};
 use crate::eye_colours;
 use crate::flags::choices::Form;
-use crate::settings::Picture as Settings;
+use crate::settings::PictureSettings as Settings;
 
 /// Height of the strip of letters in parts of the pictures', and at least, pixels.
 const STRIP: (f64, u32) = (1.0 / 15.0, 12);

@@ -1,6 +1,6 @@
 //! The example of the format's description is a lesson.
 
-use gamow::lesson::{Course, Kind, Lesson};
+use gamow::lesson::{AnswerKind, Course, Lesson};
 
 const DESCRIPTION: &str = include_str!("../../assets/lessons/README.md");
 
@@ -15,10 +15,10 @@ fn the_examples_of_predictions_can_be_made() {
         let lesson = Lesson::read("example", &text, "example.md").expect("a lesson");
         let course = Course::new(&lesson).expect("its values and its bodies are there");
         names.push(match &course.lesson().steps[0].prediction.as_ref().expect("a prediction").kind {
-            Kind::Choice(_) => "choice",
-            Kind::Number(_) => "number",
-            Kind::Point(_) => "point",
-            Kind::Curve(_) => "curve",
+            AnswerKind::Choice(_) => "choice",
+            AnswerKind::Number(_) => "number",
+            AnswerKind::Point(_) => "point",
+            AnswerKind::Curve(_) => "curve",
         });
     }
     assert_eq!(names, ["number", "point", "curve"]);
@@ -29,7 +29,7 @@ fn the_example_of_the_description_can_be_gone_through() {
     let fences = DESCRIPTION.split("````markdown\n").nth(1).and_then(|rest| rest.split("````").next());
     let lesson = Lesson::read("example", fences.expect("an example"), "example.md").expect("a lesson");
     assert_eq!(lesson.steps.len(), 1);
-    assert!(matches!(lesson.steps[0].prediction.as_ref().expect("a prediction").kind, Kind::Choice(_)));
+    assert!(matches!(lesson.steps[0].prediction.as_ref().expect("a prediction").kind, AnswerKind::Choice(_)));
     let mut course = Course::new(&lesson).expect("its values and formulas are right");
     while course.can_go()[1] {
         course.forward();

@@ -1,6 +1,6 @@
 //! The lesson of the slide: its numbers, from the core's sightings of points and of outlines.
 
-use gamow::lesson::Kind;
+use gamow::lesson::AnswerKind;
 use relativity_core::aberration::{ground_from_rest, rest_from_ground};
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
 
@@ -43,7 +43,7 @@ fn a_die_is_seen_where_it_would_rest_moved_back_by_its_rapidity() {
     assert_eq!((state.speed().beta(), state.time, state.motion.d), (0.5, Some(0.0), 0.0));
     assert!(state.window.resting && state.window.ruler);
     let kind = &l.steps[0].prediction.as_ref().expect("a prediction").kind;
-    assert!(matches!(kind, Kind::Point(point) if point.body == "die"), "{kind:?}");
+    assert!(matches!(kind, AnswerKind::Point(point) if point.body == "die"), "{kind:?}");
     // The selected edge: at rest straight ahead, and measured there at t = 0.
     let scene = state.opened_scene().expect("a scene");
     let edge = state.disparity(&state.track(&scene), 0.0).expect("seen").primary;

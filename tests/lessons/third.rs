@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use gamow::lesson::Kind;
+use gamow::lesson::AnswerKind;
 use relativity_core::aberration::{ground_from_rest, rest_from_ground};
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
 
@@ -156,7 +156,7 @@ fn the_doppler_factor_falls_through_1_before_the_point_is_seen_abreast() {
     says(&l, 1, "it is seen abreast only at T = {}.", 3.0, 2);
     assert_eq!(observed(&l, 1), "before it is seen abreast");
     let kind = &l.steps[1].prediction.as_ref().expect("a prediction").kind;
-    let Kind::Curve(drawn) = kind else { panic!("{kind:?} is no curve") };
+    let AnswerKind::Curve(drawn) = kind else { panic!("{kind:?} is no curve") };
     assert!(drawn.range[0] < 1.0 / limit && drawn.range[1] > limit, "the curve can be drawn");
 }
 
@@ -240,7 +240,7 @@ fn the_edge_of_the_beam_is_at_arccos_beta_and_shows_the_side_straight_on() {
     let [_, [near, far]] = edges(0.9, 4.0, -2.0);
     assert!(far < near, "before, the front is seen");
     let kind = &l.steps[2].prediction.as_ref().expect("a prediction").kind;
-    assert!(matches!(kind, Kind::Point(point) if point.body == "die"), "{kind:?}");
+    assert!(matches!(kind, AnswerKind::Point(point) if point.body == "die"), "{kind:?}");
 }
 
 #[test]

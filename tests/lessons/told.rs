@@ -1,7 +1,7 @@
 //! What a lesson says, step by step.
 
 use gamow::caption::decimal;
-use gamow::lesson::{Kind, Lesson, Options};
+use gamow::lesson::{AnswerKind, Lesson, Options};
 use gamow::settings::Settings;
 
 /// All words of the step of this number.
@@ -27,7 +27,7 @@ pub fn says(lesson: &Lesson, step: usize, text: &str, value: f64, decimals: u8) 
 #[track_caller]
 pub fn right(lesson: &Lesson, step: usize) -> &str {
     let prediction = lesson.steps[step].prediction.as_ref().expect("a prediction");
-    let Kind::Choice(options) = &prediction.kind else { panic!("no choices") };
+    let AnswerKind::Choice(options) = &prediction.kind else { panic!("no choices") };
     right_of(options)
 }
 
@@ -45,7 +45,7 @@ fn right_of(options: &Options) -> &str {
 #[track_caller]
 pub fn number(lesson: &Lesson, step: usize) -> f64 {
     let prediction = lesson.steps[step].prediction.as_ref().expect("a prediction");
-    let Kind::Number(number) = &prediction.kind else { panic!("no number") };
+    let AnswerKind::Number(number) = &prediction.kind else { panic!("no number") };
     number.truth.expect("worked out")
 }
 

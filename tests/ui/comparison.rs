@@ -10,7 +10,7 @@ use gamow::app::state::State;
 use gamow::eye::Eye;
 use gamow::flags::FieldOfView;
 use gamow::flags::choices::{Compare, Layout};
-use gamow::settings::Look;
+use gamow::settings::LookSettings;
 use glam::DVec3;
 use relativity_render::Geometry;
 
@@ -35,7 +35,7 @@ const SECOND: &str = "Left eye view: contracted only";
 /// The cyclist in pictures of one field of view.
 fn compared(compare: Compare) -> State {
     let mut state = cyclist(0.9);
-    let look = Look { compare, fov: FieldOfView(Some(80.0)), ..state.document.settings.look };
+    let look = LookSettings { compare, fov: FieldOfView(Some(80.0)), ..state.document.settings.look };
     state.apply(Command::Look(look));
     state.apply(Command::Time(-1.0));
     state
@@ -146,7 +146,7 @@ fn named_and_no_pair() {
     // The numbers stay those of two eyes.
     let disparity = shown(&window, "Disparity Δφ");
     let look = window.state().state().document.settings.look;
-    window.state_mut().ask(Command::Look(Look { compare: Compare::Off, ..look }));
+    window.state_mut().ask(Command::Look(LookSettings { compare: Compare::Off, ..look }));
     window.run();
     assert!((shown(&window, "Disparity Δφ") - disparity).abs() < 1e-12);
     window.get_by_label("Right eye view");

@@ -12,7 +12,7 @@ use gamow::app::state::State;
 use gamow::app::views::corrected::Corrected;
 use gamow::flags::choices::ProjectionChoice;
 use gamow::flags::{SpeedParameter, SpeedSetting};
-use gamow::settings::{FitSetup, MAX_SEED, PlotTab, Plots, Presence, Settings, Theme};
+use gamow::settings::{FitSettings, MAX_SEED, PlotSettings, PlotTab, Presence, Settings, Theme};
 use relativity_core::{
     Curves, FitOptions, Model, Observations, Parameter, Passage, PublishedVariant, Reading, Sample, fit,
 };
@@ -41,15 +41,15 @@ pub const TESTS: &[Test] = &[
 const APPENDIX_A: Model = Model::Published(PublishedVariant::AppendixA);
 
 /// The default scene at this beta, with this fit in view.
-fn fitted(beta: f64, setup: FitSetup) -> State {
+fn fitted(beta: f64, setup: FitSettings) -> State {
     let mut state = cyclist(beta);
     state.apply(Command::Fit(setup));
-    state.apply(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
+    state.apply(Command::Plots(PlotSettings { plot: PlotTab::Fit, ..PlotSettings::default() }));
     state
 }
 
 fn a_seed_typed_too_large_is_the_largest() {
-    let mut window = window_of_size(fitted(0.9, FitSetup::default()), [1280.0, 1600.0], 1.0);
+    let mut window = window_of_size(fitted(0.9, FitSettings::default()), [1280.0, 1600.0], 1.0);
     type_into(&mut window, "Seed", "1e300");
     let shown = window.state().state().shown();
     assert_eq!(shown.fit.seed, MAX_SEED);
@@ -110,7 +110,7 @@ fn the_fit_recovers() {
 
 fn each_curve_alone_recovers() {
     for curves in [Curves::Azimuth, Curves::Polar] {
-        let setup = FitSetup { curves, noise_percent: 0.5, fit_x0: true, ..FitSetup::default() };
+        let setup = FitSettings { curves, noise_percent: 0.5, fit_x0: true, ..FitSettings::default() };
         let mut state = fitted(0.6, setup);
         let mut motion = state.document.settings.motion;
         motion.height_shift = -3.5; // z = -1.5, of which Δφ tells only the magnitude
@@ -128,7 +128,7 @@ fn each_curve_alone_recovers() {
 }
 
 fn without_noise_the_fit_is_exact() {
-    let window = window_with_fit(fitted(0.9, FitSetup { noise_percent: 0.0, ..FitSetup::default() }));
+    let window = window_with_fit(fitted(0.9, FitSettings { noise_percent: 0.0, ..FitSettings::default() }));
     for (symbol, truth) in [("β", 0.9), ("y", 3.0), ("z", 2.0)] {
         assert!((estimate(&window, symbol)[0] - truth).abs() <= 1e-9, "{symbol}");
     }
@@ -138,7 +138,7 @@ fn without_noise_the_fit_is_exact() {
 }
 
 fn the_published_model_is_biased() {
-    let setup = FitSetup { model: APPENDIX_A, curves: Curves::Polar, ..FitSetup::default() };
+    let setup = FitSettings { model: APPENDIX_A, curves: Curves::Polar, ..FitSettings::default() };
     let window = window_with_fit(fitted(0.9, setup));
     let [beta, uncertainty] = estimate(&window, "β");
     assert!((beta - 0.9).abs() > 5.0 * uncertainty, "β = {beta} +- {uncertainty}");
@@ -149,7 +149,7 @@ fn the_published_model_is_biased() {
 }
 
 fn one_light_cone_is_biased() {
-    let setup = FitSetup { model: Model::OneCone, noise_percent: 0.0, ..FitSetup::default() };
+    let setup = FitSettings { model: Model::OneCone, noise_percent: 0.0, ..FitSettings::default() };
     let two_cones = window_with_fit(fitted(0.9, setup));
     let [beta, _] = estimate(&two_cones, "β");
     assert!((beta - 0.9).abs() > 0.05, "β = {beta}");
@@ -164,7 +164,7 @@ fn one_light_cone_is_biased() {
 }
 
 /// Beta that the published model fits to exact curves without noise, by the core.
-fn published_beta_of_exact_curves(state: &State, setup: FitSetup) -> f64 {
+fn published_beta_of_exact_curves(state: &State, setup: FitSettings) -> f64 {
     let [from, to] = state.time_range();
     let sample = |index: usize| {
         let time = from + (to - from) * index as f64 / (setup.fit_samples - 1) as f64;
@@ -178,17 +178,17 @@ fn published_beta_of_exact_curves(state: &State, setup: FitSetup) -> f64 {
 }
 
 fn what_cannot_be_fitted() {
-    let mut together = fitted(0.9, FitSetup::default());
+    let mut together = fitted(0.9, FitSettings::default());
     let mut motion = together.document.settings.motion;
     motion.d = 0.0;
     together.apply(Command::Motion(motion));
-    let mut behind = fitted(0.9, FitSetup::default());
+    let mut behind = fitted(0.9, FitSettings::default());
     motion.d = 0.1;
     motion.depth_shift = -3.0;
     behind.apply(Command::Motion(motion));
     // So slow, it hardly moves while it is watched.
     let azimuth =
-        FitSetup { curves: Curves::Azimuth, fit_x0: true, noise_percent: 2.0, ..FitSetup::default() };
+        FitSettings { curves: Curves::Azimuth, fit_x0: true, noise_percent: 2.0, ..FitSettings::default() };
     let mut slow = fitted(0.005, azimuth);
     motion.speed = slow.document.settings.motion.speed;
     motion.depth_shift = 5.0;
@@ -196,9 +196,12 @@ fn what_cannot_be_fitted() {
     slow.apply(Command::Motion(motion));
     let cases = [
         (together, "Both eyes are in one place (d = 0)"),
-        (fitted(0.0, FitSetup::default()), "At rest (β = 0)"),
+        (fitted(0.0, FitSettings::default()), "At rest (β = 0)"),
         (behind, "The fit looks in front of the eyes"),
-        (fitted(0.9, FitSetup { fit_samples: 4, ..FitSetup::default() }), "4 samples of both are too few"),
+        (
+            fitted(0.9, FitSettings { fit_samples: 4, ..FitSettings::default() }),
+            "4 samples of both are too few",
+        ),
         (slow, "The data cannot tell x0 from z"),
     ];
     for (state, words) in cases {
@@ -213,7 +216,7 @@ fn what_cannot_be_fitted() {
 
 fn intervals_keep_to_what_is_possible() {
     // By azimuth alone the published model finds neither height nor an end to the speed.
-    let published = FitSetup { model: APPENDIX_A, curves: Curves::Azimuth, ..FitSetup::default() };
+    let published = FitSettings { model: APPENDIX_A, curves: Curves::Azimuth, ..FitSettings::default() };
     let window = window_with_fit(fitted(0.9, published));
     text(&window, "± by linearisation");
     let interval = |symbol: &str| -> Vec<f64> {
@@ -227,7 +230,7 @@ fn intervals_keep_to_what_is_possible() {
 
 fn the_fit_follows_the_controls() {
     // Higher than usual, so that every row is in view.
-    let mut window = window_of_size(fitted(0.9, FitSetup::default()), [1280.0, 1000.0], 1.0);
+    let mut window = window_of_size(fitted(0.9, FitSettings::default()), [1280.0, 1000.0], 1.0);
     wait(&mut window);
     type_into(&mut window, "Beta, typed", "0.7");
     wait(&mut window);
@@ -245,7 +248,7 @@ fn the_fit_follows_the_controls() {
 }
 
 fn a_hidden_fit_is_not_made() {
-    let mut window = window(fitted(0.9, FitSetup::default()));
+    let mut window = window(fitted(0.9, FitSettings::default()));
     wait(&mut window);
     let requests = window.state().fitting().requests();
     assert_eq!(requests, 1, "one for one state of the controls");
@@ -266,7 +269,7 @@ fn a_hidden_fit_is_not_made() {
 }
 
 fn a_window_that_shows_a_fit_rests() {
-    let mut window = window_with_fit(fitted(0.9, FitSetup::default()));
+    let mut window = window_with_fit(fitted(0.9, FitSettings::default()));
     window.run();
     window.step();
     let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
@@ -311,7 +314,7 @@ fn red_share(window: &mut Harness<'_, App>, by: &str) -> f64 {
 }
 
 fn the_corrected_picture_is_red_if_the_fit_is_right() {
-    let mut state = fitted(0.9, FitSetup::default());
+    let mut state = fitted(0.9, FitSettings::default());
     // In a parallel picture it is smaller.
     state.document.settings.look.projection = ProjectionChoice::Gaze;
     state.document.settings.window.corrected = true;
@@ -350,7 +353,7 @@ fn the_corrected_picture_costs_nothing_when_off() {
 
 fn extremes_are_fitted_and_corrected_without_harm() {
     for gamma in [1.0, 1e3, 1e30] {
-        let mut state = fitted(0.5, FitSetup { fit_samples: 60, ..FitSetup::default() });
+        let mut state = fitted(0.5, FitSettings { fit_samples: 60, ..FitSettings::default() });
         let mut motion = state.document.settings.motion;
         motion.speed = SpeedSetting::new(SpeedParameter::Gamma, gamma).expect("a speed");
         state.apply(Command::Motion(motion));
@@ -365,7 +368,7 @@ fn extremes_are_fitted_and_corrected_without_harm() {
         window.render().expect("a picture");
     }
     for size in [[64.0, 64.0], [200.0, 100.0], [480.0, 320.0], [3000.0, 90.0], [90.0, 1500.0]] {
-        let mut state = fitted(0.9, FitSetup { fit_samples: 20, ..FitSetup::default() });
+        let mut state = fitted(0.9, FitSettings { fit_samples: 20, ..FitSettings::default() });
         state.document.settings.window.corrected = true;
         let mut window = window_of_size(state, size, 1.0);
         window.run_steps(3);

@@ -11,7 +11,7 @@ use gamow::eye::Eye;
 use gamow::flags::FieldOfView;
 use gamow::flags::choices::GazeChoice;
 use gamow::scene::Scene;
-use gamow::settings::{PlotTab, Plots, Settings};
+use gamow::settings::{PlotSettings, PlotTab, Settings};
 
 use super::Test;
 use super::picking::click;
@@ -95,7 +95,9 @@ fn what_is_not_fitted() {
         let mut window = window(groups());
         let clicked = place(&window, body);
         click(&mut window, clicked, Modifiers::NONE);
-        window.state_mut().ask(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
+        window
+            .state_mut()
+            .ask(Command::Plots(PlotSettings { plot: PlotTab::Fit, ..PlotSettings::default() }));
         while !window.state().fitting().is_up_to_date() {
             window.step();
         }

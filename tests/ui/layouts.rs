@@ -11,7 +11,7 @@ use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::lesson::Library;
 use gamow::scene::{PRESETS, Scene};
-use gamow::settings::{PlotTab, Plots, Theme};
+use gamow::settings::{PlotSettings, PlotTab, Theme};
 
 use super::Test;
 use super::support::{cyclist, labels, window, window_of_size};
@@ -114,7 +114,11 @@ fn extremes_show_numbers_or_dashes() {
     for (parameter, value) in speeds {
         let mut window = window_of_size(extreme(parameter, value), [1024.0, 600.0], 1.0);
         for plot in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
-            window.state_mut().ask(Command::Plots(Plots { plot, published: true, ..Plots::default() }));
+            window.state_mut().ask(Command::Plots(PlotSettings {
+                plot,
+                published: true,
+                ..PlotSettings::default()
+            }));
             for time in [0.0, -1e12, 1e12] {
                 window.state_mut().ask(Command::Time(time));
                 window.run();

@@ -8,8 +8,8 @@ use gamow::app::App;
 use gamow::app::command::{Command, Switch};
 use gamow::app::lesson::session::LessonCommand;
 use gamow::app::state::State;
-use gamow::lesson::{Answer, Confidence, Course, Kind, Lesson, Library, Outcome, Phase, Place};
-use gamow::settings::{Presence, Settings, Theme, Window};
+use gamow::lesson::{Answer, AnswerKind, Confidence, Course, Lesson, Library, Outcome, Phase, Place};
+use gamow::settings::{Presence, Settings, Theme, WindowSettings};
 use relativity_render::Gaze;
 
 use super::Test;
@@ -114,11 +114,11 @@ fn lesson() -> Lesson {
 
 /// A window of this `size` in which `lesson` begins. Nothing is drawn in its views, which takes most of the time.
 fn window(lesson: &Lesson, size: [f32; 2]) -> Harness<'static, App> {
-    window_with(Window::default(), lesson, size)
+    window_with(WindowSettings::default(), lesson, size)
 }
 
 /// The same, with these parts.
-fn window_with(parts: Window, lesson: &Lesson, size: [f32; 2]) -> Harness<'static, App> {
+fn window_with(parts: WindowSettings, lesson: &Lesson, size: [f32; 2]) -> Harness<'static, App> {
     let settings = Settings { window: parts, ..Settings::default() };
     let mut state = State::open(settings).expect("usual settings");
     state.begin_lesson(lesson).expect("it can be worked out");
@@ -381,7 +381,7 @@ fn what_was_explored_is_set_up_again() {
 
 fn closing_a_lesson() {
     let mut state = State::open(Settings::default()).expect("usual settings");
-    let before = Window { readout: false, theme: Theme::Dark, ..Window::default() };
+    let before = WindowSettings { readout: false, theme: Theme::Dark, ..WindowSettings::default() };
     state.document.settings.window = before;
     state.begin_lesson(&lesson()).expect("it can be worked out");
     let mut window = shown(state, [1280.0, 800.0]);
@@ -496,12 +496,12 @@ fn an_audience_is_led_through() {
 }
 
 /// What could be answered to a prediction of this `kind`.
-fn fitting(kind: &Kind) -> Answer {
+fn fitting(kind: &AnswerKind) -> Answer {
     match kind {
-        Kind::Choice(options) => Answer::Choice(options.right),
-        Kind::Number(number) => Answer::Number(number.truth.expect("worked out")),
-        Kind::Point(_) => Answer::Direction(Gaze { azimuth: 1.5, elevation: 0.0 }),
-        Kind::Curve(curve) => Answer::Curve(vec![[-1.0, curve.range[0]], [1.0, curve.range[1]]]),
+        AnswerKind::Choice(options) => Answer::Choice(options.right),
+        AnswerKind::Number(number) => Answer::Number(number.truth.expect("worked out")),
+        AnswerKind::Point(_) => Answer::Direction(Gaze { azimuth: 1.5, elevation: 0.0 }),
+        AnswerKind::Curve(curve) => Answer::Curve(vec![[-1.0, curve.range[0]], [1.0, curve.range[1]]]),
     }
 }
 
@@ -586,7 +586,7 @@ fn the_end_leads_on() {
     let colour = library.open("colour").expect("a lesson");
     let mut window = window(&colour, [1280.0, 800.0]);
     for _ in 0..40 {
-        if matches!(course(&window).asked().map(|asked| &asked.kind), Some(Kind::Curve(_))) {
+        if matches!(course(&window).asked().map(|asked| &asked.kind), Some(AnswerKind::Curve(_))) {
             let drawn = Answer::Curve(vec![[-1.0, 1.0], [1.0, 1.0]]);
             ask(&mut window, LessonCommand::Draft(Some(drawn)));
         }
@@ -616,7 +616,7 @@ fn the_end_leads_on() {
 
 fn every_step_of_every_lesson() {
     // What stands beside the panel takes long and changes nothing in it.
-    let parts = Window { plots: false, map: Presence::Off, ..Window::default() };
+    let parts = WindowSettings { plots: false, map: Presence::Off, ..WindowSettings::default() };
     for lesson in Library::own().all() {
         let mut window = window_with(parts, lesson, [1024.0, 600.0]);
         walk(&mut window, lesson, |window, name| {

@@ -149,7 +149,7 @@ fn no_control_covers_another() {
             if units == "metres" {
                 state.apply(Command::Preset("street"));
                 let units = gamow::units::Units::Metric;
-                let shown = gamow::settings::Window { units, ..state.document.settings.window };
+                let shown = gamow::settings::WindowSettings { units, ..state.document.settings.window };
                 state.apply(Command::Window(shown));
             }
             let window = window_of_size(state, size, 1.0);
@@ -405,7 +405,8 @@ fn no_writing_is_small() {
             }
             window.run_ok();
             for &plot in PlotTab::value_variants() {
-                let plots = gamow::settings::Plots { plot, ..window.state().state().document.settings.plots };
+                let plots =
+                    gamow::settings::PlotSettings { plot, ..window.state().state().document.settings.plots };
                 window.state_mut().ask(Command::Plots(plots));
                 window.run_ok();
                 let mut sizes = Vec::new();

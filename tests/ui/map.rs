@@ -7,7 +7,9 @@ use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
-use gamow::settings::{Frame, Framing, Map, Motion, Presence, Settings, Window};
+use gamow::settings::{
+    MapFrame, MapFraming, MapSettings, MotionSettings, Presence, Settings, WindowSettings,
+};
 use relativity_core::Speed;
 
 use super::Test;
@@ -80,7 +82,7 @@ fn marks_are_where_the_numbers_say() {
         for beta in [0.3, 0.9, 0.99] {
             let mut state = cyclist(beta);
             state.document.settings.window =
-                Window { map: Presence::On, views: false, ..state.document.settings.window };
+                WindowSettings { map: Presence::On, views: false, ..state.document.settings.window };
             let mut window = window_of_size(state, size, 1.0);
             for (chart, up) in [("Map, from above", 1), ("Map, from the side", 2)] {
                 let found = Found::new(&mut window, chart, beta, [-3.0, 5.0]);
@@ -113,7 +115,7 @@ fn assert_marks(window: &Harness<'_, App>, chart: &str, up: usize, found: &Found
 
 fn the_bicycle_rests_in_its_own_frame() {
     let mut window = map_window(cyclist(0.9));
-    window.state_mut().ask(Command::Map(Map { frame: Frame::Bicycle, ..Map::default() }));
+    window.state_mut().ask(Command::Map(MapSettings { frame: MapFrame::Bicycle, ..MapSettings::default() }));
     let gamma = Speed::from_beta(0.9).expect("a speed").gamma();
     let name = format!("Map, from above: {}", point("measured now"));
     let mut at = |time| {
@@ -242,9 +244,10 @@ fn a_close_up_tells_lengths() {
         let mut settings =
             Settings { scene: "two-balls".to_owned(), ..Settings::clone(&cyclist(BETA).document.settings) };
         settings.point = Some([-1.0, 2.9, 2.0]);
-        settings.motion = Motion { roll, depth_shift: AWAY - 2.9, height_shift: -2.0, ..settings.motion };
-        settings.window = Window { map: Presence::On, views: false, ..settings.window };
-        settings.map.framing = Framing::CloseUp;
+        settings.motion =
+            MotionSettings { roll, depth_shift: AWAY - 2.9, height_shift: -2.0, ..settings.motion };
+        settings.window = WindowSettings { map: Presence::On, views: false, ..settings.window };
+        settings.map.framing = MapFraming::CloseUp;
         let mut window = map_window(State::open(settings).expect("a preset"));
         // Its middle is beside the eyes at t = 0.75, and its light takes as long as it is away.
         go_to(&mut window, 0.75 + AWAY);
@@ -258,9 +261,9 @@ fn a_close_up_tells_lengths() {
 
 fn a_hidden_map_is_not_there() {
     for window in [
-        Window { map: Presence::Off, ..Window::default() },
-        Window { map: Presence::Off, views: false, ..Window::default() },
-        Window { map: Presence::Off, plots: false, ..Window::default() },
+        WindowSettings { map: Presence::Off, ..WindowSettings::default() },
+        WindowSettings { map: Presence::Off, views: false, ..WindowSettings::default() },
+        WindowSettings { map: Presence::Off, plots: false, ..WindowSettings::default() },
     ] {
         let mut state = cyclist(0.9);
         state.document.settings.window = window;
@@ -281,9 +284,9 @@ fn the_keys_of_the_map() {
     press(&mut window, Key::M);
     assert!(is_shown(&window));
     press(&mut window, Key::G);
-    assert_eq!(window.state().state().document.settings.map.frame, Frame::Bicycle);
+    assert_eq!(window.state().state().document.settings.map.frame, MapFrame::Bicycle);
     press(&mut window, Key::G);
-    assert_eq!(window.state().state().document.settings.map.frame, Frame::Ground);
+    assert_eq!(window.state().state().document.settings.map.frame, MapFrame::Ground);
     press(&mut window, Key::M);
     assert!(!is_shown(&window));
 }
@@ -292,10 +295,17 @@ fn the_map_is_whole_at_every_size() {
     for size in SIZES {
         for others in [true, false] {
             let mut state = cyclist(0.9);
-            let alone =
-                Window { views: false, plots: false, map: Presence::On, ..state.document.settings.window };
-            state.document.settings.window =
-                if others { Window { map: Presence::On, ..state.document.settings.window } } else { alone };
+            let alone = WindowSettings {
+                views: false,
+                plots: false,
+                map: Presence::On,
+                ..state.document.settings.window
+            };
+            state.document.settings.window = if others {
+                WindowSettings { map: Presence::On, ..state.document.settings.window }
+            } else {
+                alone
+            };
             let window = window_of_size(state, size, 1.0);
             let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());
             for name in ["Map, from above", "Map, from the side", "Space", "Spacetime", "Bicycle", "Close-up"]
@@ -327,8 +337,8 @@ fn nothing_breaks_the_map() {
             state.document.settings.motion.d = d;
             state.document.settings.window.views = false;
             let mut window = map_window(state);
-            for frame in [Frame::Ground, Frame::Bicycle] {
-                window.state_mut().ask(Command::Map(Map { frame, ..Map::default() }));
+            for frame in [MapFrame::Ground, MapFrame::Bicycle] {
+                window.state_mut().ask(Command::Map(MapSettings { frame, ..MapSettings::default() }));
                 for time in [0.0, 3.6, -1e12, 1e12] {
                     go_to(&mut window, time);
                     assert_no_broken_numbers(&window);

@@ -10,7 +10,7 @@ use gamow::app::state::State;
 use gamow::eye::Eye;
 use gamow::flags::FieldOfView;
 use gamow::flags::choices::{Compare, GazeChoice, ProjectionChoice};
-use gamow::settings::{Look, Settings};
+use gamow::settings::{LookSettings, Settings};
 use glam::{DQuat, DVec3};
 use relativity_core::aberration::ground_from_rest;
 use relativity_render::{Geometry, Shape};
@@ -100,7 +100,7 @@ fn across_the_globe() {
 
 fn stays_until_taken_away() {
     let mut state = cyclist(0.9);
-    let look = Look { fov: FieldOfView(Some(80.0)), ..state.look() };
+    let look = LookSettings { fov: FieldOfView(Some(80.0)), ..state.look() };
     state.apply(Command::Look(look));
     let mut window = window(state);
     let rect = pane(&window, 0);
@@ -120,12 +120,13 @@ fn stays_until_taken_away() {
     drag(&mut window, rect.center(), rect.center() + vec2(25.0, 10.0));
     assert_ne!(window.state().state().document.settings.look.gaze, gaze, "drags look around again");
     assert_eq!(told(&window, "Ruler, Left eye: "), before);
-    let look = Look { projection: ProjectionChoice::Gaze, ..window.state().state().document.settings.look };
+    let look =
+        LookSettings { projection: ProjectionChoice::Gaze, ..window.state().state().document.settings.look };
     window.state_mut().ask(Command::Look(look));
     window.run();
     assert_eq!(told(&window, "Ruler, Left eye: "), before);
     // Behind the back it is nowhere.
-    window.state_mut().ask(Command::Look(Look { gaze: GazeChoice::Fixed([-90.0, 0.0]), ..look }));
+    window.state_mut().ask(Command::Look(LookSettings { gaze: GazeChoice::Fixed([-90.0, 0.0]), ..look }));
     window.run();
     assert_eq!(rulers(&window), 0);
     window.state_mut().ask(Command::Look(look));
@@ -138,7 +139,8 @@ fn stays_until_taken_away() {
 
 fn in_the_second_picture() {
     let mut state = cyclist(0.9);
-    let look = Look { compare: Compare::Rest, fov: FieldOfView(Some(80.0)), ..state.document.settings.look };
+    let look =
+        LookSettings { compare: Compare::Rest, fov: FieldOfView(Some(80.0)), ..state.document.settings.look };
     state.apply(Command::Look(look));
     let mut window = window(state);
     let rect: Rect = window.get_by_label("Left eye view: at rest").rect();
@@ -151,7 +153,7 @@ fn in_the_second_picture() {
     // As in a window that shows this geometry alone.
     let mut alone = window.state().state().clone();
     alone.document.settings.look =
-        Look { compare: Compare::Off, geometry: Geometry::Rest, ..alone.document.settings.look };
+        LookSettings { compare: Compare::Off, geometry: Geometry::Rest, ..alone.document.settings.look };
     let camera = alone.view(Eye::Left, [rect.width() as u32, rect.height() as u32]).camera;
     let [a, b] = [from, to].map(|place| {
         camera.line_of_sight([f64::from(place.x - rect.min.x), f64::from(place.y - rect.min.y)])

@@ -8,7 +8,7 @@ use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::state::State;
-use gamow::settings::{FitSetup, Motion, PlotTab, Plots, Presence};
+use gamow::settings::{FitSettings, MotionSettings, PlotSettings, PlotTab, Presence};
 use gamow::units::Units;
 use relativity_core::{Curves, Model, PublishedVariant};
 
@@ -60,11 +60,11 @@ fn measured(folder: &Path, columns: &[&str]) -> PathBuf {
 }
 
 /// A window with room for all of the Fit tab.
-fn fit_window(setup: FitSetup) -> Harness<'static, App> {
+fn fit_window(setup: FitSettings) -> Harness<'static, App> {
     let mut state = cyclist(0.9);
     state.document.settings.window.map = Presence::Off;
     state.apply(Command::Fit(setup));
-    state.apply(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
+    state.apply(Command::Plots(PlotSettings { plot: PlotTab::Fit, ..PlotSettings::default() }));
     window(state)
 }
 
@@ -78,7 +78,7 @@ fn open_data(window: &mut Harness<'_, App>, path: &Path) {
 fn own_data_are_fitted_and_shown() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = measured(folder.path(), &["T", "d", "dphi", "dtheta"]);
-    let mut window = fit_window(FitSetup::default());
+    let mut window = fit_window(FitSettings::default());
     wait(&mut window);
     open_data(&mut window, &path);
     wait(&mut window);
@@ -97,7 +97,7 @@ fn own_data_are_fitted_and_shown() {
     assert_eq!(outcome.data.map(|data| data.len()), [120, 120]);
     window.render().expect("a picture");
     // Another model fits them, too, and badly.
-    window.state_mut().ask(Command::Fit(FitSetup { model: APPENDIX_A, ..FitSetup::default() }));
+    window.state_mut().ask(Command::Fit(FitSettings { model: APPENDIX_A, ..FitSettings::default() }));
     wait(&mut window);
     assert!((shown(&window, "Fitted β") - 0.7).abs() > 0.01);
     window.get_by_label("Simulated").click();
@@ -117,10 +117,10 @@ fn the_saved_fit_is_that_of_the_command_line() {
         (&["T", "dtheta"][..], &["--json", "--d=0.1", "--model=published", "--bootstrap=0"][..]),
     ] {
         let path = measured(folder.path(), columns);
-        let setup = FitSetup {
+        let setup = FitSettings {
             model: if arguments.contains(&"--model=published") { APPENDIX_A } else { Model::Exact },
             fit_x0: arguments.contains(&"--fit-x0"),
-            ..FitSetup::default()
+            ..FitSettings::default()
         };
         let mut window = fit_window(setup);
         open_data(&mut window, &path);
@@ -140,7 +140,7 @@ fn the_plotted_samples_are_saved_and_fitted_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let [csv, svg, of_samples, of_file] =
         ["fit.csv", "fit.svg", "samples.json", "file.json"].map(|name| folder.path().join(name));
-    let mut window = fit_window(FitSetup { fit_samples: 60, ..FitSetup::default() });
+    let mut window = fit_window(FitSettings { fit_samples: 60, ..FitSettings::default() });
     wait(&mut window);
     save(&mut window, "Save plots as CSV…", &csv);
     save(&mut window, "Save plots as SVG…", &svg);
@@ -187,7 +187,7 @@ fn the_plotted_curves_are_saved_and_fitted() {
     let mut state = cyclist(0.9);
     state.document.settings.window.units = Units::Metric;
     state.document.settings.motion.roll = 20.0;
-    state.document.settings.plots = Plots { plot: PlotTab::Disparity, ..Plots::default() };
+    state.document.settings.plots = PlotSettings { plot: PlotTab::Disparity, ..PlotSettings::default() };
     let mut window = window(state);
     save(&mut window, "Save plots as CSV…", &csv);
     let told = gamow(&["fit", "--json", "--bootstrap=0", csv.to_str().expect("a plain path")]);
@@ -204,7 +204,7 @@ fn the_plotted_curves_are_saved_and_fitted() {
 fn what_is_wrong_in_own_data_is_located() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("measured.csv");
-    let mut window = fit_window(FitSetup::default());
+    let mut window = fit_window(FitSettings::default());
     for (text, expected) in [
         (
             "T,dphi\n0,-0.1\n1,x\n",
@@ -232,7 +232,7 @@ fn what_is_wrong_in_own_data_is_located() {
 
 fn what_own_data_do_not_tell_is_told() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut window = fit_window(FitSetup { curves: Curves::Both, ..FitSetup::default() });
+    let mut window = fit_window(FitSettings { curves: Curves::Both, ..FitSettings::default() });
     let path = measured(folder.path(), &["T", "dphi"]);
     open_data(&mut window, &path);
     wait(&mut window);
@@ -244,7 +244,7 @@ fn what_own_data_do_not_tell_is_told() {
         assert!(labels(&window).iter().any(|label| label == words), "{words}");
     }
     // As far apart as the eyes really were, they tell the distance.
-    let motion = Motion { d: 0.2, ..window.state().state().document.settings.motion };
+    let motion = MotionSettings { d: 0.2, ..window.state().state().document.settings.motion };
     window.state_mut().ask(Command::Motion(motion));
     wait(&mut window);
     let (value, uncertainty) = (shown(&window, "Fitted y"), shown(&window, "Uncertainty of y"));
@@ -257,7 +257,7 @@ fn what_own_data_do_not_tell_is_told() {
 }
 
 fn the_papers_own_fit_is_repeated() {
-    let setup = FitSetup { model: APPENDIX_A, noise_percent: 0.0, ..FitSetup::default() };
+    let setup = FitSettings { model: APPENDIX_A, noise_percent: 0.0, ..FitSettings::default() };
     let mut window = fit_window(setup);
     wait(&mut window);
     assert!((shown(&window, "Fitted β") - 0.9).abs() > 0.01);
@@ -272,7 +272,7 @@ fn the_papers_own_fit_is_repeated() {
     assert!(!labels(&window).iter().any(|label| label.contains("biases it")));
     // And the exact model has parallax that these data leave out.
     let setup = window.state().state().document.settings.fit;
-    window.state_mut().ask(Command::Fit(FitSetup { model: Model::Exact, ..setup }));
+    window.state_mut().ask(Command::Fit(FitSettings { model: Model::Exact, ..setup }));
     wait(&mut window);
     window.get_by_label("No fit");
     label_starting_with(&window, "It has parallax where the data leave it out. Even without noise: ");

@@ -6,7 +6,7 @@ use gamow::app::command::{Command, Switch};
 use gamow::app::overlay::Overlay;
 use gamow::app::{App, painting};
 use gamow::flags::choices::{Layout, RendererChoice};
-use gamow::settings::{Quality, Theme};
+use gamow::settings::{QualitySettings, Theme};
 
 use super::Test;
 use super::support::{FRAME, cyclist, in_layout};
@@ -27,8 +27,11 @@ impl Pair {
         let window = |is_painted: bool| {
             let mut state = cyclist(beta);
             // What draws the views does not depend on how long that takes.
-            state.document.settings.quality =
-                Quality { renderer: RendererChoice::Rays, refine: false, ..Quality::default() };
+            state.document.settings.quality = QualitySettings {
+                renderer: RendererChoice::Rays,
+                refine: false,
+                ..QualitySettings::default()
+            };
             Harness::builder()
                 .with_size(vec2(960.0, 560.0))
                 .with_pixels_per_point(pixels_per_point)

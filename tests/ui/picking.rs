@@ -10,7 +10,7 @@ use gamow::app::pointer::Pick;
 use gamow::eye::Eye;
 use gamow::flags::choices::{GazeChoice, ZeroParallax};
 use gamow::flags::{SpeedParameter, SpeedSetting};
-use gamow::settings::Look;
+use gamow::settings::LookSettings;
 use glam::DVec3;
 use relativity_core::math::atan2;
 use relativity_core::{Aperture, SourcePoint, sighting};
@@ -153,7 +153,7 @@ fn double_clicking_follows_again() {
     }
     window.run_ok();
     let state = window.state().state();
-    assert_eq!((&state.document.points, state.document.settings.look), (&before, Look::default()));
+    assert_eq!((&state.document.points, state.document.settings.look), (&before, LookSettings::default()));
     // A click of its own picks, however soon another point is double-clicked.
     window.run_steps(16);
     let tyre = place(&window, ON_THE_TYRE, 0);
@@ -308,16 +308,16 @@ fn dragging_looks_around() {
     assert!((place - (looked_at + vec2(60.0, 30.0))).length() < 6.0, "{place:?} from {looked_at:?}");
     window.key_press(Key::F);
     window.run();
-    assert_eq!(window.state().state().document.settings.look, Look::default());
+    assert_eq!(window.state().state().document.settings.look, LookSettings::default());
     drag(&mut window, middle, middle + vec2(60.0, 30.0));
     window.get_by_label("Left eye view").click();
     window.get_by_label("Left eye view").click();
     window.run_ok();
-    assert_eq!(window.state().state().document.settings.look, Look::default());
+    assert_eq!(window.state().state().document.settings.look, LookSettings::default());
     drag(&mut window, middle, middle + vec2(60.0, 30.0));
     window.get_by_label("Frame").click();
     window.run();
-    assert_eq!(window.state().state().document.settings.look, Look::default());
+    assert_eq!(window.state().state().document.settings.look, LookSettings::default());
 }
 
 /// Where the direction of `gaze` now is in `pane`.
@@ -387,7 +387,7 @@ fn the_gazes_are_chosen_by_name() {
     let shown = window.state().state().look();
     window.get_by_label("Fixed").click();
     window.run();
-    let expected = Look { zero_parallax: ZeroParallax::Point, ..shown };
+    let expected = LookSettings { zero_parallax: ZeroParallax::Point, ..shown };
     assert_eq!(window.state().state().document.settings.look, expected);
 }
 

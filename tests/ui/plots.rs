@@ -13,7 +13,7 @@ use gamow::app::plots::look::{MAX_PINS, PlotCommand, Ranges};
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::quantity::Quantity;
-use gamow::settings::{Coordinates, PlotTab, Plots};
+use gamow::settings::{Coordinates, PlotSettings, PlotTab};
 use gamow::units::Units;
 use relativity_core::{Aperture, Disparity, Model, SourcePoint, Speed};
 use relativity_render::Geometry;
@@ -167,8 +167,8 @@ fn files_are_whole_at_the_extremes() {
         state.apply(Command::Plotting(PlotCommand::Cursor(None)));
         let mut window = window(state);
         let tabs = [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo];
-        let tabs = tabs.map(|plot| Plots { plot, published: true, ..Plots::default() });
-        let conformal = Plots { coordinates: Coordinates::Conformal, ..tabs[0] };
+        let tabs = tabs.map(|plot| PlotSettings { plot, published: true, ..PlotSettings::default() });
+        let conformal = PlotSettings { coordinates: Coordinates::Conformal, ..tabs[0] };
         for plots in tabs.into_iter().chain([conformal]) {
             window.state_mut().ask(Command::Plots(plots));
             window.run();
@@ -423,7 +423,7 @@ fn pinned_curves_stay() {
     }
     assert!(window.state_mut().plots_svg().contains(">β 0.7<"));
     for tab in [PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
-        window.state_mut().ask(Command::Plots(Plots { plot: tab, ..Plots::default() }));
+        window.state_mut().ask(Command::Plots(PlotSettings { plot: tab, ..PlotSettings::default() }));
         window.run();
         assert!(window.state_mut().plots_csv().contains("β 0.9"), "{tab:?}");
     }

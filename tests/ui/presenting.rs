@@ -6,7 +6,7 @@ use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::flags::choices::Layout;
-use gamow::settings::{Motion, Preset, Screen, Window};
+use gamow::settings::{MotionSettings, Preset, ScreenSettings, WindowSettings};
 
 use super::Test;
 use super::layouts::assert_no_broken_numbers;
@@ -25,7 +25,7 @@ pub const TESTS: &[Test] = &[
     ("the_meter_knows_the_distance_and_costs_nothing_unseen", the_meter_knows_the_distance),
 ];
 
-fn settings_window(harness: &Harness<'_, App>) -> Window {
+fn settings_window(harness: &Harness<'_, App>) -> WindowSettings {
     harness.state().state().document.settings.window
 }
 
@@ -172,7 +172,7 @@ fn meter(window: &Harness<'_, App>) -> String {
 
 fn the_comfortable_button() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 1600.0], 1.0);
-    let wide = Motion { d: 1.5, ..window.state().state().document.settings.motion };
+    let wide = MotionSettings { d: 1.5, ..window.state().state().document.settings.motion };
     window.state_mut().ask(Command::Motion(wide));
     window.run();
     assert!(meter(&window).starts_with("Fusing: too much: "), "{}", meter(&window));
@@ -189,7 +189,7 @@ fn the_comfortable_button() {
 
 fn narrowing_is_offered() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 800.0], 1.0);
-    let wide = Motion { d: 1.5, ..window.state().state().document.settings.motion };
+    let wide = MotionSettings { d: 1.5, ..window.state().state().document.settings.motion };
     window.state_mut().ask(Command::Motion(wide));
     window.run();
     let offer = "too much to fuse: narrow d";
@@ -212,7 +212,9 @@ fn the_meter_knows_the_distance() {
         number.parse().unwrap_or_else(|_| panic!("{text}"))
     };
     let near = across(&window);
-    window.state_mut().ask(Command::Screen(Screen { viewing_distance: 240.0, ..Screen::default() }));
+    window
+        .state_mut()
+        .ask(Command::Screen(ScreenSettings { viewing_distance: 240.0, ..ScreenSettings::default() }));
     window.run();
     assert!((4.0 * across(&window) - near).abs() < 0.03, "{near} {}", across(&window));
     window.get_by_label("Views").click();

@@ -11,7 +11,7 @@ use gamow::app::state::State;
 use gamow::app::views::examination::Examination;
 use gamow::eye::Eye;
 use gamow::flags::choices::RendererChoice;
-use gamow::settings::{PlotTab, Plots, Settings};
+use gamow::settings::{PlotSettings, PlotTab, Settings};
 use relativity_render::Method;
 
 use super::Test;
@@ -31,7 +31,7 @@ pub const TESTS: &[Test] = &[
 /// The default scene at this beta, with the Accuracy tab in view.
 fn examined(beta: f64) -> State {
     let mut state = cyclist(beta);
-    state.apply(Command::Plots(Plots { plot: PlotTab::Accuracy, ..Plots::default() }));
+    state.apply(Command::Plots(PlotSettings { plot: PlotTab::Accuracy, ..PlotSettings::default() }));
     state
 }
 

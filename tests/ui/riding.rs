@@ -7,7 +7,7 @@ use gamow::app::App;
 use gamow::app::command::{Command, GazeCommand, Switch};
 use gamow::app::riding::saddle::RideCommand;
 use gamow::app::state::State;
-use gamow::settings::{Frame, Preset, Riding, Settings};
+use gamow::settings::{MapFrame, Preset, Riding, Settings};
 use relativity_core::{Baseline, Model, Observer, ObserverVelocity, SourcePoint, Speed};
 
 use super::Test;
@@ -286,7 +286,7 @@ fn the_map_follows_a_ride_aslant() {
     window.state_mut().ask(Command::Switch(Switch::Frame));
     window.state_mut().ask(Command::Switch(Switch::Frame));
     window.run_steps(2);
-    assert_eq!(self::state(&window).document.settings.map_frame(), Frame::Rider);
+    assert_eq!(self::state(&window).document.settings.map_frame(), MapFrame::Rider);
     let ahead = cos * x + sin * y;
     let contracted = (1.0 / gamma - 1.0) * ahead;
     let distance = (x * x + y * y + z * z).sqrt();
@@ -334,7 +334,9 @@ fn a_typed_speed_is_reached() {
 
 fn the_map_has_a_riders_frame() {
     let mut window = window(preset("ride-lamps"));
-    for (expected, key) in [(Frame::Bicycle, "Bicycle"), (Frame::Rider, "Mine"), (Frame::Ground, "Ground")] {
+    for (expected, key) in
+        [(MapFrame::Bicycle, "Bicycle"), (MapFrame::Rider, "Mine"), (MapFrame::Ground, "Ground")]
+    {
         window.key_press(Key::G);
         window.run_steps(2);
         assert_eq!(state(&window).document.settings.map.frame, expected, "{key}");

@@ -16,7 +16,7 @@ use gamow::files::png::PngFile;
 use gamow::flags::TimeRange;
 use gamow::flags::choices::{FileKind, Layout, RendererChoice};
 use gamow::flags::words::words;
-use gamow::settings::{Motion, Playback, PlotTab, Plots, Quality, Settings};
+use gamow::settings::{MotionSettings, PlaybackSettings, PlotSettings, PlotTab, QualitySettings, Settings};
 
 use super::Test;
 use super::support::{cyclist, in_layout, labels, type_into, wait_for_file, window};
@@ -98,7 +98,11 @@ fn copy(window: &mut Harness<'_, App>, entry: &str) -> String {
 /// A state that differs from the usual in several ways.
 fn special() -> State {
     let mut state = cyclist(0.8);
-    state.apply(Command::Motion(Motion { d: 0.3, height_shift: -0.5, ..state.document.settings.motion }));
+    state.apply(Command::Motion(MotionSettings {
+        d: 0.3,
+        height_shift: -0.5,
+        ..state.document.settings.motion
+    }));
     state.apply(Command::Time(5.25));
     state
 }
@@ -259,7 +263,7 @@ fn nothing_is_saved_to_a_pipe() {
 fn short_loop() -> State {
     let mut state = cyclist(0.9);
     state.apply(in_layout(Layout::Left));
-    state.apply(Command::Playback(Playback {
+    state.apply(Command::Playback(PlaybackSettings {
         rate: 10.0,
         range: TimeRange(Some([2.0, 6.0])),
         ..state.document.settings.playback
@@ -335,9 +339,9 @@ fn films_have_the_frames_of_the_loop() {
 fn a_stopped_film_leaves_no_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut state = short_loop();
-    state.apply(Command::Playback(Playback { rate: 0.05, ..state.document.settings.playback }));
+    state.apply(Command::Playback(PlaybackSettings { rate: 0.05, ..state.document.settings.playback }));
     // Its frames take long: the window is seen before their size is known.
-    state.apply(Command::Quality(Quality {
+    state.apply(Command::Quality(QualitySettings {
         renderer: RendererChoice::Reference,
         ..state.document.settings.quality
     }));
@@ -397,7 +401,7 @@ fn table(csv: &str) -> (Vec<String>, Vec<Vec<f64>>) {
 
 fn the_copied_curve_command_gives_the_plotted_numbers() {
     let mut tilted = special();
-    tilted.apply(Command::Motion(Motion { roll: 30.0, ..tilted.document.settings.motion }));
+    tilted.apply(Command::Motion(MotionSettings { roll: 30.0, ..tilted.document.settings.motion }));
     for state in [special(), tilted, on_a_wheel()] {
         let mut window = window(state);
         let command = copy(&mut window, "Copy curve command");
@@ -516,7 +520,7 @@ fn a_file_is_opened_by_its_path() {
 
 fn opening_and_saving_can_be_left() {
     let mut state = special();
-    state.apply(Command::Plots(Plots { plot: PlotTab::Disparity, ..state.document.settings.plots }));
+    state.apply(Command::Plots(PlotSettings { plot: PlotTab::Disparity, ..state.document.settings.plots }));
     let mut window = window(state);
     for entry in ["Open…", "Own data…", "Save picture…", "Save film…", "Save state…"] {
         choose(&mut window, entry);

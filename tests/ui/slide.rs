@@ -3,7 +3,7 @@
 use eframe::egui::Key;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::command::Command;
-use gamow::settings::Motion;
+use gamow::settings::MotionSettings;
 
 use super::Test;
 use super::support::{cyclist, labels, pane, window};
@@ -27,7 +27,7 @@ fn the_ruler_is_there() {
     assert!(!is_there(&labels(&window)));
     window.key_press(Key::V);
     let motion = window.state().state().document.settings.motion;
-    window.state_mut().ask(Command::Motion(Motion { roll: 10.0, ..motion }));
+    window.state_mut().ask(Command::Motion(MotionSettings { roll: 10.0, ..motion }));
     window.run();
     assert!(!is_there(&labels(&window)));
 }

@@ -8,7 +8,9 @@ use gamow::app::App;
 use gamow::app::command::{Command, Switch};
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
-use gamow::settings::{Face, Frame, Framing, Map, Presence, Settings, Theme, Window};
+use gamow::settings::{
+    MapFace, MapFrame, MapFraming, MapSettings, Presence, Settings, Theme, WindowSettings,
+};
 use relativity_core::Speed;
 
 use super::Test;
@@ -31,11 +33,16 @@ pub const TESTS: &[Test] = &[
 const NAME: &str = "Map, x against t";
 
 /// A window that shows the cyclist's spacetime in this frame, and nothing else that is large.
-fn spacetime(beta: f64, frame: Frame, size: [f32; 2]) -> Harness<'static, App> {
+fn spacetime(beta: f64, frame: MapFrame, size: [f32; 2]) -> Harness<'static, App> {
     let mut state = cyclist(beta);
-    state.document.settings.map = Map { face: Face::Spacetime, frame, ..Map::default() };
-    state.document.settings.window =
-        Window { views: false, plots: false, controls: false, map: Presence::On, ..Window::default() };
+    state.document.settings.map = MapSettings { face: MapFace::Spacetime, frame, ..MapSettings::default() };
+    state.document.settings.window = WindowSettings {
+        views: false,
+        plots: false,
+        controls: false,
+        map: Presence::On,
+        ..WindowSettings::default()
+    };
     window_of_size(state, size, 1.0)
 }
 
@@ -57,23 +64,23 @@ fn gamma(beta: f64) -> f64 {
 }
 
 /// An event of the ground, as `frame` has it: by the textbook.
-fn transformed(beta: f64, frame: Frame, [x, t]: [f64; 2]) -> [f64; 2] {
+fn transformed(beta: f64, frame: MapFrame, [x, t]: [f64; 2]) -> [f64; 2] {
     match frame {
-        Frame::Ground | Frame::Rider => [x, t],
-        Frame::Bicycle => [gamma(beta) * (x - beta * t), gamma(beta) * (t - beta * x)],
+        MapFrame::Ground | MapFrame::Rider => [x, t],
+        MapFrame::Bicycle => [gamma(beta) * (x - beta * t), gamma(beta) * (t - beta * x)],
     }
 }
 
 /// The chart, found by where the present is at two times.
 struct Found {
     beta: f64,
-    frame: Frame,
+    frame: MapFrame,
     scale: f64,
     origin: [f64; 2],
 }
 
 impl Found {
-    fn new(window: &mut Harness<'_, App>, beta: f64, frame: Frame) -> Self {
+    fn new(window: &mut Harness<'_, App>, beta: f64, frame: MapFrame) -> Self {
         let [first, last] = [1.3, 4.4].map(|time| {
             go_to(window, time);
             (mark(window, "the present T"), transformed(beta, frame, [0.0, time]))
@@ -94,7 +101,7 @@ impl Found {
 fn events_are_where_the_numbers_say() {
     for size in [[800.0, 600.0], [1280.0, 800.0], [1920.0, 1080.0]] {
         for beta in [0.3, 0.9, 0.99] {
-            for frame in [Frame::Ground, Frame::Bicycle] {
+            for frame in [MapFrame::Ground, MapFrame::Bicycle] {
                 let mut window = spacetime(beta, frame, size);
                 let found = Found::new(&mut window, beta, frame);
                 for time in [1.5, 2.75, 4.0] {
@@ -129,11 +136,11 @@ fn assert_events(window: &Harness<'_, App>, found: &Found) {
 fn light_runs_at_45_degrees() {
     use gamow::units::Units;
     for units in [Units::Natural, Units::Metric, Units::Town] {
-        let mut window = spacetime(0.9, Frame::Ground, [1280.0, 800.0]);
-        let settings = Window { units, ..window.state().state().document.settings.window };
+        let mut window = spacetime(0.9, MapFrame::Ground, [1280.0, 800.0]);
+        let settings = WindowSettings { units, ..window.state().state().document.settings.window };
         window.state_mut().ask(Command::Window(settings));
         window.run();
-        let found = Found::new(&mut window, 0.9, Frame::Ground);
+        let found = Found::new(&mut window, 0.9, MapFrame::Ground);
         let [first, last] = [1.5, 4.0].map(|time| {
             go_to(&mut window, time);
             mark(&window, "measured now")
@@ -144,7 +151,7 @@ fn light_runs_at_45_degrees() {
 }
 
 fn dragging_the_present() {
-    for frame in [Frame::Ground, Frame::Bicycle] {
+    for frame in [MapFrame::Ground, MapFrame::Bicycle] {
         let mut window = spacetime(0.9, frame, [1280.0, 800.0]);
         let found = Found::new(&mut window, 0.9, frame);
         go_to(&mut window, 2.0);
@@ -159,8 +166,8 @@ fn dragging_the_present() {
 }
 
 fn a_click_on_the_worldline() {
-    let mut window = spacetime(0.9, Frame::Ground, [1280.0, 800.0]);
-    let found = Found::new(&mut window, 0.9, Frame::Ground);
+    let mut window = spacetime(0.9, MapFrame::Ground, [1280.0, 800.0]);
+    let found = Found::new(&mut window, 0.9, MapFrame::Ground);
     go_to(&mut window, 2.0);
     let happened = -1.5;
     click(&mut window, found.place([0.9 * happened, happened]), Modifiers::NONE);
@@ -173,7 +180,7 @@ fn a_click_on_the_worldline() {
 }
 
 fn an_event_tells_its_three_times() {
-    let mut window = spacetime(0.9, Frame::Ground, [1280.0, 800.0]);
+    let mut window = spacetime(0.9, MapFrame::Ground, [1280.0, 800.0]);
     go_to(&mut window, 2.0);
     let place = mark(&window, "happened, Left eye");
     window.hover_at(place);
@@ -191,8 +198,8 @@ fn an_event_tells_its_three_times() {
 }
 
 fn the_way_of_the_light() {
-    let mut window = spacetime(0.9, Frame::Ground, [1280.0, 800.0]);
-    window.state_mut().ask(Command::Map(Map::default()));
+    let mut window = spacetime(0.9, MapFrame::Ground, [1280.0, 800.0]);
+    window.state_mut().ask(Command::Map(MapSettings::default()));
     go_to(&mut window, 5.0);
     let place = |name: &str| window.get_by_label(&format!("Map, from above: {name}")).rect().center();
     let [from, to] = ["front tyre, as the left eye sees it", "Left eye"].map(place);
@@ -211,8 +218,10 @@ fn close_up_of_clocks() {
     let rear = [-2.105, 3.881, -1.975];
     let mut settings = cyclist(beta).document.settings;
     settings.points = Some("-2.105,3.881,-1.975@20".parse().expect("a point"));
-    settings.map = Map { face: Face::Spacetime, frame: Frame::Bicycle, framing: Framing::CloseUp };
-    settings.window = Window { views: false, plots: false, map: Presence::On, ..Window::default() };
+    settings.map =
+        MapSettings { face: MapFace::Spacetime, frame: MapFrame::Bicycle, framing: MapFraming::CloseUp };
+    settings.window =
+        WindowSettings { views: false, plots: false, map: Presence::On, ..WindowSettings::default() };
     let mut window =
         window_of_size(State::open(Settings::clone(&settings)).expect("a preset"), [1280.0, 800.0], 1.0);
     go_to(&mut window, 0.0);
@@ -231,13 +240,13 @@ fn close_up_of_clocks() {
 }
 
 fn spacetime_that_is_not_shown() {
-    let mut window = spacetime(0.9, Frame::Ground, [1280.0, 800.0]);
+    let mut window = spacetime(0.9, MapFrame::Ground, [1280.0, 800.0]);
     let is_there = |window: &Harness<'_, App>| labels(window).iter().any(|label| label.starts_with(NAME));
     assert!(is_there(&window));
-    window.state_mut().ask(Command::Map(Map::default()));
+    window.state_mut().ask(Command::Map(MapSettings::default()));
     window.run();
     assert!(!is_there(&window));
-    window.state_mut().ask(Command::Map(Map { face: Face::Spacetime, ..Map::default() }));
+    window.state_mut().ask(Command::Map(MapSettings { face: MapFace::Spacetime, ..MapSettings::default() }));
     window.state_mut().ask(Command::Switch(Switch::Map));
     window.run();
     assert!(!is_there(&window));
@@ -246,8 +255,8 @@ fn spacetime_that_is_not_shown() {
 fn nothing_breaks_spacetime() {
     for size in [[300.0, 290.0], [1024.0, 600.0]] {
         for theme in [Theme::Dark, Theme::Light] {
-            let mut window = spacetime(0.9, Frame::Ground, size);
-            let parts = Window { theme, ..window.state().state().document.settings.window };
+            let mut window = spacetime(0.9, MapFrame::Ground, size);
+            let parts = WindowSettings { theme, ..window.state().state().document.settings.window };
             window.state_mut().ask(Command::Window(parts));
             for (parameter, value) in
                 [(SpeedParameter::Beta, 0.0), (SpeedParameter::Beta, 1e-9), (SpeedParameter::Gamma, 1e9)]
@@ -255,11 +264,13 @@ fn nothing_breaks_spacetime() {
                 let mut motion = window.state().state().document.settings.motion;
                 motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
                 window.state_mut().ask(Command::Motion(motion));
-                for (time, frame) in [(-1e6, Frame::Ground), (0.0, Frame::Bicycle), (3.6, Frame::Bicycle)] {
-                    window.state_mut().ask(Command::Map(Map {
-                        face: Face::Spacetime,
+                for (time, frame) in
+                    [(-1e6, MapFrame::Ground), (0.0, MapFrame::Bicycle), (3.6, MapFrame::Bicycle)]
+                {
+                    window.state_mut().ask(Command::Map(MapSettings {
+                        face: MapFace::Spacetime,
                         frame,
-                        ..Map::default()
+                        ..MapSettings::default()
                     }));
                     go_to(&mut window, time);
                     assert_no_broken_numbers(&window);

@@ -7,7 +7,7 @@ use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::state::State;
-use gamow::settings::{Screen, Settings};
+use gamow::settings::{ScreenSettings, Settings};
 
 use super::Test;
 use super::support::{drag, pane, window_of_size};
@@ -27,7 +27,10 @@ const PHONE_MM: f32 = 150.0;
 /// A phone whose screen has this width, as far as that is set.
 fn phone(width_cm: Option<f64>) -> Harness<'static, App> {
     let settings = Settings {
-        screen: Screen { screen_width: gamow::flags::ScreenWidth(width_cm), ..Screen::default() },
+        screen: ScreenSettings {
+            screen_width: gamow::flags::ScreenWidth(width_cm),
+            ..ScreenSettings::default()
+        },
         ..Settings::default()
     };
     let mut window = window_of_size(State::open(settings).expect("usual settings"), PHONE, 1.0);
@@ -51,7 +54,7 @@ fn as_far_apart_as_the_lenses() {
     let mut window = phone(Some(0.1 * f64::from(PHONE_MM)));
     for apart_mm in [55.0, 60.0, 75.0] {
         let screen = window.state().state().document.settings.screen;
-        window.state_mut().ask(Command::Screen(Screen { picture_distance: apart_mm, ..screen }));
+        window.state_mut().ask(Command::Screen(ScreenSettings { picture_distance: apart_mm, ..screen }));
         window.run_steps(3);
         let [left, right] = [0, 1].map(|eye| lens(&window, eye));
         let points_per_mm = PHONE[0] / PHONE_MM;

@@ -9,7 +9,7 @@ use gamow::app::command::Command;
 use gamow::app::state::State;
 use gamow::flags::TimeRange;
 use gamow::lesson::Library;
-use gamow::settings::{Playback, Window};
+use gamow::settings::{PlaybackSettings, WindowSettings};
 use gamow::units::Units;
 use relativity_render::Geometry;
 
@@ -154,7 +154,7 @@ fn marks_never_cover_each_other() {
         for range in ranges {
             let mut state = in_units(Units::Metric);
             state.document.settings.playback =
-                Playback { range: TimeRange(Some(range)), ..Playback::default() };
+                PlaybackSettings { range: TimeRange(Some(range)), ..PlaybackSettings::default() };
             let window = window_of_size(state, size, 1.0);
             let rect = |name: &str| window.get_by_label(name).rect();
             let (presently, seen) = (rect("Go to measured abreast"), rect("Go to seen abreast"));
@@ -244,7 +244,7 @@ fn clocks_show_proper_time() {
         }
     }
     let settings = window.state().state().document.settings.window;
-    window.state_mut().ask(Command::Window(Window { dials: false, ..settings }));
+    window.state_mut().ask(Command::Window(WindowSettings { dials: false, ..settings }));
     window.run();
     assert!(window.query_by_label_contains("Clock of").is_none());
 }

@@ -8,7 +8,7 @@ use gamow::app::command::Command;
 use gamow::app::lesson::session::LessonCommand;
 use gamow::app::state::State;
 use gamow::lesson::{Course, Library, Phase};
-use gamow::settings::{Face, PlotTab, Presence, Preset, Settings};
+use gamow::settings::{MapFace, PlotTab, Presence, Preset, Settings};
 
 use super::Test;
 use super::random_user::dice::Dice;
@@ -130,7 +130,7 @@ fn expected(state: &State) -> &'static [&'static str] {
         None => {}
     }
     match (window.map, window.plots, state.document.settings.plots.plot) {
-        (Presence::On, ..) if state.document.settings.map.face == Face::Space => &["Map, from above"],
+        (Presence::On, ..) if state.document.settings.map.face == MapFace::Space => &["Map, from above"],
         (Presence::On, ..) => &["Map, x against t"],
         (_, true, PlotTab::Fit) => &["Fit of "],
         (_, true, _) => &["Plot of "],

@@ -8,7 +8,7 @@ use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::state::State;
 use gamow::flags::choices::{GazeChoice, Layout};
-use gamow::settings::{Motion, Settings};
+use gamow::settings::{MotionSettings, Settings};
 
 use super::Test;
 use super::picking::click;
@@ -261,7 +261,7 @@ fn usual_is_what_the_preset_says() {
 /// As the path runs through the eyes nothing is seen of it; that is of no concern to another scene.
 fn shifts_belong_to_their_scene() {
     let mut window = window(cyclist(0.9));
-    let motion = Motion {
+    let motion = MotionSettings {
         depth_shift: -3.0,
         height_shift: -2.0,
         d: 0.2,

@@ -11,7 +11,7 @@ use gamow::app::state::points::Point;
 use gamow::eye::Eye;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::scene::Track;
-use gamow::settings::{FitSetup, PlotTab, Plots, Settings};
+use gamow::settings::{FitSettings, PlotSettings, PlotTab, Settings};
 use glam::DVec3;
 use relativity_core::{Aperture, Model, SourcePoint, Speed, Turning, WheelPoint};
 use relativity_render::Geometry;
@@ -181,7 +181,7 @@ fn curves_are_those_of_the_core() {
         let both = |time| Model::Exact.disparity(&speed, point, pair, time).expect("in the domain");
         let name = window.state().state().name_of(window.state().state().document.points.selected());
         for tab in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
-            let plots = Plots { plot: tab, ..window.state().state().document.settings.plots };
+            let plots = PlotSettings { plot: tab, ..window.state().state().document.settings.plots };
             window.state_mut().ask(Command::Plots(plots));
             window.run();
             let csv = window.state_mut().plots_csv();
@@ -273,7 +273,7 @@ fn numbers_at_every_speed() {
         let [from, to] = window.state().state().time_range();
         for tab in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
             let plots =
-                Plots { plot: tab, published: true, ..window.state().state().document.settings.plots };
+                PlotSettings { plot: tab, published: true, ..window.state().state().document.settings.plots };
             window.state_mut().ask(Command::Plots(plots));
             for part in [0.0, 0.31, 1.0] {
                 window.state_mut().ask(Command::Time(from + part * (to - from)));
@@ -300,8 +300,8 @@ fn the_fit_finds_the_hub() {
             .expect("a spoke");
         let track = state.document.scene.track_on(spoke).expect("a body");
         state.document.points.choose(track, spoke, false);
-        state.apply(Command::Fit(FitSetup { noise_percent, ..FitSetup::default() }));
-        state.apply(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
+        state.apply(Command::Fit(FitSettings { noise_percent, ..FitSettings::default() }));
+        state.apply(Command::Plots(PlotSettings { plot: PlotTab::Fit, ..PlotSettings::default() }));
         let mut window = window(state);
         wait(&mut window);
         // The spoke's end is in the plane of the rim or beside it; the hub it is told of is the axle there.

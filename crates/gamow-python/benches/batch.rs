@@ -9,7 +9,7 @@ use std::fs;
 use std::hint::black_box;
 
 use csv::ByteRecord;
-use gamow::columns::{Batch, Header, Input, ModelArgs, Wanted};
+use gamow::columns::{Batch, Header, Input, ModelArgs, WantedColumns};
 use relativity_core::batch::{DisparityColumns, Threads, disparities_over_time};
 use relativity_core::{Aperture, Model, SourcePoint, Speed};
 
@@ -19,8 +19,8 @@ const REPETITIONS: usize = 15;
 fn main() {
     let times: Vec<f64> = (0..ROWS).map(|row| -20.0 + 40.0 * row as f64 / (ROWS - 1) as f64).collect();
     println!("disparity {:.3}", best(disparities(&times)));
-    println!("columns {:.3}", best(columns(Wanted::Disparity, &times)));
-    println!("sightings {:.3}", best(columns(Wanted::All, &times)));
+    println!("columns {:.3}", best(columns(WantedColumns::Disparity, &times)));
+    println!("sightings {:.3}", best(columns(WantedColumns::All, &times)));
 }
 
 /// Milliseconds of the fastest repetition of `work`.
@@ -56,7 +56,7 @@ fn disparities(times: &[f64]) -> impl FnMut() {
     }
 }
 
-fn columns(wanted: Wanted, times: &[f64]) -> impl FnMut() {
+fn columns(wanted: WantedColumns, times: &[f64]) -> impl FnMut() {
     let model = ModelArgs { model: Model::Exact, intensity_exponent: 4.0, stereo: false, conformal: false };
     let names = ByteRecord::from(vec!["beta", "d", "y", "z", "T"]);
     let header = Header::new(names, |_| Ok(Vec::new())).expect("all are there");

@@ -130,7 +130,7 @@ fn measured_in_state<'py>(
 fn drawn<T: Send>(
     py: Python<'_>,
     settings: &Settings,
-    work: impl FnOnce(&mut Studio, &gamow::studio::Frame) -> anyhow::Result<T> + Send,
+    work: impl FnOnce(&mut Studio, &gamow::studio::StudioFrame) -> anyhow::Result<T> + Send,
 ) -> PyResult<T> {
     let result = py.detach(|| {
         let mut studio = Studio::new(fitted(settings.clone())?)?;

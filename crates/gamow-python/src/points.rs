@@ -1,7 +1,7 @@
 //! Points: `sightings`, `disparity`, `stereo` and `curve`.
 
 use csv::ByteRecord;
-use gamow::columns::{Batch, GivenInputs, Header, ModelArgs, Wanted};
+use gamow::columns::{Batch, GivenInputs, Header, ModelArgs, WantedColumns};
 use gamow::commands::curve::CurveArgs;
 use numpy::PyArray1;
 use pyo3::exceptions::PyTypeError;
@@ -37,7 +37,7 @@ pub fn sightings<'py>(
     columns: Option<Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let model = ModelArgs { conformal, ..model_of(model, intensity_exponent)? };
-    filled(py, Wanted::All, model, out, columns)
+    filled(py, WantedColumns::All, model, out, columns)
 }
 
 /// Computes the disparities of points, left minus right: dphi and dtheta, radians.
@@ -51,7 +51,7 @@ pub fn disparity<'py>(
     out: Option<&Bound<'py, PyDict>>,
     columns: Option<Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    filled(py, Wanted::Disparity, model_of(model, None)?, out, columns)
+    filled(py, WantedColumns::Disparity, model_of(model, None)?, out, columns)
 }
 
 /// Computes where two eyes take points to be: the columns stereo_gain, stereo_x, stereo_y and stereo_z of `gamow eval --stereo`.
@@ -66,7 +66,7 @@ pub fn stereo<'py>(
     out: Option<&Bound<'py, PyDict>>,
     columns: Option<Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    filled(py, Wanted::Stereo, model_of(model, None)?, out, columns)
+    filled(py, WantedColumns::Stereo, model_of(model, None)?, out, columns)
 }
 
 /// Computes what both eyes see of one point over a range of times: the columns of `gamow curve`, whose flags are the keywords.
@@ -127,7 +127,7 @@ fn model_of(name: &str, exponent: Option<&Bound<'_, PyAny>>) -> PyResult<ModelAr
 /// Fills the `wanted` columns of the points that `columns` describe.
 fn filled<'py>(
     py: Python<'py>,
-    wanted: Wanted,
+    wanted: WantedColumns,
     model: ModelArgs,
     out: Option<&Bound<'py, PyDict>>,
     columns: Option<Bound<'py, PyDict>>,

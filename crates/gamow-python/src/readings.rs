@@ -7,7 +7,7 @@ use csv::ByteRecord;
 use gamow::columns::Input;
 use gamow::commands::fit::FitArgs;
 use gamow::estimate::FitReport;
-use gamow::files::csv_out::Rows;
+use gamow::files::csv_out::CsvWriter;
 use gamow::files::{csv_in, whole};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
@@ -75,7 +75,7 @@ fn csv_of(data: &Bound<'_, PyAny>) -> PyResult<Vec<u8>> {
     }
     let columns = Columns::new(&given)?;
     let inputs = columns.inputs()?;
-    let mut rows = Rows::new(Vec::new());
+    let mut rows = CsvWriter::new(Vec::new());
     let in_memory = |_| value_error("data: there is no memory for it");
     rows.write(&mut columns.names.iter().collect(), &[]).map_err(in_memory)?;
     for row in 0..columns.rows() {

@@ -13,7 +13,7 @@ use nalgebra::Matrix4;
 use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
-use crate::fit::{Fit, FitError, Free, NormalEquations, Parameter, Regular};
+use crate::fit::{Fit, FitError, Free, NormalEquations, Parameter, RegularProblem};
 use crate::threads::prelude::*;
 
 /// The number of replicates from which 95 % intervals are steady.
@@ -159,7 +159,7 @@ pub fn bootstrap(fit: &Fit, replicates: usize, seed: u64) -> Result<Bootstrap, F
 
 /// Returns `count` replicates from number `first` on.
 fn estimates(fit: &Fit, first: usize, count: usize, seed: u64) -> Vec<Option<[f64; 4]>> {
-    let Some(shared) = Shared::new(fit) else { return vec![None; count] };
+    let Some(shared) = ReplicateData::new(fit) else { return vec![None; count] };
     (first as u64..(first + count) as u64)
         .into_par_iter()
         .map_init(
@@ -184,8 +184,8 @@ fn draw(counts: &mut [f64], seed: u64, stream: u64) {
 }
 
 /// The data that all replicates share.
-struct Shared<'a> {
-    regular: Regular<'a>,
+struct ReplicateData<'a> {
+    regular: RegularProblem<'a>,
     /// The regular parameters of the original optimum.
     free: Free,
     /// Each row's part in the normal equations there.
@@ -194,10 +194,10 @@ struct Shared<'a> {
     sizes: Free,
 }
 
-impl<'a> Shared<'a> {
+impl<'a> ReplicateData<'a> {
     fn new(fit: &'a Fit) -> Option<Self> {
         let trial = fit.problem.trial(&fit.free)?;
-        let regular = Regular::new(&fit.problem, &trial);
+        let regular = RegularProblem::new(&fit.problem, &trial);
         let parts = regular.parts(&trial);
         Some(Self { regular, free: regular.parameters(&fit.free), parts, sizes: fit.problem.sizes(&trial) })
     }

@@ -183,7 +183,7 @@ impl<F: Elementary> ConePair<F> {
     }
 
     /// Both lines of sight, from apertures between which the point is at `y` and `z`; none for a point inside both apertures.
-    pub fn lines_of_sight(&self, y: F, z: F) -> Option<LinesOfSight<F>> {
+    pub fn lines_of_sight(&self, y: F, z: F) -> Option<SightPair<F>> {
         let Self { left, right, offset, .. } = self;
         let sum_q = left.solution.q + right.solution.q;
         if sum_q == F::zero() {
@@ -193,7 +193,7 @@ impl<F: Elementary> ConePair<F> {
         let along = half(offset.s * x.sum) + offset.y * y + offset.z * z;
         let of_y = (y, AcrossMotion { left: left.y, right: right.y, offset: offset.y });
         let of_z = (z, AcrossMotion { left: left.z, right: right.z, offset: offset.z });
-        Some(LinesOfSight {
+        Some(SightPair {
             each: [[x.left, left.y, left.z], [x.right, right.y, right.z]],
             mean: [half(x.sum), y, z],
             difference: [x.difference, offset.y, offset.z],
@@ -263,7 +263,7 @@ impl<F: Elementary> ConePair<F> {
 
 /// From two apertures to where they see one point: `P_l` and `P_r`.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct LinesOfSight<F> {
+pub(crate) struct SightPair<F> {
     /// Both lines of sight, `P_l` and `P_r`.
     pub each: [[F; 3]; 2],
     /// Mean of both lines of sight, (`P_l` + `P_r`)/2.
@@ -280,7 +280,7 @@ pub(crate) struct LinesOfSight<F> {
     pub excess: [F; 3],
 }
 
-impl LinesOfSight<f64> {
+impl SightPair<f64> {
     /// (Delta-phi, Delta-theta), from the sines and cosines of the differences.
     pub fn angle_differences(&self) -> (f64, f64) {
         let Self { each: [left, right], normal: [nx, ny, nz], .. } = *self;

@@ -19,7 +19,7 @@ use std::f64::consts::LN_2;
 
 use crate::aperture::Aperture;
 use crate::baseline::HeadAxes;
-use crate::cone_pair::LinesOfSight;
+use crate::cone_pair::SightPair;
 use crate::math;
 use crate::model::{Model, PairError};
 use crate::source::Source;
@@ -99,7 +99,7 @@ impl ConformalDisparity {
     /// ```
     ///
     /// has parts of `P_l` x `P_r` in it, which is known without subtraction.
-    fn new(axes: &HeadAxes, lines: &LinesOfSight<f64>) -> Option<Self> {
+    fn new(axes: &HeadAxes, lines: &SightPair<f64>) -> Option<Self> {
         let HeadAxes { right, ahead, up } = *axes;
         let [left_place, right_place] = lines.each.map(|place| axes.along(place));
         let (primary, secondary) =

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::aperture::Aperture;
 use crate::apparent::{Sighting, check_inputs, sighting};
-use crate::cone_pair::{ConePair, LinesOfSight};
+use crate::cone_pair::{ConePair, SightPair};
 use crate::disparity::{Disparity, disparity};
 use crate::domain::DomainError;
 use crate::one_cone::{self, middle, one_cone_disparity};
@@ -22,7 +22,7 @@ use crate::wheel::baseline;
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(from = "saved::Model", into = "saved::Model")
+    serde(from = "saved::SavedModel", into = "saved::SavedModel")
 )]
 pub enum Model {
     /// Each aperture solves its own light cone.
@@ -155,7 +155,7 @@ impl Model {
         source: impl Into<Source>,
         pair: [Aperture; 2],
         observation_time: f64,
-    ) -> Result<Option<LinesOfSight<f64>>, PairError> {
+    ) -> Result<Option<SightPair<f64>>, PairError> {
         let source = source.into();
         let [left, right] = pair;
         for aperture in pair {
@@ -259,25 +259,25 @@ mod saved {
     /// The models as files spell them.
     #[derive(serde::Serialize, serde::Deserialize)]
     #[serde(rename_all = "kebab-case")]
-    pub enum Model {
+    pub enum SavedModel {
         Exact,
         OneCone,
         Published,
         PublishedText,
     }
 
-    impl From<Model> for super::Model {
-        fn from(saved: Model) -> Self {
+    impl From<SavedModel> for super::Model {
+        fn from(saved: SavedModel) -> Self {
             match saved {
-                Model::Exact => Self::Exact,
-                Model::OneCone => Self::OneCone,
-                Model::Published => Self::Published(PublishedVariant::AppendixA),
-                Model::PublishedText => Self::Published(PublishedVariant::TextSign),
+                SavedModel::Exact => Self::Exact,
+                SavedModel::OneCone => Self::OneCone,
+                SavedModel::Published => Self::Published(PublishedVariant::AppendixA),
+                SavedModel::PublishedText => Self::Published(PublishedVariant::TextSign),
             }
         }
     }
 
-    impl From<super::Model> for Model {
+    impl From<super::Model> for SavedModel {
         fn from(model: super::Model) -> Self {
             match model {
                 super::Model::Exact => Self::Exact,

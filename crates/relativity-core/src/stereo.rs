@@ -15,7 +15,7 @@ use thiserror::Error;
 
 use crate::aperture::Aperture;
 use crate::apparent::check_inputs;
-use crate::cone_pair::{ConePair, LinesOfSight, Offset};
+use crate::cone_pair::{ConePair, Offset, SightPair};
 use crate::domain::DomainError;
 use crate::one_cone::middle;
 use crate::source::Source;
@@ -143,8 +143,8 @@ fn checked(pair: [Aperture; 2], source: Source, observation_time: f64) -> Result
 }
 
 /// Returns the closest approach of two lines of sight from apertures with this `baseline` from the left to the right; `None` if it is not in front of both.
-pub(crate) fn meeting(lines: &LinesOfSight<f64>, baseline: [f64; 3]) -> Option<Stereo> {
-    let LinesOfSight { mean, difference, excess, .. } = *lines;
+pub(crate) fn meeting(lines: &SightPair<f64>, baseline: [f64; 3]) -> Option<Stereo> {
+    let SightPair { mean, difference, excess, .. } = *lines;
     let at_rest = cross(baseline, mean);
     let (normal, length) = direction_and_length(lines.normal)?;
     let (direction_at_rest, length_at_rest) = direction_and_length(at_rest)?;

@@ -9,15 +9,15 @@ type Awaited = Pin<Box<dyn Future<Output = Option<wgpu::Error>> + Send>>;
 
 /// The answers that a device still owes.
 #[derive(Clone, Default)]
-pub struct Answers(Arc<Mutex<Vec<Awaited>>>);
+pub struct PendingReadbacks(Arc<Mutex<Vec<Awaited>>>);
 
-impl fmt::Debug for Answers {
+impl fmt::Debug for PendingReadbacks {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("Answers")
     }
 }
 
-impl Answers {
+impl PendingReadbacks {
     /// Returns the last refusal in answer `to` these questions and to earlier ones, as far as it is there.
     pub fn to(
         &self,

@@ -12,7 +12,7 @@ use crate::contact::{Contacts, DARKEST, FARTHEST};
 use crate::cover::{band_cover, line_cover, repeated_cover};
 use crate::effects::{Constant, number};
 use crate::lines_of_sight::LinesOfSight;
-use crate::street::{self, Front, Paints};
+use crate::street::{self, FrontPixel, Paints};
 use crate::street_light::StreetLight;
 use crate::street_sight::{GroundLine, StreetSight, StreetVariant};
 use crate::tone::BRIGHTEST;
@@ -117,7 +117,7 @@ pub(crate) enum Floor {
 
 /// The part of the backdrop that some tiles of a picture show: each tile is drawn with no more than its part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Part {
+pub(crate) enum BackdropPart {
     /// Nothing but the sky.
     Sky,
     /// The grid, and the sky it ends in.
@@ -132,29 +132,31 @@ pub(crate) enum Part {
 
 impl Floor {
     /// The parts of a picture with this floor.
-    pub const fn parts(self) -> &'static [Part] {
+    pub const fn parts(self) -> &'static [BackdropPart] {
         match self {
-            Self::Open => &[Part::Sky],
-            Self::Grid => &[Part::Sky, Part::Grid],
-            Self::Road => &[Part::Sky, Part::Road],
-            Self::Street => &[Part::Sky, Part::Road, Part::Fronts, Part::Street],
+            Self::Open => &[BackdropPart::Sky],
+            Self::Grid => &[BackdropPart::Sky, BackdropPart::Grid],
+            Self::Road => &[BackdropPart::Sky, BackdropPart::Road],
+            Self::Street => {
+                &[BackdropPart::Sky, BackdropPart::Road, BackdropPart::Fronts, BackdropPart::Street]
+            }
         }
     }
 }
 
 impl Floor {
     /// Returns the part that shows all of it.
-    pub const fn whole(self) -> Part {
+    pub const fn whole(self) -> BackdropPart {
         match self {
-            Self::Open => Part::Sky,
-            Self::Grid => Part::Grid,
-            Self::Road => Part::Road,
-            Self::Street => Part::Street,
+            Self::Open => BackdropPart::Sky,
+            Self::Grid => BackdropPart::Grid,
+            Self::Road => BackdropPart::Road,
+            Self::Street => BackdropPart::Street,
         }
     }
 }
 
-impl Part {
+impl BackdropPart {
     /// Every part, in the order of their numbers.
     pub const ALL: [Self; 5] = [Self::Sky, Self::Grid, Self::Road, Self::Fronts, Self::Street];
 
@@ -176,7 +178,7 @@ impl Part {
 
 /// The shader's constants for a part of a picture that shows the street so.
 pub(crate) fn constants(
-    part: Part,
+    part: BackdropPart,
     is_conformal: bool,
     is_oblique: bool,
     street: StreetVariant,
@@ -187,7 +189,7 @@ pub(crate) fn constants(
         ("STREET_GEOMETRY", street.geometry()),
         ("STREET_ROW", street.row()),
         ("GROUND", number(part.has_ground())),
-        ("ROAD", number(part != Part::Grid)),
+        ("ROAD", number(part != BackdropPart::Grid)),
         ("FRONTS", number(part.has_fronts())),
         ("TILE_COLUMNS", f64::from(TILES[0])),
         ("TILE_ROWS", f64::from(TILES[1])),
@@ -296,7 +298,7 @@ impl Backdrop {
         let distance = fronts / direction.y;
         let place = DVec2::new(self.aperture.x, -ground) + direction.xz() * distance;
         let shift = |turn: DVec3| (turn.xz() - direction.xz() * (turn.y / direction.y)) * distance;
-        let Front { colour, cover } = self.palette.fronts.front(place, pixel(turns(), shift));
+        let FrontPixel { colour, cover } = self.palette.fronts.front(place, pixel(turns(), shift));
         mix(without, self.hazy(colour, seen, distance), cover)
     }
 

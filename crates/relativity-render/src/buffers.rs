@@ -1,6 +1,6 @@
 //! Buffers on the device: what a picture's shaders read.
 
-use crate::frame::Frame;
+use crate::frame::FrameUniform;
 use crate::gpu::Gpu;
 
 /// A buffer for this many groups' frames of one eye: two eyes must not share one, since both are written before either
@@ -10,7 +10,7 @@ pub fn frame_buffer(gpu: &Gpu, count: usize) -> wgpu::Buffer {
 }
 
 /// Writes `frames` into the buffer, and replaces the buffer if it is too small.
-pub fn fill_frame_buffer(gpu: &Gpu, buffer: &mut wgpu::Buffer, frames: &[Frame]) {
+pub fn fill_frame_buffer(gpu: &Gpu, buffer: &mut wgpu::Buffer, frames: &[FrameUniform]) {
     let stride = frame_stride(gpu);
     if stride * frames.len() as u64 > buffer.size() {
         *buffer = frame_buffer(gpu, frames.len());
@@ -27,14 +27,14 @@ pub fn frame_bindings<'a>(
     count: usize,
 ) -> impl Iterator<Item = wgpu::BufferBinding<'a>> + use<'a> {
     let stride = frame_stride(gpu);
-    let size = std::num::NonZeroU64::new(size_of::<Frame>() as u64);
+    let size = std::num::NonZeroU64::new(size_of::<FrameUniform>() as u64);
     (0..count as u64).map(move |number| wgpu::BufferBinding { buffer, offset: number * stride, size })
 }
 
 /// From one frame to the next, bytes.
 fn frame_stride(gpu: &Gpu) -> u64 {
     let alignment = gpu.device.limits().min_uniform_buffer_offset_alignment;
-    (size_of::<Frame>() as u64).next_multiple_of(alignment.into())
+    (size_of::<FrameUniform>() as u64).next_multiple_of(alignment.into())
 }
 
 /// A vertex buffer of `size` bytes.

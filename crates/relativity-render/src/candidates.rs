@@ -36,13 +36,13 @@ pub(crate) struct TileLook<'a> {
 }
 
 /// Rows of pixels, from the first of a tile's on or before it.
-pub(crate) struct Rows<'a, T> {
+pub(crate) struct PixelRows<'a, T> {
     values: &'a mut [T],
     width: usize,
     top: u32,
 }
 
-impl<T> Rows<'_, T> {
+impl<T> PixelRows<'_, T> {
     /// Writes the value of a pixel.
     pub fn put(&mut self, [u, v]: [u32; 2], value: T) {
         self.values[(v - self.top) as usize * self.width + u as usize] = value;
@@ -75,7 +75,7 @@ impl PreparedScene {
         view: &View,
         group_views: &[GroupView],
         wanted: &(dyn Fn(u32) -> bool + Sync),
-        draw: impl Fn(&TileLook<'_>, &mut Rows<'_, T>) + Sync,
+        draw: impl Fn(&TileLook<'_>, &mut PixelRows<'_, T>) + Sync,
     ) -> Vec<T> {
         let [width, height] = view.camera.size;
         // By all threads: the first touch of so much memory takes its time.
@@ -89,7 +89,7 @@ impl PreparedScene {
         bands.filter(|(number, _)| wanted(*number as u32 * BAND)).for_each(|(number, values)| {
             let top = number as u32 * BAND;
             let tile = Tile { corner: [0, top], size: [width, BAND.min(height - top)] };
-            let mut rows = Rows { values, width: width as usize, top };
+            let mut rows = PixelRows { values, width: width as usize, top };
             let groups = (0..group_views.len() as u32).collect();
             let all = Candidates { groups, others: (0..division.others.len() as u32).collect() };
             division.divide(tile, &all, &mut |look| draw(look, &mut rows));

@@ -5,11 +5,11 @@
 
 use std::sync::OnceLock;
 
-use crate::backdrop::{self, Part, TILES};
+use crate::backdrop::{self, BackdropPart, TILES};
 use crate::buffers::{fill_frame_buffer, frame_bindings, frame_buffer, vertex_buffer};
 use crate::drawing::{Drawing, Shot};
 use crate::effects::Constant;
-use crate::frame::Frame;
+use crate::frame::FrameUniform;
 use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
 use crate::models::Models;
@@ -37,7 +37,7 @@ pub struct Canvas {
 type LastPass = OnceLock<[wgpu::RenderPipeline; 5]>;
 
 /// The numbers that a pass over the bodies wrote: RGBA32 floats, see the shaders' `Hit`.
-pub struct Measures {
+pub struct HitNumbers {
     pub measures: Vec<[f32; 4]>,
     pub places: Vec<[f32; 4]>,
 }
@@ -58,14 +58,14 @@ impl Canvas {
     }
 
     /// The last pass of pictures like that of `frame`.
-    fn last_pass(&self, gpu: &Gpu, frame: &Frame) -> &[wgpu::RenderPipeline; 5] {
+    fn last_pass(&self, gpu: &Gpu, frame: &FrameUniform) -> &[wgpu::RenderPipeline; 5] {
         let (is_conformal, is_oblique) = (frame.is_conformal(), frame.is_street_oblique());
         let street = frame.street();
         let passes = &self.last_passes[street as usize][usize::from(is_conformal)];
         passes[usize::from(is_oblique)].get_or_init(|| {
             let module = gpu.shader("backdrop", BACKDROP);
             let layout = pipeline_layout(&gpu.device, &[Some(&self.frame_layout), Some(&self.layer_layout)]);
-            Part::ALL.map(|part| {
+            BackdropPart::ALL.map(|part| {
                 last_pass(
                     &gpu.device,
                     &module,
@@ -95,7 +95,7 @@ impl Canvas {
         let models = &self.models;
         let shot = Shot { scene, models, views: &views, divided_for: &views, appearance: Some(appearance) };
         drawing.load(gpu, &mut target.vertices, &shot);
-        let frames = Frame::of_groups(scene, &views, appearance);
+        let frames = FrameUniform::of_groups(scene, &views, appearance);
         fill_frame_buffer(gpu, &mut target.frames, &frames);
         let floor = frames[0].floor();
         let last_pass = self.last_pass(gpu, &frames[0]);
@@ -137,7 +137,7 @@ impl Canvas {
         let models = &self.models;
         let shot = Shot { scene, models, views: &views, divided_for: &divided_for, appearance: None };
         drawing.load(gpu, &mut vertices, &shot);
-        let frames = Frame::of_groups(scene, &views, &Appearance::default());
+        let frames = FrameUniform::of_groups(scene, &views, &Appearance::default());
         let measures = self.measure(gpu, part.camera.size, &frames, |pass, frames| {
             drawing.record(pass, &vertices, frames);
         })?;
@@ -148,9 +148,9 @@ impl Canvas {
         &self,
         gpu: &Gpu,
         size: [u32; 2],
-        frames: &[Frame],
+        frames: &[FrameUniform],
         bodies: impl FnOnce(&mut wgpu::RenderPass<'_>, &[wgpu::BindGroup]),
-    ) -> Result<Measures, GpuError> {
+    ) -> Result<HitNumbers, GpuError> {
         let mut buffer = frame_buffer(gpu, frames.len());
         fill_frame_buffer(gpu, &mut buffer, frames);
         let frames = self.frame_bind_groups(gpu, &buffer, frames.len());
@@ -172,7 +172,7 @@ impl Canvas {
             let bytes = target::bytes(gpu, texture, size, 16)?;
             Ok(bytes.chunks_exact(16).map(bytemuck::pod_read_unaligned).collect())
         };
-        Ok(Measures { measures: numbers(&measures)?, places: numbers(&places)? })
+        Ok(HitNumbers { measures: numbers(&measures)?, places: numbers(&places)? })
     }
 
     fn frame_bind_groups(&self, gpu: &Gpu, frames: &wgpu::Buffer, count: usize) -> Vec<wgpu::BindGroup> {

@@ -116,13 +116,13 @@ impl Composition {
     }
 
     /// The variant of the shader that draws it.
-    pub(crate) const fn form(self) -> Form {
+    pub(crate) const fn form(self) -> ComposeVariant {
         match self {
-            Self::Anaglyph | Self::Dubois => Form::Clipped,
-            Self::Overlay(_) => Form::HueKept,
-            Self::Rows { .. } => Form::Rows,
-            Self::HalfSideBySide => Form::HalvesBeside,
-            Self::HalfOverUnder => Form::HalvesAbove,
+            Self::Anaglyph | Self::Dubois => ComposeVariant::Clipped,
+            Self::Overlay(_) => ComposeVariant::HueKept,
+            Self::Rows { .. } => ComposeVariant::Rows,
+            Self::HalfSideBySide => ComposeVariant::HalvesBeside,
+            Self::HalfOverUnder => ComposeVariant::HalvesAbove,
         }
     }
 
@@ -150,7 +150,7 @@ pub struct Composing {
 /// A variant of the shader. It is a pipeline constant because Mesa's software GPU recompiles a shader for every new value
 /// of a uniform that it branches on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Form {
+pub enum ComposeVariant {
     /// A mixture, clipped component by component.
     Clipped,
     /// A mixture that keeps its hue.
@@ -163,7 +163,7 @@ pub enum Form {
     HalvesAbove,
 }
 
-impl Form {
+impl ComposeVariant {
     /// Values of the pipeline constants that select this variant.
     pub(crate) fn constants(self) -> [Constant; 4] {
         let of = |name, form| (name, number(self == form));

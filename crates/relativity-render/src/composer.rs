@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use crate::canvas::{
     attachment, begin_pass, bind_group, bind_group_layout, pipeline_layout, texture_entry, uniform_entry,
 };
-use crate::compose::{Composing, Composition, Form};
+use crate::compose::{ComposeVariant, Composing, Composition};
 use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
 use crate::shaders::COMPOSE;
@@ -18,7 +18,7 @@ pub struct Composer {
     module: wgpu::ShaderModule,
     pipeline_layout: wgpu::PipelineLayout,
     /// Pipelines created so far.
-    pipelines: HashMap<Form, wgpu::RenderPipeline>,
+    pipelines: HashMap<ComposeVariant, wgpu::RenderPipeline>,
 }
 
 /// A composed picture: sRGB-encoded RGBA8 that can be sampled, copied and read back.
@@ -81,7 +81,7 @@ impl Composer {
         Self { layout, module, pipeline_layout, pipelines: HashMap::new() }
     }
 
-    fn pipeline(&self, gpu: &Gpu, form: Form) -> wgpu::RenderPipeline {
+    fn pipeline(&self, gpu: &Gpu, form: ComposeVariant) -> wgpu::RenderPipeline {
         let constants = form.constants();
         let compilation_options =
             wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };

@@ -52,14 +52,14 @@ pub struct Facing {
 
 /// A part of the light that a surface receives.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Part {
+pub struct DaylightPart {
     /// The share of it in the sum.
     pub share: f64,
     /// log2 of the Doppler factor with which it is received.
     pub log2_doppler: f64,
 }
 
-impl Part {
+impl DaylightPart {
     /// The whole light of a lamp that rides along.
     pub const OWN: Self = Self { share: 1.0, log2_doppler: 0.0 };
 }
@@ -84,7 +84,7 @@ impl Facing {
     }
 
     /// The parts of the light that it receives, the hottest first.
-    pub fn parts(self) -> [Part; 6] {
+    pub fn parts(self) -> [DaylightPart; 6] {
         let Self { rapid, ahead } = self;
         let gamma = hypot(rapid, 1.0);
         let beta = rapid / gamma;
@@ -102,10 +102,10 @@ impl Facing {
             // 1 - w.
             let aside = ((slowed - beside) / weighed).clamp(0.0, 2.0);
             let log2_doppler = -log2(gamma * (below_light + beta * aside));
-            Part { share: weight * slowed * seen_share(ahead, across, aside), log2_doppler }
+            DaylightPart { share: weight * slowed * seen_share(ahead, across, aside), log2_doppler }
         });
         let sum: f64 = parts.iter().map(|part| part.share).sum();
-        parts.map(|part| Part { share: part.share / sum, ..part })
+        parts.map(|part| DaylightPart { share: part.share / sum, ..part })
     }
 }
 

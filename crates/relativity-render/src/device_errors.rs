@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use wgpu::{DeviceLostReason, ErrorFilter};
 
-use crate::answers::Answers;
+use crate::answers::PendingReadbacks;
 use crate::gpu_error::GpuError;
 
 /// The errors of a device that nobody was waiting for, and its loss.
@@ -76,11 +76,11 @@ impl DeviceErrors {
 pub struct ErrorScopes {
     /// The last that was opened is the first to be closed, or dropped.
     scopes: [wgpu::ErrorScopeGuard; 3],
-    answers: Answers,
+    answers: PendingReadbacks,
 }
 
 impl ErrorScopes {
-    pub(crate) fn open(device: &wgpu::Device, answers: Answers) -> Self {
+    pub(crate) fn open(device: &wgpu::Device, answers: PendingReadbacks) -> Self {
         let kinds = [ErrorFilter::Validation, ErrorFilter::OutOfMemory, ErrorFilter::Internal];
         let [validation, memory, internal] = kinds.map(|kind| device.push_error_scope(kind));
         Self { scopes: [internal, memory, validation], answers }

@@ -47,12 +47,12 @@ pub trait Drawing {
 pub struct Batches<I, T> {
     pipelines: Pipelines,
     instances: Vec<I>,
-    in_order: Vec<Batch<T>>,
+    in_order: Vec<InstanceBatch<T>>,
 }
 
 /// Instances that one draw serves.
 #[derive(Debug)]
-pub struct Batch<T> {
+pub struct InstanceBatch<T> {
     group: usize,
     key: Key,
     /// Template that each instance is a copy of.
@@ -128,18 +128,23 @@ impl<I: bytemuck::NoUninit, T> Batches<I, T> {
             let key = Key::new(kind, turns, shot.views, group, output);
             self.pipelines.prepare(gpu, key);
             let instances = start..self.instances.len() as u32;
-            self.in_order.push(Batch { group, key, template, instances });
+            self.in_order.push(InstanceBatch { group, key, template, instances });
         }
         fill_vertex_buffer(gpu, vertices, &self.instances);
     }
 
     /// The batches, in order.
-    pub fn iter(&self) -> impl Iterator<Item = &Batch<T>> {
+    pub fn iter(&self) -> impl Iterator<Item = &InstanceBatch<T>> {
         self.in_order.iter()
     }
 
     /// Sets the pipeline and the frame of `batch`.
-    pub fn begin(&self, pass: &mut wgpu::RenderPass<'_>, frames: &[wgpu::BindGroup], batch: &Batch<T>) {
+    pub fn begin(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        frames: &[wgpu::BindGroup],
+        batch: &InstanceBatch<T>,
+    ) {
         pass.set_bind_group(0, &frames[batch.group], &[]);
         pass.set_pipeline(self.pipelines.get(batch.key));
     }

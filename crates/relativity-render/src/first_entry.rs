@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use crate::cap::Cap;
 use crate::group_view::GroupView;
-use crate::hierarchy::{Beam, Candidate, Hierarchy, Line, Lines};
+use crate::hierarchy::{Beam, BeamLine, Candidate, Hierarchy, RayBundle};
 use crate::intersect::Entry;
 use crate::lanes::Simd;
 use crate::ray::Ray;
@@ -13,7 +13,7 @@ use crate::scene::PreparedScene;
 
 /// The bodies of a group that rays may enter.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Chosen<'a> {
+pub(crate) struct CandidateBodies<'a> {
     /// The number of the group.
     pub group: usize,
     /// Bodies that turn, or all bodies; their numbers ascend.
@@ -41,11 +41,11 @@ struct First {
 struct EntrySearch<'a> {
     scene: &'a PreparedScene,
     view: &'a GroupView,
-    chosen: &'a Chosen<'a>,
+    chosen: &'a CandidateBodies<'a>,
     tie: f64,
 }
 
-impl Chosen<'_> {
+impl CandidateBodies<'_> {
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.others.is_empty() && self.standing.is_none()
@@ -64,10 +64,10 @@ impl PreparedScene {
     }
 
     /// The nearest entry of each of `rays`, which are counted from their points nearest to the middle of the group, among
-    /// the bodies that are `chosen`; of equally near ones that of the lowest number. There are at most [`Lines::MOST`].
+    /// the bodies that are `chosen`; of equally near ones that of the lowest number. There are at most [`RayBundle::MOST`].
     pub(crate) fn first_entries(
         &self,
-        chosen: &Chosen<'_>,
+        chosen: &CandidateBodies<'_>,
         rays: &[Ray],
         view: &GroupView,
     ) -> Vec<Option<Found>> {
@@ -99,10 +99,10 @@ impl PreparedScene {
 struct All<'a> {
     search: &'a EntrySearch<'a>,
     rays: &'a [Ray],
-    lines: Lines,
+    lines: RayBundle,
     firsts: &'a mut [First],
     /// Distances beyond which nothing is seen, for each ray, and along none beyond `reach`.
-    farthest: [f32; Lines::MOST],
+    farthest: [f32; RayBundle::MOST],
     reach: f32,
 }
 
@@ -130,11 +130,11 @@ impl All<'_> {
 impl EntrySearch<'_> {
     /// Looks along `rays`, which are inside of `beam`, at once.
     fn along_all(&self, beam: &Beam, rays: &[Ray], firsts: &mut [First]) {
-        let mut farthest = [f32::NEG_INFINITY; Lines::MOST];
+        let mut farthest = [f32::NEG_INFINITY; RayBundle::MOST];
         for (farthest, first) in farthest.iter_mut().zip(&*firsts) {
             *farthest = first.farthest(self.tie);
         }
-        let (lines, reach) = (Lines::new(rays, self.middle()), most(&farthest));
+        let (lines, reach) = (RayBundle::new(rays, self.middle()), most(&farthest));
         let mut all = All { search: self, rays, lines, firsts, farthest, reach };
         let hierarchy = self.hierarchy();
         let beam = &beam.around(rays, self.middle());
@@ -147,7 +147,7 @@ impl EntrySearch<'_> {
     }
 
     fn along_one(&self, ray: &Ray, first: &mut First) {
-        self.hierarchy().along(&Line::new(ray, self.middle()), |candidate| {
+        self.hierarchy().along(&BeamLine::new(ray, self.middle()), |candidate| {
             self.enter(first, ray, candidate.body);
             first.farthest(self.tie)
         });
@@ -157,7 +157,7 @@ impl EntrySearch<'_> {
     fn first_in_order(&self, ray: &Ray) -> Option<Found> {
         let mut all = self.chosen.others.to_vec();
         if self.chosen.standing.is_some() {
-            self.hierarchy().along(&Line::new(ray, self.middle()), |candidate| {
+            self.hierarchy().along(&BeamLine::new(ray, self.middle()), |candidate| {
                 all.push(candidate.body);
                 f32::INFINITY
             });

@@ -20,7 +20,7 @@ use crate::view::{Appearance, Geometry};
 /// Mirror of the shaders' `Frame`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
-pub struct Frame {
+pub struct FrameUniform {
     /// Line of sight through the pole, unnormalised: its part along the optical axis is 1. In a conformal picture cosh u long,
     /// and the size of a pixel in u and v.
     pub base: [f32; 4],
@@ -171,7 +171,7 @@ impl Sights {
 /// e^-|u| of a rounding is left of what would be lost.
 const FARTHEST_POLE: f64 = 5.0;
 
-impl Frame {
+impl FrameUniform {
     /// Returns one frame for each group of `scene`, as its `views` show them.
     ///
     pub fn of_groups(scene: &PreparedScene, views: &[GroupView], appearance: &Appearance) -> Vec<Self> {
@@ -295,7 +295,7 @@ impl Frame {
     }
 }
 
-/// Returns the place of the camera from the middle between the eyes, as [`Frame::eye`] has it.
+/// Returns the place of the camera from the middle between the eyes, as [`FrameUniform::eye`] has it.
 fn eye(view: &GroupView) -> [f32; 4] {
     let is_one_cone = view.geometry == Geometry::OneCone;
     vector(if is_one_cone { view.velocity.motion_from_camera(view.camera.off_middle) } else { DVec3::ZERO })
@@ -308,7 +308,7 @@ fn coarse_and_fine(place: DVec2) -> [f32; 4] {
     [coarse.x, coarse.y, fine.x, fine.y]
 }
 
-/// Returns [`Frame::rising`]: on the ground z is z + [(Gamma - 1) p - Gamma V R] `v_z` of what is seen at the distance R, and p along the
+/// Returns [`FrameUniform::rising`]: on the ground z is z + [(Gamma - 1) p - Gamma V R] `v_z` of what is seen at the distance R, and p along the
 /// unit vector v of the motion.
 fn rising(view: &GroupView) -> [f32; 4] {
     if !view.rides_aside() {
@@ -319,7 +319,7 @@ fn rising(view: &GroupView) -> [f32; 4] {
     packed(along, -speed.proper() * direction.z)
 }
 
-fn middle_of(frame: &Frame) -> DVec3 {
+fn middle_of(frame: &FrameUniform) -> DVec3 {
     let [coarse, fine] =
         [frame.middle, frame.middle_fine].map(|[x, y, z, _]| DVec3::new(x.into(), y.into(), z.into()));
     coarse + fine

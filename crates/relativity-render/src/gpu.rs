@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::answers::Answers;
+use crate::answers::PendingReadbacks;
 use crate::device_errors::ErrorScopes;
 use crate::gpu_error::GpuError;
 
@@ -40,7 +40,7 @@ pub struct Gpu {
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
-    answers: Answers,
+    answers: PendingReadbacks,
 }
 
 impl Gpu {
@@ -92,7 +92,7 @@ impl Gpu {
     /// Shares the device of a window.
     #[must_use]
     pub fn from_device(adapter: &wgpu::Adapter, device: wgpu::Device, queue: wgpu::Queue) -> Self {
-        Self { device, queue, info: adapter.get_info(), answers: Answers::default() }
+        Self { device, queue, info: adapter.get_info(), answers: PendingReadbacks::default() }
     }
 
     /// Largest width and height of a picture, pixels.

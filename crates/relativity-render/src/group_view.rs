@@ -332,6 +332,6 @@ pub(crate) fn reference_of_depths(views: &[GroupView]) -> usize {
     (0..views.len()).fold(0, faster)
 }
 
-fn position(aperture: Aperture) -> DVec3 {
+pub(crate) fn position(aperture: Aperture) -> DVec3 {
     DVec3::new(aperture.x, aperture.y, aperture.z)
 }

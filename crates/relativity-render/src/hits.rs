@@ -2,14 +2,14 @@
 
 use glam::DVec3;
 
-use crate::canvas::Measures;
+use crate::canvas::HitNumbers;
 use crate::reference::{Hit, HitImage, Turned};
 use crate::scene::PreparedScene;
 use crate::view::View;
 use crate::wheel::packed::Turns;
 use crate::wheel::spin::about_y;
 
-impl Measures {
+impl HitNumbers {
     /// Returns the hits of `scene` in `view`; the numbers that the shader does not write are computed in f64.
     pub fn hit_image(&self, scene: &PreparedScene, view: &View) -> HitImage {
         let lines_of_sight = view.camera.lines_of_sight();

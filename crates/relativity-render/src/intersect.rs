@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::ray::Ray;
 use crate::shape::questions::LocalRay;
-use crate::shape::{Form, Shape};
+use crate::shape::{PreparedShape, Shape};
 use crate::triangles::point::TrianglePoint;
 
 /// The entry of a ray into a body. Rest frame.
@@ -28,7 +28,7 @@ pub struct Entry {
 pub struct Solid {
     pub(crate) center: DVec3,
     bounding_radius: f64,
-    pub(crate) form: Form,
+    pub(crate) form: PreparedShape,
 }
 
 impl Solid {
@@ -52,7 +52,7 @@ impl Solid {
 
     /// Returns a vector along the axes of a box in those of the rest frame.
     pub(crate) fn rest_from_box(&self, vector: DVec3) -> DVec3 {
-        if let Form::Box(cuboid) = self.form { cuboid.axes * vector } else { vector }
+        if let PreparedShape::Box(cuboid) = self.form { cuboid.axes * vector } else { vector }
     }
 
     /// Half the least width it is seen with along the unit vector `direction` from afar.

@@ -147,7 +147,7 @@ pub use renderers::{Method, Renderers};
 pub use scene::{Group, PreparedScene};
 pub use shape::Shape;
 pub use target::EyeTarget;
-pub use triangles::{Model, Texture, TrianglePoint, Triangles, TrianglesError, Wrap};
+pub use triangles::{RawModel, Texture, TrianglePoint, Triangles, TrianglesError, Wrap};
 pub use velocity::{Motion, Velocity};
 pub use view::{Appearance, Colour, Geometry, Shading, StreetColours, View};
 pub use wheel::spin::{MaterialPoint, Spin};

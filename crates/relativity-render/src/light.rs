@@ -8,7 +8,7 @@ use relativity_core::math::{exp2, log2};
 
 use crate::body::Emission;
 use crate::colour::{false_colour, linear_srgb, luminance, unseen_glow, unseen_line};
-use crate::daylight::{Part, log2_more};
+use crate::daylight::{DaylightPart, log2_more};
 use crate::effects::{Effects, Spectrum};
 use crate::palette;
 use crate::planck::{DAYLIGHT_KELVIN, band, black_body};
@@ -80,11 +80,16 @@ impl Light {
 
     /// Returns the colour and the unseen share at `doppler_factor`, for a surface that faces the light.
     pub fn shown(self, appearance: &Appearance, doppler_factor: f64) -> ScreenLight {
-        self.shown_in_parts(appearance, doppler_factor, &[Part::OWN])
+        self.shown_in_parts(appearance, doppler_factor, &[DaylightPart::OWN])
     }
 
     /// Returns colour and unseen share where daylight is received in these `parts`, the hottest first.
-    pub fn shown_in_parts(self, appearance: &Appearance, doppler_factor: f64, parts: &[Part]) -> ScreenLight {
+    pub fn shown_in_parts(
+        self,
+        appearance: &Appearance,
+        doppler_factor: f64,
+        parts: &[DaylightPart],
+    ) -> ScreenLight {
         if self == Self::Map {
             return ScreenLight { colour: false_colour(log2(doppler_factor)), unseen: 0.0 };
         }
@@ -115,12 +120,12 @@ impl Light {
 
     /// Linear sRGB before any exposure, for light shifted by `shift` octaves, where daylight is received in these `parts`. At
     /// rest its largest component is about 1.
-    fn received(self, shift: f64, log2_intensity: f64, parts: &[Part]) -> [f64; 3] {
+    fn received(self, shift: f64, log2_intensity: f64, parts: &[DaylightPart]) -> [f64; 3] {
         match self {
             Self::Line(nm) => linear_srgb(exp2(log2(nm) - shift)).map(|part| part * exp2(log2_intensity)),
             Self::Glow(kelvin) => glow(kelvin, shift, log2_intensity - black_body(log2(kelvin)).log2_level),
             Self::Daylight(tint) => {
-                let of_part = |part: &Part| {
+                let of_part = |part: &DaylightPart| {
                     let light = reflected(tint, shift, log2_intensity, part.log2_doppler);
                     light.map(|component| component * part.share)
                 };
@@ -134,7 +139,7 @@ impl Light {
     }
 
     /// Returns its unseen share; for daylight, that of its hottest part.
-    fn unseen(self, shift: f64, parts: &[Part]) -> f64 {
+    fn unseen(self, shift: f64, parts: &[DaylightPart]) -> f64 {
         match self {
             Self::Line(nm) => unseen_line(exp2(log2(nm) - shift)),
             Self::Glow(kelvin) => unseen_glow(log2(kelvin) + shift),
@@ -220,7 +225,7 @@ pub fn received_intensity(emission: Emission, appearance: &Appearance, doppler_f
         return appearance.intensity_exponent.map_or(1.0, of_exponent);
     }
     let [received, at_rest] =
-        [log2(doppler_factor), 0.0].map(|shift| luminance(light.received(shift, 0.0, &[Part::OWN])));
+        [log2(doppler_factor), 0.0].map(|shift| luminance(light.received(shift, 0.0, &[DaylightPart::OWN])));
     received / at_rest
 }
 
@@ -239,7 +244,7 @@ mod tests {
         let lights =
             [Light::Line(700.0), Light::Glow(1273.15), Light::Daylight(None), Light::Daylight(Some(600.0))];
         for light in lights {
-            let largest = light.received(0.0, 0.0, &[Part::OWN]).into_iter().fold(0.0, f64::max);
+            let largest = light.received(0.0, 0.0, &[DaylightPart::OWN]).into_iter().fold(0.0, f64::max);
             assert!((largest - 1.0).abs() < 1e-9, "{light:?}: {largest}");
             assert!((shoulder(largest) - 0.8).abs() < 1e-9);
         }

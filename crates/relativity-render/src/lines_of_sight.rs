@@ -12,7 +12,7 @@ use crate::mercator::Mercator;
 pub struct LinesOfSight {
     pub(crate) axes: Axes,
     pub(crate) focal_length_px: f64,
-    pub(crate) map: Map,
+    pub(crate) map: DirectionMap,
 }
 
 /// The highest rectangle of a conformal picture whose middle row is found between the outer ones, radians.
@@ -20,7 +20,7 @@ const MOST_ROWS_AROUND: f64 = 3.0;
 
 /// The map of a picture's places to directions.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Map {
+pub(crate) enum DirectionMap {
     /// On a plane, whose top left corner is there, in pixels.
     Flat { to_top_left: DVec3 },
     /// By longitude and latitude, a picture of this size being half of the sky.
@@ -35,19 +35,19 @@ impl LinesOfSight {
     pub fn through(&self, [u, v]: [f64; 2]) -> DVec3 {
         let Axes { right, up, forward } = self.axes;
         match self.map {
-            Map::Flat { to_top_left } => (to_top_left + right * u - up * v).normalize(),
-            Map::Round { size: [width, height] } => {
+            DirectionMap::Flat { to_top_left } => (to_top_left + right * u - up * v).normalize(),
+            DirectionMap::Round { size: [width, height] } => {
                 let (sine, cosine) = sin_cos(PI * (u / width - 0.5));
                 let (height, level) = sin_cos(PI * (0.5 - v / height));
                 (forward * cosine + right * sine) * level + up * height
             }
-            Map::Mercator(mercator) => mercator.line_of_sight(mercator.coordinates_at([u, v])),
+            DirectionMap::Mercator(mercator) => mercator.line_of_sight(mercator.coordinates_at([u, v])),
         }
     }
 
     /// Unit vectors through the middle of the rectangle between these places of the picture, in pixels, and through its corners.
     pub(crate) fn around(&self, [left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> (DVec3, [DVec3; 4]) {
-        if let Map::Mercator(mercator) = self.map {
+        if let DirectionMap::Mercator(mercator) = self.map {
             let [low, high] = [[left, bottom], [right, top]].map(|place| mercator.coordinates_at(place));
             if high.y - low.y < MOST_ROWS_AROUND {
                 return mercator.lines_of_sight_around(low, high);
@@ -63,7 +63,7 @@ impl LinesOfSight {
     /// Returns the turn of the line of sight from this pixel to the one on the right, and to the one below.
     pub(crate) fn turns(&self, [u, v]: [f64; 2]) -> [DVec3; 2] {
         let Axes { right, up, .. } = self.axes;
-        let Map::Flat { to_top_left } = self.map else { return self.turns_of(self.through([u, v])) };
+        let DirectionMap::Flat { to_top_left } = self.map else { return self.turns_of(self.through([u, v])) };
         let unnormalised = to_top_left + right * u - up * v;
         let length = unnormalised.length();
         let sight = unnormalised / length;
@@ -75,14 +75,14 @@ impl LinesOfSight {
         let Axes { right, up, forward } = self.axes;
         let across = |side: DVec3| side - sight * sight.dot(side);
         match self.map {
-            Map::Flat { .. } => {
+            DirectionMap::Flat { .. } => {
                 [right, -up].map(|side| across(side) * (sight.dot(forward) / self.focal_length_px))
             }
-            Map::Round { size: [width, height] } => {
+            DirectionMap::Round { size: [width, height] } => {
                 let along_row = right * sight.dot(forward) - forward * sight.dot(right);
                 [along_row * (PI / width), across(-up).normalize_or_zero() * (PI / height)]
             }
-            Map::Mercator(mercator) => mercator.turns(sight),
+            DirectionMap::Mercator(mercator) => mercator.turns(sight),
         }
     }
 }

@@ -5,9 +5,9 @@ use std::mem::offset_of;
 use crate::compose::{self, Composing};
 use crate::corners::Corner;
 use crate::effects::{Constant, Effects};
-use crate::frame::Frame;
+use crate::frame::FrameUniform;
 use crate::kind::Kind;
-use crate::mesh::Instance;
+use crate::mesh::MeshInstance;
 use crate::pipelines::{Key, Output, Technique};
 use crate::rays::Piece;
 use crate::street_sight::StreetVariant;
@@ -59,7 +59,7 @@ macro_rules! mirror {
 /// The uniform blocks that both sides state.
 pub const BLOCKS: [Mirror; 2] = [
     mirror!(
-        Frame: base, right, down, radial, pole, speed, motion, oblique, group_axes, reference_axes, to_street, street_axes, rising, on_ground, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, street_speed, street_motion, street_light, contact_eye, contacts, houses, openings, backdrop, hatch,
+        FrameUniform: base, right, down, radial, pole, speed, motion, oblique, group_axes, reference_axes, to_street, street_axes, rising, on_ground, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, street_speed, street_motion, street_light, contact_eye, contacts, houses, openings, backdrop, hatch,
         clip_right, clip_up, forward
     ),
     mirror!(Composing: first, second, top),
@@ -73,8 +73,8 @@ pub const VERTICES: [VertexMirror; 3] = [
     },
     VertexMirror { mirror: mirror!(Corner: profile, turn), layout: Corner::LAYOUT },
     VertexMirror {
-        mirror: mirror!(Instance: place_radius, form, turn, light, width_brightness_index, pattern, spin, rim, copy),
-        layout: Instance::LAYOUT,
+        mirror: mirror!(MeshInstance: place_radius, form, turn, light, width_brightness_index, pattern, spin, rim, copy),
+        layout: MeshInstance::LAYOUT,
     },
 ];
 
@@ -84,12 +84,12 @@ pub fn shaders() -> Vec<Shader> {
     let backdrop = Shader {
         name: "backdrop".to_owned(),
         source: shaders::BACKDROP,
-        constants: backdrop::constants(backdrop::Part::Street, true, true, StreetVariant::Daylit),
+        constants: backdrop::constants(backdrop::BackdropPart::Street, true, true, StreetVariant::Daylit),
     };
     let compose = Shader {
         name: "compose".to_owned(),
         source: shaders::COMPOSE,
-        constants: compose::Form::Rows.constants().to_vec(),
+        constants: compose::ComposeVariant::Rows.constants().to_vec(),
     };
     let bodies = Kind::ALL.iter().flat_map(|&kind| {
         [("impostor", rays::TECHNIQUE), ("mesh", mesh::TECHNIQUE)]

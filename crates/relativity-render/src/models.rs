@@ -6,7 +6,7 @@ use crate::gpu::Gpu;
 use crate::scene::PreparedScene;
 use crate::target;
 use crate::triangles::Triangles;
-use crate::triangles::packed::{MOST_WAITING, Packed, TEXELS, Texel};
+use crate::triangles::packed::{MOST_WAITING, PackedModel, TEXELS, Texel};
 
 /// Greatest length of a row, texels: a power of two, as every length is.
 const LONGEST_ROW: u32 = 4096;
@@ -77,7 +77,7 @@ impl Arranged {
         let width = row_length(largest_side);
         let mut arranged = Self { rows: Vec::new(), size: [width, 0], texels: Vec::new() };
         for model in models {
-            let Packed { texels, waiting } = model.packed();
+            let PackedModel { texels, waiting } = model.packed();
             arranged.rows.push(arranged.size[1]);
             arranged.size[1] += u32::try_from(texels.len().div_ceil(width as usize)).ok()?;
             if waiting > MOST_WAITING || arranged.size[1] > largest_side {
@@ -127,13 +127,14 @@ fn filled(gpu: &Gpu, size: [u32; 2], texels: &[Texel]) -> wgpu::TextureView {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::triangles::Model;
+    use crate::triangles::RawModel;
 
     /// A band of triangles, about one of whose corners the next is turned.
     fn band(count: u32) -> Arc<Triangles> {
         let corner = |i: u32| [f64::from(i), f64::from(i % 2), 0.0];
         let triangles = (0..count).map(|i| [i, i + 1, i + 2]).collect();
-        let model = Model { corners: (0..count + 2).map(corner).collect(), triangles, ..Model::default() };
+        let model =
+            RawModel { corners: (0..count + 2).map(corner).collect(), triangles, ..RawModel::default() };
         model.prepared().expect("a model")
     }
 

@@ -1,6 +1,6 @@
 //! The paint of models on the light of white surfaces.
 
-use crate::pattern::Covered;
+use crate::pattern::SampleShifts;
 use crate::reference::Hit;
 use crate::scene::PreparedScene;
 use crate::view::Appearance;
@@ -12,7 +12,7 @@ impl PreparedScene {
         &self,
         colour: [f64; 3],
         hit: &Hit,
-        covered: impl Fn() -> Covered,
+        covered: impl Fn() -> SampleShifts,
         appearance: &Appearance,
     ) -> [f64; 3] {
         let Some((triangles, point)) = self.triangles(hit.body).zip(hit.triangle) else { return colour };

@@ -17,21 +17,21 @@ pub const ROWS: u32 = 8;
 
 /// The range of a table: outside, its ends hold.
 #[derive(Debug, Clone, Copy)]
-pub struct Range {
+pub struct TableRange {
     first: f64,
     last: f64,
 }
 
 /// Octaves for light of one wavelength: 338 nm to 861 nm.
-pub const LINE: Range = Range { first: 8.4, last: 9.75 };
+pub const LINE: TableRange = TableRange { first: 8.4, last: 9.75 };
 /// Octaves for black bodies: 32 K to 17 million K.
-pub const GLOW: Range = Range { first: 5.0, last: 24.0 };
+pub const GLOW: TableRange = TableRange { first: 5.0, last: 24.0 };
 /// Octaves for bands: 97 nm to 3100 nm.
-pub const BAND: Range = Range { first: 6.6, last: 11.6 };
+pub const BAND: TableRange = TableRange { first: 6.6, last: 11.6 };
 /// Octaves of the Doppler factor, for false colours and for the street: D from 1/256 to 256.
-pub const MAP: Range = Range { first: -8.0, last: 8.0 };
+pub const MAP: TableRange = TableRange { first: -8.0, last: 8.0 };
 
-impl Range {
+impl TableRange {
     /// Returns the number of entries per octave.
     pub fn per_octave(self) -> f64 {
         f64::from(ENTRIES - 1) / (self.last - self.first)

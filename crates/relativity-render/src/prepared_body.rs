@@ -14,7 +14,7 @@ use crate::intersect::Solid;
 use crate::kind::Kind;
 use crate::pattern::Marking;
 use crate::shape::Shape;
-use crate::shape::questions::{Packed, PackedForm};
+use crate::shape::questions::{PackedForm, PackedShape};
 use crate::triangles::Triangles;
 use crate::wheel::spin::Spin;
 
@@ -83,7 +83,7 @@ impl Placement {
     /// Returns the placement of `shape`, with this `turn`, in a group with this `middle`.
     #[must_use]
     pub fn new(shape: &Shape, turn: DQuat, middle: DVec3) -> Self {
-        let Packed { place, radius, form } = shape.packed();
+        let PackedShape { place, radius, form } = shape.packed();
         let place_radius = packed(place - middle, radius);
         let form = match form {
             PackedForm::Place(place) => packed(place - middle, 0.0),

@@ -4,7 +4,7 @@
 use relativity_core::threads::prelude::*;
 
 use crate::hatch::Hatch;
-use crate::pattern::Covered;
+use crate::pattern::SampleShifts;
 use crate::picture::{Picture, encoded};
 use crate::rectify::Rectification;
 use crate::reference::{HitImage, sample_grid};
@@ -50,8 +50,8 @@ impl Rectification {
             let doppler_factor = hit.doppler_factor / doppler_factor;
             let received = Received { rest_normal: hit.rest_normal, doppler_factor, facing: None, place };
             let colour = surface_colour(appearance, &scene.bodies()[hit.body], received, &hatch);
-            let colour = scene.painted(colour, &hit, || Covered::NOTHING, appearance);
-            let mark = scene.mark(&hit, Covered::NOTHING);
+            let colour = scene.painted(colour, &hit, || SampleShifts::NOTHING, appearance);
+            let mark = scene.mark(&hit, SampleShifts::NOTHING);
             colour.map(|part| part * mark)
         };
         let pixel = |index: u32| {

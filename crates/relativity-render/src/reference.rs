@@ -11,13 +11,13 @@ use crate::candidates::BAND;
 use crate::cap::Cap;
 use crate::contact::Contacts;
 use crate::daylight::Facing;
-use crate::first_entry::{Chosen, Found};
+use crate::first_entry::{CandidateBodies, Found};
 use crate::group_view::{GroupView, RestRay};
 use crate::hatch::Hatch;
-use crate::hierarchy::Lines;
+use crate::hierarchy::RayBundle;
 use crate::intersect::Entry;
 use crate::lines_of_sight::LinesOfSight;
-use crate::pattern::{Covered, Marking};
+use crate::pattern::{Marking, SampleShifts};
 use crate::picture::{Picture, encoded};
 use crate::ray::Ray;
 use crate::scene::PreparedScene;
@@ -103,7 +103,7 @@ impl PreparedScene {
         self.first_hits_among(&all, view, &self.group_views(view), &[line_of_sight]).pop()?
     }
 
-    /// Returns the hits among `bodies` along each of these lines of sight, at most [`Lines::MOST`]: of each group the first, of
+    /// Returns the hits among `bodies` along each of these lines of sight, at most [`RayBundle::MOST`]: of each group the first, of
     /// those the nearest by light travel.
     fn first_hits_among(
         &self,
@@ -120,7 +120,7 @@ impl PreparedScene {
             (own, others) = self.split(others, group);
             let within = |cap: &Cap| self.standing(group, group_view, cap);
             let standing = bodies.standing.as_ref().and_then(within);
-            let chosen = Chosen { group, others: own, standing };
+            let chosen = CandidateBodies { group, others: own, standing };
             if chosen.is_empty() {
                 continue;
             }
@@ -149,7 +149,7 @@ impl PreparedScene {
     /// Returns the hits among the `chosen` bodies of a group.
     fn first_hits_in(
         &self,
-        chosen: &Chosen<'_>,
+        chosen: &CandidateBodies<'_>,
         view: &View,
         group_view: &GroupView,
         lines_of_sight: &[DVec3],
@@ -282,7 +282,7 @@ impl PreparedScene {
     }
 
     /// The mark of the pattern at `hit`, on average over what is `covered`: the factor of its light.
-    pub(crate) fn mark(&self, hit: &Hit, covered: Covered) -> f64 {
+    pub(crate) fn mark(&self, hit: &Hit, covered: SampleShifts) -> f64 {
         let body = &self.bodies()[hit.body];
         let place = hit.material_position - self.solid(hit.body).center();
         let mark =
@@ -304,11 +304,11 @@ impl PreparedScene {
         group_views: &[GroupView],
         line_of_sight: DVec3,
         turns: [DVec3; 2],
-    ) -> Covered {
+    ) -> SampleShifts {
         let group_view = &group_views[self.group_of(hit.body)];
         let ray = group_view.rest_ray_at(line_of_sight, hit.distance);
         let shifts = turns.map(|turn| group_view.shift(&ray, turn) * hit.distance);
-        Covered::new(ray.direction, hit.rest_normal, shifts)
+        SampleShifts::new(ray.direction, hit.rest_normal, shifts)
     }
 
     /// Linear sRGB of what is seen along `line_of_sight`, in [0, 1] where it is a body.
@@ -350,11 +350,11 @@ impl PreparedScene {
                 let cap = || if part == look.tile { look.cap } else { Some(part.cap(lines_of_sight)) };
                 let standing = look.cap.and_then(|_| cap());
                 let bodies = TileBodies { groups: look.groups, others: look.others, standing };
-                let mut places = Vec::with_capacity(Lines::MOST);
+                let mut places = Vec::with_capacity(RayBundle::MOST);
                 part.pixels().for_each(|pixel| places.extend(sample_grid(pixel, samples)));
                 let sights: Vec<_> = places.iter().map(|&place| lines_of_sight.through(place)).collect();
                 let mut hits = Vec::with_capacity(sights.len());
-                for some in sights.chunks(Lines::MOST) {
+                for some in sights.chunks(RayBundle::MOST) {
                     hits.append(&mut self.first_hits_among(&bodies, view, group_views, some));
                 }
                 let count = (samples * samples) as usize;

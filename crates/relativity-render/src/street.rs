@@ -44,7 +44,7 @@ pub(crate) struct Paints {
 }
 
 /// A pixel of the fronts.
-pub(crate) struct Front {
+pub(crate) struct FrontPixel {
     pub colour: [f64; 3],
     /// Share of the pixel that they cover.
     pub cover: f64,
@@ -53,14 +53,14 @@ pub(crate) struct Front {
 impl Paints {
     /// Returns what a pixel shows of the fronts: `place` is x along them and height above the ground at its middle, `pixel` its width and height
     /// there.
-    pub fn front(&self, place: DVec2, pixel: DVec2) -> Front {
+    pub fn front(&self, place: DVec2, pixel: DVec2) -> FrontPixel {
         let House { shade, cover, cornice } = house(place, pixel);
         let openings: [_; 4] = std::array::from_fn(|number| opening_cover(number, 0.0, place, pixel));
         let frames = (0..4).map(|number| opening_cover(number, FRAME, place, pixel)).sum::<f64>();
         let stone = (frames + band_cover(place.y, COURSE, pixel.y) + cornice).min(1.0);
         let framed = mix(self.wall.map(|part| part * shade), self.frame, stone);
         let glazed = mix(framed, self.glass, openings[0] + openings[1]);
-        Front { colour: mix(mix(glazed, self.door, openings[2]), self.shop, openings[3]), cover }
+        FrontPixel { colour: mix(mix(glazed, self.door, openings[2]), self.shop, openings[3]), cover }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Models of triangles by the rays on a device, against the reference, our exact bodies and themselves.
 
 use relativity_render::{
-    Appearance, Body, Colour, Geometry, Group, Hit, HitImage, Method, Model, Motion, PreparedScene,
+    Appearance, Body, Colour, Geometry, Group, Hit, HitImage, Method, Motion, PreparedScene, RawModel,
     Renderers, Shading, Shape, Velocity, View,
 };
 
@@ -155,7 +155,7 @@ fn levels_off(drawn: &[[u8; 4]], truth: &[[u8; 4]], counts: impl Fn(usize) -> bo
 }
 
 /// A ball of large triangles, painted.
-fn painted_ball() -> Model {
+fn painted_ball() -> RawModel {
     let mut model = ball_model(MIDDLE, 0.6, 6);
     model.paints = (0..model.corners.len() as u32).map(|i| spread::<3>(i).map(|part| part as f32)).collect();
     model

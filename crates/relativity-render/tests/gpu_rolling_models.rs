@@ -1,7 +1,7 @@
 //! Models of triangles that roll, on a device, against the reference and our exact bodies.
 
 use relativity_render::{
-    Appearance, Body, Colour, EyeTarget, Geometry, Hit, MaterialPoint, Method, Model, PreparedScene,
+    Appearance, Body, Colour, EyeTarget, Geometry, Hit, MaterialPoint, Method, PreparedScene, RawModel,
     Renderers, View,
 };
 
@@ -44,7 +44,7 @@ fn is_next_to(scene: &PreparedScene, view: &View, i: usize, hit: Option<&Hit>) -
     })
 }
 
-fn wheel() -> Model {
+fn wheel() -> RawModel {
     wheel_model(0.5, 0.06, 24, 6, 7)
 }
 

@@ -1,7 +1,7 @@
 //! Textures of models on a device, against the reference.
 
 use relativity_render::{
-    Appearance, Colour, Gaze, Geometry, HitImage, Method, Model, Renderers, Texture, View, Wrap,
+    Appearance, Colour, Gaze, Geometry, HitImage, Method, RawModel, Renderers, Texture, View, Wrap,
 };
 
 use crate::gpu_support::Test;
@@ -22,15 +22,15 @@ fn waves(wrap: [Wrap; 2]) -> Texture {
 }
 
 /// A plate of four triangles, two of which have one texture, one another and one none, with this many copies of each across it.
-fn plate(copies: f32) -> Model {
+fn plate(copies: f32) -> RawModel {
     let corners = [[-1.0, 4.4, 0.0], [1.0, 3.6, 0.0], [1.0, 3.6, 1.0], [-1.0, 4.4, 1.0], [0.0, 4.0, 0.5]];
     let places = [[-0.3, 1.0], [0.8, 1.1], [1.0, -0.2], [0.0, 0.0], [0.45, 0.5]];
-    Model {
+    RawModel {
         corners: corners.to_vec(),
         triangles: vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]],
         paints: vec![[1.0, 0.9, 0.8], [0.6, 1.0, 1.0], [1.0; 3], [0.5, 0.5, 1.0], [1.0; 3]],
         textures: vec![waves([Wrap::Repeat, Wrap::Mirror]), waves([Wrap::Clamp, Wrap::Repeat])],
-        texture_numbers: vec![0, 1, Model::NO_TEXTURE, 0],
+        texture_numbers: vec![0, 1, RawModel::NO_TEXTURE, 0],
         texture_places: places.map(|place: [f32; 2]| place.map(|part| part * copies)).to_vec(),
         is_two_sided: true,
     }

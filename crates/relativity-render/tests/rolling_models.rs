@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use glam::{DQuat, DVec3};
 use relativity_render::{
-    Appearance, Body, Colour, Geometry, GroupView, HitImage, Method, Model, Motion, PreparedScene, Renderers,
-    Shape, Spin, View,
+    Appearance, Body, Colour, Geometry, GroupView, HitImage, Method, Motion, PreparedScene, RawModel,
+    Renderers, Shape, Spin, View,
 };
 
 use crate::models::{HUB, box_model, rolling, spin, view, wheel_model};
@@ -15,7 +15,7 @@ const GEOMETRIES: [Geometry; 4] = [Geometry::Seen, Geometry::Contracted, Geometr
 
 /// The triangle that light along a line of sight comes from, and its distance at rest, by a search in small steps: where the sign of the
 /// volume between the ray's place and a triangle changes, the place is found by halving.
-fn stepped(model: &Model, spin: &Spin, of_group: &GroupView, sight: DVec3) -> Option<(f64, u32)> {
+fn stepped(model: &RawModel, spin: &Spin, of_group: &GroupView, sight: DVec3) -> Option<(f64, u32)> {
     const STEPS: u32 = 4000;
     let ray = of_group.rest_ray(sight);
     let middle = (DVec3::from(HUB) - ray.origin).dot(ray.direction);
@@ -63,23 +63,23 @@ fn line_of_sight(view: &View, i: usize) -> DVec3 {
 }
 
 /// Triangles anyhow in a ball about the hub.
-fn soup() -> Model {
+fn soup() -> RawModel {
     let corner = |i: u32| {
         let middle = 0.45 * centred(spread(i / 3));
         (DVec3::from(HUB) + middle + 0.25 * centred(spread(i + 7))).to_array()
     };
-    Model {
+    RawModel {
         corners: (0..120).map(corner).collect(),
         triangles: (0..40).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect(),
         is_two_sided: true,
-        ..Model::default()
+        ..RawModel::default()
     }
 }
 
 #[test]
 fn each_ray_meets_the_triangle_that_small_steps_along_the_light_meet_first() {
     for (model, radius) in [(box_model(), 1.2), (soup(), 1.25)] {
-        let model = Model { is_two_sided: true, ..model };
+        let model = RawModel { is_two_sided: true, ..model };
         let (scene, spin) = (rolling(model.clone(), radius), spin(radius));
         for (beta, geometry) in [(0.93, Geometry::Seen), (0.6, Geometry::Contracted), (0.99, Geometry::Seen)]
         {

@@ -4,8 +4,8 @@ use glam::DVec3;
 use relativity_core::{Aperture, Speed};
 use relativity_render::colour::{srgb_decoded, srgb_encoded};
 use relativity_render::{
-    Appearance, Body, Camera, Colour, Gaze, Geometry, Method, Model, PreparedScene, Renderers, Texture, View,
-    Wrap,
+    Appearance, Body, Camera, Colour, Gaze, Geometry, Method, PreparedScene, RawModel, Renderers, Texture,
+    View, Wrap,
 };
 
 const SIZE: [u32; 2] = [80, 60];
@@ -33,17 +33,17 @@ fn appearance() -> Appearance {
 }
 
 /// The plate, turned about y and moved, with `copies` of this texture in its width and in its height.
-fn plate(texture: Texture, copies: f32) -> Model {
+fn plate(texture: Texture, copies: f32) -> RawModel {
     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
         .map(|[u, v]: [f64; 2]| (corner(u, v), [u as f32, v as f32]));
-    Model {
+    RawModel {
         corners: corners.map(|(corner, _)| corner).to_vec(),
         triangles: vec![[0, 1, 2], [0, 2, 3]],
         texture_numbers: vec![0, 0],
         texture_places: corners.map(|(_, place)| place.map(|part| part * copies)).to_vec(),
         textures: vec![texture],
         is_two_sided: true,
-        ..Model::default()
+        ..RawModel::default()
     }
 }
 
@@ -58,7 +58,7 @@ fn graded(wrap: Wrap) -> Texture {
     Texture { size: [64, 64], texels: (0..64 * 64).map(texel).collect(), wrap: [wrap; 2] }
 }
 
-fn scene_of(model: Model) -> PreparedScene {
+fn scene_of(model: RawModel) -> PreparedScene {
     PreparedScene::moving(&[Body::of_triangles(model.prepared().expect("a model"))])
 }
 
@@ -106,7 +106,7 @@ fn each_texel_is_seen_where_rays_pass_it() {
         for beta in [0.0, 0.6, 0.9] {
             let view = view(beta, geometry);
             let mut white = plate(graded(Wrap::Clamp), 1.0);
-            white.texture_numbers = vec![Model::NO_TEXTURE; 2];
+            white.texture_numbers = vec![RawModel::NO_TEXTURE; 2];
             let [white, painted] = [white, plate(graded(Wrap::Clamp), 1.0)]
                 .map(|model| scene_of(model).picture(&view, &appearance(), 1));
             let places = places(&view);
@@ -162,7 +162,7 @@ fn from_afar_a_texture_is_its_average() {
     for beta in [0.0, 0.9] {
         let view = view(beta, Geometry::Seen);
         let mut white = plate(chequer(2), 1.0);
-        white.texture_numbers = vec![Model::NO_TEXTURE; 2];
+        white.texture_numbers = vec![RawModel::NO_TEXTURE; 2];
         let [white, painted] =
             [white, plate(chequer(256), 2.0)].map(|model| scene_of(model).picture(&view, &appearance(), 1));
         for (i, _) in places(&view).iter().enumerate().filter(|(_, place)| place.is_some()) {
@@ -205,7 +205,7 @@ fn packets_draw_the_textures_of_the_reference() {
 
 #[test]
 fn what_is_no_texture_is_refused() {
-    let refused = |change: &dyn Fn(&mut Model)| {
+    let refused = |change: &dyn Fn(&mut RawModel)| {
         let mut model = plate(graded(Wrap::Repeat), 1.0);
         change(&mut model);
         model.prepared().expect_err("it is wrong").to_string()

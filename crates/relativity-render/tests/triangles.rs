@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 use relativity_render::{
-    Appearance, Body, Colour, Geometry, HitImage, Method, Model, PreparedScene, Renderers, Shape,
+    Appearance, Body, Colour, Geometry, HitImage, Method, PreparedScene, RawModel, Renderers, Shape,
     TrianglesError, View,
 };
 
@@ -12,7 +12,7 @@ use crate::models::{ball_model, box_model, exact_box, scene_of, soup, view};
 
 const GEOMETRIES: [Geometry; 4] = [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone];
 
-fn hits_of(model: Model, view: &View) -> HitImage {
+fn hits_of(model: RawModel, view: &View) -> HitImage {
     scene_of(model).hit_image(view)
 }
 
@@ -199,7 +199,7 @@ fn packets_draw_a_box_of_triangles_as_the_box() {
 
 #[test]
 fn what_is_no_model_is_refused() {
-    let refused = |change: &dyn Fn(&mut Model)| {
+    let refused = |change: &dyn Fn(&mut RawModel)| {
         let mut model = box_model();
         change(&mut model);
         model.prepared().expect_err("it is wrong").to_string()
@@ -234,7 +234,7 @@ fn what_is_no_model_is_refused() {
     }
     let tiny = refused(&|model| model.corners.iter_mut().flatten().for_each(|part| *part *= 1e-8));
     assert!(tiny.starts_with("the model is 2e-8 large"), "{tiny}");
-    assert_eq!(Model::default().prepared().expect_err("it is empty"), TrianglesError::NoArea);
+    assert_eq!(RawModel::default().prepared().expect_err("it is empty"), TrianglesError::NoArea);
 }
 
 #[test]
@@ -242,8 +242,12 @@ fn a_flat_model_is_seen_and_one_of_one_side_only_from_there() {
     let corners = vec![[-1.0, 4.0, 0.0], [1.0, 4.0, 0.0], [0.0, 4.0, 1.5]];
     let view = view(0.5, Geometry::Seen, [32, 24]);
     let seen = |triangle, is_two_sided| {
-        let model =
-            Model { corners: corners.clone(), triangles: vec![triangle], is_two_sided, ..Model::default() };
+        let model = RawModel {
+            corners: corners.clone(),
+            triangles: vec![triangle],
+            is_two_sided,
+            ..RawModel::default()
+        };
         hits_of(model, &view).hits.iter().flatten().count()
     };
     let count = seen([0, 1, 2], true);

@@ -16,7 +16,7 @@ use best::{Offer, best};
 pub use choice::{Choice, method_name};
 use costs::Costs;
 pub use costs::Machine;
-use stated::{Candidate, candidates};
+use stated::{StatedMethod, candidates};
 
 use super::REFERENCE_SAMPLES;
 use crate::flags::Goal;
@@ -34,7 +34,7 @@ const EXPECTED_FAR_WORSE: f64 = 5.0;
 
 /// The views of a frame that are drawn by one method.
 #[derive(Debug, Clone, Copy)]
-pub struct Sight<'a> {
+pub struct MethodViews<'a> {
     /// Scene that is seen.
     pub scene: &'a PreparedScene,
     /// The view that is drawn, of those of the frame.
@@ -82,19 +82,19 @@ impl Automatic {
     }
 
     /// The methods that there are for `sight`, and what each is known or expected to cost.
-    fn offers(&self, goal: Goal, sight: Sight<'_>) -> Vec<Offer> {
-        let Sight { scene, view, pixels } = sight;
+    fn offers(&self, goal: Goal, sight: MethodViews<'_>) -> Vec<Offer> {
+        let MethodViews { scene, view, pixels } = sight;
         let has_gpu = self.costs.machine() != Machine::Cpu;
-        let offer = |Candidate { method, error_px }| {
+        let offer = |StatedMethod { method, error_px }| {
             let ms = self.costs.expected_ms(method, view.geometry, pixels);
             Offer { method, error_px, ms }
         };
-        let is_drawn = |candidate: &Candidate| self.has_rays || candidate.method != Method::Rays;
+        let is_drawn = |candidate: &StatedMethod| self.has_rays || candidate.method != Method::Rays;
         candidates(goal, has_gpu, scene, view).into_iter().filter(is_drawn).map(offer).collect()
     }
 
     /// Returns the method that draws `sight`; `None` if none does.
-    pub fn choose(&mut self, goal: Goal, sight: Sight<'_>) -> Option<Choice> {
+    pub fn choose(&mut self, goal: Goal, sight: MethodViews<'_>) -> Option<Choice> {
         if self.scene.as_ref() != Some(sight.scene) {
             self.scene = Some(sight.scene.clone());
             self.costs.forget();
@@ -115,7 +115,7 @@ impl Automatic {
     }
 
     /// Returns the method that draws the next frame of `sight` in place of the one `chosen`, so that its cost becomes known.
-    pub fn trial(&mut self, chosen: &Choice, sight: Sight<'_>, now_ms: f64) -> Option<Method> {
+    pub fn trial(&mut self, chosen: &Choice, sight: MethodViews<'_>, now_ms: f64) -> Option<Method> {
         let geometry = sight.view.geometry;
         // The cost of what draws comes first.
         let own_ms = self.costs.measured_ms(chosen.method, geometry, sight.pixels)?;

@@ -19,7 +19,7 @@ const GROUPS_GAMMA: f64 = 1e5;
 
 /// A method, and what is stated of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Candidate {
+pub struct StatedMethod {
     /// Method that the error is stated of.
     pub method: Method,
     /// No point is drawn further from where it is seen, pixels.
@@ -31,7 +31,7 @@ pub struct Candidate {
 /// For a budget there are some meshes. For an error there is that of the error, and only where no rays are drawn: they cost
 /// about as much or less, and are far more accurate.
 #[must_use]
-pub fn candidates(goal: Goal, has_gpu: bool, scene: &PreparedScene, view: &View) -> Vec<Candidate> {
+pub fn candidates(goal: Goal, has_gpu: bool, scene: &PreparedScene, view: &View) -> Vec<StatedMethod> {
     let f32_error_px = f32_error_px(scene, view);
     let exact = [Method::Packets, Method::Rays].map(|method| (method, f32_error_px));
     let mesh = |bound_px: f64| (Method::Mesh { bound_px }, bound_px.max(f32_error_px));
@@ -43,7 +43,7 @@ pub fn candidates(goal: Goal, has_gpu: bool, scene: &PreparedScene, view: &View)
     let all = [(Method::Reference, 0.0)].into_iter().chain(exact).chain(meshes);
     let is_drawn = |method: Method| (has_gpu || method.is_on_cpu()) && method.of_view(view) == method;
     all.filter(|(method, _)| is_drawn(*method))
-        .map(|(method, error_px)| Candidate { method, error_px })
+        .map(|(method, error_px)| StatedMethod { method, error_px })
         .collect()
 }
 

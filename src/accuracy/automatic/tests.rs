@@ -5,7 +5,7 @@ use relativity_core::Speed;
 
 use super::best::GAIN;
 use super::*;
-use crate::accuracy::{Place, view_at};
+use crate::accuracy::{TrackedPlace, view_at};
 use crate::scene::Scene;
 
 fn offer(method: Method, error_px: f64, ms: f64) -> Offer {
@@ -150,14 +150,15 @@ fn the_first_drawing_is_not_measured_nor_each_of_the_others() {
 fn start(gamma: f64) -> (PreparedScene, View) {
     let scene = Scene::preset("street").expect("a preset");
     let speed = Speed::from_gamma(gamma).expect("a speed");
-    let view = view_at(Place::Abreast, speed, scene.tracked, 0.1, 1.0, [480, 540]).expect("in the domain");
+    let view =
+        view_at(TrackedPlace::Abreast, speed, scene.tracked, 0.1, 1.0, [480, 540]).expect("in the domain");
     (scene.prepared(), view)
 }
 
 #[test]
 fn before_anything_is_measured_the_machine_decides() {
     let (scene, view) = start(2.0);
-    let sight = Sight { scene: &scene, view: &view, pixels: 518_400.0 };
+    let sight = MethodViews { scene: &scene, view: &view, pixels: 518_400.0 };
     for (machine, method) in [
         (Machine::Gpu, Method::Rays),
         (Machine::SoftwareGpu, Method::Packets),
@@ -176,7 +177,7 @@ fn before_anything_is_measured_the_machine_decides() {
 fn beyond_what_is_stated_the_reference_draws() {
     for (gamma, expected) in [(900.0, 0.002), (2000.0, 0.05), (1e6, 0.0)] {
         let (scene, view) = start(gamma);
-        let sight = Sight { scene: &scene, view: &view, pixels: 1e6 };
+        let sight = MethodViews { scene: &scene, view: &view, pixels: 1e6 };
         let choice = Automatic::new(Machine::Gpu).choose(Goal::default(), sight).expect("something draws");
         assert_eq!((choice.error_px, choice.holds), (expected, true), "{gamma}: {choice}");
     }
@@ -187,7 +188,7 @@ fn what_draws_a_geometry_alone_is_chosen_for_it() {
     let (scene, view) = start(2.0);
     let chosen = |geometry, goal| {
         let view = View { geometry, ..view };
-        let sight = Sight { scene: &scene, view: &view, pixels: 1e6 };
+        let sight = MethodViews { scene: &scene, view: &view, pixels: 1e6 };
         Automatic::new(Machine::Gpu).choose(goal, sight).map(|choice| choice.method)
     };
     let mesh = |bound_px| Some(Method::Mesh { bound_px });
@@ -202,7 +203,7 @@ fn what_draws_a_geometry_alone_is_chosen_for_it() {
 /// A simulated minute of 60 frames a second: the method of each frame, each measured as it costs.
 fn play(machine: Machine, goal: Goal, cost: impl Fn(Method) -> f64) -> (Vec<Method>, f64) {
     let (scene, view) = start(2.0);
-    let sight = Sight { scene: &scene, view: &view, pixels: 1e6 };
+    let sight = MethodViews { scene: &scene, view: &view, pixels: 1e6 };
     let mut automatic = Automatic::new(machine);
     let (mut now_ms, mut tried_ms, mut drawn) = (0.0, 0.0, Vec::new());
     while now_ms < 60_000.0 {

@@ -21,14 +21,14 @@ use crate::app::overlay::Overlay;
 use crate::app::plots::look::PlotCommand;
 use crate::app::pointer::{Pick, Select};
 use crate::app::riding::saddle::RideCommand;
-use crate::app::screens::stage::{Part, next_to_show};
+use crate::app::screens::stage::{WindowPart, next_to_show};
 use crate::app::state::defaults::Section;
 use crate::app::state::{Scratch, Session, State};
 use crate::comfort::comfortable_separation;
 use crate::map::Viewpoint;
 use crate::settings::{
-    Daylight, FitSetup, Light, Look, Map, Motion, Picture, Playback, Plots, Preset, Quality, Screen,
-    Settings, Window,
+    Daylight, FitSettings, LightSettings, LookSettings, MapSettings, MotionSettings, PictureSettings,
+    PlaybackSettings, PlotSettings, Preset, QualitySettings, ScreenSettings, Settings, WindowSettings,
 };
 
 pub use gaze::{GazeCommand, LOOK_STEP};
@@ -38,35 +38,35 @@ pub use switch::Switch;
 #[derive(Debug, Clone, PartialEq)]
 pub enum Command {
     /// New speed, separation or path.
-    Motion(Motion),
+    Motion(MotionSettings),
     /// Get on the bicycle, ride, get off.
     Ride(RideCommand),
     /// New geometry, gaze or field of view.
-    Look(Look),
+    Look(LookSettings),
     /// Another layout of the eyes' pictures, or another way to make files of them.
-    Picture(Picture),
+    Picture(PictureSettings),
     /// Gives a setting its next value.
     Switch(Switch),
     /// Sets the light.
-    Light(Light),
+    Light(LightSettings),
     /// Another renderer, or another bound of it.
-    Quality(Quality),
+    Quality(QualitySettings),
     /// New rate, range or looping.
-    Playback(Playback),
+    Playback(PlaybackSettings),
     /// New choice of curves.
-    Plots(Plots),
+    Plots(PlotSettings),
     /// Look at another part of the plots, or mark or keep something in them.
     Plotting(PlotCommand),
     /// Another face or frame of the map.
-    Map(Map),
+    Map(MapSettings),
     /// Look at another part of the map.
     MapView(Viewpoint),
     /// New samples, or another way to fit them.
-    Fit(FitSetup),
+    Fit(FitSettings),
     /// New layout or theme.
-    Window(Window),
+    Window(WindowSettings),
     /// Another screen, or another place before it.
-    Screen(Screen),
+    Screen(ScreenSettings),
     /// Gives the setting of this name this value, in the spelling of its flag.
     Value {
         /// Name of the setting.
@@ -151,7 +151,7 @@ pub enum Command {
     /// Have the window as the screen of a stereoscope, or no longer.
     ToggleStereoscope,
     /// Have a part alone in the window, or all others again.
-    ToggleMaximised(Part),
+    ToggleMaximised(WindowPart),
     /// Closes the message.
     CloseNotice,
     /// Close what is on top, else leave what the window was made.
@@ -322,13 +322,13 @@ impl State {
         }
     }
 
-    fn set_light(&mut self, light: Light) {
+    fn set_light(&mut self, light: LightSettings) {
         if let Err(error) = self.set(Settings { light, ..Settings::clone(&self.document.settings) }) {
             self.scratch.notice = Some(Notice::error(error));
         }
     }
 
-    fn set_window(&mut self, window: Window) {
+    fn set_window(&mut self, window: WindowSettings) {
         if window.theme != self.document.settings.window.theme {
             // Whatever a picture was made with: who changes the theme wants to see it.
             self.document.settings.light.light = Daylight::Theme;
@@ -337,7 +337,7 @@ impl State {
     }
 
     /// Sets the map; another map is shown as a whole first.
-    fn set_map(&mut self, map: Map) {
+    fn set_map(&mut self, map: MapSettings) {
         if map != self.document.settings.map {
             self.scratch.map_view = Viewpoint::default();
         }

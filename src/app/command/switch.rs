@@ -1,7 +1,7 @@
 //! Settings that a key or a button gives their next value.
 
 use crate::app::state::State;
-use crate::settings::{Frame, Map, Presence};
+use crate::settings::{MapFrame, MapSettings, Presence};
 
 /// A setting that is given its next value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,10 +53,10 @@ impl State {
 
     fn toggle_frame(&mut self) {
         let frame = match self.document.settings.map.frame {
-            Frame::Ground => Frame::Bicycle,
-            Frame::Bicycle if self.document.settings.ride.is_on() => Frame::Rider,
-            Frame::Bicycle | Frame::Rider => Frame::Ground,
+            MapFrame::Ground => MapFrame::Bicycle,
+            MapFrame::Bicycle if self.document.settings.ride.is_on() => MapFrame::Rider,
+            MapFrame::Bicycle | MapFrame::Rider => MapFrame::Ground,
         };
-        self.set_map(Map { frame, ..self.document.settings.map });
+        self.set_map(MapSettings { frame, ..self.document.settings.map });
     }
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 /// The answer of a dialog.
-pub enum Answer {
+pub enum DialogAnswer {
     /// A file was chosen.
     Path(PathBuf),
     /// The dialog was closed.

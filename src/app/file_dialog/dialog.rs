@@ -8,13 +8,14 @@ use eframe::egui::Context;
 use gamow_platform::clock::Instant;
 use gamow_platform::{files, threads};
 
-use crate::app::file_dialog::answer::Answer;
+use crate::app::file_dialog::answer::DialogAnswer;
 use crate::app::file_dialog::purpose::Purpose;
 use crate::app::waker::Woken;
 
-/// A dialog of the system. A thread waits for it, as that may take as long as the user likes.
+/// A dialog of the system. A thread waits for it, as that may take as long as the user likes; so nothing waits for the thread: an open
+/// dialog would keep the program from its end. The thread holds nothing of the window's but a waker, which wakes nobody then.
 pub struct Dialog {
-    answer: Receiver<Answer>,
+    answer: Receiver<DialogAnswer>,
     _woken: Woken,
 }
 
@@ -48,20 +49,20 @@ impl Dialog {
                 Purpose::Open | Purpose::OpenData => dialog.pick_file(),
             };
             let is_there = start.elapsed() >= QUICKEST;
-            let none = if is_there { Answer::None } else { Answer::NoDialog };
+            let none = if is_there { DialogAnswer::None } else { DialogAnswer::NoDialog };
             // Nobody may wait for it any more.
-            let _ = answered.send(path.map_or(none, Answer::Path));
+            let _ = answered.send(path.map_or(none, DialogAnswer::Path));
             waker.wake();
         });
         Self { answer, _woken: woken }
     }
 
     /// Returns the answer of the dialog, once there is one.
-    pub fn answer(&self) -> Option<Answer> {
+    pub fn answer(&self) -> Option<DialogAnswer> {
         match self.answer.try_recv() {
             Ok(answer) => Some(answer),
             Err(TryRecvError::Empty) => None,
-            Err(TryRecvError::Disconnected) => Some(Answer::NoDialog),
+            Err(TryRecvError::Disconnected) => Some(DialogAnswer::NoDialog),
         }
     }
 }

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::Context;
 use gamow_platform::files;
 
-use self::answer::Answer;
+use self::answer::DialogAnswer;
 use self::dialog::Dialog;
 use crate::app::command::Command;
 use crate::app::file_dialog::purpose::{Product, Purpose};
@@ -56,13 +56,13 @@ impl Chooser {
         }
         match self.dialog.as_ref().and_then(Dialog::answer) {
             None => return,
-            Some(Answer::Path(path)) => {
+            Some(DialogAnswer::Path(path)) => {
                 self.path = path.display().to_string();
                 // The dialog has asked whether it may be replaced.
                 commands.extend(self.confirmed(Some(&path)));
             }
-            Some(Answer::None) => {}
-            Some(Answer::NoDialog) => {
+            Some(DialogAnswer::None) => {}
+            Some(DialogAnswer::NoDialog) => {
                 self.remark = Some(
                     "The system has no file dialog to offer (it takes a desktop portal): type the path."
                         .to_owned(),

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::lesson::worksheet::Sheet;
+use crate::lesson::worksheet::SheetKind;
 
 /// The purpose for which a file is chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -82,11 +82,11 @@ impl Product {
 
     /// The sheet of a lesson that it is, if it is one.
     #[must_use]
-    pub const fn sheet(self) -> Option<Sheet> {
+    pub const fn sheet(self) -> Option<SheetKind> {
         match self {
-            Self::Worksheet => Some(Sheet::Questions),
-            Self::LabSheet => Some(Sheet::Lab),
-            Self::TeachersPage => Some(Sheet::Teacher),
+            Self::Worksheet => Some(SheetKind::Questions),
+            Self::LabSheet => Some(SheetKind::Lab),
+            Self::TeachersPage => Some(SheetKind::Teacher),
             _ => None,
         }
     }

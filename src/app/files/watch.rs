@@ -5,20 +5,25 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
 use eframe::egui::Context;
-use gamow_platform::{files, threads};
+use gamow_platform::clock::Instant;
+use gamow_platform::files;
+use gamow_platform::threads::{self, JoinHandle};
 
 use crate::app::waker::{Waker, Woken};
 
 /// Interval between two looks at the files.
 const INTERVAL: Duration = Duration::from_secs(1);
 
-/// A thread that looks at files about once a second. It ends at once with this, unless a disc keeps it: nothing waits for it.
-/// Only a change is announced by a repaint.
+/// Most time for which the end of a watch is waited for: a look at a file on a disc that hangs takes longer, and keeps nobody.
+const PATIENCE: Duration = Duration::from_millis(200);
+
+/// A thread that looks at files about once a second, and ends with this. Only a change is announced by a repaint.
 #[derive(Debug)]
 pub struct Watch {
     paths: Vec<PathBuf>,
     changed: Receiver<PathBuf>,
-    _stop: Sender<()>,
+    /// What tells the thread to end as it is dropped, and the thread.
+    running: Option<(Sender<()>, JoinHandle<()>)>,
     _woken: Woken,
 }
 
@@ -30,8 +35,8 @@ impl Watch {
         let (stop, stopped) = channel();
         let woken = Woken::new(ctx);
         let (watched, waker) = (stamped(&paths), woken.waker());
-        threads::spawn(move || look(&waker, watched, &sender, &stopped));
-        Self { paths, changed, _stop: stop, _woken: woken }
+        let thread = threads::spawn(move || look(&waker, watched, &sender, &stopped));
+        Self { paths, changed, running: Some((stop, thread)), _woken: woken }
     }
 
     /// Returns the paths that are watched.
@@ -47,6 +52,28 @@ impl Watch {
         changed.sort();
         changed.dedup();
         changed
+    }
+}
+
+impl Drop for Watch {
+    fn drop(&mut self) {
+        if let Some((stop, thread)) = self.running.take() {
+            drop(stop);
+            join_at_end(thread, &self.changed, PATIENCE);
+        }
+    }
+}
+
+/// Joins the `thread` that holds the other end of `changed`, if it ends within this `patience`; returns whether it did.
+fn join_at_end(thread: JoinHandle<()>, changed: &Receiver<PathBuf>, patience: Duration) -> bool {
+    let start = Instant::now();
+    loop {
+        match changed.recv_timeout(patience.saturating_sub(start.elapsed())) {
+            Ok(_) => {}
+            Err(RecvTimeoutError::Timeout) => return false,
+            // It is at its end. A panic of it was reported when it happened.
+            Err(RecvTimeoutError::Disconnected) => return thread.join().is_ok(),
+        }
     }
 }
 
@@ -70,5 +97,31 @@ fn look(waker: &Waker, mut watched: Vec<Stamped>, changed: &Sender<PathBuf>, sto
                 waker.wake();
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_thread_of_a_watch_ends_with_it() {
+        let mut watch = Watch::new(Context::default(), vec![PathBuf::from("Cargo.toml")]);
+        let (stop, thread) = watch.running.take().expect("it runs");
+        drop(stop);
+        // Without a limit that a busy machine could reach.
+        assert!(join_at_end(thread, &watch.changed, Duration::from_secs(60)));
+    }
+
+    #[test]
+    fn a_disc_that_hangs_keeps_nobody() {
+        let (sender, changed) = channel();
+        let (release, released) = channel::<()>();
+        let thread = threads::spawn(move || {
+            let _ = released.recv();
+            drop(sender);
+        });
+        assert!(!join_at_end(thread, &changed, Duration::from_millis(10)));
+        drop(release);
     }
 }

@@ -14,8 +14,8 @@ use relativity_core::{
 use serde::{Deserialize, Serialize};
 
 use super::plot_line::PlotLine;
-use crate::app::plots::curves::{Bends, Sample, sampled};
-use crate::app::worker::{Step, Wanted, Work};
+use crate::app::plots::curves::{Bends, CurveSample, sampled};
+use crate::app::worker::{StepOutcome, Wanted, Work};
 use crate::estimate::samples::{FitKey, Fittable, Samples, Simulated};
 use crate::estimate::{Estimate, estimate, other_side};
 
@@ -103,37 +103,39 @@ impl Work for FitSteps {
         Self { key, start: Instant::now(), begun: None }
     }
 
-    fn step(&mut self, (): &mut (), _: &Wanted) -> Step<FitOutcome> {
+    fn step(&mut self, (): &mut (), _: &Wanted) -> StepOutcome<FitOutcome> {
         let Some(begun) = &mut self.begun else {
             return match self.key.fittable() {
                 Ok(samples) => self.begin_with(samples),
-                Err(problem) => Step::Last(Some(self.outcome([0.0, 1.0], Vec::new(), Err(problem)))),
+                Err(problem) => StepOutcome::Last(Some(self.outcome([0.0, 1.0], Vec::new(), Err(problem)))),
             };
         };
         let missing = DEFAULT_REPLICATES - begun.replicates.estimates.len();
         if missing > 0 {
             begun.replicates.extend(&begun.best, missing.min(REPLICATES_A_STEP), self.key.setup.seed);
-            return Step::More;
+            return StepOutcome::More;
         }
-        let Some(Begun { samples, best, replicates }) = self.begun.take() else { return Step::Last(None) };
+        let Some(Begun { samples, best, replicates }) = self.begun.take() else {
+            return StepOutcome::Last(None);
+        };
         let range = range(&self.key, &samples.observations);
         let fitted = Fitted::new(&self.key, &samples, range, &best, replicates);
-        Step::Last(Some(self.outcome(range, samples.observations.samples().to_vec(), fitted)))
+        StepOutcome::Last(Some(self.outcome(range, samples.observations.samples().to_vec(), fitted)))
     }
 }
 
 impl FitSteps {
     /// Finds the best fit of the samples; it ends the job if there is none.
-    fn begin_with(&mut self, samples: Fittable) -> Step<FitOutcome> {
+    fn begin_with(&mut self, samples: Fittable) -> StepOutcome<FitOutcome> {
         match fit(&samples.observations, &samples.options) {
             Ok(best) => {
                 self.begun = Some(Begun { samples, best, replicates: Bootstrap::default() });
-                Step::More
+                StepOutcome::More
             }
             Err(error) => {
                 let range = range(&self.key, &samples.observations);
                 let samples = samples.observations.samples().to_vec();
-                Step::Last(Some(self.outcome(range, samples, Err(error.to_string()))))
+                StepOutcome::Last(Some(self.outcome(range, samples, Err(error.to_string()))))
             }
         }
     }
@@ -273,7 +275,7 @@ fn worldline(rolling: Option<Rolling>, [beta, y, z, x0]: [f64; 4]) -> Option<(Sp
 type Seeing = (FitOptions, [Aperture; 2]);
 
 /// For each sample of the best fit's `lines` the replicates' 95 % intervals, relative to the best fit.
-fn bands(eyes: Seeing, lines: &[Sample<2>], replicates: &Bootstrap) -> Vec<[[f64; 2]; 2]> {
+fn bands(eyes: Seeing, lines: &[CurveSample<2>], replicates: &Bootstrap) -> Vec<[[f64; 2]; 2]> {
     let stride = lines.len().div_ceil(BAND_TIMES).max(1);
     let found: Vec<_> =
         lines.par_iter().step_by(stride).map(|line| band_at(eyes, line, replicates)).collect();
@@ -287,7 +289,7 @@ fn bands(eyes: Seeing, lines: &[Sample<2>], replicates: &Bootstrap) -> Vec<[[f64
 }
 
 /// The replicates' 95 % interval at one time; of no width where the replicates have no curve.
-fn band_at(eyes: Seeing, line: &Sample<2>, replicates: &Bootstrap) -> [[f64; 2]; 2] {
+fn band_at(eyes: Seeing, line: &CurveSample<2>, replicates: &Bootstrap) -> [[f64; 2]; 2] {
     let points = replicates.estimates.iter().flatten();
     let angles: Vec<[f64; 2]> = points.filter_map(|point| angles(eyes, *point, line.time)).collect();
     if angles.is_empty() {
@@ -328,7 +330,7 @@ mod tests {
         let mut count = 0;
         let outcome = loop {
             count += 1;
-            if let Step::Last(outcome) = steps.step(&mut (), &wanted) {
+            if let StepOutcome::Last(outcome) = steps.step(&mut (), &wanted) {
                 break outcome.expect("it was not stopped");
             }
         };

@@ -1,14 +1,14 @@
 //! The curve that a lesson asks to draw, and the time when it takes the place of the plots.
 
 use crate::app::state::State;
-use crate::lesson::{Answer, Curve, Kind, Sight};
-use crate::settings::{Presence, Window};
+use crate::lesson::{Answer, AnswerKind, CurveAnswer, Sight};
+use crate::settings::{Presence, WindowSettings};
 
 /// A curve that is drawn, or was.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sketched<'a> {
     /// The requested curve.
-    pub curve: Curve,
+    pub curve: CurveAnswer,
     /// T and value of its points, T rising; none where it was skipped.
     pub points: &'a [[f64; 2]],
     /// Whether the curve is being drawn.
@@ -22,7 +22,7 @@ impl State {
     #[must_use]
     pub fn sketched(&self) -> Option<Sketched<'_>> {
         let course = self.course()?;
-        let Kind::Curve(curve) = course.step()?.prediction.as_ref()?.kind else { return None };
+        let AnswerKind::Curve(curve) = course.step()?.prediction.as_ref()?.kind else { return None };
         let is_asked = course.asked().is_some();
         let answer = if is_asked { course.draft.as_ref() } else { course.record()?.answer() };
         let points = match answer {
@@ -43,14 +43,14 @@ impl State {
 
     /// Returns the parts of the window: there is a place to draw in while a curve is requested, and to compare it.
     #[must_use]
-    pub fn shown_window(&self) -> Window {
+    pub fn shown_window(&self) -> WindowSettings {
         let window = self.document.settings.window;
         if self.sketched().is_none() {
             return window;
         }
         // A map that is asked for takes the place of the plots where there is not room for both.
         let map = if window.map == Presence::On { Presence::Auto } else { window.map };
-        Window { plots: true, map, ..window }
+        WindowSettings { plots: true, map, ..window }
     }
 
     /// Returns the picture of the scene, for the truth of predictions.

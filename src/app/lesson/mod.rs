@@ -11,14 +11,14 @@ use gamow_platform::clock as wall_clock;
 use relativity_render::Gaze;
 
 use crate::app::clock;
-use crate::app::lesson::session::{LessonCommand, LessonSettings, Run, Running};
+use crate::app::lesson::session::{LessonCommand, LessonSettings, Running, RunningAnimation};
 use crate::app::notice::Notice;
 use crate::app::pointer::Pick;
 use crate::app::state::State;
 use crate::lesson::{
-    Animated, Answer, Answers, Course, Kind, Lesson, LessonError, Library, Phase, Prediction,
+    Animated, Answer, AnswerKind, Answers, Course, Lesson, LessonError, Library, Phase, Prediction,
 };
-use crate::settings::{Settings, Window};
+use crate::settings::{Settings, WindowSettings};
 
 /// Entries in a lesson are noted at once: whoever opens it again goes on where it was. Answers are no steps of the way back: undoing leads back to settings and
 /// to places, never to a lesson without an answer that was given.
@@ -179,7 +179,7 @@ impl State {
                 Animated::Time(_) => Animated::Time(self.document.time),
                 Animated::Speed(_) => Animated::Speed(self.document.settings.motion.speed),
             };
-            Run { from, animation, passed: 0.0 }
+            RunningAnimation { from, animation, passed: 0.0 }
         });
         if let Some(running) = &mut self.session.lesson {
             running.run = run;
@@ -191,7 +191,7 @@ impl State {
     pub fn lesson_base(&self) -> Settings {
         let now = self.document.settings.window;
         let before = self.session.lesson.as_ref().map_or(now, |running| running.before);
-        let window = Window {
+        let window = WindowSettings {
             views: before.views,
             corrected: before.corrected,
             spectrum: before.spectrum,
@@ -289,8 +289,10 @@ impl State {
 
     /// Whether a click into a view answers the lesson; then it does.
     pub(in crate::app) fn predicts_by(&mut self, pick: &Pick) -> bool {
-        let commands =
-            matches!(self.course().and_then(Course::asked), Some(Prediction { kind: Kind::Point(_), .. }));
+        let commands = matches!(
+            self.course().and_then(Course::asked),
+            Some(Prediction { kind: AnswerKind::Point(_), .. })
+        );
         if commands {
             let direction = self.view(pick.eye, pick.size).camera.line_of_sight(pick.pixel);
             let answer = Answer::Direction(Gaze::along(direction.into()));

@@ -9,7 +9,7 @@ use relativity_render::Gaze;
 use crate::app::state::State;
 use crate::app::views::panes::EyePane;
 use crate::eye::Eye;
-use crate::lesson::{Answer, Course, Kind, PointAt, truth};
+use crate::lesson::{Answer, AnswerKind, Course, PointAt, truth};
 use crate::number_text;
 
 /// Half the size of the cross, and the radius of the ring, points.
@@ -23,7 +23,7 @@ const WIDTHS: [(f32, Color32); 2] = [(4.5, Color32::from_black_alpha(190)), (2.0
 /// Returns the body that the present step of the lesson asks for, if it asks for one.
 fn body(state: &State) -> Option<&str> {
     match &state.course()?.step()?.prediction.as_ref()?.kind {
-        Kind::Point(PointAt { body, .. }) => Some(body),
+        AnswerKind::Point(PointAt { body, .. }) => Some(body),
         _ => None,
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::lesson::{Animated, Animation, Answer, Confidence, Course, Place, Score};
-use crate::settings::{Settings, Window};
+use crate::settings::{Settings, WindowSettings};
 
 /// A command of a lesson.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,11 +47,11 @@ pub struct Running {
     /// Whether the lesson's panel is folded to a strip.
     pub is_folded: bool,
     /// The parts of the window before the lesson began.
-    pub(in crate::app) before: Window,
+    pub(in crate::app) before: WindowSettings,
     /// The number of the step whose predicted curve gave its place to the usual plots.
     pub(in crate::app) plots_in: Option<usize>,
     /// Animation that is playing.
-    pub(in crate::app) run: Option<Run>,
+    pub(in crate::app) run: Option<RunningAnimation>,
     /// The settings of the lesson at the present place.
     pub(in crate::app) told: Option<LessonSettings>,
     /// The score of the predictions, once the end is reached.
@@ -68,14 +68,14 @@ pub(in crate::app) struct LessonSettings {
 
 /// An animation that runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::app) struct Run {
+pub(in crate::app) struct RunningAnimation {
     pub from: Animated,
     pub animation: Animation,
     /// Seconds since the run began.
     pub passed: f64,
 }
 
-impl Run {
+impl RunningAnimation {
     /// Returns the present value, and whether it is the last. Speeds change by equal rapidities in equal times.
     pub fn now(&self) -> (Animated, bool) {
         let part = self.passed / self.animation.seconds;

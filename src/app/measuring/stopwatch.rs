@@ -6,7 +6,7 @@
 
 use crate::eye::Eye;
 use crate::scene::Track;
-use crate::settings::Motion;
+use crate::settings::MotionSettings;
 
 /// The tooltip of the stopwatch.
 pub const TIP: &str = "Measures T between two presses, and the time that the selected point's clock is seen to show meanwhile. \
@@ -21,20 +21,20 @@ pub enum Stopwatch {
     /// Shown, and not started yet.
     Ready,
     /// Running since this press.
-    Running(Box<Mark>),
+    Running(Box<PressMoment>),
     /// Stopped between two presses.
-    Stopped(Box<[Mark; 2]>),
+    Stopped(Box<[PressMoment; 2]>),
 }
 
 /// The moment of a press.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Mark {
+pub struct PressMoment {
     /// T at the press.
     pub time: f64,
     /// The step that T took in the frame before.
     pub step: f64,
     /// The selected point's clock as it was seen, and whose that was.
-    pub clock: Option<(Timed, Clock)>,
+    pub clock: Option<(Timed, SeenClock)>,
 }
 
 /// A clock that is timed: another one where any of this differs.
@@ -45,12 +45,12 @@ pub struct Timed {
     /// The eye that sees the clock.
     pub eye: Eye,
     /// The motion of the scene, and the eyes' places.
-    pub motion: Motion,
+    pub motion: MotionSettings,
 }
 
 /// A point's clock as an eye sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Clock {
+pub struct SeenClock {
     /// Time that the clock shows.
     pub time: f64,
     /// Rate at which it is seen to run, relative to T: the Doppler factor.
@@ -81,7 +81,7 @@ pub struct Elapsed {
 impl Elapsed {
     /// Returns the times between two presses, from the earlier T to the later one: in between, T may have gone back.
     #[must_use]
-    pub fn new([first, second]: &[Mark; 2]) -> Self {
+    pub fn new([first, second]: &[PressMoment; 2]) -> Self {
         let [from, to] = if second.time < first.time { [second, first] } else { [first, second] };
         let time = [to.time - from.time, from.step.max(to.step)];
         let clock = from.clock.zip(to.clock).filter(|((first, _), (last, _))| first == last);

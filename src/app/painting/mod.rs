@@ -15,7 +15,7 @@ use eframe::egui::{
 use eframe::egui_wgpu::{Callback, RenderState};
 use relativity_render::Gpu;
 
-use pipelines::Pipelines;
+use pipelines::PaintPipelines;
 use window_picture::{PictureCallback, WindowPicture};
 
 /// Has the window that `ctx` runs painted so, where its device is software; only from its first frame on.
@@ -38,7 +38,7 @@ struct Anew(HashSet<TextureId>);
 /// The painter of all windows.
 struct WindowPainter {
     render_state: RenderState,
-    pipelines: Pipelines,
+    pipelines: PaintPipelines,
     /// Windows whose passes have begun, the innermost last.
     begun: Vec<ViewportId>,
     windows: Vec<(ViewportId, PaintedWindow)>,
@@ -69,7 +69,7 @@ impl WindowPainter {
     fn new(render_state: &RenderState) -> Self {
         Self {
             render_state: render_state.clone(),
-            pipelines: Pipelines::new(&render_state.device, render_state.target_format),
+            pipelines: PaintPipelines::new(&render_state.device, render_state.target_format),
             begun: Vec::new(),
             windows: Vec::new(),
         }

@@ -4,7 +4,7 @@ use eframe::egui::epaint::Vertex;
 use eframe::wgpu;
 
 /// The two pipelines, and what they take.
-pub struct Pipelines {
+pub struct PaintPipelines {
     /// Paints the toolkit's triangles.
     pub triangles: wgpu::RenderPipeline,
     /// Shows what is kept.
@@ -15,7 +15,7 @@ pub struct Pipelines {
     pub of_kept: wgpu::BindGroupLayout,
 }
 
-impl Pipelines {
+impl PaintPipelines {
     /// For windows whose pixels have this format.
     pub fn new(device: &wgpu::Device, format: wgpu::TextureFormat) -> Self {
         let module = device.create_shader_module(wgpu::include_wgsl!("window.wgsl"));

@@ -7,7 +7,7 @@ use eframe::egui::{PaintCallbackInfo, Rect, TextureId};
 use eframe::egui_wgpu::{CallbackResources, CallbackTrait, RenderState};
 use eframe::wgpu;
 
-use super::pipelines::Pipelines;
+use super::pipelines::PaintPipelines;
 
 /// The kept picture of a window.
 pub struct WindowPicture {
@@ -42,7 +42,7 @@ struct TriangleRun {
 
 impl WindowPicture {
     /// Returns a picture of this size, pixels; nothing is painted on it yet.
-    pub fn new(render_state: &RenderState, pipelines: &Pipelines, size: [u32; 2]) -> Self {
+    pub fn new(render_state: &RenderState, pipelines: &PaintPipelines, size: [u32; 2]) -> Self {
         let RenderState { device, target_format, .. } = render_state;
         let largest = device.limits().max_texture_dimension_2d;
         let [width, height] = size.map(|side| side.min(largest));
@@ -95,7 +95,7 @@ impl WindowPicture {
     pub fn paint(
         &mut self,
         render_state: &RenderState,
-        pipelines: &Pipelines,
+        pipelines: &PaintPipelines,
         primitives: &[ClippedPrimitive],
         pixels_per_point: f32,
     ) {

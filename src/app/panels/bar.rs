@@ -17,7 +17,7 @@ use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::{STEREOSCOPE_TIP, explained_lazily};
 use crate::scene::{PRESETS, Scene};
-use crate::settings::{Theme, Window, about, meaning};
+use crate::settings::{Theme, WindowSettings, about, meaning};
 use crate::units::Units;
 
 /// Room for a menu's entries before they scroll, points.
@@ -174,7 +174,7 @@ fn units_to_choose(ui: &mut Ui, state: &State, commands: &mut Commands) {
         let is_there = has_metres || choice == Units::Natural;
         let response = ui.add_enabled(is_there, Button::selectable(shown == choice, name));
         if explained_lazily(response, || meaning(&choice)).on_disabled_hover_text(NO_METRES).clicked() {
-            commands.push(Command::Window(Window { units: choice, ..window }));
+            commands.push(Command::Window(WindowSettings { units: choice, ..window }));
         }
     }
     if !has_metres {
@@ -261,7 +261,7 @@ fn theme(ui: &mut Ui, state: &State, commands: &mut Commands) {
         .on_hover_text("Switches between a light and a dark window")
         .clicked()
     {
-        commands.push(Command::Window(Window { theme: other, ..state.document.settings.window }));
+        commands.push(Command::Window(WindowSettings { theme: other, ..state.document.settings.window }));
     }
 }
 

@@ -7,7 +7,7 @@ use eframe::egui::{self, CursorIcon, Sense, Stroke, Ui, Vec2, vec2};
 use super::Commands;
 use crate::app::border::Border;
 use crate::app::command::Command;
-use crate::app::screens::stage::Part;
+use crate::app::screens::stage::WindowPart;
 use crate::app::state::State;
 use crate::flags::Share;
 
@@ -40,11 +40,11 @@ pub fn show(ui: &Ui, state: &State, border: Border, commands: &mut Commands) {
 }
 
 /// Maximises `part` after a double click on its title, which is all that is in `ui`.
-pub fn title(ui: &Ui, part: Part, commands: &mut Commands) {
+pub fn title(ui: &Ui, part: WindowPart, commands: &mut Commands) {
     let name = match part {
-        Part::Pane(number) => format!("Title of view {}", number + 1),
-        Part::Map => "Title of the map".to_owned(),
-        Part::Plots => "Title of the plots".to_owned(),
+        WindowPart::Pane(number) => format!("Title of view {}", number + 1),
+        WindowPart::Map => "Title of the map".to_owned(),
+        WindowPart::Plots => "Title of the plots".to_owned(),
     };
     let response = ui.interact(ui.max_rect(), ui.scope_id().with(part), Sense::click());
     response.widget_info(|| egui::WidgetInfo::labeled(Role::TitleBar, true, &name));

@@ -4,12 +4,12 @@ use eframe::egui::{
     self, Color32, Pos2, Rect, Sense, Stroke, StrokeKind, TextureHandle, Ui, accesskit::Role, pos2,
 };
 
-use crate::app::views::observer::Correction;
+use crate::app::views::observer::SpeedCorrection;
 use crate::app::widgets::pane_title;
 use crate::number_text;
 
 /// Draws the pane in `rect`.
-pub fn show(ui: &Ui, rect: Rect, correction: &Correction, picture: Option<&TextureHandle>) {
+pub fn show(ui: &Ui, rect: Rect, correction: &SpeedCorrection, picture: Option<&TextureHandle>) {
     let colour = ui.visuals().text_color();
     let by = if correction.is_fitted { "fitted" } else { "set" };
     let text = format!("Corrected by the {by} β {}", number_text::beta(&correction.speed));

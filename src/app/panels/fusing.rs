@@ -6,7 +6,7 @@ use super::Commands;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::widgets::strip_button;
-use crate::comfort::Verdict;
+use crate::comfort::ComfortVerdict;
 
 /// Shows at the right of the title strip `strip` that the views are hard to fuse, in a layout that is made to be fused;
 /// a click brings the eyes together.
@@ -17,7 +17,7 @@ pub fn offer(ui: &mut Ui, state: &State, strip: Rect, commands: &mut Commands) {
     }
     let Some(comfort) = state.comfort(settings.motion.d) else { return };
     let verdict = comfort.verdict();
-    if verdict == Verdict::Comfortable {
+    if verdict == ComfortVerdict::Comfortable {
         return;
     }
     let text = format!("{} to fuse: narrow d", verdict.word());

@@ -11,7 +11,7 @@ use crate::app::state::State;
 use crate::app::theme;
 use crate::app::wavelength_colour::{paint_strip, places, visible_colour};
 use crate::app::widgets::apart::{Span, apart};
-use crate::caption::{Moment, Source, in_words};
+use crate::caption::{Moment, RestLight, in_words};
 use crate::eye::Eye;
 
 /// Shortest and longest wavelength of the scale, nm.
@@ -91,7 +91,7 @@ impl WavelengthMark {
 
 /// The marks of `moment`: at rest, and what arrives at each eye, or at both in one place.
 fn marks(moment: &Moment, are_eyes_together: bool, visuals: &Visuals) -> Vec<WavelengthMark> {
-    let Source::Line(at_rest) = moment.source else { return Vec::new() };
+    let RestLight::Line(at_rest) = moment.source else { return Vec::new() };
     let mark = |name, text: &str, wavelength_nm: f64, colour| WavelengthMark {
         name,
         wavelength_nm,

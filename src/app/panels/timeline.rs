@@ -18,7 +18,7 @@ use crate::app::widgets;
 use crate::app::widgets::apart::{Span, apart};
 use crate::app::widgets::icons::{self, Icon};
 use crate::flags::{MAX_TIME, TimeRange};
-use crate::settings::{Playback, RATE, about};
+use crate::settings::{PlaybackSettings, RATE, about};
 use crate::units::Unit;
 
 /// Widths of the transport's buttons with T's name and the gaps around them, of the words around the numbers of the rate
@@ -169,7 +169,7 @@ fn playback(ui: &mut Ui, state: &State, shown: PlaybackControls, commands: &mut 
     }
 }
 
-fn rate(ui: &mut Ui, state: &State, playback: &mut Playback) {
+fn rate(ui: &mut Ui, state: &State, playback: &mut PlaybackSettings) {
     let unit = state.measures().time;
     let rate = widgets::measure(&mut playback.rate, unit, RATE)
         .speed(unit.shown(0.01))
@@ -179,7 +179,7 @@ fn rate(ui: &mut Ui, state: &State, playback: &mut Playback) {
     rate.accessible_name("Playback rate");
 }
 
-fn looping(ui: &mut Ui, playback: &mut Playback) {
+fn looping(ui: &mut Ui, playback: &mut PlaybackSettings) {
     let repeat = icons::button(ui, Icon::Loop, "Loop", vec2(28.0, 24.0), playback.looping);
     if repeat.on_hover_text(about("looping")).clicked() {
         playback.looping = !playback.looping;
@@ -187,7 +187,7 @@ fn looping(ui: &mut Ui, playback: &mut Playback) {
 }
 
 /// First and last T, from the right.
-fn range(ui: &mut Ui, state: &State, playback: &mut Playback) {
+fn range(ui: &mut Ui, state: &State, playback: &mut PlaybackSettings) {
     let [mut from, mut to] = state.time_range();
     let mut fitted = playback.range.0.is_none();
     let tip = about("range");

@@ -7,7 +7,7 @@ use std::time::Duration;
 use gamow_platform::{files, locks};
 
 use super::kept_file::KeptFile;
-use crate::lesson::{Answers, Moment};
+use crate::lesson::{Answers, Timestamp};
 
 /// The name of the file of answers.
 pub const NAME: &str = "answers.json";
@@ -22,9 +22,9 @@ pub struct AnswersFile {
     file: KeptFile,
     lock: PathBuf,
     /// The date of the latest entry that was written.
-    written: Moment,
+    written: Timestamp,
     /// The dates of the latest answer and of the latest entry that there was an attempt to write.
-    attempted: [Moment; 2],
+    attempted: [Timestamp; 2],
 }
 
 impl AnswersFile {

@@ -24,8 +24,8 @@ use gamow_platform::locks::{self, Lock};
 use super::notice::Notice;
 use super::overlay::Overlay;
 use super::state::State;
-use crate::lesson::{Answers, Moment};
-use crate::settings::{Settings, Window};
+use crate::lesson::{Answers, Timestamp};
+use crate::settings::{Settings, WindowSettings};
 use answers_file::AnswersFile;
 use kept_file::KeptFile;
 
@@ -80,7 +80,7 @@ struct Files {
     /// The failure that was shown.
     shown: Option<String>,
     /// The date of the last entry that is not written, and when it was noticed.
-    entering: Option<(Moment, Instant)>,
+    entering: Option<(Timestamp, Instant)>,
     folder: PathBuf,
     window_lock: Option<Lock>,
 }
@@ -344,5 +344,5 @@ fn reset(file: &mut KeptFile, text: &str, problems: &[String]) -> String {
 /// The settings of a user's first window.
 fn of_the_first_window() -> Settings {
     let default = Settings::default();
-    Settings { window: Window { simple: true, ..default.window }, ..default }
+    Settings { window: WindowSettings { simple: true, ..default.window }, ..default }
 }

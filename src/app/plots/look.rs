@@ -3,7 +3,7 @@
 use crate::app::plots::curves::SeenPoint;
 use crate::app::state::points::Point;
 use crate::quantity::Quantity;
-use crate::settings::{PlotTab, Plots};
+use crate::settings::{PlotSettings, PlotTab};
 
 /// Greatest number of pinned curves: as many as there are dashes to distinguish them.
 pub const MAX_PINS: usize = 4;
@@ -111,7 +111,7 @@ impl Plotting {
 
 /// Returns the quantities that the shown tab plots against T.
 #[must_use]
-pub fn quantities(plots: &Plots) -> &'static [Quantity] {
+pub fn quantities(plots: &PlotSettings) -> &'static [Quantity] {
     match plots.plot {
         PlotTab::Disparity if plots.is_conformal() => &[Quantity::DeltaU, Quantity::DeltaV],
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],

@@ -24,7 +24,7 @@ const CORNERS: u32 = 64;
 
 /// Exposure and vignette of a ride, which follow it from one frame of the window to the next.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Comfort {
+pub struct RideComfort {
     /// Automatic exposure that is shown, on its way to the one that the speed has.
     exposure_ev: Option<f64>,
     /// Gaze of the frame before.
@@ -35,7 +35,7 @@ pub struct Comfort {
     vignette: f64,
 }
 
-impl Comfort {
+impl RideComfort {
     /// Returns it after this many `seconds`, in which the automatic exposure was on its way to `target_ev` and the head held this `gaze`;
     /// a turn darkens the edges only if that `has_vignette`.
     #[must_use]
@@ -112,7 +112,7 @@ mod tests {
 
     #[test]
     fn a_push_does_not_flash_and_the_exposure_arrives() {
-        let mut comfort = Comfort::default().after(FRAME, 0.0, AHEAD, true);
+        let mut comfort = RideComfort::default().after(FRAME, 0.0, AHEAD, true);
         assert_eq!(comfort.exposure_ev(), Some(0.0));
         let mut frames = 0;
         while comfort.is_on_its_way(-6.0) {
@@ -129,7 +129,7 @@ mod tests {
     #[test]
     fn the_edge_is_dark_while_the_head_turns_and_for_a_moment_after() {
         let turned = |frame: u32| GazeChoice::Fixed([f64::from(frame), 0.0]);
-        let mut comfort = Comfort::default();
+        let mut comfort = RideComfort::default();
         for frame in 0..20 {
             comfort = comfort.after(FRAME, 0.0, turned(frame), true);
         }

@@ -1,6 +1,6 @@
 //! A game controller in the hands of whoever rides: the left stick pedals, brakes and looks aside, the right one looks around.
 
-use super::saddle::Direction;
+use super::saddle::PushDirection;
 use gamow_platform::sticks::Sticks;
 
 /// A stick that is held nearer to its middle than this rests: springs wear out.
@@ -12,11 +12,11 @@ const PACE: f64 = 0.5;
 
 /// The direction in which the sticks push, if they do.
 #[must_use]
-pub fn pushed(sticks: &Sticks) -> Option<Direction> {
+pub fn pushed(sticks: &Sticks) -> Option<PushDirection> {
     let [_, ahead] = sticks.left;
     match ahead {
-        ahead if ahead > PUSHES => Some(Direction::Forwards),
-        ahead if ahead < -PUSHES => Some(Direction::Backwards),
+        ahead if ahead > PUSHES => Some(PushDirection::Forwards),
+        ahead if ahead < -PUSHES => Some(PushDirection::Backwards),
         _ => None,
     }
 }
@@ -38,8 +38,8 @@ mod tests {
     #[test]
     fn sticks_pedal_brake_and_look() {
         let held = |left, right| Sticks { left, right };
-        assert_eq!(pushed(&held([0.0, 0.9], [0.0; 2])), Some(Direction::Forwards));
-        assert_eq!(pushed(&held([0.9, -0.6], [0.0, 1.0])), Some(Direction::Backwards));
+        assert_eq!(pushed(&held([0.0, 0.9], [0.0; 2])), Some(PushDirection::Forwards));
+        assert_eq!(pushed(&held([0.9, -0.6], [0.0, 1.0])), Some(PushDirection::Backwards));
         assert_eq!(pushed(&held([1.0, 0.3], [0.0, 1.0])), None);
         assert_eq!(looked(&held([0.1, 1.0], [-0.1, 0.1]), 0.1), None, "worn springs");
         assert_eq!(looked(&held([0.0; 2], [-1.0, 0.5]), 0.1), Some([-0.05, 0.025]));

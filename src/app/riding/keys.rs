@@ -2,15 +2,15 @@
 
 use eframe::egui::{Context, Event, InputState, Key};
 
-use super::saddle::Direction;
+use super::saddle::PushDirection;
 use crate::app::command::{Command, GazeCommand, LOOK_STEP};
 use crate::app::state::State;
 
 /// Keys that look to the left, and to the right.
 const LOOKS: [(Key, f64); 2] = [(Key::ArrowLeft, -1.0), (Key::ArrowRight, 1.0)];
 /// Keys that pedal and brake.
-const PEDALS: [(Key, Direction); 2] =
-    [(Key::ArrowUp, Direction::Forwards), (Key::ArrowDown, Direction::Backwards)];
+const PEDALS: [(Key, PushDirection); 2] =
+    [(Key::ArrowUp, PushDirection::Forwards), (Key::ArrowDown, PushDirection::Backwards)];
 /// Keys that walk: which way each pushes, by how far to the right and how far ahead of where one looks.
 const WALKS: [(Key, [i16; 2]); 4] =
     [(Key::W, [0, 1]), (Key::A, [-1, 0]), (Key::S, [0, -1]), (Key::D, [1, 0])];
@@ -35,7 +35,7 @@ pub fn taken(state: &State, event: &Event) -> Option<Option<(Key, Command)>> {
 
 /// The direction in which keys push just now, if they do.
 #[must_use]
-pub fn held(ctx: &Context, state: &State) -> Option<Direction> {
+pub fn held(ctx: &Context, state: &State) -> Option<PushDirection> {
     if !state.document.settings.ride.is_on() || ctx.egui_wants_keyboard_input() {
         return None;
     }
@@ -43,13 +43,13 @@ pub fn held(ctx: &Context, state: &State) -> Option<Direction> {
 }
 
 /// The one pedal that is pushed.
-fn pedalled(input: &InputState) -> Option<Direction> {
+fn pedalled(input: &InputState) -> Option<PushDirection> {
     let mut held = PEDALS.iter().filter(|(key, _)| input.key_down(*key));
     held.next().map(|(_, direction)| *direction).filter(|_| held.next().is_none())
 }
 
 /// The direction in which the keys that walk push together.
-fn walked(input: &InputState) -> Option<Direction> {
+fn walked(input: &InputState) -> Option<PushDirection> {
     let held = WALKS.iter().filter(|(key, _)| input.key_down(*key)).map(|(_, push)| push);
     let [right, ahead] = held.fold([0, 0], |[right, ahead], [x, y]| [right + x, ahead + y]);
     match ([right, ahead], right.signum()) {
@@ -58,5 +58,5 @@ fn walked(input: &InputState) -> Option<Direction> {
         ([_, 0], side) => Some(-90 * side),
         ([_, ahead], side) => Some(if ahead > 0 { -45 * side } else { -135 * side }),
     }
-    .map(Direction::Beside)
+    .map(PushDirection::Beside)
 }

@@ -7,15 +7,15 @@ pub mod saddle;
 
 use relativity_core::{Odometers, math};
 
-use self::comfort::Comfort;
-use self::saddle::{Direction, Push, RideCommand, Saddle};
+use self::comfort::RideComfort;
+use self::saddle::{Push, PushDirection, RideCommand, Saddle};
 use crate::app::clock;
 use crate::app::notice::Notice;
 use crate::app::state::State;
 use crate::flags::choices::GazeChoice;
 use crate::flags::{FieldOfView, MAX_TIME, RideLegs, StreetVelocity};
 use crate::number_text;
-use crate::settings::{Look, Motion, Rider, Riding, Settings};
+use crate::settings::{LookSettings, MotionSettings, Rider, Riding, Settings};
 
 /// The view ahead from the saddle, degrees.
 const FOV: f64 = 90.0;
@@ -47,10 +47,15 @@ impl State {
         let legs = RideLegs::from_legs(Vec::new()).expect("it has no legs");
         let push = settings.ride.push;
         settings.ride = Riding { ride: legs, ride_from: START, push, ..Riding::default() };
-        settings.motion =
-            Motion { roll: 0.0, turn: -90.0, depth_shift: -across, height_shift: 0.0, ..settings.motion };
+        settings.motion = MotionSettings {
+            roll: 0.0,
+            turn: -90.0,
+            depth_shift: -across,
+            height_shift: 0.0,
+            ..settings.motion
+        };
         let (gaze, fov) = (GazeChoice::Fixed([0.0, -12.0]), FieldOfView(Some(FOV)));
-        settings.look = Look { gaze, fov, ..settings.look };
+        settings.look = LookSettings { gaze, fov, ..settings.look };
         self.have(settings);
         self.document.time = 0.0;
         self.scratch.saddle = Saddle { is_taken: true, push: None };
@@ -77,9 +82,9 @@ impl State {
         let default = if default.ride.is_on() { Settings::default() } else { default };
         let mut settings = Settings::clone(&self.document.settings);
         settings.ride = Riding { push: settings.ride.push, ..Riding::default() };
-        let Motion { roll, turn, depth_shift, height_shift, .. } = default.motion;
-        settings.motion = Motion { roll, turn, depth_shift, height_shift, ..settings.motion };
-        settings.look = Look { gaze: default.look.gaze, fov: default.look.fov, ..settings.look };
+        let MotionSettings { roll, turn, depth_shift, height_shift, .. } = default.motion;
+        settings.motion = MotionSettings { roll, turn, depth_shift, height_shift, ..settings.motion };
+        settings.look = LookSettings { gaze: default.look.gaze, fov: default.look.fov, ..settings.look };
         self.have(settings);
         self.scratch.saddle = Saddle::default();
         let tracked = self.document.points.selected().track;
@@ -115,7 +120,7 @@ impl State {
         }
     }
 
-    fn push(&mut self, direction: Direction, step: f64) {
+    fn push(&mut self, direction: PushDirection, step: f64) {
         let (rider, time) = (self.rider(), self.document.time);
         let held = self.scratch.saddle.push.filter(|push| push.direction == direction);
         let looks = |ride: &Riding| self.gaze().azimuth.to_degrees() - ride.ride_azimuth;
@@ -123,7 +128,7 @@ impl State {
         let begun = Push::new(direction, looks(ride), &rider);
         // Who walks pushes elsewhere as the head turns; pedals push along the motion that they began with.
         let is_held =
-            |held: &Push| !matches!(direction, Direction::Beside(_)) || held.towards == begun.towards;
+            |held: &Push| !matches!(direction, PushDirection::Beside(_)) || held.towards == begun.towards;
         let push = held.filter(is_held).unwrap_or(begun);
         let duration = push.duration(step, ride.push, &rider);
         // The ride starts at 0, and before that it moves as it starts.
@@ -165,7 +170,7 @@ impl State {
     pub(in crate::app) fn follow_for_comfort(&mut self, seconds: f64) -> bool {
         let settings = &self.document.settings;
         if !settings.ride.is_on() {
-            self.scratch.comfort = Comfort::default();
+            self.scratch.comfort = RideComfort::default();
             return false;
         }
         let target = settings.automatic_ev(&self.document.scene, self.document.time);

@@ -18,12 +18,12 @@ pub enum RideCommand {
     /// Face where one moves: the head and the gaze, as high as that was.
     Face,
     /// A push in this direction for this step of the rider's clock.
-    Push(Direction, f64),
+    Push(PushDirection, f64),
 }
 
 /// The direction of a push.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
+pub enum PushDirection {
     /// A push where the rider moves; along the line of the ride at rest.
     Forwards,
     /// A push against that.
@@ -52,7 +52,7 @@ pub struct Saddle {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Push {
     /// Direction of the push.
-    pub direction: Direction,
+    pub direction: PushDirection,
     /// Unit vector of the push in the axes of the head, along the line of the ride, to its left and up.
     pub towards: [f64; 3],
     /// Whether the push brakes: then it ends at rest.
@@ -62,12 +62,12 @@ pub struct Push {
 impl Push {
     /// The push that `rider` begins in this `direction`, with a gaze that `looks` so many degrees to the left of the line of the ride.
     #[must_use]
-    pub fn new(direction: Direction, looks: f64, rider: &Rider) -> Self {
+    pub fn new(direction: PushDirection, looks: f64, rider: &Rider) -> Self {
         let ahead = rider.ahead();
         let towards = match direction {
-            Direction::Forwards => ahead,
-            Direction::Backwards => ahead.map(|part| 0.0 - part),
-            Direction::Beside(degrees) => {
+            PushDirection::Forwards => ahead,
+            PushDirection::Backwards => ahead.map(|part| 0.0 - part),
+            PushDirection::Beside(degrees) => {
                 let steps = ((looks + f64::from(degrees)) / DEGREES_OF_WALKS).round();
                 ObserverVelocity::new(Speed::REST, (steps * DEGREES_OF_WALKS).to_radians(), 0.0).direction()
             }

@@ -5,7 +5,7 @@ use gamow_platform::files;
 use relativity_render::Picture;
 
 use super::MOST_FRAMES;
-use super::work::{Job, Made, SceneSnapshot, name_of};
+use super::work::{SaveJob, SaveOutcome, SceneSnapshot, name_of};
 use crate::app::App;
 use crate::app::file_dialog::purpose::Product;
 use crate::app::image;
@@ -39,17 +39,17 @@ impl App {
         let ctx = ui.ctx();
         match self.saver.made() {
             None => {}
-            Some(Made::File(path, text)) => self.tell(ctx, Notice::done(text).about(&path)),
-            Some(Made::Film(path, text, command)) => {
+            Some(SaveOutcome::File(path, text)) => self.tell(ctx, Notice::done(text).about(&path)),
+            Some(SaveOutcome::Film(path, text, command)) => {
                 let text = format!("{text} Copied, for an MP4 of it: {command}");
                 self.tell(ctx, Notice::done(text).about(&path));
                 ctx.copy_text(command);
             }
-            Some(Made::Picture(Picture { size, rgba })) => {
+            Some(SaveOutcome::Picture(Picture { size, rgba })) => {
                 self.tell(ctx, Notice::done("Copied the picture."));
                 ctx.copy_image(image::of_pixels(size, &rgba));
             }
-            Some(Made::Nothing(path, problem)) => self.tell(ctx, Notice::error(problem).about(&path)),
+            Some(SaveOutcome::Nothing(path, problem)) => self.tell(ctx, Notice::error(problem).about(&path)),
         }
     }
 
@@ -58,7 +58,7 @@ impl App {
         ctx.request_repaint();
     }
 
-    fn begin(&mut self, ctx: &Context, job: Job, name: String, frames: u32) {
+    fn begin(&mut self, ctx: &Context, job: SaveJob, name: String, frames: u32) {
         if self.saver.is_busy() {
             return self.tell(ctx, Notice::error("Something is still being saved: wait for it, or stop it."));
         }
@@ -73,7 +73,7 @@ impl App {
         let name = name_of(&path);
         match product {
             Product::Picture => {
-                let job = Job::Picture(self.drawn(ui, size), path);
+                let job = SaveJob::Picture(self.drawn(ui, size), path);
                 self.begin(ui.ctx(), job, name, 1);
             }
             Product::Film => {
@@ -85,11 +85,11 @@ impl App {
                     return self.tell(ui.ctx(), Notice::error(text));
                 };
                 let times = loop_times(self.state.time_range(), frames);
-                let job = Job::Film(self.drawn(ui, size), times, kind, path);
+                let job = SaveJob::Film(self.drawn(ui, size), times, kind, path);
                 self.begin(ui.ctx(), job, name, frames);
             }
             Product::Fit => {
-                let job = Job::Fit(Box::new(self.state.fit_key()), path);
+                let job = SaveJob::Fit(Box::new(self.state.fit_key()), path);
                 self.begin(ui.ctx(), job, name, 1);
             }
             Product::Report => {
@@ -99,17 +99,17 @@ impl App {
                 let base = Box::new(self.state.lesson_base());
                 // The fit that stands in its tab.
                 let fit = self.fitting.shown().map(|_| Box::new(self.state.fit_key()));
-                self.begin(ui.ctx(), Job::Report(Box::new(course), base, fit, path), name, 1);
+                self.begin(ui.ctx(), SaveJob::Report(Box::new(course), base, fit, path), name, 1);
             }
             Product::Worksheet | Product::LabSheet | Product::TeachersPage => {
                 let lesson = self.state.course().map(|course| Box::new(course.lesson().clone()));
                 let Some((lesson, sheet)) = lesson.zip(product.sheet()) else {
                     return self.tell(ui.ctx(), Notice::error("No lesson is open."));
                 };
-                self.begin(ui.ctx(), Job::Sheet(lesson, sheet, path), name, 1);
+                self.begin(ui.ctx(), SaveJob::Sheet(lesson, sheet, path), name, 1);
             }
             Product::Scene => match self.state.scene_file().filter(|model| is_model(model)) {
-                Some(model) => self.begin(ui.ctx(), Job::Scene(model.to_owned(), path), name, 1),
+                Some(model) => self.begin(ui.ctx(), SaveJob::Scene(model.to_owned(), path), name, 1),
                 None => self.tell(ui.ctx(), Notice::error("No model is open.")),
             },
             Product::PlotsSvg | Product::PlotsCsv => {
@@ -167,7 +167,7 @@ impl App {
         let ctx = ui.ctx();
         let text = match copied {
             Copied::Picture => {
-                let job = Job::Clipboard(self.drawn(ui, self.state.frame.picture_size));
+                let job = SaveJob::Clipboard(self.drawn(ui, self.state.frame.picture_size));
                 return self.begin(ctx, job, "the picture".to_owned(), 1);
             }
             Copied::Command => Ok(self.state.shown().window_command(Shell::here())),

@@ -16,7 +16,7 @@ use gamow_platform::files;
 pub use self::progress::Progress;
 use self::progress::{Reporter, lock};
 pub use self::work::SavingStep;
-use self::work::{Job, Made};
+use self::work::{SaveJob, SaveOutcome};
 use super::state::State;
 use super::worker::BackgroundWork;
 use crate::files::whole::write_whole;
@@ -52,7 +52,7 @@ struct PendingSave {
 
 impl Saver {
     /// Begins a `job`, which makes `frames` pictures of the product called `name`.
-    fn begin(&mut self, ctx: &Context, job: Job, name: String, frames: u32) {
+    fn begin(&mut self, ctx: &Context, job: SaveJob, name: String, frames: u32) {
         *lock(&self.written) = Written::default();
         self.underway = Some(PendingSave { name, frames, since: Instant::now() });
         let worker = || BackgroundWork::new(ctx, Reporter::new(ctx, &self.written));
@@ -60,11 +60,11 @@ impl Saver {
     }
 
     /// Takes the finished product, once.
-    fn made(&mut self) -> Option<Made> {
+    fn made(&mut self) -> Option<SaveOutcome> {
         let ((), (made, files)) = self.worker.as_ref()?.result()?;
         let failure = files.iter().find_map(|(path, bytes)| {
             let error = write_whole(path, |file| Ok(file.write_all(bytes)?)).err()?;
-            Some(Made::Nothing(path.clone(), format!("{error:#}")))
+            Some(SaveOutcome::Nothing(path.clone(), format!("{error:#}")))
         });
         self.underway = None;
         Some(failure.unwrap_or(made))

@@ -9,13 +9,13 @@ use relativity_render::Picture;
 use serde::{Deserialize, Serialize};
 
 use super::progress::Reporter;
-use crate::app::worker::{Step, Wanted, Work};
+use crate::app::worker::{StepOutcome, Wanted, Work};
 use crate::estimate::FitReport;
 use crate::estimate::samples::{FitKey, Fittable};
 use crate::files::whole::{write_json, write_whole};
 use crate::flags::choices::FileKind;
 use crate::flags::words::Shell;
-use crate::lesson::worksheet::{self, Sheet};
+use crate::lesson::worksheet::{self, SheetKind};
 use crate::lesson::{Course, Lesson, report};
 use crate::number_text;
 use crate::scene::{Scene, Track, scene_text};
@@ -37,7 +37,7 @@ pub struct SceneSnapshot {
 
 /// A file to make, or a picture to be copied.
 #[derive(Debug, Serialize, Deserialize)]
-pub enum Job {
+pub enum SaveJob {
     /// A picture, as a file.
     Picture(SceneSnapshot, PathBuf),
     /// A picture, to be copied.
@@ -51,12 +51,12 @@ pub enum Job {
     /// Report of a lesson, whose states build on these settings; with a fit.
     Report(Box<Course>, #[serde(with = "message::boxed")] Box<Settings>, Option<Box<FitKey>>, PathBuf),
     /// A sheet of a lesson, to print.
-    Sheet(Box<Lesson>, Sheet, PathBuf),
+    Sheet(Box<Lesson>, SheetKind, PathBuf),
 }
 
 /// The outcome of a job.
 #[derive(Debug, Serialize, Deserialize)]
-pub enum Made {
+pub enum SaveOutcome {
     /// A file, and a message about it.
     File(PathBuf, String),
     /// A film, a message about it, and a command that makes an MP4 of it.
@@ -79,18 +79,18 @@ impl SceneSnapshot {
 }
 
 /// The making of a file, in one step.
-pub struct SavingStep(Option<Job>);
+pub struct SavingStep(Option<SaveJob>);
 
 impl Work for SavingStep {
     const NAME: &'static str = "saving";
     /// Files that only the asking instance of the program has.
     type Base = Sent;
-    type Job = Job;
+    type Job = SaveJob;
     /// The outcome, and the files that the asking instance is to hand out.
-    type Result = (Made, Sent);
+    type Result = (SaveOutcome, Sent);
     type Tools = Reporter;
 
-    fn begin(given: Sent, job: Job) -> Self {
+    fn begin(given: Sent, job: SaveJob) -> Self {
         files::take_in_all(given);
         Self(Some(job))
     }
@@ -99,33 +99,33 @@ impl Work for SavingStep {
         reporter.report_note(note);
     }
 
-    fn step(&mut self, reporter: &mut Reporter, wanted: &Wanted) -> Step<Self::Result> {
-        let Some(job) = self.0.take() else { return Step::Last(None) };
+    fn step(&mut self, reporter: &mut Reporter, wanted: &Wanted) -> StepOutcome<Self::Result> {
+        let Some(job) = self.0.take() else { return StepOutcome::Last(None) };
         let path = job.path().to_owned();
         let made = job.made(|written| {
             reporter.report(written);
             wanted.holds()
         });
-        Step::Last(outcome(path, made).map(|made| (made, files::take_undelivered())))
+        StepOutcome::Last(outcome(path, made).map(|made| (made, files::take_undelivered())))
     }
 }
 
 /// Returns the outcome of a job whose file is to be at `path`; `None` if it was stopped.
-fn outcome(path: PathBuf, made: anyhow::Result<Made>) -> Option<Made> {
+fn outcome(path: PathBuf, made: anyhow::Result<SaveOutcome>) -> Option<SaveOutcome> {
     match made {
         Err(error) if error.is::<Stopped>() => None,
-        Err(error) => Some(Made::Nothing(path, format!("{error:#}"))),
+        Err(error) => Some(SaveOutcome::Nothing(path, format!("{error:#}"))),
         Ok(made) => Some(made),
     }
 }
 
 /// Returns the outcome of a file at `path`, which was saved.
-fn saved(path: PathBuf) -> Made {
+fn saved(path: PathBuf) -> SaveOutcome {
     let text = format!("Saved {}.", name_of(&path));
-    Made::File(path, text)
+    SaveOutcome::File(path, text)
 }
 
-impl Job {
+impl SaveJob {
     /// Returns the path of its file; empty if it has none.
     fn path(&self) -> &Path {
         match self {
@@ -140,7 +140,7 @@ impl Job {
     }
 
     /// Does the job; `goes_on` is called before each frame of a film, with what is written.
-    fn made(self, goes_on: impl FnMut(Written) -> bool) -> anyhow::Result<Made> {
+    fn made(self, goes_on: impl FnMut(Written) -> bool) -> anyhow::Result<SaveOutcome> {
         match self {
             Self::Picture(drawn, path) => {
                 let mut studio = drawn.studio()?;
@@ -151,7 +151,7 @@ impl Job {
             Self::Clipboard(drawn) => {
                 let mut studio = drawn.studio()?;
                 let frame = studio.frame(None)?;
-                Ok(Made::Picture(studio.still(&frame)?.frames.swap_remove(0)))
+                Ok(SaveOutcome::Picture(studio.still(&frame)?.frames.swap_remove(0)))
             }
             Self::Film(drawn, times, kind, path) => {
                 let bytes = drawn.studio()?.make_film(&times, kind, &path, goes_on)?;
@@ -160,13 +160,13 @@ impl Job {
                 let text =
                     format!("Saved {}: {} frames, {seconds:.1} s, {size}.", name_of(&path), times.len());
                 let command = kind.mp4_command(&path, Shell::here());
-                Ok(Made::Film(path, text, command))
+                Ok(SaveOutcome::Film(path, text, command))
             }
             Self::Fit(key, path) => {
                 let (report, remark) = fitted(&key)?;
                 write_whole(&path, |file| write_json(&report, file))?;
                 let text = format!("Saved {}.{remark}", name_of(&path));
-                Ok(Made::File(path, text))
+                Ok(SaveOutcome::File(path, text))
             }
             Self::Scene(model, path) => {
                 let text = scene_text(&model, files::folder_of(&path)).map_err(anyhow::Error::msg)?;
@@ -183,7 +183,7 @@ impl Job {
 }
 
 /// Writes the text at `path`.
-fn written(path: PathBuf, text: &str) -> anyhow::Result<Made> {
+fn written(path: PathBuf, text: &str) -> anyhow::Result<SaveOutcome> {
     write_whole(&path, |file| Ok(file.write_all(text.as_bytes())?))?;
     Ok(saved(path))
 }
@@ -243,16 +243,16 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let made = |path: PathBuf| {
             let wanted = Wanted::new(1, std::sync::Arc::new(1.into()), std::sync::Arc::default());
-            let mut step = SavingStep::begin(Vec::new(), Job::Picture(snapshot("rods"), path));
+            let mut step = SavingStep::begin(Vec::new(), SaveJob::Picture(snapshot("rods"), path));
             match step.step(&mut Reporter::default(), &wanted) {
-                Step::Last(Some((made, files))) if files.is_empty() => made,
+                StepOutcome::Last(Some((made, files))) if files.is_empty() => made,
                 _ => panic!("nothing was made"),
             }
         };
         let path = folder.path().join("rods.png");
-        assert!(matches!(made(path.clone()), Made::File(file, _) if file == path));
+        assert!(matches!(made(path.clone()), SaveOutcome::File(file, _) if file == path));
         assert!(path.is_file());
         let nowhere = folder.path().join("nowhere").join("rods.png");
-        assert!(matches!(made(nowhere.clone()), Made::Nothing(file, _) if file == nowhere));
+        assert!(matches!(made(nowhere.clone()), SaveOutcome::Nothing(file, _) if file == nowhere));
     }
 }

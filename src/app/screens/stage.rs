@@ -5,7 +5,7 @@ use crate::settings::Preset;
 
 /// A part that can have the window to itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Part {
+pub enum WindowPart {
     /// The view with this number, from the left.
     Pane(usize),
     /// The map part.
@@ -20,7 +20,7 @@ pub struct Stage {
     /// Whether the window has the whole screen.
     pub full_screen: bool,
     /// The part of the window that is shown alone.
-    pub maximised: Option<Part>,
+    pub maximised: Option<WindowPart>,
     /// Whether the views have a window of their own besides, for a projector.
     pub projector: bool,
     /// Whether the window is the screen of a stereoscope.
@@ -51,7 +51,7 @@ impl Stage {
     }
 
     /// Has `part` alone in the window, or all others again.
-    pub fn toggle_maximised(&mut self, part: Part) {
+    pub fn toggle_maximised(&mut self, part: WindowPart) {
         self.maximised = if self.maximised == Some(part) { None } else { Some(part) };
     }
 
@@ -64,7 +64,7 @@ impl Stage {
     #[must_use]
     pub const fn maximised_pane(&self) -> Option<usize> {
         match self.maximised {
-            Some(Part::Pane(number)) => Some(number),
+            Some(WindowPart::Pane(number)) => Some(number),
             _ => None,
         }
     }
@@ -103,7 +103,7 @@ mod tests {
     #[test]
     fn presenting_gives_back_what_was_there_before() {
         for full_screen in [false, true] {
-            for maximised in [None, Some(Part::Map)] {
+            for maximised in [None, Some(WindowPart::Map)] {
                 let before = Stage { full_screen, maximised, ..Stage::default() };
                 let mut stage = before;
                 stage.toggle_presenting();

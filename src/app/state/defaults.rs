@@ -4,7 +4,7 @@ use crate::app::clock;
 use crate::app::notice::Notice;
 use crate::app::state::State;
 use crate::app::state::points::Points;
-use crate::settings::{Look, Motion, Picture, Settings};
+use crate::settings::{LookSettings, MotionSettings, PictureSettings, Settings};
 
 /// A section of the controls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,21 +39,24 @@ impl Section {
         let (kept, all) = (settings.clone(), default);
         match self {
             Self::Motion => {
-                let motion = Motion { roll: kept.motion.roll, turn: kept.motion.turn, ..all.motion };
+                let motion = MotionSettings { roll: kept.motion.roll, turn: kept.motion.turn, ..all.motion };
                 Settings { motion, ..kept }
             }
             Self::Ride => Settings { ride: all.ride.clone(), ..kept },
             Self::Look => {
-                let Look { projection, zero_parallax, .. } = kept.look;
-                let picture =
-                    Picture { layout: all.picture.layout, swapped: all.picture.swapped, ..kept.picture };
-                let look = Look { projection, zero_parallax, ..all.look };
+                let LookSettings { projection, zero_parallax, .. } = kept.look;
+                let picture = PictureSettings {
+                    layout: all.picture.layout,
+                    swapped: all.picture.swapped,
+                    ..kept.picture
+                };
+                let look = LookSettings { projection, zero_parallax, ..all.look };
                 Settings { look, picture, quality: all.quality, ..kept }
             }
             Self::TwoEyes => {
-                let motion = Motion { roll: all.motion.roll, turn: all.motion.turn, ..kept.motion };
-                let Look { projection, zero_parallax, .. } = all.look;
-                let look = Look { projection, zero_parallax, ..kept.look };
+                let motion = MotionSettings { roll: all.motion.roll, turn: all.motion.turn, ..kept.motion };
+                let LookSettings { projection, zero_parallax, .. } = all.look;
+                let look = LookSettings { projection, zero_parallax, ..kept.look };
                 Settings { motion, look, screen: all.screen, ..kept }
             }
             Self::Light => Settings { light: all.light, ..kept },

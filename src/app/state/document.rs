@@ -11,7 +11,7 @@ use crate::app::state::points::Points;
 use crate::app::state::shared::Shared;
 use crate::flags::choices::ProjectionChoice;
 use crate::scene::Scene;
-use crate::settings::{Look, Preset, Settings};
+use crate::settings::{LookSettings, Preset, Settings};
 
 /// The document: what is shown, and the files and presets that it came from.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,7 +33,7 @@ pub struct Document {
 }
 
 /// Changes a picture for a headset into a conformal one, and returns a message about it.
-fn without_headset(look: &mut Look) -> Option<Notice> {
+fn without_headset(look: &mut LookSettings) -> Option<Notice> {
     (look.projection == ProjectionChoice::Vr180).then(|| {
         look.projection = ProjectionChoice::Mercator;
         Notice::error("Half of the sky is for headsets: `gamow render --projection vr180` draws it. The window shows conformal pictures instead.")

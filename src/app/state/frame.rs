@@ -8,7 +8,7 @@ use crate::accuracy::Choice;
 use crate::app::state::document::Document;
 use crate::app::state::shared::Shared;
 use crate::scene::Track;
-use crate::settings::{Look, Settings, Subject};
+use crate::settings::{LookSettings, Settings, Subject};
 
 /// The measurements and choices of a frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,7 +35,7 @@ pub(in crate::app) struct Looked {
     time: f64,
     tracked: Track,
     size: [u32; 2],
-    pub(in crate::app) look: Look,
+    pub(in crate::app) look: LookSettings,
     pub(in crate::app) outline: Arc<Outline>,
 }
 

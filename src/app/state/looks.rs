@@ -8,7 +8,7 @@ use crate::app::state::State;
 use crate::app::state::document::Document;
 use crate::app::state::frame::Looked;
 use crate::app::state::shared::Shared;
-use crate::settings::{Look, Settings};
+use crate::settings::{LookSettings, Settings};
 
 impl State {
     /// Works out how the eyes look in this frame, unless that is known: questions about views then cost little.
@@ -32,7 +32,7 @@ impl State {
 
     /// Returns the look of both eyes now, as numbers.
     #[must_use]
-    pub fn look(&self) -> Look {
+    pub fn look(&self) -> LookSettings {
         let known = self.frame.looked(&self.document).map(|looked| looked.look);
         let Document { settings, time, .. } = &self.document;
         known.unwrap_or_else(|| settings.fixed_look(self.subject(), *time, self.frame.picture_size))

@@ -25,7 +25,7 @@ use crate::app::orders::Order;
 use crate::app::overlay::Overlay;
 use crate::app::plots::look::Plotting;
 use crate::app::pointer::Pick;
-use crate::app::riding::comfort::Comfort;
+use crate::app::riding::comfort::RideComfort;
 use crate::app::riding::saddle::Saddle;
 use crate::app::screens::stage::Stage;
 use crate::app::state::document::Document;
@@ -62,7 +62,7 @@ pub struct Scratch {
     /// The state of the saddle: who steers, and which push is held.
     pub saddle: Saddle,
     /// Exposure and vignette, which follow a ride.
-    pub comfort: Comfort,
+    pub comfort: RideComfort,
     /// The ruler for angles in the views.
     pub angle_ruler: AngleRuler,
     /// The stopwatch in the first view.

@@ -13,7 +13,7 @@ const MARGIN: f32 = 12.0;
 
 /// The outline of a card on the screen, whose right edge is dragged until it matches the card.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Card {
+pub struct CardOutline {
     /// Size of a millimetre, points.
     points_per_mm: f32,
 }
@@ -45,7 +45,7 @@ fn beside(outline: Rect, area: Rect) -> Rect {
     }
 }
 
-impl Card {
+impl CardOutline {
     /// The outline where a millimetre is believed to have this many points.
     #[must_use]
     pub const fn new(points_per_mm: f64) -> Self {
@@ -107,7 +107,7 @@ mod tests {
         for (size, side) in [(vec2(740.0, 360.0), 85.60), (vec2(360.0, 740.0), 53.98)] {
             let area = Rect::from_min_size(pos2(0.0, 0.0), size);
             // 160 points to an inch, as many phones have.
-            let outline = Card::new(160.0 / 25.4).outline(area);
+            let outline = CardOutline::new(160.0 / 25.4).outline(area);
             assert!(area.contains_rect(outline));
             let points: f64 = side * 160.0 / 25.4;
             assert!(

@@ -4,7 +4,7 @@ use eframe::egui::{Align2, Area, Context, Frame, Id, Order, Slider, Ui, vec2};
 
 use crate::app::command::Command;
 use crate::app::panels::Commands;
-use crate::settings::{LENS_MM, PICTURE_MM, Screen, about};
+use crate::settings::{LENS_MM, PICTURE_MM, ScreenSettings, about};
 
 /// Width of the menu, points.
 const WIDTH: f32 = 320.0;
@@ -16,7 +16,7 @@ const FINGER: f32 = 30.0;
 
 /// The page that the menu leads to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Choice {
+pub enum MenuChoice {
     /// The pictures alone.
     Pictures,
     /// The menu, over the pictures.
@@ -37,17 +37,17 @@ pub struct Known {
 }
 
 /// Shows the button that opens the menu, between the pictures.
-pub fn button(ctx: &Context) -> Choice {
+pub fn button(ctx: &Context) -> MenuChoice {
     let area = Area::new(Id::unique("stereoscope's button")).order(Order::Foreground);
     let shown = area.anchor(Align2::CENTER_BOTTOM, vec2(0.0, -4.0)).show(ctx, |ui| {
         ui.spacing_mut().interact_size.y = FINGER;
         ui.button("Menu").clicked()
     });
-    if shown.inner { Choice::Menu } else { Choice::Pictures }
+    if shown.inner { MenuChoice::Menu } else { MenuChoice::Pictures }
 }
 
 /// Shows the menu over the pictures.
-pub fn show(ctx: &Context, screen: Screen, known: Known, commands: &mut Commands) -> Choice {
+pub fn show(ctx: &Context, screen: ScreenSettings, known: Known, commands: &mut Commands) -> MenuChoice {
     let area = Area::new(Id::unique("stereoscope's menu")).order(Order::Foreground);
     let shown = area.anchor(Align2::CENTER_CENTER, vec2(0.0, 0.0)).show(ctx, |ui| {
         Frame::popup(ui.style()).show(ui, |ui| {
@@ -77,7 +77,7 @@ fn words(ui: &mut Ui, known: Known) {
     }
 }
 
-fn measures(ui: &mut Ui, screen: Screen, known: Known, commands: &mut Commands) {
+fn measures(ui: &mut Ui, screen: ScreenSettings, known: Known, commands: &mut Commands) {
     let mut changed = screen;
     let [apart, to_screen] = [&mut changed.picture_distance, &mut changed.lens_to_screen];
     let rows = [
@@ -103,14 +103,14 @@ fn measures(ui: &mut Ui, screen: Screen, known: Known, commands: &mut Commands) 
     }
 }
 
-fn buttons(ui: &mut Ui, known: Known, commands: &mut Commands) -> Choice {
-    let mut choice = Choice::Menu;
+fn buttons(ui: &mut Ui, known: Known, commands: &mut Commands) -> MenuChoice {
+    let mut choice = MenuChoice::Menu;
     ui.horizontal(|ui| {
         if ui.button("Look").clicked() {
-            choice = Choice::Pictures;
+            choice = MenuChoice::Pictures;
         }
         if known.takes_card && ui.button("Card…").clicked() {
-            choice = Choice::Card;
+            choice = MenuChoice::Card;
         }
         if ui.button("Leave").clicked() {
             commands.push(Command::ToggleStereoscope);

@@ -2,19 +2,19 @@
 
 use eframe::egui::{Color32, Id, Rect, Sense, Ui};
 
-use super::card::{Card, Match};
-use super::menu::{Choice, Known};
+use super::card::{CardOutline, Match};
+use super::menu::{Known, MenuChoice};
 use super::orientation::Orientation;
-use super::viewer::{Page, Stereoscope};
+use super::viewer::{Stereoscope, StereoscopePage};
 use super::{lenses, menu};
 use crate::app::command::Command;
 use crate::app::panels::Commands;
 use crate::app::state::shared::Shared;
-use crate::app::views::panes::{Content, Pane};
+use crate::app::views::panes::{Pane, PaneContent};
 use crate::app::{App, views};
 use crate::eye::Eye;
 use crate::flags::{SCREEN_CM, ScreenWidth};
-use crate::settings::{Head, Screen};
+use crate::settings::{Head, ScreenSettings};
 
 /// The pictures of a stereoscope on the screen.
 struct Pictures {
@@ -40,14 +40,17 @@ impl App {
         let entered = self.stereoscope.take();
         let mut stereoscope = entered.unwrap_or_else(|| Stereoscope::new(self.state.gaze()));
         match stereoscope.page {
-            Page::Card(mut card) => {
+            StereoscopePage::Card(mut card) => {
                 let answer = card.show(ui, area);
-                stereoscope.page = if answer == Match::Open { Page::Card(card) } else { Page::Menu };
+                stereoscope.page =
+                    if answer == Match::Open { StereoscopePage::Card(card) } else { StereoscopePage::Menu };
                 if let Match::Found(points_per_mm) = answer {
                     self.measure_screen(ui, points_per_mm);
                 }
             }
-            Page::Pictures | Page::Menu => self.show_pictures(ui, area, &mut stereoscope),
+            StereoscopePage::Pictures | StereoscopePage::Menu => {
+                self.show_pictures(ui, area, &mut stereoscope)
+            }
         }
         self.stereoscope = Some(stereoscope);
         self.message(ui.ctx(), area, area);
@@ -62,7 +65,8 @@ impl App {
     fn measure_screen(&mut self, ui: &Ui, points_per_mm: f64) {
         let Some(points) = ui.input(|input| input.viewport().monitor_size) else { return };
         let cm = (0.1 * f64::from(points.x) / points_per_mm).clamp(*SCREEN_CM.start(), *SCREEN_CM.end());
-        let screen = Screen { screen_width: ScreenWidth(Some(cm)), ..self.state.document.settings.screen };
+        let screen =
+            ScreenSettings { screen_width: ScreenWidth(Some(cm)), ..self.state.document.settings.screen };
         self.apply(ui.ctx(), vec![Command::Screen(screen)]);
     }
 
@@ -76,7 +80,7 @@ impl App {
         self.touch(ui, area, &pictures, stereoscope);
         self.paint_pictures(ui, &pictures, &stereoscope.head());
         let mut commands = Commands::new();
-        let choice = if stereoscope.page == Page::Menu {
+        let choice = if stereoscope.page == StereoscopePage::Menu {
             let known = Known {
                 is_turned: stereoscope.device.is_some(),
                 takes_card: ui.input(|input| input.viewport().monitor_size).is_some(),
@@ -87,9 +91,9 @@ impl App {
             menu::button(ui.ctx())
         };
         stereoscope.page = match choice {
-            Choice::Pictures => Page::Pictures,
-            Choice::Menu => Page::Menu,
-            Choice::Card => Page::Card(Card::new(points_per_mm)),
+            MenuChoice::Pictures => StereoscopePage::Pictures,
+            MenuChoice::Menu => StereoscopePage::Menu,
+            MenuChoice::Card => StereoscopePage::Card(CardOutline::new(points_per_mm)),
         };
         self.apply(ui.ctx(), commands);
     }
@@ -115,7 +119,7 @@ impl App {
         let settings = self.state.document.settings.before_head(head, pictures.fov);
         let own = std::mem::replace(&mut self.state.document.settings, Shared::from(settings));
         let panes =
-            Eye::BOTH.map(|eye| Pane { content: Content::Eye(eye), rect: pictures.rects[eye.index()] });
+            Eye::BOTH.map(|eye| Pane { content: PaneContent::Eye(eye), rect: pictures.rects[eye.index()] });
         self.measure_pictures(ui, &panes);
         self.choose_methods(ui, &panes);
         let eyes: Vec<_> = panes.iter().flat_map(|pane| self.eye_panes(ui, pane)).collect();

@@ -2,7 +2,7 @@
 
 use relativity_render::Gaze;
 
-use super::card::Card;
+use super::card::CardOutline;
 use super::orientation::Orientation;
 use crate::settings::Head;
 
@@ -13,7 +13,7 @@ const STEEPEST: f64 = 1.4;
 #[derive(Debug)]
 pub struct Stereoscope {
     /// Page that is shown.
-    pub page: Page,
+    pub page: StereoscopePage,
     /// Gaze that is straight before the viewer: towards what the views showed.
     pub ahead: Gaze,
     /// Orientation of the device, if it reports one.
@@ -24,20 +24,20 @@ pub struct Stereoscope {
 
 /// The page of a stereoscope.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Page {
+pub enum StereoscopePage {
     /// The pictures alone.
     Pictures,
     /// The menu over the pictures.
     Menu,
     /// The card by which the screen is measured.
-    Card(Card),
+    Card(CardOutline),
 }
 
 impl Stereoscope {
     /// The stereoscope that is entered with the views' `gaze`.
     #[must_use]
     pub const fn new(gaze: Gaze) -> Self {
-        Self { page: Page::Menu, ahead: gaze, device: None, heading: None }
+        Self { page: StereoscopePage::Menu, ahead: gaze, device: None, heading: None }
     }
 
     /// Returns the head before the screen, in the scene's axes.

@@ -142,26 +142,26 @@ impl History {
     }
 
     /// Returns the state before the last step, or after the one that was undone last.
-    pub fn next(&mut self, direction: Direction) -> Option<UndoStep> {
+    pub fn next(&mut self, direction: UndoDirection) -> Option<UndoStep> {
         (self.run, self.was_pick) = (None, false);
         match direction {
-            Direction::Back => self.past.pop(),
-            Direction::Forwards => self.future.pop(),
+            UndoDirection::Back => self.past.pop(),
+            UndoDirection::Forwards => self.future.pop(),
         }
     }
 
     /// Keeps what was `left` by a step in this `direction`.
-    pub fn leave(&mut self, direction: Direction, left: UndoStep) {
+    pub fn leave(&mut self, direction: UndoDirection, left: UndoStep) {
         match direction {
-            Direction::Back => self.future.push(left),
-            Direction::Forwards => self.past.push(left),
+            UndoDirection::Back => self.future.push(left),
+            UndoDirection::Forwards => self.past.push(left),
         }
     }
 }
 
 /// A way through the steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
+pub enum UndoDirection {
     /// Back, by undoing.
     Back,
     /// Forwards, by redoing.

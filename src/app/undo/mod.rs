@@ -8,7 +8,7 @@ use crate::app::command::{Command, GazeCommand};
 use crate::app::notice::Notice;
 use crate::app::riding::saddle::RideCommand;
 use crate::app::state::State;
-use crate::app::undo::history::{Direction, Run, UndoStep};
+use crate::app::undo::history::{Run, UndoDirection, UndoStep};
 use crate::lesson::Course;
 
 impl State {
@@ -16,8 +16,8 @@ impl State {
     pub fn apply(&mut self, command: Command) {
         let before = self.course().cloned();
         match command {
-            Command::Undo => self.travel(Direction::Back),
-            Command::Redo => self.travel(Direction::Forwards),
+            Command::Undo => self.travel(UndoDirection::Back),
+            Command::Redo => self.travel(UndoDirection::Forwards),
             // A scene that is written anew is no setting: who writes it has a way back of their own.
             command if self.renews_the_scene(&command) => self.perform(command),
             command => self.step(command),
@@ -51,7 +51,7 @@ impl State {
         UndoStep { settings, points, preset, place: self.course().map(Course::place), time: None }
     }
 
-    fn travel(&mut self, direction: Direction) {
+    fn travel(&mut self, direction: UndoDirection) {
         let Some(kept) = self.session.history.next(direction) else { return };
         let scene = PathBuf::from(&kept.settings.scene);
         let left = UndoStep { time: kept.time.map(|_| self.document.time), ..self.kept() };

@@ -3,7 +3,7 @@
 use eframe::egui::Ui;
 use relativity_render::{Geometry, Method};
 
-use crate::accuracy::Sight;
+use crate::accuracy::MethodViews;
 use crate::app::App;
 use crate::app::views::examination::Examination;
 use crate::app::views::eyes::{Chosen, EyePictures};
@@ -27,7 +27,7 @@ impl App {
         let pixels = panes.iter().map(|pane| pixels(pane.size)).sum();
         for view in &views {
             if self.chosen.iter().all(|(geometry, _)| *geometry != view.geometry) {
-                let chosen = eyes.choose(goal, Sight { scene, view, pixels });
+                let chosen = eyes.choose(goal, MethodViews { scene, view, pixels });
                 self.chosen.extend(chosen.map(|chosen| (view.geometry, chosen)));
             }
         }

@@ -9,7 +9,7 @@ use relativity_render::{Appearance, Camera, Picture, PreparedScene, Projection, 
 use serde::{Deserialize, Serialize};
 
 use crate::app::views::background_picture::BackgroundPicture;
-use crate::app::worker::{Step, Wanted, Work};
+use crate::app::worker::{StepOutcome, Wanted, Work};
 
 /// Greatest number of pixels of a corrected picture: enough to judge it by, and drawn in a blink on the CPU.
 const MAX_PIXELS: f64 = 200_000.0;
@@ -20,7 +20,7 @@ const OUTSIDE: f64 = 0.6;
 
 /// The key of a corrected picture of a scene: everything else that it depends on.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Job {
+pub struct CorrectedKey {
     /// The eye's view, as seen.
     pub view: View,
     /// Speed for which the picture is corrected.
@@ -33,27 +33,27 @@ pub struct Job {
 pub type Corrected = BackgroundPicture<Correction>;
 
 /// The correction of the left eye's picture of a scene, in one step.
-pub struct Correction(PreparedScene, Job);
+pub struct Correction(PreparedScene, CorrectedKey);
 
 impl Work for Correction {
     const NAME: &'static str = "corrected";
     type Base = PreparedScene;
-    type Job = Job;
+    type Job = CorrectedKey;
     type Result = Picture;
     type Tools = ();
 
-    fn begin(scene: PreparedScene, job: Job) -> Self {
+    fn begin(scene: PreparedScene, job: CorrectedKey) -> Self {
         Self(scene, job)
     }
 
-    fn step(&mut self, (): &mut (), _: &Wanted) -> Step<Picture> {
+    fn step(&mut self, (): &mut (), _: &Wanted) -> StepOutcome<Picture> {
         let Self(scene, job) = self;
-        Step::Last(Some(picture(scene, job)))
+        StepOutcome::Last(Some(picture(scene, job)))
     }
 }
 
 /// The corrected picture of `scene`.
-fn picture(scene: &PreparedScene, job: &Job) -> Picture {
+fn picture(scene: &PreparedScene, job: &CorrectedKey) -> Picture {
     let size = size(job.view.camera.size);
     let camera = Camera { size: size.map(|side| FINENESS * side), ..job.view.camera };
     let view = View { camera, ..job.view };

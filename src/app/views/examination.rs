@@ -11,12 +11,12 @@ use crate::accuracy::{
 };
 use crate::app::debounce::Debounce;
 use crate::app::views::heat_map::HeatMap;
-use crate::app::worker::{BackgroundWork, Step, Wanted, Work};
+use crate::app::worker::{BackgroundWork, StepOutcome, Wanted, Work};
 use crate::eye::Eye;
 
 /// The present views, which are examined.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sight {
+pub struct ExaminedViews {
     /// Views of the eyes through their own light cones.
     pub views: Vec<(Eye, View)>,
     /// Appearance of their light.
@@ -78,11 +78,11 @@ impl Work for MethodSteps {
         Self { scene, job, found: Vec::new() }
     }
 
-    fn step(&mut self, renderers: &mut Renderers, wanted: &Wanted) -> Step<Self::Result> {
+    fn step(&mut self, renderers: &mut Renderers, wanted: &Wanted) -> StepOutcome<Self::Result> {
         match self.next_view(renderers, &|| !wanted.holds()) {
-            Ok(true) => Step::More,
-            Ok(false) => Step::Last(wanted.holds().then(|| self.outcome())),
-            Err(error) => Step::Last(Some((Err(error.to_string()), Vec::new()))),
+            Ok(true) => StepOutcome::More,
+            Ok(false) => StepOutcome::Last(wanted.holds().then(|| self.outcome())),
+            Err(error) => StepOutcome::Last(Some((Err(error.to_string()), Vec::new()))),
         }
     }
 }
@@ -118,9 +118,9 @@ pub struct Examination {
     /// Each job with its method, and the number of its sight.
     worker: BackgroundWork<MethodSteps, (Method, u64)>,
     has_gpu: bool,
-    stillness: Debounce<Sight>,
+    stillness: Debounce<ExaminedViews>,
     /// Sight that is examined; `None` while the tab is hidden.
-    sight: Option<Sight>,
+    sight: Option<ExaminedViews>,
     /// Number of sights so far.
     number: u64,
     methods: Vec<Method>,
@@ -139,7 +139,7 @@ struct ShownMaps {
 
 /// A method, and what is known about it.
 #[derive(Debug, Clone, Copy)]
-pub struct Row<'a> {
+pub struct ExaminedMethod<'a> {
     /// Method of the row.
     pub method: Method,
     /// Figures, or the reason why there are none; `None` before the first.
@@ -148,7 +148,7 @@ pub struct Row<'a> {
     pub is_current: bool,
 }
 
-impl<'a> Row<'a> {
+impl<'a> ExaminedMethod<'a> {
     /// Returns the figures, if they were measured in the present views.
     #[must_use]
     pub fn measured(&self) -> Option<&'a Figures> {
@@ -181,7 +181,7 @@ impl Examination {
     }
 
     /// Examines `sight` by all methods, the `chosen` one first. What was begun for another sight is given up.
-    pub fn update(&mut self, ctx: &Context, sight: &Sight, chosen: Method) {
+    pub fn update(&mut self, ctx: &Context, sight: &ExaminedViews, chosen: Method) {
         let chosen = sight.views.first().map_or(chosen, |(_, view)| chosen.of_view(view));
         self.methods = methods(self.has_gpu, chosen, sight);
         self.chosen = chosen;
@@ -197,7 +197,7 @@ impl Examination {
         let first = Some(chosen).filter(|chosen| self.methods.contains(chosen));
         let next = first.into_iter().chain(self.methods.iter().copied());
         if let Some(method) = next.into_iter().find(|&method| self.is_wanted(method)) {
-            let Sight { views, appearance, scene } = sight.clone();
+            let ExaminedViews { views, appearance, scene } = sight.clone();
             self.worker.request((method, self.number), scene, (views, appearance, method));
         }
     }
@@ -257,18 +257,18 @@ impl Examination {
     }
 
     /// Returns the rows of all methods: rays, packets, meshes from fine to coarse, reference.
-    pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+    pub fn rows(&self) -> impl Iterator<Item = ExaminedMethod<'_>> {
         self.methods.iter().map(|&method| {
             let outcome = self.outcome(method);
             let is_current = outcome.is_some_and(|outcome| outcome.sight == self.number);
-            Row { method, figures: outcome.map(|outcome| &outcome.figures), is_current }
+            ExaminedMethod { method, figures: outcome.map(|outcome| &outcome.figures), is_current }
         })
     }
 
     /// The method that costs less than that of `row` and is no further off, or costs no more and is nearer; `None` of
     /// what is worth its time, and before that is known.
     #[must_use]
-    pub fn better_than(&self, row: &Row<'_>) -> Option<Method> {
+    pub fn better_than(&self, row: &ExaminedMethod<'_>) -> Option<Method> {
         let own = row.measured()?;
         let is_better = |other: &Figures| {
             other.frame_ms <= own.frame_ms
@@ -296,7 +296,7 @@ impl Examination {
 }
 
 /// Returns the methods that can be measured, without those that another one replaces.
-fn methods(has_gpu: bool, chosen: Method, sight: &Sight) -> Vec<Method> {
+fn methods(has_gpu: bool, chosen: Method, sight: &ExaminedViews) -> Vec<Method> {
     if !has_gpu {
         return vec![Method::Packets, Method::Reference];
     }

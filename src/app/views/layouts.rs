@@ -6,7 +6,7 @@ use crate::app::state::State;
 use crate::app::theme;
 use crate::eye::Eye;
 use crate::flags::choices::Layout;
-use crate::settings::Picture;
+use crate::settings::PictureSettings;
 
 /// The layouts, with their names.
 pub const LAYOUTS: [(Layout, &str); 13] = [
@@ -33,7 +33,7 @@ pub fn name(layout: Layout) -> &'static str {
 
 /// The title of a picture that both eyes share.
 #[must_use]
-pub fn title(picture: &Picture) -> String {
+pub fn title(picture: &PictureSettings) -> String {
     let swapped = if picture.swapped.has(picture.layout) { ", eyes swapped" } else { "" };
     let is_shared = !matches!(picture.layout, Layout::HalfSideBySide | Layout::HalfOverUnder);
     let clicks = if is_shared { "  ·  clicks are the left eye's" } else { "" };

@@ -28,10 +28,10 @@ use relativity_render::{Gpu, Method};
 
 use self::corrected::Corrected;
 use self::eyes::{EyePictures, ShownPicture};
-use self::panes::{Content, EyePane, Pane};
+use self::panes::{EyePane, Pane, PaneContent};
 use crate::app::measuring::stopwatch::Stopwatch;
 use crate::app::panels::views::Painted;
-use crate::app::views::examination::{Examination, Sight};
+use crate::app::views::examination::{Examination, ExaminedViews};
 use crate::app::views::slide::panorama;
 use crate::app::{App, panels, theme};
 use crate::flags::choices::Form;
@@ -48,12 +48,12 @@ impl App {
         let largest = self.eyes.as_ref().map_or(1, EyePictures::largest_side);
         let scale = ui.pixels_per_point();
         match pane.content {
-            Content::Eye(eye) => vec![EyePane::new(eye, pane.rect, scale, largest)],
-            Content::Second => vec![EyePane::second(pane.rect, scale, largest)],
-            Content::Both => {
+            PaneContent::Eye(eye) => vec![EyePane::new(eye, pane.rect, scale, largest)],
+            PaneContent::Second => vec![EyePane::second(pane.rect, scale, largest)],
+            PaneContent::Both => {
                 EyePane::both(&self.state.document.settings.picture, pane.rect, scale, largest).into()
             }
-            Content::Corrected => Vec::new(),
+            PaneContent::Corrected => Vec::new(),
         }
     }
 
@@ -110,8 +110,8 @@ impl App {
     /// Draws the contents of `pane`.
     fn paint(&mut self, ui: &mut Ui, pane: Pane) {
         match (pane.content, self.eye_panes(ui, &pane).as_slice()) {
-            (Content::Both, &[first, second]) => self.paint_both(ui, [first, second]),
-            (Content::Corrected, _) => self.show_corrected(ui, pane.rect),
+            (PaneContent::Both, &[first, second]) => self.paint_both(ui, [first, second]),
+            (PaneContent::Corrected, _) => self.show_corrected(ui, pane.rect),
             (_, panes) => panes.iter().for_each(|&pane| {
                 let title = self.state.title_of(pane);
                 // What is drawn in both pictures of one eye has a name of its own in each.
@@ -192,7 +192,7 @@ impl App {
         let fit = self.fitting.shown().filter(|_| window.plots && plots.plot == PlotTab::Fit);
         let correction = self.state.correction(fit);
         let size = (rect.size() * ui.pixels_per_point()).round();
-        let job = corrected::Job {
+        let job = corrected::CorrectedKey {
             view: self.state.view_to_correct([size.x, size.y].map(|side| side.max(1.0) as u32)),
             speed: correction.speed,
             appearance: self.state.appearance(!ui.visuals().dark_mode),
@@ -204,7 +204,7 @@ impl App {
 
     /// Gives up the one picture of both eyes unless one of the `panes` shows it.
     pub(in crate::app) fn forget_composed(&mut self, panes: &[Pane]) {
-        let is_shown = panes.iter().any(|pane| pane.content == Content::Both);
+        let is_shown = panes.iter().any(|pane| pane.content == PaneContent::Both);
         if let Some(eyes) = self.eyes.as_mut().filter(|_| !is_shown) {
             eyes.forget_composed();
         }
@@ -219,7 +219,7 @@ impl App {
         let state = &self.state;
         let panes = panes.iter().flat_map(|pane| self.eye_panes(ui, pane));
         let exact = panes.filter(|pane| !pane.is_second && !state.sees_as_published(pane.eye));
-        let sight = Sight {
+        let sight = ExaminedViews {
             views: exact.map(|pane| (pane.eye, state.view(pane.eye, pane.size))).collect(),
             appearance: state.appearance(!ui.visuals().dark_mode),
             scene: state.document.prepared.clone(),

@@ -19,7 +19,7 @@ use crate::settings::{PlotTab, Settings, Subject};
 
 /// The correction of a picture by a speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Correction {
+pub struct SpeedCorrection {
     /// Speed of the correction.
     pub speed: Speed,
     /// Whether the speed was found by the fit; otherwise it is the scene's own.
@@ -45,11 +45,11 @@ const DIRECTIONS: [[f64; 2]; 8] = {
 impl State {
     /// The speed found by `fit`, or the scene's own without one.
     #[must_use]
-    pub fn correction(&self, fit: Option<&FitOutcome>) -> Correction {
+    pub fn correction(&self, fit: Option<&FitOutcome>) -> SpeedCorrection {
         let beta = fit.and_then(|outcome| outcome.fitted.as_ref().ok()?.value(Parameter::Beta));
         match beta.and_then(|beta| Speed::from_beta(beta).ok()) {
-            Some(speed) => Correction { speed, is_fitted: true },
-            None => Correction { speed: self.speed(), is_fitted: false },
+            Some(speed) => SpeedCorrection { speed, is_fitted: true },
+            None => SpeedCorrection { speed: self.speed(), is_fitted: false },
         }
     }
 

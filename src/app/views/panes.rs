@@ -7,12 +7,12 @@ use relativity_render::compose::Top;
 use crate::app::theme::{GAP, TITLE_HEIGHT};
 use crate::eye::Eye;
 use crate::flags::choices::{Form, Layout};
-use crate::settings::{Picture, Settings};
+use crate::settings::{PictureSettings, Settings};
 
 /// The contents of a pane. To add one, add a variant, a file in `panels`, an arm where panes are painted, and its switch
 /// among the settings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Content {
+pub enum PaneContent {
     /// The view of one eye.
     Eye(Eye),
     /// The second picture of the left eye, in place of the right eye's.
@@ -27,7 +27,7 @@ pub enum Content {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pane {
     /// Contents of the pane.
-    pub content: Content,
+    pub content: PaneContent,
     /// Place of the pane; its title is above.
     pub rect: Rect,
 }
@@ -35,7 +35,7 @@ pub struct Pane {
 /// The arrangement of the views' area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arrangement {
-    picture: Picture,
+    picture: PictureSettings,
     /// Whether both pictures are of the left eye.
     is_comparing: bool,
     /// Whether the corrected picture is beside those of the eyes.
@@ -91,11 +91,11 @@ impl Arrangement {
                 ]
             }
             Form::Composed(_) | Form::InTurn => {
-                vec![Pane { content: Content::Both, rect: column(0.0, width) }]
+                vec![Pane { content: PaneContent::Both, rect: column(0.0, width) }]
             }
         };
         if self.corrected {
-            panes.push(Pane { content: Content::Corrected, rect: column(columns - 1.0, width) });
+            panes.push(Pane { content: PaneContent::Corrected, rect: column(columns - 1.0, width) });
         }
         panes
     }
@@ -114,11 +114,11 @@ impl Arrangement {
     }
 
     /// The eyes' pictures, or both of one eye, in the order of the layout; one that is alone twice.
-    fn contents(&self) -> [Content; 2] {
+    fn contents(&self) -> [PaneContent; 2] {
         let eyes = self.picture.eyes();
         [eyes[0], eyes[eyes.len() - 1]].map(|eye| match Eye::BOTH[eye] {
-            Eye::Right if self.is_comparing => Content::Second,
-            eye => Content::Eye(eye),
+            Eye::Right if self.is_comparing => PaneContent::Second,
+            eye => PaneContent::Eye(eye),
         })
     }
 
@@ -180,7 +180,7 @@ impl EyePane {
 
     /// Returns the panes of both eyes in the `rect` that they share in this `picture`, in the order of the layout.
     #[must_use]
-    pub fn both(picture: &Picture, rect: Rect, pixels_per_point: f32, largest: u32) -> [Self; 2] {
+    pub fn both(picture: &PictureSettings, rect: Rect, pixels_per_point: f32, largest: u32) -> [Self; 2] {
         let form = picture.layout.form();
         let whole = Self::new(Eye::Left, rect, pixels_per_point, largest);
         let even = |side: u32| (side & !1).max(2);
@@ -240,7 +240,7 @@ mod tests {
     const AREA: Rect = Rect::from_min_max(pos2(8.0, 46.0), pos2(940.0, 420.0));
 
     fn arrangement(layout: Layout, corrected: bool) -> Arrangement {
-        let picture = Picture { layout, ..Picture::default() };
+        let picture = PictureSettings { layout, ..PictureSettings::default() };
         Arrangement { picture, is_comparing: false, corrected, apart: 227.0, title: TITLE_HEIGHT }
     }
 
@@ -286,7 +286,7 @@ mod tests {
         assert!((right.center().x - left.center().x - 227.0).abs() < 1e-3);
         assert!((left.center().x + right.center().x - 2.0 * AREA.center().x).abs() < 1e-3);
         let contents = [panes[0].content, panes[1].content];
-        assert_eq!(contents, [Content::Eye(Eye::Left), Content::Eye(Eye::Right)]);
+        assert_eq!(contents, [PaneContent::Eye(Eye::Left), PaneContent::Eye(Eye::Right)]);
         // Narrow columns are near enough.
         let wide = Arrangement { apart: 2000.0, ..arrangement(Layout::FreeViewing, false) };
         assert_eq!(wide.panes(AREA), arrangement(Layout::SideBySide, false).panes(AREA));
@@ -298,7 +298,7 @@ mod tests {
         for &layout in Layout::value_variants() {
             let is_half = matches!(layout, Layout::HalfSideBySide | Layout::HalfOverUnder);
             let panes = arrangement(layout, true).whole_screen(screen);
-            let expected = vec![Pane { content: Content::Both, rect: screen }];
+            let expected = vec![Pane { content: PaneContent::Both, rect: screen }];
             assert_eq!(panes, is_half.then_some(expected), "{layout:?}");
         }
     }
@@ -321,7 +321,7 @@ mod tests {
     #[test]
     fn halves_have_as_many_pixels_each_and_map_them_per_axis() {
         for (layout, size) in [(Layout::HalfSideBySide, [932, 352]), (Layout::HalfOverUnder, [932, 352])] {
-            let picture = Picture { layout, ..Picture::default() };
+            let picture = PictureSettings { layout, ..PictureSettings::default() };
             let [pane] = arrangement(layout, false).panes(AREA).try_into().expect("one");
             let [first, second] = EyePane::both(&picture, pane.rect, 1.0, 8192);
             assert_eq!((first.size, second.size, first.is_shared), (size, size, false));

@@ -5,11 +5,11 @@ use relativity_render::{Appearance, Picture, PreparedScene, View};
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::REFERENCE_SAMPLES;
-use crate::app::worker::{Step, Wanted, Work};
+use crate::app::worker::{StepOutcome, Wanted, Work};
 
 /// A picture to draw.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Drawing {
+pub struct ReferencePicture {
     /// View of the picture.
     pub view: View,
     /// Appearance of the light.
@@ -22,7 +22,7 @@ pub struct Drawing {
 pub struct ReferenceSteps {
     /// Scene that is drawn.
     scene: PreparedScene,
-    drawing: Drawing,
+    drawing: ReferencePicture,
     /// Pixels that were drawn, row by row.
     drawn: Vec<[u8; 4]>,
 }
@@ -30,34 +30,34 @@ pub struct ReferenceSteps {
 impl Work for ReferenceSteps {
     const NAME: &'static str = "reference";
     type Base = PreparedScene;
-    type Job = Drawing;
+    type Job = ReferencePicture;
     type Result = Picture;
     type Tools = ();
 
-    fn begin(scene: PreparedScene, drawing: Drawing) -> Self {
+    fn begin(scene: PreparedScene, drawing: ReferencePicture) -> Self {
         Self { scene, drawing, drawn: Vec::new() }
     }
 
-    fn step(&mut self, (): &mut (), wanted: &Wanted) -> Step<Picture> {
+    fn step(&mut self, (): &mut (), wanted: &Wanted) -> StepOutcome<Picture> {
         if threads::ARE_SEVERAL {
-            return Step::Last(self.whole(wanted));
+            return StepOutcome::Last(self.whole(wanted));
         }
-        let Self { scene, drawing: Drawing { view, appearance, samples }, drawn } = self;
+        let Self { scene, drawing: ReferencePicture { view, appearance, samples }, drawn } = self;
         let size = view.camera.size;
         let row = drawn.len() / (size[0] as usize).max(1);
         let band = scene.picture_band(view, appearance, *samples, row as u32);
         if band.is_empty() {
-            return Step::Last(Some(Picture { size, rgba: std::mem::take(drawn) }));
+            return StepOutcome::Last(Some(Picture { size, rgba: std::mem::take(drawn) }));
         }
         drawn.extend(band);
-        Step::More
+        StepOutcome::More
     }
 }
 
 impl ReferenceSteps {
     /// Draws all of the picture at once; `None` if it is no longer wanted.
     fn whole(&self, wanted: &Wanted) -> Option<Picture> {
-        let Self { scene, drawing: Drawing { view, appearance, samples }, .. } = self;
+        let Self { scene, drawing: ReferencePicture { view, appearance, samples }, .. } = self;
         let picture = || scene.picture_while(view, appearance, *samples, &|| wanted.holds());
         // What is shown without it can wait; what is not there yet cannot.
         if *samples > REFERENCE_SAMPLES { threads::on_half(picture) } else { picture() }
@@ -80,12 +80,13 @@ mod tests {
             let scene = Scene::preset(name).expect("it is a preset").prepared();
             let camera = Camera::new(Aperture::pair(0.1)[1], Gaze::STRAIGHT_AHEAD, 1.2, [24, 18]);
             let view = View { camera, speed, observation_time: 3.1, geometry: Geometry::Seen };
-            let drawing = Drawing { view, appearance: Appearance::default(), samples: 1 };
+            let drawing = ReferencePicture { view, appearance: Appearance::default(), samples: 1 };
             let there = sent(&drawing);
             assert_eq!(there, drawing);
-            let drawn = |scene: &PreparedScene, Drawing { view, appearance, samples }: Drawing| {
-                scene.picture(&view, &appearance, samples)
-            };
+            let drawn =
+                |scene: &PreparedScene, ReferencePicture { view, appearance, samples }: ReferencePicture| {
+                    scene.picture(&view, &appearance, samples)
+                };
             let picture = drawn(&scene, drawing);
             assert!(sent(&picture) == picture && drawn(&sent(&scene), there) == picture, "{name}");
         }

@@ -11,15 +11,15 @@ use serde::{Deserialize, Serialize};
 use crate::accuracy::REFERENCE_SAMPLES;
 use crate::app::image;
 use crate::app::state::State;
-use crate::app::views::reference_steps::{Drawing, ReferenceSteps};
-use crate::app::worker::{BackgroundWork, Step, Wanted, Work};
+use crate::app::views::reference_steps::{ReferencePicture, ReferenceSteps};
+use crate::app::worker::{BackgroundWork, StepOutcome, Wanted, Work};
 use crate::eye::Eye;
 use crate::lesson::Lesson;
 use crate::settings::Settings;
 
 /// The look of a thumbnail, which it depends on beside its lesson.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Look {
+pub struct ThumbnailLook {
     /// Width and height, pixels.
     pub size: [u32; 2],
     /// Whether the thumbnail is shown in a light window.
@@ -35,16 +35,16 @@ impl Work for ThumbnailSteps {
     const NAME: &'static str = "thumbnail";
     type Base = ();
     /// Settings of the lesson, in TOML, if there are any; and the look.
-    type Job = (Option<String>, Look);
+    type Job = (Option<String>, ThumbnailLook);
     type Result = Option<Picture>;
     type Tools = ();
 
-    fn begin((): (), (settings, look): (Option<String>, Look)) -> Self {
+    fn begin((): (), (settings, look): (Option<String>, ThumbnailLook)) -> Self {
         Self(settings.and_then(|settings| steps(&settings, look)))
     }
 
-    fn step(&mut self, (): &mut (), wanted: &Wanted) -> Step<Option<Picture>> {
-        let Some(steps) = &mut self.0 else { return Step::Last(Some(None)) };
+    fn step(&mut self, (): &mut (), wanted: &Wanted) -> StepOutcome<Option<Picture>> {
+        let Some(steps) = &mut self.0 else { return StepOutcome::Last(Some(None)) };
         steps.step(&mut (), wanted).map(Some)
     }
 }
@@ -59,7 +59,7 @@ struct ThumbnailKey {
 }
 
 impl ThumbnailKey {
-    fn new(lesson: &Lesson, Look { size, eye, .. }: Look) -> Self {
+    fn new(lesson: &Lesson, ThumbnailLook { size, eye, .. }: ThumbnailLook) -> Self {
         Self { name: lesson.name.clone(), is_of_a_preset: lesson.is_a_preset(), eye, size }
     }
 }
@@ -76,7 +76,7 @@ pub struct Thumbnails {
     worker: Option<BackgroundWork<ThumbnailSteps, (ThumbnailKey, bool)>>,
     kept: HashMap<ThumbnailKey, KeptThumbnail>,
     /// The first that is missing, and whether it is in view.
-    missing: Option<(Arc<Lesson>, Look, bool)>,
+    missing: Option<(Arc<Lesson>, ThumbnailLook, bool)>,
     /// Number of thumbnails drawn.
     count: usize,
 }
@@ -108,7 +108,12 @@ impl Thumbnails {
     }
 
     /// Returns the thumbnail of `lesson`, once there is one; until it has this `look` it is noted as missing. Those in view come first.
-    pub fn picture(&mut self, lesson: &Arc<Lesson>, look: Look, is_in_view: bool) -> Option<&TextureHandle> {
+    pub fn picture(
+        &mut self,
+        lesson: &Arc<Lesson>,
+        look: ThumbnailLook,
+        is_in_view: bool,
+    ) -> Option<&TextureHandle> {
         let kept = self.kept.get(&ThumbnailKey::new(lesson, look));
         let is_missing = kept.is_none_or(|kept| kept.in_light_window != look.in_light_window);
         if is_missing && self.missing.as_ref().is_none_or(|(.., other)| is_in_view && !other) {
@@ -130,12 +135,15 @@ impl Thumbnails {
 }
 
 /// The drawing of the first step of a lesson, after its reveal; `None` where it cannot be shown.
-fn steps(settings: &str, Look { size, in_light_window, eye }: Look) -> Option<ReferenceSteps> {
+fn steps(
+    settings: &str,
+    ThumbnailLook { size, in_light_window, eye }: ThumbnailLook,
+) -> Option<ReferenceSteps> {
     let settings = Settings::default().with_toml(settings, "the lesson").ok()?;
     let mut state = State::open(settings).ok()?;
     state.frame.picture_size = size;
     let (view, appearance) = (state.view(eye, size), state.appearance(in_light_window));
-    let drawing = Drawing { view, appearance, samples: REFERENCE_SAMPLES };
+    let drawing = ReferencePicture { view, appearance, samples: REFERENCE_SAMPLES };
     Some(ReferenceSteps::begin(state.document.prepared.clone(), drawing))
 }
 
@@ -146,12 +154,12 @@ mod tests {
 
     #[test]
     fn every_lesson_and_preset_has_a_picture_of_its_own_size() {
-        let look = Look { size: [22, 13], in_light_window: false, eye: Eye::Left };
+        let look = ThumbnailLook { size: [22, 13], in_light_window: false, eye: Eye::Left };
         for lesson in Library::own().all() {
             let settings = lesson.settings(0, true, &Settings::default()).expect("they can be");
             let wanted = Wanted::new(1, Arc::new(1.into()), Arc::default());
             let mut steps = ThumbnailSteps::begin((), (Some(settings.to_toml()), look));
-            let Step::Last(Some(Some(picture))) = steps.step(&mut (), &wanted) else {
+            let StepOutcome::Last(Some(Some(picture))) = steps.step(&mut (), &wanted) else {
                 panic!("{} cannot be shown", lesson.name)
             };
             assert_eq!(picture.size, look.size, "{}", lesson.name);

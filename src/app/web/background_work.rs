@@ -9,16 +9,16 @@ use gamow_platform::web::instances::{Asked, Heard, Instance, answer, fail, liste
 use gamow_platform::web::page;
 
 use super::page_worker::Worker;
-use crate::app::steps::{Message, Step, Wanted, Work};
+use crate::app::steps::{Message, StepOutcome, Wanted, Work};
 
 /// Work of one kind in an instance of its own, which is started for the first job; the label of a job comes back with its result. Where
 /// the browser has no workers that load modules, the work is done in steps between the frames of the page.
-pub struct BackgroundWork<W: Work, L>(Rc<Shared<W, L>>);
+pub struct BackgroundWork<W: Work, L>(Rc<WorkExchange<W, L>>);
 
-struct Shared<W: Work, L> {
+struct WorkExchange<W: Work, L> {
     ctx: Context,
     tools: W::Tools,
-    place: RefCell<Place<W>>,
+    place: RefCell<Workplace<W>>,
     labels: RefCell<VecDeque<(u64, L)>>,
     results: RefCell<VecDeque<(u64, W::Result)>>,
     newest: Cell<u64>,
@@ -30,7 +30,7 @@ struct Shared<W: Work, L> {
 type Numbered<W> = (u64, <W as Work>::Base, <W as Work>::Job);
 
 /// The place where the work is done.
-enum Place<W: Work> {
+enum Workplace<W: Work> {
     /// No place is chosen before the first job.
     Open,
     /// An instance that does not listen yet, and the newest job.
@@ -44,10 +44,10 @@ enum Place<W: Work> {
 impl<W: Work, L: 'static> BackgroundWork<W, L> {
     /// Nothing is started yet. Each result is announced by a repaint. The place of the work makes tools of its own; these `tools` get its notes.
     pub fn new(ctx: &Context, tools: W::Tools) -> Self {
-        Self(Rc::new(Shared {
+        Self(Rc::new(WorkExchange {
             ctx: ctx.clone(),
             tools,
-            place: RefCell::new(Place::Open),
+            place: RefCell::new(Workplace::Open),
             labels: RefCell::default(),
             results: RefCell::default(),
             newest: Cell::new(0),
@@ -63,8 +63,8 @@ impl<W: Work, L: 'static> BackgroundWork<W, L> {
         shared.newest.set(number);
         shared.labels.borrow_mut().push_back((number, label));
         let mut place = shared.place.borrow_mut();
-        if let Place::Open = *place {
-            *place = Shared::begun(shared);
+        if let Workplace::Open = *place {
+            *place = WorkExchange::begun(shared);
         }
         place.send((number, base, job));
     }
@@ -75,10 +75,10 @@ impl<W: Work, L: 'static> BackgroundWork<W, L> {
         shared.stopped.set(shared.newest.get());
         shared.labels.borrow_mut().clear();
         match &mut *shared.place.borrow_mut() {
-            Place::Open => {}
-            Place::Starting(_, waiting) => *waiting = None,
-            Place::Apart(instance, _) => instance.stop(shared.newest.get()),
-            Place::Page(worker) => worker.stop(),
+            Workplace::Open => {}
+            Workplace::Starting(_, waiting) => *waiting = None,
+            Workplace::Apart(instance, _) => instance.stop(shared.newest.get()),
+            Workplace::Page(worker) => worker.stop(),
         }
     }
 
@@ -86,14 +86,14 @@ impl<W: Work, L: 'static> BackgroundWork<W, L> {
     pub fn end(&self) {
         if self.is_pending() {
             self.stop();
-            self.0.place.replace(Place::Open);
+            self.0.place.replace(Workplace::Open);
         }
     }
 
     /// Returns the newest result since the last call, with the label of its job.
     pub fn result(&self) -> Option<(L, W::Result)> {
         let shared = &self.0;
-        if let Place::Page(worker) = &*shared.place.borrow() {
+        if let Workplace::Page(worker) = &*shared.place.borrow() {
             shared.results.borrow_mut().extend(worker.result());
         }
         let (number, result) = shared.results.borrow_mut().drain(..).last()?;
@@ -113,13 +113,13 @@ impl<W: Work, L: 'static> BackgroundWork<W, L> {
 
     /// Whether the window goes on while it works.
     pub fn is_apart(&self) -> bool {
-        !matches!(*self.0.place.borrow(), Place::Page(_))
+        !matches!(*self.0.place.borrow(), Workplace::Page(_))
     }
 }
 
-impl<W: Work, L: 'static> Shared<W, L> {
+impl<W: Work, L: 'static> WorkExchange<W, L> {
     /// The place of the work: an instance if the browser has one.
-    fn begun(shared: &Rc<Self>) -> Place<W> {
+    fn begun(shared: &Rc<Self>) -> Workplace<W> {
         let shared = Rc::downgrade(shared);
         let hear = move |heard| {
             if let Some(shared) = Weak::upgrade(&shared) {
@@ -127,8 +127,8 @@ impl<W: Work, L: 'static> Shared<W, L> {
             }
         };
         match Instance::start(W::NAME, hear) {
-            Some(instance) => Place::Starting(instance, None),
-            None => Place::on_page(),
+            Some(instance) => Workplace::Starting(instance, None),
+            None => Workplace::on_page(),
         }
     }
 
@@ -137,12 +137,14 @@ impl<W: Work, L: 'static> Shared<W, L> {
         if let Heard::Note(note) = &heard {
             return W::take_note(&self.tools, note);
         }
-        let place = std::mem::replace(&mut *self.place.borrow_mut(), Place::Open);
+        let place = std::mem::replace(&mut *self.place.borrow_mut(), Workplace::Open);
         let (mut place, waiting) = match (heard, place) {
-            (Heard::Ready, Place::Starting(instance, waiting)) => (Place::Apart(instance, None), waiting),
-            (Heard::Failed(problem), Place::Starting(_, waiting)) => {
+            (Heard::Ready, Workplace::Starting(instance, waiting)) => {
+                (Workplace::Apart(instance, None), waiting)
+            }
+            (Heard::Failed(problem), Workplace::Starting(_, waiting)) => {
                 log::warn!("{problem}");
-                (Place::on_page(), waiting)
+                (Workplace::on_page(), waiting)
             }
             (Heard::Failed(problem), place) => {
                 log::error!("{problem}");
@@ -166,7 +168,7 @@ impl<W: Work, L: 'static> Shared<W, L> {
     }
 }
 
-impl<W: Work> Place<W> {
+impl<W: Work> Workplace<W> {
     /// Work in steps between the frames of the page.
     fn on_page() -> Self {
         let begin = |(number, base, job)| (number, W::begin(base, job));
@@ -203,9 +205,9 @@ pub fn serve<W: Work>() {
     let begin = |(number, base, job)| (number, W::begin(base, job));
     let mut tools = W::Tools::default();
     let step = move |(number, work): &mut (u64, W), wanted: &Wanted| {
-        let Step::Last(result) = work.step(&mut tools, wanted) else { return Step::More };
+        let StepOutcome::Last(result) = work.step(&mut tools, wanted) else { return StepOutcome::More };
         result.iter().for_each(|result| answer(*number, &encoded(result)));
-        Step::<()>::Last(None)
+        StepOutcome::<()>::Last(None)
     };
     let worker = Worker::in_steps(Context::default(), begin, step);
     let mut known = None;

@@ -8,11 +8,11 @@ use eframe::egui::Context;
 use gamow_platform::files;
 use gamow_platform::web::download;
 
-use crate::app::file_dialog::answer::Answer;
+use crate::app::file_dialog::answer::DialogAnswer;
 use crate::app::file_dialog::purpose::Purpose;
 
 /// A dialog of the browser.
-pub struct Dialog(Rc<RefCell<Option<Answer>>>);
+pub struct Dialog(Rc<RefCell<Option<DialogAnswer>>>);
 
 impl Dialog {
     /// Whether there is one for this `purpose`: to save, the browser asks by itself.
@@ -30,14 +30,14 @@ impl Dialog {
                 files::take_in(&path, bytes);
                 path
             });
-            answered.replace(Some(path.map_or(Answer::None, Answer::Path)));
+            answered.replace(Some(path.map_or(DialogAnswer::None, DialogAnswer::Path)));
             ctx.request_repaint();
         });
         Self(answer)
     }
 
     /// Returns the answer of the dialog, once there is one.
-    pub fn answer(&self) -> Option<Answer> {
+    pub fn answer(&self) -> Option<DialogAnswer> {
         self.0.take()
     }
 }

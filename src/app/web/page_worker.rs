@@ -11,18 +11,18 @@ use eframe::egui::Context;
 use gamow_platform::clock::Instant;
 use gamow_platform::web::tasks;
 
-use crate::app::steps::{Step, Wanted};
+use crate::app::steps::{StepOutcome, Wanted};
 
 /// Time for the steps of a job between two frames.
 const SLICE: Duration = Duration::from_millis(12);
 
 /// A worker that does its jobs in steps between the frames of the page; dropping it ends them.
 pub struct Worker<J, R> {
-    shared: Rc<Shared<J, R>>,
+    shared: Rc<WorkerState<J, R>>,
     received: Cell<u64>,
 }
 
-struct Shared<J, R> {
+struct WorkerState<J, R> {
     waiting: RefCell<Option<(u64, J)>>,
     results: RefCell<VecDeque<(u64, R)>>,
     newest: Arc<AtomicU64>,
@@ -33,7 +33,7 @@ struct Shared<J, R> {
 }
 
 /// A job that was begun: its next step.
-type StepByStep<R> = Box<dyn FnMut(&Wanted) -> Step<R>>;
+type StepByStep<R> = Box<dyn FnMut(&Wanted) -> StepOutcome<R>>;
 
 impl<J: 'static, R: 'static> Worker<J, R> {
     /// Does each job by `work` in one step.
@@ -41,7 +41,9 @@ impl<J: 'static, R: 'static> Worker<J, R> {
         let work = Rc::new(RefCell::new(move |job, wanted: &Wanted| work(job, wanted)));
         Self::running(ctx, move |job| {
             let (work, mut job) = (Rc::clone(&work), Some(job));
-            Box::new(move |wanted| Step::Last(job.take().and_then(|job| (work.borrow_mut())(job, wanted))))
+            Box::new(move |wanted| {
+                StepOutcome::Last(job.take().and_then(|job| (work.borrow_mut())(job, wanted)))
+            })
         })
     }
 
@@ -49,7 +51,7 @@ impl<J: 'static, R: 'static> Worker<J, R> {
     pub fn in_steps<S: 'static>(
         ctx: Context,
         mut begin: impl FnMut(J) -> S + 'static,
-        step: impl FnMut(&mut S, &Wanted) -> Step<R> + 'static,
+        step: impl FnMut(&mut S, &Wanted) -> StepOutcome<R> + 'static,
     ) -> Self {
         let step = Rc::new(RefCell::new(step));
         Self::running(ctx, move |job| {
@@ -59,7 +61,7 @@ impl<J: 'static, R: 'static> Worker<J, R> {
     }
 
     fn running(ctx: Context, run: impl FnMut(J) -> StepByStep<R> + 'static) -> Self {
-        let shared = Shared {
+        let shared = WorkerState {
             waiting: RefCell::new(None),
             results: RefCell::default(),
             newest: Arc::default(),
@@ -99,7 +101,7 @@ impl<J: 'static, R: 'static> Worker<J, R> {
     }
 }
 
-impl<J, R> Shared<J, R> {
+impl<J, R> WorkerState<J, R> {
     /// Does what waits, until nothing does.
     async fn work_off(self: Rc<Self>) {
         loop {
@@ -118,7 +120,7 @@ impl<J, R> Shared<J, R> {
     async fn do_job(&self, mut step: StepByStep<R>, number: u64, wanted: &Wanted) {
         let mut slice = Instant::now();
         while wanted.holds() {
-            if let Step::Last(result) = step(wanted) {
+            if let StepOutcome::Last(result) = step(wanted) {
                 if let Some(result) = result {
                     self.results.borrow_mut().push_back((number, result));
                     self.ctx.request_repaint();

@@ -2,4 +2,4 @@
 
 pub use super::background_work::BackgroundWork;
 pub use super::page_worker::Worker;
-pub use crate::app::steps::{Step, Wanted, Work};
+pub use crate::app::steps::{StepOutcome, Wanted, Work};

@@ -6,11 +6,11 @@ use eframe::egui::{
     pos2, vec2,
 };
 
-use crate::formula::{Face, Formula, Mark};
+use crate::formula::{FontFace, Formula, Mark};
 
 /// Adds the fonts of formulas.
 pub fn add_fonts(fonts: &mut FontDefinitions) {
-    for face in Face::ALL {
+    for face in FontFace::ALL {
         let tweak = FontTweak { hinting: Some(false), ..FontTweak::default() };
         let data = FontData::from_static(face.file()).tweak(tweak);
         fonts.font_data.insert(face.name().to_owned(), data.into());
@@ -18,7 +18,7 @@ pub fn add_fonts(fonts: &mut FontDefinitions) {
     }
 }
 
-fn family(face: Face) -> FontFamily {
+fn family(face: FontFace) -> FontFamily {
     FontFamily::Name(face.name().into())
 }
 

@@ -4,7 +4,7 @@ use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
 use crate::app::theme::GAP;
 use crate::app::views::panes::Arrangement;
-use crate::settings::Window;
+use crate::settings::WindowSettings;
 
 /// Height of the wavelength scale with the numbers on it.
 const SPECTRUM_HEIGHT: f32 = 36.0;
@@ -38,7 +38,7 @@ pub(super) struct Heights {
 impl Heights {
     /// Divides the height of a middle of this `size`. In a window as narrow as a phone's the words and the plots leave the views all the
     /// height that they need.
-    pub fn new(is_narrow: bool, size: Vec2, window: Window, arranged: &Arrangement) -> Self {
+    pub fn new(is_narrow: bool, size: Vec2, window: WindowSettings, arranged: &Arrangement) -> Self {
         let needed = |height: f32| height_of_views(arranged, vec2(size.x, height));
         let lowest = if is_narrow { needed(size.y).max(LOWEST) } else { LOWEST };
         let beside_words = if window.plots && !is_narrow { 2.0 * LOWEST_BESIDE_WORDS } else { lowest };
@@ -59,7 +59,7 @@ pub(super) fn height_of_views(arranged: &Arrangement, size: Vec2) -> f32 {
 
 /// Heights of the wavelength scale and of the sentence below views of this `width`; 0 where they are switched off. Where they
 /// would leave the views and the plots less than the `lowest` of `height`, the scale gives way first.
-fn words_heights(Vec2 { x: width, y: height }: Vec2, lowest: f32, window: Window) -> [f32; 2] {
+fn words_heights(Vec2 { x: width, y: height }: Vec2, lowest: f32, window: WindowSettings) -> [f32; 2] {
     let [in_a_line, in_two] = SENTENCE_HEIGHTS;
     let sentence = if width >= NARROWEST_LINE { in_a_line } else { in_two };
     let wanted = [(window.spectrum, SPECTRUM_HEIGHT), (window.sentence, sentence)]

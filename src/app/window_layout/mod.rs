@@ -10,12 +10,12 @@ use eframe::egui::{Pos2, Rect, Vec2, vec2};
 use self::heights::{Heights, LOWEST, height_of_views};
 pub use self::presentation::{Beside, Presentation};
 use self::rects::{large_enough, split_left, split_right, split_top};
-use crate::app::border::{Border, Split};
-use crate::app::screens::stage::Part;
+use crate::app::border::{Border, BorderParts};
+use crate::app::screens::stage::WindowPart;
 use crate::app::theme::{GAP, TITLE_HEIGHT};
-use crate::app::views::panes::{Arrangement, Content, Pane};
+use crate::app::views::panes::{Arrangement, Pane, PaneContent};
 use crate::flags::Share;
-use crate::settings::{PlotTab, Presence, Window};
+use crate::settings::{PlotTab, Presence, WindowSettings};
 
 /// The parts of the window. A part without room (or switched off) has no rectangle.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,7 +99,7 @@ const BORDER_WIDTH: f32 = 7.0;
 impl WindowLayout {
     /// Whether `content` has a pane.
     #[must_use]
-    pub fn shows(&self, content: Content) -> bool {
+    pub fn shows(&self, content: PaneContent) -> bool {
         self.panes.iter().any(|pane| pane.content == content)
     }
 
@@ -116,7 +116,7 @@ impl WindowLayout {
     pub fn new(
         whole: Rect,
         lesson: LessonPart,
-        window: Window,
+        window: WindowSettings,
         arranged: &Arrangement,
         tab: PlotTab,
     ) -> Self {
@@ -149,11 +149,13 @@ impl WindowLayout {
         let (timeline, lower) = split_top(rest, TIMELINE_HEIGHT);
         let [map, plots] = below.parts(lower, window.map_share);
         let borders = [
-            side.map(|side| upright(Split::Side, side.left_top(), side.height(), [area.max.x, area.min.x])),
+            side.map(|side| {
+                upright(BorderParts::Side, side.left_top(), side.height(), [area.max.x, area.min.x])
+            }),
             (upper.height() > 0.0 && lower.height() > 0.0)
-                .then(|| level(Split::Strip, lower, [lower.max.y, lower.max.y - free])),
+                .then(|| level(BorderParts::Strip, lower, [lower.max.y, lower.max.y - free])),
             map.zip(plots).map(|(_, plots)| {
-                upright(Split::Map, plots.left_top(), plots.height(), [lower.min.x, lower.max.x])
+                upright(BorderParts::Map, plots.left_top(), plots.height(), [lower.min.x, lower.max.x])
             }),
         ];
         let shown = |rect: Rect| (rect.height() > 0.0).then(|| rect.shrink2(vec2(GAP / 2.0, 0.0)));
@@ -185,7 +187,7 @@ impl WindowLayout {
     /// Returns the layout of a window with this inner `area` that shows only `part` between the bar and the timeline;
     /// this layout unchanged where it does not have that part.
     #[must_use]
-    pub fn with_only(self, area: Rect, part: Option<Part>) -> Self {
+    pub fn with_only(self, area: Rect, part: Option<WindowPart>) -> Self {
         let (bar, below) = split_top(area, BAR_HEIGHT);
         let lesson = self.lesson;
         let below = match lesson {
@@ -203,9 +205,9 @@ impl WindowLayout {
         };
         let alone = |rect: Rect| {
             let (panes, map, plots) = match part? {
-                Part::Pane(number) => (vec![pane(number, rect)?], None, None),
-                Part::Map => (Vec::new(), self.map.map(|_| rect), None),
-                Part::Plots => (Vec::new(), None, self.plots.map(|_| rect)),
+                WindowPart::Pane(number) => (vec![pane(number, rect)?], None, None),
+                WindowPart::Map => (Vec::new(), self.map.map(|_| rect), None),
+                WindowPart::Plots => (Vec::new(), None, self.plots.map(|_| rect)),
             };
             let is_there = !panes.is_empty() || map.is_some() || plots.is_some();
             is_there.then_some((panes, map, plots))
@@ -279,13 +281,13 @@ fn part(share: Share, whole: f32, default: f32, [least, rest]: [f32; 2]) -> f32 
 }
 
 /// An upright border that begins at `top`; the share is 0 and 1 where x is at the `ends`.
-fn upright(split: Split, top: Pos2, height: f32, ends: [f32; 2]) -> Border {
+fn upright(split: BorderParts, top: Pos2, height: f32, ends: [f32; 2]) -> Border {
     let middle = top + vec2(0.0, 0.5 * height);
     Border { split, rect: Rect::from_center_size(middle, vec2(BORDER_WIDTH, height)), ends }
 }
 
 /// The border above `lower`; the share is 0 and 1 where y is at the `ends`.
-fn level(split: Split, lower: Rect, ends: [f32; 2]) -> Border {
+fn level(split: BorderParts, lower: Rect, ends: [f32; 2]) -> Border {
     Border {
         split,
         rect: Rect::from_center_size(lower.center_top(), vec2(lower.width(), BORDER_WIDTH)),
@@ -305,7 +307,7 @@ enum Below {
 impl Below {
     /// Returns the contents of a strip of this `size`. Beside a table and plots there is a map where they have room too, or where
     /// it is asked for.
-    fn new(size: Vec2, window: Window, tab: PlotTab) -> Self {
+    fn new(size: Vec2, window: WindowSettings, tab: PlotTab) -> Self {
         let has_room = |least: Vec2| size.x >= least.x && size.y >= least.y;
         let has_table = matches!(tab, PlotTab::Fit | PlotTab::Accuracy);
         let suits = !has_table || (1.0 - MAP_SHARE) * size.x >= TABLE_AND_PLOTS_WIDTH;

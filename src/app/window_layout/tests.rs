@@ -6,7 +6,7 @@ use super::*;
 use crate::settings::Settings;
 
 fn layout(width: f32, height: f32) -> WindowLayout {
-    sized([width, height], Window::default())
+    sized([width, height], WindowSettings::default())
 }
 
 #[test]
@@ -21,25 +21,25 @@ fn the_smallest_supported_window_holds_every_part_but_the_wavelengths() {
         let part = part.expect("shown");
         assert!(part.width() >= 320.0 && part.height() >= least, "{part:?}");
     }
-    let taller = sized([1024.0, 700.0], Window::default());
+    let taller = sized([1024.0, 700.0], WindowSettings::default());
     assert!(taller.spectrum.is_some() && taller.sentence.is_some());
 }
 
-fn layout_of(area: Rect, window: Window, tab: PlotTab) -> WindowLayout {
+fn layout_of(area: Rect, window: WindowSettings, tab: PlotTab) -> WindowLayout {
     let settings = Settings { window, ..Settings::default() };
     let arranged = Arrangement::new(&settings, 2.54 / 96.0, 1.0);
     WindowLayout::new(area, LessonPart::Nothing, window, &arranged, tab)
 }
 
-fn sized(size: [f32; 2], window: Window) -> WindowLayout {
+fn sized(size: [f32; 2], window: WindowSettings) -> WindowLayout {
     layout_of(Rect::from_min_size(pos2(0.0, 0.0), size.into()), window, PlotTab::Disparity)
 }
 
 #[test]
 fn the_map_stands_beside_the_plots_where_there_is_room_and_leaves_the_views_as_large() {
     for size in [[1280.0, 800.0], [1920.0, 1080.0], [3840.0, 2160.0]] {
-        let with_map = sized(size, Window::default());
-        let without = sized(size, Window { map: Presence::Off, ..Window::default() });
+        let with_map = sized(size, WindowSettings::default());
+        let without = sized(size, WindowSettings { map: Presence::Off, ..WindowSettings::default() });
         let (map, plots) = (with_map.map.expect("shown"), with_map.plots.expect("shown"));
         assert!(map.width() >= 380.0 && map.height() >= 270.0 && plots.width() >= 530.0, "{size:?}");
         assert_eq!((with_map.panes, without.map), (without.panes, None));
@@ -49,25 +49,25 @@ fn the_map_stands_beside_the_plots_where_there_is_room_and_leaves_the_views_as_l
 #[test]
 fn the_fit_keeps_its_plots_unless_the_map_is_asked_for() {
     let area = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 800.0));
-    let layout = |map| layout_of(area, Window { map, ..Window::default() }, PlotTab::Fit);
+    let layout = |map| layout_of(area, WindowSettings { map, ..WindowSettings::default() }, PlotTab::Fit);
     assert!(layout(Presence::Auto).map.is_none() && layout(Presence::On).map.is_some());
 }
 
 #[test]
 fn a_small_window_has_a_map_in_place_of_the_plots_when_asked() {
     let size = [1024.0, 600.0];
-    let unasked = sized(size, Window::default());
+    let unasked = sized(size, WindowSettings::default());
     assert!(unasked.map.is_none() && unasked.plots.is_some());
-    let asked = sized(size, Window { map: Presence::On, ..Window::default() });
+    let asked = sized(size, WindowSettings { map: Presence::On, ..WindowSettings::default() });
     assert_eq!((asked.map, asked.plots), (unasked.plots, None));
 }
 
 #[test]
 fn without_views_the_map_has_their_place_and_alone_all_of_it() {
-    let no_views = Window { views: false, ..Window::default() };
+    let no_views = WindowSettings { views: false, ..WindowSettings::default() };
     let with_plots = sized([800.0, 600.0], no_views);
     assert!(with_plots.map.is_some() && with_plots.plots.is_some());
-    let alone = sized([800.0, 600.0], Window { plots: false, controls: false, ..no_views });
+    let alone = sized([800.0, 600.0], WindowSettings { plots: false, controls: false, ..no_views });
     let map = alone.map.expect("shown");
     assert!(map.width() >= 780.0 && map.height() >= 470.0, "{map:?}");
 }
@@ -124,7 +124,7 @@ fn a_phone_has_views_then_speed_then_time_then_its_lesson() {
     let settings = Settings::default();
     let arranged = Arrangement::new(&settings, 2.54 / 96.0, 1.0);
     for plots in [false, true] {
-        let window = Window { plots, ..settings.window };
+        let window = WindowSettings { plots, ..settings.window };
         let layout = WindowLayout::new(area, LessonPart::Panel, window, &arranged, PlotTab::Disparity);
         let lesson = layout.lesson.expect("shown");
         assert_eq!((lesson.width(), lesson.max.y), (360.0, 740.0));
@@ -133,7 +133,7 @@ fn a_phone_has_views_then_speed_then_time_then_its_lesson() {
         for pane in &layout.panes {
             assert!(pane.rect.height() >= 0.75 * pane.rect.width(), "{pane:?}");
         }
-        let alone = layout.clone().with_only(area, Some(Part::Pane(0)));
+        let alone = layout.clone().with_only(area, Some(WindowPart::Pane(0)));
         for layout in [layout, alone] {
             assert_apart(&[parts(&layout), vec![lesson]].concat(), [360.0, 740.0]);
             let (speed, timeline) = (layout.speed.expect("shown"), layout.timeline);
@@ -147,14 +147,17 @@ fn a_phone_has_views_then_speed_then_time_then_its_lesson() {
 #[test]
 fn only_a_window_without_room_for_the_controls_has_a_speed_slider_of_its_own() {
     for size in SIZES {
-        let layout = sized(size, Window::default());
+        let layout = sized(size, WindowSettings::default());
         assert!(layout.speed.is_none() || layout.controls.is_none(), "{size:?}");
         let is_phone = (320.0..560.0).contains(&size[0]) && size[1] >= 480.0;
         assert!(!is_phone || layout.speed.is_some() && !layout.panes.is_empty(), "{size:?}");
     }
-    assert_eq!(sized([360.0, 740.0], Window { controls: false, ..Window::default() }).speed, None);
+    assert_eq!(
+        sized([360.0, 740.0], WindowSettings { controls: false, ..WindowSettings::default() }).speed,
+        None
+    );
     // Without a lesson there is room for the plots too.
-    assert!(sized([360.0, 740.0], Window::default()).plots.is_some());
+    assert!(sized([360.0, 740.0], WindowSettings::default()).plots.is_some());
 }
 
 #[test]
@@ -164,11 +167,17 @@ fn no_share_pushes_a_part_out_or_into_another() {
         for side_share in shares {
             for strip_share in shares {
                 for map_share in shares {
-                    let window =
-                        Window { side_share, strip_share, map_share, map: Presence::On, ..Window::default() };
+                    let window = WindowSettings {
+                        side_share,
+                        strip_share,
+                        map_share,
+                        map: Presence::On,
+                        ..WindowSettings::default()
+                    };
                     let layout = sized(size, window);
                     assert_apart(&parts(&layout), size);
-                    let default = sized(size, Window { map: Presence::On, ..Window::default() });
+                    let default =
+                        sized(size, WindowSettings { map: Presence::On, ..WindowSettings::default() });
                     assert!(layout.panes.is_empty() == default.panes.is_empty(), "{size:?}");
                     for border in &layout.borders {
                         assert!(border.rect.is_finite(), "{border:?}");
@@ -182,14 +191,14 @@ fn no_share_pushes_a_part_out_or_into_another() {
 #[test]
 fn a_border_that_is_dragged_stands_at_the_pointer() {
     let size = [1600.0, 1000.0];
-    let all = sized(size, Window::default()).borders;
+    let all = sized(size, WindowSettings::default()).borders;
     assert_eq!(
         all.iter().map(|border| border.split).collect::<Vec<_>>(),
-        [Split::Side, Split::Strip, Split::Map]
+        [BorderParts::Side, BorderParts::Strip, BorderParts::Map]
     );
     for border in all {
         let there = border.rect.center() + vec2(-40.0, 30.0);
-        let dragged = sized(size, border.split.with(Window::default(), border.share_at(there)));
+        let dragged = sized(size, border.split.with(WindowSettings::default(), border.share_at(there)));
         let now = dragged.borders.into_iter().find(|now| now.split == border.split).expect("still there");
         let off = now.rect.center() - there;
         let off = if border.split.is_upright() { off.x } else { off.y };
@@ -201,8 +210,14 @@ fn a_border_that_is_dragged_stands_at_the_pointer() {
 fn one_part_alone_has_all_between_bar_and_timeline() {
     for size in SIZES {
         let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());
-        for part in [Part::Pane(0), Part::Pane(1), Part::Map, Part::Plots, Part::Pane(9)] {
-            let default = sized(size, Window { map: Presence::On, ..Window::default() });
+        for part in [
+            WindowPart::Pane(0),
+            WindowPart::Pane(1),
+            WindowPart::Map,
+            WindowPart::Plots,
+            WindowPart::Pane(9),
+        ] {
+            let default = sized(size, WindowSettings { map: Presence::On, ..WindowSettings::default() });
             let alone = default.clone().with_only(area, Some(part));
             assert_apart(&parts(&alone), size);
             if alone == default {
@@ -219,7 +234,7 @@ fn one_part_alone_has_all_between_bar_and_timeline() {
     }
     assert_ne!(
         layout(800.0, 600.0)
-            .with_only(Rect::from_min_size(Pos2::ZERO, vec2(800.0, 600.0)), Some(Part::Plots)),
+            .with_only(Rect::from_min_size(Pos2::ZERO, vec2(800.0, 600.0)), Some(WindowPart::Plots)),
         layout(800.0, 600.0)
     );
 }

@@ -180,10 +180,10 @@ fn on_effects(effects: &EffectsReport) -> String {
 mod tests {
     use super::super::report::{Circumstances, EffectRow, FormulaRow, PublishedRow};
     use super::*;
-    use crate::accuracy::Place;
+    use crate::accuracy::TrackedPlace;
 
     fn at(gamma: f64) -> Circumstances {
-        Circumstances { beta: 0.0, gamma, place: Place::Abreast }
+        Circumstances { beta: 0.0, gamma, place: TrackedPlace::Abreast }
     }
 
     const fn all(error: f64) -> Spread {

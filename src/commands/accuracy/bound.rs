@@ -5,7 +5,8 @@ use relativity_render::{Appearance, Gpu, Method, Renderers, View};
 
 use super::measure::views;
 use crate::accuracy::{
-    Automatic, Effort, ExpectedError, Machine, Place, RESOLUTION_PX, Sight, expected_error, view_at,
+    Automatic, Effort, ExpectedError, Machine, MethodViews, RESOLUTION_PX, TrackedPlace, expected_error,
+    view_at,
 };
 use crate::flags::Goal;
 use crate::scene::{PRESETS, Scene};
@@ -21,7 +22,7 @@ const ERRORS_PX: [f64; 3] = [0.01, 0.1, 2.0];
 fn chosen(scene: &Scene, view: &View, px: f64, favourite: Method) -> Method {
     let prepared = scene.prepared();
     let mut automatic = Automatic::new(Machine::Gpu);
-    let sight = Sight { scene: &prepared, view, pixels: 1e6 };
+    let sight = MethodViews { scene: &prepared, view, pixels: 1e6 };
     automatic.choose(Goal::Error(px), sight);
     for method in [Method::Reference, Method::Rays, Method::Packets, favourite] {
         let ms = if method == favourite { 1e-3 } else { 10.0 };
@@ -88,7 +89,8 @@ fn where_pixels_are_small_the_error_is_kept_too() {
     let seen = |degrees: f64| {
         let speed = Speed::from_beta(0.9).expect("a speed");
         let (tracked, size) = (scene.tracked, [48, 36]);
-        view_at(Place::Approaching, speed, tracked, 0.1, degrees.to_radians(), size).expect("in the domain")
+        view_at(TrackedPlace::Approaching, speed, tracked, 0.1, degrees.to_radians(), size)
+            .expect("in the domain")
     };
     let (view, prepared) = (seen(0.05), scene.prepared());
     for favourite in [Method::Packets, Method::Rays] {

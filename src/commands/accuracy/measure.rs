@@ -6,13 +6,13 @@ use relativity_core::Speed;
 use relativity_render::{Appearance, Gpu, Method, PreparedScene, Renderers, View};
 
 use super::report::{
-    AccuracyReport, Circumstances, FormulaReport, FormulaRow, PictureErrors, PictureRow, PublishedReport,
-    PublishedRow, RendererReport, Setting, TIMED, median,
+    AccuracyReport, Circumstances, FormulaReport, FormulaRow, MeasuredSetup, PictureErrors, PictureRow,
+    PublishedReport, PublishedRow, RendererReport, TIMED, median,
 };
 use super::{advice, effects};
 use crate::accuracy::{
-    Effort, ExpectedError, Formula, LARGEST_PX, Place, RESOLUTION_PX, Spread, expected_error, formula_error,
-    methods, published_error, view_at,
+    ConeFormula, Effort, ExpectedError, LARGEST_PX, RESOLUTION_PX, Spread, TrackedPlace, expected_error,
+    formula_error, methods, published_error, view_at,
 };
 use crate::files::provenance::SOFTWARE;
 use crate::scene::Scene;
@@ -50,7 +50,7 @@ pub fn report(
         tracked: scene.tracked,
         effort: if quick { QUICK_EFFORT } else { Effort::REPORT },
     };
-    let setting = Setting {
+    let setting = MeasuredSetup {
         program: SOFTWARE,
         optimised: !cfg!(debug_assertions),
         threads: threads::count(),
@@ -98,11 +98,11 @@ pub(super) fn views(
 }
 
 /// At rest there is nothing to wait for.
-fn places(speed: &Speed) -> &'static [Place] {
-    if speed.beta() == 0.0 { &[Place::Abreast] } else { &Place::ALL }
+fn places(speed: &Speed) -> &'static [TrackedPlace] {
+    if speed.beta() == 0.0 { &[TrackedPlace::Abreast] } else { &TrackedPlace::ALL }
 }
 
-fn circumstances(speed: &Speed, place: Place) -> Circumstances {
+fn circumstances(speed: &Speed, place: TrackedPlace) -> Circumstances {
     Circumstances { beta: speed.beta(), gamma: speed.gamma(), place }
 }
 
@@ -137,15 +137,15 @@ impl Measurement {
     }
 
     fn formulas(&self) -> anyhow::Result<Vec<FormulaReport>> {
-        Formula::ALL.into_iter().map(|formula| self.formula(formula)).collect()
+        ConeFormula::ALL.into_iter().map(|formula| self.formula(formula)).collect()
     }
 
-    fn formula(&self, formula: Formula) -> anyhow::Result<FormulaReport> {
+    fn formula(&self, formula: ConeFormula) -> anyhow::Result<FormulaReport> {
         let default = self.views.iter().map(|(circumstances, view)| (*circumstances, view.speed));
         let mut cases: Vec<_> = default.collect();
         for gamma in EXTREME_GAMMAS {
             let speed = Speed::from_gamma(gamma)?;
-            cases.extend(Place::ALL.map(|place| (circumstances(&speed, place), speed)));
+            cases.extend(TrackedPlace::ALL.map(|place| (circumstances(&speed, place), speed)));
         }
         cases.retain(|(_, speed)| speed.gamma() <= formula.max_gamma());
         let row = |(view, speed): (Circumstances, Speed)| {
@@ -160,7 +160,7 @@ impl Measurement {
         let views = cases.into_iter().map(row).collect::<anyhow::Result<Vec<_>>>()?;
         Ok(FormulaReport {
             formula: formula.to_string(),
-            is_reference: formula == Formula::StableF64,
+            is_reference: formula == ConeFormula::StableF64,
             point_ns: median(views.iter().map(|row| row.point_ns)),
             line_of_sight_arcseconds: worst(views.iter().map(|row| row.line_of_sight_arcseconds)),
             doppler_relative: worst(views.iter().map(|row| row.doppler_relative)),
@@ -186,7 +186,8 @@ impl Measurement {
 
     /// Abreast at the paper's speed.
     fn effects(&mut self) -> anyhow::Result<super::report::EffectsReport> {
-        let is_paper = |(view, _): &&(Circumstances, View)| view.beta == 0.9 && view.place == Place::Abreast;
+        let is_paper =
+            |(view, _): &&(Circumstances, View)| view.beta == 0.9 && view.place == TrackedPlace::Abreast;
         let (circumstances, view) = *self.views.iter().find(is_paper).context("0.9 is always measured")?;
         let (renderers, rounds) = (&mut self.renderers, self.effort.rounds);
         effects::report(renderers, &self.scene, circumstances, &view, &self.appearance, rounds)

@@ -2,7 +2,7 @@
 
 use super::report::AccuracyReport;
 use crate::accuracy::{RESOLUTION_PX, Spread};
-use crate::plot::{COLOURS, Line, Panel, Stroke, svg};
+use crate::plot::{COLOURS, Line, LineStroke, Panel, svg};
 
 /// Error at which methods without error are drawn among formulas, arcseconds.
 const LEAST_ARCSECONDS: f64 = 1e-10;
@@ -56,5 +56,5 @@ fn mark(name: &str, colour: &'static str, cost: f64, error: Option<Spread>, leas
     };
     let ends = error.map_or([0.0; 2], |spread| [spread.p99, spread.median]);
     let points = ends.map(|error| [cost, error.max(least)]).to_vec();
-    Line::solid(format!("{name}{note}"), colour, points).with(Stroke::Mark)
+    Line::solid(format!("{name}{note}"), colour, points).with(LineStroke::Mark)
 }

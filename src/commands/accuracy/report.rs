@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::accuracy::{Place, RoundsError, Spread};
+use crate::accuracy::{RoundsError, Spread, TrackedPlace};
 
 /// Members, at whatever depth, that depend on the clock, and differ from run to run: times, ratios of times, and remarks
 /// on them. All others are the same in every run on the same device.
@@ -22,7 +22,7 @@ pub const TIMED: [&str; 9] = [
 #[derive(Debug, Clone, Serialize)]
 pub struct AccuracyReport {
     /// Circumstances of the measurements.
-    pub setting: Setting,
+    pub setting: MeasuredSetup,
     /// The names of the members that differ from run to run.
     pub timed: [&'static str; TIMED.len()],
     /// Measurements that this machine could not make, with the reasons.
@@ -41,7 +41,7 @@ pub struct AccuracyReport {
 
 /// Circumstances of the measurement.
 #[derive(Debug, Clone, Serialize)]
-pub struct Setting {
+pub struct MeasuredSetup {
     /// Name and version of the program.
     pub program: &'static str,
     /// Whether the program itself was compiled with optimisation; costs mean little without.
@@ -77,7 +77,7 @@ pub struct Circumstances {
     /// Speed as Lorentz factor.
     pub gamma: f64,
     /// Place where the tracked point is seen.
-    pub place: Place,
+    pub place: TrackedPlace,
 }
 
 /// The report on one renderer.

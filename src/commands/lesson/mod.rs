@@ -9,7 +9,7 @@ use clap::{ArgGroup, Args};
 
 use crate::files::whole::{ensure_ending, write_whole};
 use crate::lesson::Library;
-use crate::lesson::worksheet::{self, Sheet};
+use crate::lesson::worksheet::{self, SheetKind};
 
 /// Writes what goes with a lesson on paper: the worksheet with its questions, the task and the data of its lab, a
 /// page for whoever teaches. At least one of them must be named.
@@ -44,11 +44,11 @@ Examples:
 
 /// Runs the command `gamow lesson`.
 pub fn run(args: &LessonArgs) -> anyhow::Result<()> {
-    let of_questions = if args.answers { Sheet::Answers } else { Sheet::Questions };
+    let of_questions = if args.answers { SheetKind::Answers } else { SheetKind::Questions };
     let sheets = [
         ("--worksheet", &args.worksheet, of_questions),
-        ("--lab", &args.lab, Sheet::Lab),
-        ("--teacher", &args.teacher, Sheet::Teacher),
+        ("--lab", &args.lab, SheetKind::Lab),
+        ("--teacher", &args.teacher, SheetKind::Teacher),
     ];
     let sheets: Vec<_> =
         sheets.into_iter().filter_map(|(flag, path, sheet)| Some((flag, path.as_ref()?, sheet))).collect();

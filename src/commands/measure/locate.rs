@@ -6,7 +6,7 @@ use glam::DVec3;
 use relativity_core::math;
 use relativity_render::Picture;
 
-use super::place::{Mask, Place, ROUNDING};
+use super::place::{PixelPlace, ROUNDING, TargetMask};
 use crate::files::exr::{Channel, Measurements, NO_ANGLE};
 use crate::flags::choices::FileKind;
 use crate::scene::Scene;
@@ -55,9 +55,9 @@ pub fn colour(text: &str) -> Result<[u8; 3], String> {
 }
 
 /// The pixels of `picture` that have this `colour`.
-pub fn colour_in(picture: &Picture, colour: [u8; 3]) -> Mask {
+pub fn colour_in(picture: &Picture, colour: [u8; 3]) -> TargetMask {
     let is_alike = |rgba: &[u8; 4]| (0..3).all(|i| rgba[i].abs_diff(colour[i]) <= COLOUR_TOLERANCE);
-    Mask { shows: picture.rgba.iter().map(is_alike).collect(), width: picture.size[0] as usize }
+    TargetMask { shows: picture.rgba.iter().map(is_alike).collect(), width: picture.size[0] as usize }
 }
 
 /// Returns the place of `target` in the layer of `eye`.
@@ -70,7 +70,7 @@ pub fn in_layer(
     eye: &str,
     target: Target<'_>,
     settings: &Settings,
-) -> anyhow::Result<Option<Place>> {
+) -> anyhow::Result<Option<PixelPlace>> {
     let channel = |channel| file.channel(eye, channel);
     let width = file.size[0] as usize;
     let ids = channel(Channel::Id)?;
@@ -87,7 +87,7 @@ pub fn in_layer(
         }
         Target::Body(name) => {
             let body = settings.opened_scene()?.body_called(name).map_err(anyhow::Error::msg)? as f32;
-            Ok(Mask { shows: ids.iter().map(|id| *id == body).collect(), width }.middle())
+            Ok(TargetMask { shows: ids.iter().map(|id| *id == body).collect(), width }.middle())
         }
         Target::Marker(_) => Ok(None),
     }
@@ -123,7 +123,7 @@ impl BodySurface<'_> {
     ///
     /// Its standard deviation is what this leaves out, over all offsets in a pixel: the third differences, or, where an outline
     /// is so near that these say nothing, all that the second make of a pixel, or the pixel.
-    fn place(&self, point: DVec3) -> Option<Place> {
+    fn place(&self, point: DVec3) -> Option<PixelPlace> {
         let seen = (0..self.ids.len()).filter(|&pixel| self.ids[pixel] >= 0.0);
         let distance = |&pixel: &usize| self.at(pixel).distance_squared(point);
         let nearest = seen.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
@@ -147,7 +147,7 @@ impl BodySurface<'_> {
         }
         let (column, row) = (nearest % self.width, nearest / self.width);
         let at = [column as f64 + 0.5 + u, row as f64 + 0.5 + v];
-        Some(Place { at, sigma: squares.map(f64::sqrt) })
+        Some(PixelPlace { at, sigma: squares.map(f64::sqrt) })
     }
 
     /// The surface around a pixel; none where no neighbour shows the same body.

@@ -16,7 +16,7 @@ use relativity_core::math;
 use relativity_render::Camera;
 
 use self::locate::Target;
-use self::place::Place;
+use self::place::PixelPlace;
 use self::remark::{Remark, Remarks};
 use crate::columns::{ANGLES, ROLL, TURN};
 use crate::files::csv_out;
@@ -25,7 +25,7 @@ use crate::files::png::PngFile;
 use crate::files::whole::OutArgs;
 use crate::flags::choices::{FileKind, Layout};
 use crate::flags::{COORDINATES, coordinates, within};
-use crate::settings::{CameraArgs, MAX_LENGTH, NO_PAIR, ON_A_RIDE, Picture, Settings};
+use crate::settings::{CameraArgs, MAX_LENGTH, NO_PAIR, ON_A_RIDE, PictureSettings, Settings};
 use crate::studio::Sheet;
 use crate::time_range::time_within;
 
@@ -111,7 +111,7 @@ pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
     let table = args.measured()?;
     table.remarks.iter().for_each(messages::remark);
     args.out.write(|out| {
-        let mut csv = csv_out::Rows::new(out);
+        let mut csv = csv_out::CsvWriter::new(out);
         csv.write(&mut table.columns.iter().collect(), &[])?;
         for row in &table.rows {
             csv.write(&mut ByteRecord::new(), row)?;
@@ -291,7 +291,7 @@ fn measured(
     Ok(Some((row(&settings, &cameras, [left, right]), remarks)))
 }
 
-fn row(settings: &Settings, cameras: &[Camera; 2], [left, right]: [Place; 2]) -> [f64; COLUMNS] {
+fn row(settings: &Settings, cameras: &[Camera; 2], [left, right]: [PixelPlace; 2]) -> [f64; COLUMNS] {
     let (left, right) = (Angles::new(&cameras[0], left), Angles::new(&cameras[1], right));
     let baseline = settings.baseline();
     [
@@ -311,7 +311,7 @@ fn row(settings: &Settings, cameras: &[Camera; 2], [left, right]: [Place; 2]) ->
 }
 
 /// Returns the sheet of a file of this `size` that shows both eyes in this `picture`.
-fn sheet(picture: &Picture, size: [u32; 2]) -> anyhow::Result<Sheet> {
+fn sheet(picture: &PictureSettings, size: [u32; 2]) -> anyhow::Result<Sheet> {
     let layout = picture.layout;
     let has_both = layout.loses_nothing() && picture.eyes().len() == 2;
     anyhow::ensure!(has_both, "its layout, {}, does not have the whole pictures of both eyes", layout.name());
@@ -328,7 +328,7 @@ struct Angles {
 }
 
 impl Angles {
-    fn new(camera: &Camera, Place { at: [u, v], sigma }: Place) -> Self {
+    fn new(camera: &Camera, PixelPlace { at: [u, v], sigma }: PixelPlace) -> Self {
         let angles = |place| {
             let line = camera.line_of_sight(place);
             [math::atan2(line.y, line.x), math::atan2(line.z, math::hypot(line.x, line.y))]

@@ -2,7 +2,7 @@
 
 /// A place in a picture, pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
+pub struct PixelPlace {
     /// To the right and down.
     pub at: [f64; 2],
     /// Standard deviation of both.
@@ -15,14 +15,14 @@ pub const ROUNDING: f64 = 0.288_675_134_594_812_9;
 const LEAST_SHARE: f64 = 0.1;
 
 /// The pixels of a picture that show the target.
-pub struct Mask {
+pub struct TargetMask {
     /// Row by row from the top left.
     pub shows: Vec<bool>,
     /// Width of the picture.
     pub width: usize,
 }
 
-impl Mask {
+impl TargetMask {
     /// The middle of the pixels; none if there are none.
     ///
     /// A row of pixels ends within half a pixel of where what it shows does, anywhere there alike. An end that lies x from
@@ -30,7 +30,7 @@ impl Mask {
     /// independent; columns tell the same of the height. For a disc of radius r that is 0.15/sqrt(r). Errors against the
     /// truth are, root mean square, 1.0 to 1.3 times as large (discs and ellipses of 1.5 to 40 pixels at any offset); one
     /// that is a pixel or two in size can be off by twice as much.
-    pub fn middle(&self) -> Option<Place> {
+    pub fn middle(&self) -> Option<PixelPlace> {
         let (mut sum, mut count) = ([0.0; 2], 0.0);
         for [column, row] in self.pixels() {
             sum = [sum[0] + column as f64 + 0.5, sum[1] + row as f64 + 0.5];
@@ -52,7 +52,7 @@ impl Mask {
                 squares[1] += if self.is_shown(Some(column), neighbour) { 0.0 } else { offset * offset };
             }
         }
-        Some(Place { at, sigma: squares.map(|sum| ROUNDING * sum.sqrt() / count) })
+        Some(PixelPlace { at, sigma: squares.map(|sum| ROUNDING * sum.sqrt() / count) })
     }
 
     /// Returns the number of separate parts: pixels that touch, at a corner at least, belong together.
@@ -108,13 +108,13 @@ mod tests {
     const SIDE: usize = 64;
 
     /// The pixels whose centres an ellipse around `middle` covers, turned by `angle`.
-    fn ellipse(middle: [f64; 2], radii: [f64; 2], angle: f64) -> Mask {
+    fn ellipse(middle: [f64; 2], radii: [f64; 2], angle: f64) -> TargetMask {
         let (sin, cos) = math::sin_cos(angle);
         let is_inside = |pixel: usize| {
             let [x, y] = [(pixel % SIDE) as f64 + 0.5 - middle[0], (pixel / SIDE) as f64 + 0.5 - middle[1]];
             math::hypot((cos * x + sin * y) / radii[0], (cos * y - sin * x) / radii[1]) < 1.0
         };
-        Mask { shows: (0..SIDE * SIDE).map(is_inside).collect(), width: SIDE }
+        TargetMask { shows: (0..SIDE * SIDE).map(is_inside).collect(), width: SIDE }
     }
 
     /// Places between 0 and 1 without a pattern: multiples of two irrational numbers.
@@ -165,7 +165,7 @@ mod tests {
         let other = ellipse([48.0; 2], [4.0; 2], 0.0);
         two.shows.iter_mut().zip(&other.shows).for_each(|(shows, other)| *shows |= other);
         assert_eq!(two.parts(), 2);
-        assert_eq!(Mask { shows: vec![false; SIDE], width: SIDE }.parts(), 0);
-        assert_eq!(Mask { shows: vec![false; SIDE], width: SIDE }.middle(), None);
+        assert_eq!(TargetMask { shows: vec![false; SIDE], width: SIDE }.parts(), 0);
+        assert_eq!(TargetMask { shows: vec![false; SIDE], width: SIDE }.middle(), None);
     }
 }

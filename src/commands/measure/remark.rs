@@ -7,7 +7,7 @@ use relativity_core::{Source, Turning, WheelPoint};
 use relativity_render::Camera;
 
 use super::locate::Target;
-use super::place::Place;
+use super::place::PixelPlace;
 use crate::files::exr::EYES;
 use crate::settings::Settings;
 
@@ -92,7 +92,7 @@ pub fn of_target(settings: &Settings, target: Target<'_>) -> anyhow::Result<Opti
 
 /// Returns a remark on the places that both eyes have of one colour, if the head is held along the motion: a point is then in one
 /// plane with the eyes, whenever its light left, and in front of them.
-pub fn of_places(settings: &Settings, cameras: &[Camera; 2], places: [Place; 2]) -> Option<Remark> {
+pub fn of_places(settings: &Settings, cameras: &[Camera; 2], places: [PixelPlace; 2]) -> Option<Remark> {
     let baseline = settings.baseline();
     if !baseline.is_along_motion() || baseline.separation == 0.0 {
         return None;

@@ -11,7 +11,7 @@ use relativity_core::{Aperture, Model, PairError, SourcePoint, observation_time_
 use super::curves::Setup;
 
 /// A polyline of rest coordinates (x, y).
-pub type Stroke = Vec<[f64; 2]>;
+pub type Polyline = Vec<[f64; 2]>;
 
 const WHEEL_RADIUS: f64 = 0.35;
 /// Axles: rear and front.
@@ -24,8 +24,8 @@ const SPOKES: usize = 8;
 const POINTS: usize = 60;
 
 /// The parts of the bicycle.
-pub fn strokes() -> Vec<Stroke> {
-    let mut strokes: Vec<Stroke> = Vec::new();
+pub fn strokes() -> Vec<Polyline> {
+    let mut strokes: Vec<Polyline> = Vec::new();
     for axle in AXLES {
         let rim = |i: usize, of: usize| {
             let (sin, cos) = math::sin_cos(TAU * i as f64 / of as f64);
@@ -44,7 +44,7 @@ pub fn strokes() -> Vec<Stroke> {
     strokes
 }
 
-fn straight(from: [f64; 2], to: [f64; 2]) -> Stroke {
+fn straight(from: [f64; 2], to: [f64; 2]) -> Polyline {
     let at = |i: usize| {
         let u = i as f64 / POINTS as f64;
         [from[0] + u * (to[0] - from[0]), from[1] + u * (to[1] - from[1])]

@@ -80,16 +80,16 @@ impl Setup {
 
 /// Extremes of a curve and where it is zero.
 #[derive(Debug, Clone)]
-pub struct Extent {
+pub struct CurveExtremes {
     pub least: f64,
     pub largest: f64,
     pub zeros: Vec<f64>,
 }
 
 /// Extremes and zeros of a dense curve, between its points by parabolas and straight lines.
-pub fn extent(curve: &[[f64; 2]]) -> Extent {
+pub fn extent(curve: &[[f64; 2]]) -> CurveExtremes {
     let values = || curve.iter().map(|point| point[1]);
-    let mut extent = Extent {
+    let mut extent = CurveExtremes {
         least: values().fold(f64::INFINITY, f64::min),
         largest: values().fold(f64::NEG_INFINITY, f64::max),
         zeros: Vec::new(),

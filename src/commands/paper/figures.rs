@@ -10,7 +10,7 @@ use super::bicycle;
 use super::curves::{APPENDIX_A, Setup, title};
 use crate::files::csv_out;
 use crate::files::whole::write_whole;
-use crate::plot::{BLACK, BLUE, Line, Panel, Stroke, VERMILION, svg, svg_of_rows};
+use crate::plot::{BLACK, BLUE, Line, LineStroke, Panel, VERMILION, svg, svg_of_rows};
 
 /// Observation times of the curves, which hold all their features; and how many.
 const TIMES: [f64; 2] = [-2.0, 5.0];
@@ -45,7 +45,7 @@ pub fn write(folder: &Path, name: &str, panels: &[Panel], columns: &[Column]) ->
 /// Writes `name`.csv into `folder`; all columns are equally long.
 pub fn write_csv(folder: &Path, name: &str, columns: &[Column]) -> anyhow::Result<()> {
     write_whole(&folder.join(format!("{name}.csv")), |file| {
-        let mut rows = csv_out::Rows::new(file);
+        let mut rows = csv_out::CsvWriter::new(file);
         let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
         rows.write(&mut ByteRecord::from(names), &[])?;
         for index in 0..columns.first().map_or(0, |(_, values)| values.len()) {
@@ -86,7 +86,7 @@ fn write_angles(
     let mut panels = Vec::new();
     let mut columns = Vec::new();
     for model in [APPENDIX_A, Model::Exact] {
-        let eyes = [(0, "left", BLUE, Stroke::Solid), (1, "right", VERMILION, Stroke::Dashed)];
+        let eyes = [(0, "left", BLUE, LineStroke::Solid), (1, "right", VERMILION, LineStroke::Dashed)];
         let mut lines = Vec::new();
         for (eye, eye_name, colour, stroke) in eyes {
             let curve = setup.curve(model, TIMES, SAMPLES, |seen| angles(seen)[eye])?;
@@ -138,11 +138,11 @@ fn bicycle_panel(title: String, lines: Vec<Line>, width: f64) -> Panel {
 
 fn eye_dots(places: &[f64]) -> Line {
     let dots = places.iter().map(|&x| [x, 0.0]).collect();
-    Line::solid(if places.len() == 1 { "eye" } else { "eyes" }, BLACK, dots).with(Stroke::Dots)
+    Line::solid(if places.len() == 1 { "eye" } else { "eyes" }, BLACK, dots).with(LineStroke::Dots)
 }
 
 /// Columns x and y of the strokes' points, with the number of the stroke before them.
-fn bicycle_columns(strokes: &[bicycle::Stroke]) -> Vec<Column> {
+fn bicycle_columns(strokes: &[bicycle::Polyline]) -> Vec<Column> {
     let points =
         || strokes.iter().enumerate().flat_map(|(part, stroke)| stroke.iter().map(move |p| (part, p)));
     vec![
@@ -195,8 +195,9 @@ fn write_bicycle_for_two_eyes(folder: &Path) -> anyhow::Result<()> {
                 let seen = mapped(&strokes, seen)?;
                 let xs = seen.iter().flatten().map(|point| point[0]).collect();
                 columns.push((format!("x_{}_{}_at_T_{time}", EYES[eye].0, model.name()), xs));
-                let moved = |stroke: bicycle::Stroke| stroke.into_iter().map(|[x, y]| [x + offsets[eye], y]);
-                pieces.extend(seen.into_iter().map(|stroke| moved(stroke).collect::<bicycle::Stroke>()));
+                let moved =
+                    |stroke: bicycle::Polyline| stroke.into_iter().map(|[x, y]| [x + offsets[eye], y]);
+                pieces.extend(seen.into_iter().map(|stroke| moved(stroke).collect::<bicycle::Polyline>()));
             }
         }
         let xs = || pieces.iter().flatten().flatten().map(|point| point[0]);
@@ -219,8 +220,8 @@ fn write_bicycle_for_two_eyes(folder: &Path) -> anyhow::Result<()> {
 }
 
 fn mapped(
-    strokes: &[bicycle::Stroke],
+    strokes: &[bicycle::Polyline],
     seen: impl Fn(&[f64; 2]) -> Result<[f64; 2], relativity_core::PairError>,
-) -> Result<Vec<bicycle::Stroke>, relativity_core::PairError> {
+) -> Result<Vec<bicycle::Polyline>, relativity_core::PairError> {
     strokes.iter().map(|stroke| stroke.iter().map(&seen).collect()).collect()
 }

@@ -10,7 +10,7 @@ use relativity_core::{
 use super::curves::{APPENDIX_A, Setup, title};
 use super::figures;
 use crate::estimate::FitReport;
-use crate::plot::{BLACK, Line, Panel, Stroke, VERMILION};
+use crate::plot::{BLACK, Line, LineStroke, Panel, VERMILION};
 use crate::time_range::passage_times;
 
 const SAMPLES: usize = 240;
@@ -116,7 +116,7 @@ fn write_figure(folder: &Path, name: &str, curve: usize, curves: Curves) -> anyh
         let fitted: Vec<f64> = times.iter().filter_map(|&time| Some(best.angles(0, time)?[curve])).collect();
         let points = |values: &[f64]| times.iter().zip(values).map(|(&t, &v)| [t, v]).collect();
         let lines = vec![
-            Line::solid("simulated, noise 2 % of the range", BLACK, points(&data)).with(Stroke::Dots),
+            Line::solid("simulated, noise 2 % of the range", BLACK, points(&data)).with(LineStroke::Dots),
             Line::solid("fit", VERMILION, points(&fitted)),
         ];
         let labels = ["T", if curve == 0 { "delta-phi, rad" } else { "delta-theta, rad" }];

@@ -18,7 +18,7 @@ use anyhow::Context as _;
 use clap::Args;
 use gamow_platform::{files, sizes};
 
-use crate::files::html::{Page, Style};
+use crate::files::html::{HtmlPage, PageStyle};
 use crate::files::whole::say;
 
 /// Reproduces the paper: its figures as SVG, CSV and PNG, and a report with its numbers beside ours.
@@ -53,7 +53,7 @@ pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
         frames: stereo::FIGURES.iter().zip(frames).collect(),
     };
     let text = report.to_string();
-    let mut page = Page::new("Gamow's cyclist, reproduced", Style::Screen);
+    let mut page = HtmlPage::new("Gamow's cyclist, reproduced", PageStyle::Screen);
     page.markdown(&text, |figure| {
         Ok(String::from_utf8(files::read(&folder.join(figure), sizes::FILE_BYTES)?)?)
     })?;

@@ -2,7 +2,7 @@
 
 use relativity_core::{Aperture, Disparity, Model, PairError, SourcePoint, sighting};
 
-use super::curves::{APPENDIX_A, Extent, Setup, TEXT_SIGN, extent};
+use super::curves::{APPENDIX_A, CurveExtremes, Setup, TEXT_SIGN, extent};
 
 /// Observation times that hold all extremes and zeros.
 const TIMES: [f64; 2] = [-20.0, 40.0];
@@ -19,7 +19,7 @@ const ROD: f64 = 1e-3;
 
 /// A number that the paper states, beside ours.
 #[derive(Debug)]
-pub struct Row {
+pub struct PaperNumber {
     /// Name of the quantity.
     pub quantity: &'static str,
     /// Number that the paper states.
@@ -34,23 +34,28 @@ pub struct Row {
 pub const MODELS: [Model; 3] = [APPENDIX_A, TEXT_SIGN, Model::Exact];
 
 /// Returns every row of the table.
-pub fn rows() -> Result<Vec<Row>, PairError> {
+pub fn rows() -> Result<Vec<PaperNumber>, PairError> {
     let mut rows = difference_rows()?;
     rows.extend(motion_rows()?);
     Ok(rows)
 }
 
-const fn row(quantity: &'static str, paper: &'static str, ours: Vec<String>, remark: &'static str) -> Row {
-    Row { quantity, paper, ours, remark }
+const fn row(
+    quantity: &'static str,
+    paper: &'static str,
+    ours: Vec<String>,
+    remark: &'static str,
+) -> PaperNumber {
+    PaperNumber { quantity, paper, ours, remark }
 }
 
-fn difference_rows() -> Result<Vec<Row>, PairError> {
+fn difference_rows() -> Result<Vec<PaperNumber>, PairError> {
     let setup = Setup::SECTION_3;
-    let extents = |quantity: fn(&Disparity) -> f64| -> Result<Vec<Extent>, PairError> {
+    let extents = |quantity: fn(&Disparity) -> f64| -> Result<Vec<CurveExtremes>, PairError> {
         MODELS.iter().map(|&model| Ok(extent(&setup.curve(model, TIMES, SAMPLES, quantity)?))).collect()
     };
     let (phi, theta) = (extents(|seen| seen.dphi)?, extents(|seen| seen.dtheta)?);
-    let each = |extents: &[Extent], of: fn(&Extent) -> String| extents.iter().map(of).collect();
+    let each = |extents: &[CurveExtremes], of: fn(&CurveExtremes) -> String| extents.iter().map(of).collect();
     let t0 = setup.equidistance_time()?;
     Ok(vec![
         row("T0 for y = z = 0.5, d = 0.3", "0.72", vec![format!("{t0:.4}")], "as stated"),
@@ -94,22 +99,22 @@ fn gap(model: Model) -> Result<String, PairError> {
     })
 }
 
-fn least(extent: &Extent) -> String {
+fn least(extent: &CurveExtremes) -> String {
     format!("{:.4}", extent.least)
 }
 
 /// A curve that only comes near 0 at its ends has no lobe above it.
-fn largest(extent: &Extent) -> String {
+fn largest(extent: &CurveExtremes) -> String {
     if extent.largest < 0.0 { "below 0".to_owned() } else { format!("{:.4}", extent.largest) }
 }
 
-fn zeros(extent: &Extent) -> String {
+fn zeros(extent: &CurveExtremes) -> String {
     let zeros: Vec<String> = extent.zeros.iter().map(|zero| format!("{zero:.4}")).collect();
     if zeros.is_empty() { "none".to_owned() } else { zeros.join(", ") }
 }
 
 /// Returns the rows of what one aperture sees, the same in every model.
-fn motion_rows() -> Result<Vec<Row>, PairError> {
+fn motion_rows() -> Result<Vec<PaperNumber>, PairError> {
     let setup = Setup::CYCLIST;
     let doppler = |x: f64| -> Result<f64, PairError> { Ok(700.0 / seen_at(&setup, x, 0.0)?.doppler_factor) };
     let [before, after] = [apparent_length(&setup, -FAR)?, apparent_length(&setup, FAR)?];

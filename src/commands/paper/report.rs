@@ -4,8 +4,8 @@ use std::fmt;
 
 use super::figures::CURVES;
 use super::fits::{self, ModelFits};
-use super::numbers::Row;
-use super::stereo::{Figure, Frame};
+use super::numbers::PaperNumber;
+use super::stereo::{Figure, StereoFrame};
 use super::values::{WeightedMean, ratio_text, weighted, written};
 use crate::estimate::{Attempt, CurvesFit, Parameters};
 use crate::flags::words::Shell;
@@ -14,7 +14,7 @@ use crate::flags::words::Shell;
 #[derive(Debug)]
 pub struct PaperReport<'a> {
     /// The numbers of the paper's text.
-    pub numbers: Vec<Row>,
+    pub numbers: Vec<PaperNumber>,
     /// Fits of data of the published and of the exact model.
     pub fits: [ModelFits; 2],
     /// Uncertainties for each range of time in which samples were taken.
@@ -22,7 +22,7 @@ pub struct PaperReport<'a> {
     /// Fits of exact curves by the published model.
     pub bias: [fits::Bias; 3],
     /// Stereo frames, figure by figure.
-    pub frames: Vec<(&'a Figure, Vec<Frame>)>,
+    pub frames: Vec<(&'a Figure, Vec<StereoFrame>)>,
 }
 
 const OPENING: &str = "\

@@ -12,7 +12,7 @@ use super::figures;
 use crate::files::html::data_uri;
 use crate::flags::choices::{FileKind, RendererChoice, Size};
 use crate::flags::{SpeedParameter, SpeedSetting};
-use crate::settings::{Daylight, Picture, Preset, Settings};
+use crate::settings::{Daylight, PictureSettings, Preset, Settings};
 use crate::studio::{Sheet, Studio};
 
 /// A row of frames, as one figure of the paper shows them.
@@ -77,7 +77,7 @@ const REST_WAVELENGTH_NM: f64 = 700.0;
 
 /// A drawn frame.
 #[derive(Debug)]
-pub struct Frame {
+pub struct StereoFrame {
     /// Name of the frame's file.
     pub file: String,
     /// The settings that draw the frame.
@@ -89,20 +89,20 @@ pub struct Frame {
 }
 
 /// Draws every figure into `folder`; the frames of each.
-pub fn write_all(folder: &Path) -> anyhow::Result<Vec<Vec<Frame>>> {
+pub fn write_all(folder: &Path) -> anyhow::Result<Vec<Vec<StereoFrame>>> {
     FIGURES.iter().map(|figure| figure.write(folder)).collect()
 }
 
 impl Figure {
-    fn write(&self, folder: &Path) -> anyhow::Result<Vec<Frame>> {
-        let frames: Vec<Frame> =
+    fn write(&self, folder: &Path) -> anyhow::Result<Vec<StereoFrame>> {
+        let frames: Vec<StereoFrame> =
             (1..).zip(self.places).map(|(number, &x)| self.frame(number, x)).collect::<Result<_, _>>()?;
         for frame in &frames {
             let mut studio = Studio::new(frame.settings.clone())?;
             studio.make_file(&studio.frame(None)?, FileKind::Png, &folder.join(&frame.file))?;
         }
         figures::write_text(folder, &format!("{}.svg", self.name), &svg(folder, &frames)?)?;
-        let column = |name: &str, value: fn(&Frame) -> f64| {
+        let column = |name: &str, value: fn(&StereoFrame) -> f64| {
             (name.to_owned(), frames.iter().map(value).collect::<Vec<f64>>())
         };
         let columns = [
@@ -119,13 +119,13 @@ impl Figure {
     }
 
     /// The frame in which the tracked point is seen at `x` from between the eyes.
-    fn frame(&self, number: usize, x: f64) -> Result<Frame, PairError> {
+    fn frame(&self, number: usize, x: f64) -> Result<StereoFrame, PairError> {
         let settings = self.settings();
         let setup = Setup { beta: settings.speed().beta(), ..Setup::CYCLIST };
         let time = setup.time_when_seen_at(x)?;
         let settings = Settings { time: Some(time), ..settings };
         let file = format!("{}-{number}.png", self.name);
-        Ok(Frame { file, settings, time, seen: setup.seen(Model::Exact, time)? })
+        Ok(StereoFrame { file, settings, time, seen: setup.seen(Model::Exact, time)? })
     }
 
     /// Returns the settings of the figure's preset, for print.
@@ -146,8 +146,8 @@ impl Figure {
 }
 
 /// The frames below each other, with their times; their pictures in `folder` are embedded.
-fn svg(folder: &Path, frames: &[Frame]) -> anyhow::Result<String> {
-    let [width, frame_height] = Sheet::new(&Picture::default(), [WIDTH, HEIGHT], true).size;
+fn svg(folder: &Path, frames: &[StereoFrame]) -> anyhow::Result<String> {
+    let [width, frame_height] = Sheet::new(&PictureSettings::default(), [WIDTH, HEIGHT], true).size;
     let row = frame_height + CAPTION_HEIGHT;
     let height = row * frames.len() as u32;
     let mut svg = format!(

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::flags::choices::{FileKind, Layout, ProjectionChoice, Size};
-use crate::settings::{Picture, Settings};
+use crate::settings::{PictureSettings, Settings};
 
 /// Mark that headsets look for before the extension: 180 x 180 degrees, left and right side by side.
 const MARK: &str = "_180x180_LR";
@@ -23,13 +23,13 @@ pub fn fitted(mut settings: Settings) -> anyhow::Result<Settings> {
     if !is_asked_for(&settings) {
         return Ok(settings);
     }
-    let Picture { size, layout, .. } = settings.picture;
+    let PictureSettings { size, layout, .. } = settings.picture;
     anyhow::ensure!(
         layout == Layout::SideBySide,
         "--projection vr180: a headset takes both eyes side by side, `--layout side-by-side`"
     );
     let [width, height] = size.0;
-    if size == Picture::default().size {
+    if size == PictureSettings::default().size {
         settings.picture.size = Size([SIDE; 2]);
     } else {
         anyhow::ensure!(width == height, "--size {size}: a vr180 picture is square, like {height}x{height}");
@@ -79,7 +79,7 @@ mod tests {
         settings.picture.size = Size([64, 48]);
         let error = fitted(settings.clone()).expect_err("it is not square").to_string();
         assert_eq!(error, "--size 64x48: a vr180 picture is square, like 48x48");
-        settings.picture = Picture { layout: Layout::Anaglyph, ..Picture::default() };
+        settings.picture = PictureSettings { layout: Layout::Anaglyph, ..PictureSettings::default() };
         assert!(fitted(settings).is_err());
     }
 }

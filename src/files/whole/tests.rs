@@ -6,7 +6,7 @@ use csv::ByteRecord;
 use relativity_render::Picture;
 
 use super::*;
-use crate::files::csv_out::Rows;
+use crate::files::csv_out::CsvWriter;
 use crate::files::exr::Measurements;
 use crate::files::png::Still;
 use crate::files::{gif, png};
@@ -44,7 +44,7 @@ fn picture() -> Picture {
 }
 
 fn csv(out: &mut dyn Place) -> anyhow::Result<()> {
-    let mut rows = Rows::new(out);
+    let mut rows = CsvWriter::new(out);
     for row in 0..9 {
         rows.write(&mut ByteRecord::from(vec!["a,b"]), &[f64::from(row), 0.1])?;
     }
@@ -52,7 +52,7 @@ fn csv(out: &mut dyn Place) -> anyhow::Result<()> {
 }
 
 fn film(out: &mut dyn Place) -> anyhow::Result<()> {
-    let mut film = gif::Frames::new([3, 2], 4, out)?;
+    let mut film = gif::GifWriter::new([3, 2], 4, out)?;
     film.write(&picture())?;
     film.write(&picture())?;
     film.finish()

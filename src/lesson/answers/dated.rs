@@ -4,16 +4,16 @@ use serde::{Deserialize, Serialize};
 
 /// A date, milliseconds since 1970 by the wall clock. No entry has an earlier one than those its window knew before, so that an
 /// answer outlasts those that it replaces even where the clock was set back.
-pub type Moment = u64;
+pub type Timestamp = u64;
 
 /// The last date that is believed of a file, 2^53 ms: the year 287396.
-pub const LAST: Moment = 1 << 53;
+pub const LAST: Timestamp = 1 << 53;
 
 /// A value and when it was entered.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Dated<T> {
     /// Date of the change.
-    pub at: Moment,
+    pub at: Timestamp,
     /// Value at that date.
     pub value: T,
 }

@@ -14,7 +14,7 @@ use super::plan::Lesson;
 use dated::{Dated, LAST};
 use progress::{Draft, named};
 
-pub use dated::Moment;
+pub use dated::Timestamp;
 pub use progress::LessonProgress;
 
 /// At most this many ways through lessons are stored, the latest ones.
@@ -40,7 +40,7 @@ impl Answers {
 
     /// Notes what changed in a course from `before` to `after`, entered `now`. Only changes are dated: what another window
     /// answered in the meantime is not replaced by what this one has shown all along.
-    pub fn note(&mut self, before: &Course, after: &Course, now: Moment) {
+    pub fn note(&mut self, before: &Course, after: &Course, now: Timestamp) {
         let lesson = after.lesson();
         if lesson.is_a_preset() || named(before.lesson()) != named(lesson) || before == after {
             return;
@@ -76,7 +76,7 @@ impl Answers {
     }
 
     /// Forgets what was done in `lesson`, in every window, up to `now`.
-    pub fn clear(&mut self, lesson: &Lesson, now: Moment) {
+    pub fn clear(&mut self, lesson: &Lesson, now: Timestamp) {
         if lesson.is_a_preset() {
             return;
         }
@@ -95,18 +95,18 @@ impl Answers {
 
     /// Returns the date of the latest change; without drafts, which change with every stroke of a key.
     #[must_use]
-    pub fn latest_answer(&self) -> Moment {
+    pub fn latest_answer(&self) -> Timestamp {
         self.0.values().map(LessonProgress::latest_answer).max().unwrap_or(0)
     }
 
     /// Returns the date of the latest change, drafts included.
     #[must_use]
-    pub fn latest(&self) -> Moment {
+    pub fn latest(&self) -> Timestamp {
         self.0.values().map(LessonProgress::latest).max().unwrap_or(0)
     }
 
     /// Returns the date of what is entered `now`: later than everything that is known.
-    fn date(&self, now: Moment) -> Moment {
+    fn date(&self, now: Timestamp) -> Timestamp {
         now.max(self.latest() + 1)
     }
 

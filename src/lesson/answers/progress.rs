@@ -2,17 +2,17 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::dated::{Dated, Moment, merged};
+use super::dated::{Dated, Timestamp, merged};
 use crate::lesson::answer::{Answer, Confidence, Outcome, Record};
 use crate::lesson::place::Place;
-use crate::lesson::plan::{Choices, Kind, Lesson, Options, Prediction, Step};
+use crate::lesson::plan::{AnswerKind, Choices, Lesson, Options, Prediction, Step};
 
 /// A way through a lesson: the answers, the place, and the answer that is being entered. Each is replaced on its own by a later one.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct LessonProgress {
     /// The last time that the lesson was begun from its start without answers: nothing older counts.
-    pub(super) cleared: Moment,
+    pub(super) cleared: Timestamp,
     pub(super) place: Option<Dated<Place>>,
     pub(super) draft: Option<Dated<Draft>>,
     /// By number, then by question.
@@ -122,7 +122,7 @@ impl LessonProgress {
     }
 
     /// Returns the date of its latest change; without drafts, which change with every stroke of a key.
-    pub(super) fn latest_answer(&self) -> Moment {
+    pub(super) fn latest_answer(&self) -> Timestamp {
         let steps = self.steps.iter().flat_map(|step| {
             [
                 step.outcome.as_ref().map(|outcome| outcome.at),
@@ -130,11 +130,11 @@ impl LessonProgress {
             ]
         });
         let place = self.place.as_ref().map(|place| place.at);
-        steps.flatten().chain(place).fold(self.cleared, Moment::max)
+        steps.flatten().chain(place).fold(self.cleared, Timestamp::max)
     }
 
     /// Returns the date of the lesson progress's latest change, drafts included.
-    pub(super) fn latest(&self) -> Moment {
+    pub(super) fn latest(&self) -> Timestamp {
         self.draft.as_ref().map_or(0, |draft| draft.at).max(self.latest_answer())
     }
 
@@ -176,7 +176,7 @@ fn asked(step: &Step) -> String {
         asked.push('\n');
     };
     if let Some(Prediction { question, kind }) = &step.prediction {
-        let options = if let Kind::Choice(options) = kind { Some(options) } else { None };
+        let options = if let AnswerKind::Choice(options) = kind { Some(options) } else { None };
         add(&question.markdown, options);
     }
     if let Some(Choices { question, options }) = &step.observation {

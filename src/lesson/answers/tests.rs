@@ -72,7 +72,7 @@ impl Window {
         Self { course: COURSES[0].clone(), answers: Answers::default() }
     }
 
-    fn does(&mut self, deed: &Deed, now: Moment, file: &mut Answers) {
+    fn does(&mut self, deed: &Deed, now: Timestamp, file: &mut Answers) {
         let before = self.course.clone();
         match deed {
             Deed::Predict(choice) => {
@@ -102,10 +102,10 @@ impl Window {
 }
 
 /// Answers of several lessons after these deeds in one window.
-fn after(lesson: usize, deeds: &[Deed], begin: Moment) -> Answers {
+fn after(lesson: usize, deeds: &[Deed], begin: Timestamp) -> Answers {
     let mut window = Window { course: COURSES[lesson].clone(), answers: Answers::default() };
     for (passed, deed) in deeds.iter().enumerate() {
-        window.does(deed, begin + passed as Moment, &mut Answers::default());
+        window.does(deed, begin + passed as Timestamp, &mut Answers::default());
     }
     window.answers
 }
@@ -141,7 +141,7 @@ proptest! {
         for (passed, (number, deed)) in deeds.iter().enumerate() {
             let window = &mut windows[*number];
             let before = window.course.records().to_vec();
-            window.does(deed, 1000 + 10 * passed as Moment, &mut file);
+            window.does(deed, 1000 + 10 * passed as Timestamp, &mut file);
             if matches!(deed, Deed::Clear) {
                 expected.fill(Record::default());
                 continue;
@@ -205,7 +205,7 @@ fn numbers_come_back_to_the_last_digit_and_none_spoils_the_file() {
         .into_iter()
         .enumerate()
     {
-        assert_eq!(draft(Answer::Number(number), now as Moment), Some(Some(Answer::Number(number))));
+        assert_eq!(draft(Answer::Number(number), now as Timestamp), Some(Some(Answer::Number(number))));
     }
     for answer in [
         Answer::Number(f64::NAN),

@@ -6,7 +6,7 @@ use super::limits::check_name;
 use super::wrong::Wrong;
 
 /// The front matter of a lesson.
-pub struct Front {
+pub struct FrontMatter {
     pub title: String,
     pub order: u32,
     pub concept: String,
@@ -19,7 +19,7 @@ pub const FENCE: &str = "---";
 /// A lesson that does not say its place comes after those that do.
 const LAST: u32 = 1000;
 
-impl Front {
+impl FrontMatter {
     /// Parses the front matter of a lesson's `text`, and returns the number of its lines, too.
     pub fn parse(text: &str) -> Result<(Self, usize), Wrong> {
         let begin = format!("a lesson begins with a line `{FENCE}`, then `title: …`, and again `{FENCE}`");

@@ -3,7 +3,7 @@
 use gamow_platform::{messages, sizes};
 
 use super::wrong::Wrong;
-use crate::lesson::plan::{Choices, Kind, Lesson, Options, Prediction, Step, Text};
+use crate::lesson::plan::{AnswerKind, Choices, Lesson, Options, Prediction, Step, Text};
 
 /// Whether a lesson's `text` is short enough to be read.
 ///
@@ -83,8 +83,8 @@ fn questions(step: &Step) -> impl Iterator<Item = &Text> {
 /// The lists of choices of a step.
 fn all_options(step: &Step) -> impl Iterator<Item = &Options> {
     let predicted = step.prediction.as_ref().and_then(|Prediction { kind, .. }| match kind {
-        Kind::Choice(options) => Some(options),
-        Kind::Number(_) | Kind::Point(_) | Kind::Curve(_) => None,
+        AnswerKind::Choice(options) => Some(options),
+        AnswerKind::Number(_) | AnswerKind::Point(_) | AnswerKind::Curve(_) => None,
     });
     let observed = step.observation.as_ref().map(|Choices { options, .. }| options);
     predicted.into_iter().chain(observed)

@@ -10,13 +10,13 @@ use std::path::Path;
 
 use gamow_platform::{files, messages, sizes};
 
-use self::front::Front;
-use self::parts::{Block, Part, check_blocks, check_slips, parts};
+use self::front::FrontMatter;
+use self::parts::{FencedBlock, Part, check_blocks, check_slips, parts};
 use self::wrong::Wrong;
 use super::error::LessonError;
 use super::plan::{
-    Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, PointAt, Prediction, Reveal, StateBlock,
-    Step, Text, line_giving,
+    Animated, Animation, AnswerKind, Choices, CurveAnswer, Lab, Lesson, Number, PointAt, Prediction, Reveal,
+    StateBlock, Step, Text, line_giving,
 };
 use super::values;
 use crate::files::syntax;
@@ -88,7 +88,7 @@ impl Lesson {
 
 fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
     limits::check_length(text)?;
-    let (front, first) = Front::parse(text)?;
+    let (front, first) = FrontMatter::parse(text)?;
     check_blocks(text, first)?;
     check_slips(text, first, &[SENTENCE, LAB], &BLOCKS)?;
     let mut sections = parts(text, first, "## ");
@@ -113,7 +113,7 @@ fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
     if steps.is_empty() {
         return Err((1, "a lesson has at least one step: a line that begins with `## `".to_owned()));
     }
-    let Front { title, order, concept, minutes } = front;
+    let FrontMatter { title, order, concept, minutes } = front;
     let (name, source_name) = (name.to_owned(), source_name.to_owned());
     let lesson = Lesson {
         name,
@@ -179,12 +179,12 @@ fn step(section: &Part) -> Result<Step, Wrong> {
 }
 
 /// The settings that differ, taken out of `blocks`.
-fn state_block(blocks: &mut Vec<Block>) -> Option<StateBlock> {
-    let Block { text: toml, line, .. } = take(blocks, "state")?;
+fn state_block(blocks: &mut Vec<FencedBlock>) -> Option<StateBlock> {
+    let FencedBlock { text: toml, line, .. } = take(blocks, "state")?;
     Some(StateBlock { toml, line })
 }
 
-fn take(blocks: &mut Vec<Block>, kind: &str) -> Option<Block> {
+fn take(blocks: &mut Vec<FencedBlock>, kind: &str) -> Option<FencedBlock> {
     let found = blocks.iter().position(|block| block.kind == kind)?;
     Some(blocks.remove(found))
 }
@@ -194,18 +194,18 @@ fn prediction(part: &Part) -> Result<Prediction, Wrong> {
     let (mut blocks, question) = part.blocks(&["number", "point", "curve"], &BLOCKS)?;
     let mut kinds = Vec::new();
     if let Some(options) = options {
-        kinds.push(Kind::Choice(options));
+        kinds.push(AnswerKind::Choice(options));
     }
     if let Some(block) = take(&mut blocks, "number") {
-        kinds.push(Kind::Number(number(&block)?));
+        kinds.push(AnswerKind::Number(number(&block)?));
     }
     if let Some(block) = take(&mut blocks, "point") {
         let PointTable { body } = block.table(POINT)?;
         check_name(&block, "body", &body)?;
-        kinds.push(Kind::Point(PointAt { body, line: block.line }));
+        kinds.push(AnswerKind::Point(PointAt { body, line: block.line }));
     }
     if let Some(block) = take(&mut blocks, "curve") {
-        kinds.push(Kind::Curve(curve(&block)?));
+        kinds.push(AnswerKind::Curve(curve(&block)?));
     }
     let (first, others) = (kinds.pop(), kinds);
     let kind = first.filter(|_| others.is_empty()).ok_or_else(|| {
@@ -227,11 +227,11 @@ struct NumberTable {
 }
 
 /// Checks the length of the `name` given as `key` in `block`.
-fn check_name(block: &Block, key: &str, name: &str) -> Result<(), Wrong> {
+fn check_name(block: &FencedBlock, key: &str, name: &str) -> Result<(), Wrong> {
     limits::check_name(key, name).map_err(|problem| (block.line_of(key), problem))
 }
 
-fn number(block: &Block) -> Result<Number, Wrong> {
+fn number(block: &FencedBlock) -> Result<Number, Wrong> {
     let NumberTable { truth, unit, decimals, within } = block.table(NUMBER)?;
     check_name(block, "unit", &unit)?;
     let line = block.line_of("truth");
@@ -257,7 +257,7 @@ struct CurveTable {
     to: f64,
 }
 
-fn curve(block: &Block) -> Result<Curve, Wrong> {
+fn curve(block: &FencedBlock) -> Result<CurveAnswer, Wrong> {
     let CurveTable { of, from, to } = block.table(CURVE)?;
     let Some(quantity) = Quantity::DRAWN.into_iter().find(|quantity| quantity.row().id == of) else {
         let known = Quantity::DRAWN.map(|quantity| quantity.row().id).join(", ");
@@ -272,7 +272,7 @@ fn curve(block: &Block) -> Result<Curve, Wrong> {
             format!("from = {from}, to = {to}: must be two numbers that rise"),
         ));
     }
-    Ok(Curve { quantity, range: [from, to] })
+    Ok(CurveAnswer { quantity, range: [from, to] })
 }
 
 #[derive(Deserialize)]
@@ -292,7 +292,7 @@ fn reveal(part: &Part) -> Result<Reveal, Wrong> {
     Ok(Reveal { state, animation, text })
 }
 
-fn animation(block: &Block) -> Result<Animation, Wrong> {
+fn animation(block: &FencedBlock) -> Result<Animation, Wrong> {
     let PlayTable { time, beta, gamma, rapidity, seconds } = block.table(PLAY)?;
     let seconds = seconds.unwrap_or(SECONDS);
     if !(seconds > 0.0 && seconds <= MOST_SECONDS) {
@@ -338,7 +338,7 @@ impl Part {
     }
 }
 
-impl Block {
+impl FencedBlock {
     /// Parses its text as TOML; in an error, `right` gives the correction.
     fn table<T: DeserializeOwned>(&self, right: &str) -> Result<T, Wrong> {
         toml::from_str(&self.text).map_err(|error| {

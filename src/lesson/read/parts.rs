@@ -18,7 +18,7 @@ pub struct Part {
 
 /// A block between two fences.
 #[derive(Debug)]
-pub struct Block {
+pub struct FencedBlock {
     /// Kind of the block, from its first fence.
     pub kind: String,
     /// Number of the block's first line in the file, from 1.
@@ -132,8 +132,8 @@ impl Part {
 
     /// Returns its blocks of the kinds that are `allowed` here, one of each at most, of all that are `known`; and the rest of its
     /// text. Other blocks are text.
-    pub fn blocks(&self, allowed: &[&str], known: &[&str]) -> Result<(Vec<Block>, Text), Wrong> {
-        let (mut blocks, mut rest): (Vec<Block>, Vec<(usize, &str)>) = (Vec::new(), Vec::new());
+    pub fn blocks(&self, allowed: &[&str], known: &[&str]) -> Result<(Vec<FencedBlock>, Text), Wrong> {
+        let (mut blocks, mut rest): (Vec<FencedBlock>, Vec<(usize, &str)>) = (Vec::new(), Vec::new());
         let mut lines = self.text.lines().enumerate().map(|(number, line)| (self.line + number + 1, line));
         while let Some((number, line)) = lines.next() {
             let kind = line.strip_prefix(FENCE).map(str::trim).filter(|kind| known.contains(kind));
@@ -158,7 +158,7 @@ impl Part {
                     Some((_, line)) => text = text + line + "\n",
                 }
             }
-            blocks.push(Block { kind: kind.to_owned(), line: number + 1, text });
+            blocks.push(FencedBlock { kind: kind.to_owned(), line: number + 1, text });
         }
         Ok((blocks, text(&rest)))
     }

@@ -85,7 +85,7 @@ fn a_lesson_has_what_its_file_says() {
     assert_eq!(lesson.introduction.line, 8);
     let [coming, fast] = &lesson.steps[..] else { panic!("two steps") };
     assert_eq!(coming.text, Text { markdown: "A rod comes.".to_owned(), line: 19 });
-    let Some(Prediction { question, kind: Kind::Choice(options) }) = &coming.prediction else {
+    let Some(Prediction { question, kind: AnswerKind::Choice(options) }) = &coming.prediction else {
         panic!("a choice")
     };
     assert_eq!((question.markdown.as_str(), question.line), ("How long does it look?", 23));
@@ -94,7 +94,7 @@ fn a_lesson_has_what_its_file_says() {
     let reveal = coming.reveal.as_ref().expect("a reveal");
     assert_eq!(reveal.animation, Some(Animation { to: Animated::Time(5.0), seconds: 2.0 }));
     assert_eq!(coming.observation.as_ref().map(|asked| asked.options.right), Some(0));
-    assert!(matches!(&fast.prediction, Some(Prediction { kind: Kind::Number(_), .. })));
+    assert!(matches!(&fast.prediction, Some(Prediction { kind: AnswerKind::Number(_), .. })));
     assert_eq!(lesson.sentence.markdown, "Light is late.");
     assert!(lesson.lab.is_some());
 }

@@ -1,6 +1,6 @@
 //! Values of the fit of the selected point, as the *Fit* tab shows it.
 
-use super::fitted::{Fitted, fitted};
+use super::fitted::{FittedParameter, fitted};
 use super::here::{Here, Value};
 
 /// Values of the fit.
@@ -53,7 +53,9 @@ pub const VALUES: &[Value] = &[
     Value {
         name: "fit_off",
         what: "the most standard errors by which one of these three is off",
-        work_out: |here| here.fitted(|fitted| fitted.iter().map(Fitted::sigmas_off).fold(0.0, f64::max)),
+        work_out: |here| {
+            here.fitted(|fitted| fitted.iter().map(FittedParameter::sigmas_off).fold(0.0, f64::max))
+        },
     },
     Value {
         name: "fit_samples",
@@ -69,7 +71,7 @@ pub const VALUES: &[Value] = &[
 
 impl Here<'_> {
     /// `of` the fitted beta, y and z.
-    fn fitted(&self, of: fn(&[Fitted; 3]) -> f64) -> Option<f64> {
+    fn fitted(&self, of: fn(&[FittedParameter; 3]) -> f64) -> Option<f64> {
         self.fit.get_or_init(|| fitted(self.settings, self.scene)).as_ref().map(of)
     }
 }

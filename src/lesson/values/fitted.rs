@@ -10,17 +10,17 @@ use crate::scene::Scene;
 use crate::settings::Settings;
 
 /// A fit, made when it is first needed. `None` inside: there is none.
-pub type Fit = OnceCell<Option<[Fitted; 3]>>;
+pub type CachedFit = OnceCell<Option<[FittedParameter; 3]>>;
 
 /// A fitted parameter, and the truth.
 #[derive(Debug, Clone)]
-pub struct Fitted {
+pub struct FittedParameter {
     /// Estimate of the parameter.
     pub estimate: Estimate,
     truth: f64,
 }
 
-impl Fitted {
+impl FittedParameter {
     /// Deviation from the truth in standard errors, up or down.
     #[must_use]
     pub fn sigmas_off(&self) -> f64 {
@@ -29,11 +29,11 @@ impl Fitted {
 }
 
 /// The fitted beta, y and z of the selected point; `None` where there is no fit.
-pub fn fitted(settings: &Settings, scene: &Scene) -> Option<[Fitted; 3]> {
+pub fn fitted(settings: &Settings, scene: &Scene) -> Option<[FittedParameter; 3]> {
     let taken = samples_of(settings, scene).ok()?;
     let best = fit(&taken.fittable.observations, &taken.fittable.options).ok()?;
     let replicates = bootstrap(&best, DEFAULT_REPLICATES, settings.fit.seed).ok();
-    Some([Parameter::Beta, Parameter::Y, Parameter::Z].map(|parameter| Fitted {
+    Some([Parameter::Beta, Parameter::Y, Parameter::Z].map(|parameter| FittedParameter {
         estimate: estimate(&best, replicates.as_ref(), parameter),
         truth: taken.true_value(parameter),
     }))

@@ -2,7 +2,7 @@
 
 use relativity_core::{Disparity, Sighting};
 
-use super::fitted::Fit;
+use super::fitted::CachedFit;
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
@@ -29,7 +29,7 @@ pub struct Here<'a> {
     /// Observation time T.
     pub time: f64,
     /// Fit of the selected point, once it was needed.
-    pub fit: &'a Fit,
+    pub fit: &'a CachedFit,
 }
 
 impl Here<'_> {

@@ -18,11 +18,11 @@ mod rolling;
 use gamow_platform::{messages, sizes};
 use pulldown_cmark::{Event, Parser, Tag};
 
-use self::fitted::Fit;
+use self::fitted::CachedFit;
 use self::here::{Here, Value};
 use self::places::{filled, line_of_lone_dollar};
 use super::error::LessonError;
-use super::plan::{Choices, Kind, Lesson, Prediction, StateBlock, Text};
+use super::plan::{AnswerKind, Choices, Lesson, Prediction, StateBlock, Text};
 use crate::formula::markdown::{OPTIONS, first_fault};
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
@@ -101,11 +101,11 @@ pub fn check(text: &str) -> Result<(), String> {
 /// # Errors
 /// Why there is none.
 pub fn value(text: &str, settings: &Settings, scene: &Scene) -> Result<f64, String> {
-    value_with(text, settings, scene, &Fit::new())
+    value_with(text, settings, scene, &CachedFit::new())
 }
 
 /// Returns the value of `text` with a `fit` of the state, which is made at most once.
-fn value_with(text: &str, settings: &Settings, scene: &Scene, fit: &Fit) -> Result<f64, String> {
+fn value_with(text: &str, settings: &Settings, scene: &Scene, fit: &CachedFit) -> Result<f64, String> {
     let asked = ValueRequest::parse(text)?;
     let value = asked.value()?;
     let own = || {
@@ -141,16 +141,16 @@ impl Lesson {
             if let Some(Prediction { question, kind }) = &mut step.prediction {
                 *question = self.filled(question, &before)?;
                 match kind {
-                    Kind::Choice(options) => self.fill_all(&mut options.texts, &before)?,
-                    Kind::Number(number) => {
+                    AnswerKind::Choice(options) => self.fill_all(&mut options.texts, &before)?,
+                    AnswerKind::Number(number) => {
                         let truth = value(&number.value, &after.0, &after.1);
                         number.truth = Some(truth.map_err(|problem| self.wrong(number.line, problem))?);
                     }
-                    Kind::Point(point) => {
+                    AnswerKind::Point(point) => {
                         let body = after.1.body_called(&point.body);
                         body.map_err(|problem| self.wrong(point.line, problem))?;
                     }
-                    Kind::Curve(_) => {}
+                    AnswerKind::Curve(_) => {}
                 }
             }
             if let Some(reveal) = &mut step.reveal {
@@ -216,7 +216,7 @@ impl Lesson {
 
     /// `text` with its values in their places, as they are in this state.
     fn filled(&self, text: &Text, (settings, scene): &(Settings, Scene)) -> Result<Text, LessonError> {
-        let fit = Fit::new();
+        let fit = CachedFit::new();
         let filled = filled(
             &text.markdown,
             |asked| check(asked).is_ok(),

@@ -2,12 +2,12 @@
 
 use super::common::{choices, head, picture_beside, truth};
 use super::lab;
-use crate::files::html::{Page, escaped};
+use crate::files::html::{HtmlPage, escaped};
 use crate::lesson::plan::{Choices, Lesson, Prediction, Step};
 use crate::settings::Settings;
 
 /// Adds the answer sheet to `page`.
-pub fn write(page: &mut Page, lesson: &Lesson) -> anyhow::Result<()> {
+pub fn write(page: &mut HtmlPage, lesson: &Lesson) -> anyhow::Result<()> {
     head(page, lesson, "Answers: ");
     if !lesson.is_a_preset() {
         page.text(&lesson.introduction.markdown)?;
@@ -35,7 +35,7 @@ pub fn write(page: &mut Page, lesson: &Lesson) -> anyhow::Result<()> {
 }
 
 /// Adds the questions of a step with their answers, revealed in `settings`.
-pub fn step(page: &mut Page, step: &Step, settings: &Settings) -> anyhow::Result<()> {
+pub fn step(page: &mut HtmlPage, step: &Step, settings: &Settings) -> anyhow::Result<()> {
     if let Some(Prediction { question, kind }) = &step.prediction {
         page.text(&question.markdown)?;
         truth(page, kind, settings)?;

@@ -3,16 +3,16 @@
 use std::fmt::Write as _;
 
 use crate::caption::decimal;
-use crate::files::html::{Page, escaped};
+use crate::files::html::{HtmlPage, escaped};
 use crate::lesson::curve_plot;
 use crate::lesson::picture;
-use crate::lesson::plan::{Curve, Kind, Lesson, Options};
+use crate::lesson::plan::{AnswerKind, CurveAnswer, Lesson, Options};
 use crate::plot::{BLUE, Line};
 use crate::settings::Settings;
 use crate::units::Unit;
 
 /// Adds the title after `kind` of sheet, the concept and the time it takes.
-pub fn head(page: &mut Page, lesson: &Lesson, kind: &str) {
+pub fn head(page: &mut HtmlPage, lesson: &Lesson, kind: &str) {
     page.html(&format!("<h1>{kind}{}</h1>\n", escaped(&lesson.title)));
     if !lesson.is_a_preset() {
         let concept = if lesson.concept.is_empty() { String::new() } else { format!("{}. ", lesson.concept) };
@@ -21,18 +21,18 @@ pub fn head(page: &mut Page, lesson: &Lesson, kind: &str) {
 }
 
 /// Adds room for a name and a date.
-pub fn name_and_date(page: &mut Page) {
+pub fn name_and_date(page: &mut HtmlPage) {
     page.html("<p class=\"name\">Name: ____________________ &emsp; Date: ____________</p>\n");
 }
 
 /// Adds the picture of `settings`, small, with the text flowing around it.
-pub fn picture_beside(page: &mut Page, settings: &Settings, title: &str) -> anyhow::Result<()> {
+pub fn picture_beside(page: &mut HtmlPage, settings: &Settings, title: &str) -> anyhow::Result<()> {
     page.html(&format!("<figure class=\"beside\">\n{}</figure>\n", picture::figure(settings, title)?));
     Ok(())
 }
 
 /// Adds boxes to tick; that of the `right` choice is ticked.
-pub fn choices(page: &mut Page, options: &Options, right: Option<usize>) -> anyhow::Result<()> {
+pub fn choices(page: &mut HtmlPage, options: &Options, right: Option<usize>) -> anyhow::Result<()> {
     let mut list = String::new();
     for (number, option) in options.texts.iter().enumerate() {
         let mark = if right == Some(number) { '☒' } else { '☐' };
@@ -45,17 +45,17 @@ pub fn choices(page: &mut Page, options: &Options, right: Option<usize>) -> anyh
 }
 
 /// Adds the right answer to a question of this `kind`, after the reveal in `settings`.
-pub fn truth(page: &mut Page, kind: &Kind, settings: &Settings) -> anyhow::Result<()> {
+pub fn truth(page: &mut HtmlPage, kind: &AnswerKind, settings: &Settings) -> anyhow::Result<()> {
     match kind {
-        Kind::Choice(options) => choices(page, options, Some(options.right))?,
-        Kind::Number(number) => {
+        AnswerKind::Choice(options) => choices(page, options, Some(options.right))?,
+        AnswerKind::Number(number) => {
             let truth = number.truth.map_or_else(String::new, |truth| decimal(truth, number.decimals));
             page.html(&format!("<p>{truth} {}</p>\n", escaped(&number.unit)));
         }
-        Kind::Point(point) => {
+        AnswerKind::Point(point) => {
             page.html(&format!("<p>Where the {} is seen in the picture.</p>\n", escaped(&point.body)));
         }
-        Kind::Curve(curve) => {
+        AnswerKind::Curve(curve) => {
             page.html(&format!("<figure class=\"plot\">\n{}</figure>\n", plot(curve, settings, true)?));
         }
     }
@@ -63,7 +63,7 @@ pub fn truth(page: &mut Page, kind: &Kind, settings: &Settings) -> anyhow::Resul
 }
 
 /// A plot to draw a curve into; `with_answers`, with the curve.
-pub fn plot(curve: &Curve, settings: &Settings, with_answers: bool) -> anyhow::Result<String> {
+pub fn plot(curve: &CurveAnswer, settings: &Settings, with_answers: bool) -> anyhow::Result<String> {
     let track = settings.track(&settings.opened_scene()?);
     let range = settings.time_range(&track);
     let truth = || Line::in_pieces("true curve", BLUE, curve.over(settings, &track, range));

@@ -8,7 +8,7 @@ use super::common::{head, name_and_date};
 use crate::caption::decimal;
 use crate::estimate::samples::{SamplesWithTruth, samples_of};
 use crate::estimate::{Estimate, estimate};
-use crate::files::html::{Page, answer_lines, data_uri, escaped};
+use crate::files::html::{HtmlPage, answer_lines, data_uri, escaped};
 use crate::lesson::picture;
 use crate::lesson::plan::{Lab, Lesson};
 use crate::settings::Settings;
@@ -21,7 +21,7 @@ const MOST_ROWS: usize = 24;
 const DIGITS: u8 = 5;
 
 /// Adds the sheet of `lab`.
-pub fn write(page: &mut Page, lesson: &Lesson, lab: &Lab) -> anyhow::Result<()> {
+pub fn write(page: &mut HtmlPage, lesson: &Lesson, lab: &Lab) -> anyhow::Result<()> {
     let settings = lesson.lab_settings(&Settings::default())?;
     name_and_date(page);
     head(page, lesson, "Lab: ");
@@ -38,7 +38,7 @@ pub fn write(page: &mut Page, lesson: &Lesson, lab: &Lab) -> anyhow::Result<()> 
 }
 
 /// Adds what should be found in `lab`, for whoever teaches.
-pub fn answers(page: &mut Page, lesson: &Lesson, lab: &Lab) -> anyhow::Result<()> {
+pub fn answers(page: &mut HtmlPage, lesson: &Lesson, lab: &Lab) -> anyhow::Result<()> {
     let settings = lesson.lab_settings(&Settings::default())?;
     page.html("<h2>Lab</h2>\n");
     page.text(&lab.text.markdown)?;

@@ -9,11 +9,11 @@ mod teacher;
 use serde::{Deserialize, Serialize};
 
 use super::plan::Lesson;
-use crate::files::html::{Page, Style};
+use crate::files::html::{HtmlPage, PageStyle};
 
 /// A kind of sheet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum Sheet {
+pub enum SheetKind {
     /// Questions, with room for answers.
     Questions,
     /// The answers to these.
@@ -28,14 +28,14 @@ pub enum Sheet {
 ///
 /// # Errors
 /// A lab where there is none, those of the renderer, and of what is fitted in the lab.
-pub fn page(lesson: &Lesson, sheet: Sheet) -> anyhow::Result<String> {
-    let mut page = Page::new(&lesson.title, Style::Print);
+pub fn page(lesson: &Lesson, sheet: SheetKind) -> anyhow::Result<String> {
+    let mut page = HtmlPage::new(&lesson.title, PageStyle::Print);
     page.html("<div class=\"sheet\">\n");
     match sheet {
-        Sheet::Questions => pupil::write(&mut page, lesson)?,
-        Sheet::Answers => answers::write(&mut page, lesson)?,
-        Sheet::Teacher => teacher::write(&mut page, lesson)?,
-        Sheet::Lab => {
+        SheetKind::Questions => pupil::write(&mut page, lesson)?,
+        SheetKind::Answers => answers::write(&mut page, lesson)?,
+        SheetKind::Teacher => teacher::write(&mut page, lesson)?,
+        SheetKind::Lab => {
             let Some(done) = &lesson.lab else {
                 anyhow::bail!("{}: this lesson has no lab: a heading `## Lab`", lesson.source_name);
             };

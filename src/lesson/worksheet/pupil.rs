@@ -1,16 +1,16 @@
 //! The pupil's sheet, two pages at most: questions and room to answer, but no solutions: it can be read ahead.
 
 use super::common::{choices, head, name_and_date, picture_beside, plot};
-use crate::files::html::{Page, answer_lines, escaped};
+use crate::files::html::{HtmlPage, answer_lines, escaped};
 use crate::lesson::answer::Confidence;
-use crate::lesson::plan::{Choices, Kind, Lesson, Prediction, Step};
+use crate::lesson::plan::{AnswerKind, Choices, Lesson, Prediction, Step};
 use crate::settings::Settings;
 
 /// Lines for an explanation, and for a sentence to take away.
 const LINES: [usize; 2] = [2, 2];
 
 /// Adds the pupil's sheet to `page`.
-pub fn write(page: &mut Page, lesson: &Lesson) -> anyhow::Result<()> {
+pub fn write(page: &mut HtmlPage, lesson: &Lesson) -> anyhow::Result<()> {
     name_and_date(page);
     head(page, lesson, "");
     if !lesson.is_a_preset() {
@@ -27,7 +27,7 @@ pub fn write(page: &mut Page, lesson: &Lesson) -> anyhow::Result<()> {
     Ok(())
 }
 
-fn step(page: &mut Page, lesson: &Lesson, number: usize) -> anyhow::Result<()> {
+fn step(page: &mut HtmlPage, lesson: &Lesson, number: usize) -> anyhow::Result<()> {
     let Step { title, text, prediction, reveal, observation, explanation, .. } = &lesson.steps[number];
     let shown = lesson.settings(number, false, &Settings::default())?;
     page.html("<div class=\"question opening\">\n");
@@ -69,17 +69,17 @@ fn has_picture(lesson: &Lesson, number: usize, shown: &Settings) -> anyhow::Resu
     let kind = lesson.steps[number].prediction.as_ref().map(|prediction| &prediction.kind);
     let Some(before) = number.checked_sub(1) else { return Ok(true) };
     let is_new = lesson.settings(before, true, &Settings::default())?.scene != shown.scene;
-    Ok(is_new || matches!(kind, Some(Kind::Point(_))))
+    Ok(is_new || matches!(kind, Some(AnswerKind::Point(_))))
 }
 
-fn ask(page: &mut Page, kind: &Kind, settings: &Settings) -> anyhow::Result<()> {
+fn ask(page: &mut HtmlPage, kind: &AnswerKind, settings: &Settings) -> anyhow::Result<()> {
     match kind {
-        Kind::Choice(options) => choices(page, options, None)?,
-        Kind::Number(number) => {
+        AnswerKind::Choice(options) => choices(page, options, None)?,
+        AnswerKind::Number(number) => {
             page.html(&format!("<p>____________ {}</p>\n", escaped(&number.unit)));
         }
-        Kind::Point(_) => page.html("<p>Mark the place with a cross in the left picture.</p>\n"),
-        Kind::Curve(curve) => {
+        AnswerKind::Point(_) => page.html("<p>Mark the place with a cross in the left picture.</p>\n"),
+        AnswerKind::Curve(curve) => {
             page.html(&format!("<figure class=\"plot\">\n{}</figure>\n", plot(curve, settings, false)?));
         }
     }

@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 
 use super::common::head;
 use super::{answers, lab};
-use crate::files::html::{Page, escaped};
-use crate::lesson::plan::{Kind, Lesson, Options, Step};
+use crate::files::html::{HtmlPage, escaped};
+use crate::lesson::plan::{AnswerKind, Lesson, Options, Step};
 use crate::settings::Settings;
 
 /// Adds the teacher's page to `page`.
-pub fn write(page: &mut Page, lesson: &Lesson) -> anyhow::Result<()> {
+pub fn write(page: &mut HtmlPage, lesson: &Lesson) -> anyhow::Result<()> {
     head(page, lesson, "Teacher\u{2019}s page: ");
     page.text(&lesson.introduction.markdown)?;
     if !lesson.sentence.is_empty() {
@@ -40,7 +40,7 @@ fn plan(lesson: &Lesson) -> String {
     )
 }
 
-fn step(page: &mut Page, step: &Step, settings: &Settings) -> anyhow::Result<()> {
+fn step(page: &mut HtmlPage, step: &Step, settings: &Settings) -> anyhow::Result<()> {
     said(page, "What to say.", &step.text.markdown)?;
     answers::step(page, step, settings)?;
     if step.teaching.is_empty() {
@@ -51,8 +51,8 @@ fn step(page: &mut Page, step: &Step, settings: &Settings) -> anyhow::Result<()>
 }
 
 /// Writes what pupils may answer, taken from the questions: for a step without advice of its author's.
-fn wrong_answers(page: &mut Page, step: &Step) -> anyhow::Result<()> {
-    if let Some(Kind::Choice(options)) = step.prediction.as_ref().map(|asked| &asked.kind) {
+fn wrong_answers(page: &mut HtmlPage, step: &Step) -> anyhow::Result<()> {
+    if let Some(AnswerKind::Choice(options)) = step.prediction.as_ref().map(|asked| &asked.kind) {
         page.text(&format!("**What pupils also answer.**{}", wrong(options)?))?;
     }
     if let Some(observation) = &step.observation {
@@ -62,7 +62,7 @@ fn wrong_answers(page: &mut Page, step: &Step) -> anyhow::Result<()> {
     Ok(())
 }
 
-fn said(page: &mut Page, name: &str, text: &str) -> anyhow::Result<()> {
+fn said(page: &mut HtmlPage, name: &str, text: &str) -> anyhow::Result<()> {
     if text.is_empty() {
         return Ok(());
     }

@@ -37,7 +37,7 @@ fn diagrams() -> Vec<[Diagram; 2]> {
 }
 
 /// The cones, of frames along the street.
-fn cones(diagram: &Diagram) -> [Cone; 2] {
+fn cones(diagram: &Diagram) -> [PastCone; 2] {
     diagram.cones().expect("it moves along the street")
 }
 
@@ -69,15 +69,15 @@ fn light_leaves_the_worldline_where_it_meets_the_cone_and_takes_no_interval_in_b
 
 #[test]
 fn light_leaves_where_the_space_face_shows_what_each_eye_sees() {
-    use crate::map::{Instant, Picture};
+    use crate::map::{BodyPicture, MapInstant};
     for geometry in [relativity_render::Geometry::Seen, relativity_render::Geometry::OneCone] {
         let mut settings = settings(SpeedParameter::Beta, 0.9);
         settings.look.geometry = geometry;
         for track in tracks() {
             let rays = rays(&settings, &track, 1.7, ObserverVelocity::REST).expect("in the domain");
-            let instant = Instant::new(&settings, 1.7);
+            let instant = MapInstant::new(&settings, 1.7);
             for (eye, ray) in rays.iter().enumerate() {
-                let place = instant.place(&track, Picture::Seen(eye)).expect("in the domain");
+                let place = instant.place(&track, BodyPicture::Seen(eye)).expect("in the domain");
                 let off = place - glam::DVec3::new(ray.left.x, place.y, place.z);
                 assert!(off.length() < 1e-9, "{geometry:?} {track:?}: {off}");
                 let glam::DVec3 { y, z, .. } =
@@ -107,7 +107,7 @@ fn one_cone_for_both_eyes_has_its_apex_between_them() {
 fn the_diagram_of_the_other_frame_is_this_one_transformed() {
     for [ground, scene] in diagrams() {
         let (scale, frame) = (scale(&ground).max(scale(&scene)), scene.frame);
-        let there = |event: Event| event_in(&frame, DVec3::X * event.x, event.t);
+        let there = |event: Event| frame.event_at([event.x, 0.0, 0.0], event.t);
         for (here, seen) in ground.rays.iter().zip(scene.rays) {
             assert_same(there(here.left), seen.left, scale);
             assert_same(there(here.received), seen.received, scale);
@@ -230,7 +230,7 @@ fn a_line_is_cut_at_the_sides_and_nothing_is_left_of_one_that_passes_by() {
 
 #[test]
 fn a_drawn_cone_bends_as_a_hyperbola_and_ends_at_the_sides() {
-    let cone = Cone { apex: Event { x: 1.0, t: 5.0 }, distance: 2.0 };
+    let cone = PastCone { apex: Event { x: 1.0, t: 5.0 }, distance: 2.0 };
     let curve = cone.curve([-9.0, 6.0]);
     assert!((curve[0].x + 9.0).abs() < 1e-12 && (curve[curve.len() - 1].x - 6.0).abs() < 1e-12);
     for pair in curve.windows(2) {

@@ -6,7 +6,7 @@ use relativity_render::{Geometry, MaterialPoint, Motion, Velocity};
 
 use super::super::*;
 use crate::scene::{Scene, Track};
-use crate::settings::{Face, Frame, Preset, Settings};
+use crate::settings::{MapFace, MapFrame, Preset, Settings};
 
 /// An event: t, x, y, z.
 type Four = [f64; 4];
@@ -23,7 +23,7 @@ const RIDES: [Case; 6] = [
     ("1@0:1,2@1:0:0.7", 70.0, 0.0, 2.5),
 ];
 
-fn settings(&(legs, azimuth, elevation, _): &Case, frame: Frame) -> Settings {
+fn settings(&(legs, azimuth, elevation, _): &Case, frame: MapFrame) -> Settings {
     let mut settings = Preset::named("ride-lamps").expect("a preset").settings.clone();
     settings.ride.ride = legs.parse().expect("legs");
     settings.ride.ride_speed = "0.3".parse().expect("a velocity");
@@ -108,9 +108,9 @@ fn place([_, x, y, z]: Four) -> DVec3 {
 #[test]
 fn rays_on_the_ground_run_from_where_light_left_to_each_eye() {
     for case in &RIDES {
-        let settings = settings(case, Frame::Ground);
+        let settings = settings(case, MapFrame::Ground);
         let time = case.3;
-        let (instant, there) = (Instant::new(&settings, time), eyes(&settings, time));
+        let (instant, there) = (MapInstant::new(&settings, time), eyes(&settings, time));
         for track in tracks() {
             let rays = rays(&settings, &track, time, settings.frame(time)).expect("in the domain");
             let diagram = Diagram::new(&settings, &track, time, settings.frame(time)).expect("in the domain");
@@ -126,7 +126,7 @@ fn rays_on_the_ground_run_from_where_light_left_to_each_eye() {
                 assert!((cone.time(ray.left.x) - ray.left.t).abs() < 1e-9, "it is on the eye's cone");
                 // The space face shows the same.
                 assert!(instant.eyes()[eye].distance(received) < 1e-12);
-                let seen = instant.place(&track, Picture::Seen(eye)).expect("in the domain");
+                let seen = instant.place(&track, BodyPicture::Seen(eye)).expect("in the domain");
                 assert!(seen.distance(left) < 1e-9, "{case:?}: {seen} {left}");
             }
         }
@@ -136,14 +136,14 @@ fn rays_on_the_ground_run_from_where_light_left_to_each_eye() {
 #[test]
 fn my_own_frame_is_the_grounds_by_a_lorentz_matrix() {
     for case in &RIDES {
-        let settings = settings(case, Frame::Rider);
+        let settings = settings(case, MapFrame::Rider);
         let time = case.3;
         let observer = settings.rider(time).observer();
         let there = boost(observer.velocity.proper());
         let [x, y, z] = observer.place;
         let here = [observer.time, x, y, z];
         let mine = |event: Four| applied(&there, std::array::from_fn(|i| event[i] - here[i]));
-        let instant = Instant::new(&settings, time);
+        let instant = MapInstant::new(&settings, time);
         for (event, eye) in eyes(&settings, time).into_iter().zip(instant.eyes()) {
             let [t, ..] = mine(event);
             assert!(t.abs() < 1e-12 && place(mine(event)).distance(eye) < 1e-12, "both are at one time");
@@ -152,11 +152,11 @@ fn my_own_frame_is_the_grounds_by_a_lorentz_matrix() {
             // When it is now, by my clock.
             let now = bisected(-1e4, 1e4, |t| -mine(event_at(&settings, &track, t))[0]);
             let expected = place(mine(event_at(&settings, &track, now)));
-            let measured = instant.place(&track, Picture::Measured).expect("it is somewhere");
+            let measured = instant.place(&track, BodyPicture::Measured).expect("it is somewhere");
             assert!(measured.distance(expected) < 1e-9, "{case:?}: {measured} {expected}");
             for (eye, event) in eyes(&settings, time).into_iter().enumerate() {
                 let left = mine(event_at(&settings, &track, left_at(&settings, &track, event)));
-                let seen = instant.place(&track, Picture::Seen(eye)).expect("in the domain");
+                let seen = instant.place(&track, BodyPicture::Seen(eye)).expect("in the domain");
                 assert!(seen.distance(place(left)) < 1e-8, "{case:?}: {seen} {left:?}");
             }
             // The same in spacetime, whose origin is the ground's.
@@ -174,12 +174,12 @@ fn my_own_frame_is_the_grounds_by_a_lorentz_matrix() {
 #[test]
 fn where_i_am_is_where_the_rider_is() {
     for case in &RIDES {
-        for frame in [Frame::Ground, Frame::Bicycle] {
+        for frame in [MapFrame::Ground, MapFrame::Bicycle] {
             let settings = settings(case, frame);
-            let speed = if frame == Frame::Ground { 0.0 } else { 0.6 };
+            let speed = if frame == MapFrame::Ground { 0.0 } else { 0.6 };
             let there = boost([speed / (1.0f64 - speed * speed).sqrt(), 0.0, 0.0]);
             let time = case.3;
-            for (eye, at) in eyes(&settings, time).into_iter().zip(Instant::new(&settings, time).eyes()) {
+            for (eye, at) in eyes(&settings, time).into_iter().zip(MapInstant::new(&settings, time).eyes()) {
                 assert!(at.distance(place(applied(&there, eye))) < 1e-12, "{case:?}");
             }
             let range = [0.0, 2.0 * time];
@@ -194,7 +194,7 @@ fn where_i_am_is_where_the_rider_is() {
 #[test]
 fn both_nows_pass_the_point_where_it_is_now_in_each_frame() {
     for case in &RIDES {
-        for frame in [Frame::Ground, Frame::Bicycle, Frame::Rider] {
+        for frame in [MapFrame::Ground, MapFrame::Bicycle, MapFrame::Rider] {
             let settings = settings(case, frame);
             let time = case.3;
             for track in tracks() {
@@ -223,7 +223,7 @@ fn both_nows_pass_the_point_where_it_is_now_in_each_frame() {
 #[test]
 fn the_present_of_who_rides_across_is_level_and_displaced() {
     let case = ("coast", 90.0, 0.0, 0.0);
-    let mut settings = settings(&case, Frame::Ground);
+    let mut settings = settings(&case, MapFrame::Ground);
     (settings.ride.ride_speed, settings.ride.ride_from) = ("0.8".parse().expect("a velocity"), 0.0);
     (settings.motion.depth_shift, settings.motion.height_shift) = (0.0, 0.0);
     let diagram = Diagram::new(&settings, &tracks()[0], 0.0, ObserverVelocity::REST).expect("in the domain");
@@ -240,9 +240,9 @@ fn a_wheel_is_measured_as_it_has_turned_by_my_clock() {
     let hub = DVec3::from(wheel.hub);
     let rest = hub + 0.7 * wheel.radius * DVec3::new(0.6, 0.0, 0.8);
     for case in &RIDES {
-        let settings = settings(case, Frame::Rider);
+        let settings = settings(case, MapFrame::Rider);
         let time = case.3;
-        let instant = Instant::new(&settings, time);
+        let instant = MapInstant::new(&settings, time);
         let observer = settings.rider(time).observer();
         let there = boost(observer.velocity.proper());
         let [x, y, z] = observer.place;
@@ -258,7 +258,8 @@ fn a_wheel_is_measured_as_it_has_turned_by_my_clock() {
             applied(&there, std::array::from_fn(|i| event[i] - here[i]))
         };
         let own = bisected(-1e3, 1e3, |own| -at(own)[0]);
-        let shown = instant.places(Motion::Scene).place(Picture::Measured, point).expect("it is somewhere");
+        let shown =
+            instant.places(Motion::Scene).place(BodyPicture::Measured, point).expect("it is somewhere");
         assert!(shown.distance(place(at(own))) < 1e-9, "{case:?}: {shown} {:?}", at(own));
     }
 }
@@ -266,13 +267,13 @@ fn a_wheel_is_measured_as_it_has_turned_by_my_clock() {
 #[test]
 fn the_kerbs_are_where_their_stones_are_measured() {
     for case in &RIDES {
-        for frame in [Frame::Ground, Frame::Rider] {
+        for frame in [MapFrame::Ground, MapFrame::Rider] {
             let settings = settings(case, frame);
             let scene = Scene::preset("street").expect("a preset");
-            let instant = Instant::new(&settings, case.3);
+            let instant = MapInstant::new(&settings, case.3);
             let places = instant.places(Motion::Own(Velocity::REST));
             let ground = scene.ground_z.expect("it has a ground");
-            let kerbs = street_lines(&instant, &scene, Projection::Plan);
+            let kerbs = street_lines(&instant, &scene, MapProjection::Plan);
             assert_eq!(kerbs.len(), 3);
             for (([from, to], _), y) in kerbs.into_iter().zip(scene.street.expect("it has kerbs")) {
                 let stone = places.measured(DVec3::new(77.0, y, ground));
@@ -284,7 +285,7 @@ fn the_kerbs_are_where_their_stones_are_measured() {
             }
             // Below the eyes.
             let (([from, to], _), eyes) =
-                (street_lines(&instant, &scene, Projection::Side)[0], instant.middle());
+                (street_lines(&instant, &scene, MapProjection::Side)[0], instant.middle());
             for x in [-5.0, 60.0] {
                 let y = bisected(-1e4, 1e4, |y| eyes.y - places.measured(DVec3::new(x, y, ground)).y);
                 let below = places.measured(DVec3::new(x, y, ground));
@@ -298,17 +299,21 @@ fn the_kerbs_are_where_their_stones_are_measured() {
 #[test]
 fn the_map_holds_the_rider_and_what_is_seen() {
     for case in &RIDES {
-        for frame in [Frame::Ground, Frame::Bicycle, Frame::Rider] {
+        for frame in [MapFrame::Ground, MapFrame::Bicycle, MapFrame::Rider] {
             let settings = Settings {
-                map: crate::settings::Map { face: Face::Space, frame, ..settings(case, frame).map },
+                map: crate::settings::MapSettings {
+                    face: MapFace::Space,
+                    frame,
+                    ..settings(case, frame).map
+                },
                 ..settings(case, frame)
             };
-            let instant = Instant::new(&settings, case.3);
-            let seen = [0, 1].map(|eye| instant.place(&tracks()[0], Picture::Seen(eye)));
+            let instant = MapInstant::new(&settings, case.3);
+            let seen = [0, 1].map(|eye| instant.place(&tracks()[0], BodyPicture::Seen(eye)));
             let seen: Vec<DVec3> = seen.into_iter().flatten().collect();
             let velocity = instant.observer().velocity;
             let beta = velocity.speed().beta() * DVec3::from(velocity.direction());
-            let Extent(extent) = Extent::of_ride_aslant(instant.middle(), beta, seen.iter().copied());
+            let WorldBox(extent) = WorldBox::of_ride_aslant(instant.middle(), beta, seen.iter().copied());
             for place in instant.eyes().into_iter().chain(seen) {
                 for axis in 0..3 {
                     let [low, high] = extent[axis];
@@ -321,7 +326,7 @@ fn the_map_holds_the_rider_and_what_is_seen() {
 
 #[test]
 fn one_cone_for_both_eyes_has_its_apex_between_them_on_a_ride_too() {
-    let mut settings = settings(&RIDES[1], Frame::Ground);
+    let mut settings = settings(&RIDES[1], MapFrame::Ground);
     settings.look.geometry = Geometry::OneCone;
     let time = RIDES[1].3;
     let rider = settings.rider(time).observer();

@@ -6,9 +6,11 @@ use relativity_render::{Spin, Velocity};
 
 use super::{AREA, settings};
 use crate::flags::{SpeedParameter, SpeedSetting};
-use crate::map::{Diagram, Extent, Instant, Lines, Picture, PointWorldline, Viewpoint, home, plan_and_side};
+use crate::map::{
+    BodyPicture, Diagram, MapInstant, OutlineLines, PointWorldline, Viewpoint, WorldBox, home, plan_and_side,
+};
 use crate::scene::{Scene, Track};
-use crate::settings::Frame;
+use crate::settings::MapFrame;
 
 const BETA: f64 = 0.93;
 
@@ -47,25 +49,25 @@ fn off(beta: f64, spin: &Spin, rest: DVec3, place: DVec3, t: f64) -> f64 {
 #[test]
 fn what_is_measured_and_what_is_seen_of_a_wheel_lies_on_the_worldlines_of_its_points() {
     let oncoming = Scene::parse(ONCOMING, "x").unwrap_or_else(|error| panic!("{error}"));
-    let settings = settings(BETA, Frame::Ground);
+    let settings = settings(BETA, MapFrame::Ground);
     for (scene, beta) in [(wheel().0, BETA), (oncoming, -0.8)] {
         let spin = scene.bodies[0].spin.expect("it rolls");
         for time in [-5.0, 0.0, 1.5, 6.0] {
-            let charts = plan_and_side(AREA, &Extent::of_space(&settings, &scene), &Viewpoint::default());
-            let lines = Lines::new(&Instant::new(&settings, time), &scene, &charts);
+            let charts = plan_and_side(AREA, &WorldBox::of_space(&settings, &scene), &Viewpoint::default());
+            let lines = OutlineLines::new(&MapInstant::new(&settings, time), &scene, &charts);
             let mut counts = [0, 0];
             for line in &lines.all {
                 for vertex in lines.vertices(line) {
                     let t = match line.picture {
-                        Picture::Measured => time,
-                        Picture::Seen(eye) => {
+                        BodyPicture::Measured => time,
+                        BodyPicture::Seen(eye) => {
                             time - vertex.place.distance(DVec3::new([-0.2, 0.2][eye], 0.0, 0.0))
                         }
-                        Picture::Stereo => continue,
+                        BodyPicture::Stereo => continue,
                     };
                     let off = off(beta, &spin, vertex.rest, vertex.place, t);
                     assert!(off < 1e-9, "T = {time}: {off} off at {vertex:?} of {line:?}");
-                    counts[usize::from(line.picture == Picture::Measured)] += 1;
+                    counts[usize::from(line.picture == BodyPicture::Measured)] += 1;
                 }
             }
             assert!(counts.iter().all(|count| *count >= 100), "{counts:?}");
@@ -76,8 +78,8 @@ fn what_is_measured_and_what_is_seen_of_a_wheel_lies_on_the_worldlines_of_its_po
 #[test]
 fn on_the_ground_spokes_crowd_at_the_top() {
     let (scene, spin) = wheel();
-    let settings = settings(BETA, Frame::Ground);
-    let places = Instant::new(&settings, 0.0).places(scene.groups[0].motion);
+    let settings = settings(BETA, MapFrame::Ground);
+    let places = MapInstant::new(&settings, 0.0).places(scene.groups[0].motion);
     // Two points of the rim close together, at the top or at the bottom at t' = 0, when the hub is abreast.
     let angle = |up: f64, a: f64| {
         let tip = DVec3::from(spin.hub) + spin.radius * DVec3::new(a.sin(), 0.0, up * a.cos());
@@ -94,8 +96,8 @@ fn on_the_ground_spokes_crowd_at_the_top() {
 #[test]
 fn in_its_own_frame_a_wheel_is_round_and_even() {
     let (scene, spin) = wheel();
-    let settings = settings(BETA, Frame::Bicycle);
-    let places = Instant::new(&settings, 1.5).places(scene.groups[0].motion);
+    let settings = settings(BETA, MapFrame::Bicycle);
+    let places = MapInstant::new(&settings, 1.5).places(scene.groups[0].motion);
     for body in &scene.bodies {
         let rest = DVec3::from(match body.shape {
             relativity_render::Shape::Ring { center: [x, y, z], radius, .. } => [x + radius, y, z],
@@ -111,7 +113,7 @@ fn in_its_own_frame_a_wheel_is_round_and_even() {
 #[test]
 fn the_worldline_of_a_point_of_the_rim_rests_on_the_road_and_runs_ahead_at_the_top() {
     let (scene, _) = wheel();
-    let settings = settings(BETA, Frame::Ground);
+    let settings = settings(BETA, MapFrame::Ground);
     // On the road at t = 0.
     let track = scene.track(Some([0.0, 4.0, -1.25]));
     let worldline = PointWorldline::new(&settings, &track, ObserverVelocity::REST);
@@ -127,7 +129,7 @@ fn the_worldline_of_a_point_of_the_rim_rests_on_the_road_and_runs_ahead_at_the_t
 #[test]
 fn the_drawn_worldline_of_a_wheels_point_is_the_real_one() {
     let (scene, spin) = wheel();
-    for frame in [Frame::Ground, Frame::Bicycle] {
+    for frame in [MapFrame::Ground, MapFrame::Bicycle] {
         let settings = settings(BETA, frame);
         let track = scene.track(Some([1.25, 4.0, 0.0]));
         assert_eq!(track.spin, Some(spin));
@@ -148,7 +150,7 @@ fn the_drawn_worldline_of_a_wheels_point_is_the_real_one() {
             assert!((event.x - ray.left.x).abs() < 1e-9 && (event.t - ray.left.t).abs() < 1e-9, "{ray:?}");
         }
         let now = diagram.point.at(diagram.other_now()).in_frame(Velocity::REST);
-        let in_scene = if frame == Frame::Ground { now.in_frame(settings.speed()) } else { now };
+        let in_scene = if frame == MapFrame::Ground { now.in_frame(settings.speed()) } else { now };
         assert!((in_scene.t - gamma()).abs() < 1e-12, "{in_scene:?}");
     }
 }
@@ -156,12 +158,12 @@ fn the_drawn_worldline_of_a_wheels_point_is_the_real_one() {
 #[test]
 fn what_is_pointed_at_on_a_tyre_is_a_point_that_turns_with_it() {
     let (scene, spin) = wheel();
-    let settings = settings(BETA, Frame::Ground);
-    let charts = plan_and_side(AREA, &Extent::of_space(&settings, &scene), &Viewpoint::default());
-    let instant = Instant::new(&settings, 2.0);
-    let lines = Lines::new(&instant, &scene, &charts);
-    let side = (crate::map::Projection::Side, &charts[1]);
-    for picture in [Picture::Measured, Picture::Seen(0)] {
+    let settings = settings(BETA, MapFrame::Ground);
+    let charts = plan_and_side(AREA, &WorldBox::of_space(&settings, &scene), &Viewpoint::default());
+    let instant = MapInstant::new(&settings, 2.0);
+    let lines = OutlineLines::new(&instant, &scene, &charts);
+    let side = (crate::map::MapProjection::Side, &charts[1]);
+    for picture in [BodyPicture::Measured, BodyPicture::Seen(0)] {
         // The top of the tyre in this picture, with a point that turns and is there now.
         let line = lines.all.iter().find(|line| line.body == 0 && line.picture == picture);
         let vertices = lines.vertices(line.expect("the tyre is drawn"));
@@ -181,7 +183,7 @@ fn what_is_pointed_at_on_a_tyre_is_a_point_that_turns_with_it() {
 fn nothing_of_a_wheel_is_beyond_all_numbers_at_the_greatest_speeds() {
     let (scene, spin) = wheel();
     for (gamma, frame) in
-        [1e9, 1e30].into_iter().flat_map(|gamma| [Frame::Ground, Frame::Bicycle].map(|f| (gamma, f)))
+        [1e9, 1e30].into_iter().flat_map(|gamma| [MapFrame::Ground, MapFrame::Bicycle].map(|f| (gamma, f)))
     {
         let mut settings = settings(0.5, frame);
         settings.motion.speed = SpeedSetting::new(SpeedParameter::Gamma, gamma).expect("a speed");
@@ -195,8 +197,8 @@ fn nothing_of_a_wheel_is_beyond_all_numbers_at_the_greatest_speeds() {
             for event in drawn.chain(left).chain([low, high, diagram.point.at(diagram.other_now())]) {
                 assert!(event.x.is_finite() && event.t.is_finite(), "{gamma} {time} {diagram:?}");
             }
-            let charts = plan_and_side(AREA, &Extent::of_space(&settings, &scene), &Viewpoint::default());
-            let lines = Lines::new(&Instant::new(&settings, time), &scene, &charts);
+            let charts = plan_and_side(AREA, &WorldBox::of_space(&settings, &scene), &Viewpoint::default());
+            let lines = OutlineLines::new(&MapInstant::new(&settings, time), &scene, &charts);
             for vertex in lines.all.iter().flat_map(|line| lines.vertices(line)) {
                 assert!(vertex.place.is_finite() && vertex.rest.is_finite(), "{gamma} {time} {vertex:?}");
             }

@@ -25,11 +25,11 @@ use gltf::scene::Transform;
 use gltf::texture::{Info, WrappingMode};
 use gltf::{Document, Gltf, Node, Primitive};
 use relativity_core::math;
-use relativity_render::{Model, Wrap};
+use relativity_render::{RawModel, Wrap};
 
 use super::accessor::{COLOURS, INDICES, PLACES, TEXTURE_PLACES, check, data_of};
 use super::limits::check_count;
-use super::parts::{NamedModel, Part};
+use super::parts::{NamedModel, NamedPart};
 use super::textures::Textures;
 
 /// Extensions that a file may require.
@@ -49,10 +49,10 @@ pub(super) fn model(bytes: &[u8], beside: ReadBeside<'_>) -> Result<NamedModel, 
         buffers,
         beside,
         textures: Textures::new(),
-        model: Model::default(),
+        model: RawModel::default(),
     };
     // Parts that have not ended, and how deep their nodes lie.
-    let (mut parts, mut open) = (Vec::<Part>::new(), Vec::<(usize, usize)>::new());
+    let (mut parts, mut open) = (Vec::<NamedPart>::new(), Vec::<(usize, usize)>::new());
     for PlacedNode { node, axes, depth } in placed_nodes(&document)? {
         let first = reader.model.triangles.len();
         while let Some((part, _)) = open.pop_if(|(_, outer)| *outer >= depth) {
@@ -61,7 +61,7 @@ pub(super) fn model(bytes: &[u8], beside: ReadBeside<'_>) -> Result<NamedModel, 
         if let Some(name) = node.name().or_else(|| node.mesh()?.name()) {
             open.push((parts.len(), depth));
             let triangles = iter::once(first..first).collect();
-            parts.push(Part { name: name.to_owned(), triangles });
+            parts.push(NamedPart { name: name.to_owned(), triangles });
         }
         for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
             reader.add(&primitive, axes)?;
@@ -218,7 +218,7 @@ struct ModelReader<'a> {
     beside: ReadBeside<'a>,
     /// By the numbers that the file has for them.
     textures: Textures<usize>,
-    model: Model,
+    model: RawModel,
 }
 
 impl ModelReader<'_> {
@@ -299,7 +299,7 @@ impl ModelReader<'_> {
         });
         let Some((places, info, set)) = found else {
             self.model.texture_places.extend(iter::repeat_n([0.0; 2], count));
-            return Ok(Model::NO_TEXTURE);
+            return Ok(RawModel::NO_TEXTURE);
         };
         check(&places, &TEXTURE_PLACES, &self.buffers)?;
         if places.count() != count {

@@ -19,11 +19,11 @@ use std::path::Path;
 use gamow_platform::messages;
 use glam::{DMat3, DVec3};
 use relativity_core::Turning;
-use relativity_render::{Body, Model};
+use relativity_render::{Body, RawModel};
 
 pub(super) use self::files::ModelFiles;
 use self::parts::NamedModel;
-use super::error::{Located, Problem};
+use super::error::{Located, SceneProblem};
 use super::object::{Object, brightness};
 use super::table::Table;
 use super::wheel::Changes;
@@ -50,8 +50,9 @@ pub(super) fn model(table: &Table, changes: Changes) -> Result<Vec<Object>, Loca
     let axes = scale * DMat3::from_quat(table.turn("the model")?) * upright(table)?;
     let is_two_sided = table.truth("two_sided")?.unwrap_or(true);
     let brightness = brightness(table)?;
-    let refused =
-        |reason: String| table.problem_at("path", |path| Problem::Model { path, reason: one_line(&reason) });
+    let refused = |reason: String| {
+        table.problem_at("path", |path| SceneProblem::Model { path, reason: one_line(&reason) })
+    };
     let wheels = table.strings("wheels")?.unwrap_or_default();
     let turning = turning(table, &wheels, changes)?;
     let mut named = read(&table.models, path).map_err(refused)?;
@@ -60,7 +61,7 @@ pub(super) fn model(table: &Table, changes: Changes) -> Result<Vec<Object>, Loca
     }
     named.model.is_two_sided = is_two_sided;
     let no_wheel = |reason: String| {
-        table.problem_at("wheels", |value| Problem::ModelWheel { value, reason: one_line(&reason) })
+        table.problem_at("wheels", |value| SceneProblem::ModelWheel { value, reason: one_line(&reason) })
     };
     let split = named.split(&wheels).map_err(no_wheel)?;
     let object = |name: &str, body| Object {
@@ -131,7 +132,7 @@ fn read(files: &ModelFiles<'_>, path: &str) -> Result<NamedModel, String> {
 /// # Errors
 ///
 /// Contents that are none, or need another file, in one line.
-pub fn read_model(ending: &str, bytes: &[u8]) -> Result<Model, String> {
+pub fn read_model(ending: &str, bytes: &[u8]) -> Result<RawModel, String> {
     parsed(ending, bytes, &|name| Err(format!("there is no {name}"))).map(|named| named.model)
 }
 

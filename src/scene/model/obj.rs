@@ -7,11 +7,11 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use relativity_render::colour::srgb_decoded;
-use relativity_render::{Model, Wrap};
+use relativity_render::{RawModel, Wrap};
 use tobj::{LoadError, LoadOptions, MTLLoadResult, Material, Mesh};
 
 use super::lines::{Lines, Problems, text_of};
-use super::parts::{NamedModel, Part};
+use super::parts::{NamedModel, NamedPart};
 use super::textures::Textures;
 
 /// Paint of what has none.
@@ -37,15 +37,15 @@ pub(super) fn model(
     problems.first()?;
     let (meshes, materials) = loaded.map_err(|error| problems.located(&error.to_string()))?;
     let materials = materials.map_err(|error| problems.located(&error.to_string()))?;
-    let (mut model, mut textures) = (Model::default(), Textures::new());
+    let (mut model, mut textures) = (RawModel::default(), Textures::new());
     // Those of several materials are in several pieces.
-    let (mut parts, mut numbers) = (Vec::<Part>::new(), HashMap::new());
+    let (mut parts, mut numbers) = (Vec::<NamedPart>::new(), HashMap::new());
     for tobj::Model { mesh, name } in &meshes {
         let material = mesh.material_id.and_then(|number| materials.get(number));
         let first = model.triangles.len();
         add(mesh, material, beside, &mut model, &mut textures)?;
         let number = *numbers.entry(name).or_insert_with(|| {
-            parts.push(Part { name: name.clone(), triangles: Vec::new() });
+            parts.push(NamedPart { name: name.clone(), triangles: Vec::new() });
             parts.len() - 1
         });
         parts[number].triangles.push(first..model.triangles.len());
@@ -82,7 +82,7 @@ fn add(
     mesh: &Mesh,
     material: Option<&Material>,
     beside: &dyn Fn(&str) -> Result<Vec<u8>, String>,
-    model: &mut Model,
+    model: &mut RawModel,
     textures: &mut Textures<String>,
 ) -> Result<(), String> {
     let texture = match material.and_then(|material| material.diffuse_texture.as_ref()) {
@@ -114,7 +114,7 @@ fn add(
             None => model.triangles.push([number; 3]),
         }
     }
-    model.texture_numbers.resize(model.triangles.len(), texture.unwrap_or(Model::NO_TEXTURE));
+    model.texture_numbers.resize(model.triangles.len(), texture.unwrap_or(RawModel::NO_TEXTURE));
     Ok(())
 }
 

@@ -3,19 +3,19 @@
 use std::ops::Range;
 
 use gamow_platform::messages;
-use relativity_render::Model;
+use relativity_render::RawModel;
 
 use crate::scene::similar::nearest;
 
 /// A model, and the named parts of its file.
 #[derive(Default)]
 pub(super) struct NamedModel {
-    pub model: Model,
-    pub parts: Vec<Part>,
+    pub model: RawModel,
+    pub parts: Vec<NamedPart>,
 }
 
 /// A part of a model.
-pub(super) struct Part {
+pub(super) struct NamedPart {
     pub name: String,
     /// The numbers of its triangles.
     pub triangles: Vec<Range<usize>>,
@@ -24,9 +24,9 @@ pub(super) struct Part {
 /// A model, and parts that were taken out of it.
 pub(super) struct Split {
     /// The rest, if there is any.
-    pub rest: Option<Model>,
+    pub rest: Option<RawModel>,
     /// The parts, as they were named.
-    pub parts: Vec<Model>,
+    pub parts: Vec<RawModel>,
 }
 
 impl NamedModel {
@@ -54,7 +54,7 @@ impl NamedModel {
     }
 
     /// The part of this name.
-    fn part(&self, name: &str) -> Result<&Part, String> {
+    fn part(&self, name: &str) -> Result<&NamedPart, String> {
         let shown = messages::excerpt(name);
         let mut called = self.parts.iter().filter(|part| part.name == name);
         match (called.next(), called.next()) {
@@ -77,8 +77,8 @@ impl NamedModel {
 }
 
 /// Returns these triangles of `model`, with their corners and textures alone.
-fn taken<'a>(model: &Model, triangles: impl Iterator<Item = (usize, &'a Option<usize>)>) -> Model {
-    let mut taken = Model { is_two_sided: model.is_two_sided, ..Model::default() };
+fn taken<'a>(model: &RawModel, triangles: impl Iterator<Item = (usize, &'a Option<usize>)>) -> RawModel {
+    let mut taken = RawModel { is_two_sided: model.is_two_sided, ..RawModel::default() };
     let mut corners = vec![u32::MAX; model.corners.len()];
     let mut textures = vec![u32::MAX; model.textures.len()];
     for (triangle, _) in triangles {
@@ -94,7 +94,7 @@ fn taken<'a>(model: &Model, triangles: impl Iterator<Item = (usize, &'a Option<u
         });
         taken.triangles.push(numbers);
         let Some(&texture) = model.texture_numbers.get(triangle) else { continue };
-        let number = textures.get_mut(texture as usize).map_or(Model::NO_TEXTURE, |number| {
+        let number = textures.get_mut(texture as usize).map_or(RawModel::NO_TEXTURE, |number| {
             if *number == u32::MAX {
                 *number = taken.textures.len() as u32;
                 taken.textures.push(model.textures[texture as usize].clone());

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use gamow_platform::{files, sizes};
 use glam::DVec3;
-use relativity_render::Model;
+use relativity_render::RawModel;
 
 use super::{ModelFiles, one_line, read, stem, upright_axes};
 use crate::scene::presets;
@@ -71,7 +71,7 @@ impl Stand {
     ///
     /// The front of a glTF looks along its z axis, and so what OBJ files from most programs show. A vehicle, longer than it is high, is
     /// turned so that its longer side is along the road.
-    fn of(model: &Model) -> Self {
+    fn of(model: &RawModel) -> Self {
         let upright = upright_axes();
         let used = model.triangles.iter().flatten().filter_map(|&corner| model.corners.get(corner as usize));
         let [low, high] = used.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], &corner| {

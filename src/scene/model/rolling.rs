@@ -4,7 +4,7 @@
 
 use glam::{DVec2, DVec3};
 use relativity_core::Turning;
-use relativity_render::{Body, Model, Spin, Triangles};
+use relativity_render::{Body, RawModel, Spin, Triangles};
 
 /// Least radius of a wheel.
 const LEAST_RADIUS: f64 = 1e-6;
@@ -23,7 +23,7 @@ struct Circle {
 /// # Errors
 ///
 /// A model that there cannot be, or with no extent across the axle, in one line.
-pub(super) fn wheel(model: Model, turning: Option<Turning>) -> Result<Body, String> {
+pub(super) fn wheel(model: RawModel, turning: Option<Turning>) -> Result<Body, String> {
     let used = model.triangles.iter().flatten().filter_map(|&corner| model.corners.get(corner as usize));
     let middle = smallest_circle(used.map(|&[x, _, z]| DVec2::new(x, z)).collect()).middle;
     let triangles = model.prepared().map_err(|error| error.to_string())?;

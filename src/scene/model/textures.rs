@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::hash::Hash;
 
 use relativity_render::triangles::MOST_TEXELS;
-use relativity_render::{Model, Texture, Wrap};
+use relativity_render::{RawModel, Texture, Wrap};
 
 use super::picture;
 
@@ -43,7 +43,7 @@ impl<Key: Eq + Hash> Textures<Key> {
 
     /// Moves the textures into `model`, which names one for every triangle and a place for every corner; without textures, these lists are
     /// emptied.
-    pub fn put_into(self, model: &mut Model) {
+    pub fn put_into(self, model: &mut RawModel) {
         if self.all.is_empty() {
             (model.texture_numbers, model.texture_places) = (Vec::new(), Vec::new());
         }

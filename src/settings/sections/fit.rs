@@ -19,7 +19,7 @@ pub const MAX_SEED: u64 = 1 << f64::MANTISSA_DIGITS;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Fit")]
-pub struct FitSetup {
+pub struct FitSettings {
     /// Number of samples of each curve, evenly spread over the range of T.
     #[arg(long, value_name = "N", value_parser = samples)]
     pub fit_samples: usize,
@@ -46,7 +46,7 @@ pub struct FitSetup {
     pub fit_x0: OnOff,
 }
 
-impl Default for FitSetup {
+impl Default for FitSettings {
     fn default() -> Self {
         Self {
             fit_samples: 240,

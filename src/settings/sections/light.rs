@@ -11,7 +11,7 @@ use crate::flags::{Exposure, IntensityExponent, OnOff, switch, temperature};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Light")]
-pub struct Light {
+pub struct LightSettings {
     /// Light that the bodies send, and how it becomes a colour.
     #[arg(long, value_enum)]
     pub colour: Colour,
@@ -58,7 +58,7 @@ pub struct Light {
     pub light: Daylight,
 }
 
-impl Default for Light {
+impl Default for LightSettings {
     /// The intensity of a surface that shines in one wavelength, and every effect.
     fn default() -> Self {
         Self {

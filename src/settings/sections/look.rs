@@ -18,7 +18,7 @@ const WIDEST_CONFORMAL: f64 = 179.5;
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Look")]
-pub struct Look {
+pub struct LookSettings {
     /// Geometry of the views: each point where it is seen, where it is measured to be at T, or as if all were at rest.
     #[arg(long, value_enum)]
     pub geometry: Geometry,
@@ -57,7 +57,7 @@ pub const USUAL_FOV: f64 = 60.0;
 /// Field of view straight ahead, degrees: wide enough for a passing scene to be seen coming and going.
 pub const FOV_AHEAD: f64 = 110.0;
 
-impl Look {
+impl LookSettings {
     /// The fields of view that can be set in the window, degrees.
     #[must_use]
     pub const fn fov_range(&self) -> RangeInclusive<f64> {

@@ -6,7 +6,7 @@ use serde::Serialize;
 /// The face of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Face {
+pub enum MapFace {
     /// Where everything is at the present T, from above and from the side.
     #[default]
     Space,
@@ -17,7 +17,7 @@ pub enum Face {
 /// The frame in which the map is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Frame {
+pub enum MapFrame {
     /// Frame of the street, where eyes and houses rest.
     #[default]
     Ground,
@@ -30,7 +30,7 @@ pub enum Frame {
 /// The part of the world that the map holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Framing {
+pub enum MapFraming {
     /// The whole passage, past both eyes.
     #[default]
     Passage,
@@ -43,14 +43,14 @@ pub enum Framing {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Map")]
-pub struct Map {
+pub struct MapSettings {
     /// Face of the map.
     #[arg(long, value_enum)]
-    pub face: Face,
+    pub face: MapFace,
     /// The frame in which the map is drawn.
     #[arg(long, value_enum)]
-    pub frame: Frame,
+    pub frame: MapFrame,
     /// The part of the world that the map holds.
     #[arg(long, value_enum)]
-    pub framing: Framing,
+    pub framing: MapFraming,
 }

@@ -12,7 +12,7 @@ pub const MAX_LENGTH: f64 = 1e6;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Motion")]
-pub struct Motion {
+pub struct MotionSettings {
     /// Speed of the scene along +x.
     #[command(flatten)]
     #[serde(flatten)]
@@ -36,7 +36,7 @@ pub struct Motion {
     pub height_shift: f64,
 }
 
-impl Default for Motion {
+impl Default for MotionSettings {
     /// The motion of the paper.
     fn default() -> Self {
         let speed = SpeedSetting::new(SpeedParameter::Beta, 0.9).expect("0.9 is a speed");

@@ -11,7 +11,7 @@ use crate::flags::{OnOff, switch};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Picture")]
-pub struct Picture {
+pub struct PictureSettings {
     /// Size of one eye's picture, pixels.
     #[arg(long, value_name = "WxH")]
     pub size: Size,
@@ -30,7 +30,7 @@ pub struct Picture {
     pub samples: u32,
 }
 
-impl Picture {
+impl PictureSettings {
     /// The eyes that are shown (0 left, 1 right), in the order of the layout.
     #[must_use]
     pub const fn eyes(&self) -> &'static [usize] {
@@ -38,7 +38,7 @@ impl Picture {
     }
 }
 
-impl Default for Picture {
+impl Default for PictureSettings {
     fn default() -> Self {
         Self {
             size: Size([960, 720]),

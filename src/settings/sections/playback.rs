@@ -14,7 +14,7 @@ pub const RATE: RangeInclusive<f64> = 0.001..=1e6;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Playback")]
-pub struct Playback {
+pub struct PlaybackSettings {
     /// Playback rate: units of T per second of the wall clock.
     #[arg(long, value_parser = within(RATE))]
     pub rate: f64,
@@ -26,7 +26,7 @@ pub struct Playback {
     pub range: TimeRange,
 }
 
-impl Default for Playback {
+impl Default for PlaybackSettings {
     fn default() -> Self {
         Self { rate: 1.0, looping: true, range: TimeRange(None) }
     }

@@ -40,7 +40,7 @@ pub enum Coordinates {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Plots")]
-pub struct Plots {
+pub struct PlotSettings {
     /// Tab of the plots.
     #[arg(long, value_enum)]
     pub plot: PlotTab,
@@ -56,7 +56,7 @@ pub struct Plots {
     pub heat_map: OnOff,
 }
 
-impl Plots {
+impl PlotSettings {
     /// Whether the disparities of u and v are plotted.
     #[must_use]
     pub fn is_conformal(&self) -> bool {

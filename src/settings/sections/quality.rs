@@ -16,7 +16,7 @@ pub const BOUND_PX: RangeInclusive<f64> = 0.01..=100.0;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Quality")]
-pub struct Quality {
+pub struct QualitySettings {
     /// Renderer of the views.
     #[arg(long, value_enum)]
     pub renderer: RendererChoice,
@@ -32,7 +32,7 @@ pub struct Quality {
     pub refine: OnOff,
 }
 
-impl Default for Quality {
+impl Default for QualitySettings {
     fn default() -> Self {
         let bound_px = Method::DEFAULT_BOUND_PX;
         Self { renderer: RendererChoice::Auto, bound_px, goal: Goal::default(), refine: true }

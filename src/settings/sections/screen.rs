@@ -18,7 +18,7 @@ pub const LENS_MM: RangeInclusive<f64> = 10.0..=500.0;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Screen")]
-pub struct Screen {
+pub struct ScreenSettings {
     /// Width of the whole screen, centimetres: with the viewer's distance it tells at which angles the pictures are seen. `auto` assumes 96 pixels
     /// per inch, which is wrong for most projectors.
     #[arg(long, value_name = "auto|CM")]
@@ -35,7 +35,7 @@ pub struct Screen {
     pub lens_to_screen: f64,
 }
 
-impl Default for Screen {
+impl Default for ScreenSettings {
     /// A screen on a desk.
     fn default() -> Self {
         Self {
@@ -50,7 +50,7 @@ impl Default for Screen {
 /// Size of a point of the screen that `auto` assumes, cm: there are 96 of them in an inch.
 const CM_PER_POINT: f64 = 2.54 / 96.0;
 
-impl Screen {
+impl ScreenSettings {
     /// Returns the size of a point of a window on a screen of this width in points, where that is known, cm.
     #[must_use]
     pub fn cm_per_point(&self, width_points: Option<f64>) -> f64 {

@@ -36,7 +36,7 @@ pub enum Theme {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Window")]
-pub struct Window {
+pub struct WindowSettings {
     /// The two eyes' views. Hidden views compute nothing.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub views: OnOff,
@@ -99,7 +99,7 @@ pub struct Window {
     pub theme: Theme,
 }
 
-impl Default for Window {
+impl Default for WindowSettings {
     fn default() -> Self {
         Self {
             views: true,

@@ -38,13 +38,13 @@ pub use simulation::Simulation;
 pub use trial::Rolling;
 
 pub(crate) use problem::{Free, NormalEquations, Problem};
-pub(crate) use regular::Regular;
+pub(crate) use regular::RegularProblem;
 
 use nalgebra::{Matrix4, Vector4};
 
 use crate::math;
 use descent::Minimum;
-use prepare::Data;
+use prepare::PreparedData;
 use search::Starts;
 use trial::Trial;
 
@@ -193,7 +193,7 @@ pub fn fit_from(observations: &Observations, options: &FitOptions, guess: [f64; 
     fit_downhill(data, options, &Starts { best, other_side: None })
 }
 
-fn fit_downhill(mut data: Data, options: &FitOptions, starts: &Starts) -> Result<Fit, FitError> {
+fn fit_downhill(mut data: PreparedData, options: &FitOptions, starts: &Starts) -> Result<Fit, FitError> {
     let mut minimum = descent::minimum(&data.problem, starts.best)?;
     if data.estimates_noise() {
         // Weights from the scatter about a first fit, twice: the weights move the fit a little.

@@ -4,7 +4,7 @@ use crate::domain::check;
 use crate::fit::error::FitError;
 use crate::fit::observations::{Observations, Reading, Sample};
 use crate::fit::options::{FitOptions, Passage};
-use crate::fit::problem::{Problem, Row};
+use crate::fit::problem::{PreparedSample, Problem};
 use crate::fit::trial::Trial;
 use crate::model::Model;
 
@@ -13,7 +13,7 @@ const NAMES: [&str; 2] = ["dphi", "dtheta"];
 const LEAST_NOISE: f64 = 1e-12;
 
 /// A problem, and what is known of its noise.
-pub(super) struct Data {
+pub(super) struct PreparedData {
     pub problem: Problem,
     /// Whether every fitted reading has a sigma.
     pub has_all_sigmas: bool,
@@ -26,7 +26,7 @@ pub(super) struct Data {
 }
 
 /// Checks the observations against what `options` ask of them, and weighs them.
-pub(super) fn prepare(observations: &Observations, options: &FitOptions) -> Result<Data, FitError> {
+pub(super) fn prepare(observations: &Observations, options: &FitOptions) -> Result<PreparedData, FitError> {
     check_pairs(observations, options.model)?;
     let asked = options.curves.used();
     let mut has_sigmas = [false; 2];
@@ -58,13 +58,13 @@ pub(super) fn prepare(observations: &Observations, options: &FitOptions) -> Resu
     };
     problem.rows.retain(|row| row.weights != [0.0; 2]);
     let has_all_sigmas = (0..2).all(|curve| has_sigmas[curve] || !used[curve]);
-    let data = Data { problem, has_all_sigmas, used, has_sigmas, ranges };
+    let data = PreparedData { problem, has_all_sigmas, used, has_sigmas, ranges };
     data.check_number(options)?;
     data.check_variation(options)?;
     Ok(data)
 }
 
-impl Data {
+impl PreparedData {
     pub fn degrees_of_freedom(&self) -> f64 {
         (self.problem.readings() - self.problem.parameters()) as f64
     }
@@ -165,8 +165,9 @@ fn scales(ranges: [f64; 2]) -> [f64; 2] {
     ranges.map(|range| range.max(least))
 }
 
-fn row(sample: &Sample, used: [bool; 2], scales: [f64; 2]) -> Row {
-    let mut row = Row { time: sample.time, pair: sample.pair, values: [0.0; 2], weights: [0.0; 2] };
+fn row(sample: &Sample, used: [bool; 2], scales: [f64; 2]) -> PreparedSample {
+    let mut row =
+        PreparedSample { time: sample.time, pair: sample.pair, values: [0.0; 2], weights: [0.0; 2] };
     for curve in (0..2).filter(|&curve| used[curve]) {
         if let Some(Reading { value, sigma }) = reading(sample, curve) {
             row.values[curve] = value;

@@ -24,7 +24,7 @@ const MAX_LENGTH: f64 = 1e50;
 
 /// A sample that is ready to be fitted.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Row {
+pub(crate) struct PreparedSample {
     pub time: f64,
     pub pair: usize,
     /// Delta-phi and Delta-theta; 0 where there is no reading.
@@ -33,7 +33,7 @@ pub(crate) struct Row {
     pub weights: [f64; 2],
 }
 
-impl Row {
+impl PreparedSample {
     /// Delta-phi and Delta-theta: whether each is fitted.
     pub fn is_read(&self) -> [bool; 2] {
         self.weights.map(|weight| weight > 0.0)
@@ -54,7 +54,7 @@ pub(crate) type Free = Vector4<f64>;
 pub(crate) struct Problem {
     pub model: Model,
     pub pairs: Vec<[Aperture; 2]>,
-    pub rows: Vec<Row>,
+    pub rows: Vec<PreparedSample>,
     /// Objective x at t0.
     pub passage_x: f64,
     /// Whether t0 is fitted; else it is 0.
@@ -115,7 +115,7 @@ impl Problem {
 
     /// Number of readings that are fitted.
     pub fn readings(&self) -> usize {
-        self.rows.iter().flat_map(Row::curves).count()
+        self.rows.iter().flat_map(PreparedSample::curves).count()
     }
 
     /// Whether only |z| matters: Delta-phi alone, seen by apertures that all lie at z = 0, of what does not turn.
@@ -133,12 +133,12 @@ impl Problem {
         Free::new(beta / self.chain(trial)[0], 1.0, distance, distance / beta)
     }
 
-    pub fn slopes(&self, trial: &Trial, row: &Row) -> Slopes {
+    pub fn slopes(&self, trial: &Trial, row: &PreparedSample) -> Slopes {
         trial.slopes(self.model, &self.pairs[row.pair], row.time, row.is_read())
     }
 
     /// Delta-phi and Delta-theta, those that `row` reads.
-    pub fn angles(&self, trial: &Trial, row: &Row) -> [f64; 2] {
+    pub fn angles(&self, trial: &Trial, row: &PreparedSample) -> [f64; 2] {
         trial.wanted_angles(self.model, &self.pairs[row.pair], row.time, row.is_read())
     }
 
@@ -149,14 +149,14 @@ impl Problem {
     }
 }
 
-fn weighed(angles: &[f64; 2], row: &Row) -> [f64; 2] {
+fn weighed(angles: &[f64; 2], row: &PreparedSample) -> [f64; 2] {
     std::array::from_fn(|curve| row.weights[curve] * (angles[curve] - row.values[curve]))
 }
 
 impl NormalEquations {
     /// Adds the row at which the model has `slopes`, `count` times.
     #[inline]
-    pub fn add(&mut self, slopes: &Slopes, row: &Row, count: f64) {
+    pub fn add(&mut self, slopes: &Slopes, row: &PreparedSample, count: f64) {
         let residuals = weighed(&slopes.angles, row);
         for curve in row.curves() {
             let g = slopes.gradients[curve];

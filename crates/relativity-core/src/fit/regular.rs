@@ -15,13 +15,13 @@ const LEAST_HEIGHT: f64 = 1e-6;
 
 /// A problem in its regular parameters: ln(rapidity), ln(y), z or u, and t0.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Regular<'a> {
+pub(crate) struct RegularProblem<'a> {
     problem: &'a Problem,
     /// s, if only |z| matters.
     scale: Option<f64>,
 }
 
-impl<'a> Regular<'a> {
+impl<'a> RegularProblem<'a> {
     /// With the depth of `near` for s.
     pub fn new(problem: &'a Problem, near: &Trial) -> Self {
         Self { problem, scale: problem.is_even_in_z().then_some(near.y) }

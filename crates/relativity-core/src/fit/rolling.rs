@@ -17,7 +17,7 @@ use crate::math;
 use crate::model::Model;
 use crate::one_cone::{self, middle};
 use crate::source::WheelPoint;
-use crate::wheel::{Seen, baseline};
+use crate::wheel::{SeenWheelPoint, baseline};
 
 impl Rolling {
     /// Delta-phi and Delta-theta, with 0 for what is not `wanted`, of the wheel whose hub is the trial object; `time` counts
@@ -102,13 +102,13 @@ struct ApertureSight<'a> {
 
 impl ApertureSight<'_> {
     /// Returns the gradients of phi and theta.
-    fn angle_gradients(&self, seen: &Seen<f64>) -> [Gradient; 2] {
+    fn angle_gradients(&self, seen: &SeenWheelPoint<f64>) -> [Gradient; 2] {
         let [dx, dz] = self.place_gradients(seen);
         angle_gradients(&seen.cone, dx, dz)
     }
 
     /// Returns the gradients of the apparent X and Z.
-    fn place_gradients(&self, seen: &Seen<f64>) -> [Gradient; 2] {
+    fn place_gradients(&self, seen: &SeenWheelPoint<f64>) -> [Gradient; 2] {
         let Self { trial, wheel, time, dtime } = *self;
         let (beta, gamma) = (trial.speed.beta(), trial.speed.gamma());
         let LightCone { s, y, z, ref solution } = seen.cone;

@@ -5,7 +5,7 @@
 //! of the data (an extremum, the onset) when they do.
 
 use crate::aperture::Aperture;
-use crate::fit::problem::{Free, Problem, Row};
+use crate::fit::problem::{Free, PreparedSample, Problem};
 use crate::fit::trial::Trial;
 use crate::math;
 use crate::speed::Speed;
@@ -60,7 +60,7 @@ pub(super) fn starts(problem: &Problem, coarse: &Problem) -> Vec<Free> {
 }
 
 /// The features of a trial object's curve.
-struct Shape {
+struct CurveFeatures {
     /// When its disparity is largest, smallest, and first reaches half its extreme, in units of the distance, from
     /// the time of passage.
     times: [f64; FEATURES],
@@ -70,7 +70,7 @@ struct Shape {
 
 /// The features of the data.
 struct Features {
-    rows: Vec<Row>,
+    rows: Vec<PreparedSample>,
     /// The curve with the largest disparity in it that is read for its extremum: 0 or 1.
     curve: usize,
     pair: [Aperture; 2],
@@ -85,8 +85,9 @@ struct Features {
 impl Features {
     fn new(problem: &Problem, coarse: &Problem) -> Self {
         let curve = usize::from(problem.rows.iter().all(|row| row.weights[0] == 0.0));
-        let read = |row: &&Row| row.weights[curve] > 0.0;
-        let per_separation = |row: &Row| row.values[curve].abs() / separation(&problem.pairs[row.pair]);
+        let read = |row: &&PreparedSample| row.weights[curve] > 0.0;
+        let per_separation =
+            |row: &PreparedSample| row.values[curve].abs() / separation(&problem.pairs[row.pair]);
         let extremum = problem
             .rows
             .iter()
@@ -138,12 +139,12 @@ impl Features {
 
     /// Returns the features of an object of that speed and elevation at the distance at which it is as large as the data:
     /// from afar disparities fall as separation over distance, so that a second look is enough.
-    fn shape(&self, problem: &Problem, speed: Speed, slope: f64) -> Shape {
+    fn shape(&self, problem: &Problem, speed: Speed, slope: f64) -> CurveFeatures {
         let from_afar = self.shape_at(problem, speed, slope, self.scale);
         self.shape_at(problem, speed, slope, from_afar.distance)
     }
 
-    fn shape_at(&self, problem: &Problem, speed: Speed, slope: f64, distance: f64) -> Shape {
+    fn shape_at(&self, problem: &Problem, speed: Speed, slope: f64, distance: f64) -> CurveFeatures {
         let trial = Trial { passage_x: 0.0, rolling: None, ..object(problem, speed, slope, distance) };
         let seen: [[f64; 2]; PASSAGE.len()] = PASSAGE.map(|x| {
             let time = x / speed.beta() + math::hypot(x, 1.0);
@@ -159,14 +160,14 @@ impl Features {
             }
         }
         let extreme = largest[1].max(-smallest[1]);
-        Shape {
+        CurveFeatures {
             times: [largest[0], smallest[0], onset(&seen, extreme)],
             distance: (distance * extreme / self.extreme).clamp(1e-3 * self.scale, 1e3 * self.scale),
         }
     }
 
     /// Time of passage at which an object of `shape` at `distance` shows a feature of the data when they do.
-    fn passage_time(&self, problem: &Problem, shape: &Shape, distance: f64, feature: usize) -> f64 {
+    fn passage_time(&self, problem: &Problem, shape: &CurveFeatures, distance: f64, feature: usize) -> f64 {
         let seen = [self.extremum_time, self.extremum_time, self.onset_time][feature];
         if problem.fits_passage { seen - distance * shape.times[feature] } else { 0.0 }
     }

@@ -4,9 +4,9 @@ use nalgebra::Matrix4;
 
 use crate::fit::error::FitError;
 use crate::fit::options::Parameter;
-use crate::fit::prepare::Data;
+use crate::fit::prepare::PreparedData;
 use crate::fit::problem::{NormalEquations, Problem};
-use crate::fit::regular::Regular;
+use crate::fit::regular::RegularProblem;
 use crate::fit::trial::Trial;
 
 /// Least ratio of the variance that each parameter explains to that which is left: about the 99.9 % point
@@ -17,7 +17,7 @@ const LEAST_F: f64 = 5.5;
 const LEAST_EIGENVALUE: f64 = 1e-13;
 
 /// Refuses a fit that describes the data no better than a constant.
-pub(super) fn check_explained(data: &Data, cost: f64) -> Result<(), FitError> {
+pub(super) fn check_explained(data: &PreparedData, cost: f64) -> Result<(), FitError> {
     let variation = data.variation();
     let per_parameter = (variation - cost) / data.problem.parameters() as f64;
     if per_parameter >= LEAST_F * cost / data.degrees_of_freedom() {
@@ -32,7 +32,7 @@ pub(super) fn check_explained(data: &Data, cost: f64) -> Result<(), FitError> {
 ///
 /// [`FitError::Indistinguishable`] if a standard error exceeds the parameter itself (for z: the distance).
 pub(super) fn covariance(problem: &Problem, trial: &Trial, scatter: f64) -> Result<Matrix4<f64>, FitError> {
-    let regular = Regular::new(problem, trial);
+    let regular = RegularProblem::new(problem, trial);
     let NormalEquations { hessian, gradient, .. } = regular.equations(trial, std::iter::repeat(1.0));
     let fitted = problem.parameters();
     let scale = hessian.diagonal().map(|diagonal| 1.0 / diagonal.sqrt());

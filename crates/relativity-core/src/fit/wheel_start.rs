@@ -8,7 +8,7 @@
 use std::f64::consts::{FRAC_PI_4, TAU};
 
 use crate::fit::descent::{Descent, descent, descent_at_speed};
-use crate::fit::problem::{Free, Problem, Row};
+use crate::fit::problem::{Free, PreparedSample, Problem};
 use crate::fit::start;
 use crate::fit::trial::Trial;
 use crate::threads::prelude::*;
@@ -123,7 +123,7 @@ fn step(problem: &Problem, free: &Free) -> f64 {
     let (Some(trial), Some(faster)) = (problem.trial(free), problem.trial(&faster)) else {
         return LARGEST_STEP;
     };
-    let is_telling = |curve: usize, row: &Row| {
+    let is_telling = |curve: usize, row: &PreparedSample| {
         row.weights[curve] > 0.0 && row.weights[curve] * row.values[curve].abs() >= TELLING * largest[curve]
     };
     let telling = problem.rows.iter().filter(|row| (0..2).any(|curve| is_telling(curve, row)));

@@ -5,7 +5,7 @@ use super::motion::Observer;
 use super::relative_velocity::RelativeVelocity;
 use crate::aperture::Aperture;
 use crate::apparent::LightCone;
-use crate::cone_pair::{ConePair, LinesOfSight};
+use crate::cone_pair::{ConePair, SightPair};
 use crate::one_cone::middle;
 use crate::source::SourcePoint;
 use crate::speed::Speed;
@@ -108,7 +108,7 @@ impl RelativeMotion {
         pair: [Aperture; 2],
         cones: &ConePair<f64>,
         proper_time: f64,
-    ) -> Option<LinesOfSight<f64>> {
+    ) -> Option<SightPair<f64>> {
         let lines = self.lines_of_sight_there(pair, cones)?;
         let [left, right] = pair;
         let each = [
@@ -128,15 +128,11 @@ impl RelativeMotion {
             let crossed = [baseline, excess].map(|v| [v[j] * shorter[k], -v[k] * shorter[j]]);
             smallest_terms(&normal[i], crossed.as_flattened())
         });
-        Some(LinesOfSight { each, mean, difference, normal, excess })
+        Some(SightPair { each, mean, difference, normal, excess })
     }
 
     /// Returns the lines of sight in these axes.
-    pub fn lines_of_sight_there(
-        &self,
-        pair: [Aperture; 2],
-        cones: &ConePair<f64>,
-    ) -> Option<LinesOfSight<f64>> {
+    pub fn lines_of_sight_there(&self, pair: [Aperture; 2], cones: &ConePair<f64>) -> Option<SightPair<f64>> {
         let middle = self.aperture(middle(pair));
         cones.lines_of_sight(self.point.y - middle.y, self.point.z - middle.z)
     }

@@ -3,6 +3,8 @@
 use crate::baseline::sine_and_cosine;
 use crate::math;
 use crate::speed::{Speed, SpeedError};
+use crate::stereo::dot;
+use crate::worldline::{Boost, Event};
 
 /// The velocity of an observer on the ground.
 ///
@@ -82,6 +84,40 @@ impl ObserverVelocity {
     pub fn proper(&self) -> [f64; 3] {
         let magnitude = self.speed.proper();
         self.direction.map(|part| magnitude * part)
+    }
+
+    /// Returns the event at this `place` and time `t` of the ground by its place along x and its time in the observer's frame. Both
+    /// frames have one origin, and axes that are boosted along the velocity without turning. Of a step from one event to another all
+    /// are differences.
+    ///
+    /// # Accuracy
+    ///
+    /// As [`crate::sighting`], if the direction counts as an input that is known to a rounding (`tests/oracle`, 15,000 inputs): median
+    /// 0.05, 99 % 0.9, worst 2.1 units.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use std::f64::consts::FRAC_PI_4;
+    ///
+    /// use relativity_core::{ObserverVelocity, Speed};
+    ///
+    /// // To somebody who flies away aslant at 0.6 c, the ground's origin after 4 has gone 3 the other way in 5.
+    /// let aslant = ObserverVelocity::new(Speed::from_beta(0.6)?, FRAC_PI_4, 0.0);
+    /// let origin = aslant.event_at([0.0; 3], 4.0);
+    /// assert!((origin.x + 3.0 * FRAC_PI_4.cos()).abs() < 1e-15 && (origin.t - 5.0).abs() < 1e-15);
+    /// # Ok::<(), relativity_core::SpeedError>(())
+    /// ```
+    #[must_use]
+    pub fn event_at(&self, place: [f64; 3], t: f64) -> Event {
+        let [x, ..] = place;
+        let Self { speed, direction, .. } = *self;
+        if self.is_along_street() {
+            return Event { x, t }.in_frame(Boost { speed, is_backward: direction[0] < 0.0 });
+        }
+        let along = dot(place, direction);
+        let ahead = speed.gamma_minus_one() * along - speed.proper() * t;
+        Event { x: x + ahead * direction[0], ..Event { x: along, t }.in_frame(speed) }
     }
 
     /// Whether the observer rests.

@@ -8,7 +8,7 @@ use super::motion::Observer;
 use super::velocity::ObserverVelocity;
 use crate::aperture::Aperture;
 use crate::apparent::Sighting;
-use crate::cone_pair::LinesOfSight;
+use crate::cone_pair::SightPair;
 use crate::disparity::Disparity;
 use crate::source::WheelPoint;
 use crate::speed::Speed;
@@ -18,7 +18,7 @@ use crate::wheel::{EventStep, baseline, between_events};
 /// A point of a wheel before both eyes.
 pub(super) struct WheelView {
     each: [Sighting; 2],
-    lines: LinesOfSight<f64>,
+    lines: SightPair<f64>,
     baseline: [f64; 3],
 }
 
@@ -38,7 +38,7 @@ impl WheelView {
         let difference: [f64; 3] = std::array::from_fn(|i| baseline[i] + excess[i]);
         let shorter = if each[1].distance < each[0].distance { right } else { left };
         let normal = cross(difference, shorter);
-        let lines = LinesOfSight { each: [left, right], mean, difference, normal, excess };
+        let lines = SightPair { each: [left, right], mean, difference, normal, excess };
         Self { each, lines, baseline }
     }
 

@@ -5,7 +5,7 @@
 //! points holds for it.
 
 use super::root::{measured_later, root};
-use super::seen::Circle;
+use super::seen::WheelCircle;
 use crate::aperture::Aperture;
 use crate::math;
 use crate::source::{Source, SourcePoint, WheelPoint};
@@ -46,7 +46,7 @@ impl WheelPoint {
     /// As [`crate::sighting`]. Measured for wheels that roll (`tests/oracle`, 15,000 inputs): median 0.1, 99 % 2.3, worst 4 units.
     #[must_use]
     pub fn speed_on_ground(&self, speed: &Speed, angle: f64) -> f64 {
-        let Circle { omega, speed: own, below_light, slip, .. } = self.circle::<f64>(speed);
+        let WheelCircle { omega, speed: own, below_light, slip, .. } = self.circle::<f64>(speed);
         let (sine, cosine) = math::sin_cos(angle);
         // It moves at v s along the motion and at v cos up. 1 + s without a difference where that is near 0.
         let s = sine * omega.signum();

@@ -26,4 +26,4 @@ mod seen;
 
 pub(crate) use pair::{EventStep, baseline, between_events};
 pub use root::{MAX_STEPS, NEWTON_STEPS, measured_later, seen_later};
-pub(crate) use seen::Seen;
+pub(crate) use seen::SeenWheelPoint;

@@ -14,21 +14,21 @@
 
 use crate::aperture::Aperture;
 use crate::apparent::LightCone;
-use crate::cone_pair::{ConePair, LinesOfSight};
+use crate::cone_pair::{ConePair, SightPair};
 use crate::disparity::Disparity;
 use crate::math;
 use crate::published::{self, PublishedVariant};
 use crate::source::WheelPoint;
 use crate::speed::Speed;
 use crate::stereo::{self, Stereo, StereoError, cross};
-use crate::wheel::seen::{Circle, Hub, Seen};
+use crate::wheel::seen::{Hub, SeenWheelPoint, WheelCircle};
 
 /// A point of a wheel before two apertures.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SeenPair {
     /// The point as the primary and as the secondary aperture see it.
-    pub each: [Seen<f64>; 2],
-    pub lines: LinesOfSight<f64>,
+    pub each: [SeenWheelPoint<f64>; 2],
+    pub lines: SightPair<f64>,
 }
 
 /// From one aperture to the other, and by how much later that one looks.
@@ -48,7 +48,12 @@ pub(crate) struct EventStep {
 }
 
 impl SeenPair {
-    fn new(speed: &Speed, circle: &Circle<f64>, each: [Seen<f64>; 2], step: ApertureStep) -> Self {
+    fn new(
+        speed: &Speed,
+        circle: &WheelCircle<f64>,
+        each: [SeenWheelPoint<f64>; 2],
+        step: ApertureStep,
+    ) -> Self {
         let cones = each.map(|seen| seen.cone);
         let places = cones.map(|LightCone { y, z, solution, .. }| [solution.x, y, z]);
         let mean: [f64; 3] = std::array::from_fn(|i| 0.5 * (places[0][i] + places[1][i]));
@@ -60,7 +65,7 @@ impl SeenPair {
         // P_l x P_r from the shorter of both, in which less cancels.
         let [left, right] = cones.map(|cone| cone.solution.r);
         let normal = cross(difference, places[usize::from(right < left)]);
-        let lines = LinesOfSight { each: places, mean, difference, normal, excess };
+        let lines = SightPair { each: places, mean, difference, normal, excess };
         Self { each, lines }
     }
 
@@ -74,8 +79,8 @@ impl SeenPair {
 /// the mean of both lines of sight, b.P + s R on the ground: the same number in every frame.
 pub(crate) fn between_events(
     speed: &Speed,
-    circle: &Circle<f64>,
-    each: &[Seen<f64>; 2],
+    circle: &WheelCircle<f64>,
+    each: &[SeenWheelPoint<f64>; 2],
     along: f64,
 ) -> EventStep {
     let [left, right] = each;
@@ -85,7 +90,7 @@ pub(crate) fn between_events(
     }
     let delay = 2.0 * along / sum_q;
     let angle = 0.5 * (left.angle + right.angle);
-    let away = |seen: &Seen<f64>| {
+    let away = |seen: &SeenWheelPoint<f64>| {
         let LightCone { s, y, z, ref solution } = seen.cone;
         circle.turned_away(angle, [speed.gamma() * s, y, z]) * solution.q
     };
@@ -124,7 +129,7 @@ impl WheelPoint {
         let [left, right] = pair;
         let hub = ConePair::new(&coefficients, self.hub, left, right, time);
         let seen = |aperture: Aperture, cone: &LightCone<f64>| {
-            Seen::new(&coefficients, &circle, &self.before(cone, aperture.x, time))
+            SeenWheelPoint::new(&coefficients, &circle, &self.before(cone, aperture.x, time))
         };
         let each = [seen(left, &hub.left), seen(right, &hub.right)];
         SeenPair::new(speed, &circle, each, ApertureStep { baseline, later: 0.0 })
@@ -141,7 +146,7 @@ impl WheelPoint {
         let (coefficients, circle) = (speed.coefficients(), self.circle(speed));
         let seen = |time: f64| {
             let hub = LightCone::new(speed, self.hub, left, time);
-            Seen::new(&coefficients, &circle, &self.before(&hub, left.x, time))
+            SeenWheelPoint::new(&coefficients, &circle, &self.before(&hub, left.x, time))
         };
         let first = seen(time);
         let later = published::shift(speed, right.x - left.x, &first.cone, variant);

@@ -13,7 +13,7 @@ const CORRECTIONS: u32 = 3;
 
 /// The circle on which a point of a wheel turns, in the precision it is solved in.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Circle<F> {
+pub(crate) struct WheelCircle<F> {
     /// Radius of the circle, rho W.
     pub r: F,
     /// At t' = 0.
@@ -27,7 +27,7 @@ pub(crate) struct Circle<F> {
     pub slip: F,
 }
 
-impl<F: Elementary> Circle<F> {
+impl<F: Elementary> WheelCircle<F> {
     /// From the hub to the point at `angle`: x and z.
     pub fn place(&self, angle: F) -> [F; 2] {
         let (sine, cosine) = math::sin_cos(angle);
@@ -70,7 +70,7 @@ pub(crate) struct Hub<F> {
 
 /// A point of a wheel as one aperture sees it.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Seen<F> {
+pub(crate) struct SeenWheelPoint<F> {
     /// The light cone of a point that rests where it is when it is seen.
     pub cone: LightCone<F>,
     /// When, by the clocks of the rest frame.
@@ -81,10 +81,10 @@ pub(crate) struct Seen<F> {
     pub slope: F,
 }
 
-impl<F: Elementary> Seen<F> {
+impl<F: Elementary> SeenWheelPoint<F> {
     /// Solves for the time: the root from the hub, improved until it agrees with the one from the point's own place, which is as accurate as
     /// for any resting point, even where the hub is then far from the aperture.
-    pub fn new(coefficients: &Coefficients<F>, circle: &Circle<F>, hub: &Hub<F>) -> Self {
+    pub fn new(coefficients: &Coefficients<F>, circle: &WheelCircle<F>, hub: &Hub<F>) -> Self {
         let [s, y, z] = hub.from;
         let gamma = coefficients.gamma;
         let at_hub = LightCone::at(coefficients, s, y, z);
@@ -121,7 +121,7 @@ impl<F: Elementary> Seen<F> {
     fn place_on_worldline(
         &mut self,
         coefficients: &Coefficients<F>,
-        circle: &Circle<F>,
+        circle: &WheelCircle<F>,
         hub: &Hub<F>,
         time: F,
     ) {
@@ -144,7 +144,7 @@ impl<F: Elementary> Seen<F> {
 
 impl WheelPoint {
     /// Returns the circle of the point, in the precision `F`.
-    pub(crate) fn circle<F: Elementary>(&self, speed: &Speed) -> Circle<F> {
+    pub(crate) fn circle<F: Elementary>(&self, speed: &Speed) -> WheelCircle<F> {
         let rim = self.turning.rim_speed(speed.beta());
         let [below_light, slip] = match self.turning {
             Turning::Rolling => {
@@ -154,7 +154,7 @@ impl WheelPoint {
             Turning::RimSpeed(rim) => [1.0, speed.beta()].map(|limit| (-self.rho).mul_add(rim.abs(), limit)),
         };
         let to = |value: f64| F::from(value).unwrap_or_else(F::infinity);
-        Circle {
+        WheelCircle {
             r: to(self.rho * self.radius),
             angle: to(self.angle),
             omega: to(rim / self.radius),
@@ -165,18 +165,28 @@ impl WheelPoint {
     }
 
     /// Returns the point as `aperture` sees it at `observation_time`.
-    pub(crate) fn seen(&self, speed: &Speed, aperture: Aperture, observation_time: f64) -> Seen<f64> {
+    pub(crate) fn seen(
+        &self,
+        speed: &Speed,
+        aperture: Aperture,
+        observation_time: f64,
+    ) -> SeenWheelPoint<f64> {
         let from = [
             (self.hub.x0 - aperture.x) + speed.beta() * observation_time,
             self.hub.y - aperture.y,
             self.hub.z - aperture.z,
         ];
         let hub = Hub { x0: self.hub.x0, aperture_x: aperture.x, observation_time, from };
-        Seen::new(&speed.coefficients(), &self.circle(speed), &hub)
+        SeenWheelPoint::new(&speed.coefficients(), &self.circle(speed), &hub)
     }
 
     /// Returns the sighting that belongs to `seen`.
-    pub(crate) fn sighting(&self, speed: &Speed, seen: &Seen<f64>, observation_time: f64) -> Sighting {
+    pub(crate) fn sighting(
+        &self,
+        speed: &Speed,
+        seen: &SeenWheelPoint<f64>,
+        observation_time: f64,
+    ) -> Sighting {
         let LightCone { y, z, ref solution, .. } = seen.cone;
         let own_doppler = self.circle(speed).own_doppler(seen.slope);
         Sighting {

@@ -43,6 +43,16 @@ impl Velocity {
         (there, &self.gamma * (time + &self.beta * along))
     }
 
+    /// From an event (`place`, `time`) on the ground to the observer's frame.
+    fn in_frame(&self, place: &[Big; 3], time: &Big) -> ([Big; 3], Big) {
+        let back = Self {
+            beta: self.beta.clone(),
+            gamma: self.gamma.clone(),
+            direction: self.direction.clone().map(|part| -part),
+        };
+        back.on_ground(place, time)
+    }
+
     /// The line of sight in the observer's frame, of one on the ground.
     fn seen(&self, line: &[Big; 3], distance: &Big) -> [Big; 3] {
         let along = dot(line, &self.direction);
@@ -296,4 +306,40 @@ fn a_moving_eye_sees_the_points_of_wheels() {
         "dphi" | "dtheta" => MAX_WHEEL_DISPARITY_UNITS,
         _ => MAX_ERROR_UNITS,
     });
+}
+
+/// Speed parameter, azimuth, elevation, place and t of an event, often near the light that leaves the origin; and three of 1.
+fn event_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Vec<f64>) {
+    let (parameter, value) = draw::speed(rng);
+    let place = [(); 3].map(|()| draw::length(rng));
+    let distance = place[0].hypot(place[1]).hypot(place[2]);
+    let t = match rng.random_range(0..3) {
+        0 => draw::near(rng, distance, 1e-17),
+        1 => draw::near(rng, -distance, 1e-17),
+        _ => draw::length(rng),
+    };
+    let mut inputs = vec![value, angle(rng, 3.1), angle(rng, 1.5)];
+    inputs.extend(place);
+    inputs.extend([t, 1.0, 1.0, 1.0]);
+    (parameter, inputs)
+}
+
+#[test]
+fn events_in_a_frame_that_moves_anywhere_keep_their_digits() {
+    let names = ["x' of any", "t' of any"];
+    Tally::new(names, cases(), |rng| {
+        let (parameter, inputs) = event_inputs(rng);
+        let velocity = ObserverVelocity::new(program_speed(parameter, inputs[0]), inputs[1], inputs[2]);
+        let there = velocity.event_at([inputs[3], inputs[4], inputs[5]], inputs[6]);
+        let model = |inputs: &[Big]| {
+            let velocity = Velocity::new(parameter, inputs);
+            let velocity = Velocity { direction: turned(velocity.direction, &inputs[7..10]), ..velocity };
+            let place = std::array::from_fn(|i| inputs[3 + i].clone());
+            let ([x, ..], t) = velocity.in_frame(&place, &inputs[6]);
+            [x, t]
+        };
+        case(parameter, inputs, model, [there.x, there.t])
+    })
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/observer/velocity.rs"), &names);
 }

@@ -5,12 +5,13 @@ mod gaze_at_pixel;
 
 use glam::{DVec2, DVec3};
 use relativity_core::math::{asinh, atan, atan2, hypot, sinh, tan};
-use relativity_core::{Aperture, ObserverVelocity};
+use relativity_core::{Aperture, Observer, ObserverVelocity};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::axes::level_across;
 pub use crate::axes::{Axes, MAX_ELEVATION};
-use crate::lines_of_sight::{LinesOfSight, Map};
+use crate::group_view::position;
+use crate::lines_of_sight::{DirectionMap, LinesOfSight};
 use crate::mercator::{MOST_SHIFTED, Mercator};
 use gaze::aside;
 pub(crate) use gaze::held;
@@ -127,16 +128,10 @@ impl Camera {
     /// The event of the middle between the eyes, on the ground, when the pinhole is at its place there at T = `time`: for the
     /// observer both are at one time.
     pub(crate) fn event_of_middle(&self, time: f64) -> (DVec3, f64) {
-        let Aperture { x, y, z } = self.aperture;
-        let (speed, gamma) = (self.velocity.speed(), self.velocity.speed().gamma());
-        let direction = DVec3::from(self.velocity.direction());
-        let along = self.off_middle.dot(direction);
-        let off_middle = if self.velocity.is_along_street() {
-            DVec3 { x: gamma * self.off_middle.x, ..self.off_middle }
-        } else {
-            self.off_middle + direction * (speed.gamma_minus_one() * along)
-        };
-        (DVec3::new(x, y, z) - off_middle, time - gamma * speed.beta() * along)
+        let (DVec3 { x, y, z }, eye) = (self.off_middle, self.aperture);
+        let middle = Observer { velocity: self.velocity, ..Observer::at_rest(0.0) };
+        let (offset, later) = middle.event_of(Aperture { x, y, z });
+        (position(eye) - position(offset), time - later)
     }
 
     /// Distance from the pinhole to the picture plane, in pixels: how many of them a radian about the picture's axis has, or a
@@ -237,12 +232,14 @@ impl Camera {
         let focal_length_px = self.focal_length_px();
         let size = self.size.map(f64::from);
         let map = if let Projection::Vr180 { .. } = self.projection {
-            Map::Round { size }
+            DirectionMap::Round { size }
         } else if let Some(mercator) = self.mercator() {
-            Map::Mercator(mercator)
+            DirectionMap::Mercator(mercator)
         } else {
             let to_left = 0.5 * size[0] - self.middle(&axes) * focal_length_px;
-            Map::Flat { to_top_left: forward * focal_length_px - right * to_left + up * (0.5 * size[1]) }
+            DirectionMap::Flat {
+                to_top_left: forward * focal_length_px - right * to_left + up * (0.5 * size[1]),
+            }
         };
         LinesOfSight { axes, focal_length_px, map }
     }

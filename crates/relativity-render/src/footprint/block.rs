@@ -2,14 +2,14 @@
 
 use glam::{DVec2, DVec3};
 
-use super::projection::{Extent, Footprint, LOOSE_PX, Projection};
+use super::projection::{Footprint, FootprintMap, ImageExtent, LOOSE_PX};
 use crate::block::Block;
 use crate::camera::Gauge;
 
 /// Largest bulge, as a share of the shorter side of a block in the picture, at which halves do not get rectangles of their own.
 const LOOSE_SHARE: f64 = 0.25;
 
-impl Projection {
+impl FootprintMap {
     /// Returns the footprint of `block`; `None` from inside it.
     ///
     /// C(p) = gamma (`p_x` - beta |p|) along x and p across it; |p| is convex: over the block it lies below what is
@@ -68,7 +68,7 @@ struct Images {
 
 impl Images {
     /// Returns the footprint of the part of the hull of `points` that is deeper than `near`.
-    fn new(projection: &Projection, points: &[DVec3], near: f64) -> Self {
+    fn new(projection: &FootprintMap, points: &[DVec3], near: f64) -> Self {
         let Gauge { right, up, forward, .. } = projection.gauge;
         let mut images = Self { places: [DVec2::ZERO; 80], count: 0, is_cut: false };
         let mut add = |place: DVec3, depth: f64| {
@@ -90,7 +90,7 @@ impl Images {
 
     fn rectangle(
         &self,
-        projection: &Projection,
+        projection: &FootprintMap,
         block: &Block,
         bulge: f64,
         nearest: f64,
@@ -101,10 +101,10 @@ impl Images {
             return Footprint::Hidden;
         }
         let Gauge { right, up, .. } = projection.gauge;
-        let upright = Extent::new(places, DVec2::X);
+        let upright = ImageExtent::new(places, DVec2::X);
         let along_axes =
             block.half_axes.map(|axis| DVec2::new(axis.dot(right), axis.dot(up)).try_normalize());
-        let turned = along_axes.into_iter().flatten().map(|along| Extent::new(places, along));
+        let turned = along_axes.into_iter().flatten().map(|along| ImageExtent::new(places, along));
         let tightest = turned.fold(upright, |best, next| if next.area() < best.area() { next } else { best });
         // What is cut off may reach far out of the picture: there f32 would lose it.
         let limit = 1.0 + 0.5 * projection.size / projection.focal_length_px;

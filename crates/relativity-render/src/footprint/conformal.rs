@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 use glam::{DVec2, DVec3};
 use relativity_core::math::{asinh, ln};
 
-use super::projection::{EVERYWHERE, Extent, Footprint, LOOSE_PX, LOOSE_RADII, MARGIN_PX, Projection};
+use super::projection::{EVERYWHERE, Footprint, FootprintMap, ImageExtent, LOOSE_PX, LOOSE_RADII, MARGIN_PX};
 use crate::mercator::{Mercator, nearest_turn};
 
 /// Images farther apart than this bound nothing together.
@@ -23,7 +23,7 @@ const MOST_NEAR: f64 = 0.8;
 /// The most that it bends by, in parts of the square of its length.
 const BEND: f64 = 1.0 / 7.0;
 
-impl Projection {
+impl FootprintMap {
     /// Returns the patch in which the hull of balls of this `radius` around `points` can appear in the picture of `mercator`, of a piece with this
     /// least radius; `None` if that cannot be said of it as a whole.
     pub(super) fn conformal_footprint(
@@ -88,8 +88,8 @@ impl Projection {
         if highest + half_height > TAU {
             return EVERYWHERE;
         }
-        let upright = Extent::new(own, DVec2::X);
-        let along = (own[1] - own[0]).try_normalize().map(|along| Extent::new(own, along));
+        let upright = ImageExtent::new(own, DVec2::X);
+        let along = (own[1] - own[0]).try_normalize().map(|along| ImageExtent::new(own, along));
         let tightest =
             along.filter(|along| along.area_with(room) < upright.area_with(room)).unwrap_or(upright);
         tightest.widened(room).footprint(self, radius_px, is_loose)

@@ -13,12 +13,12 @@ mod projection;
 
 use crate::block::Block;
 use crate::capsule::Capsule;
-pub use projection::{Footprint, Projection, Rectangle};
+pub use projection::{Footprint, FootprintMap, Rectangle};
 
 /// A bound: it contains a body, or a piece of one, and can be halved.
 pub trait Bound: Sized {
     /// Returns the footprint of the bound; `None` if it has none as a whole.
-    fn footprint(&self, projection: &Projection) -> Option<Footprint>;
+    fn footprint(&self, projection: &FootprintMap) -> Option<Footprint>;
     /// Returns both halves of the bound.
     fn halves(&self) -> [Self; 2];
     /// Whether halves would be no smaller.
@@ -26,7 +26,7 @@ pub trait Bound: Sized {
 }
 
 impl Bound for Capsule {
-    fn footprint(&self, projection: &Projection) -> Option<Footprint> {
+    fn footprint(&self, projection: &FootprintMap) -> Option<Footprint> {
         projection.footprint(self)
     }
 
@@ -40,7 +40,7 @@ impl Bound for Capsule {
 }
 
 impl Bound for Block {
-    fn footprint(&self, projection: &Projection) -> Option<Footprint> {
+    fn footprint(&self, projection: &FootprintMap) -> Option<Footprint> {
         projection.footprint_of_block(self)
     }
 

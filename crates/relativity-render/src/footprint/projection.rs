@@ -54,7 +54,7 @@ impl Rectangle {
 
 /// Maps capsules and blocks to footprints for one view of a group; all is in axes along its motion.
 #[derive(Debug, Clone, Copy)]
-pub struct Projection {
+pub struct FootprintMap {
     pub(super) gauge: Gauge,
     /// The bounds of a conformal picture.
     pub(super) mercator: Option<Mercator>,
@@ -68,7 +68,7 @@ pub struct Projection {
     pub(super) least_scale: f64,
 }
 
-impl Projection {
+impl FootprintMap {
     pub fn new(view: &GroupView) -> Self {
         let speed = &view.velocity.speed;
         Self {
@@ -211,7 +211,7 @@ impl Projection {
         let bulge = (balls[2].x - balls[0].x).abs();
         let is_loose = bulge > LOOSE_RADII * radius + LOOSE_PX * distance / self.focal_length_px;
         let [low, high] = [DVec2::new(along_low, across_low), DVec2::new(along_high, across_high)];
-        Extent { along, low, high }.footprint(self, radius_px, is_loose)
+        ImageExtent { along, low, high }.footprint(self, radius_px, is_loose)
     }
 
     /// Least and greatest u/f of the balls' outlines, u being the picture coordinate along `direction`.
@@ -250,13 +250,13 @@ fn least_scale(view: &GroupView) -> f64 {
 
 /// The extent of images along a direction of the picture, and across it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Extent {
+pub(super) struct ImageExtent {
     along: DVec2,
     pub low: DVec2,
     pub high: DVec2,
 }
 
-impl Extent {
+impl ImageExtent {
     pub fn new(places: &[DVec2], along: DVec2) -> Self {
         let own = places.iter().map(|place| DVec2::new(place.dot(along), place.dot(along.perp())));
         let nothing = (DVec2::INFINITY, DVec2::NEG_INFINITY);
@@ -282,7 +282,7 @@ impl Extent {
         Self { low: self.low - room, high: self.high + room, ..self }
     }
 
-    pub fn footprint(&self, projection: &Projection, radius_px: f64, is_loose: bool) -> Footprint {
+    pub fn footprint(&self, projection: &FootprintMap, radius_px: f64, is_loose: bool) -> Footprint {
         let to_clip = 2.0 * projection.focal_length_px / projection.size;
         let margin = MARGIN_PX / projection.focal_length_px;
         let across = self.along.perp();

@@ -39,7 +39,7 @@ struct Plane {
 
 /// A line, for one ray.
 #[derive(Debug, Clone, Copy)]
-pub struct Line {
+pub struct BeamLine {
     /// Across it and each other.
     across: [Plane; 2],
     axis: Vec3,
@@ -51,7 +51,7 @@ pub trait Looks {
     fn nearest<S: Simd>(&self, simd: S, boxes: &Boxes) -> F<S>;
 }
 
-impl Line {
+impl BeamLine {
     /// Returns the line of `ray`, counted from its point nearest to `middle`.
     #[must_use]
     pub fn new(ray: &Ray, middle: DVec3) -> Self {
@@ -63,7 +63,7 @@ impl Line {
     }
 }
 
-impl Looks for Line {
+impl Looks for BeamLine {
     #[inline(always)]
     fn nearest<S: Simd>(&self, simd: S, boxes: &Boxes) -> F<S> {
         let boxes = boxes.on(simd);

@@ -7,7 +7,7 @@ use relativity_core::threads::prelude::*;
 
 use super::beam::ROUNDING;
 use super::boxes::{Boxes, WIDTH};
-use super::pieces::Piece;
+use super::pieces::BodyPart;
 use super::{DEEPEST, Hierarchy, Holds, Node};
 
 /// Places, along the longest side, at which a division is tried.
@@ -43,7 +43,7 @@ struct LeafGroup<'a> {
 impl Hierarchy {
     /// Returns the hierarchy of these pieces, measured from `middle`.
     #[must_use]
-    pub fn new(pieces: impl IntoIterator<Item = Piece>, middle: DVec3) -> Self {
+    pub fn new(pieces: impl IntoIterator<Item = BodyPart>, middle: DVec3) -> Self {
         let mut leaves: Vec<_> = pieces.into_iter().map(|piece| Leaf::new(&piece, middle)).collect();
         let mut nodes = Vec::with_capacity(leaves.len() / 3);
         if !leaves.is_empty() {
@@ -55,7 +55,7 @@ impl Hierarchy {
 
 impl Leaf {
     /// Returns the leaf of `piece`, rounded outwards.
-    fn new(piece: &Piece, middle: DVec3) -> Self {
+    fn new(piece: &BodyPart, middle: DVec3) -> Self {
         let [low, high] = piece.corners.map(|corner| corner - middle);
         // More than f32 loses, of it and of the boxes that it is in.
         let room = 1e-6 * low.abs().max(high.abs()).max_element() as f32;
@@ -231,7 +231,7 @@ fn cheapest(bins: &[(BoundingBox, usize); BINS]) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Line;
+    use super::super::BeamLine;
     use super::*;
     use crate::ray::Ray;
 
@@ -239,12 +239,12 @@ mod tests {
     fn told(bodies: &[(f64, f64)]) -> Vec<u32> {
         let pieces = bodies.iter().zip(0..).map(|(&(x, half), body)| {
             let corners = [-half, half].map(|off| DVec3::new(x + off, off, off));
-            Piece { body, is_one_of_some: false, corners }
+            BodyPart { body, is_one_of_some: false, corners }
         });
         let hierarchy = Hierarchy::new(pieces, DVec3::ZERO);
         let ray = Ray::new(DVec3::X * -10.0, DVec3::X).counted_from(DVec3::ZERO);
         let mut told = vec![0; bodies.len()];
-        hierarchy.along(&Line::new(&ray, DVec3::ZERO), |candidate| {
+        hierarchy.along(&BeamLine::new(&ray, DVec3::ZERO), |candidate| {
             told[candidate.body as usize] += 1;
             f32::INFINITY
         });

@@ -6,9 +6,9 @@ use super::beam::{ROUNDING, across};
 use crate::lanes::{F, LANES, Mask, Simd, SimdBase, SimdFloat, bits};
 use crate::ray::Ray;
 
-/// Rays of one group, each counted from its point nearest to the middle of that; at most [`Lines::MOST`].
+/// Rays of one group, each counted from its point nearest to the middle of that; at most [`RayBundle::MOST`].
 #[derive(Debug)]
-pub struct Lines {
+pub struct RayBundle {
     count: usize,
     /// Two directions across each and each other.
     across: [DirectionParts; 2],
@@ -20,8 +20,8 @@ pub struct Lines {
 /// A direction, part by part, and how far along it each ray passes the middle of the group.
 #[derive(Debug)]
 struct DirectionParts {
-    normal: [[f32; Lines::MOST]; 3],
-    offset: [f32; Lines::MOST],
+    normal: [[f32; RayBundle::MOST]; 3],
+    offset: [f32; RayBundle::MOST],
 }
 
 /// A direction across one ray of each eight, and by how much the others differ from it at most.
@@ -36,16 +36,16 @@ struct RowSide {
 }
 
 /// Greatest number of rows of eight rays.
-const ROWS: usize = Lines::MOST / LANES;
+const ROWS: usize = RayBundle::MOST / LANES;
 
-impl Lines {
+impl RayBundle {
     /// Greatest number of rays that are followed at once: those of a tile.
     pub const MOST: usize = 64;
 
     /// Returns the lines of these rays.
     #[must_use]
     pub fn new(rays: &[Ray], middle: DVec3) -> Self {
-        const NONE: [f32; Lines::MOST] = [0.0; Lines::MOST];
+        const NONE: [f32; RayBundle::MOST] = [0.0; RayBundle::MOST];
         let side = || DirectionParts { normal: [NONE; 3], offset: NONE };
         let count = rays.len().min(Self::MOST);
         let rows = Default::default();
@@ -171,12 +171,12 @@ mod tests {
     fn rays_are_told_that_meet_a_box_and_hardly_others() {
         let middle = DVec3::new(3.0, -2.0, 1.0);
         for rays in looks(middle) {
-            let lines = Lines::new(&rays, middle);
+            let lines = RayBundle::new(&rays, middle);
             let (mut met, mut told) = (0, 0);
             for number in 0..2000 {
                 let (center, half) = (place(number, 1.5), 0.6 * place(number + 7, 1.0).abs());
                 let farthest = 0.5 * place(number, 1.0).x as f32;
-                let all = [farthest; Lines::MOST];
+                let all = [farthest; RayBundle::MOST];
                 let mask = dispatch!(Level::new(), simd => {
                     lines.meeting(simd, center.as_vec3(), half.as_vec3(), &all)
                 });

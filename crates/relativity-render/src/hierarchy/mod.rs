@@ -16,9 +16,9 @@ mod testing;
 use fearless_simd::{Level, dispatch};
 use glam::Vec3;
 
-pub use beam::{Beam, Line, Looks};
-pub use lines::Lines;
-pub use pieces::{Piece, pieces};
+pub use beam::{Beam, BeamLine, Looks};
+pub use lines::RayBundle;
+pub use pieces::{BodyPart, pieces};
 pub use slabs::Slabs;
 
 use self::boxes::{Boxes, WIDTH};

@@ -15,7 +15,7 @@ const MOST_HALVINGS: u32 = 4;
 
 /// A part of a body, in a box.
 #[derive(Debug, Clone, Copy)]
-pub struct Piece {
+pub struct BodyPart {
     /// The number of the body.
     pub body: u32,
     /// Whether it has others.
@@ -30,7 +30,7 @@ pub fn pieces(
     capsules: &[Capsule],
     number: u32,
     extent: &Extent,
-) -> impl Iterator<Item = Piece> + use<> {
+) -> impl Iterator<Item = BodyPart> + use<> {
     let longest = LONG * extent.reach;
     let mut boxes = Vec::new();
     let is_long = solid.bounding_radius() > longest;
@@ -42,7 +42,7 @@ pub fn pieces(
         boxes.push(around(solid));
     }
     let is_one_of_some = boxes.len() > 1;
-    boxes.into_iter().map(move |corners| Piece { body: number, is_one_of_some, corners })
+    boxes.into_iter().map(move |corners| BodyPart { body: number, is_one_of_some, corners })
 }
 
 fn add_halves(capsule: &Capsule, longest: f64, halvings: u32, out: &mut Vec<[DVec3; 2]>) {

@@ -1,4 +1,4 @@
-//! A ray against boxes, between their pairs of planes: half the operations of a [`Line`](super::Line), and the distance at which it enters.
+//! A ray against boxes, between their pairs of planes: half the operations of a [`BeamLine`](super::BeamLine), and the distance at which it enters.
 
 use glam::{DVec3, Vec3};
 

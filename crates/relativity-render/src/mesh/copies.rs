@@ -11,7 +11,7 @@ use glam::DVec3;
 use relativity_core::math::{asin, atan2, hypot, sin_cos};
 
 use crate::capsule::Capsule;
-use crate::footprint::Projection;
+use crate::footprint::FootprintMap;
 use crate::group_view::GroupView;
 use crate::mercator::Mercator;
 use crate::view::Geometry;
@@ -43,7 +43,7 @@ impl Around {
     pub fn new(
         mercator: &Mercator,
         view: &GroupView,
-        projection: &Projection,
+        projection: &FootprintMap,
         middle: Option<DVec3>,
         ball: &Capsule,
         pieces: &[Capsule],
@@ -80,7 +80,7 @@ impl Around {
 fn reach(
     mercator: &Mercator,
     view: &GroupView,
-    projection: &Projection,
+    projection: &FootprintMap,
     ball: &Capsule,
     pieces: &[Capsule],
 ) -> f64 {

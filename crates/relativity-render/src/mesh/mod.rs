@@ -23,7 +23,7 @@ use crate::drawing::{Batches, Drawing, Shot};
 use crate::gpu::Gpu;
 use crate::kind::Kind;
 use crate::pipelines::{Pipelines, Technique};
-pub use parts::Instance;
+pub use parts::MeshInstance;
 use parts::Parts;
 use template::Division;
 
@@ -33,10 +33,10 @@ pub struct MeshRenderer {
     /// Greatest distance at which any point may be drawn from where it is seen, pixels, above 0.
     bound_px: f64,
     parts: Parts,
-    templates: HashMap<Division, Loaded>,
+    templates: HashMap<Division, LoadedTemplate>,
     /// The divisions of models among these, the last that was drawn last.
     of_models: Vec<Division>,
-    batches: Batches<Instance, Division>,
+    batches: Batches<MeshInstance, Division>,
 }
 
 /// Greatest number of divided models that are kept, unless more are drawn at once.
@@ -44,7 +44,7 @@ const MOST_KEPT: usize = 4;
 
 /// A template on the device.
 #[derive(Debug)]
-struct Loaded {
+struct LoadedTemplate {
     corners: wgpu::Buffer,
     triangles: wgpu::Buffer,
     count: u32,
@@ -54,7 +54,7 @@ struct Loaded {
 pub const TECHNIQUE: Technique = Technique {
     source: Kind::mesh,
     vertex: "corner",
-    buffers: &[Some(Corner::LAYOUT), Some(Instance::LAYOUT)],
+    buffers: &[Some(Corner::LAYOUT), Some(MeshInstance::LAYOUT)],
     primitive: wgpu::PrimitiveState { cull_mode: Some(wgpu::Face::Back), ..Technique::TRIANGLES },
     picture: "picture",
     constant: Some(|key| ("MAP", key.geometry.map_number())),
@@ -88,7 +88,7 @@ impl Drawing for MeshRenderer {
             let division = batch.template;
             self.templates.entry(division).or_insert_with(|| {
                 let template = division.template(shot.scene.models());
-                Loaded::new(gpu, &template)
+                LoadedTemplate::new(gpu, &template)
             });
         }
         self.forget_models();
@@ -121,7 +121,7 @@ impl MeshRenderer {
     }
 }
 
-impl Loaded {
+impl LoadedTemplate {
     fn new(gpu: &Gpu, template: &Template) -> Self {
         let (vertex, index) = (wgpu::BufferUsages::VERTEX, wgpu::BufferUsages::INDEX);
         Self {

@@ -10,7 +10,7 @@ use super::division::division;
 use super::template::Division;
 use crate::capsule::Capsule;
 use crate::drawing::{Shot, Trait};
-use crate::footprint::Projection;
+use crate::footprint::FootprintMap;
 use crate::group_view::GroupView;
 use crate::intersect::Solid;
 use crate::prepared_body::{Joint, Placement, PreparedBody};
@@ -21,7 +21,7 @@ use crate::wheel::spin::MaterialPoint;
 /// Mirror of the shaders' `Instance`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
-pub struct Instance {
+pub struct MeshInstance {
     pub place_radius: [f32; 4],
     pub form: [f32; 4],
     pub turn: [f32; 4],
@@ -37,7 +37,7 @@ pub struct Instance {
 #[derive(Debug, Clone, Copy)]
 struct DrawnBody {
     division: Division,
-    instance: Instance,
+    instance: MeshInstance,
     /// The number of its group.
     group: usize,
     joint: Joint,
@@ -63,7 +63,7 @@ impl Parts {
     /// wider, and faded.
     pub fn refill(&mut self, shot: &Shot<'_>, bound_px: f64) {
         let Shot { scene, views, divided_for, appearance, .. } = *shot;
-        let projections: Vec<_> = views.iter().map(Projection::new).collect();
+        let projections: Vec<_> = views.iter().map(FootprintMap::new).collect();
         let maps: Vec<_> = views.iter().map(|view| view.camera.mercator()).collect();
         let ball = |body: &PreparedBody| {
             if body.is_turned {
@@ -86,7 +86,7 @@ impl Parts {
             let half_width = appearance.map(|_| half_width(body, scene.solid(body.number), view));
             DrawnBody {
                 division: division(body, scene.solid(body.number), view, bound_px),
-                instance: Instance::new(body, half_width.unwrap_or_default(), shot),
+                instance: MeshInstance::new(body, half_width.unwrap_or_default(), shot),
                 group: body.group,
                 joint: body.joint,
                 // A model is drawn as it is, however thin.
@@ -122,7 +122,7 @@ impl Parts {
     }
 
     /// Returns the runs of parts that one draw draws, in order.
-    pub fn runs(&self) -> impl Iterator<Item = (Trait<Division>, impl Iterator<Item = &Instance>)> {
+    pub fn runs(&self) -> impl Iterator<Item = (Trait<Division>, impl Iterator<Item = &MeshInstance>)> {
         let chunks = self.sorted.chunk_by(|a, b| a.common() == b.common());
         chunks.map(|run| (run[0].common(), run.iter().map(|part| &part.instance)))
     }
@@ -130,7 +130,7 @@ impl Parts {
 
 impl DrawnBody {
     fn copied(&self, copy: Copy) -> Self {
-        Self { instance: Instance { copy, ..self.instance }, ..*self }
+        Self { instance: MeshInstance { copy, ..self.instance }, ..*self }
     }
 
     /// Returns the properties that a part shares with those drawn by the same draw.
@@ -153,7 +153,7 @@ impl DrawnBody {
     }
 }
 
-impl Instance {
+impl MeshInstance {
     /// Layout in which the vertex stage reads an instance.
     pub const LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
         array_stride: size_of::<Self>() as u64,

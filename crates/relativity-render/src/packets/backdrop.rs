@@ -2,14 +2,14 @@
 
 use super::contact::left_by_contacts;
 use super::logarithm::{log2, power_of_two};
-use super::ray::{Passage, Sight, line_of_sight, passage, steps_but_along};
-use super::street::{Covered, front};
+use super::ray::{GroupPassage, PixelSight, line_of_sight, passage, steps_but_along};
+use super::street::{CoveredRange, front};
 use super::tables::{Tables, toned, untoned};
 use crate::backdrop::{
-    AXIS_HALF_WIDTH, DASH, Floor, GRID_FADE, KERB_WIDTH, LANE_HALF_WIDTH, LEAST_TOWARDS_FRONTS,
-    LINE_HALF_WIDTH, Part, SKY_RISE,
+    AXIS_HALF_WIDTH, BackdropPart, DASH, Floor, GRID_FADE, KERB_WIDTH, LANE_HALF_WIDTH, LEAST_TOWARDS_FRONTS,
+    LINE_HALF_WIDTH, SKY_RISE,
 };
-use crate::frame::Frame;
+use crate::frame::FrameUniform;
 use crate::lanes::{F, Simd, SimdBase as _, SimdFloat as _, SimdMask as _, V2, V3, all, clamp};
 use crate::street_sight::StreetVariant;
 use crate::view::Geometry;
@@ -22,10 +22,15 @@ const MARGIN: f32 = 2.0;
 
 /// Returns the part of the backdrop that a rectangle of the picture can show: its left and upper edge, and its width and height, px.
 #[inline(always)]
-pub fn part<S: Simd>(simd: S, frame: &Frame, [left, top]: [f32; 2], [width, height]: [f32; 2]) -> Part {
+pub fn part<S: Simd>(
+    simd: S,
+    frame: &FrameUniform,
+    [left, top]: [f32; 2],
+    [width, height]: [f32; 2],
+) -> BackdropPart {
     let floor = frame.floor();
     if floor == Floor::Open {
-        return Part::Sky;
+        return BackdropPart::Sky;
     }
     // The plane of the ground is a bowl to whoever does not move along it.
     if frame.is_street_oblique() {
@@ -55,11 +60,11 @@ pub fn part<S: Simd>(simd: S, frame: &Frame, [left, top]: [f32; 2], [width, heig
         && above.simd_lt(towards * lowest - room).all_true();
     let has_ground = !rise.simd_ge(bulge).all_true() && !is_covered;
     match (has_ground, has_fronts, floor) {
-        (false, false, _) => Part::Sky,
-        (false, true, _) => Part::Fronts,
-        (true, true, _) => Part::Street,
-        (true, false, Floor::Grid | Floor::Open) => Part::Grid,
-        (true, false, Floor::Road | Floor::Street) => Part::Road,
+        (false, false, _) => BackdropPart::Sky,
+        (false, true, _) => BackdropPart::Fronts,
+        (true, true, _) => BackdropPart::Street,
+        (true, false, Floor::Grid | Floor::Open) => BackdropPart::Grid,
+        (true, false, Floor::Road | Floor::Street) => BackdropPart::Road,
     }
 }
 
@@ -81,15 +86,15 @@ struct StreetLines<S: Simd> {
 
 impl<S: Simd> StreetLines<S> {
     #[inline(always)]
-    fn new(simd: S, frame: &Frame, sight: Sight<S>) -> Self {
-        let Sight { n, scale, .. } = sight;
+    fn new(simd: S, frame: &FrameUniform, sight: PixelSight<S>) -> Self {
+        let PixelSight { n, scale, .. } = sight;
         let one = all(simd, 1.0);
         let Some(geometry) = street_geometry(frame) else {
             return Self { n, scale, haze_share: one, doppler: one, sight: n, seen: n };
         };
         let is_oblique = frame.is_street_oblique();
         let seen = if is_oblique { n.sum_of(frame.to_street) } else { n };
-        let Passage { direction, ground_per_rest, doppler } =
+        let GroupPassage { direction, ground_per_rest, doppler } =
             passage(simd, seen, geometry, frame.street_speed, frame.street_motion[0]);
         let haze_share = ground_per_rest.min(one);
         let on_ground = if is_oblique { direction.sum_of(frame.street_axes) } else { direction };
@@ -98,7 +103,7 @@ impl<S: Simd> StreetLines<S> {
 
     /// Steps to the pixels on the right and below, up to multiples of the lines.
     #[inline(always)]
-    fn steps(&self, frame: &Frame) -> [V3<S>; 2] {
+    fn steps(&self, frame: &FrameUniform) -> [V3<S>; 2] {
         let [right, down] = steps_but_along(frame, self.sight);
         if street_geometry(frame).is_none() {
             return [right, down];
@@ -108,7 +113,7 @@ impl<S: Simd> StreetLines<S> {
 
     /// The step on the ground for one of the camera's lines of sight, lines on the ground being (Gamma (`n_x` + V |n|), `n_y`, `n_z`).
     #[inline(always)]
-    fn step_on_ground(&self, frame: &Frame, step: V3<S>) -> V3<S> {
+    fn step_on_ground(&self, frame: &FrameUniform, step: V3<S>) -> V3<S> {
         let [beta, _, _, gamma] = frame.street_speed;
         let sign = frame.street_motion[0];
         let velocity = if street_geometry(frame) == Some(Geometry::Seen) { sign * beta } else { 0.0 };
@@ -121,7 +126,7 @@ impl<S: Simd> StreetLines<S> {
 
 /// The geometry that shows a street which moves against the camera.
 #[inline(always)]
-fn street_geometry(frame: &Frame) -> Option<Geometry> {
+fn street_geometry(frame: &FrameUniform) -> Option<Geometry> {
     match frame.street() {
         StreetVariant::AtRest => None,
         StreetVariant::Contracted => Some(Geometry::Contracted),
@@ -131,7 +136,7 @@ fn street_geometry(frame: &Frame) -> Option<Geometry> {
 
 /// Linear sRGB of the background along these lines of sight, of which no more than this part is seen.
 #[inline(always)]
-pub fn behind<S: Simd>(simd: S, frame: &Frame, part: Part, sight: Sight<S>) -> V3<S> {
+pub fn behind<S: Simd>(simd: S, frame: &FrameUniform, part: BackdropPart, sight: PixelSight<S>) -> V3<S> {
     let sight = StreetLines::new(simd, frame, sight);
     let nearness = 1.0 - (sight.n.z.abs() * SKY_RISE as f32).min(1.0);
     let sky = V3::mix(paint(simd, frame, 1), paint(simd, frame, 0), nearness * nearness);
@@ -156,7 +161,7 @@ pub fn behind<S: Simd>(simd: S, frame: &Frame, part: Part, sight: Sight<S>) -> V
 
 /// Returns what is received of this paint, as `received_from_street` of the shader.
 #[inline(always)]
-fn received<S: Simd>(frame: &Frame, painted: V3<S>, doppler: F<S>) -> V3<S> {
+fn received<S: Simd>(frame: &FrameUniform, painted: V3<S>, doppler: F<S>) -> V3<S> {
     let tables = Tables::shared();
     let [shift, level, exponent, exposure] = frame.street_light;
     let octaves = log2(doppler);
@@ -168,13 +173,13 @@ fn received<S: Simd>(frame: &Frame, painted: V3<S>, doppler: F<S>) -> V3<S> {
 }
 
 #[inline(always)]
-fn paint<S: Simd>(simd: S, frame: &Frame, number: usize) -> V3<S> {
+fn paint<S: Simd>(simd: S, frame: &FrameUniform, number: usize) -> V3<S> {
     V3::of_four(simd, frame.backdrop[number])
 }
 
 /// Returns the colour that is seen at a distance of a surface of this colour.
 #[inline(always)]
-fn hazy<S: Simd>(part: Part, sky: V3<S>, colour: V3<S>, distance: F<S>) -> V3<S> {
+fn hazy<S: Simd>(part: BackdropPart, sky: V3<S>, colour: V3<S>, distance: F<S>) -> V3<S> {
     V3::mix(sky, colour, 1.0 / (1.0 + distance * distance * part.haze() as f32))
 }
 
@@ -183,7 +188,7 @@ fn hazy<S: Simd>(part: Part, sky: V3<S>, colour: V3<S>, distance: F<S>) -> V3<S>
 /// its steps does not count.
 #[inline(always)]
 fn pixel_on<S: Simd>(
-    frame: &Frame,
+    frame: &FrameUniform,
     sight: &StreetLines<S>,
     axes: [usize; 2],
     across: usize,
@@ -205,7 +210,13 @@ fn size_along<S: Simd>(axis: usize, across: usize, right: [F<S>; 3], down: [F<S>
 }
 
 #[inline(always)]
-fn ground_colour<S: Simd>(simd: S, frame: &Frame, part: Part, sky: V3<S>, sight: StreetLines<S>) -> V3<S> {
+fn ground_colour<S: Simd>(
+    simd: S,
+    frame: &FrameUniform,
+    part: BackdropPart,
+    sky: V3<S>,
+    sight: StreetLines<S>,
+) -> V3<S> {
     let [camera_x, camera_y, ground, _] = frame.ground;
     let per_fall = 1.0 / sight.n.z;
     let distance = per_fall * ground;
@@ -215,7 +226,7 @@ fn ground_colour<S: Simd>(simd: S, frame: &Frame, part: Part, sky: V3<S>, sight:
     let pixel = pixel_on(frame, &sight, [0, 1], 2, slope, sight.scale * distance);
     let grid = grid_cover(foot.x, pixel.x).max(grid_cover(foot.y, pixel.y));
     let gridded = V3::mix(paint(simd, frame, 2), paint(simd, frame, 3), grid);
-    let painted = if part == Part::Grid {
+    let painted = if part == BackdropPart::Grid {
         let axes = line_cover(foot.x, AXIS_HALF_WIDTH as f32, pixel.x).max(line_cover(
             foot.y,
             AXIS_HALF_WIDTH as f32,
@@ -224,10 +235,10 @@ fn ground_colour<S: Simd>(simd: S, frame: &Frame, part: Part, sky: V3<S>, sight:
         V3::mix(gridded, paint(simd, frame, 4), axes)
     } else {
         let [near, far, ..] = frame.road;
-        let upwards = Covered::new(pixel.y);
+        let upwards = CoveredRange::new(pixel.y);
         let road = upwards.band_cover(foot.y, all(simd, near), all(simd, far));
         let surface = V3::mix(gridded, paint(simd, frame, 5), road);
-        let marks = marks_cover(frame, foot, Covered::new(pixel.x), upwards);
+        let marks = marks_cover(frame, foot, CoveredRange::new(pixel.x), upwards);
         V3::mix(surface, paint(simd, frame, 4), marks) * left_by_contacts(simd, frame, from_camera, pixel)
     };
     hazy(part, sky, painted, distance * sight.haze_share)
@@ -252,7 +263,12 @@ fn grid_cover<S: Simd>(foot: F<S>, pixel: F<S>) -> F<S> {
 }
 
 #[inline(always)]
-fn marks_cover<S: Simd>(frame: &Frame, foot: V2<S>, along: Covered<S>, across: Covered<S>) -> F<S> {
+fn marks_cover<S: Simd>(
+    frame: &FrameUniform,
+    foot: V2<S>,
+    along: CoveredRange<S>,
+    across: CoveredRange<S>,
+) -> F<S> {
     let simd = foot.x.simd;
     let [near, far, ..] = frame.road;
     let [kerb, lane] = [KERB_WIDTH as f32, LANE_HALF_WIDTH as f32];
@@ -266,8 +282,8 @@ fn marks_cover<S: Simd>(frame: &Frame, foot: V2<S>, along: Covered<S>, across: C
 
 #[inline(always)]
 fn with_fronts<S: Simd>(
-    frame: &Frame,
-    part: Part,
+    frame: &FrameUniform,
+    part: BackdropPart,
     without: V3<S>,
     sky: V3<S>,
     sight: StreetLines<S>,
@@ -341,26 +357,26 @@ mod tests {
         cameras
     }
 
-    fn frame(camera: Camera, appearance: &Appearance) -> Frame {
+    fn frame(camera: Camera, appearance: &Appearance) -> FrameUniform {
         let speed = Speed::from_beta(0.9).expect("below 1");
         let view = View { camera, speed, observation_time: 0.0, geometry: Geometry::Seen };
         let groups = [view.of_group(Motion::Scene)];
-        Frame::of_groups(&PreparedScene::new([]), &groups, appearance)[0]
+        FrameUniform::of_groups(&PreparedScene::new([]), &groups, appearance)[0]
     }
 
     #[inline(always)]
-    fn row<S: Simd>(simd: S, frame: &Frame, [u, v]: [u32; 2]) -> V3<S> {
+    fn row<S: Simd>(simd: S, frame: &FrameUniform, [u, v]: [u32; 2]) -> V3<S> {
         row_of(simd, frame, tile_part(simd, frame, [u, v]), [u, v])
     }
 
     /// Returns the part of the backdrop that the tile with this pixel can show.
     #[inline(always)]
-    fn tile_part<S: Simd>(simd: S, frame: &Frame, pixel: [u32; 2]) -> Part {
+    fn tile_part<S: Simd>(simd: S, frame: &FrameUniform, pixel: [u32; 2]) -> BackdropPart {
         part(simd, frame, pixel.map(|at| (at / 8 * 8) as f32), [8.0; 2])
     }
 
     #[inline(always)]
-    fn row_of<S: Simd>(simd: S, frame: &Frame, part: Part, [u, v]: [u32; 2]) -> V3<S> {
+    fn row_of<S: Simd>(simd: S, frame: &FrameUniform, part: BackdropPart, [u, v]: [u32; 2]) -> V3<S> {
         let along = F::from_fn(simd, |lane| (u + lane as u32) as f32 + 0.5);
         behind(simd, frame, part, line_of_sight(simd, frame, along, all(simd, v as f32 + 0.5)))
     }

@@ -1,20 +1,20 @@
 //! A body, a ray, and where they meet, as `shaders/body.wgsl` has them.
 
-use crate::frame::Frame;
+use crate::frame::FrameUniform;
 use crate::lanes::{F, Mask, Quaternion, Simd, V3, all, select};
 use crate::prepared_body::Placement;
 use crate::view::Geometry;
 
 /// The view of a group, in the units of the shaders.
 #[derive(Debug, Clone, Copy)]
-pub struct Group<'a> {
-    pub frame: &'a Frame,
+pub struct PacketGroup<'a> {
+    pub frame: &'a FrameUniform,
     pub geometry: Geometry,
 }
 
 /// A body, the same for all pixels but for its turn.
 #[derive(Debug, Clone, Copy)]
-pub struct Body<S: Simd> {
+pub struct PacketBody<S: Simd> {
     /// From the middle of its group: its centre, or one end of a tube.
     pub place: V3<S>,
     /// Radius; for a body with flat faces the least of its half lengths.
@@ -29,7 +29,7 @@ pub struct Body<S: Simd> {
 
 /// The rest-frame rays of the pixels.
 #[derive(Debug, Clone, Copy)]
-pub struct Ray<S: Simd> {
+pub struct RestRays<S: Simd> {
     /// Unit vector towards the source, in the ground frame.
     pub sight: V3<S>,
     /// 1/length of the unnormalised line of sight.
@@ -49,7 +49,7 @@ pub struct Ray<S: Simd> {
 
 /// A tube with rounded ends.
 #[derive(Debug, Clone, Copy)]
-pub struct Capsule<S: Simd> {
+pub struct PacketCapsule<S: Simd> {
     pub place: V3<S>,
     pub end: V3<S>,
     pub radius: F<S>,
@@ -71,7 +71,7 @@ pub struct Surface<S: Simd> {
     pub normal: V3<S>,
 }
 
-impl<S: Simd> Body<S> {
+impl<S: Simd> PacketBody<S> {
     /// Loads the shaders' data of a body.
     #[inline(always)]
     pub fn new(simd: S, placement: &Placement) -> Self {
@@ -144,7 +144,7 @@ pub struct OwnRay<S: Simd> {
 }
 
 #[inline(always)]
-pub fn own_ray<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> OwnRay<S> {
+pub fn own_ray<S: Simd>(simd: S, body: &PacketBody<S>, ray: &RestRays<S>) -> OwnRay<S> {
     let direction = body.body_from_rest(ray.direction);
     // A ray that passes farther off than bodies are large misses: nearer, no product of its distances overflows.
     let far = V3::all(simd, [1e15; 3]);

@@ -2,10 +2,10 @@
 
 use std::array::from_fn;
 
-use super::daylight::{Facing, of_street_daylight};
+use super::daylight::{Facings, of_street_daylight};
 use super::logarithm::{MOST_POWER, log2, power_of_two};
 use super::places::pixel_of_lane;
-use super::tables::{BAND_ROW, GLOW_ROW, LINE_ROW, MAP_ROW, ScreenLight, Tables, shown};
+use super::tables::{BAND_ROW, GLOW_ROW, LINE_ROW, MAP_ROW, ScreenLights, Tables, shown};
 use crate::effects::{Effects, Spectrum};
 use crate::hatch::Hatch;
 use crate::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all};
@@ -18,7 +18,7 @@ fn of_one_place<S: Simd>(
     light: [f32; 4],
     octaves: F<S>,
     shift: F<S>,
-) -> ScreenLight<S> {
+) -> ScreenLights<S> {
     let [at_rest, per_octave, exponent, exposure] = light;
     let row = if per_octave < 0.0 { LINE_ROW } else { GLOW_ROW };
     let place = shift * per_octave + at_rest;
@@ -34,7 +34,7 @@ fn of_daylight<S: Simd>(
     light: [f32; 4],
     octaves: F<S>,
     shift: F<S>,
-) -> ScreenLight<S> {
+) -> ScreenLights<S> {
     let [band, band_exposure, exposure, band_exponent] = light;
     let place = shift * tables.glow_per_octave + tables.daylight_place;
     let (white, white_level) = tables.looked_up(GLOW_ROW, place);
@@ -55,11 +55,11 @@ fn colour_of<S: Simd>(
     tables: &Tables,
     light: [f32; 4],
     doppler: F<S>,
-    facing: Option<Facing<S>>,
-) -> ScreenLight<S> {
+    facing: Option<Facings<S>>,
+) -> ScreenLights<S> {
     if effects.spectrum() == Spectrum::AtRest {
         let unseen = (light[3] != 0.0).then(|| all(simd, light[3]));
-        return ScreenLight { colour: V3::of_four(simd, light), unseen };
+        return ScreenLights { colour: V3::of_four(simd, light), unseen };
     }
     let octaves = log2(doppler);
     let shift = if effects.doppler_shift { octaves } else { all(simd, 0.0) };
@@ -72,7 +72,7 @@ fn colour_of<S: Simd>(
         }
         Spectrum::Map => {
             let place = octaves * tables.map_per_octave + tables.map_middle;
-            ScreenLight { colour: tables.looked_up(MAP_ROW, place).0, unseen: None }
+            ScreenLights { colour: tables.looked_up(MAP_ROW, place).0, unseen: None }
         }
     }
 }
@@ -107,11 +107,11 @@ pub fn received_colour<S: Simd>(
     light: [f32; 4],
     doppler: F<S>,
     normal: V3<S>,
-    facing: Option<Facing<S>>,
+    facing: Option<Facings<S>>,
     hatched: Hatched<'_>,
 ) -> V3<S> {
     let simd = doppler.simd;
-    let ScreenLight { mut colour, unseen } = colour_of(simd, effects, tables, light, doppler, facing);
+    let ScreenLights { mut colour, unseen } = colour_of(simd, effects, tables, light, doppler, facing);
     if let Some(unseen) = unseen {
         let grey = hatched.grey(unseen);
         colour += V3::new(grey, grey, grey);
@@ -256,7 +256,7 @@ mod tests {
                 let light = Light::new(emission, &appearance);
                 let packed = light.packed(&appearance, effects).map(|part| part as f32);
                 at_every_level!(simd => {
-                    let facing = Facing { rapid: all(simd, rapid as f32), ahead: all(simd, ahead as f32) };
+                    let facing = Facings { rapid: all(simd, rapid as f32), ahead: all(simd, ahead as f32) };
                     for factors in doppler_factors() {
                         let (doppler, toward) = (F::simd_from(simd, factors), V3::all(simd, [0.0, 0.0, 1.0]));
                         let found =

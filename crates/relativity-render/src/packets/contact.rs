@@ -1,12 +1,12 @@
 //! Contact shadows on a road, the same way as `shaders/backdrop.wgsl`. [`crate::contact`] describes them.
 
 use crate::contact::{DARKEST, FARTHEST};
-use crate::frame::Frame;
+use crate::frame::FrameUniform;
 use crate::lanes::{F, Simd, SimdFloat as _, SimdMask as _, V2, all, select};
 
 /// Share of a road's light that they leave at `foot` from the camera, of pixels of this width and depth there, `distance` away.
 #[inline(always)]
-pub fn left_by_contacts<S: Simd>(simd: S, frame: &Frame, foot: V2<S>, pixel: V2<S>) -> F<S> {
+pub fn left_by_contacts<S: Simd>(simd: S, frame: &FrameUniform, foot: V2<S>, pixel: V2<S>) -> F<S> {
     let [x, y, z, count] = frame.contact_eye;
     let mut left = all(simd, 1.0);
     if count <= 0.0 {

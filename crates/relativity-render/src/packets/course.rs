@@ -1,9 +1,9 @@
 //! Rays as the curves that they are in the frame that turns with a body, and where these first enter a tube:
 //! `shaders/course.wgsl`, where the method is explained.
 
-use super::body::{Capsule, Group, Ray, Surface};
+use super::body::{PacketCapsule, PacketGroup, RestRays, Surface};
 use super::ray::nearest_to;
-use super::spin::{Spin, Turn, about_y, later, sine_cosine, velocity_at};
+use super::spin::{PacketSpin, SineCosine, about_y, later, sine_cosine, velocity_at};
 use crate::lanes::{F, Mask, Simd, SimdFloat, SimdMask, V3, all, clamp, select};
 
 /// The limit of steps to an entry. Of 58 million rays (`tests/spokes.rs`) none took more than half.
@@ -15,8 +15,8 @@ const ROUNDING: f32 = 1e-7;
 const PASSING_STEPS: u32 = 2;
 
 /// A ray among what a tube sweeps, from its point nearest to the hub.
-pub struct Course<'a, S: Simd> {
-    capsule: &'a Capsule<S>,
+pub struct SweptRays<'a, S: Simd> {
+    capsule: &'a PacketCapsule<S>,
     /// The capsule's one end, from the hub, and the way from there to its other end.
     beginning: V3<S>,
     axis: V3<S>,
@@ -38,7 +38,7 @@ pub struct Course<'a, S: Simd> {
 
 /// A place on a course.
 struct CoursePlace<S: Simd> {
-    turn: Turn<S>,
+    turn: SineCosine<S>,
     /// From the tube's axis, and how fast and with which acceleration that changes.
     off: V3<S>,
     velocity: V3<S>,
@@ -46,10 +46,16 @@ struct CoursePlace<S: Simd> {
     distance: F<S>,
 }
 
-impl<'a, S: Simd> Course<'a, S> {
+impl<'a, S: Simd> SweptRays<'a, S> {
     /// Follows `ray` past the turning `capsule`.
     #[inline(always)]
-    pub fn new(simd: S, group: &Group, capsule: &'a Capsule<S>, ray: &Ray<S>, spin: &Spin<S>) -> Self {
+    pub fn new(
+        simd: S,
+        group: &PacketGroup,
+        capsule: &'a PacketCapsule<S>,
+        ray: &RestRays<S>,
+        spin: &PacketSpin<S>,
+    ) -> Self {
         let n = ray.direction;
         let nearest = nearest_to(spin.hub, ray);
         let (beginning, end) = (capsule.place - spin.hub, capsule.end - spin.hub);
@@ -158,7 +164,7 @@ impl<'a, S: Simd> Course<'a, S> {
 
     /// Returns where rays meet the tube that fills the capsule.
     #[inline(always)]
-    pub fn surface(&self, spin: &Spin<S>) -> Surface<S> {
+    pub fn surface(&self, spin: &PacketSpin<S>) -> Surface<S> {
         let simd = self.from.simd;
         let radius = self.capsule.radius;
         let (mut s, enters) = self.first_at_tube(!crate::lanes::no(simd));
@@ -176,7 +182,7 @@ impl<'a, S: Simd> Course<'a, S> {
         let closest = at.off + (at.velocity + at.acceleration * (to_closest * 0.5)) * to_closest;
         let inside = radius - at.miss_squared().sqrt();
         let clearance = select(enters, inside, (radius - at.distance).min(0.0));
-        let back = Turn { sine: -at.turn.sine, cosine: at.turn.cosine };
+        let back = SineCosine { sine: -at.turn.sine, cosine: at.turn.cosine };
         let q = self.nearest + self.direction * s;
         // The outline moves by what is across the ray alone, but is shown at another time, too.
         let across = about_y(closest / closest.length().max(1e-30), back);

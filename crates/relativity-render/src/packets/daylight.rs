@@ -2,20 +2,18 @@
 
 use std::f64::consts::LN_2;
 
-use super::body::{Body, Group};
 use super::logarithm::{MOST_POWER, log2, power_of_two};
-use super::shape::middle;
-use super::spin::{Spin, velocity_at};
-use super::tables::{BAND_ROW, GLOW_ROW, LAST, ScreenLight, Tables, shown};
+use super::spin::velocity_at;
+use super::tables::{BAND_ROW, GLOW_ROW, LAST, ScreenLights, Tables, shown};
+use super::turning::TurningBody;
 use crate::daylight::{LEAST_BETA, MOST_RAPID, PARTS};
 use crate::effects::Effects;
-use crate::kind::Kind;
 use crate::lanes::{F, Simd, SimdFloat as _, V2, V3, all, clamp, select};
 use crate::wheel::packed::Turns;
 
 /// The motion of surfaces through the street's light.
 #[derive(Debug, Clone, Copy)]
-pub struct Facing<S: Simd> {
+pub struct Facings<S: Simd> {
     /// gamma beta on the street.
     pub rapid: F<S>,
     /// The cosine, in their own frame, of the angle between their normal and their motion.
@@ -46,24 +44,14 @@ struct LightPart<S: Simd> {
 }
 
 /// Returns the motion of the surface at `place`, from the body's middle, with this `normal`.
-#[expect(clippy::too_many_arguments, reason = "as the shader has them, and what are constants there")]
 #[inline(always)]
-pub fn facing_of<S: Simd>(
-    simd: S,
-    kind: Kind,
-    turns: Turns,
-    group: &Group,
-    body: &Body<S>,
-    place: V3<S>,
-    normal: V3<S>,
-    spin: &Spin<S>,
-) -> Facing<S> {
-    let [beta, _, _, gamma] = group.frame.on_ground;
-    let sign = group.frame.motion[3];
+pub fn facing_of<S: Simd>(simd: S, there: &TurningBody<'_, S>, place: V3<S>, normal: V3<S>) -> Facings<S> {
+    let [beta, _, _, gamma] = there.group.frame.on_ground;
+    let sign = there.group.frame.motion[3];
     let n = normal.reflected(sign);
     let mut own = V3::all(simd, [0.0; 3]);
-    if turns != Turns::Not {
-        own = velocity_at(simd, (middle(kind, body) - spin.hub) + place, spin).reflected(sign);
+    if there.turns != Turns::Not {
+        own = velocity_at(simd, there.from_hub(place), &there.spin).reflected(sign);
     }
     let own_gamma = 1.0 / (1.0 - own.dot(own)).max(1e-30).sqrt();
     let along = (own.x + beta) * own_gamma * gamma;
@@ -72,12 +60,12 @@ pub fn facing_of<S: Simd>(
     let scale = (1.0 - turning * turning).max(1e-30).sqrt();
     let time = (turning + n.x * beta) / scale * gamma;
     let one = all(simd, 1.0);
-    Facing { rapid, ahead: clamp(time / rapid.max(1e-30), -one, one) }
+    Facings { rapid, ahead: clamp(time / rapid.max(1e-30), -one, one) }
 }
 
 impl<S: Simd> SharedNumbers<S> {
     #[inline(always)]
-    fn new(simd: S, Facing { rapid, ahead }: Facing<S>) -> Self {
+    fn new(simd: S, Facings { rapid, ahead }: Facings<S>) -> Self {
         const LEAST: f32 = LEAST_BETA as f32;
         let gamma = (rapid * rapid + 1.0).sqrt();
         let beta = rapid / gamma;
@@ -140,8 +128,8 @@ pub fn of_street_daylight<S: Simd>(
     tables: &Tables,
     light: [f32; 4],
     shift: F<S>,
-    facing: Facing<S>,
-) -> ScreenLight<S> {
+    facing: Facings<S>,
+) -> ScreenLights<S> {
     let simd = shift.simd;
     let [band, band_exposure, exposure, band_exponent] = light;
     let course = SharedNumbers::new(simd, facing);

@@ -1,6 +1,6 @@
 //! Edges where two faces of a body meet: `share_of_other` of `shaders/body.wgsl`.
 
-use super::body::{Group, Ray};
+use super::body::{PacketGroup, RestRays};
 use super::ray::movement;
 use crate::lanes::{F, Simd, SimdFloat, V3, all, clamp};
 
@@ -9,11 +9,11 @@ use crate::lanes::{F, Simd, SimdFloat, V3, all, clamp};
 /// as it is seen.
 #[inline(always)]
 pub fn share_of_other<S: Simd>(
-    group: &Group,
+    group: &PacketGroup,
     from_edge: F<S>,
     width: F<S>,
     across: V3<S>,
-    ray: &Ray<S>,
+    ray: &RestRays<S>,
     beyond: F<S>,
 ) -> F<S> {
     let simd = beyond.simd;

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use crate::effects::{Effects, Spectrum};
-use crate::frame::Frame;
+use crate::frame::FrameUniform;
 use crate::group_view::{GroupView, reference_of_depths};
 use crate::hatch::Hatch;
 use crate::light::Light;
@@ -13,14 +13,14 @@ use crate::scene::PreparedScene;
 use crate::view::{Appearance, View};
 use crate::wheel::packed::{TurningStart, Turns};
 
-use super::body::Group;
+use super::body::PacketGroup;
 
 /// The look of one view of a scene.
 pub struct Look<'a> {
     pub scene: &'a PreparedScene,
     /// View of each group.
     pub views: Vec<GroupView>,
-    frames: Vec<Frame>,
+    frames: Vec<FrameUniform>,
     /// The hatch for light outside the visible range.
     pub hatch: Hatch,
     /// Number of the group in which the depths of all are compared.
@@ -46,7 +46,7 @@ impl<'a> Look<'a> {
         let views = scene.group_views(view);
         let plain = Appearance::default();
         let appearance = appearance.unwrap_or(&plain);
-        let frames = Frame::of_groups(scene, &views, appearance);
+        let frames = FrameUniform::of_groups(scene, &views, appearance);
         let turning = scene.spinning().iter().filter_map(|&number| {
             let body = &scene.bodies()[number as usize];
             let view = &views[body.group];
@@ -66,8 +66,8 @@ impl<'a> Look<'a> {
     }
 
     /// The group of this number, for the formulas.
-    pub fn group(&self, number: usize) -> Group<'_> {
-        Group { frame: &self.frames[number], geometry: self.views[number].geometry }
+    pub fn group(&self, number: usize) -> PacketGroup<'_> {
+        PacketGroup { frame: &self.frames[number], geometry: self.views[number].geometry }
     }
 
     /// Returns the place of the group of this number among others, if there are any.
@@ -76,7 +76,7 @@ impl<'a> Look<'a> {
     }
 
     /// The frame of what lies behind all groups.
-    pub fn frame(&self) -> &Frame {
+    pub fn frame(&self) -> &FrameUniform {
         &self.frames[0]
     }
 

@@ -1,6 +1,6 @@
 //! Lines of sight of a conformal picture: `conformal_line` of `shaders/frame.wgsl`, and what that needs.
 
-use crate::frame::Frame;
+use crate::frame::FrameUniform;
 use crate::lanes::{F, Simd, SimdFloat as _, V3, select};
 
 /// A sine and a cosine less 1.
@@ -38,7 +38,7 @@ fn series<S: Simd>(x: F<S>, [a, b, c, d]: [f32; 4]) -> F<S> {
 ///
 /// With w half of that and P at the pole, sinh(P + 2 w) = sinh P + sinh w (e^P e^w + e^-P e^-w).
 #[inline(always)]
-pub fn column<S: Simd>(frame: &Frame, u: F<S>) -> F<S> {
+pub fn column<S: Simd>(frame: &FrameUniform, u: F<S>) -> F<S> {
     let across = arc(u * 0.5, 1.0);
     let grown = across.versine + 1.0 + across.sine.abs();
     let shrunk = 1.0 / grown;
@@ -50,7 +50,7 @@ pub fn column<S: Simd>(frame: &Frame, u: F<S>) -> F<S> {
 
 /// The part of lines of sight that all of a row share: how the unit vector across the baseline turns from the pole to this much v from it.
 #[inline(always)]
-pub fn row<S: Simd>(simd: S, frame: &Frame, v: F<S>) -> V3<S> {
+pub fn row<S: Simd>(simd: S, frame: &FrameUniform, v: F<S>) -> V3<S> {
     let up = arc(v * 0.5, -1.0);
     let sine = up.sine * 2.0 * (up.versine + 1.0);
     let versine = up.sine * up.sine * -2.0;
@@ -59,6 +59,6 @@ pub fn row<S: Simd>(simd: S, frame: &Frame, v: F<S>) -> V3<S> {
 
 /// cosh u times the line of sight in this column and row.
 #[inline(always)]
-pub fn line<S: Simd>(simd: S, frame: &Frame, column: F<S>, row: V3<S>) -> V3<S> {
+pub fn line<S: Simd>(simd: S, frame: &FrameUniform, column: F<S>, row: V3<S>) -> V3<S> {
     V3::of_four(simd, frame.base) + V3::of_four(simd, frame.clip_right) * column + row
 }

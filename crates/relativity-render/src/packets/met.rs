@@ -1,19 +1,16 @@
 //! The meeting of a packet's rays with a body that is seen there.
 
-use super::body::{Body, Group, Ray, Surface};
+use super::body::{RestRays, Surface};
 use super::look::{Look, Seen};
-use super::spin::Spin;
 use super::tile::{Owner, Packet, RayTest};
-use super::turning::{doppler_of, surface_when_shown};
+use super::turning::TurningBody;
 use crate::lanes::{F, Simd};
 
 /// The meeting of eight pixels with a body.
 pub struct Met<'a, S: Simd> {
-    pub group: Group<'a>,
     pub seen: Seen<'a>,
-    pub body: Body<S>,
-    pub spin: Spin<S>,
-    pub ray: &'a Ray<S>,
+    pub turning: TurningBody<'a, S>,
+    pub ray: &'a RestRays<S>,
     pub surface: Surface<S>,
     pub test: RayTest<S>,
     /// Doppler factor of the light from there.
@@ -26,15 +23,12 @@ impl<'a, S: Simd> Met<'a, S> {
     /// Returns the meeting with `owner`, in a packet with `N` samples to a pixel: in a picture there is more than one.
     #[inline(always)]
     pub fn new<const N: usize>(simd: S, look: &'a Look<'a>, owner: Owner, packet: &'a Packet<S, N>) -> Self {
-        let (group, seen, ray) = (look.group(owner.group), look.seen(owner.number), &packet.ray);
-        let (kind, turns) = (seen.body.kind, seen.turns);
-        let body = Body::new(simd, &seen.shown.placement);
-        let spin = Spin::new(simd, &seen.shown);
-        let surface = surface_when_shown(simd, kind, turns, &group, &body, ray, &spin);
-        let test = RayTest::new(simd, &group, kind, &body, ray, surface, N > 1);
-        let Surface { place, normal, .. } = surface;
-        let doppler = doppler_of(kind, turns, &group, &body, place, normal, ray.sight, ray.doppler, &spin);
+        let (seen, ray) = (look.seen(owner.number), &packet.ray);
+        let turning = TurningBody::new(simd, look.group(owner.group), &seen);
+        let surface = turning.surface_when_shown(simd, ray);
+        let test = RayTest::new(simd, &turning.group, turning.kind, &turning.body, ray, surface, N > 1);
+        let doppler = turning.doppler(surface.place, surface.normal, ray);
         let distance = test.distance * ray.ground_per_rest;
-        Self { group, seen, body, spin, ray, surface, test, doppler, distance }
+        Self { seen, turning, ray, surface, test, doppler, distance }
     }
 }

@@ -37,7 +37,7 @@ mod turning;
 
 use fearless_simd::Level;
 
-use crate::canvas::Measures;
+use crate::canvas::HitNumbers;
 use crate::picture::Picture;
 use crate::reference::HitImage;
 use crate::registers::{on_registers, widest};
@@ -88,6 +88,6 @@ impl PacketRenderer {
             });
         });
         let (measures, places) = both.into_iter().unzip();
-        Measures { measures, places }.hit_image(scene, view)
+        HitNumbers { measures, places }.hit_image(scene, view)
     }
 }

@@ -4,18 +4,17 @@
 
 use glam::DVec3;
 
-use super::body::{Body, Group, Ray, own_ray};
+use super::body::{PacketBody, PacketGroup, RestRays, own_ray};
 use super::colour::Hatched;
 use super::look::{Look, Seen};
 use super::pattern::shifts;
 use super::ray::height_on_ground;
 use super::received::Element;
-use super::spin::Spin;
 use super::tables::Tables;
-use super::turning::doppler_of;
+use super::turning::TurningBody;
 use crate::intersect::Entry;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3};
-use crate::pattern::Covered;
+use crate::pattern::SampleShifts;
 use crate::ray::Ray as Near;
 use crate::triangles::Triangles;
 use crate::view::Appearance;
@@ -105,9 +104,9 @@ impl<S: Simd> Meetings<S> {
     pub fn new(
         simd: S,
         triangles: &Triangles,
-        group: &Group<'_>,
-        body: &Body<S>,
-        ray: &Ray<S>,
+        group: &PacketGroup<'_>,
+        body: &PacketBody<S>,
+        ray: &RestRays<S>,
         side: f64,
     ) -> Self {
         let own = own_ray(simd, body, ray);
@@ -129,7 +128,11 @@ impl<S: Simd> Meetings<S> {
             let crossing = triangles.crossing(start, direction, behind)?;
             let covered = || {
                 let distance = (f64::from(to_middle[lane]) + crossing.distance) / side;
-                Covered::new(direction, crossing.normal, shifts.map(|shift| vector(shift, lane) * distance))
+                SampleShifts::new(
+                    direction,
+                    crossing.normal,
+                    shifts.map(|shift| vector(shift, lane) * distance),
+                )
             };
             Some(ModelMeeting {
                 distance: crossing.distance,
@@ -160,15 +163,14 @@ impl<S: Simd> Meetings<S> {
         seen: &Seen<'_>,
         turning: &TurningSolid,
         triangles: &Triangles,
-        ray: &Ray<S>,
+        ray: &RestRays<S>,
         side: f64,
     ) -> Self {
-        let (number, group) = (seen.number, look.group(seen.body.group));
+        let (number, there) = (seen.number, TurningBody::new(simd, look.group(seen.body.group), seen));
         let (view, solid) = (&look.views[seen.body.group], look.scene.solid(number));
         let middle = look.scene.groups()[seen.body.group].extent.middle;
         let sight_axes = view.velocity.sight_axes();
-        let body = Body::new(simd, &seen.shown.placement);
-        let [right, down] = shifts(&group, ray);
+        let [right, down] = shifts(&there.group, ray);
         let shifts = [right * ray.ground_per_rest, down * ray.ground_per_rest];
         let found = FoundMeetings::new(simd, |lane| {
             let sight = sight_axes * vector(ray.sight, lane);
@@ -179,7 +181,7 @@ impl<S: Simd> Meetings<S> {
             let covered = || {
                 let distance = (near.from_camera + distance) / side;
                 let shifts = shifts.map(|shift| vector(shift, lane) * distance);
-                let covered = Covered::new(rest.direction, normal, shifts);
+                let covered = SampleShifts::new(rest.direction, normal, shifts);
                 let turn = view.turn_at(&seen.body.spin?, position);
                 Some(covered.turned_back(turn))
             };
@@ -187,23 +189,21 @@ impl<S: Simd> Meetings<S> {
                 |gradient| covered().map_or(0.0, |covered| covered.range(solid.rest_from_box(gradient)));
             Some(ModelMeeting {
                 distance,
-                place: position - middle - vector(body.place, lane),
+                place: position - middle - vector(there.body.place, lane),
                 normal,
                 paint: triangles.paint_over(triangle?, range),
                 triangle: triangle?.triangle,
             })
         });
         let FoundMeetings { holds, distance: beyond, place, normal, paint, triangle } = found;
-        let spin = Spin::new(simd, &seen.shown);
-        let (kind, turns) = (seen.body.kind, seen.turns);
-        let doppler = doppler_of(kind, turns, &group, &body, place, normal, ray.sight, ray.doppler, &spin);
+        let doppler = there.doppler(place, normal, ray);
         let distance = (ray.to_centre + beyond) * ray.ground_per_rest;
         Self { holds, beyond, place, normal, paint, triangle, doppler, distance }
     }
 
     /// Returns where they meet it and not below the ground.
     #[inline(always)]
-    pub fn above_ground(&self, group: &Group<'_>, body: &Body<S>) -> Mask<S> {
+    pub fn above_ground(&self, group: &PacketGroup<'_>, body: &PacketBody<S>) -> Mask<S> {
         let height = body.place.z + self.place.z + group.frame.middle[2];
         let height = height_on_ground(group, height, body.place + self.place);
         self.holds & height.simd_ge(group.frame.ground[2])
@@ -220,10 +220,10 @@ impl<S: Simd> Meetings<S> {
         number: usize,
         hatched: Hatched<'_>,
     ) -> V3<S> {
-        let (group, seen) = (look.group(look.scene.group_of(number)), look.seen(number));
-        let (body, spin) = (Body::new(simd, &seen.shown.placement), Spin::new(simd, &seen.shown));
+        let seen = look.seen(number);
+        let turning = TurningBody::new(simd, look.group(look.scene.group_of(number)), &seen);
         let Self { place, normal, doppler, .. } = *self;
-        let there = Element { group: &group, seen: &seen, body: &body, spin: &spin, place, normal, doppler };
+        let there = Element { seen: &seen, turning: &turning, place, normal, doppler };
         let colour = there.colour(simd, look, appearance, tables, hatched);
         let mut factors = [[0.0; LANES]; 3];
         for lane in 0..LANES {

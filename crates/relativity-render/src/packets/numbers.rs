@@ -1,14 +1,12 @@
 //! The numbers of a tile.
 
-use super::body::Body;
-use super::look::{Look, Seen};
+use super::look::Look;
 use super::met::Met;
 use super::model::Meetings;
 use super::places::{packet_places, write_one};
-use super::spin::Spin;
 use super::tile::{Packet, TileContents};
-use super::turning::place_of_hit;
-use crate::candidates::Rows;
+use super::turning::TurningBody;
+use crate::candidates::PixelRows;
 use crate::lanes::{F, LANES, Simd, SimdFloat, V3, all};
 use crate::tiles::Tile;
 
@@ -27,16 +25,15 @@ struct Shown<S: Simd> {
 impl<S: Simd> Shown<S> {
     #[inline(always)]
     fn new(simd: S, met: &Met<'_, S>) -> Self {
-        let Met { seen, body, spin, surface, doppler, distance, .. } = met;
-        let place = place_of_hit(seen.body.kind, seen.turns, body, surface.place, spin);
+        let Met { turning, surface, doppler, distance, .. } = met;
+        let place = turning.place_of_hit(surface.place);
         Self { place, doppler: *doppler, distance: *distance, triangle: all(simd, 0.0) }
     }
 
     #[inline(always)]
-    fn of_model(simd: S, seen: &Seen<'_>, meetings: &Meetings<S>) -> Self {
+    fn of_model(turning: &TurningBody<'_, S>, meetings: &Meetings<S>) -> Self {
         let Meetings { place, doppler, distance, triangle, .. } = *meetings;
-        let (body, spin) = (Body::new(simd, &seen.shown.placement), Spin::new(simd, &seen.shown));
-        let place = place_of_hit(seen.body.kind, seen.turns, &body, place, &spin);
+        let place = turning.place_of_hit(place);
         Self { place, doppler, distance, triangle }
     }
 }
@@ -44,7 +41,7 @@ impl<S: Simd> Shown<S> {
 impl<S: Simd> TileContents<S, 1> {
     /// Writes what the pixels of `tile` show into `rows`.
     #[inline(always)]
-    pub fn measure(&self, simd: S, look: &Look<'_>, tile: &Tile, rows: &mut Rows<'_, Numbers>) {
+    pub fn measure(&self, simd: S, look: &Look<'_>, tile: &Tile, rows: &mut PixelRows<'_, Numbers>) {
         for packet in &self.packets {
             let corner = packet_places(tile.corner, packet.place);
             for owner in packet.owners[0]..packet.owners[1] {
@@ -53,7 +50,11 @@ impl<S: Simd> TileContents<S, 1> {
                 let owner = self.owners[owner];
                 let shown = match model {
                     None => Shown::new(simd, &Met::new(simd, look, owner, packet)),
-                    Some([meetings]) => Shown::of_model(simd, &look.seen(owner.number), meetings),
+                    Some([meetings]) => {
+                        let turning =
+                            TurningBody::new(simd, look.group(owner.group), &look.seen(owner.number));
+                        Shown::of_model(&turning, meetings)
+                    }
                 };
                 let Shown { place, doppler, distance, triangle } = shown;
                 let holds: [i32; LANES] = packet.solid[0].owner.simd_eq(at).into();

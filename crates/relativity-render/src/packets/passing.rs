@@ -1,6 +1,6 @@
 //! Packets of a tile, eight of them, in which a body may be seen: a lane is a packet here.
 
-use super::body::{Body, Group, Ray};
+use super::body::{PacketBody, PacketGroup, RestRays};
 use super::places::{PACKETS, packet_places};
 use super::ray::{corner_sights, line_of_sight, nearest_to, rest_ray};
 use super::shape::{around, ring};
@@ -10,7 +10,7 @@ use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3, all, clamp, se
 /// The ray through the middle of each packet, and how far others of it are off that.
 #[derive(Debug, Clone, Copy)]
 pub struct Middles<S: Simd> {
-    ray: Ray<S>,
+    ray: RestRays<S>,
     /// Per distance, with a pixel around the middles of its pixels: no sample is further off them than 0.4 px, and nothing is
     /// widened by more than half a pixel. Without an end where its image is not small.
     spread: F<S>,
@@ -21,7 +21,7 @@ pub struct Middles<S: Simd> {
 impl<S: Simd> Middles<S> {
     /// Returns the rays of the tile with this `corner`.
     #[inline(always)]
-    pub fn new(simd: S, group: &Group<'_>, corner: [u32; 2]) -> Self {
+    pub fn new(simd: S, group: &PacketGroup<'_>, corner: [u32; 2]) -> Self {
         let places: [[f32; 2]; LANES] = std::array::from_fn(|packet| {
             let [u, v] = packet_places(corner, packet);
             [u as f32 + 2.0, v as f32 + 1.0]
@@ -59,7 +59,7 @@ impl<S: Simd> Middles<S> {
 
     /// Returns those packets that `body` may be seen in, unless all of it is farther there than the `farthest` of what covers them.
     #[inline(always)]
-    pub fn may_show(&self, kind: Kind, body: &Body<S>, farthest: [f32; PACKETS]) -> Mask<S> {
+    pub fn may_show(&self, kind: Kind, body: &PacketBody<S>, farthest: [f32; PACKETS]) -> Mask<S> {
         let farthest = F::simd_from(self.spread.simd, farthest);
         may_show(kind, body, &self.ray, self.spread, farthest)
     }
@@ -67,7 +67,13 @@ impl<S: Simd> Middles<S> {
 
 /// Returns where `body` may be seen within this `spread` of a ray per distance, unless all of it is farther than this.
 #[inline(always)]
-pub fn may_show<S: Simd>(kind: Kind, body: &Body<S>, ray: &Ray<S>, spread: F<S>, farthest: F<S>) -> Mask<S> {
+pub fn may_show<S: Simd>(
+    kind: Kind,
+    body: &PacketBody<S>,
+    ray: &RestRays<S>,
+    spread: F<S>,
+    farthest: F<S>,
+) -> Mask<S> {
     let n = ray.direction;
     let capsule = around(kind, body);
     let anchor = (capsule.place + capsule.end) * 0.5;

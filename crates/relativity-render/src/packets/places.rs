@@ -1,6 +1,6 @@
 //! Places of the packets in a tile of 8 x 8 pixels, and their pixels.
 
-use crate::candidates::Rows;
+use crate::candidates::PixelRows;
 use crate::lanes::{F, LANES, Simd, SimdFrom};
 use crate::tiles::Tile;
 
@@ -27,7 +27,7 @@ pub fn pixel_of_lane([left, top]: [u32; 2], lane: usize) -> [u32; 2] {
 
 /// Writes the pixel in this lane of the packet with this corner, if it is in `tile`, into the rows that that is in.
 #[inline(always)]
-pub fn write_one<T>(tile: &Tile, [left, top]: [u32; 2], rows: &mut Rows<'_, T>, lane: usize, value: T) {
+pub fn write_one<T>(tile: &Tile, [left, top]: [u32; 2], rows: &mut PixelRows<'_, T>, lane: usize, value: T) {
     let [u, v] = pixel_of_lane([left, top], lane);
     if u < tile.corner[0] + tile.size[0] && v < tile.corner[1] + tile.size[1] {
         rows.put([u, v], value);

@@ -1,21 +1,18 @@
 //! The light that is received from where rays meet a body.
 
-use super::body::{Body, Group};
 use super::colour::{Hatched, received_colour};
 use super::daylight::facing_of;
 use super::look::{Look, Seen};
-use super::spin::Spin;
 use super::tables::Tables;
+use super::turning::TurningBody;
 use crate::effects::Spectrum;
 use crate::lanes::{F, Simd, V3};
 use crate::view::Appearance;
 
 /// A surface element where eight rays meet a body, and the Doppler factor of the light from there.
 pub struct Element<'a, S: Simd> {
-    pub group: &'a Group<'a>,
     pub seen: &'a Seen<'a>,
-    pub body: &'a Body<S>,
-    pub spin: &'a Spin<S>,
+    pub turning: &'a TurningBody<'a, S>,
     /// From the middle of the body.
     pub place: V3<S>,
     pub normal: V3<S>,
@@ -33,16 +30,11 @@ impl<S: Simd> Element<'_, S> {
         tables: &Tables,
         hatched: Hatched<'_>,
     ) -> V3<S> {
-        let &Self { group, seen, body, spin, place, normal, doppler } = self;
-        let (kind, turns) = (seen.body.kind, seen.turns);
-        let effects = look.effects(seen.body.group, turns, appearance);
-        let light = look.light(seen.body, turns, appearance);
+        let &Self { seen, turning, place, normal, doppler } = self;
+        let effects = look.effects(seen.body.group, seen.turns, appearance);
+        let light = look.light(seen.body, seen.turns, appearance);
         let is_lit_by_the_street = effects.spectrum() == Spectrum::StreetDaylight;
-        let facing = if is_lit_by_the_street {
-            Some(facing_of(simd, kind, turns, group, body, place, normal, spin))
-        } else {
-            None
-        };
+        let facing = if is_lit_by_the_street { Some(facing_of(simd, turning, place, normal)) } else { None };
         let colour = received_colour(effects, tables, light, doppler, normal, facing, hatched);
         colour * (seen.body.brightness as f32)
     }

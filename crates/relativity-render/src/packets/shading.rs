@@ -12,16 +12,16 @@ use super::ray::TileSights;
 use super::received::Element;
 use super::tables::Tables;
 use super::tile::{Owner, Packet, TileContents};
-use super::turning::standing;
-use crate::backdrop::Part;
-use crate::candidates::Rows;
+use super::turning::{Standing, TurningBody};
+use crate::backdrop::BackdropPart;
+use crate::candidates::PixelRows;
 use crate::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select};
 use crate::tiles::Tile;
 use crate::view::Appearance;
 
 /// The pixels of a tile behind which no body is.
 #[inline(always)]
-pub fn shade_backdrop<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile, rows: &mut Rows<'_, [u8; 4]>) {
+pub fn shade_backdrop<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile, rows: &mut PixelRows<'_, [u8; 4]>) {
     let part = part_of(simd, look, tile);
     let sights = TileSights::new(simd, look.frame(), tile.corner);
     for place in 0..PACKETS {
@@ -31,12 +31,12 @@ pub fn shade_backdrop<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile, rows: &mut
 }
 
 #[inline(always)]
-fn part_of<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile) -> Part {
+fn part_of<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile) -> BackdropPart {
     part(simd, look.frame(), tile.corner.map(|v| v as f32), tile.size.map(|v| v as f32))
 }
 
 #[inline(always)]
-fn write(tile: &Tile, corner: [u32; 2], rows: &mut Rows<'_, [u8; 4]>, pixels: [[u8; 4]; LANES]) {
+fn write(tile: &Tile, corner: [u32; 2], rows: &mut PixelRows<'_, [u8; 4]>, pixels: [[u8; 4]; LANES]) {
     for (lane, pixel) in pixels.into_iter().enumerate() {
         write_one(tile, corner, rows, lane, pixel);
     }
@@ -52,7 +52,7 @@ impl<S: Simd> TileContents<S, 4> {
         appearance: &Appearance,
         tables: &Tables,
         tile: &Tile,
-        rows: &mut Rows<'_, [u8; 4]>,
+        rows: &mut PixelRows<'_, [u8; 4]>,
     ) {
         let part = part_of(simd, look, tile);
         let sights = TileSights::new(simd, look.frame(), tile.corner);
@@ -163,19 +163,17 @@ impl<S: Simd> TileContents<S, 4> {
         simd.vectorize(
             #[inline(always)]
             || {
-                let Met { group, seen, body, spin, ray, surface, test, doppler, distance } =
+                let Met { seen, turning, ray, surface, test, doppler, distance } =
                     Met::new(simd, look, owner, packet);
                 let Surface { place, normal, .. } = surface;
-                let there =
-                    Element { group: &group, seen: &seen, body: &body, spin: &spin, place, normal, doppler };
+                let there = Element { seen: &seen, turning: &turning, place, normal, doppler };
                 let colour = there.colour(simd, look, appearance, tables, hatched);
                 if seen.body.marking.is_none() {
                     return (colour, test.alpha);
                 }
-                let (kind, turns) = (seen.body.kind, seen.turns);
-                let there = standing(simd, kind, turns, &group, &body, place, &spin);
-                let pattern = seen.body.pattern();
-                let mark = mark(simd, kind, &group, &there.body, pattern, there.place, normal, ray, distance);
+                let (TurningBody { kind, group, .. }, pattern) = (&turning, seen.body.pattern());
+                let Standing { body, place } = turning.standing(simd, place);
+                let mark = mark(simd, *kind, group, &body, pattern, place, normal, ray, distance);
                 (colour * mark, test.alpha)
             },
         )

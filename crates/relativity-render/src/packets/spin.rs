@@ -1,13 +1,13 @@
 //! The turning of a body about an axle along y, and its angle at the moment that a ray shows: `shaders/turning.wgsl`.
 
-use super::body::Group;
+use super::body::PacketGroup;
 use crate::lanes::{F, Simd, SimdFloat, V3, all, select};
 use crate::view::Geometry;
 use crate::wheel::packed::TurningStart;
 
 /// The axle of a turning body, and its speed.
 #[derive(Debug, Clone, Copy)]
-pub struct Spin<S: Simd> {
+pub struct PacketSpin<S: Simd> {
     /// The middle of the axle, from the group's.
     pub hub: V3<S>,
     /// The angular velocity about +y.
@@ -26,12 +26,12 @@ pub struct Later<S: Simd> {
 
 /// Sine and cosine of an angle.
 #[derive(Clone, Copy)]
-pub struct Turn<S: Simd> {
+pub struct SineCosine<S: Simd> {
     pub sine: F<S>,
     pub cosine: F<S>,
 }
 
-impl<S: Simd> Spin<S> {
+impl<S: Simd> PacketSpin<S> {
     /// Unpacks the uniforms of the shaders.
     #[inline(always)]
     pub fn new(simd: S, shown: &TurningStart) -> Self {
@@ -47,7 +47,7 @@ impl<S: Simd> Spin<S> {
 
 /// Returns how much later the place `q`, from the hub, is shown than the hub.
 #[inline(always)]
-pub fn later<S: Simd>(simd: S, group: &Group, q: V3<S>, spin: &Spin<S>) -> Later<S> {
+pub fn later<S: Simd>(simd: S, group: &PacketGroup, q: V3<S>, spin: &PacketSpin<S>) -> Later<S> {
     let frame = group.frame;
     if group.geometry == Geometry::Contracted {
         // One time of the camera's.
@@ -79,7 +79,7 @@ fn later_from<S: Simd>(hub: V3<S>, q: V3<S>) -> Later<S> {
 /// Sine and cosine within 2e-7 for moderate angles. Polynomials of S. L. Moshier's Cephes library (1989).
 #[expect(clippy::excessive_precision, reason = "as they are published")]
 #[inline(always)]
-pub fn sine_cosine<S: Simd>(angle: F<S>) -> Turn<S> {
+pub fn sine_cosine<S: Simd>(angle: F<S>) -> SineCosine<S> {
     let quarters = (angle * std::f32::consts::FRAC_2_PI).round_ties_even();
     let x = (angle - quarters * 1.570_312_5) - quarters * 4.838_267_9e-4;
     let xx = x * x;
@@ -89,8 +89,8 @@ pub fn sine_cosine<S: Simd>(angle: F<S>) -> Turn<S> {
     let quarter = quarters - 4.0 * (0.25 * quarters).floor();
     let is_odd = quarter.simd_eq(1.0) | quarter.simd_eq(3.0);
     let is_reversed = quarter.simd_ge(2.0);
-    let along = Turn { sine: select(is_odd, cosine, sine), cosine: select(is_odd, -sine, cosine) };
-    Turn {
+    let along = SineCosine { sine: select(is_odd, cosine, sine), cosine: select(is_odd, -sine, cosine) };
+    SineCosine {
         sine: select(is_reversed, -along.sine, along.sine),
         cosine: select(is_reversed, -along.cosine, along.cosine),
     }
@@ -98,13 +98,13 @@ pub fn sine_cosine<S: Simd>(angle: F<S>) -> Turn<S> {
 
 /// `v` turned about +y: from z towards x.
 #[inline(always)]
-pub fn about_y<S: Simd>(v: V3<S>, turn: Turn<S>) -> V3<S> {
-    let Turn { sine, cosine } = turn;
+pub fn about_y<S: Simd>(v: V3<S>, turn: SineCosine<S>) -> V3<S> {
+    let SineCosine { sine, cosine } = turn;
     V3::new(v.x * cosine + v.z * sine, v.y, v.z * cosine - v.x * sine)
 }
 
 /// The velocity of what turns so at `q` from the hub.
 #[inline(always)]
-pub fn velocity_at<S: Simd>(simd: S, q: V3<S>, spin: &Spin<S>) -> V3<S> {
+pub fn velocity_at<S: Simd>(simd: S, q: V3<S>, spin: &PacketSpin<S>) -> V3<S> {
     V3::new(q.z, all(simd, 0.0), -q.x) * spin.omega
 }

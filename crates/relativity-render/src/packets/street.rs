@@ -1,18 +1,18 @@
 //! House fronts beside a road, as `shaders/street.wgsl` has them.
 
-use crate::frame::Frame;
+use crate::frame::FrameUniform;
 use crate::lanes::{F, Mask, Simd, SimdFloat as _, V2, V3, all, clamp, select};
 use crate::street::{CORNICE, COURSE, FRAME, HOUSE_WIDTH};
 
 /// The range that a pixel covers along one axis.
 #[derive(Debug, Clone, Copy)]
-pub struct Covered<S: Simd> {
+pub struct CoveredRange<S: Simd> {
     half: F<S>,
     share_per_length: F<S>,
 }
 
 /// Colour, and the share of the pixel that is covered.
-pub struct Front<S: Simd> {
+pub struct FrontPixels<S: Simd> {
     pub colour: V3<S>,
     pub cover: F<S>,
 }
@@ -22,11 +22,11 @@ pub struct Front<S: Simd> {
 struct Pixel<S: Simd> {
     place: V2<S>,
     size: V2<S>,
-    along: Covered<S>,
-    upwards: Covered<S>,
+    along: CoveredRange<S>,
+    upwards: CoveredRange<S>,
 }
 
-impl<S: Simd> Covered<S> {
+impl<S: Simd> CoveredRange<S> {
     /// Returns the coverage of a pixel of this size.
     #[inline(always)]
     pub fn new(pixel: F<S>) -> Self {
@@ -60,7 +60,7 @@ impl<S: Simd> Pixel<S> {
     }
 
     #[inline(always)]
-    fn houses(&self, frame: &Frame) -> V3<S> {
+    fn houses(&self, frame: &FrameUniform) -> V3<S> {
         const WIDTH: f32 = HOUSE_WIDTH as f32;
         let simd = self.place.x.simd;
         let end = self.place.x + self.size.x * 0.5;
@@ -75,7 +75,7 @@ impl<S: Simd> Pixel<S> {
     }
 
     #[inline(always)]
-    fn house_in_turn(&self, frame: &Frame, number: F<S>) -> V3<S> {
+    fn house_in_turn(&self, frame: &FrameUniform, number: F<S>) -> V3<S> {
         let simd = number.simd;
         let turn = number - (number / 3.0).floor() * 3.0;
         let (is_first, is_second): (Mask<S>, Mask<S>) = (turn.simd_lt(0.5), turn.simd_lt(1.5));
@@ -88,7 +88,7 @@ impl<S: Simd> Pixel<S> {
 
     /// Share of the pixel along the fronts that openings of this number cover, with a `margin` around them.
     #[inline(always)]
-    fn along_openings(&self, frame: &Frame, number: usize, period: f64, margin: f32) -> F<S> {
+    fn along_openings(&self, frame: &FrameUniform, number: usize, period: f64, margin: f32) -> F<S> {
         let [from, length, ..] = frame.openings[number];
         let place = self.place.x - from + margin;
         self.along.repeated_cover(place, length + 2.0 * margin, period as f32)
@@ -96,14 +96,14 @@ impl<S: Simd> Pixel<S> {
 
     /// Returns the coverage of openings upwards.
     #[inline(always)]
-    fn up_openings(&self, frame: &Frame, number: usize, margin: f32) -> F<S> {
+    fn up_openings(&self, frame: &FrameUniform, number: usize, margin: f32) -> F<S> {
         let simd = self.place.y.simd;
         let [_, _, lowest, highest] = frame.openings[number];
         self.upwards.band_cover(self.place.y, all(simd, lowest - margin), all(simd, highest + margin))
     }
 
     #[inline(always)]
-    fn openings_cover(&self, frame: &Frame, margin: f32) -> V3<S> {
+    fn openings_cover(&self, frame: &FrameUniform, margin: f32) -> V3<S> {
         let windows = self.up_openings(frame, 0, margin) + self.up_openings(frame, 1, margin);
         let [doors, shops] = [self.up_openings(frame, 2, margin), self.up_openings(frame, 3, margin)];
         V3::new(
@@ -116,10 +116,10 @@ impl<S: Simd> Pixel<S> {
 
 /// Returns what a pixel of this size shows of the fronts at this place.
 #[inline(always)]
-pub fn front<S: Simd>(frame: &Frame, place: V2<S>, size: V2<S>) -> Front<S> {
+pub fn front<S: Simd>(frame: &FrameUniform, place: V2<S>, size: V2<S>) -> FrontPixels<S> {
     let simd = place.x.simd;
     let [.., wall, stone, glass, door, shop] = frame.backdrop;
-    let pixel = Pixel { place, size, along: Covered::new(size.x), upwards: Covered::new(size.y) };
+    let pixel = Pixel { place, size, along: CoveredRange::new(size.x), upwards: CoveredRange::new(size.y) };
     let house = pixel.houses(frame);
     let openings = pixel.openings_cover(frame, 0.0);
     let framed = pixel.openings_cover(frame, FRAME as f32);
@@ -131,5 +131,5 @@ pub fn front<S: Simd>(frame: &Frame, place: V2<S>, size: V2<S>) -> Front<S> {
     let walls = V3::mix(V3::of_four(simd, wall) * house.x, V3::of_four(simd, stone), stones);
     let glazed = V3::mix(walls, V3::of_four(simd, glass), openings.x);
     let with_doors = V3::mix(glazed, V3::of_four(simd, door), openings.y);
-    Front { colour: V3::mix(with_doors, V3::of_four(simd, shop), openings.z), cover: house.y }
+    FrontPixels { colour: V3::mix(with_doors, V3::of_four(simd, shop), openings.z), cover: house.y }
 }

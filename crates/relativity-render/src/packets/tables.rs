@@ -86,7 +86,7 @@ impl Tables {
 
 /// Light as a screen shows it, as [`crate::light::ScreenLight`].
 #[derive(Debug, Clone, Copy)]
-pub struct ScreenLight<S: Simd> {
+pub struct ScreenLights<S: Simd> {
     pub colour: V3<S>,
     /// The unseen share; `None` where it is 0 everywhere.
     pub unseen: Option<F<S>>,
@@ -133,14 +133,14 @@ pub fn shown<S: Simd>(
     light: V3<S>,
     row: usize,
     place: F<S>,
-) -> ScreenLight<S> {
+) -> ScreenLights<S> {
     let largest = light.x.max(light.y).max(light.z);
     let toned = shoulder(largest);
     let colour = light * (toned / largest.max(1e-30));
     if !effects.invisible {
-        return ScreenLight { colour, unseen: None };
+        return ScreenLights { colour, unseen: None };
     }
     let left = 1.0 - toned;
     let square = left * left;
-    ScreenLight { colour, unseen: Some(tables.unseen(row, place) * (square * square)) }
+    ScreenLights { colour, unseen: Some(tables.unseen(row, place) * (square * square)) }
 }

@@ -3,11 +3,11 @@
 use glam::DVec3;
 use relativity_core::math::{atan2, hypot};
 
-use crate::shape::Form;
+use crate::shape::PreparedShape;
 
 /// A place on a round shape, in the shape's own coordinates.
 #[derive(Debug, Clone, Copy)]
-pub struct Chart {
+pub struct SurfacePlace {
     /// Arc along the axis, from the beginning; and its gradient.
     pub along: f64,
     pub along_gradient: DVec3,
@@ -18,9 +18,9 @@ pub struct Chart {
     pub off_axis: f64,
 }
 
-impl Chart {
+impl SurfacePlace {
     /// Returns the chart of `place`, on a round shape of this `form`, in its own axes.
-    pub fn new(form: &Form, place: DVec3, normal: DVec3) -> Self {
+    pub fn new(form: &PreparedShape, place: DVec3, normal: DVec3) -> Self {
         let DVec3 { x, y, z } = place;
         let off_axis = hypot(x, y);
         let outward = DVec3::new(x, y, 0.0) / off_axis.max(1e-30);

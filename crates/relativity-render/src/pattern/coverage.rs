@@ -12,12 +12,12 @@ pub const GRAZING: f64 = 1e-3;
 /// The coverage of a sample of a picture: the shifts on the surface towards the next sample to
 /// the right, and below.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Covered {
+pub struct SampleShifts {
     right: DVec3,
     down: DVec3,
 }
 
-impl Covered {
+impl SampleShifts {
     /// The coverage of a point.
     pub const NOTHING: Self = Self { right: DVec3::ZERO, down: DVec3::ZERO };
 
@@ -111,7 +111,7 @@ mod tests {
     #[test]
     fn a_surface_seen_aslant_covers_more_of_it() {
         let normal = DVec3::new(0.6, -0.8, 0.0);
-        let covered = Covered::new(DVec3::Y, normal, [DVec3::X, DVec3::Z]);
+        let covered = SampleShifts::new(DVec3::Y, normal, [DVec3::X, DVec3::Z]);
         // Along the surface, within the plane of ray and normal, a pixel is 1/cos wide.
         let along = DVec3::new(0.8, 0.6, 0.0);
         assert!((covered.range(along) - 1.0 / 0.8).abs() < 1e-15);

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use relativity_core::math::hypot;
 
-use super::coverage::{Covered, disc, rim};
+use super::coverage::{SampleShifts, disc, rim};
 
 /// Radius of a pip, in half edges of the smaller edge of its face.
 pub const PIP_RADIUS: f64 = 0.19;
@@ -13,7 +13,7 @@ pub const PIP_PLACE: f64 = 0.52;
 pub const RIM: f64 = 0.035;
 
 /// Returns the darkness of a die's face at `place`.
-pub fn face(half: DVec3, place: DVec3, normal: DVec3, covered: Covered) -> f64 {
+pub fn face(half: DVec3, place: DVec3, normal: DVec3, covered: SampleShifts) -> f64 {
     let [axis, a, b] = if normal.x.abs() > normal.y.abs().max(normal.z.abs()) {
         [DVec3::X, DVec3::Y, DVec3::Z]
     } else if normal.y.abs() > normal.z.abs() {

@@ -15,10 +15,10 @@ use glam::{DQuat, DVec3};
 
 use crate::body::Pattern;
 use crate::effects::{Constant, number};
-use crate::shape::Form;
+use crate::shape::PreparedShape;
 use crate::view::Geometry;
-use chart::Chart;
-pub(crate) use coverage::Covered;
+use chart::SurfacePlace;
+pub(crate) use coverage::SampleShifts;
 use coverage::{line, wave};
 
 /// Share of the light that is left where a pattern is dark.
@@ -49,7 +49,7 @@ pub(crate) fn constants(has_patterns: bool, geometry: Geometry) -> [Constant; 11
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Marking {
     ruling: Ruling,
-    form: Form,
+    form: PreparedShape,
     /// From the body's own axes to those of the rest frame.
     turn: DQuat,
     /// From one line or square to the next: along the axis, a length; around it, radians.
@@ -68,10 +68,10 @@ pub(crate) enum Ruling {
 
 impl Marking {
     /// Returns the marking of `pattern` on this `form`, with this `turn`; `None` where that leaves a body plain.
-    pub fn new(pattern: Pattern, form: Form, turn: DQuat) -> Option<Self> {
+    pub fn new(pattern: Pattern, form: PreparedShape, turn: DQuat) -> Option<Self> {
         let (ruling, [along_step, around_step]) = match (pattern, form) {
-            (Pattern::Faces, Form::Box(_)) => (Ruling::Faces, [1.0; 2]),
-            (Pattern::Plain | Pattern::Faces, _) | (Pattern::Graticule { .. }, Form::Box(_)) => {
+            (Pattern::Faces, PreparedShape::Box(_)) => (Ruling::Faces, [1.0; 2]),
+            (Pattern::Plain | Pattern::Faces, _) | (Pattern::Graticule { .. }, PreparedShape::Box(_)) => {
                 return None;
             }
             (Pattern::Graticule { step_degrees }, form) => {
@@ -91,19 +91,19 @@ impl Marking {
 
     /// Share of the light, in (0, 1], that is left at `place` (from the body's middle) with this `normal`, both in the
     /// rest frame, on average over what is `covered`.
-    pub fn mark(&self, place: DVec3, normal: DVec3, covered: Covered) -> f64 {
+    pub fn mark(&self, place: DVec3, normal: DVec3, covered: SampleShifts) -> f64 {
         let to_own = self.turn.conjugate();
         let [place, normal] = [place, normal].map(|v| to_own * v);
         1.0 - (1.0 - DARK) * self.darkness(place, normal, covered.turned(to_own))
     }
 
     /// Share of what is `covered` that is dark; in the body's own axes.
-    fn darkness(&self, place: DVec3, normal: DVec3, covered: Covered) -> f64 {
-        if let Form::Box(cuboid) = self.form {
+    fn darkness(&self, place: DVec3, normal: DVec3, covered: SampleShifts) -> f64 {
+        if let PreparedShape::Box(cuboid) = self.form {
             return self.darkness_of_box(cuboid.half, place, normal, covered);
         }
-        let chart = Chart::new(&self.form, place, normal);
-        let Chart { along, around, off_axis, .. } = chart;
+        let chart = SurfacePlace::new(&self.form, place, normal);
+        let SurfacePlace { along, around, off_axis, .. } = chart;
         let [along_step, around_step] = [self.along_step, self.around_step];
         let along_covered = covered.range(chart.along_gradient) / along_step;
         let around_covered = covered.range(chart.around_gradient) / around_step;
@@ -136,7 +136,7 @@ impl Marking {
         (below.dot(axis) + half_length, axis)
     }
 
-    fn darkness_of_box(&self, half: DVec3, place: DVec3, normal: DVec3, covered: Covered) -> f64 {
+    fn darkness_of_box(&self, half: DVec3, place: DVec3, normal: DVec3, covered: SampleShifts) -> f64 {
         let wave_along = |axis: DVec3| {
             let (level, gradient) = self.level(place, normal, half.dot(axis), axis);
             wave(level / self.along_step, covered.range(gradient) / self.along_step)

@@ -12,7 +12,7 @@ use glam::DVec2;
 
 use crate::capsule::Capsule;
 use crate::drawing::{Shot, Trait};
-use crate::footprint::{Bound, Footprint, Projection, Rectangle};
+use crate::footprint::{Bound, Footprint, FootprintMap, Rectangle};
 use crate::group_view::GroupView;
 use crate::kind::Kind;
 use crate::prepared_body::{Placement, PreparedBody};
@@ -73,7 +73,7 @@ impl Pieces {
         let thin_px = if shot.appearance.is_some() { THIN_PX } else { 0.0 };
         self.lists.values_mut().for_each(Vec::clear);
         for (number, view) in shot.views.iter().enumerate() {
-            let projection = Projection::new(view);
+            let projection = FootprintMap::new(view);
             let mut candidates = mem::take(&mut self.candidates);
             candidates.clear();
             add_candidates(shot.scene, number, view, bounds, &mut candidates);
@@ -110,7 +110,7 @@ impl Pieces {
 
     fn bound(
         &mut self,
-        projection: &Projection,
+        projection: &FootprintMap,
         view: &GroupView,
         scene: &PreparedScene,
         body: &PreparedBody,
@@ -174,13 +174,13 @@ fn add_candidates(scene: &PreparedScene, group: usize, view: &GroupView, bounds:
     out.dedup();
 }
 
-fn add_capsules(projection: &Projection, view: &GroupView, capsules: &[Capsule], out: &mut Vec<Rectangle>) {
+fn add_capsules(projection: &FootprintMap, view: &GroupView, capsules: &[Capsule], out: &mut Vec<Rectangle>) {
     for capsule in capsules {
         add_rectangles(projection, &capsule.along_motion_from_camera(view), MAX_HALVINGS, out);
     }
 }
 
-fn add_rectangles<B: Bound>(projection: &Projection, bound: &B, halvings: u32, out: &mut Vec<Rectangle>) {
+fn add_rectangles<B: Bound>(projection: &FootprintMap, bound: &B, halvings: u32, out: &mut Vec<Rectangle>) {
     let is_whole = halvings == 0 || bound.is_point();
     match bound.footprint(projection) {
         Some(Footprint::Hidden) => {}

@@ -5,7 +5,7 @@ use relativity_core::math;
 use relativity_core::math::sin_cos;
 
 use super::flat::{LEVEL, between_planes, block_distance};
-use super::questions::{CentredShape, Foot, LocalRay, Packed, PackedForm, PlacedShape, SegmentsNeeded};
+use super::questions::{CentredShape, Foot, LocalRay, PackedForm, PackedShape, PlacedShape, SegmentsNeeded};
 use super::round::Arc;
 use super::strokes::Stroke;
 use crate::block::Block;
@@ -102,9 +102,9 @@ impl PlacedShape for Cuboid {
         Some(Foot { place: center - DVec3::Z * half.z, radius: half.max_element(), half: shadow })
     }
 
-    fn packed(&self) -> Packed {
+    fn packed(&self) -> PackedShape {
         let form = PackedForm::Vector(self.half, 0.0);
-        Packed { place: self.center, radius: self.half.min_element(), form }
+        PackedShape { place: self.center, radius: self.half.min_element(), form }
     }
 }
 

@@ -6,8 +6,8 @@ use glam::{DQuat, DVec2, DVec3};
 use relativity_core::math;
 
 use super::flat::{LEVEL, between_planes, block_distance};
-use super::questions::{CentredShape, LocalRay, Packed, PackedForm, PlacedShape, SegmentsNeeded};
-use super::round::{Arc, circle, closing, disc, grid, outward, turn_to};
+use super::questions::{CentredShape, LocalRay, PackedForm, PackedShape, PlacedShape, SegmentsNeeded};
+use super::round::{Arc, circle, closing, disc, grid, outward};
 use super::strokes::{Path, Stroke};
 use crate::block::Block;
 use crate::capsule::Capsule;
@@ -18,21 +18,14 @@ use crate::wheel::spin::Spin;
 /// Samples around each end.
 const AROUND: u32 = 12;
 
-/// A cylinder where it is placed.
-pub(super) struct Cylinder {
-    pub from: DVec3,
-    pub to: DVec3,
-    pub radius: f64,
-}
+/// A cylinder where it is placed, by the capsule around it: questions that do not depend on what the ends look like are that one's.
+pub(super) struct Cylinder(pub Capsule);
 
 impl Cylinder {
-    fn half_length(&self) -> f64 {
-        0.5 * (self.to - self.from).length()
-    }
-
     /// Half its sizes along its own axes.
     fn half(&self) -> DVec3 {
-        DVec3::new(self.radius, self.radius, self.half_length())
+        let Capsule { from, to, radius } = self.0;
+        DVec3::new(radius, radius, 0.5 * (to - from).length())
     }
 }
 
@@ -46,51 +39,53 @@ impl PlacedShape for Cylinder {
     }
 
     fn numbers(&self) -> Vec<f64> {
-        [&self.from.to_array()[..], &self.to.to_array(), &[self.radius]].concat()
+        self.0.numbers()
     }
 
     fn is_round_about(&self, spin: &Spin) -> bool {
-        spin.is_on_axle(self.from) && spin.is_on_axle(self.to)
+        self.0.is_round_about(spin)
     }
 
     fn turn(&self) -> DQuat {
-        turn_to(self.to - self.from)
+        self.0.turn()
     }
 
     fn distance(&self, place: DVec3) -> f64 {
-        let axis = self.to - self.from;
-        let off = place - (self.from + 0.5 * axis);
+        let Capsule { from, to, radius } = self.0;
+        let axis = to - from;
+        let off = place - (from + 0.5 * axis);
         let along = off.dot(axis) / axis.length();
         let across = off.reject_from(axis).length();
-        let beyond = DVec2::new(across - self.radius, along.abs() - 0.5 * axis.length());
+        let beyond = DVec2::new(across - radius, along.abs() - 0.5 * axis.length());
         beyond.max(DVec2::ZERO).length() + beyond.max_element().min(0.0)
     }
 
     fn ball_around(&self) -> ([f64; 3], f64) {
-        (self.from.midpoint(self.to).to_array(), 0.5 * self.from.distance(self.to) + self.radius)
+        self.0.ball_around()
     }
 
     fn forward_most(&self) -> DVec3 {
-        let axis = (self.to - self.from).normalize();
+        let Capsule { from, to, radius } = self.0;
+        let axis = (to - from).normalize();
         let along = if axis.x.abs() < LEVEL { 0.5 } else { f64::from(axis.x > 0.0) };
         let outward = DVec3::X.reject_from_normalized(axis);
-        let rim = if outward.length() < LEVEL { DVec3::ZERO } else { outward.normalize() * self.radius };
-        self.from.lerp(self.to, along) + rim
+        let rim = if outward.length() < LEVEL { DVec3::ZERO } else { outward.normalize() * radius };
+        from.lerp(to, along) + rim
     }
 
     /// Returns places around both ends.
     fn samples(&self) -> Vec<DVec3> {
-        let axis = self.to - self.from;
-        [self.from, self.to].into_iter().flat_map(|end| circle(end, axis, self.radius, AROUND)).collect()
+        let Capsule { from, to, radius } = self.0;
+        [from, to].into_iter().flat_map(|end| circle(end, to - from, radius, AROUND)).collect()
     }
 
     fn ends(&self) -> Option<[[f64; 3]; 2]> {
-        Some([self.from.to_array(), self.to.to_array()])
+        self.0.ends()
     }
 
     /// Both ends, and four lines along it.
     fn strokes(&self) -> Vec<Stroke> {
-        let Self { from, to, radius } = *self;
+        let Capsule { from, to, radius } = self.0;
         let axis = (to - from).try_normalize().unwrap_or(DVec3::Z);
         let ends = [from, to].map(|end| Stroke::edge(Path::circle(end, axis, radius)));
         // Where the sides are seen from above and from the side, as far as they can be.
@@ -101,19 +96,19 @@ impl PlacedShape for Cylinder {
     }
 
     fn capsules(&self) -> Vec<Capsule> {
-        vec![Capsule { from: self.from, to: self.to, radius: self.radius }]
+        vec![self.0]
     }
 
     /// Returns the block of a short cylinder: around a longer one the ends of a capsule are smaller than the corners of a block.
     fn block(&self) -> Option<Block> {
-        let is_short = self.half_length() < self.radius;
-        is_short.then(|| Block::new(0.5 * (self.from + self.to), self.half(), self.turn()))
+        let (half, Capsule { from, to, radius }) = (self.half(), self.0);
+        (half.z < radius).then(|| Block::new(0.5 * (from + to), half, self.turn()))
     }
 
-    fn packed(&self) -> Packed {
+    fn packed(&self) -> PackedShape {
         let half = self.half();
         let form = PackedForm::Vector(half, 0.0);
-        Packed { place: 0.5 * (self.from + self.to), radius: half.min_element(), form }
+        PackedShape { place: 0.5 * (self.0.from + self.0.to), radius: half.min_element(), form }
     }
 }
 

@@ -23,12 +23,12 @@ use crate::wheel::spin::{Spin, about_y};
 pub(crate) use cuboid::BoxForm;
 use cuboid::Cuboid;
 use cylinder::{Cylinder, CylinderForm};
-use questions::{CentredShape, Foot, Packed, PlacedShape};
+use questions::{CentredShape, Foot, PackedShape, PlacedShape};
 use ring::Ring;
 pub(crate) use ring::RingForm;
 use sphere::{Sphere, SphereForm};
 use strokes::Stroke;
-use tube::{Tube, TubeForm};
+use tube::TubeForm;
 
 /// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,9 +81,14 @@ pub enum Shape {
     },
 }
 
+/// Returns the tube between these ends.
+fn capsule(from: [f64; 3], to: [f64; 3], radius: f64) -> Capsule {
+    Capsule { from: from.into(), to: to.into(), radius }
+}
+
 /// A shape about its centre, prepared for rays, patterns and triangles.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Form {
+pub(crate) enum PreparedShape {
     Sphere(SphereForm),
     Tube(TubeForm),
     Ring(RingForm),
@@ -96,16 +101,14 @@ impl Shape {
     fn ask<T>(&self, question: impl FnOnce(&dyn PlacedShape) -> T) -> T {
         match *self {
             Self::Sphere { center, radius } => question(&Sphere { center: center.into(), radius }),
-            Self::Tube { from, to, radius } => question(&Tube { from: from.into(), to: to.into(), radius }),
+            Self::Tube { from, to, radius } => question(&capsule(from, to, radius)),
             Self::Ring { center, axis, radius, tube_radius } => {
                 question(&Ring { center: center.into(), axis: axis.into(), radius, tube_radius })
             }
             Self::Box { center, half, turn } => {
                 question(&Cuboid { center: center.into(), half: half.into(), turn: DQuat::from_array(turn) })
             }
-            Self::Cylinder { from, to, radius } => {
-                question(&Cylinder { from: from.into(), to: to.into(), radius })
-            }
+            Self::Cylinder { from, to, radius } => question(&Cylinder(capsule(from, to, radius))),
         }
     }
 
@@ -130,30 +133,30 @@ impl Shape {
     }
 
     /// Returns the shape's centre, and the shape about it.
-    pub(crate) fn about_centre(&self) -> (DVec3, Form) {
+    pub(crate) fn about_centre(&self) -> (DVec3, PreparedShape) {
         match *self {
-            Self::Sphere { center, radius } => (center.into(), Form::Sphere(SphereForm { radius })),
+            Self::Sphere { center, radius } => (center.into(), PreparedShape::Sphere(SphereForm { radius })),
             Self::Tube { from, to, radius } => {
                 let (from, to) = (DVec3::from(from), DVec3::from(to));
                 let half_length = 0.5 * (to - from).length();
                 if half_length == 0.0 {
-                    return (from, Form::Sphere(SphereForm { radius }));
+                    return (from, PreparedShape::Sphere(SphereForm { radius }));
                 }
                 let axis = (to - from) / (2.0 * half_length);
-                (0.5 * (from + to), Form::Tube(TubeForm { axis, half_length, radius }))
+                (0.5 * (from + to), PreparedShape::Tube(TubeForm { axis, half_length, radius }))
             }
             Self::Ring { center, axis, radius, tube_radius } => {
-                (center.into(), Form::Ring(RingForm { axis: axis.into(), radius, tube_radius }))
+                (center.into(), PreparedShape::Ring(RingForm { axis: axis.into(), radius, tube_radius }))
             }
             Self::Box { center, half, turn } => {
                 let axes = DMat3::from_quat(DQuat::from_array(turn));
-                (center.into(), Form::Box(BoxForm { axes, half: half.into() }))
+                (center.into(), PreparedShape::Box(BoxForm { axes, half: half.into() }))
             }
             Self::Cylinder { from, to, radius } => {
                 let (from, to) = (DVec3::from(from), DVec3::from(to));
                 let half_length = 0.5 * (to - from).length();
                 let axis = (to - from).normalize();
-                (0.5 * (from + to), Form::Cylinder(CylinderForm { axis, half_length, radius }))
+                (0.5 * (from + to), PreparedShape::Cylinder(CylinderForm { axis, half_length, radius }))
             }
         }
     }
@@ -255,12 +258,12 @@ impl Shape {
     }
 
     /// Returns the shape's numbers for the shaders.
-    pub(crate) fn packed(&self) -> Packed {
+    pub(crate) fn packed(&self) -> PackedShape {
         self.ask(|shape| shape.packed())
     }
 }
 
-impl Form {
+impl PreparedShape {
     /// The answers of the shape's file.
     #[inline]
     pub fn answers(&self) -> &dyn CentredShape {

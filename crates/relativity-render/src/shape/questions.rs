@@ -60,7 +60,7 @@ pub(crate) trait PlacedShape {
     }
 
     /// Place and form for the shaders, as [`Placement`](crate::prepared_body::Placement) packs them.
-    fn packed(&self) -> Packed;
+    fn packed(&self) -> PackedShape;
 }
 
 /// The lowest place of a shape, and the size of its shadow on the ground there.
@@ -75,7 +75,7 @@ pub(crate) struct Foot {
 
 /// The numbers of a shape in the shaders.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Packed {
+pub(crate) struct PackedShape {
     pub place: DVec3,
     pub radius: f64,
     /// A place, or a vector; and a number beside it.

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use glam::{DQuat, DVec2, DVec3};
 use relativity_core::math::{cos, hypot, sin, sin_cos};
 
-use super::questions::{CentredShape, Foot, LocalRay, Packed, PackedForm, PlacedShape, SegmentsNeeded};
+use super::questions::{CentredShape, Foot, LocalRay, PackedForm, PackedShape, PlacedShape, SegmentsNeeded};
 use super::round::{Arc, arc, circle, closing, disc, grid, outward, turn_to};
 use super::strokes::{Path, Stroke};
 use crate::capsule::Capsule;
@@ -111,9 +111,9 @@ impl PlacedShape for Ring {
         Some(Foot { place, radius: outer, half })
     }
 
-    fn packed(&self) -> Packed {
+    fn packed(&self) -> PackedShape {
         let form = PackedForm::Vector(self.axis, self.radius);
-        Packed { place: self.center, radius: self.tube_radius, form }
+        PackedShape { place: self.center, radius: self.tube_radius, form }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec2, DVec3};
 
-use super::questions::{CentredShape, Foot, LocalRay, Packed, PackedForm, PlacedShape, SegmentsNeeded};
+use super::questions::{CentredShape, Foot, LocalRay, PackedForm, PackedShape, PlacedShape, SegmentsNeeded};
 use super::round::{Arc, ball_entry, closing};
 use super::strokes::Stroke;
 use super::tube::{along_tube, segments_of_tube};
@@ -73,8 +73,8 @@ impl PlacedShape for Sphere {
     }
 
     /// A tube whose ends are in one place.
-    fn packed(&self) -> Packed {
-        Packed { place: self.center, radius: self.radius, form: PackedForm::Place(self.center) }
+    fn packed(&self) -> PackedShape {
+        PackedShape { place: self.center, radius: self.radius, form: PackedForm::Place(self.center) }
     }
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use glam::{DQuat, DVec3};
 use relativity_core::math::sin_cos;
 
-use super::questions::{CentredShape, LocalRay, Packed, PackedForm, PlacedShape, SegmentsNeeded};
+use super::questions::{CentredShape, LocalRay, PackedForm, PackedShape, PlacedShape, SegmentsNeeded};
 use super::round::{Arc, arc, ball_entry, closing, grid, outward, turn_to};
 use super::strokes::{Path, Stroke};
 use crate::capsule::Capsule;
@@ -16,14 +16,8 @@ use crate::wheel::spin::Spin;
 /// Steps along a tube from one of its samples to the next.
 const ALONG: u32 = 4;
 
-/// A tube where it is placed.
-pub(super) struct Tube {
-    pub from: DVec3,
-    pub to: DVec3,
-    pub radius: f64,
-}
-
-impl PlacedShape for Tube {
+/// A tube where it is placed: its own capsule.
+impl PlacedShape for Capsule {
     fn name(&self) -> &'static str {
         "tube"
     }
@@ -74,11 +68,11 @@ impl PlacedShape for Tube {
     }
 
     fn capsules(&self) -> Vec<Capsule> {
-        vec![Capsule { from: self.from, to: self.to, radius: self.radius }]
+        vec![*self]
     }
 
-    fn packed(&self) -> Packed {
-        Packed { place: self.from, radius: self.radius, form: PackedForm::Place(self.to) }
+    fn packed(&self) -> PackedShape {
+        PackedShape { place: self.from, radius: self.radius, form: PackedForm::Place(self.to) }
     }
 }
 

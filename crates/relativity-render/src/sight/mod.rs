@@ -17,7 +17,7 @@ use relativity_core::math::{asinh, sin_cos, tan};
 use crate::block::Block;
 use crate::camera::{Axes, Gaze, MAX_ELEVATION, Projection as PictureProjection};
 use crate::capsule::Capsule;
-use crate::footprint::Projection;
+use crate::footprint::FootprintMap;
 use crate::group_view::GroupView;
 use crate::one_cone;
 use crate::outline::{Ball, Framing, Outline, Range};
@@ -49,7 +49,7 @@ struct GroupSight<'a> {
     /// The number of the view.
     eye: usize,
     view: GroupView,
-    projection: Projection,
+    projection: FootprintMap,
     bodies: Vec<SeenBody<'a>>,
 }
 
@@ -198,7 +198,7 @@ fn as_seen(scene: &PreparedScene, view: &View) -> impl Iterator<Item = View> + u
 
 impl<'a> GroupSight<'a> {
     fn new(eye: usize, scene: &'a PreparedScene, group: &PreparedGroup, view: &GroupView) -> Self {
-        let projection = Projection::new(view);
+        let projection = FootprintMap::new(view);
         let seen = |body: &PreparedBody| {
             let around = scene.ball_around(body);
             let center =

@@ -30,13 +30,13 @@ use relativity_core::threads::prelude::*;
 use self::edges::Edges;
 pub use self::error::TrianglesError;
 pub use self::limits::{LEAST_SIZE, MOST_COORDINATE, MOST_TEXELS, MOST_TRIANGLES, MOST_WRAPS};
-pub use self::model::Model;
+pub use self::model::RawModel;
 pub use self::point::TrianglePoint;
 pub use self::texture::{Texture, Wrap};
-use crate::hierarchy::{Hierarchy, Piece};
+use crate::hierarchy::{BodyPart, Hierarchy};
 use crate::intersect::{Entry, Solid};
 use crate::ray::Ray;
-use crate::shape::{BoxForm, Form};
+use crate::shape::{BoxForm, PreparedShape};
 use texture::MipMap;
 
 /// The least side of the box around triangles, as a part of its greatest: that of a flat model is not 0.
@@ -74,9 +74,9 @@ impl Triangles {
     /// No triangle with an area; more than [`MOST_TRIANGLES`]; a corner that is not finite or beyond [`MOST_COORDINATE`]; a model smaller
     /// than [`LEAST_SIZE`]; a triangle with a corner that there is not; paint that is not between 0 and 1, or not for every corner; textures
     /// without texels or with more than [`MOST_TEXELS`], for other than every triangle, or whose places are beyond [`MOST_WRAPS`].
-    pub fn new(model: Model) -> Result<Self, TrianglesError> {
+    pub fn new(model: RawModel) -> Result<Self, TrianglesError> {
         model.check()?;
-        let Model { corners, triangles, paints, textures, texture_numbers, texture_places, is_two_sided } =
+        let RawModel { corners, triangles, paints, textures, texture_numbers, texture_places, is_two_sided } =
             model;
         let used = triangles.iter().flatten().map(|&corner| DVec3::from(corners[corner as usize]));
         let [low, high] = used.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], corner| {
@@ -182,7 +182,7 @@ impl Triangles {
         if start.length_squared() >= radius * radius {
             return None;
         }
-        let Form::Box(BoxForm { axes, .. }) = solid.form else { return None };
+        let PreparedShape::Box(BoxForm { axes, .. }) = solid.form else { return None };
         let behind = -ray.from_camera - from_start;
         let crossing = self.crossing(axes.transpose() * start, axes.transpose() * ray.direction, behind)?;
         Some(Entry {
@@ -202,7 +202,7 @@ impl Triangles {
         place: DVec3,
         direction: DVec3,
     ) -> (TrianglePoint, DVec3) {
-        let Form::Box(BoxForm { axes, .. }) = solid.form else {
+        let PreparedShape::Box(BoxForm { axes, .. }) = solid.form else {
             return (TrianglePoint { triangle, weights: [0.0; 2] }, -direction);
         };
         let [a, b, c] = self.corners_of(triangle.min(self.faces.len() as u32 - 1));
@@ -233,12 +233,12 @@ impl Triangles {
     }
 
     /// The boxes around triangles that have an area.
-    fn pieces(&self) -> impl Iterator<Item = Piece> {
+    fn pieces(&self) -> impl Iterator<Item = BodyPart> {
         (0..self.faces.len() as u32).filter_map(|triangle| {
             let [a, b, c] = self.corners_of(triangle);
             let corners = [a.min(b).min(c), a.max(b).max(c)];
             let has_area = (b - a).cross(c - a) != DVec3::ZERO;
-            has_area.then_some(Piece { body: triangle, is_one_of_some: false, corners })
+            has_area.then_some(BodyPart { body: triangle, is_one_of_some: false, corners })
         })
     }
 
@@ -271,7 +271,7 @@ impl PartialEq for Triangles {
     }
 }
 
-impl Model {
+impl RawModel {
     /// Prepares the model, to be shared by bodies.
     ///
     /// # Errors

@@ -6,7 +6,7 @@ use super::texture::Texture;
 
 /// Corners and triangles of a model, not yet prepared.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Model {
+pub struct RawModel {
     /// Corners, in the rest frame of the group.
     pub corners: Vec<[f64; 3]>,
     /// Three corners of each triangle, counter-clockwise as seen from outside.
@@ -24,7 +24,7 @@ pub struct Model {
     pub is_two_sided: bool,
 }
 
-impl Model {
+impl RawModel {
     /// The texture number of triangles that have none.
     pub const NO_TEXTURE: u32 = u32::MAX;
 

@@ -19,7 +19,7 @@
 
 use glam::Vec3;
 
-use super::{Model, TrianglePoint, Triangles};
+use super::{RawModel, TrianglePoint, Triangles};
 use crate::hierarchy::{Child, Content};
 
 /// Four words, which the shaders take for floats or for bits.
@@ -40,7 +40,7 @@ const ROOM: f32 = 2e-6;
 
 /// A model for the shaders.
 #[derive(Debug)]
-pub(crate) struct Packed {
+pub(crate) struct PackedModel {
     /// Texels of all records.
     pub texels: Vec<Texel>,
     /// Greatest number of links that wait.
@@ -59,7 +59,7 @@ struct Records<'a> {
 
 impl Triangles {
     /// Packs them for the shaders.
-    pub(crate) fn packed(&self) -> Packed {
+    pub(crate) fn packed(&self) -> PackedModel {
         let Records { mut nodes, leaves, depth, .. } = Records::new(self);
         let first = nodes.len() as u32;
         for link in nodes.iter_mut().flat_map(|[a, _, b, _]| [&mut a[3], &mut b[3]]) {
@@ -72,15 +72,15 @@ impl Triangles {
         if !self.textures.is_empty() {
             self.add_textures(&leaves, TEXELS * first as usize, &mut texels);
         }
-        Packed { texels, waiting: depth }
+        PackedModel { texels, waiting: depth }
     }
 
     /// Adds the textures of the triangles in `leaves`, whose records begin with the texel of this number.
     fn add_textures(&self, leaves: &[u32], records: usize, texels: &mut Vec<Texel>) {
         let headers = texels.len() + 2 * leaves.len();
         for (record, &triangle) in leaves.iter().enumerate() {
-            let number = self.texture_numbers.get(triangle as usize).copied().unwrap_or(Model::NO_TEXTURE);
-            if number == Model::NO_TEXTURE {
+            let number = self.texture_numbers.get(triangle as usize).copied().unwrap_or(RawModel::NO_TEXTURE);
+            if number == RawModel::NO_TEXTURE {
                 texels.extend([Texel::default(); 2]);
                 continue;
             }
@@ -207,7 +207,8 @@ mod tests {
             [2, 3, 5].map(|k| part(triangle, k) + size * part(i * i, k + 5))
         };
         let triangles = (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-        let model = Model { corners: (0..3 * count).map(corner).collect(), triangles, ..Model::default() };
+        let model =
+            RawModel { corners: (0..3 * count).map(corner).collect(), triangles, ..RawModel::default() };
         Triangles::new(model).expect("a model")
     }
 
@@ -237,7 +238,7 @@ mod tests {
     #[test]
     fn each_triangle_is_in_one_leaf_and_in_all_boxes_around_it() {
         for count in [1, 2, 4, 5, 8, 9, 40, 3000] {
-            let Packed { texels, waiting } = strewn(count).packed();
+            let PackedModel { texels, waiting } = strewn(count).packed();
             let mut found = Vec::new();
             walk(&texels, 0, Vec3::NEG_INFINITY, Vec3::INFINITY, &mut found);
             found.sort_unstable();

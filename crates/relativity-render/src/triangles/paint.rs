@@ -5,7 +5,7 @@ use std::array::from_fn;
 use glam::DVec3;
 
 use super::texture::MipMap;
-use super::{Model, TrianglePoint, Triangles};
+use super::{RawModel, TrianglePoint, Triangles};
 
 impl Triangles {
     /// Returns the paint at a `point`: reflectances in linear sRGB.
@@ -34,7 +34,7 @@ impl Triangles {
         &self.textures
     }
 
-    /// The number of each triangle's texture, [`Model::NO_TEXTURE`] of those that have none; empty if none has one.
+    /// The number of each triangle's texture, [`RawModel::NO_TEXTURE`] of those that have none; empty if none has one.
     #[must_use]
     pub fn texture_numbers(&self) -> &[u32] {
         &self.texture_numbers
@@ -48,7 +48,7 @@ impl Triangles {
 
     fn texture_of(&self, triangle: u32) -> Option<&MipMap> {
         let number = self.texture_numbers.get(triangle as usize).copied()?;
-        (number != Model::NO_TEXTURE).then(|| &self.textures[number as usize])
+        (number != RawModel::NO_TEXTURE).then(|| &self.textures[number as usize])
     }
 
     /// Returns the paint of the corners, mixed at `point`.

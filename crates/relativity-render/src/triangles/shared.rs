@@ -7,7 +7,7 @@ use glam::{DVec3, Vec3};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::texture::MipMap;
-use super::{Model, Triangles};
+use super::{RawModel, Triangles};
 use crate::hierarchy::Hierarchy;
 
 /// The written part of triangles, with the corners as they were rounded.
@@ -58,7 +58,7 @@ pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<
     if saved.faces.iter().flatten().any(|&corner| corner as usize >= saved.corners.len()) {
         return Err(serde::de::Error::custom("a triangle has a corner that there is not"));
     }
-    let has = |&number: &u32| number == Model::NO_TEXTURE || (number as usize) < saved.textures.len();
+    let has = |&number: &u32| number == RawModel::NO_TEXTURE || (number as usize) < saved.textures.len();
     if !saved.texture_numbers.iter().all(has) {
         return Err(serde::de::Error::custom("a triangle has a texture that there is not"));
     }

@@ -119,7 +119,7 @@ impl MipMap {
         [red, green, blue, u8::MAX]
     }
 
-    /// Returns the linear colour at a `place` (as [`Model::texture_places`](super::Model::texture_places)), on average over about as much as
+    /// Returns the linear colour at a `place` (as [`Model::texture_places`](super::RawModel::texture_places)), on average over about as much as
     /// is `covered` of it each way, in widths and heights of the texture.
     pub(super) fn colour(&self, place: [f64; 2], covered: [f64; 2]) -> [f64; 3] {
         let texels = [0, 1].map(|side| covered[side] * f64::from(self.levels[0].size[side]));

@@ -9,13 +9,13 @@
 
 use glam::{DMat3, DVec3};
 
-use super::solid::{Course, TurningSolid};
+use super::solid::{TurningRay, TurningSolid};
 use super::spin::about_y;
 use crate::group_view::GroupView;
 use crate::hierarchy::Slabs;
 use crate::intersect::Entry;
 use crate::ray::Ray;
-use crate::shape::Form;
+use crate::shape::PreparedShape;
 use crate::triangles::point::TrianglePoint;
 use crate::triangles::{Triangles, facing};
 
@@ -43,7 +43,7 @@ struct TriangleCrossing {
 
 /// A search along a curve among triangles.
 struct CurveSearch<'a> {
-    course: &'a Course<'a>,
+    course: &'a TurningRay<'a>,
     triangles: &'a Triangles,
     /// Turn from the axes of the model to those of the rest frame, and the axle along the former.
     axes: DMat3,
@@ -69,7 +69,7 @@ impl TurningSolid {
         let (local, from_start) = self.local_ray(ray);
         let turned_at = touches.map_or_else(|| local.behind.max(0.0), |along| along - from_start);
         let found = self.reach_along(&local).and_then(|ends| {
-            let course = Course::new(self, &local, view, turned_at);
+            let course = TurningRay::new(self, &local, view, turned_at);
             let crossing = CurveSearch::new(&course, triangles)?.first(ends)?;
             let turn = course.turn_at(crossing.s);
             let normal = course.axes()? * facing(crossing.across, crossing.direction);
@@ -82,15 +82,15 @@ impl TurningSolid {
     }
 }
 
-impl Course<'_> {
+impl TurningRay<'_> {
     fn axes(&self) -> Option<DMat3> {
-        if let Form::Box(cuboid) = self.solid().form { Some(cuboid.axes) } else { None }
+        if let PreparedShape::Box(cuboid) = self.solid().form { Some(cuboid.axes) } else { None }
     }
 }
 
 impl<'a> CurveSearch<'a> {
     /// Returns the search along `course`; `None` where its body has no axes.
-    fn new(course: &'a Course<'a>, triangles: &'a Triangles) -> Option<Self> {
+    fn new(course: &'a TurningRay<'a>, triangles: &'a Triangles) -> Option<Self> {
         let axes = course.axes()?;
         let axle = axes.transpose() * DVec3::Y;
         Some(Self { course, triangles, axes, axle, least: LEAST_PART * course.reach() })

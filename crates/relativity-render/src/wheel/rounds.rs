@@ -12,7 +12,7 @@ use crate::group_view::GroupView;
 use crate::intersect::Solid;
 use crate::ray::Ray;
 use crate::scene::PreparedScene;
-use crate::wheel::solid::{Course, TurningSolid};
+use crate::wheel::solid::{TurningRay, TurningSolid};
 
 /// A part of the ray in which the body turns by no more than this, radians.
 const LONGEST_PART: f64 = 0.4;
@@ -69,7 +69,7 @@ impl TurningSolid {
     fn entry_in_rounds(&self, ray: &Ray, view: &GroupView, rounds: u32) -> Option<f64> {
         let (local, from_start) = self.local_ray(ray);
         let [first, last] = self.reach_along(&local)?;
-        let course = Course::new(self, &local, view, local.behind.max(0.0));
+        let course = TurningRay::new(self, &local, view, local.behind.max(0.0));
         let parts = (course.rate.abs() * (last - first) / LONGEST_PART).ceil().clamp(1.0, MOST_PARTS);
         let length = (last - first) / parts;
         let entry = |i: u32| course.entry_near(first + f64::from(i) * length, length, rounds);
@@ -78,7 +78,7 @@ impl TurningSolid {
     }
 }
 
-impl Course<'_> {
+impl TurningRay<'_> {
     /// Searches in this number of rounds from the middle of the part of the ray that begins at `low`.
     fn entry_near(&self, low: f64, length: f64, rounds: u32) -> Option<f64> {
         let mut s = low + 0.5 * length;

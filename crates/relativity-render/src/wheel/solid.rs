@@ -24,7 +24,7 @@ use crate::intersect::{Entry, Solid};
 use crate::ray::Ray;
 use crate::shape::flat::between_planes;
 use crate::shape::questions::LocalRay;
-use crate::shape::{Form, RingForm, Shape};
+use crate::shape::{PreparedShape, RingForm, Shape};
 use crate::triangles::Triangles;
 use crate::wheel::spin::{Spin, about_y, turned_by};
 
@@ -145,7 +145,7 @@ impl TurningSolid {
     fn passage(&self, ray: &LocalRay, view: &GroupView, turned_at: f64) -> (Option<DVec3>, f64) {
         let mut nearest = (f64::INFINITY, ray.behind.max(0.0));
         for part in self.sweep.parts(ray).into_iter().flatten() {
-            let course = Course::new(self, ray, view, turned_at);
+            let course = TurningRay::new(self, ray, view, turned_at);
             if let Some(s) = course.first_entry(part, &mut nearest) {
                 return (Some(course.normal(s)), s);
             }
@@ -221,7 +221,7 @@ impl Sweep {
 }
 
 /// A ray as the curve that it is in the frame that turns with a body.
-pub(super) struct Course<'a> {
+pub(super) struct TurningRay<'a> {
     body: &'a TurningSolid,
     ray: &'a LocalRay,
     /// Centre of the body at t' = 0, from the sweep's middle.
@@ -237,7 +237,7 @@ pub(super) struct Course<'a> {
     pub curvature: f64,
 }
 
-impl<'a> Course<'a> {
+impl<'a> TurningRay<'a> {
     pub fn new(body: &'a TurningSolid, ray: &'a LocalRay, view: &GroupView, turned_at: f64) -> Self {
         let TurningSolid { solid, spin, sweep } = body;
         let place = sweep.middle + (ray.start + ray.direction * turned_at);
@@ -330,7 +330,7 @@ impl<'a> Course<'a> {
     fn step(&self, distance: f64, slope: f64, place: DVec3) -> f64 {
         let mut curvature = self.curvature;
         let mut most = f64::INFINITY;
-        if let Form::Ring(RingForm { axis, radius, tube_radius }) = self.body.solid.form {
+        if let PreparedShape::Ring(RingForm { axis, radius, tube_radius }) = self.body.solid.form {
             // Within the step the place is at least half the hole's radius from the ring's axis.
             let hole = radius - tube_radius;
             if place.cross(axis).length() < 0.75 * hole {

@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec3;
 use relativity_core::{Aperture, Speed, Turning};
 use relativity_render::{
-    Body, Camera, Gaze, Geometry, Hit, Method, Model, PreparedScene, Renderers, Shape, Spin, View,
+    Body, Camera, Gaze, Geometry, Hit, Method, PreparedScene, RawModel, Renderers, Shape, Spin, View,
 };
 
 use crate::support::{centred, spread};
@@ -27,7 +27,7 @@ pub fn view(beta: f64, geometry: Geometry, size: [u32; 2]) -> View {
 }
 
 /// Prepares a scene of this model alone.
-pub fn scene_of(model: Model) -> PreparedScene {
+pub fn scene_of(model: RawModel) -> PreparedScene {
     PreparedScene::moving(&[Body::of_triangles(model.prepared().expect("a model"))])
 }
 
@@ -37,18 +37,18 @@ pub fn exact_box() -> Shape {
 }
 
 /// The corners and the twelve triangles of that box.
-pub fn box_model() -> Model {
+pub fn box_model() -> RawModel {
     let corner = |i: usize| {
         let side = |bit: usize, half: f64| if i & bit == 0 { -half } else { half };
         [side(1, 1.0), 4.0 + side(2, 0.75), 0.5 + side(4, 0.5)]
     };
     let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let triangles = faces.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
-    Model { corners: (0..8).map(corner).collect(), triangles, ..Model::default() }
+    RawModel { corners: (0..8).map(corner).collect(), triangles, ..RawModel::default() }
 }
 
 /// A ball of `rings` times twice as many squares, each of two triangles.
-pub fn ball_model(center: [f64; 3], radius: f64, rings: u32) -> Model {
+pub fn ball_model(center: [f64; 3], radius: f64, rings: u32) -> RawModel {
     let turns = 2 * rings;
     let corner = |i: u32| {
         let (polar, azimuth) = (
@@ -64,26 +64,26 @@ pub fn ball_model(center: [f64; 3], radius: f64, rings: u32) -> Model {
         let [a, b, c, d] = [at(ring, turn), at(ring + 1, turn), at(ring + 1, turn + 1), at(ring, turn + 1)];
         [[a, b, c], [a, c, d]]
     };
-    Model {
+    RawModel {
         corners: (0..(rings + 1) * turns).map(corner).collect(),
         triangles: (0..rings * turns).flat_map(square).collect(),
-        ..Model::default()
+        ..RawModel::default()
     }
 }
 
 /// A thousand triangles about the box's middle, anyhow, with colours.
-pub fn soup(is_two_sided: bool) -> Model {
+pub fn soup(is_two_sided: bool) -> RawModel {
     let corner = |i: u32| {
         let middle = centred(spread(i / 3)) * DVec3::new(1.0, 0.75, 0.5);
         (DVec3::new(0.0, 4.0, 0.5) + middle + 0.15 * centred(spread(i + 7))).to_array()
     };
     let paint = |i: u32| spread::<3>(i + 11).map(|part| part as f32);
-    Model {
+    RawModel {
         corners: (0..3000).map(corner).collect(),
         triangles: (0..1000).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect(),
         paints: (0..3000).map(paint).collect(),
         is_two_sided,
-        ..Model::default()
+        ..RawModel::default()
     }
 }
 
@@ -93,12 +93,12 @@ pub fn spin(radius: f64) -> Spin {
 }
 
 /// Prepares a scene of this model alone, which rolls and reaches so far from the hub.
-pub fn rolling(model: Model, radius: f64) -> PreparedScene {
+pub fn rolling(model: RawModel, radius: f64) -> PreparedScene {
     PreparedScene::moving(&[Body::of_triangles(model.prepared().expect("a model")).turning(spin(radius))])
 }
 
 /// A torus about the axle, of `around` times `tube` squares, each of two triangles, and bars across it.
-pub fn wheel_model(radius: f64, tube_radius: f64, around: u32, tube: u32, bars: u32) -> Model {
+pub fn wheel_model(radius: f64, tube_radius: f64, around: u32, tube: u32, bars: u32) -> RawModel {
     let place = |turn: f64, off: f64, y: f64| {
         let (sine, cosine) = turn.sin_cos();
         (DVec3::from(HUB) + DVec3::new(off * cosine, y, off * sine)).to_array()
@@ -115,11 +115,11 @@ pub fn wheel_model(radius: f64, tube_radius: f64, around: u32, tube: u32, bars: 
             [at(ring, angle), at(ring, angle + 1), at(ring + 1, angle + 1), at(ring + 1, angle)];
         [[a, b, c], [a, c, d]]
     };
-    let mut model = Model {
+    let mut model = RawModel {
         corners: (0..around * tube).map(corner).collect(),
         triangles: (0..around * tube).flat_map(square).collect(),
         is_two_sided: true,
-        ..Model::default()
+        ..RawModel::default()
     };
     for bar in 0..bars {
         let turn = TAU * f64::from(bar) / f64::from(bars);

@@ -7,7 +7,7 @@ use crate::app::command::{Command, Switch};
 use crate::app::state::State;
 use crate::app::widgets::{explained_lazily, row};
 use crate::flags::choices::Compare;
-use crate::settings::{ComparisonError, Look, about, meaning};
+use crate::settings::{ComparisonError, LookSettings, about, meaning};
 
 /// The choices with their names.
 const CHOICES: [(Compare, &str); 5] = [
@@ -30,7 +30,7 @@ const fn problem_text(problem: &ComparisonError) -> &'static str {
 }
 
 /// Shows the row of the choice.
-pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
+pub fn show(ui: &mut Ui, state: &State, look: &mut LookSettings) {
     let settings = &state.document.settings;
     let refused = settings.check_two_pictures().err();
     let problem = settings.check_comparison().err();
@@ -53,7 +53,7 @@ pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
 }
 
 /// Shows the choices; one that changes nothing cannot be had.
-fn choices(ui: &mut Ui, state: &State, look: &mut Look) {
+fn choices(ui: &mut Ui, state: &State, look: &mut LookSettings) {
     for (choice, name) in CHOICES {
         let refused = state.document.settings.check_compared_with(choice).err();
         let button = ui.add_enabled(refused.is_none(), Button::selectable(choice == look.compare, name));

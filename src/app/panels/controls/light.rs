@@ -12,7 +12,7 @@ use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, choice_of, row};
 use crate::flags::{EXPOSURE_EV, Exposure, TEMPERATURE_K};
 use crate::number_text;
-use crate::settings::{Light, about};
+use crate::settings::{LightSettings, about};
 
 /// Shows the controls of the light.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -62,7 +62,7 @@ fn temperature() -> NumberRow<'static> {
 }
 
 /// Shows the exponent of the brightness: light of one wavelength follows it, any other follows Planck's law.
-fn intensity_row(ui: &mut Ui, light: &mut Light) {
+fn intensity_row(ui: &mut Ui, light: &mut LightSettings) {
     let tip = about("intensity-exponent");
     row(ui, "Intensity", tip, |ui| match light.colour {
         Colour::OneWavelength => {

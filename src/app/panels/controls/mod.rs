@@ -24,7 +24,9 @@ use crate::app::views::layouts::{self, LAYOUTS};
 use crate::app::widgets::{Edit, NumberRow, choice, choice_of, explained_lazily, row, section};
 use crate::flags::FieldOfView;
 use crate::flags::choices::GazeChoice;
-use crate::settings::{Look, MAX_LENGTH, Motion, Picture, USUAL_FOV, Window, about, meaning};
+use crate::settings::{
+    LookSettings, MAX_LENGTH, MotionSettings, PictureSettings, USUAL_FOV, WindowSettings, about, meaning,
+};
 use crate::units::Unit;
 
 /// Room for the list of layouts before it scrolls, points.
@@ -54,7 +56,7 @@ pub fn show_speed(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let motion = state.document.settings.motion;
     if let Some(speed) = speed::show(ui, motion.speed, state.defaults().motion.speed, &state.measures(), &[])
     {
-        commands.push(Command::Motion(Motion { speed, ..motion }));
+        commands.push(Command::Motion(MotionSettings { speed, ..motion }));
     }
 }
 
@@ -105,7 +107,7 @@ fn motion(ui: &mut Ui, state: &State, commands: &mut Commands) {
     }
 }
 
-fn separation_row(ui: &mut Ui, unit: Unit, motion: &mut Motion, default: Motion) {
+fn separation_row(ui: &mut Ui, unit: Unit, motion: &mut MotionSettings, default: MotionSettings) {
     let row = NumberRow {
         name: "Separation d",
         tip: about("d"),
@@ -121,8 +123,8 @@ fn path_rows(
     ui: &mut Ui,
     unit: Unit,
     [_, scene_depth, scene_height]: [f64; 3],
-    motion: &mut Motion,
-    default: Motion,
+    motion: &mut MotionSettings,
+    default: MotionSettings,
 ) {
     let distance = NumberRow {
         name: "Distance y",
@@ -172,7 +174,7 @@ fn look(ui: &mut Ui, state: &State, commands: &mut Commands) {
 }
 
 /// Shows the choice of the layout.
-fn layout_row(ui: &mut Ui, picture: Picture, commands: &mut Commands) {
+fn layout_row(ui: &mut Ui, picture: PictureSettings, commands: &mut Commands) {
     let tip = with_keys(about("layout"), &[Command::Switch(Switch::Layout(1))]);
     row(ui, "Layout", &tip, |ui| {
         ComboBox::from_id_salt("layout")
@@ -183,7 +185,7 @@ fn layout_row(ui: &mut Ui, picture: Picture, commands: &mut Commands) {
                 for (layout, name) in LAYOUTS {
                     let choice = ui.selectable_label(layout == picture.layout, name);
                     if explained_lazily(choice, || meaning(&layout)).clicked() {
-                        commands.push(Command::Picture(Picture { layout, ..picture }));
+                        commands.push(Command::Picture(PictureSettings { layout, ..picture }));
                     }
                 }
             })
@@ -240,7 +242,7 @@ const LIGHT_CONES: [(Geometry, &str); 3] =
     [(Geometry::Seen, "Exact"), (Geometry::OneCone, "One cone"), (Geometry::Published, "Published")];
 
 /// Shows the switches of what is shown besides the eyes' pictures.
-fn more_rows(ui: &mut Ui, before: Window, unit: Unit, commands: &mut Commands) {
+fn more_rows(ui: &mut Ui, before: WindowSettings, unit: Unit, commands: &mut Commands) {
     let mut window = before;
     row(ui, "Also show", "Chooses what stands beside the views, and what is drawn into them.", |ui| {
         ui.checkbox(&mut window.corrected, "corrected").on_hover_text(about("corrected"));
@@ -259,7 +261,7 @@ fn more_rows(ui: &mut Ui, before: Window, unit: Unit, commands: &mut Commands) {
     }
 }
 
-fn gaze_row(ui: &mut Ui, state: &State, look: &mut Look) {
+fn gaze_row(ui: &mut Ui, state: &State, look: &mut LookSettings) {
     let tip = format!("{} Drag in a view to look around.", about("gaze"));
     let mut mode = GazeMode::from_choice(look.gaze);
     row(ui, "Gaze", &tip, |ui| {
@@ -299,20 +301,20 @@ impl GazeMode {
     }
 
     /// The look of who chooses it.
-    fn chosen(self, state: &State) -> Look {
+    fn chosen(self, state: &State) -> LookSettings {
         let look = state.document.settings.look;
         match self {
-            Self::Whole => Look { gaze: GazeChoice::Whole, ..look },
-            Self::Point => Look { gaze: GazeChoice::Point, ..look },
-            Self::Ahead => Look { gaze: GazeChoice::Ahead, ..look },
-            Self::Passage => Look { gaze: GazeChoice::Passage, ..look },
+            Self::Whole => LookSettings { gaze: GazeChoice::Whole, ..look },
+            Self::Point => LookSettings { gaze: GazeChoice::Point, ..look },
+            Self::Ahead => LookSettings { gaze: GazeChoice::Ahead, ..look },
+            Self::Passage => LookSettings { gaze: GazeChoice::Passage, ..look },
             // The present field of view stays too.
-            Self::Fixed => Look { zero_parallax: look.zero_parallax, ..state.look() },
+            Self::Fixed => LookSettings { zero_parallax: look.zero_parallax, ..state.look() },
         }
     }
 }
 
-fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, commands: &mut Commands) {
+fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut LookSettings, commands: &mut Commands) {
     let tip = format!("{} Scroll over a view to zoom there.", about("fov"));
     let row_of_number = NumberRow {
         name: "Field of view",

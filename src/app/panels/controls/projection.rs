@@ -9,7 +9,7 @@ use crate::app::command::{Command, Switch};
 use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, choice_of, row};
 use crate::flags::choices::{ProjectionChoice, ZeroParallax};
-use crate::settings::{Look, MAX_LENGTH, about};
+use crate::settings::{LookSettings, MAX_LENGTH, about};
 
 /// The distance to start from where the pictures are not shifted.
 const USUAL_DEPTH: f64 = 4.0;
@@ -17,7 +17,7 @@ const USUAL_DEPTH: f64 = 4.0;
 const DEPTH: RangeInclusive<f64> = 1e-3..=MAX_LENGTH;
 
 /// Shows the controls of the projection.
-pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
+pub fn show(ui: &mut Ui, state: &State, look: &mut LookSettings) {
     projection_row(ui, &mut look.projection);
     if state.document.settings.projection() != look.projection
         && look.projection == state.document.settings.look.projection
@@ -52,7 +52,7 @@ const SCREEN_DEPTHS: [(ScreenDepth, &str); 3] = [
     (ScreenDepth::Distance, "Distance"),
 ];
 
-fn zero_parallax_rows(ui: &mut Ui, state: &State, look: &mut Look) {
+fn zero_parallax_rows(ui: &mut Ui, state: &State, look: &mut LookSettings) {
     let tip = about("zero-parallax");
     let before = match look.zero_parallax {
         ZeroParallax::Point => ScreenDepth::Point,

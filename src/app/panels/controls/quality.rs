@@ -9,7 +9,7 @@ use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, named_text, row};
 use crate::flags::choices::RendererChoice;
 use crate::flags::{BUDGET_MS, ERROR_PX, Goal};
-use crate::settings::{BOUND_PX, Quality, about};
+use crate::settings::{BOUND_PX, QualitySettings, about};
 
 /// Shows the controls of the quality.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -35,7 +35,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 }
 
 /// Shows the goal of automatic quality, and its choice.
-fn goal_rows(ui: &mut Ui, state: &State, quality: &mut Quality, default: Quality) {
+fn goal_rows(ui: &mut Ui, state: &State, quality: &mut QualitySettings, default: QualitySettings) {
     let is_budget = matches!(quality.goal, Goal::Budget(_));
     row(ui, "Limit", "Chooses the bound that the automatic choice keeps.", |ui| {
         let is_error = !is_budget;

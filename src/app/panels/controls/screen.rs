@@ -10,7 +10,7 @@ use crate::app::theme;
 use crate::app::widgets::{STEREOSCOPE_TIP, dot, named_text, number, row};
 use crate::flags::{SCREEN_CM, ScreenWidth};
 use crate::number_text;
-use crate::settings::{Motion, VIEWING_CM, about};
+use crate::settings::{MotionSettings, VIEWING_CM, about};
 
 /// Shows the controls of the screen.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -62,7 +62,7 @@ fn narrow(ui: &mut Ui, state: &State, commands: &mut Commands) {
         if let Some([wide, _]) = narrowed
             && ui.button("As before").on_hover_text("Restores the eye separation.").clicked()
         {
-            commands.push(Command::Motion(Motion { d: wide, ..motion }));
+            commands.push(Command::Motion(MotionSettings { d: wide, ..motion }));
         }
     });
     if let Some([wide, d]) = narrowed {

@@ -9,7 +9,7 @@ use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::{NumberRow, choice_of, row};
 use crate::flags::HEAD_DEGREES;
-use crate::settings::{Motion, about};
+use crate::settings::{MotionSettings, about};
 
 /// Shows the controls of the two eyes.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -26,7 +26,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 }
 
 /// Shows the direction of the eyes from each other: a choice of three, and the tilt and turn of the head.
-fn head_rows(ui: &mut Ui, motion: &mut Motion, default: Motion) {
+fn head_rows(ui: &mut Ui, motion: &mut MotionSettings, default: MotionSettings) {
     row(ui, "Eyes", HELD_TIP, |ui| {
         let mut held = [motion.roll, motion.turn];
         if choice_of(ui, &mut held, &HELD, HELD_TIP) {

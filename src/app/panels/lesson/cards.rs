@@ -9,7 +9,7 @@ use eframe::egui::{
 use crate::app::theme;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::markdown;
-use crate::comfort::Verdict;
+use crate::comfort::ComfortVerdict;
 use crate::lesson::Text;
 
 /// Space between what belongs together less.
@@ -65,7 +65,7 @@ fn quiet_line(ui: &Ui) -> Color32 {
 
 /// The colour of what is right.
 pub fn right_colour(ui: &Ui) -> Color32 {
-    theme::verdict_colour(Verdict::Comfortable, ui.visuals())
+    theme::verdict_colour(ComfortVerdict::Comfortable, ui.visuals())
 }
 
 fn card(ui: &mut Ui, text: &Text, sign: Sign, border: Color32) {

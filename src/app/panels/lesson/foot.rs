@@ -9,7 +9,7 @@ use crate::app::lesson::session::{LessonCommand, Running};
 use crate::app::overlay::Overlay;
 use crate::app::panels::Commands;
 use crate::app::state::State;
-use crate::lesson::{Answer, Course, Kind};
+use crate::lesson::{Answer, AnswerKind, Course};
 
 /// Least width and height of the button that leads on.
 const MAIN_SIZE: [f32; 2] = [92.0, 30.0];
@@ -34,7 +34,7 @@ pub fn show(ui: &mut Ui, state: &State, running: &Running, commands: &mut Comman
         ui.horizontal(|ui| {
             if course.lesson().steps.iter().any(|step| {
                 let kind = step.prediction.as_ref().map(|prediction| &prediction.kind);
-                matches!(kind, Some(Kind::Choice(_)))
+                matches!(kind, Some(AnswerKind::Choice(_)))
             }) {
                 count_hands(ui, course, commands);
             }

@@ -10,16 +10,16 @@ use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::markdown;
-use crate::lesson::{Answer, Confidence, Course, Kind, Number, Options, Prediction};
+use crate::lesson::{Answer, AnswerKind, Confidence, Course, Number, Options, Prediction};
 use crate::number_text;
 
 /// Shows the form of `prediction`.
 pub fn show(ui: &mut Ui, state: &State, course: &Course, prediction: &Prediction, commands: &mut Commands) {
     match &prediction.kind {
-        Kind::Choice(options) if course.counts_hands() => votes(ui, state, course, options, commands),
-        Kind::Choice(options) => choices(ui, state, course, options, commands),
-        Kind::Number(asked) => number(ui, course, asked, commands),
-        Kind::Point(_) | Kind::Curve(_) => hint(ui, state, course),
+        AnswerKind::Choice(options) if course.counts_hands() => votes(ui, state, course, options, commands),
+        AnswerKind::Choice(options) => choices(ui, state, course, options, commands),
+        AnswerKind::Number(asked) => number(ui, course, asked, commands),
+        AnswerKind::Point(_) | AnswerKind::Curve(_) => hint(ui, state, course),
     }
 }
 

@@ -5,7 +5,7 @@ use eframe::egui::{RichText, Ui};
 use super::cards;
 use super::page;
 use crate::app::lesson::session::Running;
-use crate::lesson::{Course, Kind, Options, Phase};
+use crate::lesson::{AnswerKind, Course, Options, Phase};
 
 /// Shows the notes for the present place.
 pub fn show(ui: &mut Ui, running: &Running) {
@@ -15,13 +15,15 @@ pub fn show(ui: &mut Ui, running: &Running) {
     let Some(step) = course.step() else { return };
     if let Some(prediction) = &step.prediction {
         match &prediction.kind {
-            Kind::Choice(options) => answers(ui, options),
-            Kind::Number(asked) => {
+            AnswerKind::Choice(options) => answers(ui, options),
+            AnswerKind::Number(asked) => {
                 if let Some(truth) = asked.truth {
                     ui.label(format!("Answer: {}", asked.text(truth)));
                 }
             }
-            Kind::Point(_) | Kind::Curve(_) => cards::quiet(ui, "The answer is shown by the next press."),
+            AnswerKind::Point(_) | AnswerKind::Curve(_) => {
+                cards::quiet(ui, "The answer is shown by the next press.")
+            }
         }
     }
     if course.place().phase != Phase::Explained {

@@ -6,7 +6,7 @@ use super::{cards, end, form, observed, page, shown};
 use crate::app::lesson::session::Running;
 use crate::app::panels::Commands;
 use crate::app::state::State;
-use crate::lesson::{Kind, Phase, Step};
+use crate::lesson::{AnswerKind, Phase, Step};
 use crate::number_text;
 
 /// Shows the lesson before an audience.
@@ -39,8 +39,8 @@ fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, commands: &
             page::text(ui, &step.text);
             cards::question(ui, &prediction.question);
             match &prediction.kind {
-                Kind::Number(_) if course.is_answered() => shown::said(ui, state, step, course),
-                Kind::Number(_) => {}
+                AnswerKind::Number(_) if course.is_answered() => shown::said(ui, state, step, course),
+                AnswerKind::Number(_) => {}
                 _ => form::show(ui, state, course, prediction, commands),
             }
         }

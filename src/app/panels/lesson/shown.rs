@@ -6,19 +6,21 @@ use super::cards::{self, Sign};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::{markdown, named_text};
-use crate::lesson::{Answer, Course, Kind, Options, Step, verdict};
+use crate::lesson::{Answer, AnswerKind, Course, Options, Step, verdict};
 
 /// Shows the prediction, before it is compared.
 pub fn said(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
     let told = course.record().and_then(|record| verdict(step, record, &state.sight()));
     match (kind(step), answer(course)) {
         (_, None) => cards::quiet(ui, "Skipped."),
-        (Some(Kind::Choice(options)), Some(Answer::Votes(votes))) => bars(ui, options, votes, None),
-        (Some(Kind::Choice(options)), Some(Answer::Choice(choice))) => {
+        (Some(AnswerKind::Choice(options)), Some(Answer::Votes(votes))) => bars(ui, options, votes, None),
+        (Some(AnswerKind::Choice(options)), Some(Answer::Choice(choice))) => {
             cards::quiet(ui, "You said");
             options.texts.get(*choice).into_iter().for_each(|text| cards::show(ui, text, false));
         }
-        (Some(Kind::Number(_)), _) => told.into_iter().for_each(|told| value(ui, "You said", &told.said)),
+        (Some(AnswerKind::Number(_)), _) => {
+            told.into_iter().for_each(|told| value(ui, "You said", &told.said))
+        }
         _ => told.into_iter().for_each(|told| markdown::show(ui, &format!("You said {}.", told.said))),
     }
 }
@@ -26,16 +28,16 @@ pub fn said(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
 /// Shows the prediction and the truth.
 pub fn compared(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
     match (kind(step), answer(course)) {
-        (Some(Kind::Choice(options)), Some(Answer::Votes(votes))) => {
+        (Some(AnswerKind::Choice(options)), Some(Answer::Votes(votes))) => {
             bars(ui, options, votes, Some(options.right));
         }
-        (Some(Kind::Choice(options)), Some(Answer::Choice(choice))) if *choice != options.right => {
+        (Some(AnswerKind::Choice(options)), Some(Answer::Choice(choice))) if *choice != options.right => {
             cards::quiet(ui, "You said");
             options.texts.get(*choice).into_iter().for_each(|text| cards::show(ui, text, false));
             cards::quiet(ui, "It is");
             cards::show(ui, &options.texts[options.right], true);
         }
-        (Some(Kind::Choice(options)), answer) => {
+        (Some(AnswerKind::Choice(options)), answer) => {
             cards::quiet(ui, if answer.is_some() { "You said, rightly," } else { "It is" });
             cards::show(ui, &options.texts[options.right], true);
         }
@@ -43,17 +45,17 @@ pub fn compared(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
             let told = course.record().and_then(|record| verdict(step, record, &state.sight()));
             let Some(told) = told else { return };
             match (kind, answer) {
-                (Kind::Number(asked), Some(Answer::Number(said))) => {
+                (AnswerKind::Number(asked), Some(Answer::Number(said))) => {
                     value(ui, "You said", &told.said);
                     value(ui, "It is", &told.is);
                     let off = asked.truth.map(|truth| asked.text((said - truth).abs()));
                     near(ui, told.right, off);
                 }
-                (Kind::Number(_), _) => value(ui, "It is", &told.is),
-                (Kind::Curve(_), Some(_)) => {
+                (AnswerKind::Number(_), _) => value(ui, "It is", &told.is),
+                (AnswerKind::Curve(_), Some(_)) => {
                     markdown::show(ui, &format!("You drew {}. It is {}.", told.said, told.is));
                 }
-                (Kind::Point(_), Some(_)) => {
+                (AnswerKind::Point(_), Some(_)) => {
                     markdown::show(ui, &format!("You said {}. It is {}.", told.said, told.is));
                     near(ui, told.right, None);
                 }
@@ -80,7 +82,7 @@ fn near(ui: &mut Ui, is_right: Option<bool>, off: Option<String>) {
     }
 }
 
-fn kind(step: &Step) -> Option<&Kind> {
+fn kind(step: &Step) -> Option<&AnswerKind> {
     step.prediction.as_ref().map(|prediction| &prediction.kind)
 }
 

@@ -3,7 +3,7 @@
 use eframe::egui::{Align2, Painter, Pos2, Stroke, TextStyle, Ui, pos2, vec2};
 
 use super::canvas;
-use super::labels::Labels;
+use super::labels::LabelPlaces;
 use crate::app::theme;
 use crate::map::{Chart, ticks};
 use crate::number_text;
@@ -14,7 +14,7 @@ const SPACING: f64 = 42.0;
 
 /// The quantity along an axis.
 #[derive(Debug, Clone, Copy)]
-pub struct Axis<'a> {
+pub struct AxisQuantity<'a> {
     /// Symbol of the quantity.
     pub symbol: &'a str,
     /// Unit of the quantity.
@@ -24,12 +24,18 @@ pub struct Axis<'a> {
 }
 
 /// Draws those of `chart`: the first along the lower edge, the second along the left one. No label will cover them.
-pub fn paint(ui: &Ui, painter: &Painter, chart: &Chart, [across, up]: [Axis<'_>; 2], labels: &mut Labels) {
+pub fn paint(
+    ui: &Ui,
+    painter: &Painter,
+    chart: &Chart,
+    [across, up]: [AxisQuantity<'_>; 2],
+    labels: &mut LabelPlaces,
+) {
     let room = canvas::rect(chart);
     let line = Stroke::new(1.0, ui.visuals().weak_text_color().gamma_multiply(0.16));
     let zero = Stroke::new(1.0, ui.visuals().weak_text_color().gamma_multiply(0.4));
-    let name = |axis: Axis<'_>| axis.unit.label(axis.symbol);
-    let mut write = |axis: Axis<'_>, place: Pos2, align: Align2, text: &str| {
+    let name = |axis: AxisQuantity<'_>| axis.unit.label(axis.symbol);
+    let mut write = |axis: AxisQuantity<'_>, place: Pos2, align: Align2, text: &str| {
         if axis.is_written {
             write(ui, painter, place, align, text, labels);
         }
@@ -61,7 +67,7 @@ fn numbers(range: [f64; 2], unit: Unit, scale: f64) -> Vec<(f64, String)> {
         .collect()
 }
 
-fn write(ui: &Ui, painter: &Painter, place: Pos2, align: Align2, text: &str, labels: &mut Labels) {
+fn write(ui: &Ui, painter: &Painter, place: Pos2, align: Align2, text: &str, labels: &mut LabelPlaces) {
     let colour = ui.visuals().weak_text_color();
     let galley = painter.layout_no_wrap(text.to_owned(), TextStyle::Small.resolve(ui.style()), colour);
     let rect = align.anchor_size(place, galley.size());

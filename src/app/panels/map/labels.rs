@@ -22,7 +22,7 @@ const SIDES: [Vec2; 8] = [
 
 /// The places of labels, and places that they should avoid.
 #[derive(Debug, Clone)]
-pub struct Labels {
+pub struct LabelPlaces {
     room: Rect,
     background: Color32,
     taken: Vec<Rect>,
@@ -30,7 +30,7 @@ pub struct Labels {
     lines: Vec<Pos2>,
 }
 
-impl Labels {
+impl LabelPlaces {
     /// Nothing yet in `room`, which no label leaves, on this `background`.
     pub fn new(room: Rect, background: Color32) -> Self {
         Self { room: room.shrink(2.0), background, taken: Vec::new(), marks: Vec::new(), lines: Vec::new() }
@@ -107,9 +107,9 @@ mod tests {
 
     const SIZE: Vec2 = vec2(60.0, 14.0);
 
-    fn labels() -> Labels {
+    fn labels() -> LabelPlaces {
         let room = Rect::from_min_size(pos2(0.0, 0.0), vec2(300.0, 200.0));
-        Labels::new(room, Color32::BLACK)
+        LabelPlaces::new(room, Color32::BLACK)
     }
 
     #[test]

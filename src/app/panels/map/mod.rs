@@ -15,7 +15,7 @@ use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::widgets::{choice, explained_lazily};
 use crate::caption::capitalised;
-use crate::settings::{Face, Frame, Framing, meaning};
+use crate::settings::{MapFace, MapFrame, MapFraming, meaning};
 
 /// Height of the strip.
 const STRIP_HEIGHT: f32 = 26.0;
@@ -35,9 +35,9 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 /// Shows it before an audience or among few controls: the frame is named, and nothing is chosen.
 pub fn show_presented(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let whose = match state.document.settings.map_frame() {
-        Frame::Ground => "the ground".to_owned(),
-        Frame::Bicycle => format!("the {}", state.document.scene.rider),
-        Frame::Rider => "the one who rides".to_owned(),
+        MapFrame::Ground => "the ground".to_owned(),
+        MapFrame::Bicycle => format!("the {}", state.document.scene.rider),
+        MapFrame::Rider => "the one who rides".to_owned(),
     };
     let told = ui.label(RichText::new(format!("Map, in the frame of {whose}")).small().strong());
     let below = ui.max_rect().with_min_y(told.rect.max.y);
@@ -46,27 +46,27 @@ pub fn show_presented(ui: &mut Ui, state: &State, commands: &mut Commands) {
 
 fn face(ui: &mut Ui, state: &State, below: Rect, commands: &mut Commands) {
     match state.document.settings.map.face {
-        Face::Space => space::show(ui, state, below, commands),
-        Face::Spacetime => spacetime::show(ui, state, below, commands),
+        MapFace::Space => space::show(ui, state, below, commands),
+        MapFace::Spacetime => spacetime::show(ui, state, below, commands),
     }
 }
 
-const FACES: [(Face, &str); 2] = [(Face::Space, "Space"), (Face::Spacetime, "Spacetime")];
+const FACES: [(MapFace, &str); 2] = [(MapFace::Space, "Space"), (MapFace::Spacetime, "Spacetime")];
 
 fn strip(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut map = state.document.settings.map;
     let rider = capitalised(&state.document.scene.rider);
-    let frames = [(Frame::Ground, "Ground"), (Frame::Bicycle, &rider), (Frame::Rider, "Mine")];
+    let frames = [(MapFrame::Ground, "Ground"), (MapFrame::Bicycle, &rider), (MapFrame::Rider, "Mine")];
     let frames = if state.document.settings.ride.is_on() { &frames[..] } else { &frames[..2] };
     ui.horizontal_centered(|ui| {
         choice(ui, &mut map.face, &FACES);
         ui.separator();
         choice(ui, &mut map.frame, frames);
         ui.separator();
-        let mut is_close_up = map.framing == Framing::CloseUp;
+        let mut is_close_up = map.framing == MapFraming::CloseUp;
         let close_up = ui.toggle_value(&mut is_close_up, "Close-up");
-        explained_lazily(close_up, || meaning(&Framing::CloseUp));
-        map.framing = if is_close_up { Framing::CloseUp } else { Framing::Passage };
+        explained_lazily(close_up, || meaning(&MapFraming::CloseUp));
+        map.framing = if is_close_up { MapFraming::CloseUp } else { MapFraming::Passage };
     });
     if map != state.document.settings.map {
         commands.push(Command::Map(map));

@@ -14,7 +14,7 @@ use crate::quantity::Quantity;
 use crate::units::{Measures, Unit};
 
 /// A plot against T.
-pub(super) struct Chart<'a> {
+pub(super) struct TimePlot<'a> {
     /// Quantity that is plotted.
     pub quantity: Quantity,
     /// The units in which lengths and times are shown.
@@ -60,12 +60,12 @@ pub(super) struct Trace<'a> {
     /// Whether a dot shows where it is at T.
     pub dot: bool,
     /// Source of the curve's values.
-    pub source: Source,
+    pub source: ValueSource,
 }
 
 /// The source of a curve's values.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Source {
+pub(super) struct ValueSource {
     /// The point, and how it is seen.
     pub point: SeenPoint,
     /// Model of the curve.
@@ -133,14 +133,14 @@ impl Trace<'_> {
     }
 }
 
-impl Source {
+impl ValueSource {
     /// Returns the value at `time` as plotted, from the core itself.
     pub fn value(&self, time: f64) -> Option<f64> {
         self.point.value(self.model, self.curve, time)
     }
 }
 
-impl Chart<'_> {
+impl TimePlot<'_> {
     /// Returns the ruler of the values.
     pub fn ruler(&self) -> Ruler {
         Ruler::of_values(self.quantity, self.unit, self.height)

@@ -4,16 +4,16 @@ use csv::ByteRecord;
 use eframe::egui::{Color32, Visuals};
 
 use super::axes::{axis_label, column_label, in_unit, time_label};
-use super::chart::{Chart, Dash};
+use super::chart::{Dash, TimePlot};
 use super::plotted::Plotted;
 use super::traces::chart;
 use super::{accuracy, fit};
 use crate::app::plots::curves::{Curve, Whose};
 use crate::app::plots::look::quantities;
 use crate::app::state::State;
-use crate::estimate::samples::eye_columns;
-use crate::files::csv_out::Rows;
-use crate::plot::{self, Line, Panel, Stroke};
+use crate::estimate::samples::EyeColumns;
+use crate::files::csv_out::CsvWriter;
+use crate::plot::{self, Line, LineStroke, Panel};
 use crate::quantity::Quantity;
 use crate::settings::PlotTab;
 
@@ -44,22 +44,22 @@ pub fn csv(state: &State, plotted: Plotted<'_>) -> String {
 /// A drawing is higher than any number of ticks takes.
 const HEIGHT: f32 = 300.0;
 
-fn charts<'a>(state: &'a State, plotted: Plotted<'a>) -> impl Iterator<Item = Chart<'a>> {
+fn charts<'a>(state: &'a State, plotted: Plotted<'a>) -> impl Iterator<Item = TimePlot<'a>> {
     quantities(&state.document.settings.plots)
         .iter()
         .map(move |&quantity| chart(state, plotted.curves, quantity, HEIGHT))
 }
 
-fn panel(state: &State, chart: &Chart<'_>) -> Panel {
+fn panel(state: &State, chart: &TimePlot<'_>) -> Panel {
     let visuals = Visuals::light();
     let in_chart = |point: &egui_plot::PlotPoint| [chart.time_unit.shown(point.x), chart.shown(point.y)];
     let lines = chart.traces.iter().map(|trace| Line {
         name: trace.name.clone(),
         colour: css(trace.colour(&visuals)).into(),
         stroke: match trace.dash {
-            Dash::Solid => Stroke::Solid,
-            Dash::Dashed(length) => Stroke::Dashes(length),
-            Dash::Dotted => Stroke::Dotted,
+            Dash::Solid => LineStroke::Solid,
+            Dash::Dashed(length) => LineStroke::Dashes(length),
+            Dash::Dotted => LineStroke::Dotted,
         },
         pieces: trace.pieces.iter().map(|piece| piece.iter().map(in_chart).collect()).collect(),
     });
@@ -89,21 +89,21 @@ fn css(colour: Color32) -> String {
 /// the numbers of a row, in the scene's own units and radians.
 fn readable(state: &State) -> (Vec<&'static str>, impl Fn(f64) -> Vec<f64>) {
     let seen = state.seen_point(state.document.points.selected());
-    let turns = !seen.ride.is_straight();
-    let (names, _) = eye_columns(seen.baseline, turns);
-    let names = names.iter().copied().chain(["dphi", "dtheta"]).collect();
+    let keeps_head = seen.ride.is_straight();
+    let columns = if keeps_head { EyeColumns::for_eyes(seen.baseline) } else { EyeColumns::Head };
+    let names = columns.names().iter().copied().chain(["dphi", "dtheta"]).collect();
     let numbers = move |time| {
         let angles = [Quantity::DeltaPhi, Quantity::DeltaTheta].map(|quantity| {
             let curve = Curve { quantity, whose: Whose::Both };
             seen.value(seen.model, curve, time).unwrap_or(f64::NAN)
         });
-        let (_, eyes) = eye_columns(seen.baseline_at(time), turns);
+        let eyes = columns.numbers(seen.baseline_at(time));
         [&[time], eyes.as_slice(), &angles].concat()
     };
     (names, numbers)
 }
 
-fn table(state: &State, charts: &[Chart<'_>]) -> String {
+fn table(state: &State, charts: &[TimePlot<'_>]) -> String {
     let traces = charts.iter().flat_map(|chart| &chart.traces);
     let mut times: Vec<f64> = traces.flat_map(|trace| trace.pieces).flatten().map(|point| point.x).collect();
     times.sort_by(f64::total_cmp);
@@ -124,7 +124,7 @@ fn table(state: &State, charts: &[Chart<'_>]) -> String {
     for name in readable.iter().flat_map(|(names, _)| ["T"].iter().chain(names)) {
         head.push_field(name.as_bytes());
     }
-    let mut rows = Rows::new(Vec::new());
+    let mut rows = CsvWriter::new(Vec::new());
     // Into memory: writing does not fail.
     let _ = rows.write(&mut head, &[]);
     for time in times {

@@ -6,7 +6,7 @@ use egui_plot::PlotResponse;
 use relativity_core::math;
 
 use super::axes::time_at_pointer;
-use super::chart::Chart;
+use super::chart::TimePlot;
 use crate::app::command::Command;
 use crate::app::panels::Commands;
 use crate::app::plots::look::{PlotCommand, Ranges};
@@ -22,7 +22,7 @@ pub(super) fn read(
     ui: &Ui,
     state: &State,
     response: &PlotResponse<()>,
-    chart: &Chart<'_>,
+    chart: &TimePlot<'_>,
     commands: &mut Commands,
 ) {
     let quantity = chart.quantity;
@@ -86,7 +86,13 @@ fn steps(ui: &Ui, id: Id) -> i32 {
 }
 
 /// Returns the part that is shown after this number of `steps` about a place; `None` where that is the whole range of T.
-fn zoomed(chart: &Chart<'_>, shown: Ranges, whole: [f64; 2], [x, y]: [f64; 2], steps: i32) -> Option<Ranges> {
+fn zoomed(
+    chart: &TimePlot<'_>,
+    shown: Ranges,
+    whole: [f64; 2],
+    [x, y]: [f64; 2],
+    steps: i32,
+) -> Option<Ranges> {
     let (time_ruler, value_ruler, inwards) = (chart.time_ruler(0.0), chart.ruler(), steps > 0);
     let mut ranges = shown;
     for _ in 0..steps.unsigned_abs() {

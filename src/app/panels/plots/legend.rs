@@ -10,7 +10,7 @@ use eframe::egui::{
 };
 use egui_plot::PlotResponse;
 
-use super::chart::{Chart, Dash, Trace};
+use super::chart::{Dash, TimePlot, Trace};
 use crate::app::plots::curves::PUBLISHED;
 
 /// Length of a piece of line, and what is between it and its name; points.
@@ -24,14 +24,14 @@ const LOW: f32 = 0.45;
 const OPACITY: f32 = 0.8;
 
 /// A line of the legend.
-pub(super) struct Row {
+pub(super) struct LegendEntry {
     /// Line that the row names, and that line's width; `None` for a row about the cursors.
     line: Option<(Dash, f32)>,
     text: String,
     colour: Color32,
 }
 
-impl Row {
+impl LegendEntry {
     /// The name of a line.
     pub fn of_line(dash: Dash, width: f32, name: &str, colour: Color32) -> Self {
         Self { line: Some((dash, width)), text: name.to_owned(), colour }
@@ -51,9 +51,9 @@ enum Detail {
 }
 
 /// Returns the rows in the legend of `chart`: none for a single curve, and for curves that the title names.
-fn rows(ui: &Ui, chart: &Chart<'_>, detail: Detail) -> Vec<Row> {
+fn rows(ui: &Ui, chart: &TimePlot<'_>, detail: Detail) -> Vec<LegendEntry> {
     let visuals = ui.visuals();
-    let plain = |text: &str| Row { line: None, text: text.to_owned(), colour: visuals.text_color() };
+    let plain = |text: &str| LegendEntry { line: None, text: text.to_owned(), colour: visuals.text_color() };
     let Some(cursors) = chart.cursors_text() else { return names(chart, detail, visuals) };
     let read = chart.traces.iter().flat_map(|trace| {
         let is_read =
@@ -61,17 +61,17 @@ fn rows(ui: &Ui, chart: &Chart<'_>, detail: Detail) -> Vec<Row> {
         let text = chart.at_cursors(trace).unwrap_or_default();
         let colour = trace.colour(visuals);
         let name = named(&trace.name, detail);
-        let head = |text: String| Row { line: Some(line(trace)), text, colour };
+        let head = |text: String| LegendEntry { line: Some(line(trace)), text, colour };
         match detail {
             Detail::Full | Detail::Short => vec![head(format!("{name}  {text}"))],
             Detail::Selected if !is_read => vec![head(name)],
             Detail::Stacked | Detail::Selected => {
-                let parts = text.split(", ").map(|part| Row { colour, ..plain(part) });
+                let parts = text.split(", ").map(|part| LegendEntry { colour, ..plain(part) });
                 [head(name)].into_iter().chain(parts).collect()
             }
         }
     });
-    let heads: Vec<Row> = match detail {
+    let heads: Vec<LegendEntry> = match detail {
         Detail::Full | Detail::Short => vec![plain(&cursors)],
         Detail::Stacked => cursors.split(", ").map(plain).collect(),
         Detail::Selected => cursors.split(", ").last().map(plain).into_iter().collect(),
@@ -80,17 +80,17 @@ fn rows(ui: &Ui, chart: &Chart<'_>, detail: Detail) -> Vec<Row> {
 }
 
 /// The names of the curves that the title does not name: one point needs none.
-fn names(chart: &Chart<'_>, detail: Detail, visuals: &Visuals) -> Vec<Row> {
+fn names(chart: &TimePlot<'_>, detail: Detail, visuals: &Visuals) -> Vec<LegendEntry> {
     let is_published = |trace: &&Trace<'_>| trace.source.model == PUBLISHED;
     let is_of_points = chart.quantity.is_disparity();
     let several = is_of_points && chart.traces.iter().filter(|trace| !is_published(trace)).count() > 1;
     let named = chart.traces.iter().filter(|trace| trace.pale || (several && !is_published(trace)));
-    let row = |trace: &Trace<'_>| Row {
+    let row = |trace: &Trace<'_>| LegendEntry {
         line: Some(line(trace)),
         text: self::named(&trace.name, detail),
         colour: trace.colour(visuals),
     };
-    let published = chart.traces.iter().filter(|_| several).find(is_published).map(|trace| Row {
+    let published = chart.traces.iter().filter(|_| several).find(is_published).map(|trace| LegendEntry {
         line: Some((trace.dash, 1.2)),
         text: "published".to_owned(),
         colour: visuals.text_color(),
@@ -114,15 +114,15 @@ fn named(name: &str, detail: Detail) -> String {
 
 /// A block of rows in columns.
 struct LegendBlock {
-    rows: Vec<(Row, Arc<Galley>)>,
+    rows: Vec<(LegendEntry, Arc<Galley>)>,
     columns: usize,
     cell: Vec2,
 }
 
 impl LegendBlock {
-    fn new(ui: &Ui, rows: Vec<Row>, columns: usize) -> Self {
+    fn new(ui: &Ui, rows: Vec<LegendEntry>, columns: usize) -> Self {
         let font = TextStyle::Small.resolve(ui.style());
-        let laid = |row: Row| {
+        let laid = |row: LegendEntry| {
             let galley = ui.painter().layout_no_wrap(row.text.clone(), font.clone(), row.colour);
             (row, galley)
         };
@@ -182,13 +182,19 @@ pub(super) fn sample(painter: &Painter, from: Pos2, length: f32, dash: Dash, str
 }
 
 /// Draws the legend of `chart` where it covers least of what is `drawn`.
-pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &Chart<'_>, drawn: &Drawn) {
+pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &TimePlot<'_>, drawn: &Drawn) {
     let Some(block) = block(ui, chart, response.transform.frame().size()) else { return };
     put(ui, response, chart.quantity.row().symbol, &block, drawn);
 }
 
 /// Draws a legend of these `rows`, the names of the lines in the plot of `what`.
-pub(super) fn show_rows(ui: &Ui, response: &PlotResponse<()>, what: &str, rows: Vec<Row>, drawn: &Drawn) {
+pub(super) fn show_rows(
+    ui: &Ui,
+    response: &PlotResponse<()>,
+    what: &str,
+    rows: Vec<LegendEntry>,
+    drawn: &Drawn,
+) {
     if !rows.is_empty() {
         put(ui, response, what, &LegendBlock::new(ui, rows, 1), drawn);
     }
@@ -210,7 +216,7 @@ fn put(ui: &Ui, response: &PlotResponse<()>, what: &str, block: &LegendBlock, dr
 }
 
 /// The first that is low enough, else the first that fits at all, from the most telling to the shortest.
-fn block(ui: &Ui, chart: &Chart<'_>, room: Vec2) -> Option<LegendBlock> {
+fn block(ui: &Ui, chart: &TimePlot<'_>, room: Vec2) -> Option<LegendBlock> {
     let ways = [
         (Detail::Full, 1),
         (Detail::Full, 2),
@@ -257,7 +263,7 @@ const NOW: f32 = 0.5;
 
 impl Drawn {
     /// Returns the contents that `chart` draws.
-    pub fn new(response: &PlotResponse<()>, chart: &Chart<'_>) -> Self {
+    pub fn new(response: &PlotResponse<()>, chart: &TimePlot<'_>) -> Self {
         let [from, to] = chart.range;
         let place = |trace: &Trace<'_>, time: f64| {
             let value = trace.drawn_at(time)?;

@@ -23,14 +23,14 @@ use eframe::egui::{self, ComboBox, Ui, vec2};
 use egui_plot::{LineStyle, PlotBounds, PlotResponse, PlotUi, VLine};
 
 use self::axes::{annotate, plot_over_time};
-use self::chart::Chart;
+use self::chart::TimePlot;
 pub use self::export::{csv, svg};
 use self::legend::Drawn;
 pub use self::plotted::Plotted;
 use self::traces::chart;
 use crate::app::command::Command;
 use crate::app::panels::Commands;
-use crate::app::plots::curves::Curves;
+use crate::app::plots::curves::QuantityCurves;
 use crate::app::plots::look::quantities;
 use crate::app::state::State;
 use crate::app::theme;
@@ -81,12 +81,12 @@ pub fn show_one(ui: &mut Ui, state: &State, plotted: Plotted<'_>, commands: &mut
 }
 
 /// Plots over T side by side, each below what it is called and what it is now.
-fn over_time(ui: &mut Ui, state: &State, curves: &[Curves], commands: &mut Commands) {
+fn over_time(ui: &mut Ui, state: &State, curves: &[QuantityCurves], commands: &mut Commands) {
     let high = ui.available_height() - ABOVE_AND_BELOW;
-    let charts: Vec<Chart<'_>> =
+    let charts: Vec<TimePlot<'_>> =
         state.plotted_quantities().iter().map(|&quantity| chart(state, curves, quantity, high)).collect();
     // Four distances have more to say than one gain.
-    let share = |chart: &Chart<'_>| if chart.quantity == Quantity::Distance { 2.0 } else { 1.0 };
+    let share = |chart: &TimePlot<'_>| if chart.quantity == Quantity::Distance { 2.0 } else { 1.0 };
     let all: f32 = charts.iter().map(share).sum();
     let free = ui.available_width();
     let width = |chart| (free * share(chart) / all - theme::GAP / 2.0).max(20.0);
@@ -148,7 +148,7 @@ fn coordinates(ui: &mut Ui, chosen: &mut Coordinates) {
     shown.response.on_hover_text(about("coordinates")).accessible_name("Coordinates of the disparities");
 }
 
-fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &Chart<'_>, commands: &mut Commands) {
+fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &TimePlot<'_>, commands: &mut Commands) {
     let quantity = chart.quantity;
     let ([from, to], [low, high]) = (chart.range, chart.value_range());
     let plot = plot_over_time(ui, ("plot", quantity.row().id), chart.time_unit, size);
@@ -172,7 +172,7 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &Chart<'_>, command
 }
 
 /// The times that are marked.
-fn lines(plot: &mut PlotUi<'_>, chart: &Chart<'_>, visuals: &egui::Visuals) {
+fn lines(plot: &mut PlotUi<'_>, chart: &TimePlot<'_>, visuals: &egui::Visuals) {
     let line = |name: &str, time: f64| VLine::new(name, time).width(1.0).allow_hover(false);
     if let Some((time, _)) = chart.equidistant {
         let colour = theme::equidistance_colour(visuals);

@@ -4,7 +4,7 @@ use eframe::egui::{RichText, Tooltip, Ui};
 use egui_plot::PlotResponse;
 use relativity_core::math;
 
-use super::chart::{Chart, Trace};
+use super::chart::{TimePlot, Trace};
 use crate::number_text;
 use crate::units::Unit;
 
@@ -22,7 +22,7 @@ fn resolved(value: f64, resolution: f64) -> String {
     number_text::fixed(value, if decimals.is_finite() { decimals as u8 } else { 3 })
 }
 
-impl Chart<'_> {
+impl TimePlot<'_> {
     /// Writes a T with its unit, as precisely as the plot shows it.
     pub fn time_text(&self, time: f64) -> String {
         let [from, to] = self.range;
@@ -83,7 +83,7 @@ fn significant(value: f64) -> String {
 }
 
 /// Says beside the pointer which T it is at, and what each curve is there.
-pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &Chart<'_>) {
+pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &TimePlot<'_>) {
     let mouse = &response.response;
     let Some(pointer) = mouse.hover_pos().filter(|_| mouse.contains_pointer()) else { return };
     // It would cover what is dragged.

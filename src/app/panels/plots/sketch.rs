@@ -8,7 +8,7 @@ use egui_plot::{Line, PlotBounds, PlotPoints, PlotResponse, Points, VLine};
 
 use super::axes::{Ruler, Y_AXIS_WIDTH, annotate, axis_label, plot_over_time};
 use super::chart::Dash;
-use super::legend::{self, Drawn, Row};
+use super::legend::{self, Drawn, LegendEntry};
 use crate::app::command::Command;
 use crate::app::lesson::drawn_curve::Sketched;
 use crate::app::lesson::session::LessonCommand;
@@ -16,7 +16,7 @@ use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::lesson::{Answer, Curve, difference, sketch};
+use crate::lesson::{Answer, CurveAnswer, difference, sketch};
 use crate::plot::with_factor;
 use crate::quantity::Quantity;
 
@@ -78,7 +78,7 @@ const fn whose(quantity: Quantity) -> &'static str {
 }
 
 fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands: &mut Commands) {
-    let Curve { quantity, range: values } = sketched.curve;
+    let CurveAnswer { quantity, range: values } = sketched.curve;
     let (times, time_unit) = (state.whole_times(), state.measures().time);
     let size = ui.available_size().max(Vec2::splat(20.0));
     let (settings, track) = (&state.document.settings, state.document.points.selected().track);
@@ -111,7 +111,8 @@ fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands: &mut Comma
         annotate(ui, &response, (state.clock(), time_unit), None, |spot| covered.covered_by(spot));
     let is_there = [(&truth, TRUE, true_colour), (&drawn, DRAWN, drawn_colour)];
     let is_there = is_there.into_iter().filter(|(pieces, ..)| sketched.is_revealed && !pieces.is_empty());
-    let row = |(_, (dash, name), colour): (_, (Dash, &str), _)| Row::of_line(dash, WIDTH, name, colour);
+    let row =
+        |(_, (dash, name), colour): (_, (Dash, &str), _)| LegendEntry::of_line(dash, WIDTH, name, colour);
     legend::show_rows(ui, &response, "the sketch", is_there.map(row).collect(), &covered);
     describe(ui, &response, state, sketched);
     if sketched.is_asked {

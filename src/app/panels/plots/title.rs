@@ -5,7 +5,7 @@ use eframe::egui::{Align, Label, Layout, RichText, Sense, Stroke, TextStyle, Ui,
 use relativity_core::Model;
 
 use super::axes::{Y_AXIS_WIDTH, axis_label};
-use super::chart::{Chart, Trace};
+use super::chart::{TimePlot, Trace};
 use super::legend::{SAMPLE, SPACE, sample};
 use super::traces::{ONE_CONE, whose_words};
 use crate::app::plots::curves::{PUBLISHED, Whose};
@@ -16,7 +16,7 @@ use crate::plot::with_factor;
 use crate::quantity::Quantity;
 
 /// Shows the title.
-pub(super) fn show(ui: &mut Ui, state: &State, chart: &Chart<'_>) {
+pub(super) fn show(ui: &mut Ui, state: &State, chart: &TimePlot<'_>) {
     let room = vec2((ui.available_width() - Y_AXIS_WIDTH).max(1.0), TextStyle::Body.resolve(ui.style()).size);
     ui.horizontal(|ui| {
         ui.add_space(Y_AXIS_WIDTH);
@@ -48,7 +48,7 @@ const PUBLISHED_TIP: &str =
     "Solid: what the views show, the paper's model. Dotted: each eye through its own light cone, exactly.";
 
 /// Shows the values of the selected point's curves at T, each in its colour.
-fn values_now(ui: &mut Ui, state: &State, chart: &Chart<'_>, exponent: i32) {
+fn values_now(ui: &mut Ui, state: &State, chart: &TimePlot<'_>, exponent: i32) {
     let number = state.document.points.selected().number;
     let own = |trace: &&Trace<'_>| !trace.pale && trace.is_of(number) && trace.dot;
     let row = chart.quantity.row();

@@ -2,9 +2,9 @@
 
 use relativity_core::Model;
 
-use super::chart::{Chart, Dash, Hue, Source, Trace};
+use super::chart::{Dash, Hue, TimePlot, Trace, ValueSource};
 use super::pins;
-use crate::app::plots::curves::{Curve, Curves, CurvesKey, PUBLISHED, SeenPoint, Whose};
+use crate::app::plots::curves::{Curve, CurvesKey, PUBLISHED, QuantityCurves, SeenPoint, Whose};
 use crate::app::state::State;
 use crate::app::state::points::Point;
 use crate::eye::Eye;
@@ -12,11 +12,16 @@ use crate::quantity::{Dimension, Of, Quantity};
 
 /// The chart of `quantity`: of every point for a disparity, of each eye of the selected one else; and of what is pinned.
 /// `curves` are those that [`State::plotted_keys`] asks for; it is drawn about so high (points).
-pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity, height: f32) -> Chart<'a> {
+pub(super) fn chart<'a>(
+    state: &State,
+    curves: &'a [QuantityCurves],
+    quantity: Quantity,
+    height: f32,
+) -> TimePlot<'a> {
     let measures = state.measures();
     let along = state.document.settings.baseline().is_along_motion();
     let words = if along { "seen abreast" } else { "seen equally far" };
-    Chart {
+    TimePlot {
         quantity,
         measures,
         unit: quantity.unit(&measures),
@@ -47,7 +52,7 @@ fn rounding(seen: &SeenPoint, quantity: Quantity) -> f64 {
 }
 
 /// Returns the traces of `quantity`, the ones on top last.
-fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
+fn traces<'a>(state: &State, curves: &'a [QuantityCurves], quantity: Quantity) -> Vec<Trace<'a>> {
     let found = |key: CurvesKey| curves.iter().find(|curves| *curves.key() == key);
     let own = |point: &Point| found(state.plotted_key(point, quantity));
     let selected = own(state.document.points.selected());
@@ -65,7 +70,7 @@ fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Tr
 }
 
 /// Returns the traces of a quantity of the selected point that is no disparity.
-fn of_selected(own: &Curves) -> Vec<Trace<'_>> {
+fn of_selected(own: &QuantityCurves) -> Vec<Trace<'_>> {
     match own.key().quantity {
         Quantity::Distance => distances(own),
         quantity if matches!(quantity.row().of, Of::Stereo(_)) => {
@@ -76,7 +81,7 @@ fn of_selected(own: &Curves) -> Vec<Trace<'_>> {
 }
 
 /// The disparity of the point at rest, for eyes as far apart as the moving one shows them; none where motion is no slide.
-fn resting(own: &Curves) -> Option<Trace<'_>> {
+fn resting(own: &QuantityCurves) -> Option<Trace<'_>> {
     let is_there = !own.pieces(Whose::Resting, own.key().point.model).is_empty();
     is_there.then(|| Trace {
         name: "at rest, eyes γd apart".to_owned(),
@@ -88,7 +93,7 @@ fn resting(own: &Curves) -> Option<Trace<'_>> {
 }
 
 /// A quantity that each eye has: the right one's dashes let the left one's line be seen where they coincide.
-fn of_eyes(own: &Curves) -> Vec<Trace<'_>> {
+fn of_eyes(own: &QuantityCurves) -> Vec<Trace<'_>> {
     let traces = models(own).flat_map(|model| {
         Eye::BOTH.map(|eye| {
             let trace = of_model(eye.name(), Hue::Eye(eye), own, model, Whose::Eye(eye));
@@ -100,7 +105,7 @@ fn of_eyes(own: &Curves) -> Vec<Trace<'_>> {
 }
 
 /// Returns the traces in a pin of this `name`: of the distances that at which two eyes take the point to be.
-fn of_pin<'a>(curves: &'a Curves, name: &str, number: usize, dash: Dash) -> Vec<Trace<'a>> {
+fn of_pin<'a>(curves: &'a QuantityCurves, name: &str, number: usize, dash: Dash) -> Vec<Trace<'a>> {
     let quantity = curves.key().quantity;
     let trace = |(name, hue, whose): (String, Hue, Whose)| Trace {
         name: name.clone(),
@@ -121,7 +126,7 @@ fn of_pin<'a>(curves: &'a Curves, name: &str, number: usize, dash: Dash) -> Vec<
 }
 
 /// The exact model where that is not what the views show, and then what they do.
-fn models(curves: &Curves) -> impl Iterator<Item = Model> + use<> {
+fn models(curves: &QuantityCurves) -> impl Iterator<Item = Model> + use<> {
     let shown = curves.key().point.model;
     [Model::Exact].into_iter().filter(move |&exact| exact != shown).chain([shown])
 }
@@ -131,7 +136,7 @@ pub(super) const ONE_CONE: &str = "one light cone";
 const TWO_CONES: &str = "two light cones (exact)";
 
 /// A curve by the model of what the views show or, where that is another, the exact one beside it.
-fn of_model<'a>(name: &str, hue: Hue, curves: &'a Curves, model: Model, whose: Whose) -> Trace<'a> {
+fn of_model<'a>(name: &str, hue: Hue, curves: &'a QuantityCurves, model: Model, whose: Whose) -> Trace<'a> {
     let CurvesKey { point, quantity, .. } = curves.key();
     let (name, dash) = match (point.model, model) {
         (Model::Exact, _) => (name.to_owned(), Dash::Solid),
@@ -148,13 +153,13 @@ fn of_model<'a>(name: &str, hue: Hue, curves: &'a Curves, model: Model, whose: W
         wide: shown,
         pale: false,
         dot: shown,
-        source: Source { point: point.clone(), model, curve: Curve { quantity: *quantity, whose } },
+        source: ValueSource { point: point.clone(), model, curve: Curve { quantity: *quantity, whose } },
     }
 }
 
 /// A disparity of every followed point: the selected one below the others, which are thinner, and the published model's
 /// on top.
-fn of_points<'a>(state: &State, curves: impl Fn(&Point) -> Option<&'a Curves>) -> Vec<Trace<'a>> {
+fn of_points<'a>(state: &State, curves: impl Fn(&Point) -> Option<&'a QuantityCurves>) -> Vec<Trace<'a>> {
     let points = &state.document.points;
     let mut all: Vec<_> = points.all().iter().enumerate().collect();
     all.sort_by_key(|(index, _)| *index != points.selected_index());
@@ -201,7 +206,7 @@ const fn distance_look(whose: Whose) -> (Hue, Dash, bool) {
 }
 
 /// Returns the traces of the selected point's distances: two eyes on top.
-fn distances(curves: &Curves) -> Vec<Trace<'_>> {
+fn distances(curves: &QuantityCurves) -> Vec<Trace<'_>> {
     let all = [Whose::Measured, Whose::Eye(Eye::Left), Whose::Eye(Eye::Right), Whose::Both];
     all.into_iter()
         .map(|whose| {

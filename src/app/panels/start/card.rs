@@ -14,7 +14,7 @@ use super::Commands;
 use super::picture::{self, ASPECT, RADIUS};
 use crate::app::command::Command;
 use crate::app::theme;
-use crate::app::views::thumbnails::{Look, Thumbnails};
+use crate::app::views::thumbnails::{ThumbnailLook, Thumbnails};
 use crate::eye::Eye;
 use crate::lesson::Lesson;
 
@@ -139,7 +139,7 @@ impl Card<'_> {
         ui: &Ui,
         rect: Rect,
         written: Arc<Galley>,
-        look: Look,
+        look: ThumbnailLook,
         thumbnails: &mut Thumbnails,
     ) -> Response {
         let id: Id = ui.make_persistent_id(("card", self.lesson.is_a_preset(), &self.lesson.name));

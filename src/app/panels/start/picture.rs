@@ -6,7 +6,7 @@ use eframe::egui::epaint::{CornerRadius, RectShape};
 use eframe::egui::{Color32, Rect, TextStyle, TextureHandle, Ui, Visuals, pos2, vec2};
 
 use crate::app::theme;
-use crate::app::views::thumbnails::{Look, Thumbnails};
+use crate::app::views::thumbnails::{ThumbnailLook, Thumbnails};
 use crate::eye::Eye;
 use crate::lesson::Lesson;
 
@@ -22,9 +22,9 @@ const BETWEEN: f32 = 10.0;
 const WIDEST: f32 = 300.0;
 
 /// Returns the look of a picture `width` points wide.
-pub fn look(ui: &Ui, width: f32, eye: Eye) -> Look {
+pub fn look(ui: &Ui, width: f32, eye: Eye) -> ThumbnailLook {
     let pixels = ui.pixels_per_point().clamp(1.0, FINEST);
-    Look {
+    ThumbnailLook {
         size: [width, width * ASPECT].map(|side| (side * pixels).round().max(1.0) as u32),
         in_light_window: !ui.visuals().dark_mode,
         eye,

@@ -9,7 +9,7 @@ use crate::app::views::panes::EyePane;
 use crate::caption;
 use crate::eye::Eye;
 use crate::number_text;
-use crate::settings::Light;
+use crate::settings::LightSettings;
 
 /// Returns a note on the picture, where it is not what an eye would see, drawn exactly.
 pub fn note(state: &State, eye: Eye, picture: Option<ShownPicture>, with_heat_map: bool) -> String {
@@ -34,7 +34,7 @@ pub fn note(state: &State, eye: Eye, picture: Option<ShownPicture>, with_heat_ma
 }
 
 /// Names the light where it is not that of the bodies alone.
-fn colour_note(light: &Light, geometry: Geometry) -> Option<&'static str> {
+fn colour_note(light: &LightSettings, geometry: Geometry) -> Option<&'static str> {
     let on_street = light.doppler_shift && geometry.has_doppler_effect();
     match light.colour {
         Colour::OneWavelength | Colour::Glowing => None,
@@ -47,7 +47,7 @@ fn colour_note(light: &Light, geometry: Geometry) -> Option<&'static str> {
 /// Names the street's colours where they are not those that are received.
 fn street_note(state: &State) -> Option<&'static str> {
     let settings = &state.document.settings;
-    let Light { colour, street_colours, doppler_shift, .. } = settings.light;
+    let LightSettings { colour, street_colours, doppler_shift, .. } = settings.light;
     let is_seen = settings.ride.is_on() && settings.geometry().has_doppler_effect();
     match street_colours {
         _ if !is_seen || colour == Colour::False => None,

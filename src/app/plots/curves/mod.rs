@@ -19,7 +19,7 @@ use crate::settings::{Rider, Riding};
 
 pub(in crate::app) use bends::Bends;
 use sampled::pieces;
-pub(in crate::app) use sampled::{Sample, sampled};
+pub(in crate::app) use sampled::{CurveSample, sampled};
 
 /// A curve of a point: of a quantity, and of one of those who have a value of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -218,15 +218,15 @@ pub struct CurvesKey {
 
 /// The curves of a quantity of a point, by everyone who has a value of it.
 #[derive(Debug, Clone)]
-pub struct Curves {
+pub struct QuantityCurves {
     key: CurvesKey,
-    drawn: Vec<(Model, Whose, Pieces)>,
+    drawn: Vec<(Model, Whose, CurvePieces)>,
 }
 
 /// The pieces of a curve.
-type Pieces = Vec<Vec<PlotPoint>>;
+type CurvePieces = Vec<Vec<PlotPoint>>;
 
-impl Curves {
+impl QuantityCurves {
     /// The curves for `key`.
     #[must_use]
     pub fn new(key: CurvesKey) -> Self {
@@ -262,13 +262,13 @@ impl Curves {
 }
 
 /// The pieces of a curve of `key`.
-fn curve(key: &CurvesKey, model: Model, whose: Whose, bends: &Bends) -> Pieces {
+fn curve(key: &CurvesKey, model: Model, whose: Whose, bends: &Bends) -> CurvePieces {
     let curve = Curve { quantity: key.quantity, whose };
     let value = |time| key.point.value(model, curve, time).map(|value| [value]);
     let pieces = if key.point.is_whole(curve) { vec![key.range] } else { pieces(key.range, bends, value) };
     let points = |piece| {
         let samples = sampled(piece, bends, value).into_iter();
-        samples.map(|Sample { time, values: [value] }| PlotPoint::new(time, value)).collect()
+        samples.map(|CurveSample { time, values: [value] }| PlotPoint::new(time, value)).collect()
     };
     pieces.into_iter().map(points).collect()
 }

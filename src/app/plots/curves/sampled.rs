@@ -18,7 +18,7 @@ const RUNGS: i32 = 40;
 
 /// Values at one T.
 #[derive(Debug, Clone, Copy)]
-pub struct Sample<const N: usize> {
+pub struct CurveSample<const N: usize> {
     /// Observation time T.
     pub time: f64,
     /// Values at that time.
@@ -30,17 +30,18 @@ pub fn sampled<const N: usize>(
     range: [f64; 2],
     bends: &Bends,
     values: impl Fn(f64) -> Option<[f64; N]>,
-) -> Vec<Sample<N>> {
-    let sample = |time| values(time).map(|values| Sample { time, values });
-    let mut samples: Vec<Sample<N>> = first_times(range, bends).into_iter().filter_map(&sample).collect();
+) -> Vec<CurveSample<N>> {
+    let sample = |time| values(time).map(|values| CurveSample { time, values });
+    let mut samples: Vec<CurveSample<N>> =
+        first_times(range, bends).into_iter().filter_map(&sample).collect();
     let tolerances = tolerances(&samples);
-    let is_clear = |ends: &[Sample<N>]| Some(ends[0].time) >= bends.blurred_until;
+    let is_clear = |ends: &[CurveSample<N>]| Some(ends[0].time) >= bends.blurred_until;
     let mut is_open: Vec<bool> = samples.windows(2).map(is_clear).collect();
     let checks = if bends.turns.is_empty() { &ON_CHORDS[..1] } else { &ON_CHORDS };
     // All at once, so that every part of the range has its share of the samples.
     for _ in 0..MAX_DEPTH {
         let mut room = MAX_SAMPLES.saturating_sub(samples.len());
-        let middle = |(ends, &is_open): (&[Sample<N>], &bool)| {
+        let middle = |(ends, &is_open): (&[CurveSample<N>], &bool)| {
             let middle = (is_open && room > 0)
                 .then(|| bend([ends[0], ends[1]], checks, &sample, &tolerances))
                 .flatten();
@@ -51,7 +52,8 @@ pub fn sampled<const N: usize>(
         if middles.iter().all(Option::is_none) {
             break;
         }
-        let halves = |middle: &Option<Sample<N>>| vec![middle.is_some(); 1 + usize::from(middle.is_some())];
+        let halves =
+            |middle: &Option<CurveSample<N>>| vec![middle.is_some(); 1 + usize::from(middle.is_some())];
         is_open = middles.iter().flat_map(halves).collect();
         let inside = middles.into_iter().chain([None]);
         samples = samples
@@ -70,11 +72,11 @@ const LEFT_OUT: f64 = 0.5;
 
 /// Without the samples that lie on the one before, as drawn: a line through them would be drawn uneven.
 fn thinned<const N: usize>(
-    samples: Vec<Sample<N>>,
+    samples: Vec<CurveSample<N>>,
     tolerances: &[f64; N],
     time_tolerance: f64,
-) -> Vec<Sample<N>> {
-    let mut kept: Vec<Sample<N>> = Vec::with_capacity(samples.len());
+) -> Vec<CurveSample<N>> {
+    let mut kept: Vec<CurveSample<N>> = Vec::with_capacity(samples.len());
     for sample in samples {
         let same = kept.last().is_some_and(|last| {
             sample.time - last.time < time_tolerance
@@ -107,7 +109,7 @@ fn first_times([from, to]: [f64; 2], bends: &Bends) -> Vec<f64> {
 }
 
 /// Returns the greatest distance of a chord from each curve.
-fn tolerances<const N: usize>(samples: &[Sample<N>]) -> [f64; N] {
+fn tolerances<const N: usize>(samples: &[CurveSample<N>]) -> [f64; N] {
     std::array::from_fn(|channel| {
         let values = samples.iter().map(|sample| sample.values[channel]);
         let lowest = values.clone().fold(f64::INFINITY, f64::min);
@@ -161,16 +163,16 @@ const ON_CHORDS: [f64; 2] = [0.5, 0.3];
 /// Returns the sample halfway between two others, unless the chord between them is near the curve `at` these parts of it, of which the
 /// first is the half.
 fn bend<const N: usize>(
-    [start, end]: [Sample<N>; 2],
+    [start, end]: [CurveSample<N>; 2],
     at: &[f64],
-    sample: &impl Fn(f64) -> Option<Sample<N>>,
+    sample: &impl Fn(f64) -> Option<CurveSample<N>>,
     tolerances: &[f64; N],
-) -> Option<Sample<N>> {
+) -> Option<CurveSample<N>> {
     let inside = |part| {
         let time = time_within([start.time, end.time], part);
         sample(time).filter(|_| start.time < time && time < end.time)
     };
-    let is_off = |found: &Sample<N>, part| {
+    let is_off = |found: &CurveSample<N>, part| {
         (0..N).any(|i| {
             let chord = time_within([start.values[i], end.values[i]], part);
             (found.values[i] - chord).abs() > tolerances[i]

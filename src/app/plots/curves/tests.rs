@@ -41,8 +41,8 @@ fn seen(beta: f64, point: [f64; 3]) -> SeenPoint {
     }
 }
 
-fn curves(point: &SeenPoint, range: [f64; 2], quantity: Quantity) -> Curves {
-    Curves::new(CurvesKey { point: point.clone(), quantity, range, published: true })
+fn curves(point: &SeenPoint, range: [f64; 2], quantity: Quantity) -> QuantityCurves {
+    QuantityCurves::new(CurvesKey { point: point.clone(), quantity, range, published: true })
 }
 
 /// The curve that both eyes have.

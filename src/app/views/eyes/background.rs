@@ -7,7 +7,7 @@ use relativity_render::Picture;
 use super::request::Request;
 use crate::accuracy::REFERENCE_SAMPLES;
 use crate::app::debounce::Debounce;
-use crate::app::views::reference_steps::{Drawing, ReferenceSteps};
+use crate::app::views::reference_steps::{ReferencePicture, ReferenceSteps};
 use crate::app::worker::BackgroundWork;
 
 /// Rays per pixel and direction of the steps in which pictures get smoother: the first has as many as any other picture.
@@ -15,7 +15,7 @@ const STEPS: [u32; 3] = [REFERENCE_SAMPLES, 4, 8];
 
 /// A picture, and how many rays per pixel and direction it is made of.
 #[derive(Debug)]
-pub struct Made {
+pub struct FinishedPicture {
     /// Request that the picture fulfils.
     pub of: Request,
     /// Rays per pixel and direction.
@@ -30,7 +30,7 @@ pub struct Background {
     stillness: Debounce<Request>,
     requested: Option<(Request, u32)>,
     /// Newest picture.
-    done: Option<Made>,
+    done: Option<FinishedPicture>,
     /// Whether what is to be shown is not yet made.
     pub is_awaited: bool,
     /// Whether what is shown is to get smoother.
@@ -57,14 +57,14 @@ impl Background {
 
     /// Returns the picture for `request`, once it is drawn. Drawing begins when the request no longer changes, and then the picture
     /// gets smoother if it may.
-    pub fn picture(&mut self, ctx: &Context, request: &Request) -> Option<&Made> {
+    pub fn picture(&mut self, ctx: &Context, request: &Request) -> Option<&FinishedPicture> {
         let is_still = self.stillness.is_still(ctx, request);
         self.update(request, REFERENCE_SAMPLES, is_still);
         self.done.as_ref().filter(|_| !self.is_awaited)
     }
 
     /// A smoother picture than the one of `request` that another method has drawn, if it may be and once there is one.
-    pub fn smoother(&mut self, ctx: &Context, request: &Request) -> Option<&Made> {
+    pub fn smoother(&mut self, ctx: &Context, request: &Request) -> Option<&FinishedPicture> {
         if !self.worker.is_apart() {
             return None;
         }
@@ -76,7 +76,7 @@ impl Background {
     }
 
     /// Returns the newest picture of this size, even if it was requested before: a late one is better than none.
-    pub fn newest(&mut self, request: &Request) -> Option<&Made> {
+    pub fn newest(&mut self, request: &Request) -> Option<&FinishedPicture> {
         self.update(request, REFERENCE_SAMPLES, true);
         self.done.as_ref().filter(|made| made.picture.size == request.view.camera.size)
     }
@@ -84,7 +84,7 @@ impl Background {
     /// Receives what is done, and begins the next step, the `first` before all, if it `may_begin`.
     fn update(&mut self, request: &Request, first: u32, may_begin: bool) {
         if let Some(((of, samples), picture)) = self.worker.result() {
-            self.done = Some(Made { of, samples, picture });
+            self.done = Some(FinishedPicture { of, samples, picture });
         }
         let made = self.done.as_ref().filter(|made| made.of == *request).map_or(0, |made| made.samples);
         self.is_awaited = made < first;
@@ -102,7 +102,7 @@ impl Background {
         let Some(samples) = next.filter(|_| may_begin) else { return };
         let is_requested = |(of, step): &(Request, u32)| of == request && *step == samples;
         if !self.requested.as_ref().is_some_and(is_requested) {
-            let drawing = Drawing { view: request.view, appearance: request.appearance, samples };
+            let drawing = ReferencePicture { view: request.view, appearance: request.appearance, samples };
             self.worker.request((request.clone(), samples), request.scene.clone(), drawing);
             self.requested = Some((request.clone(), samples));
         }

@@ -6,7 +6,7 @@ use gamow_platform::clock::Instant;
 use relativity_render::{EyeTarget, Geometry, Gpu, GpuError, Method, Renderers};
 
 use super::request::Request;
-use crate::accuracy::{Automatic, Choice, Machine, REFERENCE_SAMPLES, Sight};
+use crate::accuracy::{Automatic, Choice, Machine, MethodViews, REFERENCE_SAMPLES};
 use crate::flags::Goal;
 
 /// Frames in a row in which pictures were drawn, after which they are taken to move: only then others are tried.
@@ -79,7 +79,7 @@ impl Meter {
     }
 
     /// Returns the method that draws `sight` in this frame.
-    pub fn choose(&mut self, goal: Goal, sight: Sight<'_>) -> Option<Chosen> {
+    pub fn choose(&mut self, goal: Goal, sight: MethodViews<'_>) -> Option<Chosen> {
         let choice = self.automatic.choose(goal, sight)?;
         let now_ms = self.clock.elapsed_ms();
         let is_moving = self.frames >= MOVING;

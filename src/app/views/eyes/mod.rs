@@ -13,10 +13,10 @@ use relativity_render::{Composer, Composition, Gpu, GpuError, Method, Renderers}
 pub use meter::Chosen;
 pub use request::{Request, ShownPicture};
 
-use self::background::{Background, Made};
+use self::background::{Background, FinishedPicture};
 use self::meter::Meter;
 use self::slot::{ComposedPicture, DrawnBy, EyePicture, fitting, fitting_composed};
-use crate::accuracy::Sight;
+use crate::accuracy::MethodViews;
 use crate::app::painting;
 use crate::flags::Goal;
 
@@ -100,7 +100,7 @@ impl EyePictures {
     }
 
     /// Returns the choice for `sight` in this frame and this `goal`; `None` if nothing draws it.
-    pub fn choose(&mut self, goal: Goal, sight: Sight<'_>) -> Option<Chosen> {
+    pub fn choose(&mut self, goal: Goal, sight: MethodViews<'_>) -> Option<Chosen> {
         self.meter.choose(goal, sight)
     }
 
@@ -157,7 +157,7 @@ impl EyePictures {
             background.iter_mut().for_each(Background::stop);
             None
         };
-        if let Some((Made { picture: made, samples, .. }, method)) = made {
+        if let Some((FinishedPicture { picture: made, samples, .. }, method)) = made {
             let by = DrawnBy { method, samples: Some(*samples) };
             return picture.shown(request, by, drawings, |target| {
                 target.write(gpu, made);
@@ -183,7 +183,7 @@ impl EyePictures {
             background.stop();
             return None;
         }
-        let Made { of, picture: made, samples } = background.newest(&request)?;
+        let FinishedPicture { of, picture: made, samples } = background.newest(&request)?;
         let picture = fitting(&mut pictures[index], made.size, gpu, render_state);
         let by = DrawnBy { method: Method::Reference, samples: Some(*samples) };
         let written = picture.shown(of, by, drawings, |target| {

@@ -10,7 +10,7 @@ const HEIGHT: f32 = 30.0;
 
 /// The columns of a view on the screen.
 #[derive(Debug, Clone, Copy)]
-pub struct Columns {
+pub struct PixelColumns {
     /// The rectangle of the ruler and the spectrum above it.
     pub rect: Rect,
     /// x of u = 0 ahead, and points per unit of u; below 0 where the picture runs against the motion.
@@ -20,7 +20,7 @@ pub struct Columns {
     pub scale: f32,
 }
 
-impl Columns {
+impl PixelColumns {
     /// The columns of `pane`, where writing is `scale` times as large as by default.
     pub fn new(pane: EyePane, slide: &SlidingView, scale: f32) -> Self {
         let per_px = f64::from(points_per_px(pane).x);

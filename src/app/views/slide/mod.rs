@@ -16,7 +16,7 @@ use crate::app::state::State;
 use crate::app::theme;
 use crate::app::views::panes::EyePane;
 
-use columns::Columns;
+use columns::PixelColumns;
 use sliding_view::SlidingView;
 
 /// Draws into `pane` what is switched on, and returns the height of the ruler and the spectrum there, points.
@@ -29,7 +29,7 @@ pub fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) -> f32 {
     if !state.document.settings.window.ruler || pane.rect.height() < scale * ruler::LEAST_VIEW {
         return 0.0;
     }
-    let columns = Columns::new(pane, &slide, scale);
+    let columns = PixelColumns::new(pane, &slide, scale);
     ruler::paint(ui, painter, state, pane, &slide, &columns);
     columns.rect.height()
 }

@@ -5,7 +5,7 @@ use eframe::egui::{
 };
 use relativity_core::math;
 
-use super::columns::Columns;
+use super::columns::PixelColumns;
 use super::sliding_view::SlidingView;
 use super::spectrum;
 use crate::app::state::State;
@@ -38,7 +38,7 @@ pub fn paint(
     state: &State,
     pane: EyePane,
     slide: &SlidingView,
-    columns: &Columns,
+    columns: &PixelColumns,
 ) {
     let top = columns.rect.max.y - columns.scale * RULER;
     let ruler = Rect::from_min_max(pos2(columns.rect.min.x, top), columns.rect.max);
@@ -66,7 +66,7 @@ pub fn paint(
     response.on_hover_text(TIP);
 }
 
-fn paint_fine_ticks(painter: &Painter, ruler: Rect, columns: &Columns) {
+fn paint_fine_ticks(painter: &Painter, ruler: Rect, columns: &PixelColumns) {
     if columns.per_unit.abs() * FINE < LEAST_FINE {
         return;
     }
@@ -80,7 +80,7 @@ fn paint_fine_ticks(painter: &Painter, ruler: Rect, columns: &Columns) {
 }
 
 /// Draws the ticks of speeds with the names that have room, and returns these. The tick of `own` goes first.
-fn paint_named_ticks(painter: &Painter, ruler: Rect, columns: &Columns, own: f64) -> Vec<String> {
+fn paint_named_ticks(painter: &Painter, ruler: Rect, columns: &PixelColumns, own: f64) -> Vec<String> {
     let mut taken: Vec<Rect> = Vec::new();
     let mut named = Vec::new();
     let speeds = [own].into_iter().chain(SPEEDS);

@@ -8,11 +8,11 @@ use relativity_core::{Speed, aberration};
 use relativity_render::Geometry;
 use relativity_render::spectrum::VISIBLE_NM;
 
-use super::columns::Columns;
+use super::columns::PixelColumns;
 use super::sliding_view::SlidingView;
 use crate::app::state::State;
 use crate::app::wavelength_colour::{paint_strip, places, visible_colour};
-use crate::caption::{Source, in_words};
+use crate::caption::{RestLight, in_words};
 use crate::number_text;
 
 /// Between the lines of a hatch, points.
@@ -24,7 +24,7 @@ const FONT_SIZE: f32 = 10.0;
 const NAMED: [f64; 7] = [1.0, 2.0, 0.5, 4.0, 0.25, 10.0, 0.1];
 
 /// Draws it into `strip`.
-pub fn paint(painter: &Painter, state: &State, slide: &SlidingView, columns: &Columns, strip: Rect) {
+pub fn paint(painter: &Painter, state: &State, slide: &SlidingView, columns: &PixelColumns, strip: Rect) {
     let speed = match slide.view.geometry {
         Geometry::Seen => state.speed(),
         _ => Speed::REST,
@@ -48,7 +48,7 @@ pub fn description(state: &State) -> String {
 /// The wavelength at rest of the selected point, if its light has one and that is shown.
 fn rest_wavelength(state: &State) -> Option<f64> {
     match state.moment().source {
-        Source::Line(nm) if state.document.settings.light.doppler_shift => Some(nm),
+        RestLight::Line(nm) if state.document.settings.light.doppler_shift => Some(nm),
         _ => None,
     }
 }
@@ -70,7 +70,7 @@ fn column_of(speed: &Speed, doppler_factor: f64) -> Option<f64> {
     is_there.then(|| atanh(aside)).filter(|u| u.is_finite() && tanh(*u).abs() < 1.0)
 }
 
-fn paint_colours(painter: &Painter, columns: &Columns, strip: Rect, wavelength: impl Fn(f64) -> f64) {
+fn paint_colours(painter: &Painter, columns: &PixelColumns, strip: Rect, wavelength: impl Fn(f64) -> f64) {
     let received: Vec<_> = places(strip).map(|x| (x, wavelength(columns.u(x)))).collect();
     paint_strip(painter, strip, received.iter().map(|&(x, nm)| (x, visible_colour(nm, INVISIBLE))));
     let mut hatched: Vec<(f32, bool)> = Vec::new();
@@ -90,7 +90,7 @@ fn paint_colours(painter: &Painter, columns: &Columns, strip: Rect, wavelength: 
     }
 }
 
-fn paint_factors(painter: &Painter, columns: &Columns, strip: Rect, speed: &Speed) {
+fn paint_factors(painter: &Painter, columns: &PixelColumns, strip: Rect, speed: &Speed) {
     let font = FontId::proportional(columns.scale * FONT_SIZE);
     if speed.beta() == 0.0 {
         painter.text(strip.center(), Align2::CENTER_CENTER, "D = 1 everywhere", font, Color32::WHITE);

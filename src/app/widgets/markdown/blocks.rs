@@ -8,7 +8,7 @@ use crate::formula::{Formula, Style, markdown};
 
 /// The kind of words.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Kind {
+pub enum WordKind {
     #[default]
     Words,
     Code,
@@ -21,14 +21,14 @@ pub enum Kind {
 pub struct WordStyle {
     pub is_strong: bool,
     pub is_slanted: bool,
-    pub kind: Kind,
+    pub kind: WordKind,
     /// The number of the link that they are part of, among those of the text.
     pub link: Option<usize>,
 }
 
 /// A part of a paragraph.
 #[derive(Debug, Clone)]
-pub enum Piece {
+pub enum InlineItem {
     /// A word that is not divided, without spaces.
     Word(String, WordStyle),
     Space(WordStyle),
@@ -43,24 +43,24 @@ pub enum Piece {
 
 /// A part of a text.
 #[derive(Debug)]
-pub enum Block {
-    Paragraph(Vec<Piece>),
+pub enum TextBlock {
+    Paragraph(Vec<InlineItem>),
     /// A title, from level 1.
-    Title(usize, Vec<Piece>),
+    Title(usize, Vec<InlineItem>),
     /// Items, and the number of the first if they are numbered.
-    List(Option<u64>, Vec<Vec<Block>>),
+    List(Option<u64>, Vec<Vec<TextBlock>>),
     /// Rows of cells, the first of titles.
-    Table(Vec<Alignment>, Vec<Vec<Vec<Piece>>>),
+    Table(Vec<Alignment>, Vec<Vec<Vec<InlineItem>>>),
     /// Code, as it is.
     Code(String),
-    Quote(Vec<Block>),
+    Quote(Vec<TextBlock>),
     Rule,
 }
 
 /// A text, and the addresses of its links.
 #[derive(Debug, Default)]
 pub struct Blocks {
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<TextBlock>,
     pub links: Vec<String>,
 }
 
@@ -84,37 +84,37 @@ impl<'a> BlockReader<'a> {
     }
 
     /// The blocks to the end of what holds them.
-    fn blocks(&mut self) -> Vec<Block> {
+    fn blocks(&mut self) -> Vec<TextBlock> {
         let mut blocks = Vec::new();
         // Items of a list without blank lines hold their words without a paragraph.
         let mut loose = Vec::new();
         while let Some(event) = self.next() {
             let block = match event {
                 Event::End(_) => break,
-                Event::Start(Tag::Paragraph) => Block::Paragraph(self.pieces()),
-                Event::Start(Tag::Heading { level, .. }) => Block::Title(number(level), self.pieces()),
-                Event::Start(Tag::List(first)) => Block::List(first, self.items()),
-                Event::Start(Tag::Table(alignments)) => Block::Table(alignments, self.rows()),
-                Event::Start(Tag::CodeBlock(_) | Tag::HtmlBlock) => Block::Code(self.code()),
-                Event::Start(Tag::BlockQuote(_)) => Block::Quote(self.blocks()),
-                Event::Rule => Block::Rule,
+                Event::Start(Tag::Paragraph) => TextBlock::Paragraph(self.pieces()),
+                Event::Start(Tag::Heading { level, .. }) => TextBlock::Title(number(level), self.pieces()),
+                Event::Start(Tag::List(first)) => TextBlock::List(first, self.items()),
+                Event::Start(Tag::Table(alignments)) => TextBlock::Table(alignments, self.rows()),
+                Event::Start(Tag::CodeBlock(_) | Tag::HtmlBlock) => TextBlock::Code(self.code()),
+                Event::Start(Tag::BlockQuote(_)) => TextBlock::Quote(self.blocks()),
+                Event::Rule => TextBlock::Rule,
                 event => {
                     self.add(event, WordStyle::default(), &mut loose);
                     continue;
                 }
             };
             if !loose.is_empty() {
-                blocks.push(Block::Paragraph(std::mem::take(&mut loose)));
+                blocks.push(TextBlock::Paragraph(std::mem::take(&mut loose)));
             }
             blocks.push(block);
         }
         if !loose.is_empty() {
-            blocks.push(Block::Paragraph(loose));
+            blocks.push(TextBlock::Paragraph(loose));
         }
         blocks
     }
 
-    fn items(&mut self) -> Vec<Vec<Block>> {
+    fn items(&mut self) -> Vec<Vec<TextBlock>> {
         let mut items = Vec::new();
         while let Some(Event::Start(_)) = self.next() {
             items.push(self.blocks());
@@ -122,8 +122,8 @@ impl<'a> BlockReader<'a> {
         items
     }
 
-    fn rows(&mut self) -> Vec<Vec<Vec<Piece>>> {
-        let mut rows: Vec<Vec<Vec<Piece>>> = Vec::new();
+    fn rows(&mut self) -> Vec<Vec<Vec<InlineItem>>> {
+        let mut rows: Vec<Vec<Vec<InlineItem>>> = Vec::new();
         while let Some(event) = self.next() {
             match event {
                 Event::End(TagEnd::Table) => break,
@@ -154,11 +154,11 @@ impl<'a> BlockReader<'a> {
     }
 
     /// The pieces to the end of what holds them.
-    fn pieces(&mut self) -> Vec<Piece> {
+    fn pieces(&mut self) -> Vec<InlineItem> {
         self.pieces_with(WordStyle::default())
     }
 
-    fn pieces_with(&mut self, look: WordStyle) -> Vec<Piece> {
+    fn pieces_with(&mut self, look: WordStyle) -> Vec<InlineItem> {
         let mut pieces = Vec::new();
         while let Some(event) = self.next() {
             if matches!(event, Event::End(_)) {
@@ -169,14 +169,14 @@ impl<'a> BlockReader<'a> {
         pieces
     }
 
-    fn add(&mut self, event: Event<'_>, look: WordStyle, pieces: &mut Vec<Piece>) {
+    fn add(&mut self, event: Event<'_>, look: WordStyle, pieces: &mut Vec<InlineItem>) {
         match event {
             Event::Text(text) | Event::InlineHtml(text) | Event::Html(text) => add_words(&text, look, pieces),
-            Event::Code(code) => add_words(&code, WordStyle { kind: Kind::Code, ..look }, pieces),
+            Event::Code(code) => add_words(&code, WordStyle { kind: WordKind::Code, ..look }, pieces),
             Event::InlineMath(tex) => add_formula(&tex, Style::Inline, look, pieces),
             Event::DisplayMath(tex) => add_formula(&tex, Style::Displayed, look, pieces),
-            Event::SoftBreak => pieces.push(Piece::Space(look)),
-            Event::HardBreak => pieces.push(Piece::Break),
+            Event::SoftBreak => pieces.push(InlineItem::Space(look)),
+            Event::HardBreak => pieces.push(InlineItem::Break),
             Event::Start(Tag::Strong) => {
                 pieces.extend(self.pieces_with(WordStyle { is_strong: true, ..look }));
             }
@@ -200,35 +200,35 @@ const fn number(level: HeadingLevel) -> usize {
     level as usize
 }
 
-fn add_formula(tex: &str, style: Style, look: WordStyle, pieces: &mut Vec<Piece>) {
+fn add_formula(tex: &str, style: Style, look: WordStyle, pieces: &mut Vec<InlineItem>) {
     let piece = match style {
-        Style::Inline => Formula::new(tex, style).map(|formula| Piece::Formula(Arc::new(formula), look)),
+        Style::Inline => Formula::new(tex, style).map(|formula| InlineItem::Formula(Arc::new(formula), look)),
         Style::Displayed => Formula::new(tex, style).and_then(|whole| {
             let parts = Formula::parts(tex, style)?.into_iter().map(Arc::new).collect();
-            Ok(Piece::Displayed(Arc::new(whole), parts, look))
+            Ok(InlineItem::Displayed(Arc::new(whole), parts, look))
         }),
     };
     match piece {
         Ok(piece) => pieces.push(piece),
-        Err(_) => add_words(&format!("${tex}$"), WordStyle { kind: Kind::Wrong, ..look }, pieces),
+        Err(_) => add_words(&format!("${tex}$"), WordStyle { kind: WordKind::Wrong, ..look }, pieces),
     }
 }
 
-fn add_words(text: &str, look: WordStyle, pieces: &mut Vec<Piece>) {
+fn add_words(text: &str, look: WordStyle, pieces: &mut Vec<InlineItem>) {
     let mut word = String::new();
     let mut characters = text.chars().peekable();
     let mut last = ' ';
     while let Some(character) = characters.next() {
         if character.is_whitespace() && character != '\u{a0}' {
             end_word(&mut word, look, pieces);
-            pieces.push(Piece::Space(look));
+            pieces.push(InlineItem::Space(look));
         } else {
             word.push(character);
             let is_between =
                 last.is_alphabetic() && characters.peek().is_some_and(|next| next.is_alphabetic());
             if matches!(character, '-' | '–' | '—' | '/') && is_between {
                 end_word(&mut word, look, pieces);
-                pieces.push(Piece::Chance);
+                pieces.push(InlineItem::Chance);
             }
         }
         last = character;
@@ -236,8 +236,8 @@ fn add_words(text: &str, look: WordStyle, pieces: &mut Vec<Piece>) {
     end_word(&mut word, look, pieces);
 }
 
-fn end_word(word: &mut String, look: WordStyle, pieces: &mut Vec<Piece>) {
+fn end_word(word: &mut String, look: WordStyle, pieces: &mut Vec<InlineItem>) {
     if !word.is_empty() {
-        pieces.push(Piece::Word(std::mem::take(word), look));
+        pieces.push(InlineItem::Word(std::mem::take(word), look));
     }
 }

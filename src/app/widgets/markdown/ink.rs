@@ -5,11 +5,11 @@ use eframe::egui::{
     epaint::text::{FontsView, LayoutJob},
 };
 
-use super::blocks::{Kind, WordStyle};
+use super::blocks::{WordKind, WordStyle};
 
 /// The fonts and colours of text.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Ink {
+pub struct TextInk {
     pub font: FontId,
     pub code_font: FontId,
     pub text: Color32,
@@ -19,17 +19,17 @@ pub struct Ink {
     pub code_background: Color32,
 }
 
-impl Ink {
+impl TextInk {
     pub fn format(&self, look: WordStyle) -> TextFormat {
         let color = match look {
-            WordStyle { kind: Kind::Wrong, .. } => self.wrong,
+            WordStyle { kind: WordKind::Wrong, .. } => self.wrong,
             WordStyle { link: Some(_), .. } => self.link,
             WordStyle { is_strong: true, .. } => self.strong,
             _ => self.text,
         };
         let (font_id, background) = match look.kind {
-            Kind::Words => (self.font.clone(), Color32::TRANSPARENT),
-            Kind::Code | Kind::Wrong => (self.code_font.clone(), self.code_background),
+            WordKind::Words => (self.font.clone(), Color32::TRANSPARENT),
+            WordKind::Code | WordKind::Wrong => (self.code_font.clone(), self.code_background),
         };
         TextFormat { italics: look.is_slanted, background, ..TextFormat::simple(font_id, color) }
     }

@@ -4,29 +4,29 @@ use std::sync::Arc;
 
 use eframe::egui::epaint::text::FontsView;
 
-use super::blocks::{Piece, WordStyle};
-use super::ink::{Ink, width};
+use super::blocks::{InlineItem, WordStyle};
+use super::ink::{TextInk, width};
 use crate::formula::{EM, Formula};
 
 /// `pieces` in lines no wider than `room`.
-pub fn lines(fonts: &mut FontsView<'_>, ink: &Ink, pieces: &[Piece], room: f32) -> Vec<Line> {
-    let mut setter = Setter { fonts, ink, room, lines: Vec::new(), line: Line::default() };
+pub fn lines(fonts: &mut FontsView<'_>, ink: &TextInk, pieces: &[InlineItem], room: f32) -> Vec<TextLine> {
+    let mut setter = Setter { fonts, ink, room, lines: Vec::new(), line: TextLine::default() };
     let mut cluster = Vec::new();
     for piece in pieces {
         match piece {
-            Piece::Word(word, look) => cluster.push(setter.word(word, *look)),
-            Piece::Formula(formula, look) => cluster.push(formula_part(ink, room, formula, *look)),
-            Piece::Space(look) => {
+            InlineItem::Word(word, look) => cluster.push(setter.word(word, *look)),
+            InlineItem::Formula(formula, look) => cluster.push(formula_part(ink, room, formula, *look)),
+            InlineItem::Space(look) => {
                 setter.place(&mut cluster);
                 let space = setter.word(" ", *look);
                 setter.line.spaces.push(space);
             }
-            Piece::Chance => setter.place(&mut cluster),
-            Piece::Break => {
+            InlineItem::Chance => setter.place(&mut cluster),
+            InlineItem::Break => {
                 setter.place(&mut cluster);
                 setter.end_line();
             }
-            Piece::Displayed(whole, parts, look) => {
+            InlineItem::Displayed(whole, parts, look) => {
                 setter.place(&mut cluster);
                 setter.end_line_if_any();
                 let fits = EM * ink.font.size * whole.width <= room;
@@ -44,13 +44,15 @@ pub fn lines(fonts: &mut FontsView<'_>, ink: &Ink, pieces: &[Piece], room: f32) 
 }
 
 /// The least room in which no word and no formula is parted or shrinks.
-pub fn least_room(fonts: &mut FontsView<'_>, ink: &Ink, pieces: &[Piece]) -> f32 {
+pub fn least_room(fonts: &mut FontsView<'_>, ink: &TextInk, pieces: &[InlineItem]) -> f32 {
     let (mut widest, mut cluster) = (0.0_f32, 0.0);
     for piece in pieces {
         match piece {
-            Piece::Word(word, look) => cluster += width(fonts, word, ink.format(*look)),
-            Piece::Formula(formula, _) => cluster += EM * ink.font.size * formula.width,
-            Piece::Displayed(..) | Piece::Space(_) | Piece::Chance | Piece::Break => cluster = 0.0,
+            InlineItem::Word(word, look) => cluster += width(fonts, word, ink.format(*look)),
+            InlineItem::Formula(formula, _) => cluster += EM * ink.font.size * formula.width,
+            InlineItem::Displayed(..) | InlineItem::Space(_) | InlineItem::Chance | InlineItem::Break => {
+                cluster = 0.0
+            }
         }
         widest = widest.max(cluster);
     }
@@ -59,12 +61,12 @@ pub fn least_room(fonts: &mut FontsView<'_>, ink: &Ink, pieces: &[Piece]) -> f32
 
 /// A part of a line.
 #[derive(Debug, Clone)]
-pub enum Part {
+pub enum LineFragment {
     Word { text: String, look: WordStyle, width: f32 },
     Formula { formula: Arc<Formula>, look: WordStyle, em: f32 },
 }
 
-impl Part {
+impl LineFragment {
     pub fn width(&self) -> f32 {
         match self {
             Self::Word { width, .. } => *width,
@@ -74,25 +76,25 @@ impl Part {
 }
 
 /// A formula, smaller if it would not fit into a line.
-fn formula_part(ink: &Ink, room: f32, formula: &Arc<Formula>, look: WordStyle) -> Part {
+fn formula_part(ink: &TextInk, room: f32, formula: &Arc<Formula>, look: WordStyle) -> LineFragment {
     let em = EM * ink.font.size;
     let fitting = if em * formula.width > room { room / formula.width } else { em };
-    Part::Formula { formula: formula.clone(), look, em: fitting }
+    LineFragment::Formula { formula: formula.clone(), look, em: fitting }
 }
 
 /// A line, before it is drawn.
 #[derive(Debug, Default)]
-pub struct Line {
-    pub parts: Vec<Part>,
+pub struct TextLine {
+    pub parts: Vec<LineFragment>,
     /// Spaces that are there only if something follows.
-    spaces: Vec<Part>,
+    spaces: Vec<LineFragment>,
     pub width: f32,
     /// Whether the line is a displayed formula, alone and in the middle.
     pub is_displayed: bool,
 }
 
-impl Line {
-    fn put(&mut self, part: Part) {
+impl TextLine {
+    fn put(&mut self, part: LineFragment) {
         for space in self.spaces.drain(..).chain([part]) {
             self.width += space.width();
             self.parts.push(space);
@@ -102,22 +104,22 @@ impl Line {
 
 struct Setter<'a, 'f> {
     fonts: &'a mut FontsView<'f>,
-    ink: &'a Ink,
+    ink: &'a TextInk,
     room: f32,
-    lines: Vec<Line>,
-    line: Line,
+    lines: Vec<TextLine>,
+    line: TextLine,
 }
 
 impl Setter<'_, '_> {
-    fn word(&mut self, text: &str, look: WordStyle) -> Part {
+    fn word(&mut self, text: &str, look: WordStyle) -> LineFragment {
         let width = width(self.fonts, text, self.ink.format(look));
-        Part::Word { text: text.to_owned(), look, width }
+        LineFragment::Word { text: text.to_owned(), look, width }
     }
 
     /// Puts what belongs together into this line if it fits, else into the next.
-    fn place(&mut self, cluster: &mut Vec<Part>) {
-        let width: f32 = cluster.iter().map(Part::width).sum();
-        let spaces: f32 = self.line.spaces.iter().map(Part::width).sum();
+    fn place(&mut self, cluster: &mut Vec<LineFragment>) {
+        let width: f32 = cluster.iter().map(LineFragment::width).sum();
+        let spaces: f32 = self.line.spaces.iter().map(LineFragment::width).sum();
         if self.line.width + spaces + width <= self.room || cluster.is_empty() {
             cluster.drain(..).for_each(|part| self.line.put(part));
             return;
@@ -133,8 +135,8 @@ impl Setter<'_, '_> {
                 continue;
             }
             match part {
-                Part::Word { text, look, .. } => self.part(&text, look),
-                Part::Formula { .. } => {
+                LineFragment::Word { text, look, .. } => self.part(&text, look),
+                LineFragment::Formula { .. } => {
                     self.end_line_if_any();
                     self.line.put(part);
                 }
@@ -166,13 +168,14 @@ impl Setter<'_, '_> {
 }
 
 /// The parts of a line, neighbours that look alike as one.
-pub fn joined(parts: Vec<Part>) -> Vec<Part> {
-    let mut joined: Vec<Part> = Vec::new();
+pub fn joined(parts: Vec<LineFragment>) -> Vec<LineFragment> {
+    let mut joined: Vec<LineFragment> = Vec::new();
     for part in parts {
         match (joined.last_mut(), part) {
-            (Some(Part::Word { text, look, width }), Part::Word { text: next, look: same, width: more })
-                if *look == same =>
-            {
+            (
+                Some(LineFragment::Word { text, look, width }),
+                LineFragment::Word { text: next, look: same, width: more },
+            ) if *look == same => {
                 text.push_str(&next);
                 *width += more;
             }

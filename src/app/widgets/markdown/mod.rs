@@ -18,8 +18,8 @@ use eframe::egui::{
 };
 
 use self::blocks::Blocks;
-use self::ink::Ink;
-use self::page::{Page, Setting, lay_out_page, translated};
+use self::ink::TextInk;
+use self::page::{Page, PageSetting, lay_out_page, translated};
 
 use crate::app::widgets::formula::Pixels;
 
@@ -70,9 +70,9 @@ fn show_link(ui: &Ui, rect: Rect, id: Id, address: &str) {
     response.on_hover_text(address);
 }
 
-fn setting(ui: &Ui) -> Setting {
+fn setting(ui: &Ui) -> PageSetting {
     let (style, visuals) = (ui.style(), ui.visuals());
-    let ink = Ink {
+    let ink = TextInk {
         font: TextStyle::Body.resolve(style),
         code_font: TextStyle::Monospace.resolve(style),
         text: visuals.text_color(),
@@ -81,7 +81,7 @@ fn setting(ui: &Ui) -> Setting {
         wrong: visuals.error_fg_color,
         code_background: visuals.code_bg_color,
     };
-    Setting {
+    PageSetting {
         width: ui.available_width(),
         pixels_per_point: ui.ctx().pixels_per_point(),
         ink,
@@ -93,10 +93,10 @@ fn setting(ui: &Ui) -> Setting {
 
 /// A text on a page.
 #[derive(Debug)]
-struct Written {
+struct WrittenText {
     page: Page,
     links: Vec<String>,
-    setting: Setting,
+    setting: PageSetting,
     /// A word as the fonts first laid it out: another layout of it means that they have been replaced.
     word: Arc<Galley>,
 }
@@ -104,7 +104,7 @@ struct Written {
 /// Pages that were shown in this frame or the last, by their texts and widths.
 #[derive(Debug, Default)]
 struct Pages {
-    pages: HashMap<Id, (u64, Arc<Written>)>,
+    pages: HashMap<Id, (u64, Arc<WrittenText>)>,
     frame: u64,
 }
 
@@ -121,7 +121,7 @@ impl CacheTrait for Pages {
 }
 
 /// `text` on a page, as it was written before if it can be.
-fn written(ctx: &egui::Context, text: &str, setting: &Setting) -> Arc<Written> {
+fn written(ctx: &egui::Context, text: &str, setting: &PageSetting) -> Arc<WrittenText> {
     let id = Id::unique((text, setting.width.to_bits()));
     let word = ctx
         .fonts_mut(|fonts| fonts.layout_no_wrap("x".to_owned(), setting.ink.font.clone(), setting.ink.text));
@@ -141,7 +141,7 @@ fn written(ctx: &egui::Context, text: &str, setting: &Setting) -> Arc<Written> {
     }
     let blocks = Blocks::parse(text);
     let page = ctx.fonts_mut(|fonts| lay_out_page(fonts, setting, &blocks));
-    let written = Arc::new(Written { page, links: blocks.links, setting: setting.clone(), word });
+    let written = Arc::new(WrittenText { page, links: blocks.links, setting: setting.clone(), word });
     ctx.memory_mut(|memory| {
         let pages = memory.caches.cache::<Pages>();
         pages.pages.insert(id, (pages.frame, written.clone()));

@@ -4,17 +4,17 @@ use eframe::egui::{
     Color32, FontId, Pos2, Rect, Shape, epaint::CornerRadius, epaint::text::FontsView, pos2, vec2,
 };
 
-use super::blocks::{Block, Blocks, Kind, Piece, WordStyle};
-use super::ink::Ink;
+use super::blocks::{Blocks, InlineItem, TextBlock, WordKind, WordStyle};
+use super::ink::TextInk;
 use super::paragraph::{Paragraph, Side, lay_out};
 use crate::app::widgets::formula::Pixels;
 
 /// The setting of a page: its fonts, and its width.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Setting {
+pub struct PageSetting {
     pub width: f32,
     pub pixels_per_point: f32,
-    pub ink: Ink,
+    pub ink: TextInk,
     pub title_size: f32,
     pub line: Color32,
     pub background: Color32,
@@ -22,7 +22,7 @@ pub struct Setting {
 
 /// A paragraph, a title or a row of a table on a page.
 #[derive(Debug)]
-pub struct Part {
+pub struct PageItem {
     pub rect: Rect,
     pub shapes: Vec<Shape>,
     pub links: Vec<(Rect, usize)>,
@@ -34,11 +34,11 @@ pub struct Part {
 #[derive(Debug)]
 pub struct Page {
     pub height: f32,
-    pub parts: Vec<Part>,
+    pub parts: Vec<PageItem>,
 }
 
 /// `blocks` on a page.
-pub fn lay_out_page(fonts: &mut FontsView<'_>, setting: &Setting, blocks: &Blocks) -> Page {
+pub fn lay_out_page(fonts: &mut FontsView<'_>, setting: &PageSetting, blocks: &Blocks) -> Page {
     let pixels = Pixels { per_point: setting.pixels_per_point };
     let mut writer = Writer { fonts, pixels, setting, parts: Vec::new(), y: 0.0 };
     writer.blocks(&blocks.blocks, 0.0, false);
@@ -49,8 +49,8 @@ pub fn lay_out_page(fonts: &mut FontsView<'_>, setting: &Setting, blocks: &Block
 pub struct Writer<'a, 'f> {
     pub fonts: &'a mut FontsView<'f>,
     pub pixels: Pixels,
-    pub setting: &'a Setting,
-    parts: Vec<Part>,
+    pub setting: &'a PageSetting,
+    parts: Vec<PageItem>,
     /// Top of the next block.
     y: f32,
 }
@@ -64,11 +64,11 @@ impl Writer<'_, '_> {
         self.y += self.pixels.nearest(sizes * self.size());
     }
 
-    fn blocks(&mut self, blocks: &[Block], left: f32, is_tight: bool) {
+    fn blocks(&mut self, blocks: &[TextBlock], left: f32, is_tight: bool) {
         for (index, block) in blocks.iter().enumerate() {
             if index > 0 {
                 self.gap(match block {
-                    Block::Title(..) => 1.0,
+                    TextBlock::Title(..) => 1.0,
                     _ if is_tight => 0.25,
                     _ => 0.6,
                 });
@@ -77,35 +77,35 @@ impl Writer<'_, '_> {
         }
     }
 
-    fn block(&mut self, block: &Block, left: f32) {
+    fn block(&mut self, block: &TextBlock, left: f32) {
         match block {
-            Block::Paragraph(pieces) => {
+            TextBlock::Paragraph(pieces) => {
                 let ink = self.setting.ink.clone();
                 self.paragraph(pieces, &ink, left, None);
             }
-            Block::Title(level, pieces) => {
+            TextBlock::Title(level, pieces) => {
                 let scale = [1.25, 1.0][(*level).clamp(1, 2) - 1];
                 let size = if *level > 2 { self.size() } else { scale * self.setting.title_size };
                 let ink = &self.setting.ink;
                 let font = FontId::new(size, ink.font.family.clone());
-                let ink = Ink { font, text: ink.strong, ..ink.clone() };
+                let ink = TextInk { font, text: ink.strong, ..ink.clone() };
                 let strong = strong(pieces);
                 self.paragraph(&strong, &ink, left, None);
                 if let Some(part) = self.parts.last_mut() {
                     part.is_title = true;
                 }
             }
-            Block::List(first, items) => self.list(*first, items, left),
-            Block::Table(alignments, rows) => self.table(alignments, rows, left),
-            Block::Code(code) => self.code(code, left),
-            Block::Quote(blocks) => {
+            TextBlock::List(first, items) => self.list(*first, items, left),
+            TextBlock::Table(alignments, rows) => self.table(alignments, rows, left),
+            TextBlock::Code(code) => self.code(code, left),
+            TextBlock::Quote(blocks) => {
                 let top = self.y;
                 let inner = self.pixels.nearest(left + self.size());
                 self.blocks(blocks, inner, false);
                 let bar = Rect::from_min_max(pos2(left, top), pos2(left + 2.0, self.y));
                 self.push_shape(Shape::rect_filled(bar, CornerRadius::ZERO, self.setting.line));
             }
-            Block::Rule => {
+            TextBlock::Rule => {
                 self.rule(left, self.room(left));
             }
         }
@@ -119,7 +119,7 @@ impl Writer<'_, '_> {
                 part.rect |= rect;
                 part.shapes.push(shape);
             }
-            None => self.parts.push(Part {
+            None => self.parts.push(PageItem {
                 rect,
                 shapes: vec![shape],
                 links: Vec::new(),
@@ -141,11 +141,11 @@ impl Writer<'_, '_> {
     }
 
     /// Adds pieces in lines, with the text before them at the same height, if there is one, and where it ends.
-    fn paragraph(&mut self, pieces: &[Piece], ink: &Ink, left: f32, before: Option<(&str, f32)>) {
+    fn paragraph(&mut self, pieces: &[InlineItem], ink: &TextInk, left: f32, before: Option<(&str, f32)>) {
         let room = self.room(left);
         let mut laid = lay_out(self.fonts, self.pixels, ink, pieces, (room, Side::Left));
         if let Some((text, end)) = before {
-            let mark = [Piece::Word(text.to_owned(), WordStyle::default())];
+            let mark = [InlineItem::Word(text.to_owned(), WordStyle::default())];
             let mark = lay_out(self.fonts, self.pixels, ink, &mark, (f32::INFINITY, Side::Left));
             let at = vec2(end - mark.size.x - left, laid.baseline - mark.baseline);
             let at = vec2(self.pixels.nearest(at.x), at.y);
@@ -161,7 +161,7 @@ impl Writer<'_, '_> {
         let at = pos2(left, self.y);
         let by = at.to_vec2();
         self.y += laid.size.y;
-        self.parts.push(Part {
+        self.parts.push(PageItem {
             rect: Rect::from_min_size(at, laid.size),
             shapes: laid.shapes.into_iter().map(|shape| translated(shape, by)).collect(),
             links: laid.links.into_iter().map(|(rect, link)| (rect.translate(by), link)).collect(),
@@ -170,7 +170,7 @@ impl Writer<'_, '_> {
         });
     }
 
-    fn list(&mut self, first: Option<u64>, items: &[Vec<Block>], left: f32) {
+    fn list(&mut self, first: Option<u64>, items: &[Vec<TextBlock>], left: f32) {
         let end = left + 1.1 * self.size();
         let inner = self.pixels.nearest(left + 1.6 * self.size());
         for (index, item) in items.iter().enumerate() {
@@ -181,7 +181,7 @@ impl Writer<'_, '_> {
             let mut rest = item.as_slice();
             let ink = self.setting.ink.clone();
             match item.split_first() {
-                Some((Block::Paragraph(pieces), others)) => {
+                Some((TextBlock::Paragraph(pieces), others)) => {
                     self.paragraph(pieces, &ink, inner, Some((&mark, end)));
                     rest = others;
                 }
@@ -195,12 +195,12 @@ impl Writer<'_, '_> {
     }
 
     fn code(&mut self, code: &str, left: f32) {
-        let look = WordStyle { kind: Kind::Code, ..WordStyle::default() };
-        let ink = Ink { code_background: Color32::TRANSPARENT, ..self.setting.ink.clone() };
+        let look = WordStyle { kind: WordKind::Code, ..WordStyle::default() };
+        let ink = TextInk { code_background: Color32::TRANSPARENT, ..self.setting.ink.clone() };
         let margin = self.pixels.nearest(0.5 * self.size());
-        let pieces: Vec<Piece> = code
+        let pieces: Vec<InlineItem> = code
             .lines()
-            .flat_map(|line| [Piece::Word(line.replace(' ', "\u{a0}"), look), Piece::Break])
+            .flat_map(|line| [InlineItem::Word(line.replace(' ', "\u{a0}"), look), InlineItem::Break])
             .collect();
         let room = self.room(left + 2.0 * margin);
         let mut laid = lay_out(self.fonts, self.pixels, &ink, &pieces, (room, Side::Left));
@@ -222,10 +222,10 @@ impl Writer<'_, '_> {
 const BULLET: &str = "•";
 
 /// `pieces` as a title has them.
-fn strong(pieces: &[Piece]) -> Vec<Piece> {
+fn strong(pieces: &[InlineItem]) -> Vec<InlineItem> {
     let mut pieces = pieces.to_vec();
     for piece in &mut pieces {
-        if let Piece::Word(_, look) | Piece::Space(look) | Piece::Formula(_, look) = piece {
+        if let InlineItem::Word(_, look) | InlineItem::Space(look) | InlineItem::Formula(_, look) = piece {
             look.is_strong = true;
         }
     }

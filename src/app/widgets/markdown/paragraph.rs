@@ -2,9 +2,9 @@
 
 use eframe::egui::{Rect, Shape, Vec2, epaint::text::FontsView, pos2, vec2};
 
-use super::blocks::{Piece, WordStyle};
-use super::ink::{Ink, job};
-use super::lines::{Line, Part, joined, lines};
+use super::blocks::{InlineItem, WordStyle};
+use super::ink::{TextInk, job};
+use super::lines::{LineFragment, TextLine, joined, lines};
 use crate::app::widgets::formula::{self, Pixels};
 
 /// Room between lines, and above and below displayed formulas, in sizes of the text.
@@ -36,8 +36,8 @@ pub struct Paragraph {
 pub fn lay_out(
     fonts: &mut FontsView<'_>,
     pixels: Pixels,
-    ink: &Ink,
-    pieces: &[Piece],
+    ink: &TextInk,
+    pieces: &[InlineItem],
     (room, side): (f32, Side),
 ) -> Paragraph {
     let lines = lines(fonts, ink, pieces, room);
@@ -45,19 +45,19 @@ pub fn lay_out(
 }
 
 /// Returns the words of `pieces`.
-fn said(pieces: &[Piece]) -> String {
+fn said(pieces: &[InlineItem]) -> String {
     let mut text = String::new();
     for piece in pieces {
         match piece {
-            Piece::Word(word, _) => text.push_str(word),
-            Piece::Formula(formula, _) => text.push_str(&formula.words),
-            Piece::Space(_) | Piece::Break => text.push(' '),
-            Piece::Displayed(formula, ..) => {
+            InlineItem::Word(word, _) => text.push_str(word),
+            InlineItem::Formula(formula, _) => text.push_str(&formula.words),
+            InlineItem::Space(_) | InlineItem::Break => text.push(' '),
+            InlineItem::Displayed(formula, ..) => {
                 text.push(' ');
                 text.push_str(&formula.words);
                 text.push(' ');
             }
-            Piece::Chance => {}
+            InlineItem::Chance => {}
         }
     }
     text.split_whitespace().collect::<Vec<_>>().join(" ")
@@ -66,8 +66,8 @@ fn said(pieces: &[Piece]) -> String {
 fn drawn(
     fonts: &mut FontsView<'_>,
     pixels: Pixels,
-    ink: &Ink,
-    lines: Vec<Line>,
+    ink: &TextInk,
+    lines: Vec<TextLine>,
     text: String,
     (room, side): (f32, Side),
 ) -> Paragraph {
@@ -112,10 +112,10 @@ fn drawn(
 }
 
 /// Returns the reach of a line above and below its baseline; text has this one.
-fn reach_of(line: &Line, of_text: [f32; 2]) -> [f32; 2] {
+fn reach_of(line: &TextLine, of_text: [f32; 2]) -> [f32; 2] {
     let mut reach = if line.is_displayed { [0.0; 2] } else { of_text };
     for part in &line.parts {
-        if let Part::Formula { formula, em, .. } = part {
+        if let LineFragment::Formula { formula, em, .. } = part {
             reach = [reach[0].max(em * formula.ascent), reach[1].max(em * formula.descent)];
         }
     }
@@ -123,7 +123,7 @@ fn reach_of(line: &Line, of_text: [f32; 2]) -> [f32; 2] {
 }
 
 /// Returns the room to the left of a line.
-fn inset(line: &Line, room: f32, side: Side) -> f32 {
+fn inset(line: &TextLine, room: f32, side: Side) -> f32 {
     let left = match (line.is_displayed, side) {
         (true, _) | (_, Side::Middle) => (room - line.width).max(0.0) / 2.0,
         (false, Side::Left) => 0.0,
@@ -136,13 +136,13 @@ fn inset(line: &Line, room: f32, side: Side) -> f32 {
 fn draw(
     fonts: &mut FontsView<'_>,
     pixels: Pixels,
-    ink: &Ink,
-    part: Part,
+    ink: &TextInk,
+    part: LineFragment,
     [x, baseline]: [f32; 2],
     shapes: &mut Vec<Shape>,
 ) -> WordStyle {
     match part {
-        Part::Word { text, look, .. } => {
+        LineFragment::Word { text, look, .. } => {
             let format = ink.format(look);
             let at = pos2(x, baseline);
             shapes.extend(formula::text(fonts, pixels, &text, at, format.clone()));
@@ -152,7 +152,7 @@ fn draw(
             }
             look
         }
-        Part::Formula { formula, look, em } => {
+        LineFragment::Formula { formula, look, em } => {
             let colour = ink.format(look).color;
             formula::draw(fonts, pixels, &formula, [em, x, baseline], colour, shapes);
             look

@@ -3,14 +3,14 @@
 use eframe::egui::vec2;
 use pulldown_cmark::Alignment;
 
-use super::blocks::Piece;
+use super::blocks::InlineItem;
 use super::lines::least_room;
 use super::page::{Writer, translated};
 use super::paragraph::{Paragraph, Side, lay_out};
 
 impl Writer<'_, '_> {
     /// Adds a table, a row after the other.
-    pub fn table(&mut self, alignments: &[Alignment], rows: &[Vec<Vec<Piece>>], left: f32) {
+    pub fn table(&mut self, alignments: &[Alignment], rows: &[Vec<Vec<InlineItem>>], left: f32) {
         let between = 1.4 * self.size();
         let columns = alignments.len();
         let ink = self.setting.ink.clone();

@@ -59,13 +59,13 @@ fn window(text: &'static str, [width, pixels]: [f32; 2], scale: f32) -> Harness<
 }
 
 /// The text on a page, and what it is set in.
-fn page(text: &'static str, width: f32, scale: f32) -> (Arc<Written>, Setting) {
+fn page(text: &'static str, width: f32, scale: f32) -> (Arc<WrittenText>, PageSetting) {
     let found = Arc::new(Mutex::new(None));
     let taken = found.clone();
     let mut is_ready = false;
     let mut harness = Harness::builder().build_ui(move |ui| {
         if is_ready {
-            let setting = Setting { width, ..setting(ui) };
+            let setting = PageSetting { width, ..setting(ui) };
             let written = written(ui.ctx(), text, &setting);
             *taken.lock().expect("it is free") = Some((written, setting));
         } else {
@@ -241,7 +241,7 @@ fn what_is_nested_without_end_is_shown() {
 
 #[test]
 fn a_text_is_set_once_and_anew_when_its_setting_changes() {
-    let seen = Arc::new(Mutex::new(Vec::<Arc<Written>>::new()));
+    let seen = Arc::new(Mutex::new(Vec::<Arc<WrittenText>>::new()));
     let pages = Arc::new(Mutex::new(0));
     let (taken, count) = (seen.clone(), pages.clone());
     let mut frame = 0;
@@ -266,7 +266,7 @@ fn a_text_is_set_once_and_anew_when_its_setting_changes() {
     });
     harness.run_steps(14);
     let seen = seen.lock().expect("it is free");
-    let mut different: Vec<&Arc<Written>> = seen.iter().collect();
+    let mut different: Vec<&Arc<WrittenText>> = seen.iter().collect();
     different.dedup_by(|one, other| Arc::ptr_eq(one, other));
     assert_eq!(different.len(), 3, "it was set {} times in {} frames", different.len(), seen.len());
     assert_eq!(*pages.lock().expect("it is free"), 0, "what is not shown is not kept");

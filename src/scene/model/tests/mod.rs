@@ -2,7 +2,7 @@
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use relativity_render::{Model, Shape, Triangles};
+use relativity_render::{RawModel, Shape, Triangles};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
@@ -249,7 +249,7 @@ fn damaged_files_are_read_or_refused() {
     let glb = glb();
     let text = gltf().to_string();
     let read = |ending: &str, bytes: &[u8]| {
-        let _ = read_model(ending, bytes).map(Model::prepared);
+        let _ = read_model(ending, bytes).map(RawModel::prepared);
     };
     for (ending, bytes) in [("obj", &OBJ.as_bytes()[30..]), ("gltf", text.as_bytes()), ("glb", &glb)] {
         for place in 0..bytes.len() {

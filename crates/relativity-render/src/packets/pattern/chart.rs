@@ -3,14 +3,14 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
-use super::super::body::Body;
-use super::coverage::{Covered, line, wave};
+use super::super::body::PacketBody;
+use super::coverage::{PixelShifts, line, wave};
 use crate::lanes::{F, Simd, SimdFloat as _, V2, V3, all, clamp, select, sign_of};
 use crate::pattern::{LINE_REACH, NUDGE, Ruling};
 
 /// A place on a round shape, in the shape's own coordinates.
 #[derive(Debug, Clone, Copy)]
-pub struct Chart<S: Simd> {
+pub struct SurfacePlaces<S: Simd> {
     /// Arc along the axis, and its gradient.
     along: F<S>,
     along_gradient: V3<S>,
@@ -23,10 +23,10 @@ pub struct Chart<S: Simd> {
     level_gradient: V3<S>,
 }
 
-impl<S: Simd> Chart<S> {
+impl<S: Simd> SurfacePlaces<S> {
     /// Returns the darkness of `pattern` at this place.
     #[inline(always)]
-    pub fn darkness(&self, pattern: [f32; 3], covered: &Covered<S>) -> F<S> {
+    pub fn darkness(&self, pattern: [f32; 3], covered: &PixelShifts<S>) -> F<S> {
         const REACH: f32 = LINE_REACH as f32;
         let simd = self.along.simd;
         let [ruling, along_step, around_step] = pattern;
@@ -76,12 +76,17 @@ fn along_axis<S: Simd>(simd: S) -> V3<S> {
 
 /// On a tube with rounded ends, or on a ball.
 #[inline(always)]
-pub fn on_tube<S: Simd>(body: &Body<S>, pattern: [f32; 3], place: V3<S>, normal: V3<S>) -> Chart<S> {
+pub fn on_tube<S: Simd>(
+    body: &PacketBody<S>,
+    pattern: [f32; 3],
+    place: V3<S>,
+    normal: V3<S>,
+) -> SurfacePlaces<S> {
     let half = (body.form - body.place).length() * 0.5;
     let off = OffAxis::new(place);
     let beyond = place.z - clamp(place.z, -half, half);
     let (arc, along_gradient) = arc_to(off.distance, off.outward, beyond, body.radius);
-    Chart {
+    SurfacePlaces {
         along: half + (place.z - beyond) + arc,
         along_gradient,
         around: angle_to(place.y, place.x),
@@ -94,12 +99,12 @@ pub fn on_tube<S: Simd>(body: &Body<S>, pattern: [f32; 3], place: V3<S>, normal:
 
 /// Returns the chart of a place on a ring.
 #[inline(always)]
-pub fn on_ring<S: Simd>(body: &Body<S>, place: V3<S>) -> Chart<S> {
+pub fn on_ring<S: Simd>(body: &PacketBody<S>, place: V3<S>) -> SurfacePlaces<S> {
     let off = OffAxis::new(place);
     let (along, along_gradient) = arc_to(off.distance - body.form_w, off.outward, place.z, body.radius);
     let around = angle_to(place.y, place.x);
     let around_gradient = off.around_gradient();
-    Chart {
+    SurfacePlaces {
         along,
         along_gradient,
         around,
@@ -112,7 +117,7 @@ pub fn on_ring<S: Simd>(body: &Body<S>, place: V3<S>) -> Chart<S> {
 
 /// Returns the normal of the cylinder's side or of one of its ends: never a mean of both, where a pixel shows both.
 #[inline(always)]
-pub fn normal_of_cylinder<S: Simd>(body: &Body<S>, place: V3<S>) -> V3<S> {
+pub fn normal_of_cylinder<S: Simd>(body: &PacketBody<S>, place: V3<S>) -> V3<S> {
     let half = body.halves();
     let zero = all(half.x.simd, 0.0);
     let off = OffAxis::new(place);
@@ -123,14 +128,19 @@ pub fn normal_of_cylinder<S: Simd>(body: &Body<S>, place: V3<S>) -> V3<S> {
 
 /// On a cylinder with flat ends.
 #[inline(always)]
-pub fn on_cylinder<S: Simd>(body: &Body<S>, pattern: [f32; 3], place: V3<S>, normal: V3<S>) -> Chart<S> {
+pub fn on_cylinder<S: Simd>(
+    body: &PacketBody<S>,
+    pattern: [f32; 3],
+    place: V3<S>,
+    normal: V3<S>,
+) -> SurfacePlaces<S> {
     let half = body.halves();
     let simd = half.x.simd;
     let off = OffAxis::new(place);
     let is_side = normal.z.simd_eq(0.0);
     let on_end = half.z + normal.z * (half.z + half.x - off.distance);
     let inward = V3::new(-normal.z * off.outward.x, -normal.z * off.outward.y, all(simd, 0.0));
-    Chart {
+    SurfacePlaces {
         along: select(is_side, place.z + half.z, on_end),
         along_gradient: V3::select(is_side, along_axis(simd), inward),
         around: angle_to(place.y, place.x),

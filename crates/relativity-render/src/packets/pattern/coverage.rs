@@ -5,12 +5,12 @@ use crate::pattern::coverage::{COVERED, GRAZING};
 
 /// The coverage of a pixel: the shifts on the surface towards the pixel on the right, and below.
 #[derive(Debug, Clone, Copy)]
-pub struct Covered<S: Simd> {
+pub struct PixelShifts<S: Simd> {
     right: V3<S>,
     down: V3<S>,
 }
 
-impl<S: Simd> Covered<S> {
+impl<S: Simd> PixelShifts<S> {
     /// On surfaces with this `normal`, met at this distance by rays which move by `right` and `down` per distance.
     #[inline(always)]
     pub fn new(direction: V3<S>, normal: V3<S>, right: V3<S>, down: V3<S>, distance: F<S>) -> Self {
@@ -65,7 +65,7 @@ fn sawtooth<S: Simd>(x: F<S>) -> F<S> {
 
 /// Returns the coverage of a disc, at this place from its middle.
 #[inline(always)]
-pub fn pip<S: Simd>(off: V3<S>, radius: F<S>, covered: &Covered<S>) -> F<S> {
+pub fn pip<S: Simd>(off: V3<S>, radius: F<S>, covered: &PixelShifts<S>) -> F<S> {
     let simd = radius.simd;
     let distance = off.length();
     let width = covered.range(off * (1.0 / distance.max(1e-30)));

@@ -1,14 +1,14 @@
 //! Patterns on boxes, as `shaders/pattern_box.wgsl` has them. All in the body's own axes.
 
-use super::super::body::Body;
-use super::coverage::{Covered, pip, rim, wave};
+use super::super::body::PacketBody;
+use super::coverage::{PixelShifts, pip, rim, wave};
 use crate::lanes::{F, Simd, SimdFloat as _, V3, all, select, sign_of};
 use crate::pattern::die::{PIP_PLACE, PIP_RADIUS, RIM};
 use crate::pattern::{NUDGE, Ruling};
 
 /// The normal of the face, not what lies between two where a pixel shows both.
 #[inline(always)]
-pub fn normal_of_box<S: Simd>(body: &Body<S>, place: V3<S>) -> V3<S> {
+pub fn normal_of_box<S: Simd>(body: &PacketBody<S>, place: V3<S>) -> V3<S> {
     let zero = all(place.x.simd, 0.0);
     let below = body.halves() - place.abs();
     let along_x = V3::new(sign_of(place.x), zero, zero);
@@ -21,11 +21,11 @@ pub fn normal_of_box<S: Simd>(body: &Body<S>, place: V3<S>) -> V3<S> {
 /// Returns the darkness of `pattern` on a box at this place.
 #[inline(always)]
 pub fn darkness_of_box<S: Simd>(
-    body: &Body<S>,
+    body: &PacketBody<S>,
     pattern: [f32; 3],
     place: V3<S>,
     normal: V3<S>,
-    covered: &Covered<S>,
+    covered: &PixelShifts<S>,
 ) -> F<S> {
     let half = body.halves();
     let simd = half.x.simd;
@@ -45,7 +45,7 @@ pub fn darkness_of_box<S: Simd>(
 
 /// Returns the darkness of a die's face.
 #[inline(always)]
-fn face<S: Simd>(half: V3<S>, place: V3<S>, normal: V3<S>, covered: &Covered<S>) -> F<S> {
+fn face<S: Simd>(half: V3<S>, place: V3<S>, normal: V3<S>, covered: &PixelShifts<S>) -> F<S> {
     let simd = half.x.simd;
     let zero = all(simd, 0.0);
     let side = normal.abs();

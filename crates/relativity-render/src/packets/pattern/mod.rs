@@ -6,13 +6,13 @@ pub(super) mod die;
 #[cfg(test)]
 mod tests;
 
-use super::body::{Body, Group, Ray};
+use super::body::{PacketBody, PacketGroup, RestRays};
 use super::shape;
 use crate::kind::Kind;
 use crate::lanes::{F, Simd, V3, all, clamp};
 use crate::pattern::DARK;
 use crate::view::Geometry;
-use coverage::Covered;
+use coverage::PixelShifts;
 
 /// The mark of `pattern` (its ruling, and its steps along and around) on `body` at `place` (from its middle), at this
 /// ground distance along the rays: what share of its light is left.
@@ -21,12 +21,12 @@ use coverage::Covered;
 pub fn mark<S: Simd>(
     simd: S,
     kind: Kind,
-    group: &Group,
-    body: &Body<S>,
+    group: &PacketGroup,
+    body: &PacketBody<S>,
     pattern: [f32; 3],
     place: V3<S>,
     normal: V3<S>,
-    ray: &Ray<S>,
+    ray: &RestRays<S>,
     distance: F<S>,
 ) -> F<S> {
     if pattern[0] == 0.0 {
@@ -47,21 +47,21 @@ pub fn mark<S: Simd>(
 /// In the body's own axes.
 #[inline(always)]
 fn covered_by_pixel<S: Simd>(
-    group: &Group,
-    body: &Body<S>,
-    ray: &Ray<S>,
+    group: &PacketGroup,
+    body: &PacketBody<S>,
+    ray: &RestRays<S>,
     normal: V3<S>,
     distance: F<S>,
-) -> Covered<S> {
+) -> PixelShifts<S> {
     let direction = body.body_from_rest(ray.direction);
     let [right, down] = shifts(group, ray);
-    Covered::new(direction, normal, body.body_from_rest(right), body.body_from_rest(down), distance)
+    PixelShifts::new(direction, normal, body.body_from_rest(right), body.body_from_rest(down), distance)
 }
 
 /// Returns the shifts in the rest frame of the place seen, to the next pixel on the right and to the one below, per ground distance,
 /// without their parts along the ray.
 #[inline(always)]
-pub fn shifts<S: Simd>(group: &Group, ray: &Ray<S>) -> [V3<S>; 2] {
+pub fn shifts<S: Simd>(group: &PacketGroup, ray: &RestRays<S>) -> [V3<S>; 2] {
     let [right, down] = ray.steps;
     [shift(group, ray, right), shift(group, ray, down)]
 }
@@ -69,7 +69,7 @@ pub fn shifts<S: Simd>(group: &Group, ray: &Ray<S>) -> [V3<S>; 2] {
 /// Returns the shift in the rest frame of the place seen, from pixel to pixel along `across`, per ground distance, without its part
 /// along the ray. As `GroupView::shift` has it, but for one light cone of both eyes.
 #[inline(always)]
-fn shift<S: Simd>(group: &Group, ray: &Ray<S>, across: V3<S>) -> V3<S> {
+fn shift<S: Simd>(group: &PacketGroup, ray: &RestRays<S>, across: V3<S>) -> V3<S> {
     let turn = (across - ray.sight * ray.sight.dot(across)) * ray.scale;
     let frame = group.frame;
     let [beta, _, _, gamma] = frame.speed;

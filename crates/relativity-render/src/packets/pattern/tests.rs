@@ -3,15 +3,15 @@
 use glam::DVec3;
 use relativity_core::{Aperture, Speed};
 
-use super::super::body::{Body as PacketBody, Group as PacketGroup};
+use super::super::body::{PacketBody, PacketGroup};
 use super::super::ray::{line_of_sight, rest_ray};
 use super::super::testing::at_every_level;
 use super::mark;
 use crate::colour::srgb_encoded;
-use crate::frame::Frame;
+use crate::frame::FrameUniform;
 use crate::lanes::{F, LANES, Simd, SimdBase as _, SimdFrom as _, V3, all};
 use crate::lines_of_sight::LinesOfSight;
-use crate::pattern::Covered;
+use crate::pattern::SampleShifts;
 use crate::reference::Hit;
 use crate::{Appearance, Body, Camera, Gaze, Geometry, GroupView, Pattern, PreparedScene, Shape, View};
 
@@ -49,7 +49,7 @@ fn view(geometry: Geometry, beta: f64) -> View {
 struct Asked<'a> {
     scene: &'a PreparedScene,
     view: &'a GroupView,
-    frame: &'a Frame,
+    frame: &'a FrameUniform,
     u: [f32; LANES],
     v: f32,
     hits: [Hit; LANES],
@@ -78,7 +78,7 @@ fn expected(asked: &Asked, sights: &LinesOfSight, lane: usize) -> f64 {
     let place = [f64::from(asked.u[lane]), asked.v.into()];
     let ray = asked.view.rest_ray(sights.through(place));
     let shifts = sights.turns(place).map(|turn| asked.view.shift(&ray, turn) * hit.distance);
-    asked.scene.mark(hit, Covered::new(ray.direction, hit.rest_normal, shifts))
+    asked.scene.mark(hit, SampleShifts::new(ray.direction, hit.rest_normal, shifts))
 }
 
 #[test]
@@ -94,7 +94,7 @@ fn marks_are_the_references() {
                 let body = Body { pattern, ..Body::new(shape, 600.0) };
                 let scene = PreparedScene::moving(&[body]);
                 let views = scene.group_views(&view);
-                let frame = Frame::of_groups(&scene, &views, &Appearance::default())[0];
+                let frame = FrameUniform::of_groups(&scene, &views, &Appearance::default())[0];
                 for v in (0..SIZE).step_by(9) {
                     let hit = |u: u32| {
                         let hit = scene

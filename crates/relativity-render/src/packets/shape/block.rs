@@ -1,6 +1,6 @@
 //! Rays against boxes: `shaders/box.wgsl`.
 
-use super::super::body::{Body, Capsule, Group, Ray, Surface, own_ray};
+use super::super::body::{PacketBody, PacketCapsule, PacketGroup, RestRays, Surface, own_ray};
 use super::super::edge::share_of_other;
 use crate::lanes::{F, Mask, Simd, SimdFloat, V3, all, select, sign_of};
 
@@ -9,19 +9,19 @@ const LEAST_SINE: f32 = 1e-5;
 
 /// The middle of a body with flat faces.
 #[inline(always)]
-pub fn middle<S: Simd>(body: &Body<S>) -> V3<S> {
+pub fn middle<S: Simd>(body: &PacketBody<S>) -> V3<S> {
     body.place
 }
 
 /// Returns a capsule that contains the body.
 #[inline(always)]
-pub fn around<S: Simd>(body: &Body<S>) -> Capsule<S> {
-    Capsule { place: body.place, end: body.place, radius: body.halves().length() }
+pub fn around<S: Simd>(body: &PacketBody<S>) -> PacketCapsule<S> {
+    PacketCapsule { place: body.place, end: body.place, radius: body.halves().length() }
 }
 
 /// Returns the surface of the body where rays meet it.
 #[inline(always)]
-pub fn surface<S: Simd>(simd: S, group: &Group, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
+pub fn surface<S: Simd>(simd: S, group: &PacketGroup, body: &PacketBody<S>, ray: &RestRays<S>) -> Surface<S> {
     let own = own_ray(simd, body, ray);
     let n = own.direction;
     let half = body.halves();

@@ -1,12 +1,12 @@
 //! Rays against cylinders with flat ends: `shaders/cylinder.wgsl`.
 
-use super::super::body::{Body, Group, Ray, Surface, own_ray};
+use super::super::body::{PacketBody, PacketGroup, RestRays, Surface, own_ray};
 use super::super::edge::share_of_other;
 use crate::lanes::{F, Simd, SimdFloat, V2, V3, all, clamp, select, sign_of};
 
 /// Returns the surface of the body where rays meet it.
 #[inline(always)]
-pub fn surface<S: Simd>(simd: S, group: &Group, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
+pub fn surface<S: Simd>(simd: S, group: &PacketGroup, body: &PacketBody<S>, ray: &RestRays<S>) -> Surface<S> {
     let (zero, one) = (all(simd, 0.0), all(simd, 1.0));
     let own = own_ray(simd, body, ray);
     let n = own.direction;

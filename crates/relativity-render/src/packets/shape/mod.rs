@@ -5,8 +5,8 @@ mod cylinder;
 pub(super) mod ring;
 mod tube;
 
-use super::body::{Body, Capsule, Group, Ray, Surface};
-use super::pattern::coverage::Covered;
+use super::body::{PacketBody, PacketCapsule, PacketGroup, RestRays, Surface};
+use super::pattern::coverage::PixelShifts;
 use super::pattern::{chart, die};
 use crate::kind::Kind;
 use crate::lanes::{F, Simd, V3};
@@ -15,7 +15,13 @@ use crate::lanes::{F, Simd, V3};
 ///
 /// Each kind's test is there once, and called.
 #[inline(always)]
-pub fn surface<S: Simd>(simd: S, kind: Kind, group: &Group, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
+pub fn surface<S: Simd>(
+    simd: S,
+    kind: Kind,
+    group: &PacketGroup,
+    body: &PacketBody<S>,
+    ray: &RestRays<S>,
+) -> Surface<S> {
     match kind {
         Kind::Tube => simd.vectorize(
             #[inline(always)]
@@ -38,7 +44,7 @@ pub fn surface<S: Simd>(simd: S, kind: Kind, group: &Group, body: &Body<S>, ray:
 
 /// A body's middle, from that of its group.
 #[inline(always)]
-pub fn middle<S: Simd>(kind: Kind, body: &Body<S>) -> V3<S> {
+pub fn middle<S: Simd>(kind: Kind, body: &PacketBody<S>) -> V3<S> {
     match kind {
         Kind::Tube => tube::middle(body),
         Kind::Ring => ring::middle(body),
@@ -48,7 +54,7 @@ pub fn middle<S: Simd>(kind: Kind, body: &Body<S>) -> V3<S> {
 
 /// Returns a capsule that contains a body.
 #[inline(always)]
-pub fn around<S: Simd>(kind: Kind, body: &Body<S>) -> Capsule<S> {
+pub fn around<S: Simd>(kind: Kind, body: &PacketBody<S>) -> PacketCapsule<S> {
     match kind {
         Kind::Tube => tube::around(body),
         Kind::Ring => ring::around(body),
@@ -58,7 +64,7 @@ pub fn around<S: Simd>(kind: Kind, body: &Body<S>) -> Capsule<S> {
 
 /// Returns the normal by which the pattern at `place` is looked up, in the body's own axes: of flat faces that of the face.
 #[inline(always)]
-pub fn own_normal<S: Simd>(kind: Kind, body: &Body<S>, place: V3<S>, normal: V3<S>) -> V3<S> {
+pub fn own_normal<S: Simd>(kind: Kind, body: &PacketBody<S>, place: V3<S>, normal: V3<S>) -> V3<S> {
     match kind {
         Kind::Tube | Kind::Ring => normal,
         Kind::Cylinder => chart::normal_of_cylinder(body, place),
@@ -70,11 +76,11 @@ pub fn own_normal<S: Simd>(kind: Kind, body: &Body<S>, place: V3<S>, normal: V3<
 #[inline(always)]
 pub fn darkness<S: Simd>(
     kind: Kind,
-    body: &Body<S>,
+    body: &PacketBody<S>,
     pattern: [f32; 3],
     place: V3<S>,
     normal: V3<S>,
-    covered: &Covered<S>,
+    covered: &PixelShifts<S>,
 ) -> F<S> {
     match kind {
         Kind::Tube => chart::on_tube(body, pattern, place, normal).darkness(pattern, covered),

@@ -1,6 +1,6 @@
 //! Rays against tori: `shaders/ring.wgsl`, where the method is explained.
 
-use super::super::body::{Body, Capsule, Ray, Surface};
+use super::super::body::{PacketBody, PacketCapsule, RestRays, Surface};
 use super::super::ray::nearest_to;
 use crate::lanes::{F, Mask, Simd, SimdFloat, SimdMask, V3, all, no, select};
 
@@ -34,7 +34,7 @@ struct RootSearch<S: Simd> {
 }
 
 #[inline(always)]
-fn torus_at<S: Simd>(course: &RingCourse<S>, body: &Body<S>, s: F<S>) -> Torus<S> {
+fn torus_at<S: Simd>(course: &RingCourse<S>, body: &PacketBody<S>, s: F<S>) -> Torus<S> {
     let rho = ((course.a * s + 2.0 * course.b) * s + course.c).max(1e-30).sqrt();
     let rho_first = (course.a * s + course.b) / rho;
     let rho_second = (course.a - rho_first * rho_first) / rho;
@@ -50,7 +50,7 @@ fn torus_at<S: Simd>(course: &RingCourse<S>, body: &Body<S>, s: F<S>) -> Torus<S
 /// The first root of F in [start, end], where F'' is at least `curvature`, of the rays that are `active`.
 #[inline(always)]
 fn entry<S: Simd>(
-    body: &Body<S>,
+    body: &PacketBody<S>,
     course: &RingCourse<S>,
     curvature: F<S>,
     [start, end]: [F<S>; 2],
@@ -83,14 +83,14 @@ fn entry<S: Simd>(
 
 /// Returns the middle of the body.
 #[inline(always)]
-pub fn middle<S: Simd>(body: &Body<S>) -> V3<S> {
+pub fn middle<S: Simd>(body: &PacketBody<S>) -> V3<S> {
     body.place
 }
 
 /// Returns a capsule that contains the body.
 #[inline(always)]
-pub fn around<S: Simd>(body: &Body<S>) -> Capsule<S> {
-    Capsule { place: body.place, end: body.place, radius: body.form_w + body.radius }
+pub fn around<S: Simd>(body: &PacketBody<S>) -> PacketCapsule<S> {
+    PacketCapsule { place: body.place, end: body.place, radius: body.form_w + body.radius }
 }
 
 /// Returns the least distance at which rays pass its surface.
@@ -98,7 +98,7 @@ pub fn around<S: Simd>(body: &Body<S>) -> Capsule<S> {
 /// Where a ray crosses the ring's plane it is |rho - R| from the middle circle. On from there, rho changes by no more than
 /// the cosine of its slope and z by the sine, per step: so it comes no nearer than the sine times that.
 #[inline(always)]
-pub fn least_miss<S: Simd>(body: &Body<S>, ray: &Ray<S>) -> F<S> {
+pub fn least_miss<S: Simd>(body: &PacketBody<S>, ray: &RestRays<S>) -> F<S> {
     let nearest = nearest_to(body.place, ray);
     let (height, slope) = (nearest.dot(body.form), ray.direction.dot(body.form));
     let start = nearest - body.form * height;
@@ -109,7 +109,7 @@ pub fn least_miss<S: Simd>(body: &Body<S>, ray: &Ray<S>) -> F<S> {
 
 /// Returns the surface of the body where rays meet it.
 #[inline(always)]
-pub fn surface<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
+pub fn surface<S: Simd>(simd: S, body: &PacketBody<S>, ray: &RestRays<S>) -> Surface<S> {
     let n = ray.direction;
     let nearest = nearest_to(body.place, ray);
     let height = nearest.dot(body.form);
@@ -170,7 +170,7 @@ pub fn surface<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
 
 /// Returns how deep inside the outline rays come: the least F of this passage, by Newton's method.
 #[inline(always)]
-fn deepest<S: Simd>(course: &RingCourse<S>, body: &Body<S>, search: RootSearch<S>) -> RootSearch<S> {
+fn deepest<S: Simd>(course: &RingCourse<S>, body: &PacketBody<S>, search: RootSearch<S>) -> RootSearch<S> {
     let (mut deepest, mut s) = (search, search.s);
     for _ in 0..4 {
         let at = torus_at(course, body, s);
@@ -192,7 +192,7 @@ fn nearer<S: Simd>(search: &RootSearch<S>, s: F<S>, value: F<S>) -> RootSearch<S
 
 /// From the nearest point of the middle circle, towards `place`.
 #[inline(always)]
-fn torus_normal<S: Simd>(place: V3<S>, body: &Body<S>) -> V3<S> {
+fn torus_normal<S: Simd>(place: V3<S>, body: &PacketBody<S>) -> V3<S> {
     let height = place.dot(body.form);
     let from_axis = place - body.form * height;
     let rho = from_axis.length().max(1e-30);

@@ -1,6 +1,6 @@
 //! Rays against cylinders with rounded ends, and balls: `shaders/tube.wgsl`.
 
-use super::super::body::{Body, Capsule, Ray, Surface};
+use super::super::body::{PacketBody, PacketCapsule, RestRays, Surface};
 use super::super::ray::nearest_to;
 use crate::lanes::{Simd, SimdFloat, SimdMask, V3, clamp, select};
 
@@ -9,19 +9,19 @@ const BESIDE: f32 = 0.02;
 
 /// Returns the middle of the body.
 #[inline(always)]
-pub fn middle<S: Simd>(body: &Body<S>) -> V3<S> {
+pub fn middle<S: Simd>(body: &PacketBody<S>) -> V3<S> {
     (body.place + body.form) * 0.5
 }
 
 /// Returns a capsule that contains the body.
 #[inline(always)]
-pub fn around<S: Simd>(body: &Body<S>) -> Capsule<S> {
-    Capsule { place: body.place, end: body.form, radius: body.radius }
+pub fn around<S: Simd>(body: &PacketBody<S>) -> PacketCapsule<S> {
+    PacketCapsule { place: body.place, end: body.form, radius: body.radius }
 }
 
 /// Returns the surface of the body where rays meet it.
 #[inline(always)]
-pub fn surface<S: Simd>(body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
+pub fn surface<S: Simd>(body: &PacketBody<S>, ray: &RestRays<S>) -> Surface<S> {
     let n = ray.direction;
     let anchor = middle(body);
     let half = (body.form - body.place) * 0.5;

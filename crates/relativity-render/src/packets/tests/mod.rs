@@ -13,12 +13,12 @@ use fearless_simd::{Level, dispatch};
 use glam::{DQuat, DVec3};
 use relativity_core::{Aperture, Speed, Turning};
 
-use super::body::{Body as PacketBody, Group as PacketGroup};
+use super::body::{PacketBody, PacketGroup};
 use super::ray::{line_of_sight, movement as movement_of, rest_ray};
 use super::shape::middle;
-use super::spin::Spin as PacketSpin;
-use super::turning::{doppler_of, place_of_hit, standing, surface_when_shown};
-use crate::frame::Frame;
+use super::spin::PacketSpin;
+use super::turning::TurningBody;
+use crate::frame::FrameUniform;
 use crate::lanes::{F, LANES, Simd, SimdFrom, V2, V3};
 use crate::{
     Appearance, Body, Camera, Gaze, Geometry, Group, GroupView, MaterialPoint, Motion, PreparedScene,
@@ -55,7 +55,7 @@ struct Case {
     scene: PreparedScene,
     view: View,
     group_view: GroupView,
-    frame: Frame,
+    frame: FrameUniform,
 }
 
 /// The motion of a group, and its view.
@@ -161,7 +161,7 @@ impl Case {
         let seen = scene.group_views(&view)[0].apparent_position(middle);
         view.camera.gaze = Gaze::along(seen.expect("inside the domain").to_array());
         let views = scene.group_views(&view);
-        let frame = Frame::of_groups(&scene, &views, &Appearance::default())[0];
+        let frame = FrameUniform::of_groups(&scene, &views, &Appearance::default())[0];
         Self { body, view, group_view: views[0], frame, scene }
     }
 
@@ -224,14 +224,14 @@ fn found<S: Simd>(simd: S, case: &Case, [u, v]: &[[f32; LANES]; 2]) -> [Found; L
     let spin = PacketSpin::new(simd, &shown);
     let sight = line_of_sight(simd, &case.frame, F::simd_from(simd, *u), F::simd_from(simd, *v));
     let ray = rest_ray(simd, &group, sight);
-    let met = surface_when_shown(simd, kind, turns, &group, &body, &ray, &spin);
+    let turning = TurningBody { kind, turns, group, body, spin };
+    let met = turning.surface_when_shown(simd, &ray);
     let across = ray.direction.cross(V3::all(simd, [0.3, -0.5, 0.8]));
     let across = across / across.length();
     let moved: V2<S> = movement_of(&group, &ray, across);
-    let own_doppler =
-        doppler_of(kind, turns, &group, &body, met.place, met.normal, ray.sight, ray.doppler, &spin);
-    let from_hub = place_of_hit(kind, turns, &body, met.place, &spin);
-    let stands = standing(simd, kind, turns, &group, &body, met.place, &spin);
+    let own_doppler = turning.doppler(met.place, met.normal, &ray);
+    let from_hub = turning.place_of_hit(met.place);
+    let stands = turning.standing(simd, met.place);
     let place = middle(kind, &body) + met.place;
     array::from_fn(|lane| {
         let number = |x: F<S>| f64::from(x[lane]);

@@ -1,6 +1,6 @@
 //! The nearest bodies in each sample of a tile.
 
-use super::super::body::{Group, Ray};
+use super::super::body::{PacketGroup, RestRays};
 use super::super::look::Look;
 use super::super::model::{Meetings, ModelPart};
 use super::super::places::PACKETS;
@@ -13,7 +13,7 @@ const NONE: f32 = -1.0;
 
 /// The nearest in a sample of eight pixels.
 #[derive(Debug, Clone, Copy)]
-pub struct Nearest<S: Simd> {
+pub struct NearestHits<S: Simd> {
     /// Beyond the middle of its group, or where there are several groups the negative of its depth among all.
     pub beyond: F<S>,
     /// Place in the list of the tile's bodies, or a negative number.
@@ -33,11 +33,11 @@ pub struct Packet<S: Simd, const N: usize> {
     /// Place of the packet in the tile.
     pub place: usize,
     /// Through the middles of its pixels.
-    pub ray: Ray<S>,
+    pub ray: RestRays<S>,
     /// Nearest bodies that cover samples.
-    pub solid: [Nearest<S>; N],
+    pub solid: [NearestHits<S>; N],
     /// Nearest bodies that are thinner than a pixel, and cover a part of it.
-    pub thin: [Nearest<S>; N],
+    pub thin: [NearestHits<S>; N],
     /// Range of the owners that belong to its group.
     pub owners: [usize; 2],
 }
@@ -54,8 +54,8 @@ pub struct TileContents<S: Simd, const N: usize> {
 
 impl<S: Simd, const N: usize> Packet<S, N> {
     #[inline(always)]
-    pub(super) fn new(simd: S, group: &Group<'_>, sights: &TileSights<'_, S>, place: usize) -> Self {
-        let nothing = [Nearest::none(simd); N];
+    pub(super) fn new(simd: S, group: &PacketGroup<'_>, sights: &TileSights<'_, S>, place: usize) -> Self {
+        let nothing = [NearestHits::none(simd); N];
         Self {
             place,
             ray: rest_ray(simd, group, sights.of_packet(place)),
@@ -83,7 +83,7 @@ impl<S: Simd, const N: usize> Packet<S, N> {
 
     /// Replaces distances beyond the middle of a group by depths among all.
     #[inline(always)]
-    pub(super) fn compare_depths(&mut self, group: &Group<'_>, among_others: Option<AmongOthers>) {
+    pub(super) fn compare_depths(&mut self, group: &PacketGroup<'_>, among_others: Option<AmongOthers>) {
         for nearest in self.solid.iter_mut().chain(&mut self.thin) {
             let depth = depth(group, among_others, &self.ray, nearest.beyond);
             nearest.beyond = select(nearest.owner.simd_lt(0.0), nearest.beyond, -depth);
@@ -92,13 +92,13 @@ impl<S: Simd, const N: usize> Packet<S, N> {
 
     /// Returns the nearest bodies in each sample: those that cover it, and the thinner ones.
     #[inline(always)]
-    fn layers(&mut self) -> [&mut [Nearest<S>; N]; 2] {
+    fn layers(&mut self) -> [&mut [NearestHits<S>; N]; 2] {
         [&mut self.solid, &mut self.thin]
     }
 
     /// Whether the body at this place in the list owns a sample of `layer`, and that place for comparison.
     #[inline(always)]
-    pub fn owned(simd: S, layer: &[Nearest<S>; N], owner: usize) -> Option<F<S>> {
+    pub fn owned(simd: S, layer: &[NearestHits<S>; N], owner: usize) -> Option<F<S>> {
         let at = all(simd, owner as f32);
         let mut owns = layer[0].owner.simd_eq(at);
         for nearest in &layer[1..] {
@@ -150,7 +150,7 @@ impl<S: Simd, const N: usize> TileContents<S, N> {
     }
 }
 
-impl<S: Simd> Nearest<S> {
+impl<S: Simd> NearestHits<S> {
     #[inline(always)]
     fn none(simd: S) -> Self {
         Self { beyond: all(simd, f32::INFINITY), owner: all(simd, NONE) }

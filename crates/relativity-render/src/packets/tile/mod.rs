@@ -3,14 +3,13 @@
 mod contents;
 mod ray_test;
 
-use super::body::{Body, Group};
+use super::body::{PacketBody, PacketGroup};
 use super::look::{Look, Seen};
 use super::model::{Meetings, ModelPart};
 use super::passing::{Middles, may_show as may_show_in};
 use super::places::PACKETS;
 use super::ray::{TileSights, rest_ray};
-use super::spin::Spin;
-use super::turning::surface_when_shown;
+use super::turning::TurningBody;
 use crate::candidates::TileLook;
 use crate::cap::Cap;
 use crate::kind::Kind;
@@ -30,7 +29,7 @@ pub const CENTRE: [[f32; 2]; 1] = [[0.0, 0.0]];
 struct OfGroup<'a, S: Simd, const N: usize> {
     simd: S,
     look: &'a Look<'a>,
-    group: Group<'a>,
+    group: PacketGroup<'a>,
     number: usize,
     samples: &'a [[f32; 2]; N],
     sights: TileSights<'a, S>,
@@ -132,13 +131,12 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
     #[inline(always)]
     fn test(&mut self, seen: &Seen<'_>, is_told_about: bool) {
         let simd = self.simd;
-        let body = Body::new(simd, &seen.shown.placement);
+        let turning = TurningBody::new(simd, self.group, seen);
         let packets: [i32; PACKETS] = if is_told_about {
-            self.middles.may_show(seen.body.kind, &body, self.farthest).into()
+            self.middles.may_show(seen.body.kind, &turning.body, self.farthest).into()
         } else {
             [-1; PACKETS]
         };
-        let spin = Spin::new(simd, &seen.shown);
         let owner = self.drawn.owners.len();
         let mut is_seen = false;
         for (place, may_show) in packets.into_iter().enumerate() {
@@ -151,13 +149,13 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
             if is_told_about && seen.body.kind == Kind::Ring {
                 let packet = &self.drawn.packets[number];
                 let farthest = packet.farthest(simd);
-                if !may_show_in(seen.body.kind, &body, &packet.ray, pixel, farthest).any_true() {
+                if !may_show_in(seen.body.kind, &turning.body, &packet.ray, pixel, farthest).any_true() {
                     continue;
                 }
             }
             is_seen |= match self.look.scene.triangles(seen.number) {
-                Some(triangles) => self.test_model_in(number, triangles, seen, &body, owner),
-                None => self.test_in(number, pixel, seen, &body, &spin, owner),
+                Some(triangles) => self.test_model_in(number, triangles, seen, &turning.body, owner),
+                None => self.test_in(number, pixel, seen.number, &turning, owner),
             };
         }
         if is_seen {
@@ -184,21 +182,19 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         &mut self,
         number: usize,
         pixel: F<S>,
-        seen: &Seen<'_>,
-        body: &Body<S>,
-        spin: &Spin<S>,
+        body_number: usize,
+        turning: &TurningBody<'_, S>,
         owner: usize,
     ) -> bool {
-        let Self { simd, group, .. } = *self;
+        let simd = self.simd;
         let ray = &self.drawn.packets[number].ray;
-        let kind = seen.body.kind;
-        let surface = surface_when_shown(simd, kind, seen.turns, &group, body, ray, spin);
+        let surface = turning.surface_when_shown(simd, ray);
         // Farther outside than a pixel it is in no sample, and not widened into one.
         let pixels = (ray.to_centre + surface.beyond).max(0.0) * pixel;
         if !(surface.clearance + pixels).simd_gt(0.0).any_true() {
             return false;
         }
-        let test = RayTest::new(simd, &group, kind, body, ray, surface, N > 1);
+        let test = RayTest::new(simd, &turning.group, turning.kind, &turning.body, ray, surface, N > 1);
         let is_whole = test.alpha.simd_ge(1.0);
         let is_thin = !is_whole;
         let (any_whole, any_thin) = (is_whole.any_true(), is_thin.any_true());
@@ -211,11 +207,11 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
             let is_inside = test.holds(self.samples[sample]);
             if any_whole {
                 let whole = &mut packet.solid[sample];
-                is_in_solid |= whole.take(is_inside & is_whole, beyond, at, seen.number, owners);
+                is_in_solid |= whole.take(is_inside & is_whole, beyond, at, body_number, owners);
             }
             if any_thin {
                 let thin = &mut packet.thin[sample];
-                is_in_thin |= thin.take(is_inside & is_thin, beyond, at, seen.number, owners);
+                is_in_thin |= thin.take(is_inside & is_thin, beyond, at, body_number, owners);
             }
         }
         if is_in_solid {
@@ -233,7 +229,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         number: usize,
         triangles: &Triangles,
         seen: &Seen<'_>,
-        placed: &Body<S>,
+        placed: &PacketBody<S>,
         owner: usize,
     ) -> bool {
         let Self { simd, look, group, sights, samples, .. } = *self;

@@ -1,6 +1,6 @@
 //! A body's surface in the pixels of a packet.
 
-use super::super::body::{Body, Group, Ray, Surface};
+use super::super::body::{PacketBody, PacketGroup, RestRays, Surface};
 use super::super::ray::{height_on_ground, movement};
 use super::super::shape;
 use crate::kind::Kind;
@@ -24,10 +24,10 @@ impl<S: Simd> RayTest<S> {
     #[inline(always)]
     pub fn new(
         simd: S,
-        group: &Group<'_>,
+        group: &PacketGroup<'_>,
         kind: Kind,
-        body: &Body<S>,
-        ray: &Ray<S>,
+        body: &PacketBody<S>,
+        ray: &RestRays<S>,
         surface: Surface<S>,
         is_picture: bool,
     ) -> Self {

@@ -4,15 +4,15 @@ use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Ui, Ve
 use glam::DVec3;
 use relativity_core::Event;
 
-use super::sheet::Sheet;
-use crate::app::panels::map::axes::{self, Axis};
+use super::sheet::SpaceSheet;
+use crate::app::panels::map::axes::{self, AxisQuantity};
 use crate::app::panels::map::canvas;
-use crate::app::panels::map::labels::Labels;
+use crate::app::panels::map::labels::LabelPlaces;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{Instant, Projection, StraightLine, field_of_view, street_lines, way_of_rider};
-use crate::settings::Frame;
+use crate::map::{MapInstant, MapProjection, StraightLine, field_of_view, street_lines, way_of_rider};
+use crate::settings::MapFrame;
 
 /// Size of the words.
 const WORDS_SIZE: f32 = theme::SMALL_SIZE;
@@ -28,16 +28,16 @@ pub(super) fn paint(
     ui: &Ui,
     painter: &Painter,
     state: &State,
-    instant: &Instant,
-    sheet: &Sheet,
-    labels: &mut Labels,
+    instant: &MapInstant,
+    sheet: &SpaceSheet,
+    labels: &mut LabelPlaces,
 ) {
     painter.rect_filled(sheet.room(), 0.0, ui.visuals().extreme_bg_color);
     fields_of_view(ui, painter, state, instant, sheet);
     axes::paint(ui, painter, &sheet.chart, axes_of(state, sheet.projection), labels);
     let title = match sheet.projection {
-        Projection::Plan => "from above",
-        Projection::Side => "from the side",
+        MapProjection::Plan => "from above",
+        MapProjection::Side => "from the side",
     };
     let place = sheet.room().min + theme::text_scale(ui.style()) * TITLE;
     let words = (title, theme::scaled_font(ui.style(), WORDS_SIZE), ui.visuals().weak_text_color());
@@ -53,7 +53,7 @@ fn write(
     place: Pos2,
     align: Align2,
     (text, font, colour): (&str, FontId, Color32),
-    labels: &mut Labels,
+    labels: &mut LabelPlaces,
 ) {
     let galley = painter.layout_no_wrap(text.to_owned(), font, colour);
     let rect = align.anchor_size(place, galley.size());
@@ -64,18 +64,18 @@ fn write(
 }
 
 /// Returns the axes of a chart. Both charts share x, whose numbers are below the lower one.
-fn axes_of(state: &State, projection: Projection) -> [Axis<'static>; 2] {
+fn axes_of(state: &State, projection: MapProjection) -> [AxisQuantity<'static>; 2] {
     let unit = state.measures().length;
     let frame = state.document.settings.map_frame();
-    let across = if frame == Frame::Ground { "x" } else { "x′" };
-    let is_aslant = frame == Frame::Rider && !state.document.settings.ride.is_along_street();
+    let across = if frame == MapFrame::Ground { "x" } else { "x′" };
+    let is_aslant = frame == MapFrame::Rider && !state.document.settings.ride.is_along_street();
     let up = match (projection, is_aslant) {
-        (Projection::Plan, false) => "y",
-        (Projection::Plan, true) => "y′",
-        (Projection::Side, false) => "z",
-        (Projection::Side, true) => "z′",
+        (MapProjection::Plan, false) => "y",
+        (MapProjection::Plan, true) => "y′",
+        (MapProjection::Side, false) => "z",
+        (MapProjection::Side, true) => "z′",
     };
-    [(across, projection == Projection::Side), (up, true)].map(|(symbol, is_written)| Axis {
+    [(across, projection == MapProjection::Side), (up, true)].map(|(symbol, is_written)| AxisQuantity {
         symbol,
         unit,
         is_written,
@@ -83,7 +83,14 @@ fn axes_of(state: &State, projection: Projection) -> [Axis<'static>; 2] {
 }
 
 /// The kerbs and the house fronts from above, the ground from the side, and their names.
-fn street(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet, labels: &mut Labels) {
+fn street(
+    ui: &Ui,
+    painter: &Painter,
+    state: &State,
+    instant: &MapInstant,
+    sheet: &SpaceSheet,
+    labels: &mut LabelPlaces,
+) {
     let (font, colour) = (theme::scaled_font(ui.style(), WORDS_SIZE), ui.visuals().weak_text_color());
     let stroke = Stroke::new(1.5, ui.visuals().weak_text_color().gamma_multiply(0.7));
     let room = sheet.room();
@@ -105,7 +112,7 @@ fn street(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &
 }
 
 /// The part of the straight line through two places that the chart shows, on screen.
-fn across_chart(sheet: &Sheet, [from, to]: [[f64; 2]; 2]) -> Option<[Pos2; 2]> {
+fn across_chart(sheet: &SpaceSheet, [from, to]: [[f64; 2]; 2]) -> Option<[Pos2; 2]> {
     let event = |[x, t]: [f64; 2]| Event { x, t };
     let step = Event { x: to[0] - from[0], t: to[1] - from[1] };
     let [[left, right], [low, high]] = sheet.chart.range();
@@ -122,7 +129,7 @@ fn part_way(places: &[Pos2]) -> Option<Pos2> {
 }
 
 /// The way of whoever does not ride along the street, and its name.
-fn way(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet, labels: &mut Labels) {
+fn way(ui: &Ui, painter: &Painter, state: &State, sheet: &SpaceSheet, labels: &mut LabelPlaces) {
     let (settings, time) = (&state.document.settings, state.document.time);
     let way = way_of_rider(settings, time, state.time_range());
     let colour = ui.visuals().text_color().gamma_multiply(0.5);
@@ -139,8 +146,8 @@ fn way(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet, labels: &mut La
 }
 
 /// Draws the field of view of each eye. In a frame in which the eyes move it is another angle; it is left out there.
-fn fields_of_view(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet) {
-    let frame_of_eyes = if state.document.settings.ride.is_on() { Frame::Rider } else { Frame::Ground };
+fn fields_of_view(ui: &Ui, painter: &Painter, state: &State, instant: &MapInstant, sheet: &SpaceSheet) {
+    let frame_of_eyes = if state.document.settings.ride.is_on() { MapFrame::Rider } else { MapFrame::Ground };
     if instant.frame() != frame_of_eyes {
         return;
     }
@@ -161,7 +168,14 @@ fn fields_of_view(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, 
 }
 
 /// The line that is beside the eyes: x = 0 on the ground. None of who does not ride along the street.
-fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet, labels: &mut Labels) {
+fn abreast(
+    ui: &Ui,
+    painter: &Painter,
+    state: &State,
+    instant: &MapInstant,
+    sheet: &SpaceSheet,
+    labels: &mut LabelPlaces,
+) {
     let ride = &state.document.settings.ride;
     if ride.leaves_street() {
         return;
@@ -170,8 +184,8 @@ fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: 
     let room = sheet.room();
     let colour = ui.visuals().text_color().gamma_multiply(0.7);
     dashed(painter, [pos2(x, room.min.y), pos2(x, room.max.y)], colour);
-    if sheet.projection == Projection::Plan {
-        let text = if instant.frame() == Frame::Ground && !ride.is_on() {
+    if sheet.projection == MapProjection::Plan {
+        let text = if instant.frame() == MapFrame::Ground && !ride.is_on() {
             "abreast: x = 0"
         } else {
             "abreast of the eyes"
@@ -185,6 +199,6 @@ fn dashed(painter: &Painter, ends: [Pos2; 2], colour: Color32) {
     painter.extend(Shape::dashed_line(&ends, Stroke::new(1.0, colour), 4.0, 4.0));
 }
 
-fn place(sheet: &Sheet, at: DVec3) -> Pos2 {
+fn place(sheet: &SpaceSheet, at: DVec3) -> Pos2 {
     canvas::place(&sheet.chart, sheet.projection.flat(at))
 }

@@ -7,8 +7,8 @@ use eframe::egui::{Color32, Galley, Rect, Ui, pos2, vec2};
 use super::sheet::colour;
 use crate::app::state::State;
 use crate::app::theme;
-use crate::map::Picture;
-use crate::settings::Frame;
+use crate::map::BodyPicture;
+use crate::settings::MapFrame;
 
 /// Height of the legend, and the size of its writing.
 const HEIGHT: f32 = 18.0;
@@ -19,27 +19,27 @@ const AFTER: f32 = 4.0;
 const BETWEEN: f32 = 8.0;
 
 /// Each picture in words, and in fewer.
-const WORDS: [(Picture, [&str; 2]); 4] = [
-    (Picture::Measured, ["measured now", "now"]),
-    (Picture::Seen(0), ["left eye sees", "left eye"]),
-    (Picture::Seen(1), ["right eye sees", "right eye"]),
-    (Picture::Stereo, ["two eyes place it", "two eyes"]),
+const WORDS: [(BodyPicture, [&str; 2]); 4] = [
+    (BodyPicture::Measured, ["measured now", "now"]),
+    (BodyPicture::Seen(0), ["left eye sees", "left eye"]),
+    (BodyPicture::Seen(1), ["right eye sees", "right eye"]),
+    (BodyPicture::Stereo, ["two eyes place it", "two eyes"]),
 ];
-const ON_BOARD: [(Picture, [&str; 2]); 1] =
-    [(Picture::Measured, ["measured now: at rest, at its full length", "measured now"])];
+const ON_BOARD: [(BodyPicture, [&str; 2]); 1] =
+    [(BodyPicture::Measured, ["measured now: at rest, at its full length", "measured now"])];
 
 /// Shows it at the top of `rect`; what is left below it.
 pub(super) fn show(ui: &Ui, state: &State, rect: Rect) -> Rect {
     let entries: &[_] = match state.document.settings.map_frame() {
         // Two eyes that ride place it in their own frame.
-        Frame::Ground if state.document.settings.ride.is_on() => &WORDS[..3],
-        Frame::Ground | Frame::Rider => &WORDS,
-        Frame::Bicycle => &ON_BOARD,
+        MapFrame::Ground if state.document.settings.ride.is_on() => &WORDS[..3],
+        MapFrame::Ground | MapFrame::Rider => &WORDS,
+        MapFrame::Bicycle => &ON_BOARD,
     };
     let font = theme::scaled_font(ui.style(), FONT_SIZE);
     let [height, square_side] = [HEIGHT, SQUARE].map(|points| points * theme::text_scale(ui.style()));
     let laid_out = |which: usize| -> Vec<(Color32, Arc<Galley>)> {
-        let entry = |(picture, words): &(Picture, [&str; 2])| {
+        let entry = |(picture, words): &(BodyPicture, [&str; 2])| {
             let text =
                 ui.painter().layout_no_wrap(words[which].to_owned(), font.clone(), ui.visuals().text_color());
             (colour(*picture, ui.visuals()), text)

@@ -2,13 +2,13 @@
 
 use eframe::egui::{Painter, Ui};
 
-use super::sheet::{Sheet, colour};
+use super::sheet::{SpaceSheet, colour};
 use crate::app::panels::map::canvas;
-use crate::app::panels::map::labels::Labels;
+use crate::app::panels::map::labels::LabelPlaces;
 use crate::app::state::State;
 use crate::app::theme;
-use crate::map::{Instant, Picture, Projection};
-use crate::settings::Framing;
+use crate::map::{BodyPicture, MapInstant, MapProjection};
+use crate::settings::MapFraming;
 
 const FONT_SIZE: f32 = 13.0;
 /// From the middle of a rod to its label, points.
@@ -16,19 +16,22 @@ const BESIDE: f32 = 12.0;
 const DECIMALS: u8 = 2;
 
 /// The name of the length in each picture.
-const NAMES: [(Picture, &str); 3] =
-    [(Picture::Stereo, "two eyes"), (Picture::Seen(0), "left eye"), (Picture::Measured, "measured now")];
+const NAMES: [(BodyPicture, &str); 3] = [
+    (BodyPicture::Stereo, "two eyes"),
+    (BodyPicture::Seen(0), "left eye"),
+    (BodyPicture::Measured, "measured now"),
+];
 
 /// Writes the lengths in the plan of a close-up, if the selected body has two ends.
 pub(super) fn show(
     ui: &Ui,
     painter: &Painter,
     state: &State,
-    instant: &Instant,
-    sheet: &Sheet,
-    labels: &mut Labels,
+    instant: &MapInstant,
+    sheet: &SpaceSheet,
+    labels: &mut LabelPlaces,
 ) {
-    if state.document.settings.map.framing != Framing::CloseUp || sheet.projection != Projection::Plan {
+    if state.document.settings.map.framing != MapFraming::CloseUp || sheet.projection != MapProjection::Plan {
         return;
     }
     let point = state.document.points.selected();

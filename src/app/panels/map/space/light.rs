@@ -7,17 +7,17 @@ use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, TextStyle, Ui, V
 use glam::DVec3;
 use relativity_core::{Event, math};
 
-use super::sheet::Sheet;
+use super::sheet::SpaceSheet;
 use crate::app::panels::map::canvas;
-use crate::app::panels::map::labels::Labels;
+use crate::app::panels::map::labels::LabelPlaces;
 use crate::app::panels::map::times::{labelled, times};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{Front, PointWorldline, Projection, Ray, along, event_in, fronts, rays};
+use crate::map::{Front, MapProjection, PointWorldline, ReceivedRay, along, fronts, rays};
 use crate::plot::round_step;
 use crate::quantity::Quantity;
-use crate::settings::Frame;
+use crate::settings::MapFrame;
 
 /// Fronts that follow each other while light comes from where the point passes.
 const FRONTS_ON_THE_WAY: f64 = 3.0;
@@ -37,22 +37,22 @@ const TOLERANCE: f32 = 0.1;
 const ARROW: f32 = 8.0;
 
 /// The light of the selected point on a chart.
-pub(super) struct Light<'a> {
-    sheet: &'a Sheet,
+pub(super) struct ChartLight<'a> {
+    sheet: &'a SpaceSheet,
     worldline: PointWorldline,
-    rays: [Ray; 2],
+    rays: [ReceivedRay; 2],
     /// The present by the clocks of the frame that is drawn.
     now: f64,
     /// The middle between the eyes on the ground.
     here: DVec3,
 }
 
-impl<'a> Light<'a> {
+impl<'a> ChartLight<'a> {
     /// Returns the light at the present T; `None` outside the domain of the core, and in the frame of who rides.
-    pub(super) fn new(state: &State, sheet: &'a Sheet) -> Option<Self> {
+    pub(super) fn new(state: &State, sheet: &'a SpaceSheet) -> Option<Self> {
         let (settings, time) = (&state.document.settings, state.document.time);
         let (track, frame) = (state.document.points.selected().track, settings.frame(time));
-        if settings.map_frame() == Frame::Rider {
+        if settings.map_frame() == MapFrame::Rider {
             return None;
         }
         let observer = settings.rider(time).observer();
@@ -61,7 +61,7 @@ impl<'a> Light<'a> {
             sheet,
             worldline: PointWorldline::new(settings, &track, frame),
             rays: rays(settings, &track, time, frame).ok()?,
-            now: event_in(&frame, here, observer.time).t,
+            now: frame.event_at(observer.place, observer.time).t,
             here,
         })
     }
@@ -80,24 +80,24 @@ impl<'a> Light<'a> {
     }
 
     /// Names it in the plan.
-    pub(super) fn name(&self, ui: &Ui, painter: &Painter, state: &State, labels: &mut Labels) {
-        if self.sheet.projection == Projection::Plan {
+    pub(super) fn name(&self, ui: &Ui, painter: &Painter, state: &State, labels: &mut LabelPlaces) {
+        if self.sheet.projection == MapProjection::Plan {
             self.name_way(ui, painter, state, labels);
             self.name_front(ui, painter, labels);
         }
     }
 
     /// Writes beside the way of the light when it left: by the ground's clocks, or by those of the bicycle.
-    fn name_way(&self, ui: &Ui, painter: &Painter, state: &State, labels: &mut Labels) {
+    fn name_way(&self, ui: &Ui, painter: &Painter, state: &State, labels: &mut LabelPlaces) {
         let ways = self.rays.map(|ray| self.ends(&ray));
         for way in &ways {
             labels.avoid(way);
         }
         let (name, times) = match state.document.settings.map.frame {
-            Frame::Ground | Frame::Rider => {
+            MapFrame::Ground | MapFrame::Rider => {
                 (Quantity::EmissionTime.row().name, self.rays.map(|ray| ray.happened))
             }
-            Frame::Bicycle => (Quantity::ProperTime.row().name, self.rays.map(|ray| ray.proper_time)),
+            MapFrame::Bicycle => (Quantity::ProperTime.row().name, self.rays.map(|ray| ray.proper_time)),
         };
         let [left, right] = times.map(|time| labelled(state, time));
         let both = if left == right { left } else { format!("{left}, {right}") };
@@ -111,7 +111,7 @@ impl<'a> Light<'a> {
     }
 
     /// Says what the circles are, where there is room, on the side of the light's front that is away from the eyes.
-    fn name_front(&self, ui: &Ui, painter: &Painter, labels: &mut Labels) {
+    fn name_front(&self, ui: &Ui, painter: &Painter, labels: &mut LabelPlaces) {
         let room = self.sheet.room();
         let [ray, _] = self.rays;
         let Some((middle, radius)) = self.circle(&ray.front()).filter(|_| room.width() > NARROWEST_NAMED)
@@ -168,8 +168,8 @@ impl<'a> Light<'a> {
     fn circle(&self, front: &Front) -> Option<(Pos2, f32)> {
         let [y, z] = front.across;
         let from_plane = match self.sheet.projection {
-            Projection::Plan => z - self.here.z,
-            Projection::Side => y - self.here.y,
+            MapProjection::Plan => z - self.here.z,
+            MapProjection::Side => y - self.here.y,
         };
         let radius = front.radius_in_plane(from_plane.abs())?;
         Some((self.place(front.left, [y, z]), (radius * self.sheet.chart.scale) as f32))
@@ -186,12 +186,12 @@ impl<'a> Light<'a> {
     }
 
     /// Returns the ends of a ray: where the light left, and where it arrives.
-    fn ends(&self, ray: &Ray) -> [Pos2; 2] {
+    fn ends(&self, ray: &ReceivedRay) -> [Pos2; 2] {
         [self.place(ray.left, ray.across), self.place(ray.received, ray.eye)]
     }
 
     /// The way of the light, with an arrow in the middle.
-    fn paint_ray(&self, painter: &Painter, ray: &Ray, colour: Color32) {
+    fn paint_ray(&self, painter: &Painter, ray: &ReceivedRay, colour: Color32) {
         let [from, to] = self.ends(ray);
         painter.line_segment([from, to], Stroke::new(1.2, colour));
         let along = (to - from).normalized();
@@ -201,7 +201,7 @@ impl<'a> Light<'a> {
         painter.add(Shape::convex_polygon(arrow, colour, Stroke::NONE));
     }
 
-    fn off_ray(&self, ray: &Ray, pointer: Pos2) -> f32 {
+    fn off_ray(&self, ray: &ReceivedRay, pointer: Pos2) -> f32 {
         let [from, to] = self.ends(ray);
         let [from, to, pointer] = [from, to, pointer].map(|place| [place.x, place.y].map(f64::from));
         along(from, to, pointer).1 as f32

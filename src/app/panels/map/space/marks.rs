@@ -2,14 +2,14 @@
 
 use eframe::egui::{Align2, Painter, Stroke, Ui, vec2};
 
-use super::sheet::{Sheet, colour};
+use super::sheet::{SpaceSheet, colour};
 use crate::app::panels::map::canvas;
-use crate::app::panels::map::labels::Labels;
+use crate::app::panels::map::labels::LabelPlaces;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{Instant, Picture, Projection};
-use crate::settings::Frame;
+use crate::map::{BodyPicture, MapInstant, MapProjection};
+use crate::settings::MapFrame;
 
 const FONT_SIZE: f32 = 12.5;
 /// Distance from x = 0 that counts as abreast, points.
@@ -26,9 +26,9 @@ pub(super) fn show(
     ui: &Ui,
     painter: &Painter,
     state: &State,
-    instant: &Instant,
-    sheet: &Sheet,
-    labels: &mut Labels,
+    instant: &MapInstant,
+    sheet: &SpaceSheet,
+    labels: &mut LabelPlaces,
 ) {
     eyes(ui, painter, instant, sheet, labels);
     for (index, point) in state.document.points.all().iter().enumerate() {
@@ -36,7 +36,7 @@ pub(super) fn show(
         let largest = ((LARGEST * sheet.chart.scale) as f32).max(SMALLEST_RADIUS);
         let radius = POINT_RADII[usize::from(!is_selected)].min(largest);
         let fill = theme::point_colour(point.number, ui.visuals());
-        for picture in Picture::ALL {
+        for picture in BodyPicture::ALL {
             let Some(at) = instant.place(&point.track, picture) else { continue };
             let place = canvas::place(&sheet.chart, sheet.projection.flat(at));
             painter.circle_filled(place, radius + 1.5, theme::halo_colour(ui.visuals()));
@@ -54,18 +54,27 @@ pub(super) fn show(
 }
 
 /// Says so when the selected point is beside the eyes: measured there now, or seen there.
-fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet, labels: &mut Labels) {
+fn abreast(
+    ui: &Ui,
+    painter: &Painter,
+    state: &State,
+    instant: &MapInstant,
+    sheet: &SpaceSheet,
+    labels: &mut LabelPlaces,
+) {
     let point = state.document.points.selected();
-    if instant.frame() == Frame::Bicycle
+    if instant.frame() == MapFrame::Bicycle
         || state.document.settings.ride.is_on()
         || state.velocity(point).speed.beta() == 0.0
     {
         return;
     }
     let place = |picture| instant.place(&point.track, picture);
-    let seen = place(Picture::Seen(0)).zip(place(Picture::Seen(1))).map(|(left, right)| 0.5 * (left + right));
+    let seen = place(BodyPicture::Seen(0))
+        .zip(place(BodyPicture::Seen(1)))
+        .map(|(left, right)| 0.5 * (left + right));
     let words = [
-        (place(Picture::Measured), "measured abreast", theme::measured_colour(ui.visuals())),
+        (place(BodyPicture::Measured), "measured abreast", theme::measured_colour(ui.visuals())),
         (seen, "seen abreast", theme::equidistance_colour(ui.visuals())),
     ];
     for (at, text, colour) in words {
@@ -76,13 +85,13 @@ fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: 
     }
 }
 
-fn eyes(ui: &Ui, painter: &Painter, instant: &Instant, sheet: &Sheet, labels: &mut Labels) {
+fn eyes(ui: &Ui, painter: &Painter, instant: &MapInstant, sheet: &SpaceSheet, labels: &mut LabelPlaces) {
     let sides = [(Align2::RIGHT_CENTER, -1.0), (Align2::LEFT_CENTER, 1.0)];
     for ((eye, at), (anchor, side)) in Eye::BOTH.into_iter().zip(instant.eyes()).zip(sides) {
         let place = canvas::place(&sheet.chart, sheet.projection.flat(at));
         let colour = theme::eye_colour(eye, ui.visuals());
         painter.circle_filled(place, EYE_RADIUS, colour);
-        if sheet.projection == Projection::Plan {
+        if sheet.projection == MapProjection::Plan {
             let font = theme::scaled_font(ui.style(), FONT_SIZE);
             labels.keep_free(painter.text(place + vec2(side * 9.0, 0.0), anchor, eye.name(), font, colour));
         }

@@ -12,28 +12,28 @@ mod sheet;
 use eframe::egui::{Rect, Ui};
 use glam::DVec3;
 
-use self::light::Light;
-use self::sheet::Sheet;
+use self::light::ChartLight;
+use self::sheet::SpaceSheet;
 use super::canvas;
-use super::labels::Labels;
+use super::labels::LabelPlaces;
 use crate::app::panels::Commands;
 use crate::app::state::State;
-use crate::map::{Chart, Extent, Instant, Lines, Picture, Projection, plan_and_side};
-use crate::settings::Framing;
+use crate::map::{BodyPicture, Chart, MapInstant, MapProjection, OutlineLines, WorldBox, plan_and_side};
+use crate::settings::MapFraming;
 
 /// Shows it in `rect`.
 pub fn show(ui: &mut Ui, state: &State, rect: Rect, commands: &mut Commands) {
     let rect = legend::show(ui, state, rect);
-    let instant = Instant::new(&state.document.settings, state.document.time);
+    let instant = MapInstant::new(&state.document.settings, state.document.time);
     let charts = charts(state, &instant, rect);
-    let lines = Lines::new(&instant, &state.document.scene, &charts);
-    for (projection, chart) in Projection::BOTH.into_iter().zip(charts) {
-        let sheet = Sheet { projection, chart };
+    let lines = OutlineLines::new(&instant, &state.document.scene, &charts);
+    for (projection, chart) in MapProjection::BOTH.into_iter().zip(charts) {
+        let sheet = SpaceSheet { projection, chart };
         let response = canvas::look_around(ui, state, sheet.name(), &chart, projection.axes(), commands);
         let painter = ui.painter().with_clip_rect(sheet.room().intersect(ui.clip_rect()));
-        let mut labels = Labels::new(sheet.room(), ui.visuals().extreme_bg_color);
+        let mut labels = LabelPlaces::new(sheet.room(), ui.visuals().extreme_bg_color);
         backdrop::paint(ui, &painter, state, &instant, &sheet, &mut labels);
-        let light = Light::new(state, &sheet);
+        let light = ChartLight::new(state, &sheet);
         if let Some(light) = &light {
             light.paint(ui, &painter, state);
         }
@@ -47,25 +47,27 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, commands: &mut Commands) {
     }
 }
 
-fn charts(state: &State, instant: &Instant, rect: Rect) -> [Chart; 2] {
+fn charts(state: &State, instant: &MapInstant, rect: Rect) -> [Chart; 2] {
     let scene = &state.document.scene;
     let close_up = match state.document.settings.map.framing {
-        Framing::CloseUp => Extent::close_up(instant, scene, state.document.points.selected().track.motion),
-        Framing::Passage => None,
+        MapFraming::CloseUp => {
+            WorldBox::close_up(instant, scene, state.document.points.selected().track.motion)
+        }
+        MapFraming::Passage => None,
     };
     let extent = close_up.unwrap_or_else(|| {
         let (settings, here) = (&state.document.settings, instant.middle());
         if !settings.ride.is_on() {
-            Extent::of_space(settings, scene)
+            WorldBox::of_space(settings, scene)
         } else if settings.ride.is_along_street() {
-            Extent::of_ride(settings, scene, here.x)
+            WorldBox::of_ride(settings, scene, here.x)
         } else {
             let velocity = instant.observer().velocity;
             let beta = velocity.speed().beta() * DVec3::from(velocity.direction());
             let point = &state.document.points.selected().track;
-            let pictures = [Picture::Measured, Picture::Seen(0), Picture::Seen(1)];
+            let pictures = [BodyPicture::Measured, BodyPicture::Seen(0), BodyPicture::Seen(1)];
             let seen = pictures.into_iter().filter_map(|picture| instant.place(point, picture));
-            Extent::of_ride_aslant(here, beta, seen)
+            WorldBox::of_ride_aslant(here, beta, seen)
         }
     });
     let area = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(f64::from);

@@ -2,8 +2,8 @@
 
 use eframe::egui::{Color32, Painter, Shape, Stroke, Ui, pos2};
 
-use super::sheet::{Sheet, colour};
-use crate::map::{Line, Lines, Picture};
+use super::sheet::{SpaceSheet, colour};
+use crate::map::{BodyPicture, OutlineLine, OutlineLines};
 
 /// Thinnest line, points. What is thinner is drawn so, and fainter.
 const THINNEST: f32 = 1.0;
@@ -28,13 +28,13 @@ const OUTLINE: f32 = 2.0;
 const SAME_WIDTH: f32 = 0.5;
 
 /// Draws the pictures.
-pub(super) fn paint(ui: &Ui, painter: &Painter, lines: &Lines, sheet: &Sheet) {
+pub(super) fn paint(ui: &Ui, painter: &Painter, lines: &OutlineLines, sheet: &SpaceSheet) {
     let mut shapes = Vec::with_capacity(lines.all.len());
     for line in lines.all.iter().filter(|line| line.is_in(sheet.projection)) {
         let colour = line_colour(ui, line);
         let places: Vec<_> =
             lines.vertices(line).iter().map(|vertex| sheet.projection.flat(vertex.place)).collect();
-        let is_outline = line.picture == Picture::Stereo;
+        let is_outline = line.picture == BodyPicture::Stereo;
         for (part, width) in parts(line, &places, sheet) {
             let fills =
                 !is_outline && line.only.is_some() && 2.0 * line.reach * sheet.chart.scale < LARGEST_FILLED;
@@ -46,7 +46,7 @@ pub(super) fn paint(ui: &Ui, painter: &Painter, lines: &Lines, sheet: &Sheet) {
 }
 
 /// Parts of a line that are everywhere as wide, and how wide, points.
-fn parts<'a>(line: &Line, places: &'a [[f64; 2]], sheet: &Sheet) -> Vec<(&'a [[f64; 2]], f32)> {
+fn parts<'a>(line: &OutlineLine, places: &'a [[f64; 2]], sheet: &SpaceSheet) -> Vec<(&'a [[f64; 2]], f32)> {
     if line.ball.is_none() {
         return vec![(places, EDGE)];
     }
@@ -72,7 +72,7 @@ fn add(
     (places, width): (&[[f64; 2]], f32),
     fills: bool,
     colour: Color32,
-    sheet: &Sheet,
+    sheet: &SpaceSheet,
     shapes: &mut Vec<Shape>,
 ) {
     if width < LEAST_WIDTH {
@@ -89,11 +89,11 @@ fn add(
     });
 }
 
-fn line_colour(ui: &Ui, line: &Line) -> Color32 {
+fn line_colour(ui: &Ui, line: &OutlineLine) -> Color32 {
     let (colour, strength) = match line.picture {
         _ if line.rests => (ui.visuals().weak_text_color(), STREET),
-        Picture::Measured | Picture::Stereo => (colour(line.picture, ui.visuals()), 1.0),
-        Picture::Seen(_) => (colour(line.picture, ui.visuals()), SEEN),
+        BodyPicture::Measured | BodyPicture::Stereo => (colour(line.picture, ui.visuals()), 1.0),
+        BodyPicture::Seen(_) => (colour(line.picture, ui.visuals()), SEEN),
     };
     colour.gamma_multiply(strength)
 }

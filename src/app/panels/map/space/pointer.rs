@@ -3,18 +3,18 @@
 use eframe::egui::{Painter, Pos2, Response, Stroke, Ui};
 use glam::DVec3;
 
-use super::light::Light;
-use super::sheet::{Sheet, colour};
+use super::light::ChartLight;
+use super::sheet::{SpaceSheet, colour};
 use crate::app::command::Command;
 use crate::app::panels::Commands;
 use crate::app::panels::map::canvas;
 use crate::app::pointer::Select;
 use crate::app::state::State;
 use crate::eye::Eye;
-use crate::map::{Instant, Lines, Nearest, Picture, PointWorldline};
+use crate::map::{BodyPicture, MapInstant, Nearest, OutlineLines, PointWorldline};
 use crate::quantity::Quantity;
 use crate::scene::Track;
-use crate::settings::Frame;
+use crate::settings::MapFrame;
 
 /// Distance up to which the pointer counts as near, points.
 const REACH: f64 = 9.0;
@@ -25,14 +25,14 @@ pub(super) fn read(
     painter: &Painter,
     response: &Response,
     state: &State,
-    lines: &Lines,
-    sheet: &Sheet,
+    lines: &OutlineLines,
+    sheet: &SpaceSheet,
     commands: &mut Commands,
 ) {
     let Some(pointer) = response.hover_pos().or(response.interact_pointer_pos()) else { return };
     let Some(nearest) = nearest(lines, sheet, pointer) else {
-        if let Some(text) =
-            eye_told(state, sheet, pointer).or_else(|| Light::new(state, sheet)?.hover_text(state, pointer))
+        if let Some(text) = eye_told(state, sheet, pointer)
+            .or_else(|| ChartLight::new(state, sheet)?.hover_text(state, pointer))
         {
             response.clone().on_hover_text_at_pointer(text);
         }
@@ -49,15 +49,15 @@ pub(super) fn read(
     response.clone().on_hover_text_at_pointer(text(state, &nearest, &track));
 }
 
-fn nearest<'a>(lines: &'a Lines, sheet: &Sheet, pointer: Pos2) -> Option<Nearest<'a>> {
+fn nearest<'a>(lines: &'a OutlineLines, sheet: &SpaceSheet, pointer: Pos2) -> Option<Nearest<'a>> {
     let pointer = [f64::from(pointer.x), f64::from(pointer.y)];
     lines.nearest((sheet.projection, &sheet.chart), pointer, REACH)
 }
 
 /// Describes the eye at `pointer`: its place, and the time when it receives light.
-fn eye_told(state: &State, sheet: &Sheet, pointer: Pos2) -> Option<String> {
+fn eye_told(state: &State, sheet: &SpaceSheet, pointer: Pos2) -> Option<String> {
     let now = state.document.time;
-    let eyes = Instant::new(&state.document.settings, now).eyes();
+    let eyes = MapInstant::new(&state.document.settings, now).eyes();
     let far = |at: DVec3| canvas::place(&sheet.chart, sheet.projection.flat(at)).distance(pointer);
     let nearest = Eye::BOTH.into_iter().zip(eyes).min_by(|(_, a), (_, b)| far(*a).total_cmp(&far(*b)));
     let (eye, at) = nearest.filter(|&(_, at)| f64::from(far(at)) <= REACH)?;
@@ -88,28 +88,28 @@ fn time_text(state: &State, name: &str, value: f64) -> String {
 }
 
 /// When it is there, as far as that is one event.
-fn times(state: &State, picture: Picture, track: &Track) -> Vec<String> {
+fn times(state: &State, picture: BodyPicture, track: &Track) -> Vec<String> {
     let time = |name: &str, value: f64| time_text(state, name, value);
     let now = state.document.time;
     let (frame, street) = (state.document.settings.frame(now), state.rider().street_time);
     match (picture, state.document.settings.map_frame()) {
-        (Picture::Seen(eye), Frame::Ground | Frame::Rider) => {
+        (BodyPicture::Seen(eye), MapFrame::Ground | MapFrame::Rider) => {
             let Ok(both) = state.document.settings.disparity(track, now) else { return Vec::new() };
             let seen = [both.primary, both.secondary][eye];
             let times = [now, seen.retarded_time, seen.proper_time];
             state.clock().names().into_iter().zip(times).map(|(name, value)| time(name, value)).collect()
         }
-        (Picture::Measured, Frame::Ground) => {
+        (BodyPicture::Measured, MapFrame::Ground) => {
             let own = PointWorldline::new(&state.document.settings, track, frame).proper_time(street);
             vec![time("now t", street), time(Quantity::ProperTime.row().name, own)]
         }
-        (Picture::Measured, Frame::Rider) => vec![time("now, by my clock", now)],
+        (BodyPicture::Measured, MapFrame::Rider) => vec![time("now, by my clock", now)],
         // On board all clocks agree.
-        (Picture::Measured, Frame::Bicycle) => {
+        (BodyPicture::Measured, MapFrame::Bicycle) => {
             vec![time(Quantity::ProperTime.row().name, frame.speed().gamma() * now)]
         }
         // From two events, each with times of its own.
-        (Picture::Stereo, _) => vec![time(state.clock().received.name, now)],
-        (Picture::Seen(_), Frame::Bicycle) => Vec::new(),
+        (BodyPicture::Stereo, _) => vec![time(state.clock().received.name, now)],
+        (BodyPicture::Seen(_), MapFrame::Bicycle) => Vec::new(),
     }
 }

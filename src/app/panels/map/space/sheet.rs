@@ -5,23 +5,23 @@ use eframe::egui::{Color32, Rect, Visuals};
 use crate::app::panels::map::canvas;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{Chart, Picture, Projection};
+use crate::map::{BodyPicture, Chart, MapProjection};
 
 /// A chart of the face.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sheet {
+pub(super) struct SpaceSheet {
     /// Projection of the chart.
-    pub projection: Projection,
+    pub projection: MapProjection,
     /// Chart that places things.
     pub chart: Chart,
 }
 
-impl Sheet {
+impl SpaceSheet {
     /// Returns the name of the chart for assistive technology.
     pub const fn name(&self) -> &'static str {
         match self.projection {
-            Projection::Plan => "Map, from above",
-            Projection::Side => "Map, from the side",
+            MapProjection::Plan => "Map, from above",
+            MapProjection::Side => "Map, from the side",
         }
     }
 
@@ -32,10 +32,10 @@ impl Sheet {
 }
 
 /// The colour of a picture.
-pub(super) fn colour(picture: Picture, visuals: &Visuals) -> Color32 {
+pub(super) fn colour(picture: BodyPicture, visuals: &Visuals) -> Color32 {
     match picture {
-        Picture::Measured => theme::measured_colour(visuals),
-        Picture::Seen(eye) => theme::eye_colour(Eye::BOTH[eye], visuals),
-        Picture::Stereo => theme::stereo_colour(visuals),
+        BodyPicture::Measured => theme::measured_colour(visuals),
+        BodyPicture::Seen(eye) => theme::eye_colour(Eye::BOTH[eye], visuals),
+        BodyPicture::Stereo => theme::stereo_colour(visuals),
     }
 }

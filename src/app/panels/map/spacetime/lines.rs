@@ -4,13 +4,13 @@ use eframe::egui::{Color32, Pos2, Shape, Stroke, TextStyle};
 use relativity_core::Event;
 use relativity_render::Velocity;
 
-use super::sheet::{NEAR, Sheet};
-use crate::app::panels::map::labels::Labels;
+use super::sheet::{DiagramSheet, NEAR};
+use crate::app::panels::map::labels::LabelPlaces;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{Cone, Diagram, Ray, StraightLine, worldline_of_eye};
+use crate::map::{Diagram, PastCone, ReceivedRay, StraightLine, worldline_of_eye};
 use crate::quantity::Quantity;
-use crate::settings::Frame;
+use crate::settings::MapFrame;
 
 /// Length and gap of dashes, points: for the line of simultaneity of the other frame, and for light projected onto the plane.
 const DASH: f32 = 6.0;
@@ -19,7 +19,7 @@ const SPACE: f32 = 4.0;
 const EYES_APART: f32 = 60.0;
 
 /// Draws all lines.
-pub fn paint(sheet: &Sheet<'_>, labels: &mut Labels) {
+pub fn paint(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
     nows(sheet, labels);
     cones(sheet, labels);
     eyes(sheet, labels);
@@ -31,28 +31,28 @@ pub fn paint(sheet: &Sheet<'_>, labels: &mut Labels) {
 }
 
 /// Returns the part of a line that is shown, on screen.
-fn shown(sheet: &Sheet<'_>, line: StraightLine) -> Option<[Pos2; 2]> {
+fn shown(sheet: &DiagramSheet<'_>, line: StraightLine) -> Option<[Pos2; 2]> {
     let [low, high] = sheet.corners();
     line.within(low, high).map(|ends| ends.map(|event| sheet.place(event)))
 }
 
-fn draw(sheet: &Sheet<'_>, labels: &mut Labels, line: StraightLine, stroke: Stroke) {
+fn draw(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces, line: StraightLine, stroke: Stroke) {
     if let Some(ends) = shown(sheet, line) {
         sheet.painter.line_segment(ends, stroke);
         labels.avoid(&ends);
     }
 }
 
-fn dashed(sheet: &Sheet<'_>, labels: &mut Labels, ends: [Pos2; 2], stroke: Stroke) {
+fn dashed(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces, ends: [Pos2; 2], stroke: Stroke) {
     sheet.painter.extend(Shape::dashed_line(&ends, stroke, DASH, SPACE));
     labels.avoid(&ends);
 }
 
 /// Draws the present: of the frame that is drawn, solid; of the other one, dashed.
-fn nows(sheet: &Sheet<'_>, labels: &mut Labels) {
+fn nows(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
     let [ground, scene] = sheet.diagram.nows();
     let colours = now_colours(sheet);
-    let is_ground = sheet.state.document.settings.map_frame() == Frame::Ground;
+    let is_ground = sheet.state.document.settings.map_frame() == MapFrame::Ground;
     let both = [(ground, colours[0], is_ground), (scene, colours[1], !is_ground)];
     for (line, colour, is_own) in both.into_iter().take(number_of_nows(sheet)) {
         let stroke = Stroke::new(1.2, colour);
@@ -65,13 +65,13 @@ fn nows(sheet: &Sheet<'_>, labels: &mut Labels) {
 }
 
 /// Returns the number of presents: one where both frames are the same.
-fn number_of_nows(sheet: &Sheet<'_>) -> usize {
+fn number_of_nows(sheet: &DiagramSheet<'_>) -> usize {
     if sheet.diagram.other.is_rest() { 1 } else { 2 }
 }
 
 /// The colours of what is at one time on the ground, and in the scene's frame: the latter in the colour of the point where
 /// it rests there.
-pub fn now_colours(sheet: &Sheet<'_>) -> [Color32; 2] {
+pub fn now_colours(sheet: &DiagramSheet<'_>) -> [Color32; 2] {
     let measured = theme::measured_colour(sheet.ui.visuals());
     let moves_with_scene =
         Velocity::along_street(&sheet.diagram.other) == Some(sheet.diagram.point.velocity());
@@ -80,12 +80,12 @@ pub fn now_colours(sheet: &Sheet<'_>) -> [Color32; 2] {
     [measured.gamma_multiply(0.55), scene]
 }
 
-fn point_colour(sheet: &Sheet<'_>) -> Color32 {
+fn point_colour(sheet: &DiagramSheet<'_>) -> Color32 {
     theme::point_colour(sheet.state.document.points.selected().number, sheet.ui.visuals())
 }
 
 /// The past light cones in the plane of the point, and light that runs along x.
-fn cones(sheet: &Sheet<'_>, labels: &mut Labels) {
+fn cones(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
     let [low, high] = sheet.corners();
     let Some(cones) = sheet.diagram.cones() else { return };
     paint_past(sheet, &cones[0]);
@@ -107,7 +107,7 @@ fn cones(sheet: &Sheet<'_>, labels: &mut Labels) {
 }
 
 /// Tints all from where light has arrived by now.
-fn paint_past(sheet: &Sheet<'_>, cone: &Cone) {
+fn paint_past(sheet: &DiagramSheet<'_>, cone: &PastCone) {
     let [low, high] = sheet.corners();
     let Some([left, right]) = cone.later_than(low.t) else { return };
     let [left, right] = [left.clamp(low.x, high.x), right.clamp(low.x, high.x)];
@@ -120,7 +120,7 @@ fn paint_past(sheet: &Sheet<'_>, cone: &Cone) {
     sheet.painter.add(Shape::convex_polygon(outline, tint, Stroke::NONE));
 }
 
-fn eyes(sheet: &Sheet<'_>, labels: &mut Labels) {
+fn eyes(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
     if sheet.state.document.settings.ride.is_on() {
         return riding_eyes(sheet, labels);
     }
@@ -130,7 +130,7 @@ fn eyes(sheet: &Sheet<'_>, labels: &mut Labels) {
 }
 
 /// Draws the worldlines of eyes that ride: they bend where the velocity changes.
-fn riding_eyes(sheet: &Sheet<'_>, labels: &mut Labels) {
+fn riding_eyes(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
     let (settings, range) = (&sheet.state.document.settings, sheet.state.time_range());
     for eye in Eye::BOTH {
         let events = worldline_of_eye(settings, &sheet.diagram.frame, eye.index(), range);
@@ -141,7 +141,7 @@ fn riding_eyes(sheet: &Sheet<'_>, labels: &mut Labels) {
 }
 
 /// Returns the owner of the other frame's clocks, in words.
-pub fn whose(sheet: &Sheet<'_>) -> String {
+pub fn whose(sheet: &DiagramSheet<'_>) -> String {
     if sheet.state.document.settings.ride.is_on() {
         return "my own".to_owned();
     }
@@ -149,7 +149,7 @@ pub fn whose(sheet: &Sheet<'_>) -> String {
 }
 
 /// Draws the worldline of a point: boldest as far as light from it has arrived, and faint where it is yet to be.
-fn worldline(sheet: &Sheet<'_>, labels: &mut Labels, diagram: &Diagram, colour: Color32) {
+fn worldline(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces, diagram: &Diagram, colour: Color32) {
     let times = sheet.worldline_times(diagram);
     let received = diagram.rays.map(|ray| ray.happened);
     let received = received[0].min(received[1]);
@@ -178,7 +178,7 @@ fn part(times: &[f64], from: f64, to: f64) -> impl Iterator<Item = f64> {
 }
 
 /// The light that arrives at T: dashed, for it also crosses the distance that is not drawn.
-fn rays(sheet: &Sheet<'_>, labels: &mut Labels) {
+fn rays(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
     for (eye, ray) in Eye::BOTH.into_iter().zip(sheet.diagram.rays) {
         let colour = theme::eye_colour(eye, sheet.ui.visuals());
         if let Some(ends) = shown_ray(sheet, &ray) {
@@ -188,7 +188,7 @@ fn rays(sheet: &Sheet<'_>, labels: &mut Labels) {
 }
 
 /// Returns the part of the light's way that is shown, on screen.
-fn shown_ray(sheet: &Sheet<'_>, ray: &Ray) -> Option<[Pos2; 2]> {
+fn shown_ray(sheet: &DiagramSheet<'_>, ray: &ReceivedRay) -> Option<[Pos2; 2]> {
     let step = Event { x: ray.received.x - ray.left.x, t: ray.received.t - ray.left.t };
     let line = StraightLine { through: ray.left, step };
     let [low, high] = sheet.corners();
@@ -203,7 +203,7 @@ fn upper([first, last]: [Pos2; 2]) -> Pos2 {
 }
 
 /// Names what is not clear by its marks.
-pub fn name(sheet: &Sheet<'_>, labels: &mut Labels) {
+pub fn name(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
     let font = TextStyle::Small.resolve(sheet.ui.style());
     let mut write = |place: Pos2, text: &str, colour: Color32| {
         labels.write(&sheet.painter, (place, 1.0), text, font.clone(), colour);
@@ -238,7 +238,7 @@ pub fn name(sheet: &Sheet<'_>, labels: &mut Labels) {
 }
 
 /// When the light left, where that is too far off to be shown.
-fn name_far_event(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
+fn name_far_event(sheet: &DiagramSheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
     let [_, ray] = sheet.diagram.rays;
     if sheet.room().contains(sheet.place(ray.left)) {
         return;
@@ -254,7 +254,7 @@ fn name_far_event(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)
 }
 
 /// The eyes by one name where they are close together.
-fn name_eyes(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
+fn name_eyes(sheet: &DiagramSheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
     let visuals = sheet.ui.visuals();
     let tops = sheet.diagram.eyes().map(|eye| shown(sheet, eye).map(upper));
     match tops {
@@ -272,7 +272,7 @@ fn name_eyes(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
 }
 
 /// The cone, and the light that runs along x, low in the chart.
-fn name_light(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
+fn name_light(sheet: &DiagramSheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
     let colour = sheet.ui.visuals().weak_text_color();
     let [low, high] = sheet.corners();
     let Some([_, cone]) = sheet.diagram.cones() else { return };
@@ -289,7 +289,7 @@ fn name_light(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
 }
 
 /// Describes the line under the pointer, if it is no worldline.
-pub fn hover_text(sheet: &Sheet<'_>, pointer: Pos2) -> Option<String> {
+pub fn hover_text(sheet: &DiagramSheet<'_>, pointer: Pos2) -> Option<String> {
     let near = |line: StraightLine| sheet.nearest(line, pointer).1 < NEAR;
     let light = sheet.diagram.cones().and_then(|[cone, _]| light_text(sheet, &cone, pointer));
     if light.is_some() {
@@ -306,7 +306,7 @@ pub fn hover_text(sheet: &Sheet<'_>, pointer: Pos2) -> Option<String> {
 }
 
 /// Describes the light under the pointer.
-fn light_text(sheet: &Sheet<'_>, cone: &Cone, pointer: Pos2) -> Option<String> {
+fn light_text(sheet: &DiagramSheet<'_>, cone: &PastCone, pointer: Pos2) -> Option<String> {
     let world = sheet.chart.world([pointer.x, pointer.y].map(f64::from));
     let near = |line: StraightLine| sheet.nearest(line, pointer).1 < NEAR;
     let off = sheet.place(Event { x: world[0], t: cone.time(world[0]) }).y - pointer.y;

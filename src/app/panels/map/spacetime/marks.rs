@@ -2,13 +2,13 @@
 
 use eframe::egui::{Color32, Pos2, Stroke, TextStyle, vec2};
 
-use super::sheet::{HANDLE, Sheet};
+use super::sheet::{DiagramSheet, HANDLE};
 use super::{lines, words};
-use crate::app::panels::map::labels::Labels;
+use crate::app::panels::map::labels::LabelPlaces;
 use crate::app::panels::map::times::labelled;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{Diagram, Ray};
+use crate::map::{Diagram, ReceivedRay};
 
 /// Radius of a mark, points.
 const RADIUS: f32 = 4.0;
@@ -16,7 +16,7 @@ const RADIUS: f32 = 4.0;
 const APART: f32 = 26.0;
 
 /// An event that is marked.
-pub struct Mark {
+pub struct EventMark {
     /// Place on screen.
     pub place: Pos2,
     /// Name of the event.
@@ -30,26 +30,26 @@ pub struct Mark {
 }
 
 /// Returns all marks, in sight or not: each eye, the light that it receives, and the point now.
-pub fn all(sheet: &Sheet<'_>) -> Vec<Mark> {
+pub fn all(sheet: &DiagramSheet<'_>) -> Vec<EventMark> {
     let diagram = &sheet.diagram;
     let [left, right] = diagram.rays;
     let are_apart = sheet.place(left.left).distance(sheet.place(right.left)) > APART;
     let labels = if are_apart { ["happened (L)", "happened (R)"] } else { ["happened", ""] };
     let eyes = Eye::BOTH.into_iter().zip(diagram.rays).zip(labels);
-    let mut marks: Vec<Mark> =
+    let mut marks: Vec<EventMark> =
         eyes.flat_map(|((eye, ray), label)| of_light(sheet, eye, &ray, label)).collect();
     if !diagram.other.is_rest() {
         let colour = lines::now_colours(sheet)[1];
         let name = format!("now on {} clocks", lines::whose(sheet));
         let mark = of_point(sheet, diagram.other_now(), &name, "", colour);
-        marks.push(Mark { is_hollow: true, ..mark });
+        marks.push(EventMark { is_hollow: true, ..mark });
     }
     let measured = theme::measured_colour(sheet.ui.visuals());
     let label = if sheet.others.is_empty() { "measured now".to_owned() } else { clock(sheet, diagram) };
     marks.push(of_point(sheet, diagram.time, "measured now", &label, measured));
     marks.extend(sheet.others.iter().map(|(point, diagram)| {
         let name = format!("{}, measured now", sheet.state.name_of(point));
-        Mark {
+        EventMark {
             place: sheet.place(diagram.measured()),
             label: clock(sheet, diagram),
             words: words::of_other(sheet, diagram, &name),
@@ -62,14 +62,14 @@ pub fn all(sheet: &Sheet<'_>) -> Vec<Mark> {
 }
 
 /// The proper time of a point that is measured now.
-fn clock(sheet: &Sheet<'_>, diagram: &Diagram) -> String {
+fn clock(sheet: &DiagramSheet<'_>, diagram: &Diagram) -> String {
     let time = labelled(sheet.state, diagram.point.proper_time(diagram.time));
     format!("clock {time}{}", sheet.state.measures().time.suffix())
 }
 
 /// Returns the marks where `eye` receives light, and where that left.
-fn of_light(sheet: &Sheet<'_>, eye: Eye, ray: &Ray, label: &str) -> [Mark; 2] {
-    let mark = |event, name: &str, label: &str, words| Mark {
+fn of_light(sheet: &DiagramSheet<'_>, eye: Eye, ray: &ReceivedRay, label: &str) -> [EventMark; 2] {
+    let mark = |event, name: &str, label: &str, words| EventMark {
         place: sheet.place(event),
         name: format!("{name}, {}", eye.name()),
         label: label.to_owned(),
@@ -84,8 +84,8 @@ fn of_light(sheet: &Sheet<'_>, eye: Eye, ray: &Ray, label: &str) -> [Mark; 2] {
 }
 
 /// The point at the ground's time `happened`.
-fn of_point(sheet: &Sheet<'_>, happened: f64, name: &str, label: &str, colour: Color32) -> Mark {
-    Mark {
+fn of_point(sheet: &DiagramSheet<'_>, happened: f64, name: &str, label: &str, colour: Color32) -> EventMark {
+    EventMark {
         place: sheet.place(sheet.diagram.point.at(happened)),
         name: name.to_owned(),
         label: label.to_owned(),
@@ -96,7 +96,7 @@ fn of_point(sheet: &Sheet<'_>, happened: f64, name: &str, label: &str, colour: C
 }
 
 /// Draws them with their labels.
-pub fn paint(sheet: &Sheet<'_>, marks: &[Mark], labels: &mut Labels) {
+pub fn paint(sheet: &DiagramSheet<'_>, marks: &[EventMark], labels: &mut LabelPlaces) {
     let shown = || marks.iter().filter(|mark| sheet.room().contains(mark.place));
     for mark in shown() {
         let halo = theme::halo_colour(sheet.ui.visuals());
@@ -124,7 +124,7 @@ pub fn paint(sheet: &Sheet<'_>, marks: &[Mark], labels: &mut Labels) {
 }
 
 /// Draws the handle by which the present is dragged.
-pub fn paint_handle(sheet: &Sheet<'_>, place: Pos2, is_hot: bool) {
+pub fn paint_handle(sheet: &DiagramSheet<'_>, place: Pos2, is_hot: bool) {
     let colour = theme::now_colour(sheet.ui.visuals());
     let width = if is_hot { 2.5 } else { 1.5 };
     sheet.painter.circle_stroke(place, HANDLE, Stroke::new(width, colour));

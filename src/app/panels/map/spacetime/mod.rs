@@ -13,16 +13,16 @@ use eframe::egui::{
 };
 use relativity_core::{Event, ObserverVelocity};
 
-use self::sheet::{HANDLE, NEAR, Sheet};
-use super::axes::{self, Axis};
+use self::sheet::{DiagramSheet, HANDLE, NEAR};
+use super::axes::{self, AxisQuantity};
 use super::canvas;
-use super::labels::Labels;
+use super::labels::LabelPlaces;
 use crate::app::command::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::points::Point;
 use crate::map::{Diagram, around_now, chart, home};
-use crate::settings::{Frame, Framing};
+use crate::settings::{MapFrame, MapFraming};
 
 /// Name of the diagram for assistive technology.
 const NAME: &str = "Map, x against t";
@@ -44,8 +44,8 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, commands: &mut Commands) {
     let chart = chart(area, home, &state.scratch.map_view);
     let response = canvas::look_around(ui, state, NAME, &chart, [0, 1], commands);
     let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
-    let sheet = Sheet { ui, painter, chart, state, diagram, others };
-    let mut labels = Labels::new(rect, background);
+    let sheet = DiagramSheet { ui, painter, chart, state, diagram, others };
+    let mut labels = LabelPlaces::new(rect, background);
     let title = Title::new(&sheet);
     labels.keep_free(title.rect);
     axes::paint(ui, &sheet.painter, &sheet.chart, axes_of(state), &mut labels);
@@ -68,7 +68,7 @@ fn others(state: &State, time: f64, frame: ObserverVelocity) -> Vec<(&Point, Dia
 
 /// The events that a close-up frames: what is now of all followed points.
 fn close_up(state: &State, selected: &Diagram, others: &[(&Point, Diagram)]) -> Option<[Event; 2]> {
-    if state.document.settings.map.framing == Framing::Passage {
+    if state.document.settings.map.framing == MapFraming::Passage {
         return None;
     }
     let all: Vec<Diagram> =
@@ -77,13 +77,17 @@ fn close_up(state: &State, selected: &Diagram, others: &[(&Point, Diagram)]) -> 
 }
 
 /// Returns the axes along x and along t.
-fn axes_of(state: &State) -> [Axis<'static>; 2] {
+fn axes_of(state: &State) -> [AxisQuantity<'static>; 2] {
     let measures = state.measures();
     let [x, t] = match state.document.settings.map_frame() {
-        Frame::Ground => ["x", "t"],
-        Frame::Bicycle | Frame::Rider => ["x′", "t′"],
+        MapFrame::Ground => ["x", "t"],
+        MapFrame::Bicycle | MapFrame::Rider => ["x′", "t′"],
     };
-    [(x, measures.length), (t, measures.time)].map(|(symbol, unit)| Axis { symbol, unit, is_written: true })
+    [(x, measures.length), (t, measures.time)].map(|(symbol, unit)| AxisQuantity {
+        symbol,
+        unit,
+        is_written: true,
+    })
 }
 
 /// What is drawn otherwise, or not, where whoever rides does not move along the street.
@@ -102,11 +106,11 @@ struct Title {
 }
 
 impl Title {
-    fn new(sheet: &Sheet<'_>) -> Self {
+    fn new(sheet: &DiagramSheet<'_>) -> Self {
         let whose = match sheet.state.document.settings.map_frame() {
-            Frame::Ground => "on the ground's",
-            Frame::Bicycle => &format!("on the {}'s", sheet.state.document.scene.rider),
-            Frame::Rider => "on my own",
+            MapFrame::Ground => "on the ground's",
+            MapFrame::Bicycle => &format!("on the {}'s", sheet.state.document.scene.rider),
+            MapFrame::Rider => "on my own",
         };
         let text = [format!("{whose} clocks and rulers")].into_iter().chain(aslant_words(&sheet.diagram));
         let text = text.collect::<Vec<_>>().join("\n");
@@ -115,7 +119,7 @@ impl Title {
         Self { rect: Align2::LEFT_TOP.anchor_size(sheet.room().min + TITLE, galley.size()), galley }
     }
 
-    fn paint(self, sheet: &Sheet<'_>) {
+    fn paint(self, sheet: &DiagramSheet<'_>) {
         let colour = sheet.ui.visuals().extreme_bg_color;
         sheet.painter.rect_filled(self.rect.expand(2.0), 2.0, colour.gamma_multiply(0.7));
         sheet.painter.galley(self.rect.min, self.galley, sheet.ui.visuals().text_color());
@@ -123,14 +127,20 @@ impl Title {
 }
 
 /// Tells what is under the pointer, and goes where a worldline is clicked.
-fn point_at(sheet: &Sheet<'_>, response: &Response, marks: &[marks::Mark], commands: &mut Commands) {
+fn point_at(
+    sheet: &DiagramSheet<'_>,
+    response: &Response,
+    marks: &[marks::EventMark],
+    commands: &mut Commands,
+) {
     for mark in marks {
         canvas::name_place(sheet.ui, sheet.room(), mark.place, &format!("{NAME}: {}", mark.name));
     }
     let Some(pointer) = response.hover_pos() else { return };
-    let near = |mark: &&marks::Mark| mark.place.distance(pointer) < NEAR;
-    let nearer =
-        |a: &&marks::Mark, b: &&marks::Mark| a.place.distance(pointer).total_cmp(&b.place.distance(pointer));
+    let near = |mark: &&marks::EventMark| mark.place.distance(pointer) < NEAR;
+    let nearer = |a: &&marks::EventMark, b: &&marks::EventMark| {
+        a.place.distance(pointer).total_cmp(&b.place.distance(pointer))
+    };
     let aimed = aimed_at(sheet, pointer);
     let mark = marks.iter().filter(near).min_by(nearer).map(|mark| mark.words.clone());
     let text = mark.or_else(|| aimed.as_ref().map(|aimed| aimed.words.clone()));
@@ -154,7 +164,7 @@ struct Aimed {
     time: f64,
 }
 
-fn aimed_at(sheet: &Sheet<'_>, pointer: Pos2) -> Option<Aimed> {
+fn aimed_at(sheet: &DiagramSheet<'_>, pointer: Pos2) -> Option<Aimed> {
     if let Some((happened, _)) = sheet.nearest_of_worldline(pointer).filter(|(_, off)| *off < NEAR) {
         let words = words::of_point(sheet, happened, "");
         let time = sheet.diagram.point.received(&sheet.state.document.settings.ride, happened);
@@ -167,7 +177,7 @@ fn aimed_at(sheet: &Sheet<'_>, pointer: Pos2) -> Option<Aimed> {
 }
 
 /// The present, which can be dragged along the eyes' worldline.
-fn handle(sheet: &Sheet<'_>, commands: &mut Commands) {
+fn handle(sheet: &DiagramSheet<'_>, commands: &mut Commands) {
     let present = sheet.place(sheet.diagram.present);
     if !sheet.room().contains(present) {
         return;

@@ -14,7 +14,7 @@ pub const NEAR: f32 = 7.0;
 pub const HANDLE: f32 = 8.0;
 
 /// The diagram, and where it is drawn.
-pub struct Sheet<'a> {
+pub struct DiagramSheet<'a> {
     /// Interface that it is part of.
     pub ui: &'a Ui,
     /// Clipped to its room.
@@ -29,7 +29,7 @@ pub struct Sheet<'a> {
     pub others: Vec<(&'a Point, Diagram)>,
 }
 
-impl Sheet<'_> {
+impl DiagramSheet<'_> {
     /// Returns the place of an event on screen.
     pub fn place(&self, event: Event) -> Pos2 {
         canvas::place(&self.chart, [event.x, event.t])

@@ -2,7 +2,7 @@
 
 use relativity_render::Method;
 
-use crate::app::views::examination::{Examination, Figures, Row};
+use crate::app::views::examination::{Examination, ExaminedMethod, Figures};
 use crate::number_text;
 
 /// The sentence; `None` before there is something to compare.
@@ -12,7 +12,7 @@ pub fn sentence(examination: &Examination) -> Option<String> {
         let is_all = !examination.is_pending() && row.method == Method::Reference;
         return is_all.then(|| "Reference: without a GPU there is nothing to compare it with.".to_owned());
     }
-    let is_worth = |(row, _): &&(Row<'_>, &Figures)| examination.better_than(row).is_none();
+    let is_worth = |(row, _): &&(ExaminedMethod<'_>, &Figures)| examination.better_than(row).is_none();
     let mut worth: Vec<_> = measured.iter().filter(is_worth).collect();
     worth.sort_by(|(_, a), (_, b)| a.frame_ms.total_cmp(&b.frame_ms));
     let [(cheapest, cost), others @ ..] = worth.as_slice() else { return None };
@@ -43,7 +43,7 @@ pub fn sentence(examination: &Examination) -> Option<String> {
 }
 
 /// The methods that were measured in the present views.
-fn measured(examination: &Examination) -> Vec<(Row<'_>, &Figures)> {
+fn measured(examination: &Examination) -> Vec<(ExaminedMethod<'_>, &Figures)> {
     examination.rows().filter_map(|row| Some((row, row.measured()?))).collect()
 }
 

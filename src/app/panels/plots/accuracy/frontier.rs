@@ -7,10 +7,10 @@ use relativity_render::Method;
 
 use crate::app::panels::plots::axes::{Ruler, frame, still_plot};
 use crate::app::theme;
-use crate::app::views::examination::{Examination, Row};
+use crate::app::views::examination::{Examination, ExaminedMethod};
 use crate::flags::Goal;
 use crate::plot::extent;
-use crate::settings::Quality;
+use crate::settings::QualitySettings;
 
 /// Errors below this, arcseconds, are drawn as this: none is measured as 0 but by chance.
 const LEAST_ERROR: f64 = 1e-12;
@@ -28,7 +28,7 @@ struct MethodMark {
 }
 
 impl MethodMark {
-    fn new(row: &Row<'_>, is_worth: bool, chosen: Method, visuals: &Visuals) -> Option<Self> {
+    fn new(row: &ExaminedMethod<'_>, is_worth: bool, chosen: Method, visuals: &Visuals) -> Option<Self> {
         let figures = row.figures?.as_ref().ok()?;
         let error = figures.line_of_sight_arcseconds?.p99.max(LEAST_ERROR);
         let place = [figures.frame_ms, error].map(math::log10);
@@ -61,7 +61,7 @@ struct GoalLine {
 
 impl GoalLine {
     /// Returns the line of `quality`, where it is automatic.
-    fn new(quality: Quality, examination: &Examination, visuals: &Visuals) -> Option<Self> {
+    fn new(quality: QualitySettings, examination: &Examination, visuals: &Visuals) -> Option<Self> {
         let value = match quality.goal {
             Goal::Error(px) => 3600.0 * (px / examination.px_per_radian()?).to_degrees(),
             Goal::Budget(ms) => ms,
@@ -125,8 +125,14 @@ fn name_marks(ui: &Ui, response: &PlotResponse<()>, marks: &[MethodMark], axes: 
 }
 
 /// Shows it in `size`; clicking a mark chooses that renderer.
-pub fn show(ui: &mut Ui, size: egui::Vec2, examination: &Examination, chosen: Method, quality: &mut Quality) {
-    let mark = |row: Row<'_>| {
+pub fn show(
+    ui: &mut Ui,
+    size: egui::Vec2,
+    examination: &Examination,
+    chosen: Method,
+    quality: &mut QualitySettings,
+) {
+    let mark = |row: ExaminedMethod<'_>| {
         let is_worth = examination.better_than(&row).is_none();
         MethodMark::new(&row, is_worth, chosen, ui.visuals())
     };

@@ -20,7 +20,7 @@ use crate::app::views::heat_map;
 use crate::app::widgets::explained_lazily;
 use crate::flags::choices::RendererChoice;
 use crate::number_text;
-use crate::settings::{Quality, about, meaning};
+use crate::settings::{QualitySettings, about, meaning};
 
 /// The remark below figures that are complete.
 const MEASURED: &str = if threads::ARE_SEVERAL {
@@ -64,7 +64,7 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, comma
 }
 
 /// Whether the choice is automatic, and what was chosen.
-fn automatic(ui: &mut Ui, state: &State, quality: &mut Quality) {
+fn automatic(ui: &mut Ui, state: &State, quality: &mut QualitySettings) {
     let is_automatic = quality.renderer == RendererChoice::Auto;
     let chosen = state.frame.choices.first().filter(|_| is_automatic);
     let text = chosen.map_or_else(|| "automatic".to_owned(), |(_, choice)| format!("automatic: {choice}"));

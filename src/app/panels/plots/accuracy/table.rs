@@ -5,11 +5,11 @@ use eframe::egui::{Grid, RichText, Ui};
 use relativity_render::Method;
 
 use crate::accuracy::{RESOLUTION_PX, Spread, method_name};
-use crate::app::views::examination::{Examination, Row};
+use crate::app::views::examination::{Examination, ExaminedMethod};
 use crate::app::widgets::named_text;
-use crate::files::csv_out::Rows;
+use crate::files::csv_out::CsvWriter;
 use crate::number_text;
-use crate::settings::Quality;
+use crate::settings::QualitySettings;
 
 const HEADS: [(&str, &str); 6] = [
     ("", "Click a renderer to choose it."),
@@ -27,7 +27,7 @@ const HEADS: [(&str, &str); 6] = [
 ];
 
 /// Shows it; clicking a renderer chooses it.
-pub fn show(ui: &mut Ui, examination: &Examination, chosen: Method, quality: &mut Quality) {
+pub fn show(ui: &mut Ui, examination: &Examination, chosen: Method, quality: &mut QualitySettings) {
     Grid::new("accuracy").num_columns(HEADS.len()).spacing([14.0, 2.0]).show(ui, |ui| {
         for (head, tip) in HEADS {
             ui.label(RichText::new(head).weak()).on_hover_text(tip);
@@ -40,7 +40,13 @@ pub fn show(ui: &mut Ui, examination: &Examination, chosen: Method, quality: &mu
     });
 }
 
-fn table_row(ui: &mut Ui, row: &Row<'_>, better: Option<Method>, chosen: Method, quality: &mut Quality) {
+fn table_row(
+    ui: &mut Ui,
+    row: &ExaminedMethod<'_>,
+    better: Option<Method>,
+    chosen: Method,
+    quality: &mut QualitySettings,
+) {
     let name = row.name();
     let is_chosen = chosen == row.method;
     let text = RichText::new(&name);
@@ -98,7 +104,7 @@ fn small(error: f64) -> String {
 
 /// The table as CSV: errors in full, and whether they were measured in the present views.
 pub fn csv(examination: &Examination) -> String {
-    let mut rows = Rows::new(Vec::new());
+    let mut rows = CsvWriter::new(Vec::new());
     let heads = ["renderer", "time / ms", "outlines (99 %) / px", "direction (99 %) / arcseconds"];
     let heads =
         heads.into_iter().chain(["Doppler factor (99 %), relative", "other body, share", "is current"]);

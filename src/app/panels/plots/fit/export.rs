@@ -5,9 +5,9 @@ use csv::ByteRecord;
 use crate::app::fitting::{FitOutcome, Fitting};
 use crate::app::panels::plots::axes::{axis_label, time_label};
 use crate::app::state::State;
-use crate::estimate::samples::{Samples, eye_columns};
-use crate::files::csv_out::Rows;
-use crate::plot::{BLACK, BLUE, Line, Panel, Stroke};
+use crate::estimate::samples::{EyeColumns, Samples};
+use crate::files::csv_out::CsvWriter;
+use crate::plot::{BLACK, BLUE, Line, LineStroke, Panel};
 use crate::quantity::Quantity;
 
 /// The columns of each curve.
@@ -18,11 +18,13 @@ const COLUMNS: [[&str; 3]; 2] =
 /// ones, and of both curves the reading, the fit, and what is left over, in radians.
 pub fn csv(state: &State, fitting: &Fitting) -> String {
     let Some(outcome) = fitting.shown() else { return String::new() };
+    let baseline = state.document.settings.baseline();
+    let columns = EyeColumns::for_eyes(baseline);
     let (names, eyes) = match outcome.key.samples {
-        Samples::Simulated(_) => eye_columns(state.document.settings.baseline(), false),
+        Samples::Simulated(_) => (columns.names(), columns.numbers(baseline)),
         Samples::Measured(..) => (&[] as &[_], Vec::new()),
     };
-    let mut rows = Rows::new(Vec::new());
+    let mut rows = CsvWriter::new(Vec::new());
     let names = ["T"].iter().chain(names).chain(COLUMNS.as_flattened());
     // Into memory: writing does not fail.
     let _ = rows.write(&mut names.copied().collect(), &[]);
@@ -57,7 +59,7 @@ fn of_curve(state: &State, outcome: &FitOutcome, curve: usize, quantity: Quantit
     let unit = state.measures().time;
     let place = |point: &egui_plot::PlotPoint| [unit.shown(point.x), point.y];
     let dots = |name: &str, points: &[egui_plot::PlotPoint]| Line {
-        stroke: Stroke::Dots,
+        stroke: LineStroke::Dots,
         ..Line::solid(name, GREY, points.iter().map(place).collect())
     };
     let label = axis_label(quantity, &state.measures());
@@ -75,7 +77,7 @@ fn of_curve(state: &State, outcome: &FitOutcome, curve: usize, quantity: Quantit
             points.map(|(point, band)| [unit.shown(point.x), point.y + band[end]]).collect()
         };
         let band = Line::in_pieces("95 % band", BLUE, vec![edge(0), edge(1)]);
-        lines.push(Line { stroke: Stroke::Dotted, ..band });
+        lines.push(Line { stroke: LineStroke::Dotted, ..band });
     }
     let ends = outcome.range.map(|time| [unit.shown(time), 0.0]).to_vec();
     let left = vec![dots("sample − fit", &fitted.residuals), Line::solid("0", BLACK, ends)];

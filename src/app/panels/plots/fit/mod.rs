@@ -17,7 +17,7 @@ use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::{end_of_range, explained_lazily, fitted, number};
 use crate::flags::TimeRange;
-use crate::settings::{DataFrom, FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT, about, meaning};
+use crate::settings::{DataFrom, FIT_SAMPLES, FitSettings, MAX_SEED, NOISE_PERCENT, about, meaning};
 use crate::units::Unit;
 
 /// Width of the table, and least width of the plots.
@@ -99,7 +99,7 @@ fn row(ui: &mut Ui, widgets: impl FnOnce(&mut Ui)) {
 }
 
 /// Shows the source of the samples, and the file that the fit is saved to.
-fn data(ui: &mut Ui, state: &State, setup: &mut FitSetup, commands: &mut Commands) {
+fn data(ui: &mut Ui, state: &State, setup: &mut FitSettings, commands: &mut Commands) {
     ui.label(RichText::new("data").weak());
     if state.session.data.is_some() {
         if ui.button("Simulated").on_hover_text("Simulates samples of the selected point again.").clicked() {
@@ -145,7 +145,7 @@ const DATA_FROM: [(DataFrom, &str); 4] = [
     (DataFrom::Published, "from published"),
 ];
 
-fn model(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
+fn model(ui: &mut Ui, state: &State, setup: &mut FitSettings) {
     let fitted = [(Curves::Azimuth, "Δφ"), (Curves::Polar, "Δθ"), (Curves::Both, "both")];
     ui.label(RichText::new("Fit").weak());
     for (curves, text) in fitted {
@@ -180,7 +180,7 @@ fn data_remark(state: &State, model: Model) -> &'static str {
     }
 }
 
-fn samples(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
+fn samples(ui: &mut Ui, state: &State, setup: &mut FitSettings) {
     if state.session.data.is_none() {
         simulated(ui, setup);
     }
@@ -188,7 +188,7 @@ fn samples(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     named(ui, "seed", "Seed", about("seed"), seed);
 }
 
-fn simulated(ui: &mut Ui, setup: &mut FitSetup) {
+fn simulated(ui: &mut Ui, setup: &mut FitSettings) {
     let count = number(&mut setup.fit_samples).range(FIT_SAMPLES).speed(2.0);
     named(ui, "samples", "Number of samples", about("fit-samples"), count);
     let noise = number(&mut setup.noise_percent)
@@ -200,7 +200,7 @@ fn simulated(ui: &mut Ui, setup: &mut FitSetup) {
     named(ui, "noise", "Noise", about("noise-percent"), noise);
 }
 
-fn range(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
+fn range(ui: &mut Ui, state: &State, setup: &mut FitSettings) {
     let plotted = state.time_range();
     let [mut from, mut to] = setup.fit_range.0.unwrap_or(plotted);
     let unit = state.measures().time;
