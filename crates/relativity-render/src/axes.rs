@@ -1,6 +1,7 @@
 //! The axes of a picture.
 
 use glam::DVec3;
+use relativity_core::Aperture;
 use relativity_core::math::{atan2, sin_cos};
 use std::f64::consts::PI;
 
@@ -9,6 +10,11 @@ pub const MAX_ELEVATION: f64 = 89.5 * PI / 180.0;
 
 /// The least part of a gaze across the baseline from which the tilt of a picture along that is found.
 pub(crate) const LEAST_ACROSS: f64 = 1e-12;
+
+/// The place of an aperture, as a vector.
+pub(crate) const fn position(Aperture { x, y, z }: Aperture) -> DVec3 {
+    DVec3::new(x, y, z)
+}
 
 /// Unit vectors of a camera: right, up and forward.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,6 +8,7 @@ use relativity_core::{
     Aperture, Model, ObserverVelocity, PublishedVariant, SourcePoint, published_disparity, sighting,
 };
 
+use crate::axes::position;
 use crate::camera::Camera;
 use crate::relative_velocity::RelativeVelocity;
 use crate::velocity::{Motion, Velocity};
@@ -330,8 +331,4 @@ pub(crate) fn reference_of_depths(views: &[GroupView]) -> usize {
     let gamma = |group: usize| views[group].velocity.speed.gamma();
     let faster = |fastest, group| if gamma(group) > gamma(fastest) { group } else { fastest };
     (0..views.len()).fold(0, faster)
-}
-
-pub(crate) fn position(aperture: Aperture) -> DVec3 {
-    DVec3::new(aperture.x, aperture.y, aperture.z)
 }

@@ -49,7 +49,7 @@ impl App {
                 }
             }
             StereoscopePage::Pictures | StereoscopePage::Menu => {
-                self.show_pictures(ui, area, &mut stereoscope)
+                self.show_pictures(ui, area, &mut stereoscope);
             }
         }
         self.stereoscope = Some(stereoscope);

@@ -8,9 +8,8 @@ use relativity_core::math::{asinh, atan, atan2, hypot, sinh, tan};
 use relativity_core::{Aperture, Observer, ObserverVelocity};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::axes::level_across;
 pub use crate::axes::{Axes, MAX_ELEVATION};
-use crate::group_view::position;
+use crate::axes::{level_across, position};
 use crate::lines_of_sight::{DirectionMap, LinesOfSight};
 use crate::mercator::{MOST_SHIFTED, Mercator};
 use gaze::aside;

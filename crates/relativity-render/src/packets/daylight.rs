@@ -51,7 +51,7 @@ pub fn facing_of<S: Simd>(simd: S, there: &TurningBody<'_, S>, place: V3<S>, nor
     let n = normal.reflected(sign);
     let mut own = V3::all(simd, [0.0; 3]);
     if there.turns != Turns::Not {
-        own = velocity_at(simd, there.from_hub(place), &there.spin).reflected(sign);
+        own = velocity_at(simd, there.place_from_hub(place), &there.spin).reflected(sign);
     }
     let own_gamma = 1.0 / (1.0 - own.dot(own)).max(1e-30).sqrt();
     let along = (own.x + beta) * own_gamma * gamma;

@@ -134,7 +134,7 @@ impl<'a, S: Simd> TurningBody<'a, S> {
 
     /// From the hub: what is at `place`, from the body's middle.
     #[inline(always)]
-    pub fn from_hub(&self, place: V3<S>) -> V3<S> {
+    pub fn place_from_hub(&self, place: V3<S>) -> V3<S> {
         (middle(self.kind, &self.body) - self.spin.hub) + place
     }
 
@@ -142,7 +142,7 @@ impl<'a, S: Simd> TurningBody<'a, S> {
     /// it is given.
     #[inline(always)]
     pub fn place_of_hit(&self, place: V3<S>) -> V3<S> {
-        if self.turns == Turns::About { self.from_hub(place) } else { place }
+        if self.turns == Turns::About { self.place_from_hub(place) } else { place }
     }
 
     /// The body as it is when what is at `place`, from its middle, is shown.
@@ -181,7 +181,7 @@ impl<'a, S: Simd> TurningBody<'a, S> {
         let [beta, one_minus_beta, per_gamma, _] = frame.speed;
         let sign = frame.motion[0];
         let n = ray.sight.reflected(sign);
-        let q = self.from_hub(place).reflected(sign);
+        let q = self.place_from_hub(place).reflected(sign);
         let omega = sign * spin.omega;
         let rim = 1.0 - spin.below_light;
         let off_axle = off_axle(q);
@@ -206,7 +206,7 @@ impl<'a, S: Simd> TurningBody<'a, S> {
         let simd = sight.x.simd;
         let n =
             passage(simd, sight, geometry, frame.speed, frame.motion[0]).direction.sum_of(frame.group_axes);
-        let q = self.from_hub(place);
+        let q = self.place_from_hub(place);
         let lag = self.lag(spin.omega, off_axle(q), q, normal);
         let receding = 1.0 + velocity_at(simd, q, spin).dot(n);
         self.dilation(lag) / receding.max(1e-30)

@@ -22,7 +22,7 @@ pub fn show(ui: &mut Ui, running: &Running) {
                 }
             }
             AnswerKind::Point(_) | AnswerKind::Curve(_) => {
-                cards::quiet(ui, "The answer is shown by the next press.")
+                cards::quiet(ui, "The answer is shown by the next press.");
             }
         }
     }

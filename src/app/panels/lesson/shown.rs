@@ -19,7 +19,9 @@ pub fn said(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
             options.texts.get(*choice).into_iter().for_each(|text| cards::show(ui, text, false));
         }
         (Some(AnswerKind::Number(_)), _) => {
-            told.into_iter().for_each(|told| value(ui, "You said", &told.said))
+            if let Some(told) = told {
+                value(ui, "You said", &told.said);
+            }
         }
         _ => told.into_iter().for_each(|told| markdown::show(ui, &format!("You said {}.", told.said))),
     }

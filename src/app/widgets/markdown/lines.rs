@@ -51,7 +51,7 @@ pub fn least_room(fonts: &mut FontsView<'_>, ink: &TextInk, pieces: &[InlineItem
             InlineItem::Word(word, look) => cluster += width(fonts, word, ink.format(*look)),
             InlineItem::Formula(formula, _) => cluster += EM * ink.font.size * formula.width,
             InlineItem::Displayed(..) | InlineItem::Space(_) | InlineItem::Chance | InlineItem::Break => {
-                cluster = 0.0
+                cluster = 0.0;
             }
         }
         widest = widest.max(cluster);
