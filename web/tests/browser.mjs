@@ -1,4 +1,5 @@
 // Opens the page in a browser without a screen, and gives the tests what they need to drive it.
+import { spawn, spawnSync } from 'node:child_process';
 import { createServer } from 'node:http';
 import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -11,6 +12,11 @@ const TYPES = {
     '.txt': 'text/plain', '.webmanifest': 'application/manifest+json',
 };
 const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+// Without a screen Chromium has no surface that WebGPU could draw on.
+const WEBGPU = [
+    '--enable-unsafe-webgpu', '--enable-features=Vulkan', '--use-vulkan=swiftshader', '--use-angle=swiftshader',
+    '--disable-vulkan-surface', '--ignore-gpu-blocklist',
+];
 const NOTHING = ['--disable-gpu', '--disable-webgl', '--disable-3d-apis'];
 // A slow machine without a GPU takes its time.
 const PATIENCE = 180_000;
@@ -41,13 +47,29 @@ export async function serve() {
     return { address: `http://localhost:${server.address().port}/`, close: () => server.close() };
 }
 
-export async function launch({ graphics = true, scale = 1 } = {}) {
+// Whether there are screens in software, those of Xvfb.
+export const hasScreens = () => spawnSync('Xvfb', ['-help']).error === undefined;
+
+// A screen that nobody sees.
+export async function openScreen() {
+    const server = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1500x1100x24'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe'] });
+    const number = await new Promise((found, failed) => {
+        server.stdio[3].once('data', found);
+        server.once('exit', () => failed(new Error('Xvfb has ended')));
+    });
+    return { name: `:${String(number).trim()}`, close: () => server.kill() };
+}
+
+// A browser with graphics by WebGL, or on a screen by WebGPU.
+export async function launch({ graphics = true, scale = 1, screen } = {}) {
+    const flags = screen ? WEBGPU : graphics ? WEBGL : NOTHING;
     return puppeteer.launch({
         executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+        headless: !screen,
+        env: screen ? { ...process.env, DISPLAY: screen.name } : process.env,
         defaultViewport: { width: 1280, height: 800, deviceScaleFactor: 0 },
         args: [
-            '--no-sandbox', '--disable-dev-shm-usage', '--window-size=1400,1000', `--force-device-scale-factor=${scale}`,
-            ...(graphics ? WEBGL : NOTHING),
+            '--no-sandbox', '--disable-dev-shm-usage', '--window-size=1400,1000', `--force-device-scale-factor=${scale}`, ...flags,
         ],
         timeout: PATIENCE, protocolTimeout: 2 * PATIENCE,
     });
@@ -185,7 +207,11 @@ export class Window {
 
     // The number of different colours in a part of the window, of every fourth pixel.
     async colours(clip) {
-        const picture = await this.page.screenshot({ type: 'png', clip, encoding: 'base64' });
+        return this.coloursOf(await this.page.screenshot({ type: 'png', clip, encoding: 'base64' }));
+    }
+
+    // The number of different colours in a PNG as base64, of every fourth pixel.
+    coloursOf(picture) {
         return this.page.evaluate(async picture => {
             const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${picture}`)).blob());
             const canvas = new OffscreenCanvas(bitmap.width, bitmap.height), pen = canvas.getContext('2d');
