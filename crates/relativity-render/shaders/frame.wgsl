@@ -3,7 +3,7 @@
 // Physics uses only + - * / and sqrt, whose accuracy WGSL bounds; whatever needs more is computed in f64
 // on the CPU and arrives here.
 
-struct Frame {
+struct FrameUniform {
     // Line of sight (unnormalised) = base + right * (u - pole.x) + down * (v - pole.y), u and v in pixels; of a conformal
     // picture see `conformal_line`.
     // The pole is the pixel towards where the group comes from (-x, if it moves along +x) when that is in front of the
@@ -81,7 +81,7 @@ struct Frame {
     forward: vec4f,
 }
 
-@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(0) var<uniform> frame: FrameUniform;
 
 // Whether the picture is conformal.
 override CONFORMAL: bool;

@@ -10,7 +10,7 @@ struct Corner {
     @location(1) turn: vec2f,
 }
 
-struct Instance {
+struct MeshInstance {
     // The `Body`.
     @location(2) place_radius: vec4f,
     @location(3) form: vec4f,
@@ -140,7 +140,7 @@ fn widened(body: Body, half_width: f32, drawn_half_width: f32) -> Body {
 }
 
 @vertex
-fn corner(corner: Corner, instance: Instance) -> Fragment {
+fn corner(corner: Corner, instance: MeshInstance) -> Fragment {
     var body = Body(instance.place_radius.xyz, instance.place_radius.w, instance.form, instance.turn);
     let spin = spin_of(instance.spin, instance.rim);
     var shape = shown_corner(corner, body, spin);

@@ -1,4 +1,4 @@
-// Corners of a model's triangles, divided, and what their pixels show. `Instance.pattern` is as `Piece.pattern`.
+// Corners of a model's triangles, divided, and what their pixels show. `MeshInstance.pattern` is as `Piece.pattern`.
 
 // Corners have the record of their triangle in the place of a normal.
 const HAS_NORMALS = false;

@@ -17,7 +17,7 @@ use crate::street::{HOUSES, OPENINGS};
 use crate::street_sight::{StreetSight, StreetVariant};
 use crate::view::{Appearance, Geometry};
 
-/// Mirror of the shaders' `Frame`.
+/// Mirror of the shaders' `FrameUniform`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct FrameUniform {

@@ -18,7 +18,7 @@ use crate::view::Geometry;
 use crate::wheel::packed::{TurningStart, Turns};
 use crate::wheel::spin::MaterialPoint;
 
-/// Mirror of the shaders' `Instance`.
+/// Mirror of the shaders' `MeshInstance`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct MeshInstance {
