@@ -361,7 +361,7 @@ mod tests {
         }
     }
 
-    /// Light is received when the disparity at that moment says that it left.
+    /// Light that left a lamp at the retarded time of a sighting is received at the time of that sighting.
     #[test]
     fn light_arrives_when_it_is_received() {
         let mut settings = Preset::named("ride-lamps").expect("a preset").settings.clone();

@@ -295,7 +295,7 @@ impl FrameUniform {
     }
 }
 
-/// Returns the place of the camera from the middle between the eyes, as [`FrameUniform::eye`] has it.
+/// Returns the offset of the camera from the middle between the eyes, for [`FrameUniform::eye`].
 fn eye(view: &GroupView) -> [f32; 4] {
     let is_one_cone = view.geometry == Geometry::OneCone;
     vector(if is_one_cone { view.velocity.motion_from_camera(view.camera.off_middle) } else { DVec3::ZERO })

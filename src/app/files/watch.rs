@@ -14,7 +14,7 @@ use crate::app::waker::{Waker, Woken};
 /// Interval between two looks at the files.
 const INTERVAL: Duration = Duration::from_secs(1);
 
-/// Most time for which the end of a watch is waited for: a look at a file on a disc that hangs takes longer, and keeps nobody.
+/// Longest time to wait for the watching thread to end. On a disc that hangs it takes longer, and is left behind.
 const PATIENCE: Duration = Duration::from_millis(200);
 
 /// A thread that looks at files about once a second, and ends with this. Only a change is announced by a repaint.
@@ -22,7 +22,7 @@ const PATIENCE: Duration = Duration::from_millis(200);
 pub struct Watch {
     paths: Vec<PathBuf>,
     changed: Receiver<PathBuf>,
-    /// What tells the thread to end as it is dropped, and the thread.
+    /// The thread, and the sender that ends it when dropped.
     running: Option<(Sender<()>, JoinHandle<()>)>,
     _woken: Woken,
 }

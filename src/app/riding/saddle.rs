@@ -28,7 +28,7 @@ pub enum PushDirection {
     Forwards,
     /// A push against that.
     Backwards,
-    /// A push so many degrees to the left of the gaze.
+    /// A push in a direction given in degrees to the left of the gaze.
     Beside(i16),
 }
 
@@ -60,7 +60,7 @@ pub struct Push {
 }
 
 impl Push {
-    /// The push that `rider` begins in this `direction`, with a gaze that `looks` so many degrees to the left of the line of the ride.
+    /// Returns the push that `rider` begins in this `direction`. The gaze `looks` to the left of the line of the ride by this angle, degrees.
     #[must_use]
     pub fn new(direction: PushDirection, looks: f64, rider: &Rider) -> Self {
         let ahead = rider.ahead();

@@ -1,4 +1,4 @@
-//! The gaze of a camera, and the axes of a picture beside a baseline that has it in its middle.
+//! The gaze of a camera, and the axes of a picture that is parallel to a baseline and has the gaze in its middle.
 
 use glam::DVec3;
 use relativity_core::math::{asin, asinh, atan, atan2, hypot, sin_cos, tan};

@@ -69,7 +69,7 @@ pub fn surface<S: Simd>(simd: S, group: &PacketGroup, body: &PacketBody<S>, ray:
 struct CylinderImage<S: Simd> {
     radius: F<S>,
     extent: F<S>,
-    /// Of the angle between ray and axis.
+    /// Sine and cosine of the angle between ray and axis.
     sine: F<S>,
     cosine: F<S>,
     /// Place of the ray, off the image of the axis and along it.

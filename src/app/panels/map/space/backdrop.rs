@@ -1,7 +1,6 @@
 //! The backdrop of the map: a grid, the street, the eyes' fields of view, and the line abreast of the eyes.
 
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Ui, Vec2, pos2, vec2};
-use glam::DVec3;
 use relativity_core::Event;
 
 use super::sheet::SpaceSheet;
@@ -18,7 +17,7 @@ use crate::settings::MapFrame;
 const WORDS_SIZE: f32 = theme::SMALL_SIZE;
 /// From the corner to the title, beside the symbol of the axis, points.
 const TITLE: Vec2 = vec2(44.0, 3.0);
-/// Where on a line of the street that is not level its name is, of its length.
+/// Fraction of the length of a slanting street line at which its name is written.
 const NAMED_AT: f32 = 0.85;
 /// The name of a way is written where this part of it has gone by.
 const NAMED_AFTER: usize = 6;
@@ -154,7 +153,7 @@ fn fields_of_view(ui: &Ui, painter: &Painter, state: &State, instant: &MapInstan
     for (eye, at) in Eye::BOTH.into_iter().zip(instant.eyes()) {
         let camera = state.view(eye, state.frame.picture_size).camera;
         let Some(edges) = field_of_view(&camera, sheet.projection) else { continue };
-        let eye_place = place(sheet, at);
+        let eye_place = sheet.on_screen(at);
         let reach =
             2.0 * (sheet.room().width() + sheet.room().height()) + eye_place.distance(sheet.room().center());
         let corners = edges.map(|[right, up]| eye_place + reach * vec2(right as f32, -up as f32));
@@ -180,7 +179,7 @@ fn abreast(
     if ride.leaves_street() {
         return;
     }
-    let x = place(sheet, instant.middle()).x;
+    let x = sheet.on_screen(instant.middle()).x;
     let room = sheet.room();
     let colour = ui.visuals().text_color().gamma_multiply(0.7);
     dashed(painter, [pos2(x, room.min.y), pos2(x, room.max.y)], colour);
@@ -197,8 +196,4 @@ fn abreast(
 
 fn dashed(painter: &Painter, ends: [Pos2; 2], colour: Color32) {
     painter.extend(Shape::dashed_line(&ends, Stroke::new(1.0, colour), 4.0, 4.0));
-}
-
-fn place(sheet: &SpaceSheet, at: DVec3) -> Pos2 {
-    canvas::place(&sheet.chart, sheet.projection.flat(at))
 }

@@ -46,13 +46,12 @@ pub(super) fn show(
         Some((picture, name, [from, to]))
     });
     let pictures: Vec<_> = pictures.collect();
-    let on_screen = |place| canvas::place(&sheet.chart, sheet.projection.flat(place));
     for (_, _, ends) in &pictures {
-        labels.avoid(&ends.map(on_screen));
+        labels.avoid(&ends.map(|end| sheet.on_screen(end)));
     }
     let length = state.measures().length;
     for (picture, name, [from, to]) in pictures {
-        let middle = on_screen(from.midpoint(to));
+        let middle = sheet.on_screen(from.midpoint(to));
         let text = format!("{name}: {}", length.text(from.distance(to), DECIMALS));
         let font = theme::scaled_font(ui.style(), FONT_SIZE);
         labels.write(painter, (middle, BESIDE), &text, font, colour(picture, ui.visuals()));

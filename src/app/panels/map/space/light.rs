@@ -8,7 +8,6 @@ use glam::DVec3;
 use relativity_core::{Event, math};
 
 use super::sheet::SpaceSheet;
-use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::LabelPlaces;
 use crate::app::panels::map::times::{labelled, times};
 use crate::app::state::State;
@@ -160,7 +159,7 @@ impl<'a> ChartLight<'a> {
 
     /// Returns the place of an event with these y and z.
     fn place(&self, event: Event, [y, z]: [f64; 2]) -> Pos2 {
-        canvas::place(&self.sheet.chart, self.sheet.projection.flat(DVec3::new(event.x, y, z)))
+        self.sheet.on_screen(DVec3::new(event.x, y, z))
     }
 
     /// The circle in which a front meets the plane of the eyes, in which it reaches them: its middle, and its radius in

@@ -38,7 +38,7 @@ pub(super) fn show(
         let fill = theme::point_colour(point.number, ui.visuals());
         for picture in BodyPicture::ALL {
             let Some(at) = instant.place(&point.track, picture) else { continue };
-            let place = canvas::place(&sheet.chart, sheet.projection.flat(at));
+            let place = sheet.on_screen(at);
             painter.circle_filled(place, radius + 1.5, theme::halo_colour(ui.visuals()));
             painter.circle(place, radius, fill, Stroke::new(1.5, colour(picture, ui.visuals())));
             let name = state.name_of(point);
@@ -79,7 +79,7 @@ fn abreast(
     ];
     for (at, text, colour) in words {
         let Some(at) = at.filter(|at| at.x.abs() * sheet.chart.scale <= ABREAST) else { continue };
-        let place = canvas::place(&sheet.chart, sheet.projection.flat(at));
+        let place = sheet.on_screen(at);
         labels.write(painter, (place, 8.0), text, theme::scaled_font(ui.style(), FONT_SIZE), colour);
         canvas::name_place(ui, sheet.room(), place, &format!("{}: {text}", sheet.name()));
     }
@@ -88,7 +88,7 @@ fn abreast(
 fn eyes(ui: &Ui, painter: &Painter, instant: &MapInstant, sheet: &SpaceSheet, labels: &mut LabelPlaces) {
     let sides = [(Align2::RIGHT_CENTER, -1.0), (Align2::LEFT_CENTER, 1.0)];
     for ((eye, at), (anchor, side)) in Eye::BOTH.into_iter().zip(instant.eyes()).zip(sides) {
-        let place = canvas::place(&sheet.chart, sheet.projection.flat(at));
+        let place = sheet.on_screen(at);
         let colour = theme::eye_colour(eye, ui.visuals());
         painter.circle_filled(place, EYE_RADIUS, colour);
         if sheet.projection == MapProjection::Plan {

@@ -7,7 +7,6 @@ use super::light::ChartLight;
 use super::sheet::{SpaceSheet, colour};
 use crate::app::command::Command;
 use crate::app::panels::Commands;
-use crate::app::panels::map::canvas;
 use crate::app::pointer::Select;
 use crate::app::state::State;
 use crate::eye::Eye;
@@ -38,7 +37,7 @@ pub(super) fn read(
         }
         return;
     };
-    let place = canvas::place(&sheet.chart, sheet.projection.flat(nearest.vertex.place));
+    let place = sheet.on_screen(nearest.vertex.place);
     painter.circle_stroke(place, 6.0, Stroke::new(1.5, colour(nearest.line.picture, ui.visuals())));
     let body = nearest.line.body;
     let Some(track) = state.document.scene.track_at(nearest.surface.to_array(), body) else { return };
@@ -58,7 +57,7 @@ fn nearest<'a>(lines: &'a OutlineLines, sheet: &SpaceSheet, pointer: Pos2) -> Op
 fn eye_told(state: &State, sheet: &SpaceSheet, pointer: Pos2) -> Option<String> {
     let now = state.document.time;
     let eyes = MapInstant::new(&state.document.settings, now).eyes();
-    let far = |at: DVec3| canvas::place(&sheet.chart, sheet.projection.flat(at)).distance(pointer);
+    let far = |at: DVec3| sheet.on_screen(at).distance(pointer);
     let nearest = Eye::BOTH.into_iter().zip(eyes).min_by(|(_, a), (_, b)| far(*a).total_cmp(&far(*b)));
     let (eye, at) = nearest.filter(|&(_, at)| f64::from(far(at)) <= REACH)?;
     let received = time_text(state, state.clock().received.name, now);

@@ -1,6 +1,7 @@
 //! A sheet: one of the two charts, and the colours on both.
 
-use eframe::egui::{Color32, Rect, Visuals};
+use eframe::egui::{Color32, Pos2, Rect, Visuals};
+use glam::DVec3;
 
 use crate::app::panels::map::canvas;
 use crate::app::theme;
@@ -28,6 +29,11 @@ impl SpaceSheet {
     /// The room the sheet is drawn in.
     pub fn room(&self) -> Rect {
         canvas::rect(&self.chart)
+    }
+
+    /// Returns the point of the screen at which a place in space is drawn.
+    pub fn on_screen(&self, place: DVec3) -> Pos2 {
+        canvas::place(&self.chart, self.projection.flat(place))
     }
 }
 

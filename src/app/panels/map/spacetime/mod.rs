@@ -90,7 +90,7 @@ fn axes_of(state: &State) -> [AxisQuantity<'static>; 2] {
     })
 }
 
-/// What is drawn otherwise, or not, where whoever rides does not move along the street.
+/// Returns a note on what the diagram draws differently, or leaves out, while the rider does not move along the street.
 fn aslant_words(diagram: &Diagram) -> Option<String> {
     let words = match diagram.cones() {
         Some(_) => "now, mine is drawn where the point is, beside me",
