@@ -13,7 +13,7 @@ use gamow::flags::{BUDGET_MS, ERROR_PX, Goal};
 
 use super::Test;
 use super::support::{
-    assert_sane, builder, cyclist, label_starting_with, labels, pane, type_into, window, window_of_size,
+    assert_sane, builder, cyclist, label_starting_with, labels, pane, type_into, wide_window, window_of_size,
 };
 
 pub const TESTS: &[Test] = &[
@@ -116,7 +116,7 @@ fn changes_are_plain() {
 }
 
 fn what_was_chosen_is_said() {
-    let mut window = window(cyclist(0.9));
+    let mut window = wide_window(cyclist(0.9));
     assert!(label_starting_with(&window, "Chosen: ").ends_with(", within 0.002 px"));
     for (goal, end) in [
         (Goal::Error(1e-4), ", exact"),

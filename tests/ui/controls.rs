@@ -14,7 +14,7 @@ use relativity_render::{Colour, Geometry, Shading};
 
 use super::Test;
 use super::support::{
-    cyclist, drag, label_starting_with, seen, shown, slider, type_into, window, window_of_size,
+    cyclist, drag, label_starting_with, seen, shown, slider, type_into, wide_window, window, window_of_size,
 };
 
 pub const TESTS: &[Test] = &[
@@ -239,7 +239,7 @@ fn each_effect_changes_the_picture() {
 }
 
 fn settings_survive() {
-    let mut window = window(cyclist(0.9));
+    let mut window = wide_window(cyclist(0.9));
     type_into(&mut window, "Gamma, typed", "1e12");
     for choice in ["D³ photons", "False", "Published", "Angles", "Contracted", "Fixed", "Theme"] {
         window.get_by_role_and_label(Role::Button, choice).click();

@@ -43,7 +43,7 @@ fn switches_keep_nothing_on_the_device() {
         let mut state = cyclist(0.9);
         state.document.settings.quality.renderer = renderer;
         let mut harness =
-            builder([800.0, 600.0]).renderer(WgpuTestRenderer::from_render_state(render_state)).build_eframe(
+            builder([640.0, 480.0]).renderer(WgpuTestRenderer::from_render_state(render_state)).build_eframe(
                 |cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).without_refinement(),
             );
         harness.run_steps(3);

@@ -15,7 +15,7 @@ use gamow::settings::PlotTab;
 use super::Test;
 use super::picking::{FRONT_TYRE, click};
 use super::support::{
-    FRAME, cyclist, label_starting_with, labels, open, pane, slider, window, window_of_size,
+    FRAME, cyclist, label_starting_with, labels, open, pane, slider, wide_window, window, window_of_size,
 };
 
 pub const TESTS: &[Test] = &[
@@ -476,7 +476,7 @@ fn a_click_near_something_means_it() {
 }
 
 fn the_tabulator_reaches_everything() {
-    let mut window = window(cyclist(0.9));
+    let mut window = wide_window(cyclist(0.9));
     let bare = window.render().expect("a picture");
     let mut reached = std::collections::BTreeSet::new();
     for count in 0..160 {

@@ -17,7 +17,9 @@ use relativity_core::{Aperture, SourcePoint, sighting};
 use relativity_render::{Gaze, Geometry, Gpu, Method, Renderers};
 
 use super::Test;
-use super::support::{FRAME, SEPARATION, cyclist, drag, label_starting_with, pane, shown, window};
+use super::support::{
+    FRAME, SEPARATION, cyclist, drag, label_starting_with, pane, shown, wide_window, window,
+};
 
 pub const TESTS: &[Test] = &[
     ("clicking_the_wheel_at_beta_0_9_plots_that_point", || clicking_the_wheel(0.9)),
@@ -292,7 +294,7 @@ fn the_published_right_eye() {
 }
 
 fn dragging_looks_around() {
-    let mut window = window(cyclist(0.9));
+    let mut window = wide_window(cyclist(0.9));
     let before = window.state().state().gaze();
     let middle = pane(&window, 0).center();
     let looked_at = place_of_gaze(&window, before, pane(&window, 0));

@@ -15,7 +15,7 @@ use relativity_render::Gaze;
 
 use super::Test;
 use super::saving::save;
-use super::support::{drag, label_starting_with, labels, pane, seen, type_into, window};
+use super::support::{drag, label_starting_with, labels, pane, seen, type_into, wide_window, window};
 
 pub const TESTS: &[Test] = &[
     ("a_number_that_is_none_stays_where_it_was_typed", a_number_that_is_none),
@@ -129,7 +129,7 @@ What comes is blue.
 fn at_lesson(beta: f64) -> Harness<'static, App> {
     let mut state = State::open(Settings::default()).expect("usual settings");
     state.begin_lesson(&lesson(beta)).expect("it can be worked out");
-    window(state)
+    wide_window(state)
 }
 
 fn ask(window: &mut Harness<'_, App>, command: LessonCommand) {

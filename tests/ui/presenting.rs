@@ -10,7 +10,9 @@ use gamow::settings::{MotionSettings, Preset, ScreenSettings, WindowSettings};
 
 use super::Test;
 use super::layouts::assert_no_broken_numbers;
-use super::support::{cyclist, drag, in_layout, label_starting_with, pane, window, window_of_size};
+use super::support::{
+    cyclist, drag, in_layout, label_starting_with, pane, wide_window, window, window_of_size,
+};
 
 pub const TESTS: &[Test] = &[
     ("an_audience_has_views_a_plot_and_words_and_all_comes_back", an_audience_has_views_a_plot_and_words),
@@ -100,7 +102,7 @@ fn presenting_works_at_every_size() {
 }
 
 fn borders_are_dragged() {
-    let mut window = window(cyclist(0.9));
+    let mut window = wide_window(cyclist(0.9));
     let before = (pane(&window, 0), settings_window(&window));
     let middle = |window: &Harness<'_, App>, name: &str| window.get_by_label(name).rect().center();
     // The map goes where the controls leave it too little room: they come last.
@@ -138,7 +140,7 @@ fn double_click(window: &mut Harness<'_, App>, place: eframe::egui::Pos2) {
 }
 
 fn a_part_alone() {
-    let mut window = window(cyclist(0.9));
+    let mut window = wide_window(cyclist(0.9));
     let parts = [
         ("Title of view 1", "Left eye view"),
         ("Title of view 2", "Right eye view"),

@@ -11,7 +11,7 @@ use gamow::settings::{MapFrame, Preset, Riding, Settings};
 use relativity_core::{Baseline, Model, Observer, ObserverVelocity, SourcePoint, Speed};
 
 use super::Test;
-use super::support::{FRAME, assert_sane, label_starting_with, shown, type_into, window};
+use super::support::{FRAME, assert_sane, label_starting_with, shown, type_into, wide_window, window};
 
 pub const TESTS: &[Test] = &[
     ("pedals_and_brakes_are_recorded_as_they_are_pushed", pedals_and_brakes),
@@ -264,7 +264,7 @@ fn the_map_follows_a_ride_aslant() {
     let ride = Riding { ride_azimuth: 60.0, ..state.document.settings.ride.clone() };
     state.apply(Command::Ride(RideCommand::Set(ride)));
     state.apply(Command::Time(8.0));
-    let mut window = window(state);
+    let mut window = wide_window(state);
     window.run_steps(2);
     let gamma = 1.0 / (1.0_f64 - 0.81).sqrt();
     let (sin, cos) = 60_f64.to_radians().sin_cos();
@@ -333,7 +333,7 @@ fn a_typed_speed_is_reached() {
 }
 
 fn the_map_has_a_riders_frame() {
-    let mut window = window(preset("ride-lamps"));
+    let mut window = wide_window(preset("ride-lamps"));
     for (expected, key) in
         [(MapFrame::Bicycle, "Bicycle"), (MapFrame::Rider, "Mine"), (MapFrame::Ground, "Ground")]
     {

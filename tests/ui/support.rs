@@ -49,8 +49,13 @@ pub fn in_layout(layout: Layout) -> Command {
     Command::Value { name: "layout", value }
 }
 
-/// A window of the usual size that shows `state`.
+/// A window that shows `state`, no larger than most claims need.
 pub fn window(state: State) -> Harness<'static, App> {
+    window_of_size(state, [1120.0, 700.0], 1.0)
+}
+
+/// A window with room for every part, its whole bar, and a map.
+pub fn wide_window(state: State) -> Harness<'static, App> {
     window_of_size(state, [1280.0, 800.0], 1.0)
 }
 
@@ -61,6 +66,18 @@ pub fn builder(size: [f32; 2]) -> HarnessBuilder<App> {
         .with_step_dt(FRAME)
         .with_max_steps(12)
         .with_render_cursor(false)
+}
+
+/// A window of this `size` whose views stay empty, for claims about what stands around them: pictures take most of a frame.
+pub fn window_without_pictures(state: State, size: [f32; 2]) -> Harness<'static, App> {
+    let mut harness = builder(size).build_eframe(|cc| App::new(&cc.egui_ctx, None, state));
+    harness.run_steps(3);
+    harness
+}
+
+/// How many of something a sweep tries: `some` usually, `all` where the environment has `GAMOW_SWEEPS=full`, as in the nightly checks.
+pub fn sweep([some, all]: [usize; 2]) -> usize {
+    if std::env::var_os("GAMOW_SWEEPS").is_some_and(|value| value == "full") { all } else { some }
 }
 
 pub fn window_of_size(state: State, size: [f32; 2], pixels_per_point: f32) -> Harness<'static, App> {

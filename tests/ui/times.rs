@@ -15,7 +15,8 @@ use relativity_render::Geometry;
 
 use super::Test;
 use super::support::{
-    cyclist, label_starting_with, labels, pane, seen, shown, slider, type_into, window, window_of_size,
+    cyclist, label_starting_with, labels, pane, seen, shown, slider, type_into, wide_window, window,
+    window_of_size,
 };
 
 pub const TESTS: &[Test] = &[
@@ -101,7 +102,7 @@ fn what_is_typed_is_taken_in_its_unit() {
 }
 
 fn units_are_chosen_in_the_bar() {
-    let mut window = window(cyclist(0.9));
+    let mut window = wide_window(cyclist(0.9));
     let choose = |window: &mut Harness<'_, App>, name: &str| {
         window.get_by_label("Units").click();
         window.run();

@@ -1,6 +1,6 @@
 //! The audience's window under any sequence of the presenter's two keys.
 
-use eframe::egui::{FontId, Key, Pos2, Rect, Vec2};
+use eframe::egui::{FontId, Key, Pos2, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::NodeT as _;
 use gamow::app::App;
@@ -12,7 +12,7 @@ use gamow::settings::{MapFace, PlotTab, Presence, Preset, Settings};
 
 use super::Test;
 use super::random_user::dice::Dice;
-use super::support::FRAME;
+use super::support::{sweep, window_without_pictures};
 
 pub const TESTS: &[Test] = &[
     ("a_preset_about_a_fit_shows_an_audience_its_readings_residuals_and_numbers", presets_about_a_fit),
@@ -21,17 +21,14 @@ pub const TESTS: &[Test] = &[
 ];
 
 const SEED: u64 = 31;
-const PRESSES: usize = 50;
+/// Presses in each lesson, of the usual tests and of the whole sweep.
+const PRESSES: [usize; 2] = [20, 50];
 /// The least part of the screen that the readings of a fit have; other plots and the map have half of it.
 const READINGS: f32 = 0.125;
 
-/// A window that is presented. Nothing is drawn in its views, which takes most of the time.
+/// A window that is presented.
 fn presented(state: State, size: [f32; 2]) -> Harness<'static, App> {
-    let mut window = Harness::builder()
-        .with_size(Vec2::from(size))
-        .with_step_dt(FRAME)
-        .with_max_steps(60)
-        .build_eframe(|cc| App::new(&cc.egui_ctx, None, state));
+    let mut window = window_without_pictures(state, size);
     window.state_mut().ask(Command::TogglePresenting);
     window.run_steps(4);
     window
@@ -175,7 +172,7 @@ fn no_press_hides() {
         state.begin_lesson(lesson).expect("it can be worked out");
         let mut window = presented(state, size);
         let mut dice = Dice::of_step(SEED, number);
-        for press in 0..PRESSES {
+        for press in 0..sweep(PRESSES) {
             let key = if dice.happens(65) { Key::PageDown } else { Key::PageUp };
             window.key_press(key);
             window.run_steps(2);

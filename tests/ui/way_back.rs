@@ -12,7 +12,7 @@ use gamow::settings::{MotionSettings, Settings};
 
 use super::Test;
 use super::picking::click;
-use super::support::{cyclist, drag, in_layout, slider, type_into, window, window_of_size};
+use super::support::{cyclist, drag, in_layout, slider, type_into, wide_window, window, window_of_size};
 
 pub const TESTS: &[Test] = &[
     ("a_drag_is_one_step_and_comes_back_by_keys_and_buttons", a_drag_is_one_step),
@@ -147,7 +147,7 @@ fn a_new_step_forgets_what_was_undone() {
 }
 
 fn reset_has_all_as_usual() {
-    let mut window = window(cyclist(0.9));
+    let mut window = wide_window(cyclist(0.9));
     assert!(!is_enabled(&window, "Reset"));
     for choice in ["False", "Theme", "Angles"] {
         window.get_by_label(choice).click();

@@ -11,7 +11,10 @@ use gamow::settings::Theme;
 use relativity_render::Geometry;
 
 use super::Test;
-use super::support::{cyclist, drag, label_starting_with, labels, seen, slider, window, window_of_size};
+use super::support::{
+    cyclist, drag, label_starting_with, labels, seen, slider, wide_window, window, window_of_size,
+    window_without_pictures,
+};
 
 pub const TESTS: &[Test] = &[
     ("the_sentence_has_the_numbers_of_the_core", the_sentence_has_the_numbers_of_the_core),
@@ -105,7 +108,7 @@ fn words_at_the_ends() {
             let mut state = cyclist(0.5);
             state.document.settings.motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
             state.document.settings.motion.d = d;
-            let mut window = window_of_size(state, [800.0, 600.0], 1.0);
+            let mut window = window_without_pictures(state, [800.0, 600.0]);
             for &geometry in Geometry::value_variants() {
                 for time in [-1e12, 0.0, 3.0, 1e12] {
                     window.state_mut().ask(Command::Geometry(geometry));
@@ -147,7 +150,7 @@ fn words_are_in_the_window() {
 }
 
 fn words_can_be_switched_off() {
-    let mut window = window(cyclist(0.9));
+    let mut window = wide_window(cyclist(0.9));
     let before = window.get_by_label("Left eye view").rect();
     let has =
         |window: &Harness<'_, App>, name: &str| labels(window).iter().any(|label| label.starts_with(name));

@@ -24,25 +24,26 @@ use self::files::Files;
 use self::hands::Window;
 use self::nodes::Coverage;
 use super::Test;
-use super::support::FRAME;
+use super::support::{FRAME, sweep};
 
 pub const TESTS: &[Test] = &[
     ("a_random_user_breaks_nothing", breaks_nothing),
     ("a_random_user_breaks_nothing_while_all_is_drawn", breaks_nothing_while_all_is_drawn),
 ];
 
-/// Actions of each run in the usual tests: without views, which cost most of the time, and with them.
-const ACTIONS: [usize; 2] = [1900, 100];
+/// Actions of each run, in the usual tests and in the whole sweep: without views, which cost most of the time, and with them.
+const ACTIONS: [usize; 2] = [800, 20_000];
+const ACTIONS_DRAWN: [usize; 2] = [100, 1000];
 /// Actions between two ways back, and those that are told of a run that failed.
 const WAY_BACK: usize = 100;
 const TOLD: usize = 30;
 
 fn breaks_nothing() {
-    run(ACTIONS[0], false);
+    run(ACTIONS, false);
 }
 
 fn breaks_nothing_while_all_is_drawn() {
-    run(ACTIONS[1], true);
+    run(ACTIONS_DRAWN, true);
 }
 
 /// What was done, told if that breaks something.
@@ -90,9 +91,9 @@ fn opened(is_drawn: bool) -> Window {
     window
 }
 
-fn run(actions: usize, is_drawn: bool) {
+fn run(actions: [usize; 2], is_drawn: bool) {
     let seed = number("GAMOW_SEED").unwrap_or(1);
-    let actions = number("GAMOW_ACTIONS").map_or(actions, |number| number as usize);
+    let actions = number("GAMOW_ACTIONS").map_or(sweep(actions), |number| number as usize);
     eprintln!("GAMOW_SEED={seed} GAMOW_ACTIONS={actions}");
     let files = Files::new();
     let mut window = opened(is_drawn);
