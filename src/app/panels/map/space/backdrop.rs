@@ -1,16 +1,16 @@
 //! The backdrop of the map: a grid, the street, the eyes' fields of view, and the line abreast of the eyes.
 
-use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Ui, Vec2, pos2, vec2};
+use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Vec2, pos2, vec2};
 use relativity_core::Event;
 
-use super::sheet::SpaceSheet;
+use super::sheet::{SheetPainter, SpaceSheet};
 use crate::app::panels::map::axes::{self, AxisQuantity};
 use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::LabelPlaces;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{MapInstant, MapProjection, StraightLine, field_of_view, street_lines, way_of_rider};
+use crate::map::{MapProjection, StraightLine, field_of_view, street_lines, way_of_rider};
 use crate::settings::MapFrame;
 
 /// Size of the words.
@@ -23,16 +23,17 @@ const NAMED_AT: f32 = 0.85;
 const NAMED_AFTER: usize = 6;
 
 /// Draws the backdrop.
-pub(super) fn paint(
-    ui: &Ui,
-    painter: &Painter,
-    state: &State,
-    instant: &MapInstant,
-    sheet: &SpaceSheet,
-    labels: &mut LabelPlaces,
-) {
-    painter.rect_filled(sheet.room(), 0.0, ui.visuals().extreme_bg_color);
-    fields_of_view(ui, painter, state, instant, sheet);
+pub(super) fn paint(on: &mut SheetPainter<'_>) {
+    on.painter.rect_filled(on.sheet.room(), 0.0, on.ui.visuals().extreme_bg_color);
+    fields_of_view(on);
+    axes_and_title(on);
+    street(on);
+    way(on);
+    abreast(on);
+}
+
+fn axes_and_title(on: &mut SheetPainter<'_>) {
+    let SheetPainter { ui, painter, state, sheet, labels, .. } = on;
     axes::paint(ui, painter, &sheet.chart, axes_of(state, sheet.projection), labels);
     let title = match sheet.projection {
         MapProjection::Plan => "from above",
@@ -41,9 +42,6 @@ pub(super) fn paint(
     let place = sheet.room().min + theme::text_scale(ui.style()) * TITLE;
     let words = (title, theme::scaled_font(ui.style(), WORDS_SIZE), ui.visuals().weak_text_color());
     write(painter, place, Align2::LEFT_TOP, words, labels);
-    street(ui, painter, state, instant, sheet, labels);
-    way(ui, painter, state, sheet, labels);
-    abreast(ui, painter, state, instant, sheet, labels);
 }
 
 /// Writes text where there is no other.
@@ -82,14 +80,8 @@ fn axes_of(state: &State, projection: MapProjection) -> [AxisQuantity<'static>; 
 }
 
 /// The kerbs and the house fronts from above, the ground from the side, and their names.
-fn street(
-    ui: &Ui,
-    painter: &Painter,
-    state: &State,
-    instant: &MapInstant,
-    sheet: &SpaceSheet,
-    labels: &mut LabelPlaces,
-) {
+fn street(on: &mut SheetPainter<'_>) {
+    let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
     let (font, colour) = (theme::scaled_font(ui.style(), WORDS_SIZE), ui.visuals().weak_text_color());
     let stroke = Stroke::new(1.5, ui.visuals().weak_text_color().gamma_multiply(0.7));
     let room = sheet.room();
@@ -128,7 +120,8 @@ fn part_way(places: &[Pos2]) -> Option<Pos2> {
 }
 
 /// The way of whoever does not ride along the street, and its name.
-fn way(ui: &Ui, painter: &Painter, state: &State, sheet: &SpaceSheet, labels: &mut LabelPlaces) {
+fn way(on: &mut SheetPainter<'_>) {
+    let SheetPainter { ui, painter, state, sheet, labels, .. } = on;
     let (settings, time) = (&state.document.settings, state.document.time);
     let way = way_of_rider(settings, time, state.time_range());
     let colour = ui.visuals().text_color().gamma_multiply(0.5);
@@ -145,7 +138,8 @@ fn way(ui: &Ui, painter: &Painter, state: &State, sheet: &SpaceSheet, labels: &m
 }
 
 /// Draws the field of view of each eye. In a frame in which the eyes move it is another angle; it is left out there.
-fn fields_of_view(ui: &Ui, painter: &Painter, state: &State, instant: &MapInstant, sheet: &SpaceSheet) {
+fn fields_of_view(on: &SheetPainter<'_>) {
+    let SheetPainter { ui, painter, state, instant, sheet, .. } = on;
     let frame_of_eyes = if state.document.settings.ride.is_on() { MapFrame::Rider } else { MapFrame::Ground };
     if instant.frame() != frame_of_eyes {
         return;
@@ -167,14 +161,8 @@ fn fields_of_view(ui: &Ui, painter: &Painter, state: &State, instant: &MapInstan
 }
 
 /// The line that is beside the eyes: x = 0 on the ground. None of who does not ride along the street.
-fn abreast(
-    ui: &Ui,
-    painter: &Painter,
-    state: &State,
-    instant: &MapInstant,
-    sheet: &SpaceSheet,
-    labels: &mut LabelPlaces,
-) {
+fn abreast(on: &mut SheetPainter<'_>) {
+    let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
     let ride = &state.document.settings.ride;
     if ride.leaves_street() {
         return;

@@ -1,13 +1,9 @@
 //! The length of the selected rod in each picture of the close-up, written beside it.
 
-use eframe::egui::{Painter, Ui};
-
-use super::sheet::{SpaceSheet, colour};
+use super::sheet::{SheetPainter, colour};
 use crate::app::panels::map::canvas;
-use crate::app::panels::map::labels::LabelPlaces;
-use crate::app::state::State;
 use crate::app::theme;
-use crate::map::{BodyPicture, MapInstant, MapProjection};
+use crate::map::{BodyPicture, MapProjection};
 use crate::settings::MapFraming;
 
 const FONT_SIZE: f32 = 13.0;
@@ -23,14 +19,8 @@ const NAMES: [(BodyPicture, &str); 3] = [
 ];
 
 /// Writes the lengths in the plan of a close-up, if the selected body has two ends.
-pub(super) fn show(
-    ui: &Ui,
-    painter: &Painter,
-    state: &State,
-    instant: &MapInstant,
-    sheet: &SpaceSheet,
-    labels: &mut LabelPlaces,
-) {
+pub(super) fn show(on: &mut SheetPainter<'_>) {
+    let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
     if state.document.settings.map.framing != MapFraming::CloseUp || sheet.projection != MapProjection::Plan {
         return;
     }

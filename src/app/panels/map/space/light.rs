@@ -7,8 +7,7 @@ use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, TextStyle, Ui, V
 use glam::DVec3;
 use relativity_core::{Event, math};
 
-use super::sheet::SpaceSheet;
-use crate::app::panels::map::labels::LabelPlaces;
+use super::sheet::{SheetPainter, SpaceSheet};
 use crate::app::panels::map::times::{labelled, times};
 use crate::app::state::State;
 use crate::app::theme;
@@ -79,15 +78,16 @@ impl<'a> ChartLight<'a> {
     }
 
     /// Names it in the plan.
-    pub(super) fn name(&self, ui: &Ui, painter: &Painter, state: &State, labels: &mut LabelPlaces) {
+    pub(super) fn name(&self, on: &mut SheetPainter<'_>) {
         if self.sheet.projection == MapProjection::Plan {
-            self.name_way(ui, painter, state, labels);
-            self.name_front(ui, painter, labels);
+            self.name_way(on);
+            self.name_front(on);
         }
     }
 
     /// Writes beside the way of the light when it left: by the ground's clocks, or by those of the bicycle.
-    fn name_way(&self, ui: &Ui, painter: &Painter, state: &State, labels: &mut LabelPlaces) {
+    fn name_way(&self, on: &mut SheetPainter<'_>) {
+        let SheetPainter { ui, painter, state, labels, .. } = on;
         let ways = self.rays.map(|ray| self.ends(&ray));
         for way in &ways {
             labels.avoid(way);
@@ -110,7 +110,8 @@ impl<'a> ChartLight<'a> {
     }
 
     /// Says what the circles are, where there is room, on the side of the light's front that is away from the eyes.
-    fn name_front(&self, ui: &Ui, painter: &Painter, labels: &mut LabelPlaces) {
+    fn name_front(&self, on: &mut SheetPainter<'_>) {
+        let SheetPainter { ui, painter, labels, .. } = on;
         let room = self.sheet.room();
         let [ray, _] = self.rays;
         let Some((middle, radius)) = self.circle(&ray.front()).filter(|_| room.width() > NARROWEST_NAMED)

@@ -1,14 +1,12 @@
 //! The eyes, and the followed points in each of their pictures.
 
-use eframe::egui::{Align2, Painter, Stroke, Ui, vec2};
+use eframe::egui::{Align2, Stroke, vec2};
 
-use super::sheet::{SpaceSheet, colour};
+use super::sheet::{SheetPainter, colour};
 use crate::app::panels::map::canvas;
-use crate::app::panels::map::labels::LabelPlaces;
-use crate::app::state::State;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{BodyPicture, MapInstant, MapProjection};
+use crate::map::{BodyPicture, MapProjection};
 use crate::settings::MapFrame;
 
 const FONT_SIZE: f32 = 12.5;
@@ -22,15 +20,14 @@ const LARGEST: f64 = 0.13;
 const SMALLEST_RADIUS: f32 = 2.5;
 
 /// Draws and names them.
-pub(super) fn show(
-    ui: &Ui,
-    painter: &Painter,
-    state: &State,
-    instant: &MapInstant,
-    sheet: &SpaceSheet,
-    labels: &mut LabelPlaces,
-) {
-    eyes(ui, painter, instant, sheet, labels);
+pub(super) fn show(on: &mut SheetPainter<'_>) {
+    eyes(on);
+    points(on);
+    abreast(on);
+}
+
+fn points(on: &SheetPainter<'_>) {
+    let SheetPainter { ui, painter, state, instant, sheet, .. } = on;
     for (index, point) in state.document.points.all().iter().enumerate() {
         let is_selected = index == state.document.points.selected_index();
         let largest = ((LARGEST * sheet.chart.scale) as f32).max(SMALLEST_RADIUS);
@@ -50,18 +47,11 @@ pub(super) fn show(
             );
         }
     }
-    abreast(ui, painter, state, instant, sheet, labels);
 }
 
 /// Says so when the selected point is beside the eyes: measured there now, or seen there.
-fn abreast(
-    ui: &Ui,
-    painter: &Painter,
-    state: &State,
-    instant: &MapInstant,
-    sheet: &SpaceSheet,
-    labels: &mut LabelPlaces,
-) {
+fn abreast(on: &mut SheetPainter<'_>) {
+    let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
     let point = state.document.points.selected();
     if instant.frame() == MapFrame::Bicycle
         || state.document.settings.ride.is_on()
@@ -85,7 +75,8 @@ fn abreast(
     }
 }
 
-fn eyes(ui: &Ui, painter: &Painter, instant: &MapInstant, sheet: &SpaceSheet, labels: &mut LabelPlaces) {
+fn eyes(on: &mut SheetPainter<'_>) {
+    let SheetPainter { ui, painter, instant, sheet, labels, .. } = on;
     let sides = [(Align2::RIGHT_CENTER, -1.0), (Align2::LEFT_CENTER, 1.0)];
     for ((eye, at), (anchor, side)) in Eye::BOTH.into_iter().zip(instant.eyes()).zip(sides) {
         let place = sheet.on_screen(at);

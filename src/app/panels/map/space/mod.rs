@@ -13,7 +13,7 @@ use eframe::egui::{Rect, Ui};
 use glam::DVec3;
 
 use self::light::ChartLight;
-use self::sheet::SpaceSheet;
+use self::sheet::{SheetPainter, SpaceSheet};
 use super::canvas;
 use super::labels::LabelPlaces;
 use crate::app::panels::Commands;
@@ -31,17 +31,18 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, commands: &mut Commands) {
         let sheet = SpaceSheet { projection, chart };
         let response = canvas::look_around(ui, state, sheet.name(), &chart, projection.axes(), commands);
         let painter = ui.painter().with_clip_rect(sheet.room().intersect(ui.clip_rect()));
-        let mut labels = LabelPlaces::new(sheet.room(), ui.visuals().extreme_bg_color);
-        backdrop::paint(ui, &painter, state, &instant, &sheet, &mut labels);
+        let labels = LabelPlaces::new(sheet.room(), ui.visuals().extreme_bg_color);
+        let mut on = SheetPainter { ui, painter: &painter, state, instant: &instant, sheet, labels };
+        backdrop::paint(&mut on);
         let light = ChartLight::new(state, &sheet);
         if let Some(light) = &light {
             light.paint(ui, &painter, state);
         }
         pictures::paint(ui, &painter, &lines, &sheet);
-        marks::show(ui, &painter, state, &instant, &sheet, &mut labels);
-        lengths::show(ui, &painter, state, &instant, &sheet, &mut labels);
+        marks::show(&mut on);
+        lengths::show(&mut on);
         if let Some(light) = &light {
-            light.name(ui, &painter, state, &mut labels);
+            light.name(&mut on);
         }
         pointer::read(ui, &painter, &response, state, &lines, &sheet, commands);
     }

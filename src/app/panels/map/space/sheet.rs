@@ -1,12 +1,14 @@
-//! A sheet: one of the two charts, and the colours on both.
+//! A sheet: one of the two charts, what is drawn on it and with what, and the colours on both.
 
-use eframe::egui::{Color32, Pos2, Rect, Visuals};
+use eframe::egui::{Color32, Painter, Pos2, Rect, Ui, Visuals};
 use glam::DVec3;
 
 use crate::app::panels::map::canvas;
+use crate::app::panels::map::labels::LabelPlaces;
+use crate::app::state::State;
 use crate::app::theme;
 use crate::eye::Eye;
-use crate::map::{BodyPicture, Chart, MapProjection};
+use crate::map::{BodyPicture, Chart, MapInstant, MapProjection};
 
 /// A chart of the face.
 #[derive(Debug, Clone, Copy)]
@@ -35,6 +37,19 @@ impl SpaceSheet {
     pub fn on_screen(&self, place: DVec3) -> Pos2 {
         canvas::place(&self.chart, self.projection.flat(place))
     }
+}
+
+/// A sheet while it is drawn on.
+pub(super) struct SheetPainter<'a> {
+    pub ui: &'a Ui,
+    /// Painter that keeps to the sheet's room.
+    pub painter: &'a Painter,
+    pub state: &'a State,
+    /// Events that are drawn.
+    pub instant: &'a MapInstant<'a>,
+    pub sheet: SpaceSheet,
+    /// What is written already, which nothing else is written over.
+    pub labels: LabelPlaces,
 }
 
 /// The colour of a picture.
