@@ -1,6 +1,7 @@
 # Sourced by the scripts beside it: what a bare Debian 12 with Rust lacks for them.
 
-step() { printf '\n== %s\n' "$*"; }
+# Names what begins, and the seconds since the script did.
+step() { printf '\n== %s (%d s)\n' "$*" "$SECONDS"; }
 
 as_root() { if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi; }
 

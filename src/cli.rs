@@ -84,7 +84,7 @@ pub fn explain(error: &clap::Error) -> anyhow::Result<ExitCode> {
         error.print().context("standard output")?;
         return Ok(ExitCode::SUCCESS);
     }
-    match quoted(std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect()) {
+    match quoted(environment::arguments().map(|word| word.to_string_lossy().into_owned()).collect()) {
         Some(text) => messages::remark_lines(&text),
         // Where that cannot be written to, nobody is told.
         None => drop(error.print()),

@@ -21,6 +21,12 @@ pub fn fixed(value: f64, decimals: u8) -> String {
     } else {
         format!("{value:.width$}", width = usize::from(decimals))
     };
+    with_minus(&text)
+}
+
+/// Returns the number in `text` with the true minus sign.
+#[must_use]
+pub fn with_minus(text: &str) -> String {
     text.replace('-', "−")
 }
 
@@ -128,7 +134,7 @@ pub fn power_of_ten(exponent: f64) -> String {
     if (0.001..10_000.0).contains(&value) {
         return format!("{}", (value * 1e4).round() / 1e4);
     }
-    format!("{value:.0e}").replace('-', "−")
+    with_minus(&format!("{value:.0e}"))
 }
 
 /// The number a user typed: surrounding space, groups of digits, a true minus sign and a decimal comma are all right.

@@ -6,7 +6,7 @@ use eframe::egui::ViewportBuilder;
 use eframe::{CreationContext, NativeOptions};
 use gamow_platform::clock::Instant;
 use gamow_platform::last_word::LastWord;
-use gamow_platform::{messages, threads};
+use gamow_platform::{environment, messages, threads};
 use relativity_render::{colour, planck};
 
 use crate::app::args::WindowArgs;
@@ -79,8 +79,8 @@ fn broken(reason: &Break, state: &State, keeper: &Keeper) -> anyhow::Error {
 
 /// Whether the environment names a display, where that is how displays are found.
 fn has_display() -> bool {
-    let names_one = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
-    !cfg!(target_os = "linux") || ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"].into_iter().any(names_one)
+    let names = ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"];
+    !cfg!(target_os = "linux") || names.into_iter().any(|name| environment::variable(name).is_some())
 }
 
 /// An error of the windowing library, without line breaks and without the place in its source.

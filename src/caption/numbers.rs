@@ -15,7 +15,7 @@ pub fn decimal(value: f64, decimals: u8) -> String {
     } else if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') {
         text.trim_start_matches('-').to_owned()
     } else {
-        text.replace('-', "−")
+        number_text::with_minus(&text)
     }
 }
 

@@ -11,7 +11,7 @@ use std::path::Path;
 
 use anyhow::Context as _;
 use csv::ByteRecord;
-use gamow_platform::{files, messages, sizes};
+use gamow_platform::{environment, files, messages, sizes};
 use thiserror::Error;
 
 use super::csv_out::io_error;
@@ -21,7 +21,7 @@ const BUFFER_BYTES: usize = 1 << 16;
 /// `file`, or standard input if that is `None` or `-`; and its name in messages.
 pub fn open(file: Option<&Path>) -> anyhow::Result<(String, Box<dyn Read>)> {
     let Some(file) = file.filter(|file| *file != Path::new("-")) else {
-        return Ok(("standard input".to_owned(), Box::new(io::stdin().lock())));
+        return Ok(("standard input".to_owned(), Box::new(environment::standard_input())));
     };
     let name = files::shown(file);
     let input = files::open_stream(file).with_context(|| name.clone())?;

@@ -108,6 +108,6 @@ pub fn difference(curve: &CurveAnswer, points: &[[f64; 2]], sight: &Sight<'_>) -
     let unit = curve.quantity.unit(&Measures::OWN).suffix();
     let time = sight.settings.window.units.measures(sight.scene).time;
     let [from, to] = [first, last].map(|[at, _]| time.number(*at, 1));
-    let off = number_text::significant(off, 2).replace('-', "−");
+    let off = number_text::with_minus(&number_text::significant(off, 2));
     Some(format!("rms difference {off}{unit} over T = {from} to {to}{}", time.suffix()))
 }

@@ -2,14 +2,16 @@
 
 use relativity_core::math;
 
+use crate::plot::round_step;
+
 /// The multiples of a round number (1, 2 or 5 times a power of ten) from `low` to `high`, no more than fit with a
 /// distance of `least` between them; and how many decimals tell them apart. None of a range that is empty or no number.
 #[must_use]
 pub fn ticks([low, high]: [f64; 2], least: f64) -> (Vec<f64>, u8) {
     let is_range = low.is_finite() && high.is_finite() && low < high && least > 0.0;
-    let decade = math::powf(10.0, math::log10(least).floor());
-    let step = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * decade).into_iter().find(|&step| step >= least);
-    let Some(step) = step.filter(|step| is_range && step.is_finite()) else { return (Vec::new(), 0) };
+    let Some(step) = is_range.then(|| round_step(least)).filter(|step| step.is_finite()) else {
+        return (Vec::new(), 0);
+    };
     let [first, last] = [(low / step).ceil(), (high / step).floor()];
     if last - first > 1000.0 || first.abs().max(last.abs()) > 1e15 {
         return (Vec::new(), 0);

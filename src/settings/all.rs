@@ -121,17 +121,27 @@ impl Settings {
     #[must_use]
     pub fn with_scene(self, scene: String) -> Self {
         let default = Self::default();
-        let motion = MotionSettings {
-            depth_shift: default.motion.depth_shift,
-            height_shift: default.motion.height_shift,
-            ..self.motion
-        };
+        let MotionSettings { depth_shift, height_shift, .. } = default.motion;
         let LookSettings { geometry, compare, projection, .. } = self.look;
-        let look = LookSettings { geometry, compare, projection, ..default.look };
-        let playback = PlaybackSettings { range: default.playback.range, ..self.playback };
-        let fit = FitSettings { fit_range: default.fit.fit_range, ..self.fit };
-        let ride = Riding { push: self.ride.push, ..default.ride };
-        Self { scene, time: None, point: None, points: None, motion, ride, look, playback, fit, ..self }
+        // All by name, so that of a new one it has to be said whether it stays.
+        Self {
+            scene,
+            time: None,
+            point: None,
+            points: None,
+            motion: MotionSettings { depth_shift, height_shift, ..self.motion },
+            ride: Riding { push: self.ride.push, ..default.ride },
+            look: LookSettings { geometry, compare, projection, ..default.look },
+            light: self.light,
+            quality: self.quality,
+            picture: self.picture,
+            screen: self.screen,
+            playback: PlaybackSettings { range: default.playback.range, ..self.playback },
+            map: self.map,
+            plots: self.plots,
+            fit: FitSettings { fit_range: default.fit.fit_range, ..self.fit },
+            window: self.window,
+        }
     }
 
     /// Returns these settings with the window, the screen and the layout of `other`, which belong to whoever looks

@@ -1,6 +1,27 @@
-//! The environment of the program: the session that graphics libraries see, and the folder of the user's data.
+//! The environment of the program: its variables, arguments and standard input, the session that graphics libraries see, and the
+//! folder of the user's data.
+#![expect(clippy::disallowed_methods, reason = "this is where the environment is read")]
 
+use std::ffi::OsString;
+use std::io::Read;
 use std::path::PathBuf;
+
+/// Returns the environment's variable called `name`; `None` where it is not set, or empty. A browser has none.
+#[must_use]
+pub fn variable(name: &str) -> Option<OsString> {
+    std::env::var_os(name).filter(|value| !value.is_empty())
+}
+
+/// Returns the words that the program was started with, its own name first.
+pub fn arguments() -> impl Iterator<Item = OsString> {
+    std::env::args_os()
+}
+
+/// Returns what arrives on standard input.
+#[must_use]
+pub fn standard_input() -> impl Read {
+    std::io::stdin().lock()
+}
 
 /// Returns the folder in which the program called `name` keeps data of its user: in `$XDG_DATA_HOME`, else `~/.local/share`; on macOS
 /// in `~/Library/Application Support`, on Windows in `%APPDATA%`. `None` if the user has no home.

@@ -18,7 +18,6 @@ pub mod clock;
 pub mod closed;
 #[cfg(feature = "desktop")]
 pub mod controller;
-#[cfg(feature = "desktop")]
 pub mod environment;
 pub mod files;
 #[cfg(feature = "desktop")]

@@ -7,6 +7,7 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
+use relativity_core::Event;
 use relativity_core::math::{asin, atan, atan2, sin_cos, tan};
 
 use crate::group_view::GroupView;
@@ -66,7 +67,7 @@ impl Cone {
         let eye = view.velocity.motion_from_camera(view.camera.off_middle);
         let reach = eye.length();
         let at = |delay: f64| {
-            let eye = DVec3 { x: speed.gamma() * (eye.x - speed.beta() * delay), ..eye };
+            let eye = DVec3 { x: Event { x: eye.x, t: delay }.in_frame(*speed).x, ..eye };
             Self::around_ball(center - eye, radius).seen_from_ground(view)
         };
         let cone = at(-reach).joined(&at(reach));

@@ -8,6 +8,7 @@ use crate::gpu_error::GpuError;
 
 /// Returns the part of an adapter's name that the environment asks for, in lower case; `None` if it asks for none.
 #[must_use]
+#[expect(clippy::disallowed_methods, reason = "wgpu has this variable and reads its others by itself")]
 pub fn adapter_name() -> Option<String> {
     std::env::var("WGPU_ADAPTER_NAME").ok().map(|name| name.to_lowercase()).filter(|name| !name.is_empty())
 }

@@ -11,7 +11,7 @@ pub mod purpose;
 use std::path::{Path, PathBuf};
 
 use eframe::egui::Context;
-use gamow_platform::files;
+use gamow_platform::{environment, files};
 
 use self::answer::DialogAnswer;
 use self::dialog::Dialog;
@@ -203,7 +203,7 @@ fn typed_path(text: &str) -> Result<PathBuf, String> {
     if text.is_empty() {
         return Err("A path is needed.".to_owned());
     }
-    let home = || std::env::var_os("HOME").map(PathBuf::from);
+    let home = || environment::variable("HOME").map(PathBuf::from);
     Ok(match text.strip_prefix("~/").zip(home()) {
         Some((rest, home)) => home.join(rest),
         None => PathBuf::from(text),

@@ -261,3 +261,24 @@ impl State {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each group lasts as long as its name says, and what is shown anew keeps or loses it as a whole: a field beside them would be in
+    /// none, and this does not compile with one.
+    #[test]
+    fn another_scene_forgets_the_scratch_and_keeps_the_session() {
+        let mut state = State::open(Settings::default()).expect("the usual scene");
+        (state.scratch.playing, state.scratch.narrowed, state.session.hint) = (true, Some([0.2, 0.1]), true);
+        let before = state.clone();
+        let settings = Settings::default().with_scene("globe".to_owned());
+        let scene = settings.opened_scene().expect("a preset");
+        state.show_in(settings, scene.into());
+        let State { document, frame, scratch, session } = state;
+        assert_ne!(document, before.document);
+        assert_eq!((frame, session), (before.frame, before.session));
+        assert_eq!((scratch.playing, scratch.narrowed), (true, None), "T runs on");
+    }
+}

@@ -79,7 +79,7 @@ impl TimePlot<'_> {
 }
 
 fn significant(value: f64) -> String {
-    number_text::significant(value, 3).replace('-', "−")
+    number_text::with_minus(&number_text::significant(value, 3))
 }
 
 /// Says beside the pointer which T it is at, and what each curve is there.

@@ -105,7 +105,7 @@ fn times(state: &State, picture: BodyPicture, track: &Track) -> Vec<String> {
         (BodyPicture::Measured, MapFrame::Rider) => vec![time("now, by my clock", now)],
         // On board all clocks agree.
         (BodyPicture::Measured, MapFrame::Bicycle) => {
-            vec![time(Quantity::ProperTime.row().name, frame.speed().gamma() * now)]
+            vec![time(Quantity::ProperTime.row().name, frame.event_at([0.0; 3], now).t)]
         }
         // From two events, each with times of its own.
         (BodyPicture::Stereo, _) => vec![time(state.clock().received.name, now)],

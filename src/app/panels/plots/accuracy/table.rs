@@ -99,7 +99,7 @@ pub(super) fn cell(spread: Option<Spread>, resolution: f64) -> (String, String) 
 
 /// Two digits of an error.
 fn small(error: f64) -> String {
-    number_text::significant(error, 2).replace('-', "−")
+    number_text::with_minus(&number_text::significant(error, 2))
 }
 
 /// The table as CSV: errors in full, and whether they were measured in the present views.

@@ -242,7 +242,7 @@ const ON_A_WHEEL: &str = "The point is on a wheel that rolls: y, z and x₀ are 
 
 fn notes(ui: &mut Ui, outcome: &FitOutcome, fitted: &Fitted) {
     let milliseconds = number_text::fixed(1e3 * outcome.elapsed.as_secs_f64(), 0);
-    let rms = number_text::significant(fitted.rms, 3).replace('-', "−");
+    let rms = number_text::with_minus(&number_text::significant(fitted.rms, 3));
     let uncertainties = match &fitted.no_bootstrap {
         None => format!("{DEFAULT_REPLICATES} replicates"),
         Some(_) => "no bootstrap".to_owned(),
