@@ -11,3 +11,5 @@ mod notices;
 mod render;
 mod scenes;
 mod state;
+#[path = "../crates/relativity-render/tests/support/mod.rs"]
+mod support;

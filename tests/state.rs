@@ -17,6 +17,8 @@ use gamow::settings::{LightSettings, Preset, Settings, Subject, Theme};
 use relativity_render::camera::MAX_SLANT;
 use relativity_render::{Geometry, Motion, PreparedScene, View};
 
+use crate::support::sweep;
+
 const SIZE: [u32; 2] = [960, 720];
 
 /// What the window shows both eyes of `settings` when it starts.
@@ -50,21 +52,19 @@ fn the_window_at_its_start_shows_what_is_rendered_to_the_last_digit() {
         (SpeedParameter::Gamma, 1000.0),
         (SpeedParameter::Gamma, 1e12),
     ];
-    for scene in PRESETS {
-        for (parameter, value) in speeds {
-            for d in [0.0, 0.1, 2.0, 10.0] {
-                for &geometry in Geometry::value_variants() {
-                    let mut settings = Settings { scene: scene.to_owned(), ..Settings::default() };
-                    settings.motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
-                    settings.motion.d = d;
-                    settings.look.geometry = geometry;
-                    let context = format!("{scene}, {parameter:?} {value}, d = {d}, {geometry:?}");
-                    assert_eq!(in_window(settings.clone()), in_picture(&settings), "{context}");
-                    (settings.motion.depth_shift, settings.motion.height_shift) = (0.7, -1.3);
-                    assert_eq!(in_window(settings.clone()), in_picture(&settings), "{context}, shifted");
-                }
-            }
-        }
+    let cases = PRESETS.into_iter().flat_map(|scene| speeds.map(|speed| (scene, speed)));
+    let cases = cases.flat_map(|case| [0.0, 0.1, 2.0, 10.0].map(|d| (case, d)));
+    let geometries = Geometry::value_variants();
+    let cases = cases.flat_map(|case| geometries.iter().map(move |&geometry| (case, geometry)));
+    for (((scene, (parameter, value)), d), geometry) in sweep(0, 6, cases) {
+        let mut settings = Settings { scene: scene.to_owned(), ..Settings::default() };
+        settings.motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
+        settings.motion.d = d;
+        settings.look.geometry = geometry;
+        let context = format!("{scene}, {parameter:?} {value}, d = {d}, {geometry:?}");
+        assert_eq!(in_window(settings.clone()), in_picture(&settings), "{context}");
+        (settings.motion.depth_shift, settings.motion.height_shift) = (0.7, -1.3);
+        assert_eq!(in_window(settings.clone()), in_picture(&settings), "{context}, shifted");
     }
 }
 

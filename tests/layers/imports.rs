@@ -87,13 +87,30 @@ impl Tree {
 /// The circles: of each the files in order. Through every import that is part of one, the shortest.
 pub fn circles(inside: &BTreeSet<(String, String)>) -> Vec<Vec<String>> {
     let mut circles: Vec<Vec<String>> = Vec::new();
-    for (from, to) in inside {
+    let inside = without_ends(inside);
+    for (from, to) in &inside {
         let is_known = circles.iter().any(|circle| circle.contains(from) && circle.contains(to));
-        if let Some(way) = (!is_known).then(|| shortest_way(inside, to, from)).flatten() {
+        if let Some(way) = (!is_known).then(|| shortest_way(&inside, to, from)).flatten() {
             circles.push(way);
         }
     }
     circles
+}
+
+/// Returns the imports from which every way goes on, in both directions: those in a circle or between circles.
+fn without_ends(inside: &BTreeSet<(String, String)>) -> BTreeSet<(String, String)> {
+    let mut left = inside.clone();
+    loop {
+        let [importing, imported]: [BTreeSet<String>; 2] = [
+            left.iter().map(|(from, _)| from.clone()).collect(),
+            left.iter().map(|(_, to)| to.clone()).collect(),
+        ];
+        let count = left.len();
+        left.retain(|(from, to)| imported.contains(from) && importing.contains(to));
+        if left.len() == count {
+            return left;
+        }
+    }
 }
 
 /// The files on the shortest way along `inside` from one file to another.

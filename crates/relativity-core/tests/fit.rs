@@ -365,7 +365,7 @@ fn a_wheel_without_a_radius_is_refused() {
     assert!(error.to_string().contains("wheel_radius = 0e0"), "{error}");
 }
 
-/// Noisy cases of wheels seen from all sides: how often the right minimum is found, and the truth lies in the interval.
+/// Noisy cases of wheels seen from all sides: how often the right minimum is found.
 #[test]
 fn noisy_curves_of_wheels_give_their_hubs_back() {
     let mut random = ChaCha8Rng::seed_from_u64(21);
@@ -375,7 +375,7 @@ fn noisy_curves_of_wheels_give_their_hubs_back() {
         let angle = f64::from(index as u32) * 0.7 - 3.0;
         let case = Case { rolling: Some(Rolling { radius: 0.1 * drawn.y, rho: 0.9, angle }), ..drawn };
         let passage = Passage::Known(case.x0);
-        tally.add(&case, &FitOptions { passage, rolling: case.rolling, ..FitOptions::default() }, index);
+        tally.add_fit(&case, &FitOptions { passage, rolling: case.rolling, ..FitOptions::default() }, index);
     }
     assert!(tally.right as f64 >= 0.95 * tally.cases as f64, "{tally} {:?}", tally.complaints);
 }

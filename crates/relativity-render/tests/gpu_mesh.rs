@@ -51,7 +51,7 @@ fn views_of_all_geometries() -> impl Iterator<Item = View> {
 
 fn the_picture_keeps_the_bound(renderers: &mut Renderers) {
     let scene = PreparedScene::moving(&still_life());
-    for view in sweep(0, 4, views_of_all_geometries()) {
+    for view in sweep(0, 12, views_of_all_geometries()) {
         keep_bounds(renderers, &BOUNDS_PX, &scene, &still_life(), &view);
     }
 }
@@ -69,7 +69,7 @@ fn groups() -> (PreparedScene, Vec<Body>) {
 
 fn groups_keep_the_bound(renderers: &mut Renderers) {
     let (scene, bodies) = groups();
-    for view in sweep(0, 6, views_of_all_geometries()) {
+    for view in sweep(0, 18, views_of_all_geometries()) {
         keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
     }
 }
@@ -77,11 +77,10 @@ fn groups_keep_the_bound(renderers: &mut Renderers) {
 /// Before a camera that moves in any direction.
 fn oblique_rides_keep_the_bound(renderers: &mut Renderers) {
     let scene = PreparedScene::moving(&still_life());
-    for view in oblique_views(FOLLOWED) {
-        for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::OneCone] {
-            let view = View { geometry, ..view };
-            keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &still_life(), &view);
-        }
+    let geometries = [Geometry::Seen, Geometry::Contracted, Geometry::OneCone];
+    let views = oblique_views(FOLLOWED).into_iter();
+    for view in sweep(0, 5, views.flat_map(|view| geometries.map(|geometry| View { geometry, ..view }))) {
+        keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &still_life(), &view);
     }
 }
 
@@ -96,7 +95,7 @@ fn bodies_that_nearly_touch_are_told_apart(renderers: &mut Renderers) {
     for (seed, pair) in (0..).zip(shapes.windows(2)) {
         let bodies: Vec<_> = pair.iter().map(|&shape| Body::new(shape, 600.0)).collect();
         let scene = PreparedScene::moving(&bodies);
-        for view in sweep(seed, 4, views()) {
+        for view in sweep(seed, 8, views()) {
             keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
         }
     }
@@ -106,7 +105,7 @@ fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
     let mut bodies = joints();
     for seed in 0..2 {
         let scene = PreparedScene::moving(&bodies);
-        for view in sweep(seed, 4, views()) {
+        for view in sweep(seed, 8, views()) {
             keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
         }
         bodies.reverse();
@@ -182,7 +181,7 @@ fn is_a_toss_up(
 }
 
 fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
-    for view in sweep(0, 3, views()) {
+    for view in sweep(0, 9, views()) {
         for bound_px in BOUNDS_PX {
             let image = renderers
                 .hits(Method::Mesh { bound_px }, &PreparedScene::moving(&still_life()), &view)
@@ -203,7 +202,7 @@ fn with_one_light_cone_pictures_keep_the_bound(renderers: &mut Renderers) {
     let alone = (PreparedScene::moving(&still_life()), still_life());
     for (seed, (scene, bodies)) in (0..).zip([alone, groups()]) {
         let eyes = [[-0.05, 0.0, 0.0], [0.5, 0.0, 0.0], [0.2, -0.3, 0.4]].map(DVec3::from);
-        for (view, off_middle) in sweep(seed, 4, views().zip(eyes.into_iter().cycle())) {
+        for (view, off_middle) in sweep(seed, 10, views().zip(eyes.into_iter().cycle())) {
             let [x, y, z] = off_middle.to_array();
             let camera = Camera { aperture: Aperture { x, y, z }, off_middle, ..view.camera };
             let mut view = View { camera, geometry: Geometry::OneCone, ..view };
@@ -220,7 +219,7 @@ fn the_published_right_eye_is_the_cores(renderers: &mut Renderers) {
     let [left, _] = Aperture::pair(separation);
     let (scene, _) = groups();
     let mut seen = [0; 3];
-    for mut view in views() {
+    for mut view in sweep(0, 4, views()) {
         view.camera.aperture = left;
         let published = View { geometry: Geometry::Published, ..view };
         let image = renderers.hits(DEFAULT, &scene, &published).expect("device works");

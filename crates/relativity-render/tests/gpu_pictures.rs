@@ -180,7 +180,7 @@ fn agree_with_the_reference(
         .flat_map(|view| [Geometry::Seen, Geometry::OneCone].map(|geometry| (geometry, view)));
     let views = geometries.map(|geometry| (geometry, fast())).into_iter().chain(oblique);
     for (seed, (geometry, view)) in (first_seed..).zip(views) {
-        let mut view = View { geometry, ..view };
+        let mut view = View { geometry, ..view }.with_size([160, 120]);
         if geometry == Geometry::OneCone {
             (view.camera.aperture.x, view.camera.off_middle.x) = (0.3, 0.3);
         }
@@ -425,7 +425,7 @@ fn rides_are_the_references(renderers: &mut Renderers) {
         (Geometry::Seen, aslant(0.5, 0.0, FRAC_PI_2)),
         (Geometry::Contracted, aslant(0.8, 2.0, -0.3)),
     ];
-    for (geometry, heading) in cases {
+    for (seed, (geometry, heading)) in (0..).zip(cases) {
         let beta = heading.speed().beta();
         let camera = Camera::new(Aperture::default(), Gaze::along([3.0, 2.0, 0.0]), 1.6, [160, 100]);
         let camera = Camera { velocity: heading, rolled: 0.3, ..camera };
@@ -436,7 +436,7 @@ fn rides_are_the_references(renderers: &mut Renderers) {
             hits.hits.iter().flatten().filter(|hit| hit.body == 2).count() > 30,
             "what rides along is, too"
         );
-        for (look, street_levels) in &looks {
+        for (look, street_levels) in sweep(seed, 3, &looks) {
             let truth = scene.picture(&view, look, 1).rgba;
             for method in [Method::Rays, Method::Packets, Method::Mesh { bound_px: 0.5 }] {
                 let drawn = renderers.picture(method, &scene, &view, look, 1).expect("device works").rgba;

@@ -79,7 +79,7 @@ static PROMISE: LazyLock<Promise> = LazyLock::new(|| Promise {
 const RENDERERS: &str = include_str!("../src/renderers.rs");
 
 fn hits_agree_with_the_reference(renderers: &mut Renderers) {
-    for view in sweep(0, 4, views_of(&GEOMETRIES)) {
+    for view in sweep(0, 12, views_of(&GEOMETRIES)) {
         agrees(renderers, &PreparedScene::moving(&still_life()), &still_life(), &view);
     }
 }
@@ -118,7 +118,8 @@ fn beyond_it_only_the_fastest_group_keeps_its_digits(renderers: &mut Renderers) 
         for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
             let body = hit.map(|hit| hit.body);
             shown += usize::from(true_hit.is_some_and(|hit| scene.group_of(hit.body) == 1));
-            if !bodies_around(&scene, &view, pixel(&image, i)).contains(&body) {
+            let is_right = body == true_hit.map(|hit| hit.body);
+            if !is_right && !bodies_around(&scene, &view, pixel(&image, i)).contains(&body) {
                 let groups = [*hit, *true_hit].map(|hit| hit.map(|hit| scene.group_of(hit.body)));
                 assert_eq!(groups, [Some(1); 2], "along {along}: {hit:?} for {true_hit:?}");
                 confused += 1;
@@ -143,7 +144,7 @@ fn groups_agree_with_the_reference(renderers: &mut Renderers) {
     ];
     let bodies: Vec<_> = groups.iter().flat_map(|(_, bodies)| bodies.clone()).collect();
     let scene = PreparedScene::new(groups.iter().map(|(motion, bodies)| Group { motion: *motion, bodies }));
-    for view in sweep(0, 6, views_of(&GEOMETRIES)) {
+    for view in sweep(0, 18, views_of(&GEOMETRIES)) {
         agrees(renderers, &scene, &bodies, &view);
     }
 }
@@ -157,13 +158,12 @@ fn oblique_rides_agree_with_the_reference(renderers: &mut Renderers) {
         Group { motion: Motion::Scene, bodies: &still_life() },
         Group { motion: ground, bodies: &other },
     ]);
-    for geometry in [Geometry::Seen, Geometry::Contracted] {
-        for view in oblique_views(FOLLOWED) {
-            let view = View { geometry, ..view };
-            agrees(renderers, &PreparedScene::moving(&still_life()), &still_life(), &view);
-            if view.speed.gamma() <= 100.0 && view.camera.velocity.speed().gamma() <= 100.0 {
-                agrees(renderers, &scene, &both, &view);
-            }
+    let geometries = [Geometry::Seen, Geometry::Contracted];
+    let views = oblique_views(FOLLOWED).into_iter();
+    for view in sweep(0, 4, views.flat_map(|view| geometries.map(|geometry| View { geometry, ..view }))) {
+        agrees(renderers, &PreparedScene::moving(&still_life()), &still_life(), &view);
+        if view.speed.gamma() <= 100.0 && view.camera.velocity.speed().gamma() <= 100.0 {
+            agrees(renderers, &scene, &both, &view);
         }
     }
 }
@@ -247,7 +247,7 @@ fn around([u, v]: [f64; 2]) -> [[f64; 2]; 16] {
 
 fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
     let cases = views().flat_map(|view| METHODS.map(|method| (view, method)));
-    for (view, method) in sweep(0, 3, cases) {
+    for (view, method) in sweep(0, 9, cases) {
         let image =
             renderers.hits(method, &PreparedScene::moving(&still_life()), &view).expect("device works");
         for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
@@ -268,7 +268,7 @@ fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
 fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
     let mut bodies = joints();
     for seed in 0..2 {
-        for view in sweep(seed, 3, views_across_gaze()) {
+        for view in sweep(seed, 7, views_across_gaze()) {
             for method in METHODS {
                 let image =
                     renderers.hits(method, &PreparedScene::moving(&bodies), &view).expect("device works");
@@ -300,7 +300,7 @@ fn bounds_never_clip(renderers: &mut Renderers) {
         [([2.0, 1.0, 0.5], 50.0), ([-3.0, 0.5, -1.0], 120.0)].map(|followed| (case, followed))
     });
     let cases = cases.flat_map(|case| projections.map(|projection| (case, projection)));
-    for (((geometry, speed), (rest, fov)), projection) in sweep(0, 5, cases) {
+    for (((geometry, speed), (rest, fov)), projection) in sweep(0, 10, cases) {
         let mut view = View { geometry, ..view_following(rest, speed, 0.3, fov) };
         view.camera.projection = projection;
         let [found, expected] = [&mut *renderers, &mut unbounded].map(|renderers| {

@@ -62,46 +62,68 @@ static PROMISE: LazyLock<Promise> = LazyLock::new(|| Promise {
 });
 const RENDERERS: &str = include_str!("../src/renderers.rs");
 
+/// The comparison of pictures with the reference's.
+#[derive(Debug, Clone, Copy, Default)]
+struct Compared {
+    shown: usize,
+    wrong: usize,
+    most_off: f64,
+    most_doppler: f64,
+}
+
+impl Compared {
+    /// Compares the `image` of a view with the `truth`.
+    fn add(&mut self, image: &HitImage, truth: &HitImage, scene: &PreparedScene, view: &View, context: &str) {
+        for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
+            self.shown += usize::from(true_hit.is_some());
+            if hit.map(|hit| hit.body) != true_hit.map(|hit| hit.body) {
+                self.wrong += 1;
+                let off = outline_distance(scene, view, pixel(image, i), *hit);
+                match off.filter(|off| *off <= PROMISE.outline_px) {
+                    Some(off) => self.most_off = self.most_off.max(off),
+                    None => panic!("{context}: {:?} is {off:?} px off", pixel(image, i)),
+                }
+            } else if let (Some(hit), Some(true_hit)) = (hit, true_hit) {
+                let doppler = (hit.doppler_factor / true_hit.doppler_factor - 1.0).abs();
+                self.most_doppler = self.most_doppler.max(doppler / view.speed.gamma());
+                let off = hit.material_position.distance(true_hit.material_position);
+                assert!(off < 1e-3, "{context}: another point of the body, {off} away");
+            }
+        }
+    }
+
+    fn assert_as_promised(&self, context: &str) {
+        println!("{context}: {self:?}");
+        let most = 0.01 * PROMISE.wrong_percent * self.shown as f64;
+        assert!(self.wrong as f64 <= most, "{context}: {} of {} are wrong", self.wrong, self.shown);
+        assert!(
+            self.most_doppler < PROMISE.doppler_error,
+            "{context}: D is {:e} gamma off",
+            self.most_doppler
+        );
+    }
+}
+
 /// From the side, before and behind, and in the wheel's plane, where rays run along spokes that overtake them.
 fn the_rays_and_packets_agree_with_the_reference(renderers: &mut Renderers) {
     let scene = scene();
     let cases = BETAS.into_iter().flat_map(|beta| GEOMETRIES.map(|geometry| (beta, geometry)));
     let cases = cases.flat_map(|case| PROJECTIONS.map(|projection| (case, projection)));
     let methods = [Method::Rays, Method::Packets];
-    for (method, ((beta, geometry), projection)) in
-        sweep(0, 4, cases).flat_map(|case| methods.map(|method| (method, case)))
-    {
-        let (mut shown, mut wrong, mut most_off, mut most_doppler) = (0, 0, 0.0f64, 0.0f64);
+    for ((beta, geometry), projection) in sweep(0, 6, cases) {
+        let mut compared = [Compared::default(); 2];
+        let context = format!("{geometry:?} beta {beta} {projection:?}");
         for (from, aside) in From::ALL.into_iter().flat_map(|from| ASIDE.map(|aside| (from, aside))) {
             let view = projected(view_of_wheel(from, beta, geometry, aside), projection);
             let truth = scene.hit_image(&view);
-            let image = renderers.hits(method, &scene, &view).expect("device works");
-            let context = format!("{method}, {geometry:?} beta {beta} {from:?} {projection:?}");
-            for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
-                shown += usize::from(true_hit.is_some());
-                if hit.map(|hit| hit.body) != true_hit.map(|hit| hit.body) {
-                    wrong += 1;
-                    let off = outline_distance(&scene, &view, pixel(&image, i), *hit);
-                    match off.filter(|off| *off <= PROMISE.outline_px) {
-                        Some(off) => most_off = most_off.max(off),
-                        None => panic!("{context}: {:?} is {off:?} px off", pixel(&image, i)),
-                    }
-                } else if let (Some(hit), Some(true_hit)) = (hit, true_hit) {
-                    let doppler = (hit.doppler_factor / true_hit.doppler_factor - 1.0).abs();
-                    most_doppler = most_doppler.max(doppler / view.speed.gamma());
-                    let off = hit.material_position.distance(true_hit.material_position);
-                    assert!(off < 1e-3, "{context}: another point of the body, {off} away");
-                }
+            for (compared, method) in compared.iter_mut().zip(methods) {
+                let image = renderers.hits(method, &scene, &view).expect("device works");
+                compared.add(&image, &truth, &scene, &view, &format!("{method}, {context} {from:?}"));
             }
         }
-        println!(
-            "{method}, {geometry:?} beta {beta} {projection:?}: {wrong} of {shown} wrong, {most_off} px off; D {most_doppler:.1e} gamma"
-        );
-        assert!(
-            f64::from(wrong) <= 0.01 * PROMISE.wrong_percent * shown as f64,
-            "{wrong} of {shown} are wrong"
-        );
-        assert!(most_doppler < PROMISE.doppler_error, "D is {most_doppler:e} gamma off");
+        for (compared, method) in compared.iter().zip(methods) {
+            compared.assert_as_promised(&format!("{method}, {context}"));
+        }
     }
 }
 
@@ -114,7 +136,7 @@ fn wheels_before_an_oblique_ride_agree(renderers: &mut Renderers) {
         .flat_map(|ride| [Geometry::Seen, Geometry::Contracted].map(|geometry| (ride, geometry)))
     {
         let own = Speed::from_beta(own).expect("a speed");
-        let (mut shown, mut wrong, mut most_doppler) = (0, 0, 0.0f64);
+        let mut compared = Compared::default();
         for from in From::ALL {
             let mut view = view_of_wheel(from, beta, geometry, ASIDE[0]).with_size([160, 160]);
             view.camera.velocity = ObserverVelocity::new(own, azimuth, elevation);
@@ -124,25 +146,17 @@ fn wheels_before_an_oblique_ride_agree(renderers: &mut Renderers) {
             let truth = scene.hit_image(&view);
             for method in [Method::Rays, Method::Packets] {
                 let image = renderers.hits(method, &scene, &view).expect("device works");
-                for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
-                    shown += usize::from(true_hit.is_some());
-                    if hit.map(|hit| hit.body) != true_hit.map(|hit| hit.body) {
-                        wrong += 1;
-                        let off = outline_distance(&scene, &view, pixel(&image, i), *hit);
-                        let is_near = off.is_some_and(|off| off <= PROMISE.outline_px);
-                        assert!(is_near, "{method}, {geometry:?} {beta} {from:?}: {off:?} px off");
-                    } else if let (Some(hit), Some(true_hit)) = (hit, true_hit) {
-                        let doppler = (hit.doppler_factor / true_hit.doppler_factor - 1.0).abs();
-                        most_doppler = most_doppler.max(doppler / view.speed.gamma());
-                        let off = hit.material_position.distance(true_hit.material_position);
-                        assert!(off < 1e-3, "{method}, {geometry:?} {beta} {from:?}: {off} away");
-                    }
-                }
+                compared.add(
+                    &image,
+                    &truth,
+                    &scene,
+                    &view,
+                    &format!("{method}, {geometry:?} {beta} {from:?}"),
+                );
             }
         }
-        println!("{geometry:?} beta {beta}: {wrong} of {shown} wrong; D {most_doppler:.1e} gamma");
-        assert!(shown > 2000 && f64::from(wrong) <= 0.01 * PROMISE.wrong_percent * shown as f64);
-        assert!(most_doppler < PROMISE.doppler_error, "D is {most_doppler:e} gamma off");
+        assert!(compared.shown > 2000);
+        compared.assert_as_promised(&format!("{geometry:?} beta {beta}"));
     }
 }
 
@@ -206,7 +220,7 @@ fn bounds_never_clip(renderers: &mut Renderers) {
     let motions = BETAS[1..].iter().flat_map(|&beta| GEOMETRIES.map(|geometry| (beta, geometry)));
     for (seed, (beta, geometry)) in (0..).zip(motions) {
         let cases = From::ALL.into_iter().flat_map(|from| PROJECTIONS.map(|projection| (from, projection)));
-        for (from, projection) in sweep(seed, 4, cases) {
+        for (from, projection) in sweep(seed, 8, cases) {
             let view =
                 projected(view_of_wheel(from, beta, geometry, ASIDE[0]).with_size([96, 96]), projection);
             let [found, expected] = [&mut *renderers, &mut unbounded]
@@ -228,7 +242,7 @@ fn the_mesh_keeps_its_bound(renderers: &mut Renderers) {
     for (seed, (beta, geometry)) in (0..).zip(motions) {
         let bounds = From::ALL.into_iter().zip(BOUNDS_PX.into_iter().cycle());
         let cases = bounds.flat_map(|case| PROJECTIONS.map(|projection| (case, projection)));
-        for ((from, bound_px), projection) in sweep(seed, 3, cases) {
+        for ((from, bound_px), projection) in sweep(seed, 6, cases) {
             let view =
                 projected(view_of_wheel(from, beta, geometry, ASIDE[0]), projection).with_size([140, 140]);
             let truth = scene.hit_image(&view);
@@ -281,7 +295,7 @@ fn the_mesh_shows_points_where_they_are_seen(renderers: &mut Renderers) {
     for (seed, (beta, geometry)) in (0..).zip(motions) {
         let cases = From::ALL.into_iter().flat_map(|from| PROJECTIONS.map(|projection| (from, projection)));
         let cases = cases.filter(|&(from, projection)| is_bounded(from, beta, geometry, projection));
-        for (from, projection) in sweep(seed, 4, cases) {
+        for (from, projection) in sweep(seed, 8, cases) {
             let view = projected(view_of_wheel(from, beta, geometry, ASIDE[0]), projection);
             for bound_px in BOUNDS_PX {
                 let image = renderers.hits(Method::Mesh { bound_px }, &scene, &view).expect("device works");

@@ -142,11 +142,11 @@ mod tests {
         let size = [320, 240];
         for eye in Eye::BOTH {
             let view = state.view(eye, size);
-            let on = (0..240).flat_map(|v| (0..320).map(move |u| [f64::from(u) + 0.5, f64::from(v) + 0.5]));
-            let (pixel, body) = on
-                .filter_map(|pixel| Some((pixel, state.point_at(eye, pixel, size)?.1)))
-                .find(|(_, body)| state.document.scene.name_of(*body) == "front tyre")
-                .expect("in sight");
+            let shown = state.document.prepared.hit_image(&view).hits;
+            let mut bodies = (0..).zip(shown).filter_map(|(i, hit)| Some((i, hit?.body)));
+            let is_tyre = |body: usize| state.document.scene.name_of(body) == "front tyre";
+            let (i, body): (u32, usize) = bodies.find(|(_, body)| is_tyre(*body)).expect("in sight");
+            let pixel = [i % 320, i / 320].map(|at| f64::from(at) + 0.5);
             let alone = PreparedScene::new([Group {
                 motion: state.document.prepared.motion_of(body),
                 bodies: &state.document.scene.bodies[body..=body],

@@ -32,7 +32,15 @@ pub struct Tally {
 }
 
 impl Tally {
+    /// Fits `case` and asks a bootstrap how far that may be off.
     pub fn add(&mut self, case: &Case, options: &FitOptions, seed: u64) {
+        if let Some(best) = self.add_fit(case, options, seed) {
+            self.add_intervals(case, &best, seed);
+        }
+    }
+
+    /// Fits `case`; returns the fit if it is right.
+    pub fn add_fit(&mut self, case: &Case, options: &FitOptions, seed: u64) -> Option<Fit> {
         self.cases += 1;
         let observations = case.observations(options.model, seed);
         let best = match fit(&observations, options) {
@@ -42,16 +50,20 @@ impl Tally {
                 *if is_found_from_truth { &mut self.wrong } else { &mut self.refused } += 1;
                 let what = if is_found_from_truth { "lost" } else { "refused" };
                 self.complaints.push(format!("{what}: {error}; {case:?}"));
-                return;
+                return None;
             }
         };
         if !is_right(&best, &observations, case) {
             self.wrong += 1;
             self.complaints.push(format!("wrong: {:?} {case:?}", best.values));
-            return;
+            return None;
         }
         self.right += 1;
-        let Ok(replicates) = bootstrap(&best, REPLICATES, seed) else {
+        Some(best)
+    }
+
+    fn add_intervals(&mut self, case: &Case, best: &Fit, seed: u64) {
+        let Ok(replicates) = bootstrap(best, REPLICATES, seed) else {
             self.unsteady += 1;
             return;
         };

@@ -11,6 +11,7 @@ use relativity_render::{
 };
 
 use crate::scenes::{still_life, time_seen_at, view_following};
+use crate::support::sweep;
 
 pub const FOLLOWED: [f64; 3] = [-0.4, 3.0, 0.7];
 
@@ -143,7 +144,7 @@ pub fn views() -> impl Iterator<Item = View> {
 pub fn u_and_v_are_linear(renderers: &mut Renderers, method: Method, bound_px: f64) {
     let scene = PreparedScene::moving(&still_life());
     let mut most = 0.0f64;
-    for view in views() {
+    for view in sweep(0, 3, views()) {
         let image = renderers.hits(method, &scene, &view).expect("it is drawn");
         let (off, covered) = farthest_off(&image, &view);
         let context = format!("{method}, gamma {} T {}", view.speed.gamma(), view.observation_time);
