@@ -138,6 +138,21 @@ test('a game controller pedals, and looks around', () => inWindow('#scene=street
     await eventually('another gaze', async () => (await window.settings()).get('gaze') !== gaze);
 }));
 
+test('keys walk, each its own way', () => inWindow('#scene=street&refine=off', async window => {
+    await window.press('i');
+    await eventually('a ride', async () => (await window.settings()).get('ride') === 'coast');
+    for (const [key, push] of [['w', '0.25'], ['a', '0:0.25'], ['s', '-0.25'], ['d', '0:-0.25']]) {
+        await window.page.keyboard.down(key);
+        await window.rest(600);
+        await window.page.keyboard.up(key);
+        // The last leg but for the coasting between two.
+        await eventually(`a push by ${key}`, async () => {
+            const legs = (await window.settings()).get('ride').split(',').map(leg => leg.split('@')[1]);
+            return legs.filter(leg => leg !== '0').at(-1) === push;
+        });
+    }
+}));
+
 test('the numbers of a curve are those of the desktop, digit by digit', { skip: !existsSync(GAMOW) && `no ${GAMOW}` }, () => {
     return inWindow('#scene=cube&beta=0.9&point=0,6,0.5', async window => {
         await window.act('save the plots as a table');
