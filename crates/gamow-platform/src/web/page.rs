@@ -21,6 +21,12 @@ pub fn address() -> String {
     href.split('#').next().unwrap_or_default().to_owned()
 }
 
+/// Returns the address of the repository that the page belongs to, if the page knows it.
+#[must_use]
+pub fn source() -> Option<String> {
+    root()?.get_attribute("data-source")
+}
+
 /// Returns the fragment of the address, behind its `#`.
 #[must_use]
 pub fn fragment() -> String {
