@@ -11,13 +11,13 @@ const TYPES = {
     '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm', '.png': 'image/png',
     '.txt': 'text/plain', '.webmanifest': 'application/manifest+json',
 };
-const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
-// Without a screen Chromium has no surface that WebGPU could draw on.
-const WEBGPU = [
+export const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+// Without a screen Chromium has no surface that WebGPU could draw on: it loses the device, or shows nothing.
+export const WEBGPU = [
     '--enable-unsafe-webgpu', '--enable-features=Vulkan', '--use-vulkan=swiftshader', '--use-angle=swiftshader',
     '--disable-vulkan-surface', '--ignore-gpu-blocklist',
 ];
-const NOTHING = ['--disable-gpu', '--disable-webgl', '--disable-3d-apis'];
+export const NOTHING = ['--disable-gpu', '--disable-webgl', '--disable-3d-apis'];
 // A slow machine without a GPU takes its time.
 const PATIENCE = 180_000;
 
@@ -60,16 +60,15 @@ export async function openScreen() {
     return { name: `:${String(number).trim()}`, close: () => server.kill() };
 }
 
-// A browser with graphics by WebGL, or on a screen by WebGPU.
-export async function launch({ graphics = true, scale = 1, screen } = {}) {
-    const flags = screen ? WEBGPU : graphics ? WEBGL : NOTHING;
+// A browser with these graphics, on a screen if one is given.
+export async function launch({ graphics = WEBGL, scale = 1, screen } = {}) {
     return puppeteer.launch({
         executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
         headless: !screen,
         env: screen ? { ...process.env, DISPLAY: screen.name } : process.env,
         defaultViewport: { width: 1280, height: 800, deviceScaleFactor: 0 },
         args: [
-            '--no-sandbox', '--disable-dev-shm-usage', '--window-size=1400,1000', `--force-device-scale-factor=${scale}`, ...flags,
+            '--no-sandbox', '--disable-dev-shm-usage', '--window-size=1400,1000', `--force-device-scale-factor=${scale}`, ...graphics,
         ],
         timeout: PATIENCE, protocolTimeout: 2 * PATIENCE,
     });
@@ -100,8 +99,8 @@ export class Window {
         });
     }
 
-    // Opens the page with this fragment of its address, in a profile of its own, and waits for the window.
-    static async open(browser, address, fragment = '') {
+    // Opens the page with this fragment of its address, in a profile of its own where each page first runs `before`, and waits for the window.
+    static async open(browser, address, fragment = '', before = () => {}) {
         const context = await browser.createBrowserContext();
         const page = await context.newPage();
         const window = new Window(page, address);
@@ -111,6 +110,7 @@ export class Window {
             behavior: 'allow', downloadPath: window.folder, browserContextId: context.id,
         });
         await page.evaluateOnNewDocument(countAnswers);
+        await page.evaluateOnNewDocument(before);
         await page.goto(address + fragment, { timeout: PATIENCE });
         await window.shown();
         return window;

@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { Window, eventually, hasScreens, launch, openScreen, serve } from './browser.mjs';
+import { NOTHING, WEBGPU, Window, eventually, hasScreens, launch, openScreen, serve } from './browser.mjs';
 
 // The desktop program, for its numbers.
 const GAMOW = process.env.GAMOW ?? 'target/release/gamow';
@@ -136,6 +136,21 @@ test('a game controller pedals, and looks around', () => inWindow('#scene=street
     });
     await eventually('a push', async () => /@0\.25$/.test((await window.settings()).get('ride')));
     await eventually('another gaze', async () => (await window.settings()).get('gaze') !== gaze);
+}));
+
+test('keys walk, each its own way', () => inWindow('#scene=street&refine=off', async window => {
+    await window.press('i');
+    await eventually('a ride', async () => (await window.settings()).get('ride') === 'coast');
+    for (const [key, push] of [['w', '0.25'], ['a', '0:0.25'], ['s', '-0.25'], ['d', '0:-0.25']]) {
+        await window.page.keyboard.down(key);
+        await window.rest(600);
+        await window.page.keyboard.up(key);
+        // The last leg but for the coasting between two.
+        await eventually(`a push by ${key}`, async () => {
+            const legs = (await window.settings()).get('ride').split(',').map(leg => leg.split('@')[1]);
+            return legs.filter(leg => leg !== '0').at(-1) === push;
+        });
+    }
 }));
 
 test('the numbers of a curve are those of the desktop, digit by digit', { skip: !existsSync(GAMOW) && `no ${GAMOW}` }, () => {
@@ -405,28 +420,106 @@ test('a screen of two pixels a point is drawn sharply', async () => {
     }
 });
 
-test('the window is drawn by WebGPU as well', { skip: !hasScreens() && 'no Xvfb' }, async () => {
+// What draws the window, once it is shown; a canvas has one kind of graphics for good, and none while the page is loaded again.
+const graphicsOf = ({ page }) => page.evaluate(() => {
+    const canvas = document.getElementById('gamow');
+    return document.getElementById('loading').hidden && ['webgpu', 'webgl2'].find(kind => canvas.getContext(kind));
+}).catch(() => undefined);
+
+// Has `use` use a browser with WebGPU on a screen.
+async function withWebGPU(use) {
     const screen = await openScreen();
     let modern;
     try {
-        modern = await launch({ screen });
-        const window = await Window.open(modern, server.address, '#scene=globe&beta=0.9');
-        await eventually('a picture', async () => await window.colours(VIEWS) > 200);
-        // A canvas has one kind of graphics for good.
-        const isOther = await window.page.evaluate(() => document.getElementById('gamow').getContext('webgl2') === null);
-        assert.ok(isOther && await window.page.evaluate(async () => !!await navigator.gpu?.requestAdapter()));
-        await window.press('ArrowUp');
-        await eventually('another speed', async () => Number((await window.settings()).get('beta')) > 0.9);
-        assert.equal(await window.problem(), '');
-        await window.close();
+        modern = await launch({ graphics: WEBGPU, screen });
+        await use(modern);
     } finally {
         await modern?.close();
         screen.close();
     }
+}
+const skip = !hasScreens() && 'no Xvfb';
+
+test('the window is drawn by WebGPU as well', { skip }, () => withWebGPU(async modern => {
+    const window = await Window.open(modern, server.address, '#scene=globe&beta=0.9');
+    await eventually('a picture', async () => await window.colours(VIEWS) > 200);
+    assert.equal(await graphicsOf(window), 'webgpu');
+    await window.press('ArrowUp');
+    await eventually('another speed', async () => Number((await window.settings()).get('beta')) > 0.9);
+    assert.equal(await window.problem(), '');
+    await window.close();
+}));
+
+test('WebGL takes the place of a WebGPU that fails, with the same state', { skip }, () => withWebGPU(async modern => {
+    const ways = {
+        'no device is given': () => {
+            GPUAdapter.prototype.requestDevice = () => Promise.reject(new Error('none'));
+        },
+        'the device is lost before it is used': () => {
+            const { requestDevice } = GPUAdapter.prototype;
+            GPUAdapter.prototype.requestDevice = async function (...asked) {
+                const device = await requestDevice.apply(this, asked);
+                device.destroy();
+                return device;
+            };
+        },
+        'the device is lost later': () => {
+            const { requestDevice } = GPUAdapter.prototype;
+            GPUAdapter.prototype.requestDevice = async function (...asked) {
+                return globalThis.device = await requestDevice.apply(this, asked);
+            };
+        },
+    };
+    for (const [way, before] of Object.entries(ways)) {
+        const window = await Window.open(modern, server.address, '#scene=globe&beta=0.9', before);
+        const isLater = way === 'the device is lost later';
+        if (isLater) {
+            assert.equal(await graphicsOf(window), 'webgpu');
+            await window.press('ArrowUp');
+            // Not in the address yet.
+            await window.page.evaluate(() => device.destroy());
+        }
+        await eventually(`WebGL where ${way}`, async () => await graphicsOf(window) === 'webgl2');
+        await eventually('a picture', async () => await window.colours(VIEWS) > 200);
+        const settings = await window.settings();
+        assert.equal(settings.get('scene'), 'globe', way);
+        assert.equal(Number(settings.get('beta')) > 0.9, isLater, way);
+        assert.equal(await window.problem(), '', way);
+        await window.page.browserContext().close();
+    }
+}));
+
+test('where WebGPU and WebGL fail a sentence says so, once', { skip }, () => withWebGPU(async modern => {
+    const page = await modern.newPage();
+    let loads = 0;
+    page.on('load', () => { loads += 1; });
+    await page.evaluateOnNewDocument(() => {
+        GPUAdapter.prototype.requestDevice = () => Promise.reject(new Error('none'));
+        const { getContext } = HTMLCanvasElement.prototype;
+        HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+            return kind === 'webgl2' ? null : getContext.call(this, kind, ...more);
+        };
+    });
+    await page.goto(server.address);
+    await eventually('a sentence', () => page.evaluate(() => !document.getElementById('problem').hidden).catch(() => false));
+    assert.equal(loads, 2);
+    assert.match(await page.evaluate(() => document.getElementById('problem').textContent), /WebGPU nor WebGL 2/);
+}));
+
+test('a picture comes where a browser loses its WebGPU device by itself', async () => {
+    const headless = await launch({ graphics: WEBGPU });
+    try {
+        const window = await Window.open(headless, server.address, '#scene=globe&beta=0.9');
+        await eventually('a picture', async () => await window.colours(VIEWS) > 200);
+        assert.equal(await window.problem(), '');
+        await window.page.browserContext().close();
+    } finally {
+        await headless.close();
+    }
 });
 
 test('without graphics a sentence says so', async () => {
-    const blind = await launch({ graphics: false });
+    const blind = await launch({ graphics: NOTHING });
     try {
         const page = await blind.newPage();
         await page.goto(server.address);

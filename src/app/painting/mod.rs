@@ -124,18 +124,16 @@ impl PaintedWindow {
         let kept = self.kept.take_if(|_| is_of_size);
         let mut kept = kept.unwrap_or_else(|| WindowPicture::new(render_state, pipelines, pixels));
         let (ground, above) = ground(&shapes, whole);
+        let extents: Vec<Rect> =
+            shapes[above..].iter().map(|shape| changes::extent(shape, pixels_per_point)).collect();
         let mut primitives = Vec::new();
         for area in areas {
             let mut in_area = vec![ClippedShape::new(area, plain(area, ground))];
-            let shown = shapes[above..]
-                .iter()
-                .filter(|shape| changes::extent(shape, pixels_per_point).intersects(area));
-            in_area.extend(
-                shown.map(|shape| ClippedShape {
-                    clip_rect: shape.clip_rect.intersect(area),
-                    ..shape.clone()
-                }),
-            );
+            let shown = shapes[above..].iter().zip(&extents).filter(|(_, extent)| extent.intersects(area));
+            in_area.extend(shown.map(|(shape, _)| ClippedShape {
+                clip_rect: shape.clip_rect.intersect(area),
+                ..shape.clone()
+            }));
             primitives.extend(ctx.tessellate(in_area, pixels_per_point));
         }
         if !primitives.is_empty() {

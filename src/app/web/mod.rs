@@ -5,6 +5,7 @@ mod background_work;
 mod page_app;
 mod page_worker;
 pub mod watch;
+mod webgpu;
 pub mod worker;
 
 use std::panic;
@@ -27,7 +28,7 @@ use crate::app::views::{
     corrected::Correction, examination::MethodSteps, reference_steps::ReferenceSteps,
     thumbnails::ThumbnailSteps,
 };
-use crate::app::{App, graphics, painting};
+use crate::app::{App, painting};
 use crate::settings::Settings;
 
 /// The sentence for a browser without graphics.
@@ -76,26 +77,26 @@ fn serve(kind: &str) {
 /// Opens the window, and shows a problem in its place if that fails.
 async fn open(runner: WebRunner) {
     let Some(canvas) = page::canvas() else { return };
-    let options = WebOptions { wgpu_options: graphics::configuration(), ..WebOptions::default() };
+    let options = WebOptions { wgpu_options: webgpu::configuration(), ..WebOptions::default() };
     let own = runner.clone();
     let create = move |cc: &CreationContext<'_>| {
         let keeper = Keeper::in_folder(Path::new(files::KEPT));
-        let state = first_state(keeper.load(), &Fragment::parse(&page::fragment()))?;
+        let mut state = first_state(keeper.load(), &Fragment::parse(&page::fragment()))?;
+        state.scratch.notice = state.scratch.notice.or_else(webgpu::failure);
         keeper.memory().restore_in(&cc.egui_ctx, false);
         if let Some(render_state) = &cc.wgpu_render_state {
             painting::install(&cc.egui_ctx, render_state);
         }
         let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).kept_by(keeper);
-        Ok(Box::new(PageApp::new(app, own, cc.egui_ctx.clone())) as Box<dyn eframe::App>)
+        Ok(Box::new(PageApp::new(app, own, cc)) as Box<dyn eframe::App>)
     };
     match runner.start(canvas, options, Box::new(create)).await {
-        Ok(()) => {
-            page::show_window();
-            listen(&runner);
-        }
+        Ok(()) => listen(&runner),
         Err(error) => {
             log::warn!("{error:?}");
-            page::show_problem(NO_GRAPHICS);
+            if !page::offers_webgpu() || !page::reload_without_webgpu("it gives no device") {
+                page::show_problem(NO_GRAPHICS);
+            }
         }
     }
 }

@@ -1,13 +1,14 @@
-//! The window as an application of the page: it keeps the address current, and ends with a sentence when its device is lost.
+//! The window as an application of the page: it keeps the address current, and makes way for another, or for a sentence, when its device is lost.
 
 use std::time::Duration;
 
-use eframe::WebRunner;
 use eframe::egui::{Context, RawInput, Ui, Vec2};
+use eframe::{CreationContext, WebRunner};
 use gamow_platform::clock::Instant;
 use gamow_platform::web::{page, tasks};
 
 use super::address::Fragment;
+use super::webgpu::{self, FirstPicture};
 use crate::app::App;
 use crate::app::command::Command;
 use crate::app::lesson::session::LessonCommand;
@@ -23,7 +24,9 @@ pub struct PageApp {
     ctx: Context,
     address: Address,
     is_stereoscope: bool,
-    is_lost: bool,
+    is_webgpu: bool,
+    first_picture: FirstPicture,
+    has_ended: bool,
 }
 
 /// The page's address, with the state in it.
@@ -34,12 +37,21 @@ struct Address {
 }
 
 impl PageApp {
-    /// Shows `app`, which the `runner` runs, in windows of this `ctx`.
-    pub fn new(app: App, runner: WebRunner, ctx: Context) -> Self {
+    /// Shows `app`, which the `runner` runs, in the window of this `cc`.
+    pub fn new(app: App, runner: WebRunner, cc: &CreationContext<'_>) -> Self {
         let state = app.state();
         let address =
             Address { document: state.document.clone(), fragment: Fragment::from_state(state), due: None };
-        Self { app, runner, ctx, address, is_stereoscope: false, is_lost: false }
+        Self {
+            app,
+            runner,
+            ctx: cc.egui_ctx.clone(),
+            address,
+            is_stereoscope: false,
+            is_webgpu: webgpu::is_used(cc),
+            first_picture: FirstPicture::default(),
+            has_ended: false,
+        }
     }
 
     /// Shows what another `fragment` of the address asks for.
@@ -113,13 +125,18 @@ impl PageApp {
         }
     }
 
-    /// Ends the window if its device is lost.
-    fn end_if_lost(&mut self) {
-        let Some(loss) = self.app.loss().filter(|_| !self.is_lost) else { return };
-        self.is_lost = true;
+    /// Ends the window if its device is lost or shows nothing. WebGL 2 takes the place of WebGPU; without either, a sentence takes the window's.
+    fn end_if_broken(&mut self) {
+        let is_late = self.first_picture.look(&self.ctx);
+        let loss = self.app.loss().map(|loss| format!("its device was lost: {}", loss.trim_end_matches('.')));
+        let reason = loss.or_else(|| (is_late && self.is_webgpu).then(|| "it shows nothing".to_owned()));
+        let Some(reason) = reason.filter(|_| !self.has_ended) else { return };
+        self.has_ended = true;
         eframe::App::on_exit(self);
-        let reason = loss.trim_end_matches('.');
-        page::show_problem(&format!("The graphics device was lost ({reason}). What was shown is kept."));
+        if self.is_webgpu && page::reload_without_webgpu(&reason) {
+            return;
+        }
+        page::show_problem(&format!("The graphics have failed ({reason}). What was shown is kept."));
         let runner = self.runner.clone();
         // Not before this frame has ended.
         tasks::spawn(async move {
@@ -131,7 +148,7 @@ impl PageApp {
 
 impl eframe::App for PageApp {
     fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
-        self.end_if_lost();
+        self.end_if_broken();
         self.app.logic(ctx, frame);
         self.keep_address(ctx);
         self.tell_stereoscope();

@@ -2,7 +2,10 @@
 
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
-use web_sys::{Element, Event, HtmlCanvasElement, Window};
+use web_sys::{Element, Event, HtmlCanvasElement, Storage, Window};
+
+/// Name under which a tab keeps why WebGPU has failed in it.
+const WEBGPU_FAILURE: &str = "gamow/webgpu-failure";
 
 /// The canvas of the page that the window is drawn on.
 #[must_use]
@@ -16,6 +19,12 @@ pub fn canvas() -> Option<HtmlCanvasElement> {
 pub fn address() -> String {
     let href = window().and_then(|window| window.location().href().ok()).unwrap_or_default();
     href.split('#').next().unwrap_or_default().to_owned()
+}
+
+/// Returns the address of the repository that the page belongs to, if the page knows it.
+#[must_use]
+pub fn source() -> Option<String> {
+    root()?.get_attribute("data-source")
 }
 
 /// Returns the fragment of the address, behind its `#`.
@@ -38,6 +47,34 @@ pub fn replace_fragment(fragment: &str) {
 /// Tells the page that the window is shown, in place of its words.
 pub fn show_window() {
     tell("gamow-shown");
+}
+
+/// Whether anything is on the canvas; asked right after a frame, before the browser shows it.
+#[must_use]
+pub fn has_picture() -> bool {
+    tell("gamow-painted");
+    root().is_some_and(|root| root.get_attribute("data-painted").as_deref() == Some("true"))
+}
+
+/// Whether the browser has WebGPU.
+#[must_use]
+pub fn offers_webgpu() -> bool {
+    window().is_some_and(|window| js_sys::Reflect::has(&window.navigator(), &"gpu".into()).unwrap_or(false))
+}
+
+/// Returns why WebGPU has failed in this tab, if it has.
+#[must_use]
+pub fn webgpu_failure() -> Option<String> {
+    tab_storage()?.get_item(WEBGPU_FAILURE).ok()?
+}
+
+/// Loads the page again in a tab where WebGPU has failed for this `reason`. Returns false, and does nothing, where that is known already or
+/// cannot be kept: the page would be loaded again for ever.
+#[must_use]
+pub fn reload_without_webgpu(reason: &str) -> bool {
+    let is_new = webgpu_failure().is_none();
+    let is_kept = || tab_storage().is_some_and(|storage| storage.set_item(WEBGPU_FAILURE, reason).is_ok());
+    is_new && is_kept() && window().is_some_and(|window| window.location().reload().is_ok())
 }
 
 /// Has the page show a sentence and a button to load it again, in place of the window.
@@ -82,6 +119,10 @@ fn numbers<const N: usize>(attribute: &str) -> Option<[f64; N]> {
     let text = root()?.get_attribute(attribute)?;
     let numbers: Vec<f64> = text.split(' ').map(str::parse).collect::<Result<_, _>>().ok()?;
     numbers.try_into().ok()
+}
+
+fn tab_storage() -> Option<Storage> {
+    window()?.session_storage().ok()?
 }
 
 fn root() -> Option<Element> {

@@ -2,6 +2,8 @@
 
 mod card;
 mod picture;
+#[cfg(not(feature = "desktop"))]
+mod program;
 mod words;
 
 use std::sync::Arc;
@@ -78,6 +80,8 @@ pub fn show(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, commands: &
             Cards::OfPresets.show(ui, &cards, thumbnails, commands);
             ui.add_space(scale * 12.0);
             ui.label(RichText::new(words::OWN).weak());
+            #[cfg(not(feature = "desktop"))]
+            program::show(ui);
             ui.add_space(scale * 24.0);
         });
     });
