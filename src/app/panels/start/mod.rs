@@ -81,7 +81,10 @@ pub fn show(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, commands: &
             ui.add_space(scale * 12.0);
             ui.label(RichText::new(words::OWN).weak());
             #[cfg(not(feature = "desktop"))]
-            program::show(ui);
+            {
+                section(ui, "On a desktop", program::INTRODUCTION);
+                program::show(ui);
+            }
             ui.add_space(scale * 24.0);
         });
     });

@@ -4,13 +4,13 @@ use eframe::egui::{Hyperlink, RichText, Ui};
 use gamow_platform::web::page;
 
 /// Introduction to the program of a desktop.
-const DESKTOP: &str = "Gamow is also a program for the desktop, with commands. From its source, with Rust:";
+pub const INTRODUCTION: &str =
+    "Gamow is also a program for the desktop, with commands. From its source, with Rust:";
 /// What opens its window, and what runs its tests.
 const COMMANDS: &str = "cargo run --release\ncargo test --workspace";
 
-/// Shows how to get the program, with links where the page knows them.
+/// Shows the commands, and links where the page knows them.
 pub fn show(ui: &mut Ui) {
-    super::section(ui, "On a desktop", DESKTOP);
     ui.label(RichText::new(COMMANDS).monospace());
     let Some(source) = page::source() else { return };
     let links =
