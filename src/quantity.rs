@@ -1,5 +1,5 @@
-//! The quantities of a point that is seen, a row each. Plots, the readout, lessons and the columns of tables take names, units and
-//! values from here.
+//! The quantities of a point that is seen, a row each. Plots, the readout and lessons take names, units and values from here; the columns
+//! of tables are named by the same identifiers.
 
 use relativity_core::{Conformal, ConformalDisparity, Disparity, Sighting, Stereo};
 use serde::{Deserialize, Serialize};

@@ -65,3 +65,35 @@ pub const fn observer_speed(parameter: SpeedParameter) -> &'static str {
         SpeedParameter::Rapidity => OBSERVER_SPEED[2],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantity::Quantity;
+
+    #[test]
+    fn columns_are_named_by_the_identifiers_of_quantities() {
+        let columns = COLUMNS.iter().chain(&MOVING).chain(&CONFORMAL);
+        let columns: Vec<&str> = columns.map(|column| column.trim_end_matches("_left")).collect();
+        // All but the differences of u and v, which are those of two columns.
+        let quantities = [
+            Quantity::DeltaPhi,
+            Quantity::DeltaTheta,
+            Quantity::Doppler,
+            Quantity::EmissionTime,
+            Quantity::ProperTime,
+            Quantity::X,
+            Quantity::Y,
+            Quantity::Z,
+            Quantity::Phi,
+            Quantity::Theta,
+            Quantity::U,
+            Quantity::V,
+            Quantity::StereoGain,
+            Quantity::Distance,
+        ];
+        for quantity in quantities {
+            assert!(columns.contains(&quantity.row().id), "{quantity:?}");
+        }
+    }
+}

@@ -41,7 +41,8 @@ use crate::scene::{Scene, SceneError};
 use crate::settings::Settings;
 use crate::units::Measures;
 
-/// Everything the panels read, each part by how long it lasts. Only [`crate::app::command`] changes it.
+/// Everything the panels read, each part by how long it lasts. What a user does changes it only through [`crate::app::command`]; besides,
+/// the window lets T run, measures the frame, and leaves messages.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State {
     /// Document that is shown: undone, saved and compared.

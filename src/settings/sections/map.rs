@@ -14,7 +14,7 @@ pub enum MapFace {
     Spacetime,
 }
 
-/// The frame in which the map is drawn.
+/// A frame of reference for the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MapFrame {
@@ -27,7 +27,7 @@ pub enum MapFrame {
     Rider,
 }
 
-/// The part of the world that the map holds.
+/// How much of the world a map holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MapFraming {

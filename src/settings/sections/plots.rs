@@ -24,7 +24,7 @@ pub enum PlotTab {
     Accuracy,
 }
 
-/// The coordinates of the disparity plots.
+/// Coordinates of a disparity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Coordinates {
