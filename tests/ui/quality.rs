@@ -107,7 +107,7 @@ fn the_reference_draws_the_views() {
     assert_eq!(stand_in, share_in_pane(&mut window, any));
 }
 
-/// What the Accuracy tab of the default scene at beta 0.9 shows in the end.
+/// The contents of the Accuracy tab of the default scene at beta 0.9, once everything is measured.
 struct Measured {
     labels: Vec<String>,
     csv: String,

@@ -68,14 +68,14 @@ pub fn builder(size: [f32; 2]) -> HarnessBuilder<App> {
         .with_render_cursor(false)
 }
 
-/// A window of this `size` whose views stay empty, for claims about what stands around them: pictures take most of a frame.
+/// A window of this `size` whose views stay empty, for tests of the texts around them: pictures take most of the time of a frame.
 pub fn window_without_pictures(state: State, size: [f32; 2]) -> Harness<'static, App> {
     let mut harness = builder(size).build_eframe(|cc| App::new(&cc.egui_ctx, None, state));
     harness.run_steps(3);
     harness
 }
 
-/// How many of something a sweep tries: `some` usually, `all` where the environment has `GAMOW_SWEEPS=full`, as in the nightly checks.
+/// Returns the number of cases that a sweep tries: `some` usually, `all` where the environment has `GAMOW_SWEEPS=full`, as in the nightly checks.
 pub fn sweep([some, all]: [usize; 2]) -> usize {
     if std::env::var_os("GAMOW_SWEEPS").is_some_and(|value| value == "full") { all } else { some }
 }

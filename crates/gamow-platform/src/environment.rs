@@ -28,8 +28,7 @@ pub fn standard_input() -> impl Read {
 #[must_use]
 pub fn data_folder(name: &str) -> Option<PathBuf> {
     let home = |inside: &str| std::env::home_dir().map(|home| home.join(inside));
-    let given =
-        |variable: &str| std::env::var_os(variable).map(PathBuf::from).filter(|path| path.is_absolute());
+    let given = |name: &str| variable(name).map(PathBuf::from).filter(|path| path.is_absolute());
     let base = if cfg!(windows) {
         given("APPDATA").or_else(|| home("AppData/Roaming"))
     } else if cfg!(target_os = "macos") {

@@ -267,8 +267,8 @@ impl State {
 mod tests {
     use super::*;
 
-    /// Each group lasts as long as its name says, and what is shown anew keeps or loses it as a whole: a field beside them would be in
-    /// none, and this does not compile with one.
+    /// Another scene keeps or resets each group of fields as a whole. The state is taken apart by name, so that a field beside the groups
+    /// does not compile.
     #[test]
     fn another_scene_forgets_the_scratch_and_keeps_the_session() {
         let mut state = State::open(Settings::default()).expect("the usual scene");

@@ -78,7 +78,7 @@ impl Default for LightSettings {
     }
 }
 
-/// Light of sky and ground: as the window has it, or always a day's or a night's.
+/// Brightness of sky and ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Daylight {

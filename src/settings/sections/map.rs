@@ -27,7 +27,7 @@ pub enum MapFrame {
     Rider,
 }
 
-/// How much of the world a map holds.
+/// Extent of a map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MapFraming {

@@ -49,7 +49,7 @@ pub fn show_window() {
     tell("gamow-shown");
 }
 
-/// Whether anything is on the canvas; asked right after a frame, before the browser shows it.
+/// Returns whether anything is drawn on the canvas. Callers ask in the task that drew the frame: the browser clears the canvas of WebGL after it.
 #[must_use]
 pub fn has_picture() -> bool {
     tell("gamow-painted");

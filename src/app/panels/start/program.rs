@@ -6,7 +6,7 @@ use gamow_platform::web::page;
 /// Introduction to the program of a desktop.
 pub const INTRODUCTION: &str =
     "Gamow is also a program for the desktop, with commands. From its source, with Rust:";
-/// What opens its window, and what runs its tests.
+/// The commands that open the program's window and run its tests.
 const COMMANDS: &str = "cargo run --release\ncargo test --workspace";
 
 /// Shows the commands, and links where the page knows them.

@@ -48,7 +48,7 @@ pub(super) struct SheetPainter<'a> {
     /// Events that are drawn.
     pub instant: &'a MapInstant<'a>,
     pub sheet: SpaceSheet,
-    /// What is written already, which nothing else is written over.
+    /// Places of the labels that are written already.
     pub labels: LabelPlaces,
 }
 
