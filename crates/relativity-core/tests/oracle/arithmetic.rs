@@ -62,21 +62,22 @@ pub fn error_units<const N: usize>(
     unit_roundoff: f64,
     bound: f64,
 ) -> [f64; N] {
-    let tangent = truths(&f, inputs, unit_roundoff, STEP);
+    let tangent = truths(&f, inputs, unit_roundoff, &[STEP]);
     let errors: [f64; N] = std::array::from_fn(|k| tangent[k].error_units(computed[k]));
     if errors.iter().all(|&error| error <= bound) {
         return errors;
     }
-    let chord = truths(&f, inputs, unit_roundoff, bound * unit_roundoff);
+    let reach = bound * unit_roundoff;
+    let chord = truths(&f, inputs, unit_roundoff, &[reach, -reach]);
     std::array::from_fn(|k| errors[k].min(chord[k].error_units(computed[k])))
 }
 
-/// True values and units, from the chords over `1 +- step`.
+/// True values and units, from the steepest of the chords from each input to `1 + step` of it.
 fn truths<const N: usize>(
     f: impl Fn(&[Big]) -> [Big; N],
     inputs: &[f64],
     unit_roundoff: f64,
-    step: f64,
+    steps: &[f64],
 ) -> [Truth; N] {
     let exact: Vec<Big> = inputs.iter().map(|&x| big(x)).collect();
     let values = f(&exact);
@@ -85,15 +86,17 @@ fn truths<const N: usize>(
         if inputs[i] == 0.0 {
             continue;
         }
-        let moved = |sign: f64| {
-            let mut inputs = exact.clone();
-            inputs[i] = &inputs[i] * (big(1.0) + big(sign * step));
-            f(&inputs)
-        };
-        let (above, below) = (moved(1.0), moved(-1.0));
-        for (k, sum) in sums.iter_mut().enumerate() {
-            let chord = |end: &Big| (end - &values[k]).abs().to_f64().value() / step;
-            *sum += chord(&above[k]).max(chord(&below[k]));
+        let mut steepest = [0.0_f64; N];
+        for &step in steps {
+            let mut moved = exact.clone();
+            moved[i] = &moved[i] * (big(1.0) + big(step));
+            let ends = f(&moved);
+            for (k, slope) in steepest.iter_mut().enumerate() {
+                *slope = slope.max(((&ends[k] - &values[k]) / big(step)).abs().to_f64().value());
+            }
+        }
+        for (sum, slope) in sums.iter_mut().zip(steepest) {
+            *sum += slope;
         }
     }
     let mut sums = sums.into_iter();
