@@ -4,11 +4,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use eframe::egui_wgpu::{
-    NativeAdapterSelectorMethod, SurfaceErrorAction, WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew,
+    NativeAdapterSelectorMethod, RenderState, SurfaceErrorAction, WgpuConfiguration, WgpuSetup,
+    WgpuSetupCreateNew,
 };
 use eframe::wgpu::{self, CurrentSurfaceTexture};
 use gamow_platform::clock::Instant;
-use relativity_render::{adapter_name, named_adapter};
+use relativity_render::{Gpu, adapter_name, instance_flags, named_adapter};
 
 /// Least time between two configurations of a surface that cannot be drawn on.
 const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(250);
@@ -18,6 +19,7 @@ const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(250);
 #[must_use]
 pub fn configuration() -> WgpuConfiguration {
     let mut setup = WgpuSetupCreateNew::without_display_handle();
+    setup.instance_descriptor.flags = instance_flags();
     setup.native_adapter_selector = adapter_name().map(|name| -> NativeAdapterSelectorMethod {
         Arc::new(move |adapters, surface| {
             named_adapter(&name, adapters, surface).map_err(|error| error.to_string())
@@ -48,6 +50,14 @@ pub fn configuration() -> WgpuConfiguration {
         }),
         ..WgpuConfiguration::default()
     }
+}
+
+/// Returns the device of a window, the same for all who ask: what one of them has made on it serves the others.
+#[must_use]
+pub fn gpu(render_state: &RenderState) -> Gpu {
+    let RenderState { adapter, device, queue, renderer, .. } = render_state;
+    let kept = &mut renderer.write().callback_resources;
+    kept.entry::<Gpu>().or_insert_with(|| Gpu::from_device(adapter, device.clone(), queue.clone())).clone()
 }
 
 /// Whether a surface that was refused is configured again, so long `since` that was tried: its size was that of a window that

@@ -21,7 +21,7 @@ pub mod files;
 pub mod fitting;
 mod focus;
 mod gpu_errors;
-mod graphics;
+pub mod graphics;
 #[cfg(feature = "desktop")]
 mod icon;
 mod image;

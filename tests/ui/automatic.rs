@@ -11,10 +11,10 @@ use gamow::eye::Eye;
 use gamow::flags::choices::RendererChoice;
 use gamow::flags::{BUDGET_MS, ERROR_PX, Goal};
 
-use super::Test;
 use super::support::{
     assert_sane, builder, cyclist, label_starting_with, labels, pane, type_into, wide_window, window_of_size,
 };
+use super::{Test, device};
 
 pub const TESTS: &[Test] = &[
     ("a_still_view_gets_as_smooth_as_the_reference_and_then_costs_nothing", gets_smooth),
@@ -28,7 +28,7 @@ fn refined_window() -> Harness<'static, App> {
     let mut state = cyclist(0.6);
     (state.document.settings.window.dials, state.document.settings.window.ruler) = (false, false);
     let mut harness = builder([800.0, 600.0])
-        .wgpu()
+        .renderer(device::renderer())
         .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state));
     harness.run_steps(3);
     harness

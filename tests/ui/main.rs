@@ -103,12 +103,7 @@ fn main() -> ExitCode {
         };
         Trial::test(name, run).with_ignored_flag(is_ignored)
     };
-    // Made alone, before the first test, and kept until after the last: drivers set up for the process what two devices that begin at
-    // once would race for.
-    let first = device::own();
-    let is_ignored = first.is_err() && !is_required;
+    let is_ignored = device::share().is_err() && !is_required;
     let trials = all.into_iter().map(|test| trial(test, is_ignored)).collect();
-    let outcome = libtest_mimic::run(&arguments, trials).exit_code();
-    drop(first);
-    outcome
+    libtest_mimic::run(&arguments, trials).exit_code()
 }

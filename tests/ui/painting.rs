@@ -8,8 +8,8 @@ use gamow::app::{App, painting};
 use gamow::flags::choices::{Layout, RendererChoice};
 use gamow::settings::{QualitySettings, Theme};
 
-use super::Test;
 use super::support::{FRAME, cyclist, in_layout};
+use super::{Test, device};
 
 pub const TESTS: &[Test] = &[
     ("what_changed_is_painted_as_the_whole_would_be", what_changed_is_painted),
@@ -37,7 +37,7 @@ impl Pair {
                 .with_pixels_per_point(pixels_per_point)
                 .with_step_dt(FRAME)
                 .with_render_cursor(false)
-                .wgpu()
+                .renderer(device::renderer())
                 .build_eframe(|cc| {
                     if let Some(render_state) = cc.wgpu_render_state.as_ref().filter(|_| is_painted) {
                         painting::install(&cc.egui_ctx, render_state);

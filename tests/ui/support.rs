@@ -17,6 +17,8 @@ use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::Settings;
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
 
+use super::device;
+
 /// What is shown in `state` is what its file gives back: nothing the user did has set a value that the judges of settings
 /// refuse. All that follows from it is a number.
 pub fn assert_sane(state: &State) {
@@ -83,7 +85,7 @@ pub fn sweep([some, all]: [usize; 2]) -> usize {
 pub fn window_of_size(state: State, size: [f32; 2], pixels_per_point: f32) -> Harness<'static, App> {
     let mut harness = builder(size)
         .with_pixels_per_point(pixels_per_point)
-        .wgpu()
+        .renderer(device::renderer())
         .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).without_refinement());
     harness.run_steps(3);
     harness

@@ -129,7 +129,7 @@ fn projected(mut view: View, projection: Projection) -> View {
 
 /// Prints what a frame of two eyes costs with and without a composition of them.
 fn compose(gpu: &Gpu, composition: Composition, bodies: &[Body]) -> Result<(), GpuError> {
-    let (mut renderers, mut composer) = (Renderers::new(Some(gpu.clone())), Composer::new(gpu));
+    let (mut renderers, composer) = (Renderers::new(Some(gpu.clone())), Composer::new(gpu));
     let scene = PreparedScene::moving(bodies);
     let appearance = Appearance { ground_z: Some(-2.5), ..Appearance::default() };
     let mut targets = [EyeTarget::new(gpu, SIZE), EyeTarget::new(gpu, SIZE)];

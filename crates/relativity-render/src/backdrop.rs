@@ -116,7 +116,7 @@ pub(crate) enum Floor {
 }
 
 /// The part of the backdrop that some tiles of a picture show: each tile is drawn with no more than its part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum BackdropPart {
     /// Nothing but the sky.
     Sky,
@@ -157,9 +157,6 @@ impl Floor {
 }
 
 impl BackdropPart {
-    /// Every part, in the order of their numbers.
-    pub const ALL: [Self; 5] = [Self::Sky, Self::Grid, Self::Road, Self::Fronts, Self::Street];
-
     /// Whether the ground can be seen in it.
     pub const fn has_ground(self) -> bool {
         matches!(self, Self::Grid | Self::Road | Self::Street)

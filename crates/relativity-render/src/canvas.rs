@@ -3,8 +3,6 @@
 //! Bodies are drawn with four samples per pixel over nothing, in linear light; the last pass puts them over sky
 //! and ground and applies the sRGB curve.
 
-use std::sync::OnceLock;
-
 use crate::backdrop::{self, BackdropPart, TILES};
 use crate::buffers::{fill_frame_buffer, frame_bindings, frame_buffer, vertex_buffer};
 use crate::drawing::{Drawing, Shot};
@@ -29,12 +27,17 @@ pub struct Canvas {
     tables: wgpu::TextureView,
     /// The models of the scene drawn last.
     models: Models,
-    /// The last pass for each [`StreetVariant`], of flat pictures and of conformal ones, of a street that moves along x and of any other.
-    last_passes: [[[LastPass; 2]; 2]; StreetVariant::COUNT],
 }
 
-/// The last pass, by the number of the part that it draws; made when it is first needed.
-type LastPass = OnceLock<[wgpu::RenderPipeline; 5]>;
+/// The pipeline of a last pass.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct LastPass {
+    part: BackdropPart,
+    street: StreetVariant,
+    is_conformal: bool,
+    /// Whether the street moves otherwise than along x.
+    is_oblique: bool,
+}
 
 /// The numbers that a pass over the bodies wrote: RGBA32 floats, see the shaders' `Hit`.
 pub struct HitNumbers {
@@ -49,7 +52,7 @@ impl Canvas {
         let layer_layout = bind_group_layout(device, &[texture_entry(0)]);
         let tables = tables(gpu);
         let models = Models::new(gpu);
-        Self { frame_layout, layer_layout, tables, models, last_passes: Default::default() }
+        Self { frame_layout, layer_layout, tables, models }
     }
 
     /// Takes the models of `scene` onto the device, unless they are there; whether it can hold them.
@@ -57,22 +60,15 @@ impl Canvas {
         self.models.load(gpu, scene)
     }
 
-    /// The last pass of pictures like that of `frame`.
-    fn last_pass(&self, gpu: &Gpu, frame: &FrameUniform) -> &[wgpu::RenderPipeline; 5] {
-        let (is_conformal, is_oblique) = (frame.is_conformal(), frame.is_street_oblique());
-        let street = frame.street();
-        let passes = &self.last_passes[street as usize][usize::from(is_conformal)];
-        passes[usize::from(is_oblique)].get_or_init(|| {
+    /// The pipeline that draws `part` of the last pass of pictures like that of `frame`.
+    fn last_pass(&self, gpu: &Gpu, frame: &FrameUniform, part: BackdropPart) -> wgpu::RenderPipeline {
+        let (street, is_conformal, is_oblique) =
+            (frame.street(), frame.is_conformal(), frame.is_street_oblique());
+        gpu.made.last_passes.get(LastPass { part, street, is_conformal, is_oblique }, || {
             let module = gpu.shader("backdrop", BACKDROP);
             let layout = pipeline_layout(&gpu.device, &[Some(&self.frame_layout), Some(&self.layer_layout)]);
-            BackdropPart::ALL.map(|part| {
-                last_pass(
-                    &gpu.device,
-                    &module,
-                    &layout,
-                    &backdrop::constants(part, is_conformal, is_oblique, street),
-                )
-            })
+            let constants = backdrop::constants(part, is_conformal, is_oblique, street);
+            last_pass(&gpu.device, &module, &layout, &constants)
         })
     }
 
@@ -97,8 +93,12 @@ impl Canvas {
         drawing.load(gpu, &mut target.vertices, &shot);
         let frames = FrameUniform::of_groups(scene, &views, appearance);
         fill_frame_buffer(gpu, &mut target.frames, &frames);
-        let floor = frames[0].floor();
-        let last_pass = self.last_pass(gpu, &frames[0]);
+        let last_passes = frames[0]
+            .floor()
+            .parts()
+            .iter()
+            .map(|part| self.last_pass(gpu, &frames[0], *part))
+            .collect::<Vec<_>>();
         let frames = self.frame_bind_groups(gpu, &target.frames, frames.len());
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
@@ -114,8 +114,8 @@ impl Canvas {
             let mut pass = begin_pass(&mut encoder, "last", &[Some(picture)], None);
             pass.set_bind_group(0, &frames[0], &[]);
             pass.set_bind_group(1, &self.layer_bind_group(gpu, &target.bodies), &[]);
-            for part in floor.parts() {
-                pass.set_pipeline(&last_pass[*part as usize]);
+            for last_pass in &last_passes {
+                pass.set_pipeline(last_pass);
                 pass.draw(0..4, 0..TILES[0] * TILES[1]);
             }
         }

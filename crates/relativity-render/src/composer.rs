@@ -1,7 +1,5 @@
 //! Composes two eyes' pictures on the GPU, in one pass.
 
-use std::collections::HashMap;
-
 use crate::canvas::{
     attachment, begin_pass, bind_group, bind_group_layout, pipeline_layout, texture_entry, uniform_entry,
 };
@@ -15,10 +13,6 @@ use crate::target::{self, ENCODED_FORMAT, EyeTarget};
 #[derive(Debug)]
 pub struct Composer {
     layout: wgpu::BindGroupLayout,
-    module: wgpu::ShaderModule,
-    pipeline_layout: wgpu::PipelineLayout,
-    /// Pipelines created so far.
-    pipelines: HashMap<ComposeVariant, wgpu::RenderPipeline>,
 }
 
 /// A composed picture: sRGB-encoded RGBA8 that can be sampled, copied and read back.
@@ -76,20 +70,19 @@ impl Composer {
     pub fn new(gpu: &Gpu) -> Self {
         let device = &gpu.device;
         let layout = bind_group_layout(device, &[uniform_entry(), texture_entry(1), texture_entry(2)]);
-        let module = gpu.shader("compose", COMPOSE);
-        let pipeline_layout = pipeline_layout(device, &[Some(&layout)]);
-        Self { layout, module, pipeline_layout, pipelines: HashMap::new() }
+        Self { layout }
     }
 
     fn pipeline(&self, gpu: &Gpu, form: ComposeVariant) -> wgpu::RenderPipeline {
         let constants = form.constants();
         let compilation_options =
             wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
+        let module = &gpu.shader("compose", COMPOSE);
         gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some("compose"),
-            layout: Some(&self.pipeline_layout),
+            layout: Some(&pipeline_layout(&gpu.device, &[Some(&self.layout)])),
             vertex: wgpu::VertexState {
-                module: &self.module,
+                module,
                 entry_point: Some("whole"),
                 compilation_options: compilation_options.clone(),
                 buffers: &[],
@@ -98,7 +91,7 @@ impl Composer {
             depth_stencil: None,
             multisample: wgpu::MultisampleState::default(),
             fragment: Some(wgpu::FragmentState {
-                module: &self.module,
+                module,
                 entry_point: Some("compose"),
                 compilation_options,
                 targets: &[Some(ENCODED_FORMAT.into())],
@@ -109,18 +102,9 @@ impl Composer {
     }
 
     /// Draws into `target` what is made of the first and the second of `pictures`, which have one size.
-    pub fn compose(
-        &mut self,
-        gpu: &Gpu,
-        composition: Composition,
-        pictures: [&EyeTarget; 2],
-        target: &Composed,
-    ) {
+    pub fn compose(&self, gpu: &Gpu, composition: Composition, pictures: [&EyeTarget; 2], target: &Composed) {
         let form = composition.form();
-        if !self.pipelines.contains_key(&form) {
-            let pipeline = self.pipeline(gpu, form);
-            self.pipelines.insert(form, pipeline);
-        }
+        let pipeline = gpu.made.composers.get(form, || self.pipeline(gpu, form));
         gpu.queue.write_buffer(&target.composing, 0, bytemuck::bytes_of(&composition.composing()));
         let [first, second] = pictures.map(|picture| wgpu::BindingResource::TextureView(picture.view()));
         let resources = [target.composing.as_entire_binding(), first, second];
@@ -133,7 +117,7 @@ impl Composer {
         {
             let picture = attachment(&target.view, wgpu::StoreOp::Store);
             let mut pass = begin_pass(&mut encoder, "compose", &[Some(picture)], None);
-            pass.set_pipeline(&self.pipelines[&form]);
+            pass.set_pipeline(&pipeline);
             pass.set_bind_group(0, &group, &[]);
             pass.draw(0..3, 0..1);
         }

@@ -1,16 +1,25 @@
 //! The graphics device, made once and shared by everything that draws.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use crate::answers::PendingReadbacks;
 use crate::device_errors::ErrorScopes;
 use crate::gpu_error::GpuError;
+use crate::made::Made;
 
 /// Returns the part of an adapter's name that the environment asks for, in lower case; `None` if it asks for none.
 #[must_use]
 #[expect(clippy::disallowed_methods, reason = "wgpu has this variable and reads its others by itself")]
 pub fn adapter_name() -> Option<String> {
     std::env::var("WGPU_ADAPTER_NAME").ok().map(|name| name.to_lowercase()).filter(|name| !name.is_empty())
+}
+
+/// The instance's checks of what it is asked to do. Names and lines of shaders for a debugger, which take a tenth of the time in
+/// which pipelines are made, are left out unless `WGPU_DEBUG` asks for them.
+#[must_use]
+pub fn instance_flags() -> wgpu::InstanceFlags {
+    wgpu::InstanceFlags::from_build_config().difference(wgpu::InstanceFlags::DEBUG).with_env()
 }
 
 /// The first of `adapters` whose name contains `name`, which is in lower case, and which can show what is on `surface`, if
@@ -35,13 +44,14 @@ pub fn named_adapter(
     })
 }
 
-/// A graphics device and its queue.
+/// A graphics device and its queue; clones share what is made on it.
 #[derive(Debug, Clone)]
 pub struct Gpu {
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
     answers: PendingReadbacks,
+    pub(crate) made: Arc<Made>,
 }
 
 impl Gpu {
@@ -67,7 +77,10 @@ impl Gpu {
 
     #[cfg(not(target_arch = "wasm32"))]
     async fn headless_device() -> Result<Self, GpuError> {
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+            flags: instance_flags(),
+            ..wgpu::InstanceDescriptor::new_without_display_handle_from_env()
+        });
         let options = wgpu::RequestAdapterOptions {
             power_preference: wgpu::PowerPreference::HighPerformance,
             ..Default::default()
@@ -93,7 +106,8 @@ impl Gpu {
     /// Shares the device of a window.
     #[must_use]
     pub fn from_device(adapter: &wgpu::Adapter, device: wgpu::Device, queue: wgpu::Queue) -> Self {
-        Self { device, queue, info: adapter.get_info(), answers: PendingReadbacks::default() }
+        let (info, answers, made) = (adapter.get_info(), PendingReadbacks::default(), Arc::default());
+        Self { device, queue, info, answers, made }
     }
 
     /// Largest width and height of a picture, pixels.
@@ -155,9 +169,11 @@ impl Gpu {
     }
 
     pub(crate) fn shader(&self, label: &str, source: &'static str) -> wgpu::ShaderModule {
-        self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some(label),
-            source: wgpu::ShaderSource::Wgsl(source.into()),
+        self.made.shaders.get(source, || {
+            self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(label),
+                source: wgpu::ShaderSource::Wgsl(source.into()),
+            })
         })
     }
 }

@@ -88,6 +88,7 @@ mod kind;
 mod lanes;
 mod light;
 pub mod lines_of_sight;
+mod made;
 pub mod mercator;
 mod mesh;
 #[doc(hidden)]
@@ -135,7 +136,7 @@ pub use camera::{Camera, Gaze, Projection};
 pub use compose::Composition;
 pub use composer::{Composed, Composer};
 pub use device_errors::{DeviceErrors, ErrorScopes};
-pub use gpu::{Gpu, adapter_name, named_adapter};
+pub use gpu::{Gpu, adapter_name, instance_flags, named_adapter};
 pub use gpu_error::{GpuError, Undrawn};
 pub use group_view::{GroupView, RestRay};
 pub use light::received_intensity;

@@ -12,6 +12,9 @@ use crate::view::{Appearance, Geometry};
 use crate::wheel::packed::Turns;
 use crate::{palette, pattern, shade};
 
+/// A pipeline that draws bodies: the vertex stage of its technique, and its key.
+pub type BodyPipeline = (&'static str, Key);
+
 /// The key of a pipeline: everything it draws, with each effect decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Key {
@@ -156,35 +159,34 @@ impl Technique {
     }
 }
 
-/// The pipelines of a renderer, made when they are first needed.
+/// The pipelines that a renderer has needed.
 #[derive(Debug)]
 pub struct Pipelines {
     technique: Technique,
     layout: wgpu::PipelineLayout,
-    modules: HashMap<Kind, wgpu::ShaderModule>,
-    made: HashMap<Key, wgpu::RenderPipeline>,
+    needed: HashMap<Key, wgpu::RenderPipeline>,
 }
 
 impl Pipelines {
     /// Returns an empty collection.
     pub fn new(technique: Technique, layout: wgpu::PipelineLayout) -> Self {
-        Self { technique, layout, modules: HashMap::new(), made: HashMap::new() }
+        Self { technique, layout, needed: HashMap::new() }
     }
 
-    /// Makes the pipeline of `key` unless it exists.
+    /// Makes the pipeline of `key` unless the device has it.
     pub fn prepare(&mut self, gpu: &Gpu, key: Key) {
-        if !self.made.contains_key(&key) {
-            let pipeline = self.pipeline(gpu, key);
-            self.made.insert(key, pipeline);
+        if !self.needed.contains_key(&key) {
+            let pipeline = gpu.made.bodies.get((self.technique.vertex, key), || self.pipeline(gpu, key));
+            self.needed.insert(key, pipeline);
         }
     }
 
     /// The pipeline of a prepared `key`.
     pub fn get(&self, key: Key) -> &wgpu::RenderPipeline {
-        &self.made[&key]
+        &self.needed[&key]
     }
 
-    fn pipeline(&mut self, gpu: &Gpu, key: Key) -> wgpu::RenderPipeline {
+    fn pipeline(&self, gpu: &Gpu, key: Key) -> wgpu::RenderPipeline {
         let constants = self.technique.constants(key);
         let (entry_point, samples, targets) = match key.output {
             Output::Picture { is_thin, .. } => {
@@ -192,10 +194,7 @@ impl Pipelines {
             }
             Output::Hits => ("hits", 1, vec![Some(MEASURES_FORMAT.into()); 2]),
         };
-        let module = self
-            .modules
-            .entry(key.kind)
-            .or_insert_with(|| gpu.shader("bodies", (self.technique.source)(key.kind)));
+        let module = &gpu.shader("bodies", (self.technique.source)(key.kind));
         let compilation_options =
             wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
         gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {

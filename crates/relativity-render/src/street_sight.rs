@@ -20,7 +20,7 @@ pub(crate) struct StreetSight {
 }
 
 /// A way to show the street, which chooses the pipeline of the last pass.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum StreetVariant {
     /// At rest with the camera.
     AtRest,
@@ -35,9 +35,6 @@ pub(crate) enum StreetVariant {
 }
 
 impl StreetVariant {
-    /// Number of the variants, for a list with a place for each.
-    pub const COUNT: usize = 5;
-
     /// The variant of the shaders' geometry and row of tables.
     pub fn new(geometry: usize, row: usize) -> Self {
         match (geometry, row) {

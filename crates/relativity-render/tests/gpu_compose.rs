@@ -31,7 +31,7 @@ fn picture(size: [u32; 2], seed: u32) -> Picture {
 
 fn compositions_are_those_of_the_cpu(renderers: &mut Renderers) {
     let gpu = renderers.gpu().expect("there is one");
-    let mut composer = Composer::new(gpu);
+    let composer = Composer::new(gpu);
     for size in [[1, 1], [64, 48], [257, 131]] {
         let pictures = [picture(size, 1), picture(size, 2)];
         let targets = [0, 1].map(|eye: usize| {

@@ -13,15 +13,14 @@ use eframe::egui::{
     Color32, Context, FullOutput, Id, Plugin, Pos2, RawInput, Rect, Shape, TextureId, Vec2, ViewportId, vec2,
 };
 use eframe::egui_wgpu::{Callback, RenderState};
-use relativity_render::Gpu;
 
+use crate::app::graphics;
 use pipelines::PaintPipelines;
 use window_picture::{PictureCallback, WindowPicture};
 
 /// Has the window that `ctx` runs painted so, where its device is software; only from its first frame on.
 pub fn install(ctx: &Context, render_state: &RenderState) {
-    let RenderState { adapter, device, queue, target_format, .. } = render_state;
-    if Gpu::from_device(adapter, device.clone(), queue.clone()).is_software() && !target_format.is_srgb() {
+    if graphics::gpu(render_state).is_software() && !render_state.target_format.is_srgb() {
         ctx.add_plugin(WindowPainter::new(render_state));
     }
 }

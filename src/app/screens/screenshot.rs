@@ -7,7 +7,7 @@ use anyhow::Context as _;
 use eframe::egui::{Context, Pos2, RawInput, Rect, vec2};
 use eframe::egui_wgpu::{RenderState, RendererOptions};
 use gamow_platform::threads;
-use relativity_render::{EyeTarget, Gpu, Picture};
+use relativity_render::{EyeTarget, Picture};
 
 use crate::app::state::State;
 use crate::app::views::offscreen;
@@ -34,8 +34,7 @@ fn picture(state: State, size: [u32; 2]) -> anyhow::Result<Picture> {
     let render_state = render_state().context("the window cannot be drawn")?;
     let ctx = Context::default();
     let mut app = App::new(&ctx, Some(&render_state), state).without_refinement();
-    let RenderState { adapter, device, queue, .. } = &render_state;
-    let gpu = Gpu::from_device(adapter, device.clone(), queue.clone());
+    let gpu = graphics::gpu(&render_state);
     let target = EyeTarget::new(&gpu, size);
     let scopes = gpu.error_scopes();
     let mut settled = 0;

@@ -23,8 +23,8 @@ use self::dice::Dice;
 use self::files::Files;
 use self::hands::Window;
 use self::nodes::Coverage;
-use super::Test;
 use super::support::{FRAME, sweep};
+use super::{Test, device};
 
 pub const TESTS: &[Test] = &[
     ("a_random_user_breaks_nothing", breaks_nothing),
@@ -83,7 +83,9 @@ fn opened(is_drawn: bool) -> Window {
     let builder =
         Harness::builder().with_size(Vec2::new(800.0, 600.0)).with_step_dt(FRAME).allow_missing_glyphs();
     let mut window = if is_drawn {
-        builder.wgpu().build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state))
+        builder
+            .renderer(device::renderer())
+            .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state))
     } else {
         builder.build_eframe(|cc| App::new(&cc.egui_ctx, None, state))
     };

@@ -6,6 +6,7 @@ mod meter;
 mod request;
 mod slot;
 
+use crate::app::graphics;
 use eframe::egui::Context;
 use eframe::egui_wgpu::RenderState;
 use relativity_render::{Composer, Composition, Gpu, GpuError, Method, Renderers};
@@ -42,8 +43,7 @@ impl EyePictures {
     /// On the window's device.
     #[must_use]
     pub fn new(render_state: &RenderState) -> Self {
-        let RenderState { adapter, device, queue, .. } = render_state;
-        let gpu = Gpu::from_device(adapter, device.clone(), queue.clone());
+        let gpu = graphics::gpu(render_state);
         Self {
             renderers: Renderers::new(Some(gpu.clone())),
             meter: Meter::new(&gpu),
