@@ -12,7 +12,7 @@ impl State {
         let before = Settings::clone(&self.document.settings);
         match before.clone().with_value(name, value) {
             Ok(settings) => changes(&before, settings).for_each(|command| self.perform(command)),
-            Err(problem) => self.scratch.notice = Some(Notice::error(problem)),
+            Err(problem) => self.tell(Notice::error(problem)),
         }
     }
 }

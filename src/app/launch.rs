@@ -169,7 +169,7 @@ fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
     let default = left.clone().with_scene(Settings::default().scene);
     args.state(left).or_else(|error| {
         let mut state = args.state(default)?;
-        state.scratch.notice = Some(Notice::error(error).about(Path::new(&scene)));
+        state.tell(Notice::error(error).about(Path::new(&scene)));
         Ok(state)
     })
 }

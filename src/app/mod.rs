@@ -88,8 +88,6 @@ use views::thumbnails::Thumbnails;
 #[cfg(not(feature = "desktop"))]
 use web::{watch::Watch, worker};
 
-use crate::flags::MAX_TIME;
-
 use crate::settings::PlotTab;
 
 /// The application: the whole window.
@@ -239,7 +237,7 @@ impl App {
             return self.reader.stop();
         }
         if let Some(errand) = self.state.errand(&command) {
-            self.state.scratch.chooser = None;
+            self.state.close_chooser();
             self.reader.begin(errand);
             return;
         }
@@ -260,33 +258,6 @@ impl App {
             self.ask(Command::Gaze(GazeCommand::Aside(turned)));
         }
         held.or_else(|| riding::controller::pushed(&sticks))
-    }
-
-    /// Lets T run by a `step` of the wall clock, seconds, while keys push the pedals, or do not.
-    fn advance(&mut self, step: f64, pushed: Option<PushDirection>) {
-        let before = self.state.document.time;
-        self.state.run_lesson(step);
-        self.state.frame.step = (self.state.document.time - before).abs();
-        if let Some(direction) = pushed {
-            self.state.scratch.playing = true;
-            let step = step * self.state.document.settings.playback.rate;
-            self.state.frame.step = step;
-            self.ask(Command::Ride(RideCommand::Push(direction, step)));
-            return;
-        }
-        self.state.scratch.saddle.push = None;
-        if self.state.scratch.playing {
-            let playback = self.state.document.settings.playback;
-            let [from, to] = self.state.time_range();
-            // Who sits in the saddle rides on.
-            let to = if self.state.scratch.saddle.is_taken { MAX_TIME } else { to };
-            let range = [from, to];
-            let tick =
-                clock::advanced(self.state.document.time, step, playback.rate, playback.looping, range);
-            self.state.frame.step = step * playback.rate;
-            self.state.document.time = tick.time;
-            self.state.scratch.playing = tick.playing;
-        }
     }
 
     /// Brings the curves up to date; those that still hold are kept.
@@ -325,7 +296,10 @@ impl eframe::App for App {
         }
         let step = f64::from(ctx.input(|input| input.stable_dt));
         let pushed = self.pushed(ctx, step);
-        self.advance(step, pushed);
+        self.state.advance(step, pushed.is_some());
+        if let Some(direction) = pushed {
+            self.ask(Command::Ride(RideCommand::Push(direction, self.state.frame.step)));
+        }
         if self.state.follow_for_comfort(step) {
             ctx.request_repaint();
         }

@@ -115,15 +115,15 @@ impl App {
         let eyes = [&mut self.eyes, &mut self.projected].into_iter().flatten();
         let refusal = eyes.filter_map(EyePictures::take_refusal).last().cloned();
         if let Some(text) = self.gpu_errors.take_new(refusal) {
-            self.state.scratch.notice = Some(Notice::error(text));
+            self.state.tell(Notice::error(text));
             ctx.request_repaint();
         }
     }
 
     /// Has the system and the writing follow what is made of the window, and notes what of its screen counts.
     fn set_stage(&mut self, ctx: &egui::Context) {
-        let State { document, session, frame, .. } = &mut self.state;
-        session.stage.full_screen = self.full_screen.update(ctx, session.stage.full_screen);
+        let State { document, session, .. } = &self.state;
+        let full_screen = self.full_screen.update(ctx, session.stage.full_screen);
         let scale = match session.stage.is_presented() {
             // Its cards have pictures, and are to be in sight.
             true if session.overlay == Some(Overlay::Start) => PRESENTED_START_SCALE,
@@ -137,7 +137,8 @@ impl App {
             ctx.request_repaint();
         }
         let width = ctx.input(|input| input.viewport().monitor_size).map(|size| f64::from(size.x));
-        frame.cm_per_pixel = document.settings.screen.cm_per_point(width) / f64::from(ctx.pixels_per_point());
+        let cm_per_pixel = document.settings.screen.cm_per_point(width) / f64::from(ctx.pixels_per_point());
+        self.state.note_screen(full_screen, cm_per_pixel);
     }
 
     /// Whether the start page takes the place of the parts.

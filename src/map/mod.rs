@@ -32,7 +32,6 @@ pub use instant::{BodyPicture, MapInstant, Places};
 pub use light::{Front, ReceivedRay, fronts, rays};
 pub use lines::{BallOutline, OutlineLine, OutlineLines, Vertex};
 pub use nearest::{Nearest, along};
-pub use outline::strokes;
 pub use projection::MapProjection;
 pub use sight::field_of_view;
 pub use straight_line::StraightLine;

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use glam::DVec3;
-use relativity_core::{Event, Observer, ObserverVelocity, Worldline, math};
+use relativity_core::{Boost, Event, Observer, ObserverVelocity, Worldline, math};
 use relativity_render::{MaterialPoint, Motion, Velocity};
 
 use super::present::{Present, measured_by};
@@ -99,15 +99,12 @@ impl PointWorldline {
         self.clock_at(place).at_proper_time(then.proper_time(place)).t
     }
 
-    /// The same of one who does not move along the street: by T + V.(r - o), what is at r is as late as the middle between the eyes
-    /// at o.
+    /// The same of one who does not move along the street.
     fn ground_time_aslant(&self, observer: &Observer) -> f64 {
         let (speed, here) = (self.velocity.speed, DVec3::from(observer.place));
         let view = measured_by(observer, here, speed).of_group(Motion::Own(self.velocity));
         let place = view.place_when_shown(self.point);
-        let start = DVec3 { x: self.clock_at(place).at(0.0).x, ..place };
-        let slope = observer.velocity.speed().beta() * DVec3::from(observer.velocity.direction());
-        (observer.time + slope.dot(start - here)) / (1.0 - self.velocity.beta() * slope.x)
+        observer.ground_time_of(&self.clock_at(place), [place.y, place.z])
     }
 
     /// The worldline on the ground, along x, of a clock at `place` in the frame of its group.
@@ -135,15 +132,12 @@ impl PointWorldline {
         StraightLine { through: Self { point: axle, ..*self }.at(time), step: self.step() }
     }
 
-    /// The step that the axle makes in a unit of the ground's time, in the frame of the map: that is 1/gamma of its
-    /// own, which the frame's clocks have as gamma of the velocity between the two.
+    /// The step that the axle makes in a unit of the ground's time, in the frame of the map.
     fn step(&self) -> Event {
         let Some(frame) = Velocity::along_street(&self.frame) else {
             return self.frame.event_at([self.velocity.beta(), 0.0, 0.0], 1.0);
         };
-        let relative = self.velocity.seen_from(frame);
-        let t = relative.speed.gamma() / self.velocity.speed.gamma();
-        Event { x: relative.beta() * t, t }
+        Boost::from(self.velocity).unit_step_in(frame)
     }
 
     /// The ground's times at which it is drawn between two of them, those included: as close together as its bends ask for.

@@ -136,6 +136,27 @@ impl Boost {
         Self::from_rapidity(self.rapidity() - frame.rapidity())
     }
 
+    /// Returns the step that a clock which moves so makes in a unit of the ground's time, in the frame that moves at `frame`: 1/gamma of
+    /// its own time there, which the frame's clocks have as gamma of the velocity between the two. A clock that rests in the frame has no
+    /// step along x, exactly.
+    ///
+    /// # Accuracy
+    ///
+    /// Within [`crate::MAX_ERROR_UNITS`] for each unit of both rapidities, and 1: a rounding of a rapidity H is as many of gamma.
+    #[must_use]
+    pub fn unit_step_in(self, frame: impl Into<Self>) -> Event {
+        let relative = self.seen_from(frame);
+        let t = relative.speed.gamma() / self.speed.gamma();
+        Event { x: relative.beta() * t, t }
+    }
+
+    /// Returns the reading, at the ground's time `t`, of the clock at `rest_x` in the frame that moves so: of
+    /// [`Worldline::at_rest`], with a rounding less.
+    #[must_use]
+    pub fn clock_reading(&self, rest_x: f64, t: f64) -> f64 {
+        t / self.speed.gamma() - self.beta() * rest_x
+    }
+
     /// Returns the step on the ground between two events at one time of the frame, the second `length` further along +x there.
     #[must_use]
     pub fn simultaneous_step(&self, length: f64) -> Event {
@@ -177,6 +198,13 @@ impl Worldline {
         t / gamma - gamma * self.boost.beta() * self.x0
     }
 
+    /// Returns how far along +x the clock is from an `event` on the ground, as measured in the frame in which it rests: gamma times as
+    /// far as it is on the ground then.
+    #[must_use]
+    pub fn rest_distance_from(&self, event: Event) -> f64 {
+        self.boost.speed.gamma() * (self.at(event.t).x - event.x)
+    }
+
     /// The event at which the clock shows `proper_time`.
     #[must_use]
     pub fn at_proper_time(&self, proper_time: f64) -> Event {
@@ -185,6 +213,12 @@ impl Worldline {
             x: gamma * (beta * proper_time + gamma * self.x0),
             t: gamma * (proper_time + gamma * beta * self.x0),
         }
+    }
+
+    /// Returns the velocity of the clock on the ground.
+    #[must_use]
+    pub const fn boost(&self) -> Boost {
+        self.boost
     }
 
     /// The ground's time at which the clock is at `x`; `None` if it rests, or would take longer than any f64.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::{DQuat, DVec3};
 
 use crate::shape::Shape;
+use crate::shape::strokes::{Onlooker, Path, Stroke};
 use crate::triangles::Triangles;
 use crate::wheel::spin::Spin;
 
@@ -139,14 +140,42 @@ impl Body {
         }
     }
 
+    /// Returns the strokes that it is drawn with, whoever looks: of a model its sharp edges, and of one that turns the cylinder as well
+    /// that it never leaves.
+    #[must_use]
+    pub fn strokes(&self) -> Vec<Stroke> {
+        let Some(model) = self.model() else { return self.shape.strokes() };
+        let around = self.spin.map_or_else(Vec::new, |_| self.outline().strokes());
+        around.into_iter().chain(model.edges(model.triangles.sharp_edges())).collect()
+    }
+
+    /// Returns the strokes that it is drawn with besides, where its surface turns away from whoever looks at the middle of it: around a
+    /// ball, and along a model that does not turn.
+    #[must_use]
+    pub fn silhouette(&self, onlooker_at: impl Fn(DVec3) -> Onlooker) -> Vec<Stroke> {
+        match self.model() {
+            Some(_) if self.spin.is_some() => Vec::new(),
+            Some(model) => {
+                let onlooker = onlooker_at(model.middle).in_axes(model.middle, model.turn);
+                model.edges(model.triangles.turning_edges(onlooker)).collect()
+            }
+            None => self.shape.silhouette(onlooker_at).map(Stroke::edge).into_iter().collect(),
+        }
+    }
+
+    /// Returns the model where it stands, if the body is one.
+    fn model(&self) -> Option<Model<'_>> {
+        let Shape::Box { center, turn, .. } = self.shape else { return None };
+        let triangles = self.triangles.as_deref()?;
+        Some(Model { triangles, middle: center.into(), turn: DQuat::from_array(turn) })
+    }
+
     /// Returns the point of it with the largest x.
     #[must_use]
     pub fn forward_most(&self) -> DVec3 {
-        let (Some(triangles), Shape::Box { center, turn, .. }) = (&self.triangles, self.shape) else {
-            return self.shape.forward_most();
-        };
-        let places = triangles.corners().map(|corner| DVec3::from(center) + DQuat::from_array(turn) * corner);
-        places.max_by(|a, b| a.x.total_cmp(&b.x)).unwrap_or(center.into())
+        let Some(model) = self.model() else { return self.shape.forward_most() };
+        let places = model.triangles.corners().map(|corner| model.place(corner));
+        places.max_by(|a, b| a.x.total_cmp(&b.x)).unwrap_or(model.middle)
     }
 
     /// The body moved by `offset`.
@@ -154,5 +183,28 @@ impl Body {
     pub fn moved(self, offset: [f64; 3]) -> Self {
         let spin = self.spin.map(|spin| spin.moved(offset));
         Self { shape: self.shape.moved(offset), spin, ..self }
+    }
+}
+
+/// The triangles of a model, and the box around them where it stands at rest.
+#[derive(Debug, Clone, Copy)]
+struct Model<'a> {
+    triangles: &'a Triangles,
+    middle: DVec3,
+    turn: DQuat,
+}
+
+impl Model<'_> {
+    /// The place at rest of a place in the axes of the box.
+    fn place(&self, in_box: DVec3) -> DVec3 {
+        self.middle + self.turn * in_box
+    }
+
+    /// The edges between these places in the axes of the box.
+    fn edges(&self, ends: impl Iterator<Item = [DVec3; 2]>) -> impl Iterator<Item = Stroke> {
+        ends.map(|ends| {
+            let [from, to] = ends.map(|end| self.place(end));
+            Stroke::edge(Path::Line { from, to })
+        })
     }
 }

@@ -5,7 +5,8 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Model, ObserverVelocity, PublishedVariant, SourcePoint, published_disparity, sighting,
+    Aperture, Event, Model, ObserverVelocity, PublishedVariant, Reception, SourcePoint, published_disparity,
+    sighting,
 };
 
 use crate::axes::position;
@@ -56,9 +57,8 @@ pub struct GroupView {
     pub origin: DVec3,
     /// When it is there: gamma (T - beta `a_x`).
     pub time: f64,
-    /// `time` + x and `time` - x of the origin, reflected so that the group moves along +x on the ground, with the digits
-    /// that these sums lose where the camera is far away in the group's frame.
-    pub(crate) cone_times: [f64; 2],
+    /// The camera's event there once more, reflected so that the group moves along +x on the ground: light is received at it.
+    pub(crate) reception: Reception,
     /// Observation time T.
     pub(crate) observation_time: f64,
 }
@@ -85,18 +85,17 @@ impl GroupView {
             (position(view.camera.aperture), view.observation_time)
         };
         let aperture = on_ground.reflected(place);
-        let (beta, gamma) = (on_ground.speed.beta(), on_ground.speed.gamma());
-        let origin = DVec3::new(gamma * (aperture.x - beta * received), aperture.y, aperture.z);
-        let head_on = on_ground.speed.head_on_doppler_factor();
+        let reception = Reception::new(Event { x: aperture.x, t: received }, &on_ground.speed);
+        let Event { x, t: time } = reception.event();
         Self {
             camera: view.camera,
             geometry,
             view_geometry: view.geometry,
             velocity,
             on_ground,
-            origin: on_ground.reflected(origin),
-            time: gamma * (received - beta * aperture.x),
-            cone_times: [(received + aperture.x) / head_on, (received - aperture.x) * head_on],
+            origin: on_ground.reflected(DVec3 { x, ..aperture }),
+            time,
+            reception,
             observation_time: received,
         }
     }
@@ -118,7 +117,7 @@ impl GroupView {
             on_ground,
             origin,
             time,
-            cone_times: [time + x, time - x],
+            reception: Reception::in_frame(Event { x, t: time }),
             observation_time: view.observation_time,
         }
     }
@@ -269,10 +268,7 @@ impl GroupView {
         let point = SourcePoint::from_rest(along_motion.to_array(), speed);
         let position = match self.geometry {
             Geometry::Rest => from_camera,
-            Geometry::Contracted => {
-                let x = along_motion.x / speed.gamma();
-                self.velocity.camera_from_motion(DVec3 { x, ..along_motion })
-            }
+            Geometry::Contracted => self.velocity.camera_from_motion(DVec3 { x: point.x0, ..along_motion }),
             Geometry::Seen => {
                 let seen = sighting(speed, point, Aperture::default(), 0.0).ok()?;
                 self.velocity.camera_from_motion(seen.position.into())

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Baseline, Boost, ConformalDisparity, Disparity, Model, Observer, ObserverError,
+    Aperture, Baseline, Boost, ConformalDisparity, Disparity, Event, Model, Observer, ObserverError,
     ObserverVelocity, PairError, Sighting, Source, SourcePoint, Speed, SpeedError, Stereo, StereoError,
     Turning, WheelPoint, aberration, math,
 };
@@ -248,13 +248,13 @@ impl Velocity {
         baseline: &Baseline,
         observation_time: f64,
     ) -> Result<Option<ConformalDisparity>, PairError> {
-        let Source::Point(SourcePoint { x0, y, z }) = self.reflected_source(point) else { return Ok(None) };
+        let Source::Point(point) = self.reflected_source(point) else { return Ok(None) };
         if !baseline.is_along_motion() {
             return Ok(None);
         }
-        let (beta, gamma) = (self.speed.beta(), self.speed.gamma());
-        let resting = SourcePoint { x0: gamma * (x0 + beta * observation_time), y, z };
-        let wide = Baseline { separation: gamma * baseline.separation, ..*baseline };
+        let here = Event { x: 0.0, t: observation_time };
+        let resting = SourcePoint { x0: point.worldline(&self.speed).rest_distance_from(here), ..point };
+        let wide = Baseline { separation: self.speed.gamma() * baseline.separation, ..*baseline };
         self.conformal_of(Model::Exact, &Speed::REST, resting.into(), &wide, observation_time)
     }
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
-use relativity_core::{ObserverVelocity, Speed};
+use relativity_core::{Boost, ObserverVelocity, Speed};
 
 use crate::camera::Camera;
 use crate::colour::luminance;
@@ -114,9 +114,8 @@ impl View {
             }
             // What is measured at one time of the camera's, that is later on the ground where it is further ahead.
             Geometry::Contracted => {
-                let speed = ground.speed;
-                received
-                    - speed.gamma() * speed.beta() * distance * ground.motion_from_camera(line_of_sight).x
+                let later = Boost::from(ground.speed).simultaneous_step(distance).t;
+                received - later * ground.motion_from_camera(line_of_sight).x
             }
         }
     }

@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
+use relativity_render::shape::strokes::Onlooker;
 use relativity_render::{
     Appearance, Body, Colour, Geometry, HitImage, Method, PreparedScene, RawModel, Renderers, Shape,
     TrianglesError, View,
@@ -262,7 +263,7 @@ fn a_ball_turns_away_along_a_great_circle() {
         let ball = ball_model([0.0; 3], 1.0, rings).prepared().expect("a model");
         assert_eq!(ball.sharp_edges().count(), 0, "{rings}");
         for direction in [DVec3::Z, DVec3::X, DVec3::new(0.6, -0.48, 0.64)] {
-            let edges: Vec<_> = ball.turning_edges(direction).collect();
+            let edges: Vec<_> = ball.turning_edges(Onlooker::Afar(direction)).collect();
             let length: f64 = edges.iter().map(|[from, to]| (*to - *from).length()).sum();
             // It goes around once, in steps along the net of the corners.
             assert!((0.9..1.5).contains(&(length / TAU)), "{rings}, {direction}: {length}");
@@ -270,5 +271,28 @@ fn a_ball_turns_away_along_a_great_circle() {
                 assert!(end.dot(direction).abs() < 0.15, "{rings}, {direction}: {end}");
             }
         }
+    }
+}
+
+/// An eye that is near sees less than half of it: a model of a ball, wherever it stands, turns away where the ball itself does.
+#[test]
+fn a_model_of_a_ball_turns_away_where_a_ball_does() {
+    let offset = [1.0, -2.0, 0.5];
+    let model = ball_model([0.0; 3], 1.0, 120).prepared().expect("a model");
+    let model = Body::of_triangles(model).moved(offset);
+    assert!(model.strokes().is_empty());
+    let ball = Shape::Sphere { center: offset, radius: 1.0 };
+    for eye in [[1.0, -0.5, 0.5], [-2.0, -2.0, 3.5]].map(DVec3::from) {
+        let onlooker = Onlooker::At(eye);
+        let around = ball.silhouette(|_| onlooker).expect("a ball has one");
+        let near = |place: DVec3| {
+            (0..2000).map(|i| place.distance(around.at(f64::from(i) / 2000.0))).fold(9.0, f64::min)
+        };
+        let edges = model.silhouette(|_| onlooker);
+        let ends = edges.iter().flat_map(|edge| [0.0, 1.0].map(|s| edge.path.at(s)));
+        let farthest = ends.map(near).fold(0.0, f64::max);
+        // Edges run along the net of the corners, which of so many triangles are in a grid of 40 cells each way.
+        let diagonal = 2.0_f64.sqrt() * 2.0 / 40.0;
+        assert!(edges.len() > 100 && farthest < diagonal, "{eye}: {} edges, {farthest}", edges.len());
     }
 }

@@ -316,15 +316,14 @@ impl State {
             }
             Some(_) => {}
             None => {
-                self.scratch.notice =
-                    Some(Notice::error("No separation of the eyes makes these views comfortable."));
+                self.tell(Notice::error("No separation of the eyes makes these views comfortable."));
             }
         }
     }
 
     fn set_light(&mut self, light: LightSettings) {
         if let Err(error) = self.set(Settings { light, ..Settings::clone(&self.document.settings) }) {
-            self.scratch.notice = Some(Notice::error(error));
+            self.tell(Notice::error(error));
         }
     }
 
@@ -349,8 +348,7 @@ impl State {
         match settings.opened_scene() {
             Ok(scene) => self.show_in(settings, scene.into()),
             Err(error) => {
-                let notice = Notice::error(error).about(Path::new(&settings.scene));
-                self.scratch.notice = Some(notice);
+                self.tell(Notice::error(error).about(Path::new(&settings.scene)));
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::app::clock;
 use crate::app::state::State;
+use crate::flags::MAX_TIME;
 use crate::time_range::time_within;
 
 impl State {
@@ -15,6 +16,28 @@ impl State {
 
     pub(super) fn go_within_range(&mut self, fraction: f64) {
         self.document.time = clock::bounded(time_within(self.time_range(), fraction));
+    }
+
+    /// Lets T run by a `step` of the wall clock, seconds. Where somebody pushes the pedals, the push that follows lasts as long as the
+    /// frame's step; T does not run besides.
+    pub(in crate::app) fn advance(&mut self, step: f64, is_pushed: bool) {
+        let before = self.document.time;
+        self.run_lesson(step);
+        self.frame.step = (self.document.time - before).abs();
+        let playback = self.document.settings.playback;
+        if is_pushed {
+            (self.scratch.playing, self.frame.step) = (true, step * playback.rate);
+            return;
+        }
+        self.scratch.saddle.push = None;
+        if self.scratch.playing {
+            let [from, to] = self.time_range();
+            // Who sits in the saddle rides on.
+            let to = if self.scratch.saddle.is_taken { MAX_TIME } else { to };
+            let tick = clock::advanced(self.document.time, step, playback.rate, playback.looping, [from, to]);
+            self.frame.step = step * playback.rate;
+            (self.document.time, self.scratch.playing) = (tick.time, tick.playing);
+        }
     }
 
     pub(super) fn toggle_playing(&mut self) {

@@ -95,7 +95,7 @@ impl State {
                 self.document.settings.window.plots = true;
             }
             Err(error) => {
-                self.scratch.notice = Some(Notice::error(error).about(&path));
+                self.tell(Notice::error(error).about(&path));
                 if purpose == Use::Show && !files::is_file(&path) {
                     self.session.recent.remove(&path);
                 }

@@ -68,7 +68,7 @@ impl State {
     pub(in crate::app) fn open_lesson(&mut self, lesson: &Lesson, path: &Path) {
         match self.begin_lesson(lesson) {
             Ok(()) => self.session.recent.add(path),
-            Err(error) => self.scratch.notice = Some(Notice::error(error).about(path)),
+            Err(error) => self.tell(Notice::error(error).about(path)),
         }
     }
 
@@ -80,7 +80,7 @@ impl State {
                 (running.course, running.told) = (course, None);
                 self.set_up();
             }
-            Err(error) => self.scratch.notice = Some(Notice::error(error).about(path)),
+            Err(error) => self.tell(Notice::error(error).about(path)),
         }
     }
 
@@ -89,7 +89,7 @@ impl State {
         if let LessonCommand::Open(name) = command {
             let opened = self.library().open(&name).and_then(|lesson| self.begin_lesson(&lesson));
             if let Err(error) = opened {
-                self.scratch.notice = Some(Notice::error(error));
+                self.tell(Notice::error(error));
             }
             return;
         }
@@ -234,7 +234,7 @@ impl State {
             settings,
         });
         if let Err(error) = &told {
-            self.scratch.notice = Some(Notice::error(error));
+            self.tell(Notice::error(error));
         }
         if let Some(running) = &mut self.session.lesson {
             // The scenes are opened for it, which takes too long for every frame.

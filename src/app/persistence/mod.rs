@@ -263,7 +263,9 @@ impl Files {
         match self.answers.merge(&mut state.session.answers) {
             Ok(message) => {
                 self.failures[2] = None;
-                state.scratch.notice = message.map(Notice::error).or(state.scratch.notice.take());
+                if let Some(message) = message {
+                    state.tell(Notice::error(message));
+                }
             }
             Err(failure) => self.failures[2] = Some(failure),
         }
@@ -286,7 +288,7 @@ impl Files {
     fn show_failure(&mut self, state: &mut State) {
         let failure = self.failure();
         if let Some(failure) = failure.as_ref().filter(|_| failure != self.shown) {
-            state.scratch.notice = Some(Notice::error(advice(failure)));
+            state.tell(Notice::error(advice(failure)));
         }
         self.shown = failure;
     }

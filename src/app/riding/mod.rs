@@ -94,7 +94,7 @@ impl State {
     /// Has these settings, and the scene with a bicycle below the eyes or without.
     fn have(&mut self, settings: Settings) {
         if let Err(error) = self.set(settings) {
-            self.scratch.notice = Some(Notice::error(error));
+            self.tell(Notice::error(error));
         }
     }
 
@@ -148,7 +148,7 @@ impl State {
                 self.document.settings.ride = ride;
             }
             Ok(ride) => self.have(Settings { ride, ..Settings::clone(&self.document.settings) }),
-            Err(reason) => self.scratch.notice = Some(Notice::error(format!("No further push: {reason}."))),
+            Err(reason) => self.tell(Notice::error(format!("No further push: {reason}."))),
         }
     }
 

@@ -25,7 +25,7 @@ use crate::studio::film::{FilmKind, loop_times};
 impl App {
     /// Fulfils the orders, and reports the outcome of earlier ones.
     pub(in crate::app) fn fulfil_orders(&mut self, ui: &Ui) {
-        for order in std::mem::take(&mut self.state.session.orders) {
+        for order in self.state.take_orders() {
             match order {
                 Order::Save(saving) => self.save_as(ui, saving),
                 Order::Copy(copied) => self.copy(ui, copied),
@@ -54,7 +54,7 @@ impl App {
     }
 
     fn tell(&mut self, ctx: &Context, notice: Notice) {
-        self.state.scratch.notice = Some(notice);
+        self.state.tell(notice);
         ctx.request_repaint();
     }
 

@@ -124,7 +124,7 @@ impl State {
     /// Resets the settings in `section` to their defaults.
     pub(in crate::app) fn reset(&mut self, section: Section) {
         if let Err(error) = self.set(section.as_in(&self.defaults(), &self.document.settings)) {
-            self.scratch.notice = Some(Notice::error(error));
+            self.tell(Notice::error(error));
         }
     }
 }

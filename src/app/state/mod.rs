@@ -41,8 +41,8 @@ use crate::scene::{Scene, SceneError};
 use crate::settings::Settings;
 use crate::units::Measures;
 
-/// Everything the panels read, each part by how long it lasts. What a user does changes it only through [`crate::app::command`]; besides,
-/// the window lets T run, measures the frame, and leaves messages.
+/// Everything the panels read, each part by how long it lasts. What a user does changes it only through [`crate::app::command`]. The window
+/// has it run on ([`Self::advance`]) and leaves messages ([`Self::tell`]); of its own it writes the frame alone, as it measures that.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State {
     /// Document that is shown: undone, saved and compared.
@@ -131,6 +131,26 @@ impl State {
         let (document, notice) = Document::new(settings, scene);
         self.document = document;
         self.scratch = Scratch { playing, notice, ..Scratch::default() };
+    }
+
+    /// Leaves a message, in place of the one before.
+    pub(in crate::app) fn tell(&mut self, notice: Notice) {
+        self.scratch.notice = Some(notice);
+    }
+
+    /// Asks no longer which file to open or to write.
+    pub(in crate::app) fn close_chooser(&mut self) {
+        self.scratch.chooser = None;
+    }
+
+    /// Takes the requests that need more than the state.
+    pub(in crate::app) fn take_orders(&mut self) -> Vec<Order> {
+        std::mem::take(&mut self.session.orders)
+    }
+
+    /// Notes what the system makes of the window: whether it has the whole screen, and the size of a pixel, cm.
+    pub(in crate::app) fn note_screen(&mut self, full_screen: bool, cm_per_pixel: f64) {
+        (self.session.stage.full_screen, self.frame.cm_per_pixel) = (full_screen, cm_per_pixel);
     }
 
     /// Opens the scene that `settings` name.

@@ -117,7 +117,7 @@ impl App {
     /// Draws both pictures as this `head` sees them. What the document shows stays as it is.
     fn paint_pictures(&mut self, ui: &mut Ui, pictures: &Pictures, head: &Head) {
         let settings = self.state.document.settings.before_head(head, pictures.fov);
-        let own = std::mem::replace(&mut self.state.document.settings, Shared::from(settings));
+        let own = self.state.exchange(Shared::from(settings));
         let panes =
             Eye::BOTH.map(|eye| Pane { content: PaneContent::Eye(eye), rect: pictures.rects[eye.index()] });
         self.measure_pictures(ui, &panes);
@@ -127,7 +127,7 @@ impl App {
             self.paint_bare(ui, pane);
         }
         self.forget_composed(&panes);
-        self.state.document.settings = own;
+        self.state.exchange(own);
         views::halo::paint(ui.ctx());
     }
 }

@@ -56,7 +56,7 @@ impl State {
         let scene = PathBuf::from(&kept.settings.scene);
         let left = UndoStep { time: kept.time.map(|_| self.document.time), ..self.kept() };
         if let Err(error) = self.set(kept.settings) {
-            self.scratch.notice = Some(Notice::error(error).about(&scene));
+            self.tell(Notice::error(error).about(&scene));
             return;
         }
         self.document.points = kept.points.in_scene(&self.document.scene);

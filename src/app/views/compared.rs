@@ -7,16 +7,21 @@ use crate::app::views::panes::EyePane;
 use crate::settings::Settings;
 
 impl State {
+    /// Has these `settings` for a picture, until it has those again that it had, which are returned.
+    pub(in crate::app) fn exchange(&mut self, settings: Shared<Settings>) -> Shared<Settings> {
+        std::mem::replace(&mut self.document.settings, settings)
+    }
+
     /// Has the settings of the second of two pictures of one eye, if it `is_second` and there is one; then those that it had.
     fn enter(&mut self, is_second: bool) -> Option<Shared<Settings>> {
         let second = if is_second { self.second_settings() } else { None }?;
-        Some(std::mem::replace(&mut self.document.settings, second))
+        Some(self.exchange(second))
     }
 
     /// Has these settings again, if there are any.
     fn leave(&mut self, kept: Option<Shared<Settings>>) {
         if let Some(kept) = kept {
-            self.document.settings = kept;
+            self.exchange(kept);
         }
     }
 

@@ -152,7 +152,7 @@ fn opened(settings: Settings) -> anyhow::Result<State> {
     let default = settings.clone().with_scene(Settings::default().scene);
     State::open(settings).or_else(|error| {
         let mut state = State::open(default)?;
-        state.scratch.notice = Some(Notice::error(error).about(Path::new(&scene)));
+        state.tell(Notice::error(error).about(Path::new(&scene)));
         Ok(state)
     })
 }

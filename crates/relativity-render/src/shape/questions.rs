@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec2, DVec3};
 
 use super::round::Arc;
-use super::strokes::Stroke;
+use super::strokes::{Onlooker, Path, Stroke};
 use crate::block::Block;
 use crate::capsule::Capsule;
 use crate::kind::Kind;
@@ -45,6 +45,11 @@ pub(crate) trait PlacedShape {
 
     /// The strokes that it is drawn with.
     fn strokes(&self) -> Vec<Stroke>;
+
+    /// The line along which lines of sight touch it, if it is drawn with that, for the onlooker at its middle.
+    fn silhouette(&self, _: &dyn Fn(DVec3) -> Onlooker) -> Option<Path> {
+        None
+    }
 
     /// Capsules that contain it; none for what is always in a block.
     fn capsules(&self) -> Vec<Capsule>;

@@ -28,8 +28,7 @@ pub(crate) fn closing(radius: f64, step: f64) -> f64 {
 }
 
 /// Returns `count` places on the circle about `axis`, evenly spread.
-#[must_use]
-pub fn circle(center: DVec3, axis: DVec3, radius: f64, count: u32) -> Vec<DVec3> {
+pub(crate) fn circle(center: DVec3, axis: DVec3, radius: f64, count: u32) -> Vec<DVec3> {
     let (across, up) = axis.normalize_or(DVec3::Z).any_orthonormal_pair();
     let place = |step| {
         let (sin, cos) = sin_cos(TAU * f64::from(step) / f64::from(count));

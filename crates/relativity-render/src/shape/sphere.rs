@@ -4,7 +4,7 @@ use glam::{DQuat, DVec2, DVec3};
 
 use super::questions::{CentredShape, Foot, LocalRay, PackedForm, PackedShape, PlacedShape, SegmentsNeeded};
 use super::round::{Arc, ball_entry, closing};
-use super::strokes::Stroke;
+use super::strokes::{Onlooker, Path, Stroke};
 use super::tube::{along_tube, segments_of_tube};
 use crate::capsule::Capsule;
 use crate::kind::Kind;
@@ -61,6 +61,19 @@ impl PlacedShape for Sphere {
     /// None: its outline depends on who looks.
     fn strokes(&self) -> Vec<Stroke> {
         Vec::new()
+    }
+
+    /// A circle, nearer than the centre and smaller than the ball where the eye is near; a point for an eye inside.
+    fn silhouette(&self, onlooker_at: &dyn Fn(DVec3) -> Onlooker) -> Option<Path> {
+        let Self { center, radius } = *self;
+        let onlooker = onlooker_at(center);
+        let sight = onlooker.line_of_sight(center);
+        let nearer = match onlooker {
+            Onlooker::At(_) => (radius * radius / sight.length_squared()).min(1.0),
+            Onlooker::Afar(_) => 0.0,
+        };
+        let axis = sight.normalize_or(DVec3::Z);
+        Some(Path::circle(center - sight * nearer, axis, radius * (1.0 - nearer).sqrt()))
     }
 
     fn capsules(&self) -> Vec<Capsule> {

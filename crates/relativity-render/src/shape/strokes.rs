@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use relativity_core::math::sin_cos;
 
 /// A line or a circle at rest.
@@ -50,6 +50,35 @@ impl Path {
         match self {
             Self::Line { .. } => 2,
             Self::Circle { .. } => 12,
+        }
+    }
+}
+
+/// Whoever looks at something, in its rest frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Onlooker {
+    /// An eye at this place.
+    At(DVec3),
+    /// An eye far away, which looks along this direction everywhere.
+    Afar(DVec3),
+}
+
+impl Onlooker {
+    /// The direction, of any length, along which `place` is seen.
+    #[must_use]
+    pub fn line_of_sight(self, place: DVec3) -> DVec3 {
+        match self {
+            Self::At(eye) => place - eye,
+            Self::Afar(direction) => direction,
+        }
+    }
+
+    /// The same onlooker in axes that are turned by `turn` about `middle`, and have their origin there.
+    pub(crate) fn in_axes(self, middle: DVec3, turn: DQuat) -> Self {
+        let back = turn.inverse();
+        match self {
+            Self::At(eye) => Self::At(back * (eye - middle)),
+            Self::Afar(direction) => Self::Afar(back * direction),
         }
     }
 }

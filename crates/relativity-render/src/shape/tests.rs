@@ -3,6 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use super::Shape;
+use super::strokes::Onlooker;
 
 #[test]
 fn the_forward_most_point_of_a_shape_is_on_its_surface() {
@@ -71,6 +72,28 @@ fn outlines_lie_on_the_surfaces_that_they_stand_for() {
             }
         }
     }
+}
+
+/// On its silhouette a surface is met at right angles to its normal; an eye inside sees none.
+#[test]
+fn lines_of_sight_touch_a_ball_along_its_silhouette() {
+    let (center, radius) = (DVec3::new(1.0, -2.0, 0.5), 0.75);
+    let ball = Shape::Sphere { center: center.into(), radius };
+    for onlooker in [
+        Onlooker::At(DVec3::new(3.0, 1.0, 0.0)),
+        Onlooker::At(center + DVec3::Z * 0.76),
+        Onlooker::At(DVec3::new(-1e6, 0.0, 7.0)),
+        Onlooker::Afar(DVec3::new(0.6, 0.0, -0.8)),
+    ] {
+        let around = ball.silhouette(|_| onlooker).expect("a ball has one");
+        for place in [0.0, 0.2, 0.5, 0.9].map(|s| around.at(s)) {
+            let sight = onlooker.line_of_sight(place).normalize();
+            let slope = (place - center).dot(sight) / radius;
+            assert!(ball.distance(place).abs() < 1e-15 && slope.abs() < 1e-15, "{onlooker:?}: {slope}");
+        }
+    }
+    let inside = ball.silhouette(|middle| Onlooker::At(middle + DVec3::X * 0.5)).expect("a ball has one");
+    assert_eq!(inside.at(0.0), inside.at(0.5));
 }
 
 #[test]

@@ -5,6 +5,8 @@ use std::collections::hash_map::Entry;
 
 use glam::{DVec3, Vec3};
 
+use crate::shape::strokes::Onlooker;
+
 /// Greatest number of triangles whose own edges are drawn. Of a larger model the corners in a cell of a grid count as one of them.
 const MOST_TRIANGLES: usize = 5_000;
 /// Cells of that grid along the longest side of the box around the model: lines are off by up to so small a part of it.
@@ -35,10 +37,11 @@ impl Edges {
         self.0.iter().filter(|edge| edge.bend.is_none()).map(|edge| edge.ends).take(MOST_EDGES)
     }
 
-    /// Returns the ends of the edges where the surface turns away from who looks along `direction`, from the middle of the box; at most
-    /// 240, the longest, and none of the sharp ones.
-    pub fn turning(&self, direction: DVec3) -> impl Iterator<Item = [DVec3; 2]> {
+    /// Returns the ends of the edges where the surface turns away from `onlooker`, from the middle of the box; at most 240, the
+    /// longest, and none of the sharp ones.
+    pub fn turning(&self, onlooker: Onlooker) -> impl Iterator<Item = [DVec3; 2]> {
         let turns_away = move |edge: &&Edge| {
+            let direction = onlooker.line_of_sight(edge.ends[0]);
             edge.bend.is_some_and(|[one, other]| one.dot(direction) * other.dot(direction) < 0.0)
         };
         self.0.iter().filter(turns_away).map(|edge| edge.ends).take(MOST_EDGES)
@@ -150,6 +153,6 @@ mod tests {
             // An edge of a box runs along one axis; a diagonal would run along two.
             assert_eq!((to - from).abs().to_array().iter().filter(|part| **part > 0.0).count(), 1);
         }
-        assert_eq!(found.turning(DVec3::new(0.3, 0.5, 0.8)).count(), 0);
+        assert_eq!(found.turning(Onlooker::Afar(DVec3::new(0.3, 0.5, 0.8))).count(), 0);
     }
 }

@@ -36,6 +36,7 @@ pub use self::texture::{Texture, Wrap};
 use crate::hierarchy::{BodyPart, Hierarchy};
 use crate::intersect::{Entry, Solid};
 use crate::ray::Ray;
+use crate::shape::strokes::Onlooker;
 use crate::shape::{BoxForm, PreparedShape};
 use texture::MipMap;
 
@@ -155,10 +156,10 @@ impl Triangles {
         self.edges().sharp()
     }
 
-    /// Returns the ends of the edges where the surface turns away from who looks along `direction`, from the middle of the box around the
-    /// model; at most 240, the longest, and none of the sharp ones.
-    pub fn turning_edges(&self, direction: DVec3) -> impl Iterator<Item = [DVec3; 2]> {
-        self.edges().turning(direction)
+    /// Returns the ends of the edges where the surface turns away from `onlooker`, in the axes of the box around the model, from its
+    /// middle; at most 240, the longest, and none of the sharp ones.
+    pub fn turning_edges(&self, onlooker: Onlooker) -> impl Iterator<Item = [DVec3; 2]> {
+        self.edges().turning(onlooker)
     }
 
     /// Returns the edges, which the first call finds.

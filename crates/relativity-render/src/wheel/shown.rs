@@ -1,6 +1,7 @@
 //! When a view shows what is somewhere in a group, and how far wheels have turned by then.
 
 use glam::DVec3;
+use relativity_core::Boost;
 use relativity_core::math::{atan2, hypot};
 use relativity_core::wheel::{measured_later, seen_later};
 
@@ -16,21 +17,12 @@ impl GroupView {
         let Self { on_ground, origin, time, .. } = *self;
         if self.geometry == Geometry::Contracted {
             return if self.camera.velocity.is_rest() {
-                self.observation_time / on_ground.speed.gamma() - on_ground.beta() * place.x
+                Boost::from(on_ground).clock_reading(place.x, self.observation_time)
             } else {
                 time - self.lag_along_motion(place - origin)
             };
         }
-        let from_camera = place - origin;
-        let distance = from_camera.length();
-        if time <= 0.0 {
-            return time - distance;
-        }
-        // (time^2 - distance^2)/(time + distance): what is seen long after it has passed is about as far as that is long.
-        let [plus_x, minus_x] = self.cone_times;
-        let DVec3 { x, .. } = on_ground.reflected(place);
-        let DVec3 { y, z, .. } = from_camera;
-        ((plus_x - x) * (minus_x + x) - y * y - z * z) / (time + distance)
+        self.reception.emission_time(on_ground.reflected(place).x, [place.y - origin.y, place.z - origin.z])
     }
 
     /// Returns the time by which the view shows what is at `from` + `step` later than what is at `from`, without the difference of both.

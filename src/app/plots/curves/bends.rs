@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use relativity_core::math;
 use relativity_core::{
-    Aperture, Source, Speed, WheelPoint, equidistance_time, observation_time_when_seen_at, sighting,
+    Aperture, Event, Source, Speed, WheelPoint, equidistance_time, observation_time_when_seen_at, sighting,
 };
 
 use crate::time_range::time_within;
@@ -139,7 +139,7 @@ impl SeenTurning<'_> {
     /// Around 0, how many steps from its highest place a point moves along the line of sight at `time`, towards the eye or away.
     fn along_sight(&self, time: f64) -> f64 {
         let Self { speed, wheel, eye } = *self;
-        let x = speed.gamma() * (wheel.hub.worldline(speed).at(time).x - eye.x);
+        let x = wheel.hub.worldline(speed).rest_distance_from(Event { x: eye.x, t: time });
         let steps = -math::atan2(wheel.hub.z - eye.z, x) / FRAC_PI_4;
         steps - 0.5 * STEPS * (steps / (0.5 * STEPS)).round()
     }

@@ -3,18 +3,16 @@
 
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape as Drawing, Stroke, pos2, vec2};
 use glam::DVec3;
-use relativity_render::{Body, GroupView, MaterialPoint, Motion, Shape, shape::round::circle};
+use relativity_render::shape::strokes::Onlooker;
+use relativity_render::{Body, GroupView, MaterialPoint, Motion};
 
 use super::sliding_view::{SlidingView, points_per_px};
 use crate::app::state::State;
 use crate::app::views::panes::EyePane;
-use crate::map::strokes;
 use crate::number_text;
 
 /// At most this many bodies are outlined; larger scenes are strided.
 const MOST_BODIES: usize = 600;
-/// Corners of a ball's outline.
-const AROUND: u32 = 48;
 const COLOUR: Color32 = Color32::from_rgb(255, 224, 130);
 /// Length of the arrow's head, points.
 const HEAD: f32 = 10.0;
@@ -35,7 +33,7 @@ pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &SlidingVie
             seen.paint_outline(painter, body);
         }
         let anchor =
-            anchor(state, group.motion).or_else(|| place_on(scene.bodies.get(group.bodies().start)?));
+            anchor(state, group.motion).or_else(|| scene.bodies.get(group.bodies().start).map(place_on));
         let shift = slide.shift(&velocity);
         if let Some(from) = anchor.and_then(|point| seen.place(seen.group.place_when_shown(point))) {
             let name = format!(
@@ -56,13 +54,11 @@ fn anchor(state: &State, motion: Motion) -> Option<MaterialPoint> {
     (point.track.motion == motion).then(|| point.track.point())
 }
 
-/// A place on the outline of `body`; of a ball its centre.
-fn place_on(body: &Body) -> Option<MaterialPoint> {
-    let rest = match body.shape {
-        Shape::Sphere { center, .. } => center.into(),
-        _ => strokes(body).next()?.first().copied()?,
-    };
-    Some(MaterialPoint { rest, spin: body.spin })
+/// A place on the outline of `body`; the middle of one whose outline depends on who looks.
+fn place_on(body: &Body) -> MaterialPoint {
+    let on_stroke = body.strokes().first().map(|stroke| stroke.path.at(0.0));
+    let rest = on_stroke.unwrap_or_else(|| body.shape.ball_around().0.into());
+    MaterialPoint { rest, spin: body.spin }
 }
 
 /// The view of a group as if it rested, from the same event.
@@ -85,29 +81,15 @@ impl Resting<'_> {
 
     fn paint_outline(&self, painter: &Painter, body: &Body) {
         let stroke = Stroke::new(1.0, COLOUR.gamma_multiply(0.75));
-        let paint = |places: &[DVec3]| {
-            let shown = |&rest: &DVec3| {
-                self.place(self.group.place_when_shown(MaterialPoint { rest, spin: body.spin }))
-            };
-            if let Some(places) = places.iter().map(shown).collect::<Option<Vec<_>>>() {
+        let shown = |rest| self.place(self.group.place_when_shown(MaterialPoint { rest, spin: body.spin }));
+        let silhouette = body.silhouette(|_| Onlooker::At(self.group.origin));
+        for path in body.strokes().into_iter().chain(silhouette).map(|stroke| stroke.path) {
+            let parts = 4 * path.parts();
+            let at = |part| path.at(f64::from(part) / f64::from(parts));
+            if let Some(places) = (0..=parts).map(|part| shown(at(part))).collect() {
                 painter.add(Drawing::line(places, stroke));
             }
-        };
-        if let Shape::Sphere { center, radius } = body.shape {
-            paint(&self.around_ball(center.into(), radius));
-            return;
         }
-        strokes(body).for_each(|places| paint(&places));
-    }
-
-    /// The circle along which lines of sight touch a ball.
-    fn around_ball(&self, center: DVec3, radius: f64) -> Vec<DVec3> {
-        let from = center - self.group.origin;
-        let squared = (radius * radius / from.length_squared()).min(1.0);
-        let reach = radius * (1.0 - squared).sqrt();
-        let mut corners = circle(center - from * squared, from, reach, AROUND);
-        corners.push(corners[0]);
-        corners
     }
 
     /// The arrow from where something would be seen at rest to where it is seen.
