@@ -5,7 +5,8 @@ use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use pulldown_cmark::{CowStr, Event, Tag, TagEnd, html};
 
-use crate::formula::{self, Formula, markdown};
+use crate::formula::markdown::Markdown;
+use crate::formula::{self, Formula};
 pub use crate::markup::escaped;
 
 /// The style of a page, by its use.
@@ -106,18 +107,71 @@ impl HtmlPage {
     /// Those of `picture`, and a formula that cannot be drawn.
     pub fn markdown(
         &mut self,
-        text: &str,
+        text: &Markdown,
+        picture: impl Fn(&str) -> anyhow::Result<String>,
+    ) -> anyhow::Result<()> {
+        self.add(events(text), picture)
+    }
+
+    /// Adds Markdown that holds no pictures.
+    ///
+    /// # Errors
+    ///
+    /// A picture, and a formula that cannot be drawn.
+    pub fn text(&mut self, text: &Markdown) -> anyhow::Result<()> {
+        self.add(events(text), no_picture)
+    }
+
+    /// Adds Markdown that holds no pictures; its first paragraph begins with `lead`, which is Markdown of one paragraph.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::text`].
+    pub fn text_behind(&mut self, lead: &str, text: &Markdown) -> anyhow::Result<()> {
+        let mut lead: Vec<_> = events(&Markdown::new(lead)).collect();
+        let end = lead.pop();
+        let mut rest = events(text).peekable();
+        if rest.next_if_eq(&Event::Start(Tag::Paragraph)).is_some() {
+            lead.push(Event::Text(CowStr::from(" ")));
+        } else {
+            lead.extend(end);
+        }
+        self.add(lead.into_iter().chain(rest), no_picture)
+    }
+
+    /// Adds a list of Markdown that holds no pictures.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::text`].
+    pub fn list<'a>(&mut self, items: impl IntoIterator<Item = &'a Markdown>) -> anyhow::Result<()> {
+        let is_paragraph =
+            |event: &Event<'_>| matches!(event, Event::Start(Tag::Paragraph) | Event::End(TagEnd::Paragraph));
+        self.html("<ul>\n");
+        for item in items {
+            self.html("<li>");
+            // A single paragraph is no paragraph of its own.
+            let is_loose = events(item).filter(is_paragraph).count() > 2;
+            self.add(events(item).filter(|event| is_loose || !is_paragraph(event)), no_picture)?;
+            self.html("</li>\n");
+        }
+        self.html("</ul>\n");
+        Ok(())
+    }
+
+    fn add<'a>(
+        &mut self,
+        mut told: impl Iterator<Item = Event<'a>>,
         picture: impl Fn(&str) -> anyhow::Result<String>,
     ) -> anyhow::Result<()> {
         let mut events = Vec::new();
-        let mut parser = markdown::events(text).map(|(event, _)| event);
-        while let Some(event) = parser.next() {
+        while let Some(event) = told.next() {
             let Event::Start(Tag::Image { dest_url, .. }) = event else {
                 events.push(drawn(event)?);
                 continue;
             };
             let caption: Result<Vec<_>, _> =
-                parser.by_ref().take_while(|event| *event != Event::End(TagEnd::Image)).map(drawn).collect();
+                told.by_ref().take_while(|event| *event != Event::End(TagEnd::Image)).map(drawn).collect();
             let mut shown = String::new();
             html::push_html(&mut shown, caption?.into_iter());
             let picture = picture(&dest_url).with_context(|| dest_url.to_string())?;
@@ -126,15 +180,6 @@ impl HtmlPage {
         }
         html::push_html(&mut self.text, without_paragraphs_around_figures(events).into_iter());
         Ok(())
-    }
-
-    /// Adds Markdown that holds no pictures.
-    ///
-    /// # Errors
-    ///
-    /// A picture, and a formula that cannot be drawn.
-    pub fn text(&mut self, markdown: &str) -> anyhow::Result<()> {
-        self.markdown(markdown, |file| anyhow::bail!("{file}: there are no pictures here"))
     }
 
     /// Adds HTML as it is.
@@ -148,6 +193,15 @@ impl HtmlPage {
         self.text.push_str("</body>\n</html>\n");
         self.text
     }
+}
+
+/// The events of `text`.
+fn events(text: &Markdown) -> impl Iterator<Item = Event<'static>> {
+    text.events().iter().map(|(event, _)| event.clone())
+}
+
+fn no_picture(file: &str) -> anyhow::Result<String> {
+    anyhow::bail!("{file}: there are no pictures here")
 }
 
 /// `event` with its formula drawn; HTML as text.
@@ -201,7 +255,7 @@ mod tests {
 
     fn page(markdown: &str) -> anyhow::Result<String> {
         let mut page = HtmlPage::new("A & B", PageStyle::Print);
-        page.markdown(markdown, |file| Ok(format!("<svg>{file}</svg>\n")))?;
+        page.markdown(&Markdown::new(markdown), |file| Ok(format!("<svg>{file}</svg>\n")))?;
         page.html(&answer_lines(2));
         Ok(page.finish())
     }
@@ -216,8 +270,26 @@ mod tests {
         assert!(page.contains(expected), "{page}");
         assert!(page.contains("<td>1 &lt; 2</td><td><code>x</code></td>") && page.contains("<p>Text.</p>"));
         assert!(!page.contains("<p><figure>") && !page.contains("</figure>\n</p>"));
-        let gone = HtmlPage::new("A", PageStyle::Screen).markdown(markdown, |_| anyhow::bail!("it is gone"));
+        let gone = HtmlPage::new("A", PageStyle::Screen)
+            .markdown(&Markdown::new(markdown), |_| anyhow::bail!("it is gone"));
         assert!(gone.is_err());
+    }
+
+    #[test]
+    fn words_stand_before_a_text_and_lists_hold_texts() {
+        let [text, rule, two] = ["a $x$\n\nb", "- c", "d\n\ne"].map(Markdown::new);
+        let mut page = HtmlPage::new("A", PageStyle::Print);
+        page.text_behind("**Why.**", &text).expect("it is Markdown");
+        page.text_behind("**Why.**", &rule).expect("it is Markdown");
+        page.list([&Markdown::new("*f*"), &two]).expect("it is Markdown");
+        let page = page.finish();
+        for part in [
+            "<p><strong>Why.</strong> a <svg",
+            "</svg></p>\n<p>b</p>\n<p><strong>Why.</strong></p>\n<ul>\n<li>c</li>\n</ul>\n",
+            "<ul>\n<li><em>f</em></li>\n<li><p>d</p>\n<p>e</p>\n</li>\n</ul>\n",
+        ] {
+            assert!(page.contains(part), "{part}: {page}");
+        }
     }
 
     #[test]

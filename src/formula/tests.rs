@@ -1,5 +1,6 @@
 //! Formulas measured against their fonts and against TeX's rules.
 
+use super::markdown::{Fault, Markdown};
 use super::*;
 
 fn inline(tex: &str) -> Formula {
@@ -200,11 +201,14 @@ fn formulas_part_at_wide_spaces() {
 
 #[test]
 fn faults_in_markdown_have_a_line() {
-    assert_eq!(markdown::first_fault("# A\n\nGood: $x$.\n\n$$\\frac{1}{2}$$\n"), None);
-    let (line, error) = markdown::first_fault("# A\n\nGood: $x$,\nbad: $\\gama$.\n").expect("it is wrong");
-    assert!(line == 4 && error.to_string().contains("gama"), "{line}: {error}");
-    let (line, _) = markdown::first_fault("A\n\n- b\n- $$\\frac{1}$$\n").expect("it is wrong");
-    assert_eq!(line, 4);
+    let first_fault = |text: &str| Markdown::new(text).first_fault();
+    assert_eq!(first_fault("# A\n\nGood: $x$.\n\n$$\\frac{1}{2}$$\n"), None);
+    let (line, error) = first_fault("# A\n\nGood: $x$,\nbad: $\\gama$.\n").expect("it is wrong");
+    assert!(line == 3 && error.to_string().contains("gama"), "{line}: {error}");
+    let (line, _) = first_fault("A\n\n- b\n- $$\\frac{1}$$\n").expect("it is wrong");
+    assert_eq!(line, 3);
+    assert_eq!(first_fault("A\n\n*b* for 3 $, $x$"), Some((2, Fault::Dollar)));
+    assert_eq!(first_fault("```\n$ gamow\n```\n\n`$` is \\$"), None);
 }
 
 /// The outlines in the picture are at the same place as the marks.

@@ -7,14 +7,17 @@ use serde::{Deserialize, Serialize};
 use super::error::LessonError;
 use crate::flags::choices::Layout;
 use crate::flags::{SpeedSetting, given_speed};
+use crate::formula::markdown::Markdown;
 use crate::quantity::Quantity;
 use crate::settings::{Preset, Settings};
 
-/// A text in Markdown, with formulas in TeX, and where it begins in its file.
+/// A text in Markdown, with formulas in TeX, and where it begins in its file. Its values are put into its source before anybody
+/// asks for its events, so that it is parsed once, when the lesson is worked out: that checks it, and the window and all
+/// pages show the same events.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Text {
     /// The Markdown; before a lesson is worked out, with places for values such as `{gain:.2}`.
-    pub markdown: String,
+    pub markdown: Markdown,
     /// Number of the text's first line in the file, from 1.
     pub line: usize,
 }
@@ -22,8 +25,8 @@ pub struct Text {
 impl Text {
     /// Whether there is none.
     #[must_use]
-    pub const fn is_empty(&self) -> bool {
-        self.markdown.is_empty()
+    pub fn is_empty(&self) -> bool {
+        self.markdown.source().is_empty()
     }
 }
 
@@ -216,7 +219,7 @@ impl Lesson {
     /// `preset` as a lesson of one step.
     #[must_use]
     pub fn of_preset(preset: &Preset) -> Self {
-        let text = |markdown: &str| Text { markdown: markdown.to_owned(), line: 1 };
+        let text = |markdown: &str| Text { markdown: Markdown::new(markdown), line: 1 };
         let step = Step {
             title: preset.title.clone(),
             state: Some(StateBlock { toml: preset.toml.to_owned(), line: 1 }),

@@ -1,7 +1,5 @@
 //! The report of a lesson, as a page to keep or to print.
 
-use std::fmt::Write as _;
-
 use super::answer::{Answer, Outcome, Record};
 use super::course::Course;
 use super::plan::{AnswerKind, Choices, CurveAnswer, Prediction, Step};
@@ -9,6 +7,7 @@ use super::truth::Sight;
 use super::verdict::{Verdict, verdict};
 use super::{curve_plot, picture, sketch};
 use crate::files::html::{HtmlPage, PageStyle, escaped};
+use crate::formula::markdown::Markdown;
 use crate::plot::{BLACK, BLUE, Line, LineStroke};
 use crate::settings::Settings;
 
@@ -51,7 +50,7 @@ fn step(page: &mut HtmlPage, step: &Step, record: &Record, settings: &Settings) 
     if let Some(Prediction { question, kind }) = &step.prediction {
         page.text(&question.markdown)?;
         if let Some(verdict) = verdict(step, record, &sight) {
-            page.text(&outcome_text(&verdict, record))?;
+            page.text(&Markdown::new(outcome_text(&verdict, record)))?;
         }
         if let AnswerKind::Curve(curve) = kind {
             page.html(&format!("<figure>\n{}</figure>\n", curves(curve, record, &sight)));
@@ -63,13 +62,12 @@ fn step(page: &mut HtmlPage, step: &Step, record: &Record, settings: &Settings) 
     }
     if let Some(Choices { question, options }) = &step.observation {
         page.text(&question.markdown)?;
-        let option = |number: usize| options.texts.get(number).map(|text| text.markdown.as_str());
-        let observed = record.observed.and_then(option).unwrap_or("nothing");
-        let mut said = format!("**Observed:** {observed}");
-        if record.observed != Some(options.right) {
-            write!(said, "\n\n**What there was to observe:** {}", option(options.right).unwrap_or_default())?;
+        let option = |number: usize| options.texts.get(number).map(|text| &text.markdown);
+        let nothing = Markdown::new("nothing");
+        page.text_behind("**Observed:**", record.observed.and_then(option).unwrap_or(&nothing))?;
+        if let Some(right) = option(options.right).filter(|_| record.observed != Some(options.right)) {
+            page.text_behind("**What there was to observe:**", right)?;
         }
-        page.text(&said)?;
     }
     page.text(&step.explanation.markdown)
 }

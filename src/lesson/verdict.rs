@@ -80,7 +80,7 @@ fn place(direction: Gaze) -> String {
 }
 
 fn option(options: &Options, number: usize) -> String {
-    options.texts.get(number).map(|text| text.markdown.clone()).unwrap_or_default()
+    options.texts.get(number).map(|text| text.markdown.source().to_owned()).unwrap_or_default()
 }
 
 impl Sight<'_> {

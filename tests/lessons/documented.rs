@@ -1,6 +1,6 @@
-//! The example of the format's description is a lesson.
+//! The format's description: its examples are lessons, and its table of values is the program's.
 
-use gamow::lesson::{AnswerKind, Course, Lesson};
+use gamow::lesson::{AnswerKind, Course, Lesson, values};
 
 const DESCRIPTION: &str = include_str!("../../assets/lessons/README.md");
 
@@ -39,4 +39,24 @@ fn the_example_of_the_description_can_be_gone_through() {
         lesson.lab_settings(&gamow::settings::Settings::default()).expect("settings").fit.fit_samples,
         24
     );
+}
+
+/// `UPDATE_SNAPSHOTS=1` writes the table.
+#[test]
+fn the_table_of_values_is_that_of_the_program() {
+    let head = "| value | |\n|---|---|\n";
+    let (before, rest) = DESCRIPTION.split_once(head).expect("a table");
+    let written: String = rest.split_inclusive('\n').take_while(|row| row.starts_with('|')).collect();
+    let rows = values::all().map(|value| ["| `", value.name, "` | ", value.what, " |\n"].concat());
+    let rows = rows.collect::<Vec<_>>().concat();
+    if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/lessons/README.md");
+        let after = &rest[written.len()..];
+        std::fs::write(path, [before, head, &rows, after].concat()).expect("it is written");
+    } else {
+        assert_eq!(
+            written, rows,
+            "`UPDATE_SNAPSHOTS=1 cargo test --test program the_table_of_values` writes it"
+        );
+    }
 }

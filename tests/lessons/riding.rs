@@ -20,7 +20,7 @@ fn aberrated(degrees: f64, beta: f64) -> f64 {
 }
 
 fn lab(lesson: &Lesson) -> &str {
-    &lesson.lab.as_ref().expect("a lab").text.markdown
+    lesson.lab.as_ref().expect("a lab").text.markdown.source()
 }
 
 #[test]
@@ -98,7 +98,7 @@ fn who_rides_measures_the_lamps_closer_and_sees_them_further() {
     let at = |time: f64| BETA * gamma(BETA) * time;
     assert!((at(settings(&lesson, 0, false).time.expect("given")) - 20.0).abs() < 1e-3, "beside a lamp");
     let ahead = 60.0 - at(12.0);
-    let asked = &lesson.steps[1].observation.as_ref().expect("a question").question.markdown;
+    let asked = lesson.steps[1].observation.as_ref().expect("a question").question.markdown.source();
     assert!(asked.contains(&format!("it is {ahead:.0} units ahead")), "{asked}");
     // R' = gamma (R + beta x), of the left eye.
     let (across, aside) = ((5.55_f64 - 1.2).hypot(2.4), ahead);

@@ -154,7 +154,8 @@ fn the_lab_finds_one_slide_at_every_time() {
     for time in [-3.0, 0.0, 3.0, 12.0] {
         let [u, _] = coordinates(seen(0.9, [0.0, 3.0, 0.0], time).position);
         let number = gamow::caption::decimal(u, 3);
-        assert!(lab.text.markdown.contains(&format!("u = {number}")), "{number}: {}", lab.text.markdown);
+        let text = lab.text.markdown.source();
+        assert!(text.contains(&format!("u = {number}")), "{number}: {text}");
         assert!(((gamma * 0.9 * time / 3.0).asinh() - u - 0.9_f64.atanh()).abs() < 1e-12);
     }
 }

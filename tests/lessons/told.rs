@@ -7,8 +7,8 @@ use gamow::settings::Settings;
 /// All words of the step of this number.
 pub fn words(lesson: &Lesson, step: usize) -> String {
     let step = &lesson.steps[step];
-    let revealed = step.reveal.as_ref().map(|reveal| reveal.text.markdown.as_str());
-    [Some(step.text.markdown.as_str()), revealed, Some(step.explanation.markdown.as_str())]
+    let revealed = step.reveal.as_ref().map(|reveal| reveal.text.markdown.source());
+    [Some(step.text.markdown.source()), revealed, Some(step.explanation.markdown.source())]
         .into_iter()
         .flatten()
         .collect::<Vec<_>>()
@@ -38,7 +38,7 @@ pub fn observed(lesson: &Lesson, step: usize) -> &str {
 }
 
 fn right_of(options: &Options) -> &str {
-    &options.texts[options.right].markdown
+    options.texts[options.right].markdown.source()
 }
 
 /// The number that is to be predicted.

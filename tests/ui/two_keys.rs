@@ -138,16 +138,18 @@ fn expected(state: &State) -> &'static [&'static str] {
 /// The words that an audience must read at the present place of the lesson, each as its beginning without formulas.
 fn texts(state: &State) -> Vec<String> {
     let Some(course) = state.course() else { return Vec::new() };
-    let Some(step) = course.step() else { return vec![course.lesson().sentence.markdown.clone()] };
+    let Some(step) = course.step() else {
+        return vec![course.lesson().sentence.markdown.source().to_owned()];
+    };
     let is_running =
         state.session.lesson.as_ref().is_some_and(gamow::app::lesson::session::Running::is_running);
     let mut texts = match course.place().phase {
-        Phase::Ask => vec![step.text.markdown.clone()],
-        Phase::Shown => step.reveal.iter().map(|reveal| reveal.text.markdown.clone()).collect(),
-        Phase::Explained => vec![step.explanation.markdown.clone()],
+        Phase::Ask => vec![step.text.markdown.source().to_owned()],
+        Phase::Shown => step.reveal.iter().map(|reveal| reveal.text.markdown.source().to_owned()).collect(),
+        Phase::Explained => vec![step.explanation.markdown.source().to_owned()],
     };
-    let question = step.prediction.as_ref().map(|asked| asked.question.markdown.clone());
-    let seen = step.observation.as_ref().map(|asked| asked.question.markdown.clone());
+    let question = step.prediction.as_ref().map(|asked| asked.question.markdown.source().to_owned());
+    let seen = step.observation.as_ref().map(|asked| asked.question.markdown.source().to_owned());
     match course.place().phase {
         Phase::Ask => texts.extend(question),
         // The truth is told once it was asked what was seen.

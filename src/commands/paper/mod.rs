@@ -20,6 +20,7 @@ use gamow_platform::{files, sizes};
 
 use crate::files::html::{HtmlPage, PageStyle};
 use crate::files::whole::say;
+use crate::formula::markdown::Markdown;
 
 /// Reproduces the paper: its figures as SVG, CSV and PNG, and a report with its numbers beside ours.
 ///
@@ -54,7 +55,7 @@ pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
     };
     let text = report.to_string();
     let mut page = HtmlPage::new("Gamow's cyclist, reproduced", PageStyle::Screen);
-    page.markdown(&text, |figure| {
+    page.markdown(&Markdown::new(&*text), |figure| {
         Ok(String::from_utf8(files::read(&folder.join(figure), sizes::FILE_BYTES)?)?)
     })?;
     figures::write_text(folder, "report.md", &text)?;

@@ -171,16 +171,16 @@ fn asked(step: &Step) -> String {
         asked += question;
         for text in options.into_iter().flat_map(|options| &options.texts) {
             asked.push('\n');
-            asked += &text.markdown;
+            asked += text.markdown.source();
         }
         asked.push('\n');
     };
     if let Some(Prediction { question, kind }) = &step.prediction {
         let options = if let AnswerKind::Choice(options) = kind { Some(options) } else { None };
-        add(&question.markdown, options);
+        add(question.markdown.source(), options);
     }
     if let Some(Choices { question, options }) = &step.observation {
-        add(&question.markdown, Some(options));
+        add(question.markdown.source(), Some(options));
     }
     asked
 }

@@ -42,7 +42,7 @@ pub fn check(lesson: &Lesson) -> Result<(), Wrong> {
     lesson.steps.iter().flat_map(all_options).try_for_each(check_options)?;
     let mut asked = 0;
     for text in lesson.steps.iter().flat_map(questions) {
-        asked += text.markdown.len();
+        asked += text.markdown.source().len();
         if asked > sizes::QUESTION_BYTES {
             let most = sizes::QUESTION_BYTES >> 10;
             let problem = format!("all questions and choices of a lesson have at most {most} kB together");
@@ -53,7 +53,7 @@ pub fn check(lesson: &Lesson) -> Result<(), Wrong> {
 }
 
 fn check_text(text: &Text) -> Result<(), Wrong> {
-    if text.markdown.len() > sizes::PASSAGE_BYTES {
+    if text.markdown.source().len() > sizes::PASSAGE_BYTES {
         let most = sizes::PASSAGE_BYTES >> 10;
         return Err((text.line, format!("a text that is shown at once has at most {most} kB")));
     }

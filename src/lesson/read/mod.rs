@@ -9,9 +9,10 @@ use std::io::ErrorKind;
 use std::path::Path;
 
 use gamow_platform::{files, messages, sizes};
+use pulldown_cmark::HeadingLevel;
 
 use self::front::FrontMatter;
-use self::parts::{FencedBlock, Part, check_blocks, check_slips, parts};
+use self::parts::{BLOCKS, FencedBlock, Outline, Part};
 use self::wrong::Wrong;
 use super::error::LessonError;
 use super::plan::{
@@ -30,8 +31,6 @@ const SENTENCE: &str = "In a sentence";
 const LAB: &str = "Lab";
 /// The headings below that of a step.
 const PARTS: [&str; 5] = ["Predict", "Reveal", "Observe", "Explain", "Teach"];
-/// The blocks that are no text.
-const BLOCKS: [&str; 5] = ["state", "play", "number", "point", "curve"];
 /// Default duration of an animation, and the longest, seconds.
 const SECONDS: f64 = 4.0;
 const MOST_SECONDS: f64 = 120.0;
@@ -89,23 +88,22 @@ impl Lesson {
 fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
     limits::check_length(text)?;
     let (front, first) = FrontMatter::parse(text)?;
-    check_blocks(text, first)?;
-    check_slips(text, first, &[SENTENCE, LAB], &BLOCKS)?;
-    let mut sections = parts(text, first, "## ");
-    let introduction = sections.remove(0);
+    let outline = Outline::parse(text, first, &[SENTENCE, LAB])?;
+    let mut sections = outline.parts().into_iter();
     let introduction =
-        introduction.only_text(&BLOCKS, "before the first step (a line that begins with `## `)")?;
+        sections.next().map(|part| part.only_text("before the first step (a line that begins with `## `)"));
+    let introduction = introduction.transpose()?.unwrap_or_default();
     let (mut steps, mut sentence, mut lab) = (Vec::new(), Text::default(), None);
-    for section in &sections {
-        match section.title.as_str() {
-            SENTENCE => sentence = section.only_text(&BLOCKS, "in the sentence to take away")?,
+    for section in sections {
+        match section.title {
+            SENTENCE => sentence = section.only_text("in the sentence to take away")?,
             LAB => {
-                let (mut blocks, text) = section.blocks(&["state"], &BLOCKS)?;
+                let (mut blocks, text) = section.blocks(&["state"])?;
                 lab = Some(Lab { text, state: state_block(&mut blocks) });
             }
             title if sizes::is_too_long_for_a_name(title) => {
                 let most = sizes::NAME_LETTERS;
-                return Err((section.heading_line(), format!("a title has at most {most} letters")));
+                return Err((section.line, format!("a title has at most {most} letters")));
             }
             _ => steps.push(step(section)?),
         }
@@ -132,15 +130,12 @@ fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
     Ok(lesson)
 }
 
-fn step(section: &Part) -> Result<Step, Wrong> {
-    let mut below = parts(&section.text, 0, "### ");
-    for part in &mut below {
-        part.line += section.line;
-    }
-    let said = below.remove(0);
-    let (mut blocks, text) = said.blocks(&["state"], &BLOCKS)?;
+fn step(section: Part<'_>) -> Result<Step, Wrong> {
+    let parts = section.parts(HeadingLevel::H3);
+    let (said, below) = parts.split_first().unwrap_or((&section, &[]));
+    let (mut blocks, text) = said.blocks(&["state"])?;
     let mut step = Step {
-        title: section.title.clone(),
+        title: section.title.to_owned(),
         state: state_block(&mut blocks),
         text,
         prediction: None,
@@ -151,20 +146,20 @@ fn step(section: &Part) -> Result<Step, Wrong> {
     };
     for (number, part) in below.iter().enumerate() {
         if let Some(first) = below[..number].iter().find(|first| first.title == part.title) {
-            let (title, line) = (&part.title, first.heading_line());
+            let (title, line) = (&part.title, first.line);
             let problem = format!("a second `{title}` in this step: the first is in line {line}");
-            return Err((part.heading_line(), problem));
+            return Err((part.line, problem));
         }
-        match part.title.as_str() {
-            "Predict" => step.prediction = Some(prediction(part)?),
-            "Reveal" => step.reveal = Some(reveal(part)?),
-            "Observe" => step.observation = Some(choices(part)?),
-            "Explain" => step.explanation = part.only_text(&BLOCKS, "in an explanation")?,
-            "Teach" => step.teaching = part.only_text(&BLOCKS, "in advice for whoever teaches")?,
+        match part.title {
+            "Predict" => step.prediction = Some(prediction(*part)?),
+            "Reveal" => step.reveal = Some(reveal(*part)?),
+            "Observe" => step.observation = Some(choices(*part)?),
+            "Explain" => step.explanation = part.only_text("in an explanation")?,
+            "Teach" => step.teaching = part.only_text("in advice for whoever teaches")?,
             other => {
                 let known = PARTS.join(", ");
                 return Err((
-                    part.heading_line(),
+                    part.line,
                     format!("unknown part `{}` of a step: there are {known}", messages::excerpt(other)),
                 ));
             }
@@ -173,7 +168,7 @@ fn step(section: &Part) -> Result<Step, Wrong> {
     if step.prediction.is_some() && step.reveal.is_none() {
         let problem =
             "a step with a prediction needs a reveal: a line `### Reveal` and below it what happens";
-        return Err((section.heading_line(), problem.to_owned()));
+        return Err((section.line, problem.to_owned()));
     }
     Ok(step)
 }
@@ -189,9 +184,9 @@ fn take(blocks: &mut Vec<FencedBlock>, kind: &str) -> Option<FencedBlock> {
     Some(blocks.remove(found))
 }
 
-fn prediction(part: &Part) -> Result<Prediction, Wrong> {
+fn prediction(part: Part<'_>) -> Result<Prediction, Wrong> {
     let (options, part) = part.options()?;
-    let (mut blocks, question) = part.blocks(&["number", "point", "curve"], &BLOCKS)?;
+    let (mut blocks, question) = part.blocks(&["number", "point", "curve"])?;
     let mut kinds = Vec::new();
     if let Some(options) = options {
         kinds.push(AnswerKind::Choice(options));
@@ -211,7 +206,7 @@ fn prediction(part: &Part) -> Result<Prediction, Wrong> {
     let kind = first.filter(|_| others.is_empty()).ok_or_else(|| {
         let right = "a prediction is one of: a list of choices (`- [ ] …`, the right one `- [x] …`), or a block \
                      ```number, ```point or ```curve";
-        (part.heading_line(), right.to_owned())
+        (part.line, right.to_owned())
     })?;
     Ok(Prediction { question, kind })
 }
@@ -285,8 +280,8 @@ struct PlayTable {
     seconds: Option<f64>,
 }
 
-fn reveal(part: &Part) -> Result<Reveal, Wrong> {
-    let (mut blocks, text) = part.blocks(&["state", "play"], &BLOCKS)?;
+fn reveal(part: Part<'_>) -> Result<Reveal, Wrong> {
+    let (mut blocks, text) = part.blocks(&["state", "play"])?;
     let state = state_block(&mut blocks);
     let animation = take(&mut blocks, "play").map(|block| animation(&block)).transpose()?;
     Ok(Reveal { state, animation, text })
@@ -319,18 +314,18 @@ fn animation(block: &FencedBlock) -> Result<Animation, Wrong> {
     }
 }
 
-fn choices(part: &Part) -> Result<Choices, Wrong> {
+fn choices(part: Part<'_>) -> Result<Choices, Wrong> {
     let (options, part) = part.options()?;
-    let question = part.only_text(&BLOCKS, "in a question about what was seen")?;
+    let question = part.only_text("in a question about what was seen")?;
     let problem = "what was seen is asked by a list of choices: `- [ ] …`, the right one `- [x] …`";
-    let options = options.ok_or_else(|| (part.heading_line(), problem.to_owned()))?;
+    let options = options.ok_or_else(|| (part.line, problem.to_owned()))?;
     Ok(Choices { question, options })
 }
 
-impl Part {
-    /// Returns its text, in which none of these `blocks` may occur; `place` describes where it is.
-    fn only_text(&self, blocks: &[&str], place: &str) -> Result<Text, Wrong> {
-        let (found, text) = self.blocks(blocks, blocks)?;
+impl Part<'_> {
+    /// Returns its text, in which no block may occur; `place` describes where it is.
+    fn only_text(&self, place: &str) -> Result<Text, Wrong> {
+        let (found, text) = self.blocks(&BLOCKS)?;
         match found.first() {
             None => Ok(text),
             Some(block) => Err((block.line - 1, format!("a block ```{} cannot stand {place}", block.kind))),

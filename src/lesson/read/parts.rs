@@ -1,23 +1,45 @@
-//! Parts of a Markdown text: the text below its headings, its blocks between fences, its lists of choices.
+//! The outline of a lesson's Markdown: the parts below its headings, its blocks between fences, its choices.
+
+use std::ops::Range;
 
 use gamow_platform::messages;
+use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Tag};
 
 use super::wrong::Wrong;
+use crate::formula::markdown::Markdown;
 use crate::lesson::plan::{Options, Text};
 
-/// A part: the text below a heading.
-#[derive(Debug)]
-pub struct Part {
-    /// Heading of the part; empty for the text before the first.
-    pub title: String,
-    /// The number of lines before the part's first.
-    pub line: usize,
-    /// Text below the heading.
-    pub text: String,
+/// The blocks that are no text.
+pub const BLOCKS: [&str; 5] = ["state", "play", "number", "point", "curve"];
+/// At most this many letters of a title are compared with those that are known.
+const EXCERPT: usize = 40;
+
+/// A lesson's Markdown, and what in it is no text.
+pub struct Outline {
+    markdown: Markdown,
+    elements: Vec<Element>,
+}
+
+/// A heading, a block or a choice, in the order of the file.
+struct Element {
+    kind: ElementKind,
+    /// Its place in the file.
+    range: Range<usize>,
+    /// The number of its first line, from 1.
+    line: usize,
+}
+
+enum ElementKind {
+    /// A heading of this level.
+    Heading(HeadingLevel),
+    /// A block of [`BLOCKS`].
+    Fenced(FencedBlock),
+    /// A choice, and whether it is the right one.
+    Choice(Text, bool),
 }
 
 /// A block between two fences.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct FencedBlock {
     /// Kind of the block, from its first fence.
     pub kind: String,
@@ -27,195 +49,256 @@ pub struct FencedBlock {
     pub text: String,
 }
 
-const FENCE: &str = "```";
-/// At most this many letters of a title are compared with those that are known.
-const EXCERPT: usize = 40;
-
-/// Whether each block of `text` after its `first` lines has an end.
-///
-/// # Errors
-/// The line in which one begins that has none.
-pub fn check_blocks(text: &str, first: usize) -> Result<(), Wrong> {
-    let mut open: Option<(usize, &str)> = None;
-    for (number, line) in text.lines().enumerate().skip(first) {
-        let Some(kind) = line.strip_prefix(FENCE) else { continue };
-        match open {
-            None => open = Some((number + 1, kind.trim())),
-            Some(_) if kind.trim().is_empty() => open = None,
-            Some((begin, kind)) => {
-                return Err((begin, endless(kind, &format!(" before line {}", number + 1))));
-            }
-        }
+impl Outline {
+    /// Parses `text` after its `first` lines, in which steps may not have titles that nearly are one of `titles`.
+    ///
+    /// # Errors
+    /// The line of the first block that is unknown or has no end, or of the first slip: a line that looks like a heading of a
+    /// lesson and is none. It would otherwise pass in silence, as text.
+    pub fn parse(text: &str, first: usize, titles: &[&str]) -> Result<Self, Wrong> {
+        // Empty lines before it give each line its number in the file.
+        let lines = text.lines().enumerate();
+        let lines = lines.map(|(number, line)| if number < first { "" } else { line });
+        let markdown = Markdown::new(lines.flat_map(|line| [line, "\n"]).collect::<String>());
+        let elements = elements(&markdown)?;
+        check_headings(&markdown, &elements, titles)?;
+        Ok(Self { markdown, elements })
     }
-    open.map_or(Ok(()), |(begin, kind)| Err((begin, endless(kind, ""))))
+
+    /// Returns the parts below the headings of steps; the first has no heading.
+    pub fn parts(&self) -> Vec<Part<'_>> {
+        let source = self.markdown.source();
+        let all = Part {
+            source,
+            title: "",
+            line: 1,
+            begin: 0,
+            end: source.len(),
+            elements: &self.elements,
+            is_asked: false,
+        };
+        all.parts(HeadingLevel::H2)
+    }
 }
 
-/// Whether every line of `text` after its `first` lines that looks like a heading of a lesson is one, and every block is of a
-/// kind in `known`, or of none: such a block is text. A slip would otherwise pass in silence, as text.
-///
-/// # Errors
-/// The line of the first slip.
-pub fn check_slips(text: &str, first: usize, titles: &[&str], known: &[&str]) -> Result<(), Wrong> {
-    let mut is_block = false;
-    for (number, line) in text.lines().enumerate().skip(first) {
-        let wrong = |problem: String| Err((number + 1, problem));
-        if let Some(kind) = line.strip_prefix(FENCE) {
-            is_block = !is_block;
-            let kind = kind.trim();
-            if is_block && !kind.is_empty() && !known.contains(&kind) {
-                let known = known.join(", ```");
-                let kind = messages::excerpt(kind);
-                return wrong(format!(
-                    "unknown block ```{kind}: there are ```{known}, and ``` alone for text"
-                ));
+/// Finds the headings, the blocks and the choices that are no parts of anything else.
+fn elements(markdown: &Markdown) -> Result<Vec<Element>, Wrong> {
+    let (source, events) = (markdown.source(), markdown.events());
+    let mut elements = Vec::new();
+    let (mut depth, mut line, mut counted) = (0_usize, 1, 0);
+    for (number, (event, range)) in events.iter().enumerate() {
+        let tag = match event {
+            Event::Start(tag) => tag,
+            Event::End(_) => {
+                depth -= 1;
+                continue;
             }
-            continue;
+            _ => continue,
+        };
+        line += source.get(counted..range.start).map_or(0, |passed| passed.matches('\n').count());
+        counted = range.start;
+        let after = &events[number + 1..];
+        let kind = match tag {
+            Tag::Heading { level, .. } if depth == 0 => Some(ElementKind::Heading(*level)),
+            Tag::CodeBlock(CodeBlockKind::Fenced(kind)) if depth == 0 => {
+                let text = after.iter().map_while(|(event, _)| match event {
+                    Event::Text(text) => Some(&**text),
+                    _ => None,
+                });
+                let block =
+                    FencedBlock { kind: kind.trim().to_owned(), line: line + 1, text: text.collect() };
+                block.check(&source[range.clone()])?;
+                (!block.kind.is_empty()).then_some(ElementKind::Fenced(block))
+            }
+            Tag::Item if depth == 1 => after.first().and_then(|(_, first)| {
+                let (text, is_right) = choice(source.get(first.start..range.end)?)?;
+                Some(ElementKind::Choice(Text { markdown: text, line }, is_right))
+            }),
+            _ => None,
+        };
+        elements.extend(kind.map(|kind| Element { kind, range: range.clone(), line }));
+        depth += 1;
+    }
+    Ok(elements)
+}
+
+impl FencedBlock {
+    /// Whether it has an end and is known; `source` is the block with its fences.
+    fn check(&self, source: &str) -> Result<(), Wrong> {
+        let (source, line) = (source.trim_start(), self.line - 1);
+        let rest = source.trim_start_matches(|sign| source.starts_with(sign));
+        let (fence, kind) = (&source[..source.len() - rest.len()], messages::excerpt(&self.kind));
+        let endless =
+            |place: &str| (line, format!("the block {fence}{kind} has no end: a line {fence}{place}"));
+        if let Some(inside) = self.text.lines().position(|line| line.starts_with(fence)) {
+            return Err(endless(&format!(" before line {}", self.line + inside)));
         }
+        if !source.lines().skip(1).last().is_some_and(|last| last.trim_start().starts_with(fence)) {
+            return Err(endless(""));
+        }
+        if !self.kind.is_empty() && !BLOCKS.contains(&&*self.kind) {
+            let known = BLOCKS.join(", ```");
+            return Err((
+                line,
+                format!("unknown block ```{kind}: there are ```{known}, and ``` alone for text"),
+            ));
+        }
+        Ok(())
+    }
+}
+
+/// Returns the choice that an item of a list is, and whether it is the right one.
+fn choice(item: &str) -> Option<(Markdown, bool)> {
+    let marks = [("[ ]", false), ("[x]", true), ("[X]", true)];
+    let (text, is_right) =
+        marks.into_iter().find_map(|(mark, is_right)| Some((item.strip_prefix(mark)?, is_right)))?;
+    let lines = text.trim().lines().map(str::trim).collect::<Vec<_>>();
+    Some((Markdown::new(lines.join("\n")), is_right))
+}
+
+/// Whether every line outside of code that looks like a heading of a lesson is one, and no title is nearly one of `titles`.
+fn check_headings(markdown: &Markdown, elements: &[Element], titles: &[&str]) -> Result<(), Wrong> {
+    let code = markdown.events().iter().filter_map(|(event, range)| match event {
+        Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(_))) => Some(range),
+        _ => None,
+    });
+    let text = without(markdown.source(), 0..markdown.source().len(), code);
+    for (number, line) in text.lines().enumerate() {
+        let element = elements.binary_search_by_key(&(number + 1), |element| element.line);
+        let is_heading = element.is_ok_and(|index| matches!(elements[index].kind, ElementKind::Heading(_)));
         let marks = line.trim_start().chars().take_while(|c| *c == '#').count();
-        if is_block || marks == 0 || marks > 6 {
-            continue;
-        }
-        let after = &line.trim_start()[marks..];
-        let right = format!("{} {}", "#".repeat(marks.clamp(2, 3)), messages::excerpt(after));
-        if !after.is_empty() && !after.starts_with([' ', '\t']) {
-            return wrong(format!(
-                "`{}`: a heading has a space behind its marks: `{right}`",
-                messages::excerpt(line)
-            ));
-        }
-        if line.starts_with([' ', '\t']) || !(2..=3).contains(&marks) {
-            return wrong(format!(
-                "`{}`: a heading begins its line, with `## ` for a step or `### ` for a part of it: `{right}`",
-                messages::excerpt(line)
-            ));
-        }
-        let title = after.trim();
-        let sought: String = title.to_lowercase().chars().take(EXCERPT).collect();
-        let near = titles.iter().find(|known| {
-            title != **known && strsim::damerau_levenshtein(&known.to_lowercase(), &sought) <= known.len() / 6
-        });
-        if let Some(near) = near.filter(|_| marks == 2) {
-            return wrong(format!(
-                "a heading `## {}`: it would be a step; write `## {near}`",
-                messages::excerpt(title)
-            ));
+        if is_heading || (1..=6).contains(&marks) {
+            let slip = slip(line, marks, is_heading, titles);
+            slip.map_or(Ok(()), |problem| Err((number + 1, problem)))?;
         }
     }
     Ok(())
 }
 
-fn endless(kind: &str, place: &str) -> String {
-    format!("the block ```{} has no end: a line ```{place}", messages::excerpt(kind))
-}
-
-/// Returns the parts of `text` below the headings that begin like `mark`; the first has no heading, and begins after `first` lines.
-pub fn parts(text: &str, first: usize, mark: &str) -> Vec<Part> {
-    let mut all = vec![Part { title: String::new(), line: first, text: String::new() }];
-    let mut is_block = false;
-    for (number, line) in text.lines().enumerate().skip(first) {
-        is_block ^= line.starts_with(FENCE);
-        if let Some(title) = line.strip_prefix(mark).filter(|_| !is_block) {
-            all.push(Part { title: title.trim().to_owned(), line: number + 1, text: String::new() });
-        } else if let Some(part) = all.last_mut() {
-            part.text += line;
-            part.text.push('\n');
-        }
+/// Finds what is wrong with a `line` that begins with this many `marks` of a heading, or is one.
+fn slip(line: &str, marks: usize, is_heading: bool, titles: &[&str]) -> Option<String> {
+    let after = &line.trim_start()[marks..];
+    let title = after.trim();
+    let right = format!("{} {}", "#".repeat(marks.clamp(2, 3)), messages::excerpt(title));
+    let (is_indented, line) = (line.starts_with([' ', '\t']), messages::excerpt(line));
+    if marks == 0 {
+        return Some(format!(
+            "`{line}`: a line of `-` or `=` below makes it a heading, which is written `{right}`; a rule has an empty line before it"
+        ));
     }
-    all
+    if !after.is_empty() && !after.starts_with([' ', '\t']) {
+        return Some(format!("`{line}`: a heading has a space behind its marks: `{right}`"));
+    }
+    if is_indented || !(2..=3).contains(&marks) {
+        return Some(format!(
+            "`{line}`: a heading begins its line, with `## ` for a step or `### ` for a part of it: `{right}`"
+        ));
+    }
+    if !is_heading {
+        return Some(format!("`{line}`: in HTML there is no heading; an empty line ends the HTML"));
+    }
+    let sought: String = title.to_lowercase().chars().take(EXCERPT).collect();
+    let near = titles.iter().find(|known| {
+        title != **known && strsim::damerau_levenshtein(&known.to_lowercase(), &sought) <= known.len() / 6
+    });
+    let near = near.filter(|_| marks == 2)?;
+    Some(format!("a heading `## {}`: it would be a step; write `## {near}`", messages::excerpt(title)))
 }
 
-impl Part {
+/// Returns a `range` of `source` with empty lines in the places of these `gaps` in it: its lines keep their numbers.
+fn without<'a>(source: &str, range: Range<usize>, gaps: impl Iterator<Item = &'a Range<usize>>) -> String {
+    let (mut text, mut from) = (String::new(), range.start);
+    for gap in gaps {
+        text += &source[from..gap.start];
+        text.extend(source[gap.clone()].matches('\n'));
+        from = gap.end;
+    }
+    text + &source[from..range.end]
+}
+
+/// A part of a lesson: the text below a heading.
+#[derive(Clone, Copy)]
+pub struct Part<'a> {
+    source: &'a str,
+    /// Heading of the part; empty for the text before the first.
+    pub title: &'a str,
     /// The line of its heading, from 1; the first line of all, if it has none.
-    pub fn heading_line(&self) -> usize {
-        self.line.max(1)
+    pub line: usize,
+    /// The place behind its heading.
+    begin: usize,
+    end: usize,
+    elements: &'a [Element],
+    /// Whether its choices are no text.
+    is_asked: bool,
+}
+
+impl Part<'_> {
+    /// Returns the parts of it below the headings of this `level`; the first is what comes before these.
+    pub fn parts(self, level: HeadingLevel) -> Vec<Self> {
+        let is_heading =
+            |element: &Element| matches!(element.kind, ElementKind::Heading(found) if found == level);
+        let (mut parts, mut part) = (Vec::new(), self);
+        while let Some(index) = part.elements.iter().position(is_heading) {
+            let (heading, end) = (&part.elements[index], part.end);
+            parts.push(Part { end: heading.range.start, elements: &part.elements[..index], ..part });
+            let title = self.source[heading.range.clone()].trim().trim_start_matches('#').trim();
+            let elements = &part.elements[index + 1..];
+            part = Part { title, line: heading.line, begin: heading.range.end, end, elements, ..part };
+        }
+        parts.push(part);
+        parts
     }
 
-    /// Returns its blocks of the kinds that are `allowed` here, one of each at most, of all that are `known`; and the rest of its
-    /// text. Other blocks are text.
-    pub fn blocks(&self, allowed: &[&str], known: &[&str]) -> Result<(Vec<FencedBlock>, Text), Wrong> {
-        let (mut blocks, mut rest): (Vec<FencedBlock>, Vec<(usize, &str)>) = (Vec::new(), Vec::new());
-        let mut lines = self.text.lines().enumerate().map(|(number, line)| (self.line + number + 1, line));
-        while let Some((number, line)) = lines.next() {
-            let kind = line.strip_prefix(FENCE).map(str::trim).filter(|kind| known.contains(kind));
-            let Some(kind) = kind else {
-                rest.push((number, line));
-                continue;
-            };
-            if !allowed.contains(&kind) {
-                return Err((
-                    number,
-                    format!("a block ```{kind} cannot stand here; these can: ```{}", allowed.join(", ```")),
-                ));
-            }
-            if blocks.iter().any(|block| block.kind == kind) {
-                return Err((number, format!("a second block ```{kind}: there can be one here")));
-            }
-            let mut text = String::new();
-            loop {
-                match lines.next() {
-                    None => return Err((number, endless(kind, ""))),
-                    Some((_, line)) if line.trim_end() == FENCE => break,
-                    Some((_, line)) => text = text + line + "\n",
+    /// Returns its blocks of the kinds that are `allowed` here, one of each at most; and the rest of its text.
+    pub fn blocks(&self, allowed: &[&str]) -> Result<(Vec<FencedBlock>, Text), Wrong> {
+        let (mut blocks, mut gaps): (Vec<FencedBlock>, Vec<&Range<usize>>) = (Vec::new(), Vec::new());
+        for Element { kind, range, line } in self.elements {
+            match kind {
+                ElementKind::Fenced(block) => {
+                    let kind = &block.kind;
+                    if !allowed.contains(&&**kind) {
+                        let allowed = allowed.join(", ```");
+                        let problem = format!("a block ```{kind} cannot stand here; these can: ```{allowed}");
+                        return Err((*line, problem));
+                    }
+                    if blocks.iter().any(|known| known.kind == *kind) {
+                        return Err((*line, format!("a second block ```{kind}: there can be one here")));
+                    }
+                    blocks.push(block.clone());
                 }
+                ElementKind::Choice(..) if self.is_asked => {}
+                _ => continue,
             }
-            blocks.push(FencedBlock { kind: kind.to_owned(), line: number + 1, text });
+            gaps.push(range);
         }
-        Ok((blocks, text(&rest)))
+        // The empty lines at both ends are none of the text.
+        let text = without(self.source, self.begin..self.end, gaps.into_iter());
+        let blank = text.len() - text.trim_start().len();
+        if blank == text.len() {
+            return Ok((blocks, Text::default()));
+        }
+        let first = text[..blank].rfind('\n').map_or(0, |end| end + 1);
+        let lines = [&self.source[..self.begin], &text[..first]].map(|before| before.matches('\n').count());
+        let markdown = Markdown::new(text[first..].trim_end());
+        Ok((blocks, Text { markdown, line: lines[0] + lines[1] + 1 }))
     }
 
-    /// Returns its list of choices, if it has one, and the part without it.
-    pub fn options(&self) -> Result<(Option<Options>, Self), Wrong> {
-        let (mut options, mut right, mut rest) = (Vec::new(), Vec::new(), String::new());
-        let mut is_item = false;
-        for (number, line) in self.text.lines().enumerate() {
-            let place = self.line + number + 1;
-            if let Some((item, is_right)) = item(line) {
-                if is_right {
-                    right.push(options.len());
-                }
-                options.push(Text { markdown: item.trim().to_owned(), line: place });
-                is_item = true;
-            } else if let Some(last) = options.last_mut().filter(|_| is_item && is_indented(line)) {
-                last.markdown = std::mem::take(&mut last.markdown) + "\n" + line.trim();
-            } else {
-                is_item = false;
-                rest += line;
-            }
-            // The lines keep their numbers.
-            rest.push('\n');
-        }
-        let rest = Self { title: self.title.clone(), line: self.line, text: rest };
-        if options.is_empty() {
-            return Ok((None, rest));
-        }
+    /// Returns its choices, if it has any, and the part without them.
+    pub fn options(self) -> Result<(Option<Options>, Self), Wrong> {
+        let choices = self.elements.iter().filter_map(|element| match &element.kind {
+            ElementKind::Choice(text, is_right) => Some((text.clone(), *is_right)),
+            _ => None,
+        });
+        let (texts, marks): (Vec<_>, Vec<_>) = choices.unzip();
+        let right: Vec<_> = (0..marks.len()).filter(|number| marks[*number]).collect();
+        let rest = Self { is_asked: true, ..self };
         match right[..] {
-            [right] if options.len() >= 2 => Ok((Some(Options { texts: options, right }), rest)),
+            _ if texts.is_empty() => Ok((None, rest)),
+            [right] if texts.len() >= 2 => Ok((Some(Options { texts, right }), rest)),
             _ => {
                 let problem = "a list of choices has at least two, of which just one is right: `- [x] …`";
-                Err((self.heading_line(), problem.to_owned()))
+                Err((self.line, problem.to_owned()))
             }
         }
     }
-}
-
-/// Returns the choice that begins in this line, and whether it is the right one.
-fn item(line: &str) -> Option<(&str, bool)> {
-    let item = line.strip_prefix(['-', '*']).filter(|item| item.starts_with([' ', '\t']))?.trim_start();
-    let marks = [("[ ]", false), ("[x]", true), ("[X]", true)];
-    marks.into_iter().find_map(|(mark, is_right)| Some((item.strip_prefix(mark)?, is_right)))
-}
-
-/// Whether a line goes on with the choice that begins before it.
-fn is_indented(line: &str) -> bool {
-    line.starts_with("  ") || line.starts_with('\t')
-}
-
-/// Returns these `lines` as a text, without the empty ones at both ends.
-fn text(lines: &[(usize, &str)]) -> Text {
-    let is_written = |(_, line): &(usize, &str)| !line.trim().is_empty();
-    let Some(first) = lines.iter().position(is_written) else { return Text::default() };
-    let last = lines.iter().rposition(is_written).unwrap_or(first);
-    let told = &lines[first..=last];
-    let markdown = told.iter().map(|(_, line)| *line).collect::<Vec<_>>().join("\n");
-    Text { markdown, line: told[0].0 }
 }

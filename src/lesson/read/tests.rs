@@ -1,6 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::formula::markdown::Markdown;
 
 const LESSON: &str = "\
 ---
@@ -84,19 +85,21 @@ fn a_lesson_has_what_its_file_says() {
     assert_eq!((lesson.title.as_str(), lesson.order, lesson.minutes), ("Rods", 1, 8));
     assert_eq!(lesson.introduction.line, 8);
     let [coming, fast] = &lesson.steps[..] else { panic!("two steps") };
-    assert_eq!(coming.text, Text { markdown: "A rod comes.".to_owned(), line: 19 });
+    assert_eq!(coming.text, Text { markdown: Markdown::new("A rod comes."), line: 19 });
     let Some(Prediction { question, kind: AnswerKind::Choice(options) }) = &coming.prediction else {
         panic!("a choice")
     };
-    assert_eq!((question.markdown.as_str(), question.line), ("How long does it look?", 23));
+    assert_eq!((question.markdown.source(), question.line), ("How long does it look?", 23));
     assert_eq!(options.right, 1);
-    assert_eq!(options.texts[1].markdown, "longer,\nby far");
+    assert_eq!(options.texts[1].markdown.source(), "longer,\nby far");
     let reveal = coming.reveal.as_ref().expect("a reveal");
     assert_eq!(reveal.animation, Some(Animation { to: Animated::Time(5.0), seconds: 2.0 }));
     assert_eq!(coming.observation.as_ref().map(|asked| asked.options.right), Some(0));
     assert!(matches!(&fast.prediction, Some(Prediction { kind: AnswerKind::Number(_), .. })));
-    assert_eq!(lesson.sentence.markdown, "Light is late.");
+    assert_eq!(lesson.sentence.markdown.source(), "Light is late.");
     assert!(lesson.lab.is_some());
+    let advice = LESSON.replace("## How fast", "### Teach\n\nShort?\n\n## How fast");
+    assert_eq!(read(&advice).expect("a lesson").steps[0].teaching.markdown.source(), "Short?");
 }
 
 #[test]
@@ -106,6 +109,12 @@ fn a_lesson_is_read_as_other_editors_write_it() {
     let tabs = LESSON.replace("- [", "-\t[").replace("  by far", "\tby far");
     for text in [format!("\u{feff}{LESSON}"), LESSON.replace('\n', "\r\n"), stars, tabs] {
         assert_eq!(read(&text), Ok(own.clone()));
+    }
+    // As Markdown permits it: other fences, indented ones, a choice whose next line is not indented.
+    let waves = LESSON.replacen("```state", "~~~~state", 1).replace("beta = 0.7\n```", "beta = 0.7\n~~~~");
+    let indented = LESSON.replace("```number", " ```number").replace("\"times\"\n```", "\"times\"\n ```");
+    for text in [waves, indented, LESSON.replace("  by far", "by far")] {
+        assert_eq!(read(&text), Ok(own.clone()), "{text}");
     }
 }
 
@@ -362,14 +371,30 @@ fn slips_of_headings_and_blocks_are_named_with_their_line() {
         assert!(error.starts_with(&format!("rods.md:{line}: ")) && error.contains(expected), "{error}");
         assert_eq!(error.lines().count(), 1);
     }
-    // What is no slip.
-    for fine in ["```\n## In a Sentence\n```", "Number #7 of them.", "- # of turns"] {
+    for (slip, expected) in [
+        ("One,\ntwo.\n---", "19: `One,`: a line of `-` or `=` below makes it a heading"),
+        ("<div>\n## A step", "20: `## A step`: in HTML there is no heading"),
+        ("~~~\nText.", "19: the block ~~~ has no end: a line ~~~"),
+        ("````state\n````no", "19: the block ````state has no end: a line ```` before line 20"),
+    ] {
+        let error = read(&LESSON.replacen("A rod comes.", slip, 1)).expect_err(slip).to_string();
+        assert!(error.starts_with(&format!("rods.md:{expected}")), "{error}");
+    }
+    let fences = ["~~~\n## In a Sentence\n~~~", "````\n```state\n## A\n```\n````", "- a\n  ```\n  #b\n  ```"];
+    for fine in ["```\n## In a Sentence\n```", "Number #7 of them.", "- # of turns"].into_iter().chain(fences)
+    {
         read(&LESSON.replace("A rod comes.", fine)).expect(fine);
     }
 }
 
+/// What stands behind a block has its own line, and code is no formula.
 #[test]
-fn advice_for_whoever_teaches_is_kept() {
-    let text = LESSON.replace("## How fast", "### Teach\n\nMany say shorter.\n\n## How fast");
-    assert_eq!(read(&text).expect("a lesson").steps[0].teaching.markdown, "Many say shorter.");
+fn text_around_blocks_keeps_its_lines() {
+    let text = LESSON.replacen("```state", "Look.\n\n```state", 1);
+    let told =
+        |text: &str| read(text).and_then(|lesson| lesson.worked_out()).expect_err("it is wrong").to_string();
+    let error = told(&text.replace("A rod comes.", "A $ rod."));
+    assert!(error.starts_with("rods.md:21: a `$` without another one"), "{error}");
+    let shell = text.replace("A rod comes.", "```\n$ gamow {beta}\n```");
+    assert!(read(&shell).and_then(|lesson| lesson.worked_out()).is_ok());
 }

@@ -8,7 +8,7 @@ use super::here::{Here, Value};
 pub const VALUES: &[Value] = &[
     Value {
         name: "stereo_length",
-        what: "length at which two eyes place it, from end to end",
+        what: "length at which two eyes place a body with two ends, such as a rod",
         work_out: |here| {
             let [dx, dy, dz] = here.stereo_span()?;
             Some(math::hypot(math::hypot(dx, dy), dz))

@@ -7,7 +7,7 @@ use super::here::{Here, Value};
 pub const VALUES: &[Value] = &[
     Value {
         name: "fit_beta",
-        what: "fitted speed of the selected point, c",
+        what: "speed that the *Fit* tab finds for the selected point, c",
         work_out: |here| here.fitted(|fitted| fitted[0].estimate.value),
     },
     Value {
@@ -22,7 +22,7 @@ pub const VALUES: &[Value] = &[
     },
     Value {
         name: "fit_y",
-        what: "fitted distance in front of the eyes",
+        what: "how far ahead of the eyes it finds that the point passes",
         work_out: |here| here.fitted(|fitted| fitted[1].estimate.value),
     },
     Value {
@@ -37,7 +37,7 @@ pub const VALUES: &[Value] = &[
     },
     Value {
         name: "fit_z",
-        what: "fitted height above the eyes",
+        what: "how high above the eyes it finds that the point passes",
         work_out: |here| here.fitted(|fitted| fitted[2].estimate.value),
     },
     Value {
@@ -52,14 +52,14 @@ pub const VALUES: &[Value] = &[
     },
     Value {
         name: "fit_off",
-        what: "the most standard errors by which one of these three is off",
+        what: "the most standard errors by which one of the three is off",
         work_out: |here| {
             here.fitted(|fitted| fitted.iter().map(FittedParameter::sigmas_off).fold(0.0, f64::max))
         },
     },
     Value {
         name: "fit_samples",
-        what: "number of its samples",
+        what: "number of the readings that are fitted",
         work_out: |here| Some(here.settings.fit.fit_samples as f64),
     },
     Value {

@@ -16,14 +16,12 @@ mod riding;
 mod rolling;
 
 use gamow_platform::{messages, sizes};
-use pulldown_cmark::{Event, Parser, Tag};
 
 use self::fitted::CachedFit;
 use self::here::{Here, Value};
-use self::places::{filled, line_of_lone_dollar};
 use super::error::LessonError;
 use super::plan::{AnswerKind, Choices, Lesson, Prediction, StateBlock, Text};
-use crate::formula::markdown::{OPTIONS, first_fault};
+use crate::formula::markdown::Markdown;
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
@@ -217,34 +215,12 @@ impl Lesson {
     /// `text` with its values in their places, as they are in this state.
     fn filled(&self, text: &Text, (settings, scene): &(Settings, Scene)) -> Result<Text, LessonError> {
         let fit = CachedFit::new();
-        let filled = filled(
-            &text.markdown,
-            |asked| check(asked).is_ok(),
-            |asked| value_with(asked, settings, scene, &fit),
-        );
-        let markdown = filled.map_err(|(line, problem)| self.wrong(text.line + line, problem))?;
-        if let Some(line) = line_of_picture(&markdown) {
-            return Err(
-                self.wrong(text.line + line, "a lesson's pictures are the program's: a text holds none")
-            );
-        }
-        if let Some((line, fault)) = first_fault(&markdown) {
-            return Err(self.wrong(text.line + line - 1, fault.to_string()));
-        }
-        if let Some(line) = line_of_lone_dollar(&markdown) {
-            let problem = "a `$` without another one that ends its formula in the same paragraph; `\\$` is a dollar sign";
-            return Err(self.wrong(text.line + line, problem));
-        }
+        let source = places::filled(text.markdown.source(), |asked| value_with(asked, settings, scene, &fit));
+        let is_value = |asked: &str| check(asked).is_ok();
+        let markdown = source.and_then(|source| places::checked(Markdown::new(source), is_value));
+        let markdown = markdown.map_err(|(line, problem)| self.wrong(text.line + line, problem))?;
         Ok(Text { markdown, line: text.line })
     }
-}
-
-/// The line, from 0, of the first picture in `markdown`.
-fn line_of_picture(markdown: &str) -> Option<usize> {
-    let is_picture = |event: &Event<'_>| matches!(event, Event::Start(Tag::Image { .. }));
-    let mut events = Parser::new_ext(markdown, OPTIONS).into_offset_iter();
-    let (_, place) = events.find(|(event, _)| is_picture(event))?;
-    Some(markdown[..place.start].matches('\n').count())
 }
 
 #[cfg(test)]

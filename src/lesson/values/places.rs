@@ -3,24 +3,20 @@
 use std::ops::Range;
 
 use gamow_platform::messages;
-use pulldown_cmark::{Event, Parser};
+use pulldown_cmark::{Event, Tag};
 
 use crate::caption::decimal;
-use crate::formula::markdown::OPTIONS;
+use crate::formula::markdown::Markdown;
 
 /// Letters of the shortest name that is no sign of a formula, where braces are TeX's.
 const SHORTEST: usize = 3;
 
-/// Returns `markdown` with a number in each place `{REQUEST:.N}`; or the error, with its line, from 0. `is_value` knows the names of values.
+/// Returns `markdown` with a number in each place `{REQUEST:.N}`; or the error, with its line, from 0.
 pub fn filled(
     markdown: &str,
-    is_value: impl Fn(&str) -> bool,
     value: impl Fn(&str) -> Result<f64, String>,
 ) -> Result<String, (usize, String)> {
     let line = |place: usize| markdown[..place].matches('\n').count();
-    if let Some((place, problem)) = broken_place(markdown, is_value) {
-        return Err((line(place), problem));
-    }
     let (mut done, mut from) = (String::new(), 0);
     while let Some((begin, asked, decimals, end)) = next_place(&markdown[from..]) {
         done += &markdown[from..from + begin];
@@ -53,26 +49,39 @@ fn place(inside: &str) -> Option<(&str, u8)> {
     Some((asked, decimals))
 }
 
-/// Finds the first braces that were meant for a value and request none, and returns the correction.
-fn broken_place(markdown: &str, is_value: impl Fn(&str) -> bool) -> Option<(usize, String)> {
-    let (mut formulas, mut code): (Vec<Range<usize>>, Vec<Range<usize>>) = (Vec::new(), Vec::new());
-    for (event, range) in Parser::new_ext(markdown, OPTIONS).into_offset_iter() {
-        match event {
-            Event::InlineMath(_) | Event::DisplayMath(_) => formulas.push(range),
-            Event::Code(_) => code.push(range),
-            _ => {}
+/// Returns `text`, whose values are in their places, if all of it can be shown; or the first problem, with its line, from 0.
+/// `is_value` knows the names of values.
+pub fn checked(text: Markdown, is_value: impl Fn(&str) -> bool) -> Result<Markdown, (usize, String)> {
+    let problem = text.events_outside_code().find_map(|(event, range)| match event {
+        Event::Start(Tag::Image { .. }) => {
+            let problem = "a lesson's pictures are the program's: a text holds none";
+            Some((text.line(range.start), problem.to_owned()))
         }
+        Event::Text(_) => broken_place(&text, range, false, &is_value),
+        Event::InlineMath(_) | Event::DisplayMath(_) => broken_place(&text, range, true, &is_value),
+        _ => None,
+    });
+    match problem.or_else(|| text.first_fault().map(|(line, fault)| (line, fault.to_string()))) {
+        Some(problem) => Err(problem),
+        None => Ok(text),
     }
-    let is_in = |all: &[Range<usize>], place: usize| all.iter().any(|range| range.contains(&place));
-    markdown.match_indices('{').find_map(|(begin, _)| {
-        let inside = inside(markdown, begin)?;
-        let is_escaped = markdown[..begin].ends_with('\\');
-        if place(inside).is_some() || is_escaped || is_in(&code, begin) {
-            return None;
-        }
+}
+
+/// Finds the first braces in a `range` of `text` that were meant for a value and request none, and returns the correction. In a
+/// formula other braces are TeX's.
+fn broken_place(
+    text: &Markdown,
+    range: &Range<usize>,
+    is_formula: bool,
+    is_value: impl Fn(&str) -> bool,
+) -> Option<(usize, String)> {
+    let source = text.source();
+    source[range.clone()].match_indices('{').find_map(|(begin, _)| {
+        let begin = range.start + begin;
+        let inside = inside(source, begin).filter(|_| !text.is_escaped(begin))?;
         let asked = inside.split_once(':').map_or(inside, |(asked, _)| asked).trim();
         let is_value = is_value(asked);
-        if is_in(&formulas, begin) && !(is_value && asked.len() >= SHORTEST) {
+        if is_formula && !(is_value && asked.len() >= SHORTEST) {
             return None;
         }
         let example = if is_value { asked } else { "gamma" };
@@ -80,16 +89,6 @@ fn broken_place(markdown: &str, is_value: impl Fn(&str) -> bool) -> Option<(usiz
             "`{{{}}}` is no place for a value: `{{{example}:.2}}` is one, with two decimals (0 to 9); `\\{{` is a brace",
             messages::excerpt(inside)
         );
-        Some((begin, problem))
-    })
-}
-
-/// The line, from 0, of the first `$` in `markdown` that begins no formula.
-pub fn line_of_lone_dollar(markdown: &str) -> Option<usize> {
-    Parser::new_ext(markdown, OPTIONS).into_offset_iter().find_map(|(event, range)| {
-        let Event::Text(_) = event else { return None };
-        let place = markdown[range.clone()].find('$')? + range.start;
-        let is_escaped = markdown[..place].ends_with('\\');
-        (!is_escaped).then(|| markdown[..place].matches('\n').count())
+        Some((text.line(begin), problem))
     })
 }

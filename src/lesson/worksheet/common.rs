@@ -1,7 +1,5 @@
 //! Parts that several sheets of a lesson share.
 
-use std::fmt::Write as _;
-
 use crate::caption::decimal;
 use crate::files::html::{HtmlPage, escaped};
 use crate::lesson::curve_plot;
@@ -33,13 +31,10 @@ pub fn picture_beside(page: &mut HtmlPage, settings: &Settings, title: &str) -> 
 
 /// Adds boxes to tick; that of the `right` choice is ticked.
 pub fn choices(page: &mut HtmlPage, options: &Options, right: Option<usize>) -> anyhow::Result<()> {
-    let mut list = String::new();
-    for (number, option) in options.texts.iter().enumerate() {
-        let mark = if right == Some(number) { '☒' } else { '☐' };
-        writeln!(list, "{mark} {}\n", option.markdown)?;
-    }
     page.html("<div class=\"choices\">\n");
-    page.text(&list)?;
+    for (number, option) in options.texts.iter().enumerate() {
+        page.text_behind(if right == Some(number) { "☒" } else { "☐" }, &option.markdown)?;
+    }
     page.html("</div>\n");
     Ok(())
 }

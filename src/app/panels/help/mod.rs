@@ -15,7 +15,7 @@ use crate::app::overlay::Overlay;
 use crate::app::state::State;
 use crate::app::widgets::markdown;
 use crate::settings::about_all;
-use words::{OWN_LICENCE, PAPER, PAPER_ADDRESS, WHAT, glossary};
+use words::{GLOSSARY, OWN_LICENCE, PAPER, PAPER_ADDRESS, WHAT};
 
 /// Width and height of what scrolls, and how much of the window is left around it; points.
 const SIZE: [f32; 2] = [600.0, 440.0];
@@ -108,7 +108,7 @@ pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
 fn section(ui: &mut Ui, section: HelpSection) {
     match section {
         HelpSection::What => paragraphs(ui, &WHAT),
-        HelpSection::Words => markdown::show(ui, glossary()),
+        HelpSection::Words => markdown::show(ui, &GLOSSARY),
         HelpSection::Settings => settings(ui),
         HelpSection::Keys => {
             let with_keys = ACTIONS.iter().filter(|action| !action.keys.is_empty());

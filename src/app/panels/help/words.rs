@@ -1,5 +1,9 @@
 //! Words of the help: what is shown, the glossary, and the source.
 
+use std::sync::LazyLock;
+
+use crate::formula::markdown::Markdown;
+
 /// The first paragraphs, about what is on screen.
 pub const WHAT: [&str; 8] = [
     "Gamow shows what two eyes see of something that rides past at nearly the speed of light.",
@@ -18,12 +22,12 @@ pub const WHAT: [&str; 8] = [
         rides past you. All times are then those of your own clock.",
 ];
 
-/// Returns the table of terms in the glossary, as Markdown: the same text as in the documentation.
-pub fn glossary() -> &'static str {
+/// Table of terms in the glossary: the same text as in the documentation.
+pub static GLOSSARY: LazyLock<Markdown> = LazyLock::new(|| {
     let page = include_str!("../../../../docs/glossary.md");
     let table = page.find("\n|").map_or(page, |start| &page[start + 1..]);
-    table.find("\n\n").map_or(table, |end| &table[..end])
-}
+    Markdown::new(table.find("\n\n").map_or(table, |end| &table[..end]))
+});
 
 /// The source of it all.
 pub const PAPER: [&str; 2] = [

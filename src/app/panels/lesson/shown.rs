@@ -6,6 +6,7 @@ use super::cards::{self, Sign};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::{markdown, named_text};
+use crate::formula::markdown::Markdown;
 use crate::lesson::{Answer, AnswerKind, Course, Options, Step, verdict};
 
 /// Shows the prediction, before it is compared.
@@ -23,7 +24,7 @@ pub fn said(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
                 value(ui, "You said", &told.said);
             }
         }
-        _ => told.into_iter().for_each(|told| markdown::show(ui, &format!("You said {}.", told.said))),
+        _ => told.into_iter().for_each(|told| sentence(ui, format!("You said {}.", told.said))),
     }
 }
 
@@ -55,17 +56,22 @@ pub fn compared(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
                 }
                 (AnswerKind::Number(_), _) => value(ui, "It is", &told.is),
                 (AnswerKind::Curve(_), Some(_)) => {
-                    markdown::show(ui, &format!("You drew {}. It is {}.", told.said, told.is));
+                    sentence(ui, format!("You drew {}. It is {}.", told.said, told.is));
                 }
                 (AnswerKind::Point(_), Some(_)) => {
-                    markdown::show(ui, &format!("You said {}. It is {}.", told.said, told.is));
+                    sentence(ui, format!("You said {}. It is {}.", told.said, told.is));
                     near(ui, told.right, None);
                 }
-                _ => markdown::show(ui, &format!("It is {}.", told.is)),
+                _ => sentence(ui, format!("It is {}.", told.is)),
             }
         }
         (None, _) => {}
     }
+}
+
+/// Shows a sentence in Markdown.
+fn sentence(ui: &mut Ui, text: String) {
+    markdown::show(ui, &Markdown::new(text));
 }
 
 /// Whether that is right, and by how much it is `off`.

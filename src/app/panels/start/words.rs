@@ -2,6 +2,9 @@
 
 use std::sync::Arc;
 
+use pulldown_cmark::{Event, TagEnd};
+
+use crate::formula::markdown::Markdown;
 use crate::lesson::{Course, Lesson};
 
 /// Heading of the page.
@@ -41,15 +44,21 @@ pub fn place(course: &Course) -> String {
 const ENOUGH: usize = 40;
 
 /// Returns the beginning of `markdown`, a sentence or so, as [`plain`].
-pub fn summary(markdown: &str) -> String {
+pub fn summary(markdown: &Markdown) -> String {
     let enough = |count: &usize| plain(markdown, *count).chars().count() >= ENOUGH;
     plain(markdown, (1..=2).find(enough).unwrap_or(2))
 }
 
 /// The sentences of `markdown` in one paragraph and without its signs, but for those with formulas and with values that are
 /// still to be worked out; at most so many.
-pub fn plain(markdown: &str, most: usize) -> String {
-    let text: String = markdown.chars().filter(|sign| !['*', '`'].contains(sign)).collect();
+pub fn plain(markdown: &Markdown, most: usize) -> String {
+    let words = markdown.events().iter().map(|(event, _)| match event {
+        Event::Text(text) | Event::Code(text) => text,
+        Event::InlineMath(_) | Event::DisplayMath(_) => "$",
+        Event::SoftBreak | Event::HardBreak | Event::End(TagEnd::Paragraph | TagEnd::Item) => " ",
+        _ => "",
+    });
+    let text: String = words.collect();
     let words = text.split_whitespace().collect::<Vec<_>>();
     let sentences = words.split_inclusive(|word| word.ends_with(['.', '?', ':']));
     let is_plain = |sentence: &&[&str]| !sentence.iter().any(|word| word.contains(['$', '{']));
@@ -63,6 +72,7 @@ mod tests {
     #[test]
     fn a_short_sentence_is_told_with_the_next() {
         let long = "Light of the far end left earlier, when that was further away.";
+        let summary = |text: &str| summary(&Markdown::new(text));
         assert_eq!(summary(&format!("A wheel rolls. {long} And so on.")), format!("A wheel rolls. {long}"));
         assert_eq!(summary(&format!("{long} A wheel rolls.")), long);
         assert_eq!(summary("A wheel rolls."), "A wheel rolls.");
@@ -80,8 +90,10 @@ mod tests {
             ("By {gain:.2} times. Why is it red? It goes.", "Why is it red?", "Why is it red? It goes."),
             ("Of $\\gamma = {gamma:.3}$.", "", ""),
             ("No end", "No end", "No end"),
+            ("See `a * b`, [here](https://b.org).", "See a * b, here.", "See a * b, here."),
         ] {
-            assert_eq!([plain(markdown, 1), plain(markdown, usize::MAX)], [one, all], "{markdown}");
+            let plain = |most| plain(&Markdown::new(markdown), most);
+            assert_eq!([plain(1), plain(usize::MAX)], [one, all], "{markdown}");
         }
     }
 }

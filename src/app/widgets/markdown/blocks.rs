@@ -1,10 +1,13 @@
 //! Markdown as paragraphs, lists and tables.
 
+use std::ops::Range;
+use std::slice;
 use std::sync::Arc;
 
 use pulldown_cmark::{Alignment, Event, HeadingLevel, Tag, TagEnd};
 
-use crate::formula::{Formula, Style, markdown};
+use crate::formula::markdown::Markdown;
+use crate::formula::{Formula, Style};
 
 /// The kind of words.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -66,20 +69,20 @@ pub struct Blocks {
 
 impl Blocks {
     /// The blocks of this Markdown.
-    pub fn parse(markdown: &str) -> Self {
-        let mut reader = BlockReader { events: markdown::events(markdown), links: Vec::new() };
+    pub fn new(text: &Markdown) -> Self {
+        let mut reader = BlockReader { events: text.events().iter(), links: Vec::new() };
         let blocks = reader.blocks();
         Self { blocks, links: reader.links }
     }
 }
 
 struct BlockReader<'a> {
-    events: markdown::Events<'a>,
+    events: slice::Iter<'a, (Event<'static>, Range<usize>)>,
     links: Vec<String>,
 }
 
 impl<'a> BlockReader<'a> {
-    fn next(&mut self) -> Option<Event<'a>> {
+    fn next(&mut self) -> Option<&'a Event<'static>> {
         self.events.next().map(|(event, _)| event)
     }
 
@@ -92,9 +95,9 @@ impl<'a> BlockReader<'a> {
             let block = match event {
                 Event::End(_) => break,
                 Event::Start(Tag::Paragraph) => TextBlock::Paragraph(self.pieces()),
-                Event::Start(Tag::Heading { level, .. }) => TextBlock::Title(number(level), self.pieces()),
-                Event::Start(Tag::List(first)) => TextBlock::List(first, self.items()),
-                Event::Start(Tag::Table(alignments)) => TextBlock::Table(alignments, self.rows()),
+                Event::Start(Tag::Heading { level, .. }) => TextBlock::Title(number(*level), self.pieces()),
+                Event::Start(Tag::List(first)) => TextBlock::List(*first, self.items()),
+                Event::Start(Tag::Table(alignments)) => TextBlock::Table(alignments.clone(), self.rows()),
                 Event::Start(Tag::CodeBlock(_) | Tag::HtmlBlock) => TextBlock::Code(self.code()),
                 Event::Start(Tag::BlockQuote(_)) => TextBlock::Quote(self.blocks()),
                 Event::Rule => TextBlock::Rule,
@@ -145,7 +148,7 @@ impl<'a> BlockReader<'a> {
         let mut code = String::new();
         while let Some(event) = self.next() {
             match event {
-                Event::Text(text) | Event::Html(text) => code.push_str(&text),
+                Event::Text(text) | Event::Html(text) => code.push_str(text),
                 Event::End(_) => break,
                 _ => {}
             }
@@ -169,12 +172,12 @@ impl<'a> BlockReader<'a> {
         pieces
     }
 
-    fn add(&mut self, event: Event<'_>, look: WordStyle, pieces: &mut Vec<InlineItem>) {
+    fn add(&mut self, event: &Event<'_>, look: WordStyle, pieces: &mut Vec<InlineItem>) {
         match event {
-            Event::Text(text) | Event::InlineHtml(text) | Event::Html(text) => add_words(&text, look, pieces),
-            Event::Code(code) => add_words(&code, WordStyle { kind: WordKind::Code, ..look }, pieces),
-            Event::InlineMath(tex) => add_formula(&tex, Style::Inline, look, pieces),
-            Event::DisplayMath(tex) => add_formula(&tex, Style::Displayed, look, pieces),
+            Event::Text(text) | Event::InlineHtml(text) | Event::Html(text) => add_words(text, look, pieces),
+            Event::Code(code) => add_words(code, WordStyle { kind: WordKind::Code, ..look }, pieces),
+            Event::InlineMath(tex) => add_formula(tex, Style::Inline, look, pieces),
+            Event::DisplayMath(tex) => add_formula(tex, Style::Displayed, look, pieces),
             Event::SoftBreak => pieces.push(InlineItem::Space(look)),
             Event::HardBreak => pieces.push(InlineItem::Break),
             Event::Start(Tag::Strong) => {
@@ -185,7 +188,7 @@ impl<'a> BlockReader<'a> {
                 pieces.extend(self.pieces_with(look));
             }
             Event::Start(Tag::Link { dest_url, .. }) => {
-                self.links.push(dest_url.into_string());
+                self.links.push(dest_url.to_string());
                 let link = Some(self.links.len() - 1);
                 pieces.extend(self.pieces_with(WordStyle { link, ..look }));
             }

@@ -22,10 +22,11 @@ use self::ink::TextInk;
 use self::page::{Page, PageSetting, lay_out_page, translated};
 
 use crate::app::widgets::formula::Pixels;
+use crate::formula::markdown::Markdown;
 
 /// Draws Markdown in the width there is. Each paragraph and each row of a table is a label for assistive technology,
 /// with its formulas in words.
-pub fn show(ui: &mut Ui, text: &str) {
+pub fn show(ui: &mut Ui, text: &Markdown) {
     let setting = setting(ui);
     let pixels = Pixels { per_point: setting.pixels_per_point };
     let written = written(ui.ctx(), text, &setting);
@@ -50,7 +51,7 @@ pub fn show(ui: &mut Ui, text: &str) {
 
 /// Returns the words of the Markdown, with its formulas spoken: a name for assistive technology.
 #[must_use]
-pub fn said(ui: &Ui, text: &str) -> String {
+pub fn said(ui: &Ui, text: &Markdown) -> String {
     let written = written(ui.ctx(), text, &setting(ui));
     let parts = written.page.parts.iter().map(|part| part.text.as_str());
     parts.filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" ")
@@ -121,8 +122,8 @@ impl CacheTrait for Pages {
 }
 
 /// `text` on a page, as it was written before if it can be.
-fn written(ctx: &egui::Context, text: &str, setting: &PageSetting) -> Arc<WrittenText> {
-    let id = Id::unique((text, setting.width.to_bits()));
+fn written(ctx: &egui::Context, text: &Markdown, setting: &PageSetting) -> Arc<WrittenText> {
+    let id = Id::unique((text.source(), setting.width.to_bits()));
     let word = ctx
         .fonts_mut(|fonts| fonts.layout_no_wrap("x".to_owned(), setting.ink.font.clone(), setting.ink.text));
     let known = ctx.memory_mut(|memory| {
@@ -139,7 +140,7 @@ fn written(ctx: &egui::Context, text: &str, setting: &PageSetting) -> Arc<Writte
     {
         return known;
     }
-    let blocks = Blocks::parse(text);
+    let blocks = Blocks::new(text);
     let page = ctx.fonts_mut(|fonts| lay_out_page(fonts, setting, &blocks));
     let written = Arc::new(WrittenText { page, links: blocks.links, setting: setting.clone(), word });
     ctx.memory_mut(|memory| {

@@ -47,7 +47,7 @@ fn window(text: &'static str, [width, pixels]: [f32; 2], scale: f32) -> Harness<
         .with_pixels_per_point(pixels)
         .build_ui(move |ui| {
             if is_ready {
-                show(ui, text);
+                show(ui, &Markdown::new(text));
             } else {
                 theme::install(ui.ctx());
                 theme::scale_text(ui.ctx(), scale);
@@ -66,7 +66,7 @@ fn page(text: &'static str, width: f32, scale: f32) -> (Arc<WrittenText>, PageSe
     let mut harness = Harness::builder().build_ui(move |ui| {
         if is_ready {
             let setting = PageSetting { width, ..setting(ui) };
-            let written = written(ui.ctx(), text, &setting);
+            let written = written(ui.ctx(), &Markdown::new(text), &setting);
             *taken.lock().expect("it is free") = Some((written, setting));
         } else {
             theme::install(ui.ctx());
@@ -252,7 +252,7 @@ fn a_text_is_set_once_and_anew_when_its_setting_changes() {
             return;
         }
         if frame <= 10 {
-            let now = written(ui.ctx(), SAMPLE, &setting(ui));
+            let now = written(ui.ctx(), &Markdown::new(SAMPLE), &setting(ui));
             taken.lock().expect("it is free").push(now);
         }
         if frame == 4 {
