@@ -142,9 +142,7 @@ impl Floor {
             }
         }
     }
-}
 
-impl Floor {
     /// Returns the part that shows all of it.
     pub const fn whole(self) -> BackdropPart {
         match self {
@@ -173,43 +171,50 @@ impl BackdropPart {
     }
 }
 
-/// The shader's constants for a part of a picture that shows the street so.
-pub(crate) fn constants(
-    part: BackdropPart,
-    is_conformal: bool,
-    is_oblique: bool,
-    street: StreetVariant,
-) -> Vec<Constant> {
-    let of_backdrop = [
-        ("CONFORMAL", number(is_conformal)),
-        ("OBLIQUE_STREET", number(is_oblique)),
-        ("STREET_GEOMETRY", street.geometry()),
-        ("STREET_ROW", street.row()),
-        ("GROUND", number(part.has_ground())),
-        ("ROAD", number(part != BackdropPart::Grid)),
-        ("FRONTS", number(part.has_fronts())),
-        ("TILE_COLUMNS", f64::from(TILES[0])),
-        ("TILE_ROWS", f64::from(TILES[1])),
-        ("KERB_WIDTH", KERB_WIDTH),
-        ("LANE_HALF_WIDTH", LANE_HALF_WIDTH),
-        ("DASH_LENGTH", DASH[0]),
-        ("DASH_PERIOD", DASH[1]),
-        ("LINE_HALF_WIDTH", LINE_HALF_WIDTH),
-        ("AXIS_HALF_WIDTH", AXIS_HALF_WIDTH),
-        ("GRID_FADE_START", GRID_FADE[0]),
-        ("GRID_FADE_RATE", GRID_FADE[1]),
-        ("LEAST_TOWARDS_FRONTS", LEAST_TOWARDS_FRONTS),
-        ("HAZE", part.haze()),
-        ("SKY_RISE", SKY_RISE),
-        ("CONTACT_DARKEST", DARKEST),
-        ("CONTACT_FARTHEST", FARTHEST),
-    ];
-    let of_tables = [
-        ("BRIGHTEST", BRIGHTEST),
-        ("MAP_MIDDLE", palette::MAP.place(0.0)),
-        ("MAP_PER_OCTAVE", palette::MAP.per_octave()),
-    ];
-    of_backdrop.into_iter().chain(street::CONSTANTS).chain(tone::constants()).chain(of_tables).collect()
+/// The last pass of a picture over one part of its backdrop, with everything decided that its shader can decide before.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) struct LastPass {
+    pub part: BackdropPart,
+    pub street: StreetVariant,
+    pub is_conformal: bool,
+    /// Whether the street moves otherwise than along x.
+    pub is_oblique: bool,
+}
+
+impl LastPass {
+    /// The shader's constants.
+    pub fn constants(self) -> Vec<Constant> {
+        let of_backdrop = [
+            ("CONFORMAL", number(self.is_conformal)),
+            ("OBLIQUE_STREET", number(self.is_oblique)),
+            ("STREET_GEOMETRY", self.street.geometry()),
+            ("STREET_ROW", self.street.row()),
+            ("GROUND", number(self.part.has_ground())),
+            ("ROAD", number(self.part != BackdropPart::Grid)),
+            ("FRONTS", number(self.part.has_fronts())),
+            ("TILE_COLUMNS", f64::from(TILES[0])),
+            ("TILE_ROWS", f64::from(TILES[1])),
+            ("KERB_WIDTH", KERB_WIDTH),
+            ("LANE_HALF_WIDTH", LANE_HALF_WIDTH),
+            ("DASH_LENGTH", DASH[0]),
+            ("DASH_PERIOD", DASH[1]),
+            ("LINE_HALF_WIDTH", LINE_HALF_WIDTH),
+            ("AXIS_HALF_WIDTH", AXIS_HALF_WIDTH),
+            ("GRID_FADE_START", GRID_FADE[0]),
+            ("GRID_FADE_RATE", GRID_FADE[1]),
+            ("LEAST_TOWARDS_FRONTS", LEAST_TOWARDS_FRONTS),
+            ("HAZE", self.part.haze()),
+            ("SKY_RISE", SKY_RISE),
+            ("CONTACT_DARKEST", DARKEST),
+            ("CONTACT_FARTHEST", FARTHEST),
+        ];
+        let of_tables = [
+            ("BRIGHTEST", BRIGHTEST),
+            ("MAP_MIDDLE", palette::MAP.place(0.0)),
+            ("MAP_PER_OCTAVE", palette::MAP.per_octave()),
+        ];
+        of_backdrop.into_iter().chain(street::CONSTANTS).chain(tone::constants()).chain(of_tables).collect()
+    }
 }
 
 /// The backdrop of one camera's picture.

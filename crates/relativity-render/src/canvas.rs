@@ -3,7 +3,7 @@
 //! Bodies are drawn with four samples per pixel over nothing, in linear light; the last pass puts them over sky
 //! and ground and applies the sRGB curve.
 
-use crate::backdrop::{self, BackdropPart, TILES};
+use crate::backdrop::{BackdropPart, LastPass, TILES};
 use crate::buffers::{fill_frame_buffer, frame_bindings, frame_buffer, vertex_buffer};
 use crate::drawing::{Drawing, Shot};
 use crate::effects::Constant;
@@ -15,7 +15,6 @@ use crate::palette;
 use crate::reference::HitImage;
 use crate::scene::PreparedScene;
 use crate::shaders::BACKDROP;
-use crate::street_sight::StreetVariant;
 use crate::target::{self, DEPTH_FORMAT, ENCODED_FORMAT, EyeTarget, MEASURES_FORMAT};
 use crate::view::{Appearance, View};
 
@@ -27,16 +26,6 @@ pub struct Canvas {
     tables: wgpu::TextureView,
     /// The models of the scene drawn last.
     models: Models,
-}
-
-/// The pipeline of a last pass.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct LastPass {
-    part: BackdropPart,
-    street: StreetVariant,
-    is_conformal: bool,
-    /// Whether the street moves otherwise than along x.
-    is_oblique: bool,
 }
 
 /// The numbers that a pass over the bodies wrote: RGBA32 floats, see the shaders' `Hit`.
@@ -62,13 +51,16 @@ impl Canvas {
 
     /// The pipeline that draws `part` of the last pass of pictures like that of `frame`.
     fn last_pass(&self, gpu: &Gpu, frame: &FrameUniform, part: BackdropPart) -> wgpu::RenderPipeline {
-        let (street, is_conformal, is_oblique) =
-            (frame.street(), frame.is_conformal(), frame.is_street_oblique());
-        gpu.made.last_passes.get(LastPass { part, street, is_conformal, is_oblique }, || {
+        let pass = LastPass {
+            part,
+            street: frame.street(),
+            is_conformal: frame.is_conformal(),
+            is_oblique: frame.is_street_oblique(),
+        };
+        gpu.made.last_passes.get(pass, || {
             let module = gpu.shader("backdrop", BACKDROP);
             let layout = pipeline_layout(&gpu.device, &[Some(&self.frame_layout), Some(&self.layer_layout)]);
-            let constants = backdrop::constants(part, is_conformal, is_oblique, street);
-            last_pass(&gpu.device, &module, &layout, &constants)
+            last_pass(&gpu.device, &module, &layout, &pass.constants())
         })
     }
 

@@ -101,6 +101,7 @@ mod painted;
 mod palette;
 mod pattern;
 pub mod picture;
+mod pipeline_key;
 mod pipelines;
 pub mod planck;
 mod polynomial;

@@ -5,9 +5,9 @@ use std::fmt;
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use crate::canvas::LastPass;
+use crate::backdrop::LastPass;
 use crate::compose::ComposeVariant;
-use crate::pipelines::BodyPipeline;
+use crate::pipeline_key::BodyPipeline;
 
 /// Everything that was made on a device.
 #[derive(Debug, Default)]

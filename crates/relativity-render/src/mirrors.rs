@@ -8,7 +8,8 @@ use crate::effects::{Constant, Effects};
 use crate::frame::FrameUniform;
 use crate::kind::Kind;
 use crate::mesh::MeshInstance;
-use crate::pipelines::{Key, Output, Technique};
+use crate::pipeline_key::{Key, Output};
+use crate::pipelines::Technique;
 use crate::rays::Piece;
 use crate::street_sight::StreetVariant;
 use crate::view::{Appearance, Geometry};
@@ -84,7 +85,13 @@ pub fn shaders() -> Vec<Shader> {
     let backdrop = Shader {
         name: "backdrop".to_owned(),
         source: shaders::BACKDROP,
-        constants: backdrop::constants(backdrop::BackdropPart::Street, true, true, StreetVariant::Daylit),
+        constants: backdrop::LastPass {
+            part: backdrop::BackdropPart::Street,
+            street: StreetVariant::Daylit,
+            is_conformal: true,
+            is_oblique: true,
+        }
+        .constants(),
     };
     let compose = Shader {
         name: "compose".to_owned(),

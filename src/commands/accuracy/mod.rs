@@ -17,6 +17,7 @@ use clap::Args;
 use crate::files::whole::{ReportArgs, ensure_ending, write_whole};
 use crate::flags::choices::Size;
 use crate::scene::Scene;
+use crate::settings::about;
 
 /// Measures speed against accuracy: each method's cost on this machine, its error against the f64 reference, and
 /// what follows for its use.
@@ -28,8 +29,9 @@ use crate::scene::Scene;
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES, after_long_help = HELP)]
 pub struct AccuracyArgs {
-    /// Scene: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel, tram) or a scene file.
-    #[arg(long, default_value = "cyclist", value_name = "PRESET|FILE")]
+    #[arg(
+        long, default_value = "cyclist", value_name = "PRESET|FILE", help = about("scene").trim_end_matches('.')
+    )]
     scene: String,
     /// Size of one eye's picture, pixels.
     #[arg(long, default_value_t = Size([480, 360]), value_name = "WxH")]

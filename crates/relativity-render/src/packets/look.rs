@@ -7,7 +7,7 @@ use crate::frame::FrameUniform;
 use crate::group_view::{GroupView, reference_of_depths};
 use crate::hatch::Hatch;
 use crate::light::Light;
-use crate::pipelines::AmongOthers;
+use crate::pipeline_key::AmongOthers;
 use crate::prepared_body::PreparedBody;
 use crate::scene::PreparedScene;
 use crate::view::{Appearance, View};

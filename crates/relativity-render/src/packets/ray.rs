@@ -6,7 +6,7 @@ use super::mercator;
 use super::places::{centres, packet_places};
 use crate::frame::FrameUniform;
 use crate::lanes::{F, Simd, SimdBase as _, SimdFloat, V2, V3, all, select};
-use crate::pipelines::AmongOthers;
+use crate::pipeline_key::AmongOthers;
 use crate::view::Geometry;
 
 /// The line of sight of a pixel's middle.

@@ -6,7 +6,7 @@ use super::super::model::{Meetings, ModelPart};
 use super::super::places::PACKETS;
 use super::super::ray::{TileSights, depth, rest_ray};
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, SimdMask, all, select};
-use crate::pipelines::AmongOthers;
+use crate::pipeline_key::AmongOthers;
 
 /// Marks the absence of a body.
 const NONE: f32 = -1.0;
