@@ -97,6 +97,29 @@ const RADIANS: Unit = Unit { factor: 1.0, name: "rad" };
 impl Quantity {
     /// The quantities of which a lesson can have a curve drawn.
     pub const DRAWN: [Self; 5] = [Self::DeltaPhi, Self::DeltaTheta, Self::Doppler, Self::Phi, Self::Theta];
+    /// The rows of the readout, from the top.
+    pub const READ_OUT: [Self; 8] = [
+        Self::Doppler,
+        Self::EmissionTime,
+        Self::ProperTime,
+        Self::X,
+        Self::Y,
+        Self::Z,
+        Self::Phi,
+        Self::Theta,
+    ];
+    /// The rows of the readout below these for conformal pictures.
+    pub const READ_OUT_OF_CONFORMAL: [Self; 2] = [Self::U, Self::V];
+    /// The plots of disparities against T.
+    pub const DISPARITIES: [Self; 2] = [Self::DeltaPhi, Self::DeltaTheta];
+    /// The plots of disparities of conformal pictures.
+    pub const CONFORMAL_DISPARITIES: [Self; 2] = [Self::DeltaU, Self::DeltaV];
+    /// The plots of directions.
+    pub const DIRECTIONS: [Self; 2] = [Self::Phi, Self::Theta];
+    /// The plots of received light.
+    pub const RECEIVED: [Self; 1] = [Self::Doppler];
+    /// The plots of what two eyes make of a place.
+    pub const PLACED: [Self; 2] = [Self::StereoGain, Self::Distance];
 
     /// Returns the quantity's row.
     #[must_use]

@@ -65,18 +65,18 @@ fn table(ui: &mut Ui, state: &State) {
             }
             ui.end_row();
             wavelengths(ui, &received, rest_wavelength);
-            for quantity in ABOVE {
+            for quantity in Quantity::READ_OUT {
                 row(ui, state, &received, quantity);
-            }
-            received_time(ui, state, &received);
-            for quantity in BELOW {
-                row(ui, state, &received, quantity);
-                if quantity == Quantity::ProperTime && state.document.settings.ride.is_on() {
-                    reckoned(ui, state, point);
+                match quantity {
+                    Quantity::Doppler => received_time(ui, state, &received),
+                    Quantity::ProperTime if state.document.settings.ride.is_on() => {
+                        reckoned(ui, state, point)
+                    }
+                    _ => {}
                 }
             }
             if state.document.settings.projection() == ProjectionChoice::Mercator {
-                for quantity in CONFORMAL {
+                for quantity in Quantity::READ_OUT_OF_CONFORMAL {
                     row(ui, state, &received, quantity);
                 }
             }
@@ -210,19 +210,6 @@ const PUBLISHED_TIP: &str = "What the views show of the selected point now. The 
     exactly; in the published model the right eye has what the left one sees at T − ΔT, measured from the \
     left eye. Point at a number for the exact one. Click to fold the table away.";
 
-/// The rows above the row of T, and those below it.
-const ABOVE: [Quantity; 1] = [Quantity::Doppler];
-const BELOW: [Quantity; 7] = [
-    Quantity::EmissionTime,
-    Quantity::ProperTime,
-    Quantity::X,
-    Quantity::Y,
-    Quantity::Z,
-    Quantity::Phi,
-    Quantity::Theta,
-];
-/// The rows of a conformal picture.
-const CONFORMAL: [Quantity; 2] = [Quantity::U, Quantity::V];
 /// Number of decimals in the row of T.
 const TIME_DECIMALS: u8 = 4;
 
@@ -342,7 +329,7 @@ fn swatch(ui: &mut Ui, wavelength_nm: Option<f64>) {
 /// The disparities, large: what the binocular observer measures.
 fn differences(ui: &mut Ui, state: &State) {
     let (both, exact) = (state.disparity(state.document.points.selected()), exact_beside(state));
-    let parts = [Quantity::DeltaPhi, Quantity::DeltaTheta].map(|quantity| {
+    let parts = Quantity::DISPARITIES.map(|quantity| {
         let values = [both, exact].map(|both| both.and_then(|both| quantity.seen(&both)));
         (quantity.row().symbol, values, quantity.row().about)
     });

@@ -113,11 +113,11 @@ impl Plotting {
 #[must_use]
 pub fn quantities(plots: &PlotSettings) -> &'static [Quantity] {
     match plots.plot {
-        PlotTab::Disparity if plots.is_conformal() => &[Quantity::DeltaU, Quantity::DeltaV],
-        PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
-        PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
-        PlotTab::Doppler => &[Quantity::Doppler],
-        PlotTab::Stereo => &[Quantity::StereoGain, Quantity::Distance],
+        PlotTab::Disparity if plots.is_conformal() => &Quantity::CONFORMAL_DISPARITIES,
+        PlotTab::Disparity => &Quantity::DISPARITIES,
+        PlotTab::Angles => &Quantity::DIRECTIONS,
+        PlotTab::Doppler => &Quantity::RECEIVED,
+        PlotTab::Stereo => &Quantity::PLACED,
         PlotTab::Fit | PlotTab::Accuracy => &[],
     }
 }
