@@ -70,7 +70,7 @@ fn table(ui: &mut Ui, state: &State) {
                 match quantity {
                     Quantity::Doppler => received_time(ui, state, &received),
                     Quantity::ProperTime if state.document.settings.ride.is_on() => {
-                        reckoned(ui, state, point)
+                        reckoned(ui, state, point);
                     }
                     _ => {}
                 }
