@@ -110,16 +110,16 @@ impl Quantity {
     ];
     /// The rows of the readout below these for conformal pictures.
     pub const READ_OUT_OF_CONFORMAL: [Self; 2] = [Self::U, Self::V];
-    /// The plots of disparities against T.
+    /// The disparities: of the readout, and of their plots.
     pub const DISPARITIES: [Self; 2] = [Self::DeltaPhi, Self::DeltaTheta];
     /// The plots of disparities of conformal pictures.
     pub const CONFORMAL_DISPARITIES: [Self; 2] = [Self::DeltaU, Self::DeltaV];
-    /// The plots of directions.
-    pub const DIRECTIONS: [Self; 2] = [Self::Phi, Self::Theta];
-    /// The plots of received light.
-    pub const RECEIVED: [Self; 1] = [Self::Doppler];
+    /// The plots of directions against T.
+    pub const ANGLE_PLOTS: [Self; 2] = [Self::Phi, Self::Theta];
+    /// The plot of received light.
+    pub const DOPPLER_PLOT: [Self; 1] = [Self::Doppler];
     /// The plots of what two eyes make of a place.
-    pub const PLACED: [Self; 2] = [Self::StereoGain, Self::Distance];
+    pub const STEREO_PLOTS: [Self; 2] = [Self::StereoGain, Self::Distance];
 
     /// Returns the quantity's row.
     #[must_use]

@@ -39,7 +39,7 @@ impl App {
     }
 
     pub(super) fn apply(&mut self, ctx: &egui::Context, commands: Commands) {
-        ctx.input(|input| self.state.session.history.hear(input));
+        ctx.input(|input| self.state.hear(input));
         if !commands.is_empty() {
             // Panels that were shown before this one show the change in the next frame.
             ctx.request_repaint();

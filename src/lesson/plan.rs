@@ -11,9 +11,8 @@ use crate::formula::markdown::Markdown;
 use crate::quantity::Quantity;
 use crate::settings::{Preset, Settings};
 
-/// A text in Markdown, with formulas in TeX, and where it begins in its file. Its values are put into its source before anybody
-/// asks for its events, so that it is parsed once, when the lesson is worked out: that checks it, and the window and all
-/// pages show the same events.
+/// A text in Markdown, with formulas in TeX, and where it begins in its file. Working a lesson out makes new texts with the values in
+/// their places; the check, the window and all pages share the events of these.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Text {
     /// The Markdown; before a lesson is worked out, with places for values such as `{gain:.2}`.

@@ -85,7 +85,7 @@ fn every_file_of_tests_is_in_a_program() {
 /// The parts of the window's state that outlast a frame.
 const LASTING: [&str; 3] = ["document", "scratch", "session"];
 
-/// Whether a line of the window assigns to what lasts of its state, or lends it to be changed.
+/// Whether a line assigns to a lasting part of `self.state`, or borrows it with `&mut`. A method that changes the part is not seen.
 fn changes_what_lasts(line: &str) -> bool {
     LASTING.iter().any(|part| {
         let name = format!("self.state.{part}");

@@ -21,15 +21,16 @@ pub fn share() -> Result<(), WgpuError> {
     Ok(())
 }
 
-/// Returns a renderer of a window on the shared device.
+/// Returns a renderer of a window on the shared device. Errors outside any scope, and a loss, are reported to the window that was opened
+/// last: a test of them takes a device of its own.
 pub fn renderer() -> WgpuTestRenderer {
     let shared = SHARED.get().expect("there is a device");
     let mut renderer = Renderer::new(&shared.device, shared.target_format, RendererOptions::PREDICTABLE);
     renderer.callback_resources.insert(graphics::gpu(shared));
-    // OpenGL's adapters of one instance cannot be let go by two threads at once: the list of them is not copied.
     let renderer = Arc::new(RwLock::new(renderer));
     WgpuTestRenderer::from_render_state(RenderState {
         adapter: shared.adapter.clone(),
+        // Left empty: two threads cannot drop OpenGL's adapters of one instance at the same time.
         available_adapters: Vec::new(),
         instance: shared.instance.clone(),
         device: shared.device.clone(),

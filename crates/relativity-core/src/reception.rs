@@ -2,9 +2,9 @@
 //!
 //! # Accuracy
 //!
-//! The event in the frame is as accurate as [`crate::sighting`] (`tests/oracle`). A time of emission is known as it would be if the
-//! event's place and time in the frame were known to as many roundings of gamma (|x| + |t|); what passes an eye and is seen long
-//! after, as accurately as [`crate::sighting`].
+//! The event in the frame is as accurate as [`crate::sighting`] (`tests/oracle`). A time of emission is within
+//! [`crate::MAX_ERROR_UNITS`] roundings of gamma (|x| + |t|) + |x'| + |y| + |z|, with x and t of the reception on the ground, and x', y
+//! and z of the place in the frame. Long after a passage it is as accurate as [`crate::sighting`].
 
 use crate::speed::Speed;
 use crate::stereo::dot;

@@ -142,7 +142,8 @@ impl Boost {
     ///
     /// # Accuracy
     ///
-    /// Within [`crate::MAX_ERROR_UNITS`] for each unit of both rapidities, and 1: a rounding of a rapidity H is as many of gamma.
+    /// Within (1 + H1 + H2) [`crate::MAX_ERROR_UNITS`], of the rapidities H1 of the clock and H2 of the frame: a rounding of a rapidity H
+    /// changes gamma by H roundings.
     #[must_use]
     pub fn unit_step_in(self, frame: impl Into<Self>) -> Event {
         let relative = self.seen_from(frame);
@@ -150,8 +151,8 @@ impl Boost {
         Event { x: relative.beta() * t, t }
     }
 
-    /// Returns the reading, at the ground's time `t`, of the clock at `rest_x` in the frame that moves so: of
-    /// [`Worldline::at_rest`], with a rounding less.
+    /// Returns the reading, at the ground's time `t`, of the clock at `rest_x` in the frame that moves so: the proper time on
+    /// [`Worldline::at_rest`], with one rounding less.
     #[must_use]
     pub fn clock_reading(&self, rest_x: f64, t: f64) -> f64 {
         t / self.speed.gamma() - self.beta() * rest_x

@@ -57,7 +57,7 @@ impl Canvas {
             is_conformal: frame.is_conformal(),
             is_oblique: frame.is_street_oblique(),
         };
-        gpu.made.last_passes.get(pass, || {
+        gpu.cache.last_passes.get(pass, || {
             let module = gpu.shader("backdrop", BACKDROP);
             let layout = pipeline_layout(&gpu.device, &[Some(&self.frame_layout), Some(&self.layer_layout)]);
             last_pass(&gpu.device, &module, &layout, &pass.constants())

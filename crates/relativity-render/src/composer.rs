@@ -104,7 +104,7 @@ impl Composer {
     /// Draws into `target` what is made of the first and the second of `pictures`, which have one size.
     pub fn compose(&self, gpu: &Gpu, composition: Composition, pictures: [&EyeTarget; 2], target: &Composed) {
         let form = composition.form();
-        let pipeline = gpu.made.composers.get(form, || self.pipeline(gpu, form));
+        let pipeline = gpu.cache.composers.get(form, || self.pipeline(gpu, form));
         gpu.queue.write_buffer(&target.composing, 0, bytemuck::bytes_of(&composition.composing()));
         let [first, second] = pictures.map(|picture| wgpu::BindingResource::TextureView(picture.view()));
         let resources = [target.composing.as_entire_binding(), first, second];

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::answers::PendingReadbacks;
+use crate::device_cache::DeviceCache;
 use crate::device_errors::ErrorScopes;
 use crate::gpu_error::GpuError;
-use crate::made::Made;
 
 /// Returns the part of an adapter's name that the environment asks for, in lower case; `None` if it asks for none.
 #[must_use]
@@ -15,8 +15,8 @@ pub fn adapter_name() -> Option<String> {
     std::env::var("WGPU_ADAPTER_NAME").ok().map(|name| name.to_lowercase()).filter(|name| !name.is_empty())
 }
 
-/// The instance's checks of what it is asked to do. Names and lines of shaders for a debugger, which take a tenth of the time in
-/// which pipelines are made, are left out unless `WGPU_DEBUG` asks for them.
+/// Returns the flags of an instance: those of the build, then those of the environment. Debug names and line numbers of shaders, which
+/// take a tenth of the time in which pipelines are made, are off unless `WGPU_DEBUG` turns them on.
 #[must_use]
 pub fn instance_flags() -> wgpu::InstanceFlags {
     wgpu::InstanceFlags::from_build_config().difference(wgpu::InstanceFlags::DEBUG).with_env()
@@ -51,7 +51,7 @@ pub struct Gpu {
     pub(crate) queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
     answers: PendingReadbacks,
-    pub(crate) made: Arc<Made>,
+    pub(crate) cache: Arc<DeviceCache>,
 }
 
 impl Gpu {
@@ -106,8 +106,8 @@ impl Gpu {
     /// Shares the device of a window.
     #[must_use]
     pub fn from_device(adapter: &wgpu::Adapter, device: wgpu::Device, queue: wgpu::Queue) -> Self {
-        let (info, answers, made) = (adapter.get_info(), PendingReadbacks::default(), Arc::default());
-        Self { device, queue, info, answers, made }
+        let (info, answers, cache) = (adapter.get_info(), PendingReadbacks::default(), Arc::default());
+        Self { device, queue, info, answers, cache }
     }
 
     /// Largest width and height of a picture, pixels.
@@ -169,7 +169,7 @@ impl Gpu {
     }
 
     pub(crate) fn shader(&self, label: &str, source: &'static str) -> wgpu::ShaderModule {
-        self.made.shaders.get(source, || {
+        self.cache.shaders.get(source, || {
             self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some(label),
                 source: wgpu::ShaderSource::Wgsl(source.into()),

@@ -68,6 +68,7 @@ mod contact;
 mod corners;
 mod cover;
 mod daylight;
+mod device_cache;
 mod device_errors;
 mod drawing;
 mod effects;
@@ -88,7 +89,6 @@ mod kind;
 mod lanes;
 mod light;
 pub mod lines_of_sight;
-mod made;
 pub mod mercator;
 mod mesh;
 #[doc(hidden)]

@@ -15,7 +15,7 @@ use crate::{palette, pattern, shade};
 pub struct Technique {
     /// The shader of a kind of shape.
     pub source: fn(Kind) -> &'static str,
-    /// Entry point of the vertex stage.
+    /// Entry point of the vertex stage. It names the technique in the key of its pipelines, so no other technique has the same.
     pub vertex: &'static str,
     /// Layouts of the buffers that the vertex stage reads.
     pub buffers: &'static [Option<wgpu::VertexBufferLayout<'static>>],
@@ -93,7 +93,7 @@ impl Pipelines {
     /// Makes the pipeline of `key` unless the device has it.
     pub fn prepare(&mut self, gpu: &Gpu, key: Key) {
         if !self.needed.contains_key(&key) {
-            let pipeline = gpu.made.bodies.get((self.technique.vertex, key), || self.pipeline(gpu, key));
+            let pipeline = gpu.cache.bodies.get((self.technique.vertex, key), || self.pipeline(gpu, key));
             self.needed.insert(key, pipeline);
         }
     }

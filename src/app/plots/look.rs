@@ -115,9 +115,9 @@ pub fn quantities(plots: &PlotSettings) -> &'static [Quantity] {
     match plots.plot {
         PlotTab::Disparity if plots.is_conformal() => &Quantity::CONFORMAL_DISPARITIES,
         PlotTab::Disparity => &Quantity::DISPARITIES,
-        PlotTab::Angles => &Quantity::DIRECTIONS,
-        PlotTab::Doppler => &Quantity::RECEIVED,
-        PlotTab::Stereo => &Quantity::PLACED,
+        PlotTab::Angles => &Quantity::ANGLE_PLOTS,
+        PlotTab::Doppler => &Quantity::DOPPLER_PLOT,
+        PlotTab::Stereo => &Quantity::STEREO_PLOTS,
         PlotTab::Fit | PlotTab::Accuracy => &[],
     }
 }

@@ -42,7 +42,7 @@ use crate::settings::Settings;
 use crate::units::Measures;
 
 /// Everything the panels read, each part by how long it lasts. What a user does changes it only through [`crate::app::command`]. The window
-/// has it run on (`advance`) and leaves messages (`tell`); of its own it writes the frame alone, as it measures that.
+/// calls functions of the state (as `advance`, `tell`, `hear`), and writes only the frame directly.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State {
     /// Document that is shown: undone, saved and compared.

@@ -4,6 +4,8 @@ pub mod history;
 
 use std::path::PathBuf;
 
+use eframe::egui::InputState;
+
 use crate::app::command::{Command, GazeCommand};
 use crate::app::notice::Notice;
 use crate::app::riding::saddle::RideCommand;
@@ -12,6 +14,11 @@ use crate::app::undo::history::{Run, UndoDirection, UndoStep};
 use crate::lesson::Course;
 
 impl State {
+    /// Notes from what `input` the next commands come.
+    pub(in crate::app) fn hear(&mut self, input: &InputState) {
+        self.session.history.hear(input);
+    }
+
     /// Applies a command, so that it can be undone.
     pub fn apply(&mut self, command: Command) {
         let before = self.course().cloned();

@@ -7,7 +7,7 @@ use crate::app::views::panes::EyePane;
 use crate::settings::Settings;
 
 impl State {
-    /// Has these `settings` for a picture, until it has those again that it had, which are returned.
+    /// Replaces the settings while a picture is drawn, and returns those before, which the caller puts back.
     pub(in crate::app) fn exchange(&mut self, settings: Shared<Settings>) -> Shared<Settings> {
         std::mem::replace(&mut self.document.settings, settings)
     }

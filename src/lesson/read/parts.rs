@@ -61,7 +61,7 @@ impl Outline {
         let lines = lines.map(|(number, line)| if number < first { "" } else { line });
         let markdown = Markdown::new(lines.flat_map(|line| [line, "\n"]).collect::<String>());
         let elements = elements(&markdown)?;
-        check_headings(&markdown, &elements, titles)?;
+        check_lines(&markdown, &elements, titles)?;
         Ok(Self { markdown, elements })
     }
 
@@ -110,6 +110,11 @@ fn elements(markdown: &Markdown) -> Result<Vec<Element>, Wrong> {
                 block.check(&source[range.clone()])?;
                 (!block.kind.is_empty()).then_some(ElementKind::Fenced(block))
             }
+            Tag::CodeBlock(CodeBlockKind::Fenced(kind)) if BLOCKS.contains(&kind.trim()) => {
+                let problem =
+                    format!("a block ```{} stands by itself, not in a list or a quote", kind.trim());
+                return Err((line, problem));
+            }
             Tag::Item if depth == 1 => after.first().and_then(|(_, first)| {
                 let (text, is_right) = choice(source.get(first.start..range.end)?)?;
                 Some(ElementKind::Choice(Text { markdown: text, line }, is_right))
@@ -156,8 +161,9 @@ fn choice(item: &str) -> Option<(Markdown, bool)> {
     Some((Markdown::new(lines.join("\n")), is_right))
 }
 
-/// Whether every line outside of code that looks like a heading of a lesson is one, and no title is nearly one of `titles`.
-fn check_headings(markdown: &Markdown, elements: &[Element], titles: &[&str]) -> Result<(), Wrong> {
+/// Checks that every line outside fenced code that looks like a heading or like the fence of a block is one, and that no title is
+/// nearly one of `titles`.
+fn check_lines(markdown: &Markdown, elements: &[Element], titles: &[&str]) -> Result<(), Wrong> {
     let code = markdown.events().iter().filter_map(|(event, range)| match event {
         Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(_))) => Some(range),
         _ => None,
@@ -166,6 +172,11 @@ fn check_headings(markdown: &Markdown, elements: &[Element], titles: &[&str]) ->
     for (number, line) in text.lines().enumerate() {
         let element = elements.binary_search_by_key(&(number + 1), |element| element.line);
         let is_heading = element.is_ok_and(|index| matches!(elements[index].kind, ElementKind::Heading(_)));
+        let kind = line.trim_start().trim_start_matches(['`', '~']);
+        if line.trim_start().len() >= kind.len() + 3 && BLOCKS.contains(&kind.trim()) {
+            let problem = format!("a block ```{} cannot stand in HTML or behind four spaces", kind.trim());
+            return Err((number + 1, problem));
+        }
         let marks = line.trim_start().chars().take_while(|c| *c == '#').count();
         if is_heading || (1..=6).contains(&marks) {
             let slip = slip(line, marks, is_heading, titles);
@@ -175,10 +186,17 @@ fn check_headings(markdown: &Markdown, elements: &[Element], titles: &[&str]) ->
     Ok(())
 }
 
+/// Returns the title in the line of a heading, without the marks before it and behind it.
+fn title_of(line: &str) -> &str {
+    let title = line.trim().trim_start_matches('#').trim();
+    let opened = title.trim_end_matches('#');
+    if opened.is_empty() || opened.ends_with([' ', '\t']) { opened.trim_end() } else { title }
+}
+
 /// Finds what is wrong with a `line` that begins with this many `marks` of a heading, or is one.
 fn slip(line: &str, marks: usize, is_heading: bool, titles: &[&str]) -> Option<String> {
     let after = &line.trim_start()[marks..];
-    let title = after.trim();
+    let title = title_of(line);
     let right = format!("{} {}", "#".repeat(marks.clamp(2, 3)), messages::excerpt(title));
     let (is_indented, line) = (line.starts_with([' ', '\t']), messages::excerpt(line));
     if marks == 0 {
@@ -241,7 +259,7 @@ impl Part<'_> {
         while let Some(index) = part.elements.iter().position(is_heading) {
             let (heading, end) = (&part.elements[index], part.end);
             parts.push(Part { end: heading.range.start, elements: &part.elements[..index], ..part });
-            let title = self.source[heading.range.clone()].trim().trim_start_matches('#').trim();
+            let title = title_of(&self.source[heading.range.clone()]);
             let elements = &part.elements[index + 1..];
             part = Part { title, line: heading.line, begin: heading.range.end, end, elements, ..part };
         }

@@ -374,6 +374,13 @@ fn slips_of_headings_and_blocks_are_named_with_their_line() {
     for (slip, expected) in [
         ("One,\ntwo.\n---", "19: `One,`: a line of `-` or `=` below makes it a heading"),
         ("<div>\n## A step", "20: `## A step`: in HTML there is no heading"),
+        (
+            "- One\n  ```state\n  beta = 0.5\n  ```",
+            "20: a block ```state stands by itself, not in a list or a quote",
+        ),
+        ("> ```number\n> truth = \"gain\"\n> ```", "19: a block ```number stands by itself"),
+        ("<div>\n```state\nbeta = 0.5\n```", "20: a block ```state cannot stand in HTML"),
+        ("One.\n\n    ```play", "21: a block ```play cannot stand in HTML or behind four spaces"),
         ("~~~\nText.", "19: the block ~~~ has no end: a line ~~~"),
         ("````state\n````no", "19: the block ````state has no end: a line ```` before line 20"),
     ] {
@@ -385,6 +392,11 @@ fn slips_of_headings_and_blocks_are_named_with_their_line() {
     {
         read(&LESSON.replace("A rod comes.", fine)).expect(fine);
     }
+    let closed = LESSON.replacen("## Lab", "## Lab ##", 1);
+    assert_eq!(
+        read(&closed).expect("marks behind a heading are none of it"),
+        read(LESSON).expect("a lesson")
+    );
 }
 
 /// What stands behind a block has its own line, and code is no formula.

@@ -57,7 +57,9 @@ pub fn checked(text: Markdown, is_value: impl Fn(&str) -> bool) -> Result<Markdo
             let problem = "a lesson's pictures are the program's: a text holds none";
             Some((text.line(range.start), problem.to_owned()))
         }
-        Event::Text(_) => broken_place(&text, range, false, &is_value),
+        Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
+            broken_place(&text, range, false, &is_value)
+        }
         Event::InlineMath(_) | Event::DisplayMath(_) => broken_place(&text, range, true, &is_value),
         _ => None,
     });

@@ -35,6 +35,17 @@ fn what_cannot_be_told_is_named_with_its_line() {
 }
 
 #[test]
+fn what_was_meant_for_a_value_is_found_in_html_too() {
+    for text in ["{gain:2}", "<div>{gain:2}</div>", "a <b>b</b> {gain}", "$\\gamma + {gain}$"] {
+        let (line, problem) = places::checked(Markdown::new(text), |asked| asked == "gain").expect_err(text);
+        assert!(line == 0 && problem.contains("`{gain:.2}` is one"), "{text}: {problem}");
+    }
+    assert!(
+        places::checked(Markdown::new("`{gain}` \\{gain} $\\frac{a}{b}$"), |asked| asked == "gain").is_ok()
+    );
+}
+
+#[test]
 fn no_two_values_have_one_name() {
     let mut known: Vec<_> = all().map(|value| value.name).collect();
     let count = known.len();

@@ -228,8 +228,8 @@ impl Shape {
         self.ask(|shape| shape.strokes())
     }
 
-    /// The line along which lines of sight touch the shape, those of whoever looks at the middle of it; `None` of all that is drawn with
-    /// strokes, of which nobody asks who looks.
+    /// Returns the line along which the onlooker's lines of sight touch the shape; `onlooker_at` gives the onlooker for the shape's
+    /// middle. `None` for shapes that are drawn with strokes; these do not call `onlooker_at`.
     #[must_use]
     pub fn silhouette(&self, onlooker_at: impl Fn(DVec3) -> Onlooker) -> Option<Path> {
         self.ask(|shape| shape.silhouette(&onlooker_at))
