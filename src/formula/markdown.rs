@@ -14,7 +14,7 @@ use super::{Formula, FormulaError, Style};
 /// The extensions of Markdown.
 const OPTIONS: Options = Options::ENABLE_TABLES.union(Options::ENABLE_MATH);
 
-/// A text in Markdown, which is parsed once: when its events are first asked for. Whoever checks it, shows it in the window or
+/// A text in Markdown. The first call of [`Self::events`] parses it; what checks it, shows it in the window or
 /// writes it to a page goes over the same events. Texts are equal if their sources are; only these are stored.
 #[derive(Clone, Default, Serialize, Deserialize)]
 #[serde(from = "String", into = "String")]

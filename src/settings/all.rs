@@ -17,12 +17,16 @@ use super::sections::{
 use crate::flags::{Followed, coordinates, time};
 use crate::scene::PRESETS;
 
+/// The sentence about a scene, of every flag that takes one.
+pub const SCENE_HELP: &str = "Scene: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, \
+    tunnel, tram) or a scene file";
+
 /// Everything that is set.
 #[derive(Debug, Clone, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 pub struct Settings {
-    /// Scene: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel, tram) or a scene file.
-    #[arg(long, value_name = "PRESET|FILE", value_parser = OsStringValueParser::new().try_map(scene_name))]
+    /// Name or path of the scene.
+    #[arg(long, help = SCENE_HELP, value_name = "PRESET|FILE", value_parser = OsStringValueParser::new().try_map(scene_name))]
     pub scene: String,
     /// Observation time T, -1e12 to 1e12 [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]
     #[arg(long, value_name = "T", value_parser = time, allow_hyphen_values = true)]

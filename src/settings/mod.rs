@@ -28,7 +28,7 @@ mod tests;
 mod views;
 
 pub use about::{About, about, about_all, meaning};
-pub use all::Settings;
+pub use all::{SCENE_HELP, Settings};
 pub use comparison::{ComparisonError, NO_PAIR};
 pub use error::{SettingsError, problem_in_one_line};
 pub use file::looks_like_settings;

@@ -100,7 +100,7 @@ fn changes_what_lasts(line: &str) -> bool {
     })
 }
 
-/// What is shown is changed by functions of the state: by those that do commands, let T run and leave messages.
+/// The window calls functions of the state, in place of assigning to the document, the scratch or the session.
 #[test]
 fn the_window_changes_nothing_that_lasts_by_itself() {
     let mut sources = BTreeMap::new();

@@ -182,7 +182,7 @@ pub(crate) struct LastPass {
 }
 
 impl LastPass {
-    /// The shader's constants.
+    /// Returns the values of the constants of `shaders/backdrop.wgsl`.
     pub fn constants(self) -> Vec<Constant> {
         let of_backdrop = [
             ("CONFORMAL", number(self.is_conformal)),

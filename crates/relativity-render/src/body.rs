@@ -163,7 +163,7 @@ impl Body {
         }
     }
 
-    /// Returns the model where it stands, if the body is one.
+    /// Returns the triangles of the body with their place at rest; `None` unless it is a model.
     fn model(&self) -> Option<Model<'_>> {
         let Shape::Box { center, turn, .. } = self.shape else { return None };
         let triangles = self.triangles.as_deref()?;
@@ -186,7 +186,7 @@ impl Body {
     }
 }
 
-/// The triangles of a model, and the box around them where it stands at rest.
+/// The triangles of a model, with the middle and the turn of its box at rest.
 #[derive(Debug, Clone, Copy)]
 struct Model<'a> {
     triangles: &'a Triangles,

@@ -1,7 +1,6 @@
 //! Shaders and pipelines of a device: each is made when it is first needed, once for all that draw on that device.
 
 use std::collections::HashMap;
-use std::fmt;
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -23,17 +22,12 @@ pub struct DeviceCache {
 }
 
 /// Values by key, each made at its first use. Different keys can be made at the same time.
+#[derive(Debug)]
 pub struct Cache<K, V>(Mutex<HashMap<K, Arc<OnceLock<V>>>>);
 
 impl<K, V> Default for Cache<K, V> {
     fn default() -> Self {
         Self(Mutex::default())
-    }
-}
-
-impl<K, V> fmt::Debug for Cache<K, V> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Cache")
     }
 }
 

@@ -90,7 +90,7 @@ impl Pipelines {
         Self { technique, layout, needed: HashMap::new() }
     }
 
-    /// Makes the pipeline of `key` unless the device has it.
+    /// Takes the pipeline of `key` from the device's cache, which makes it if it has none.
     pub fn prepare(&mut self, gpu: &Gpu, key: Key) {
         if !self.needed.contains_key(&key) {
             let pipeline = gpu.cache.bodies.get((self.technique.vertex, key), || self.pipeline(gpu, key));

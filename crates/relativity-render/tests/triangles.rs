@@ -274,7 +274,7 @@ fn a_ball_turns_away_along_a_great_circle() {
     }
 }
 
-/// An eye that is near sees less than half of it: a model of a ball, wherever it stands, turns away where the ball itself does.
+/// The silhouette of a model of a ball, as a near eye sees it, is the ball's: a circle around less than half of its surface.
 #[test]
 fn a_model_of_a_ball_turns_away_where_a_ball_does() {
     let offset = [1.0, -2.0, 0.5];

@@ -17,7 +17,7 @@ use clap::Args;
 use crate::files::whole::{ReportArgs, ensure_ending, write_whole};
 use crate::flags::choices::Size;
 use crate::scene::Scene;
-use crate::settings::about;
+use crate::settings::SCENE_HELP;
 
 /// Measures speed against accuracy: each method's cost on this machine, its error against the f64 reference, and
 /// what follows for its use.
@@ -29,9 +29,7 @@ use crate::settings::about;
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES, after_long_help = HELP)]
 pub struct AccuracyArgs {
-    #[arg(
-        long, default_value = "cyclist", value_name = "PRESET|FILE", help = about("scene").trim_end_matches('.')
-    )]
+    #[arg(long, help = SCENE_HELP, default_value = "cyclist", value_name = "PRESET|FILE")]
     scene: String,
     /// Size of one eye's picture, pixels.
     #[arg(long, default_value_t = Size([480, 360]), value_name = "WxH")]

@@ -23,9 +23,9 @@ pub struct Outline {
 /// A heading, a block or a choice, in the order of the file.
 struct Element {
     kind: ElementKind,
-    /// Its place in the file.
+    /// The bytes of the file that the element takes.
     range: Range<usize>,
-    /// The number of its first line, from 1.
+    /// The number of the element's first line, from 1.
     line: usize,
 }
 

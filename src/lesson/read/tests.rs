@@ -399,7 +399,7 @@ fn slips_of_headings_and_blocks_are_named_with_their_line() {
     );
 }
 
-/// What stands behind a block has its own line, and code is no formula.
+/// Errors in the text below a block name the text's own line, and dollar signs in code begin no formula.
 #[test]
 fn text_around_blocks_keeps_its_lines() {
     let text = LESSON.replacen("```state", "Look.\n\n```state", 1);

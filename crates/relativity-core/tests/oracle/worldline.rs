@@ -49,7 +49,7 @@ fn events_in_another_frame_keep_their_digits() {
     }
 }
 
-/// Of clocks and frames of which one is often nearly as fast as the other, both ways.
+/// Clocks and frames of every speed, each along +x or -x; half of the rapidities of a frame are within roundings of the clock's.
 #[test]
 fn steps_of_clocks_in_another_frame_keep_their_digits() {
     let names = ["x of a tick", "t of a tick"];

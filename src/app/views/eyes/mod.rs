@@ -6,7 +6,6 @@ mod meter;
 mod request;
 mod slot;
 
-use crate::app::graphics;
 use eframe::egui::Context;
 use eframe::egui_wgpu::RenderState;
 use relativity_render::{Composer, Composition, Gpu, GpuError, Method, Renderers};
@@ -18,6 +17,7 @@ use self::background::{Background, FinishedPicture};
 use self::meter::Meter;
 use self::slot::{ComposedPicture, DrawnBy, EyePicture, fitting, fitting_composed};
 use crate::accuracy::MethodViews;
+use crate::app::graphics;
 use crate::app::painting;
 use crate::flags::Goal;
 
