@@ -10,9 +10,10 @@ use crate::effects::Constant;
 use crate::frame::FrameUniform;
 use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
+use crate::hit::HitImage;
+use crate::hits::HitNumbers;
 use crate::models::Models;
 use crate::palette;
-use crate::reference::HitImage;
 use crate::scene::PreparedScene;
 use crate::shaders::BACKDROP;
 use crate::target::{self, DEPTH_FORMAT, ENCODED_FORMAT, EyeTarget, MEASURES_FORMAT};
@@ -26,12 +27,6 @@ pub struct Canvas {
     tables: wgpu::TextureView,
     /// The models of the scene drawn last.
     models: Models,
-}
-
-/// The numbers that a pass over the bodies wrote: RGBA32 floats, see the shaders' `Hit`.
-pub struct HitNumbers {
-    pub measures: Vec<[f32; 4]>,
-    pub places: Vec<[f32; 4]>,
 }
 
 impl Canvas {

@@ -1,13 +1,18 @@
-//! Hits from what the shaders wrote per pixel.
+//! The numbers that a renderer in f32 writes per pixel, and the hits that these stand for.
 
 use glam::DVec3;
 
-use crate::canvas::HitNumbers;
-use crate::reference::{Hit, HitImage, Turned};
+use crate::hit::{Hit, HitImage, Turned};
 use crate::scene::PreparedScene;
 use crate::view::View;
 use crate::wheel::packed::Turns;
 use crate::wheel::spin::about_y;
+
+/// The numbers of each pixel's hit, as the shaders' `Hit` has them.
+pub struct HitNumbers {
+    pub measures: Vec<[f32; 4]>,
+    pub places: Vec<[f32; 4]>,
+}
 
 impl HitNumbers {
     /// Returns the hits of `scene` in `view`; the numbers that the shader does not write are computed in f64.

@@ -1,7 +1,7 @@
 //! The paint of models on the light of white surfaces.
 
+use crate::hit::Hit;
 use crate::pattern::SampleShifts;
-use crate::reference::Hit;
 use crate::scene::PreparedScene;
 use crate::view::Appearance;
 

@@ -4,10 +4,10 @@
 use relativity_core::threads::prelude::*;
 
 use crate::hatch::Hatch;
+use crate::hit::HitImage;
 use crate::pattern::SampleShifts;
-use crate::picture::{Picture, encoded};
+use crate::picture::{Picture, encoded, sample_grid};
 use crate::rectify::Rectification;
-use crate::reference::{HitImage, sample_grid};
 use crate::scene::PreparedScene;
 use crate::shade::{Received, surface_colour};
 use crate::view::Appearance;

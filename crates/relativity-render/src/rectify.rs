@@ -18,8 +18,7 @@ use relativity_core::threads::prelude::*;
 use crate::camera::{Camera, Gaze, Projection};
 use crate::colour::{linear_srgb, mix, srgb_decoded};
 use crate::lines_of_sight::LinesOfSight;
-use crate::picture::{Picture, encoded};
-use crate::reference::sample_grid;
+use crate::picture::{Picture, encoded, sample_grid};
 use crate::tone::{toned, untoned};
 use crate::velocity::Velocity;
 

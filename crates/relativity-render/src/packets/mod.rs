@@ -37,9 +37,9 @@ mod turning;
 
 use fearless_simd::Level;
 
-use crate::canvas::HitNumbers;
+use crate::hit::HitImage;
+use crate::hits::HitNumbers;
 use crate::picture::Picture;
-use crate::reference::HitImage;
 use crate::registers::{on_registers, widest};
 use crate::scene::PreparedScene;
 use crate::view::{Appearance, View};

@@ -9,10 +9,10 @@ use super::super::testing::at_every_level;
 use super::mark;
 use crate::colour::srgb_encoded;
 use crate::frame::FrameUniform;
+use crate::hit::Hit;
 use crate::lanes::{F, LANES, Simd, SimdBase as _, SimdFrom as _, V3, all};
 use crate::lines_of_sight::LinesOfSight;
 use crate::pattern::SampleShifts;
-use crate::reference::Hit;
 use crate::{Appearance, Body, Camera, Gaze, Geometry, GroupView, Pattern, PreparedScene, Shape, View};
 
 const PATTERNS: [Pattern; 7] = [
