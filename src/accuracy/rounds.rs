@@ -6,8 +6,8 @@ use std::hint::black_box;
 
 use gamow_platform::clock::Instant;
 use glam::{DVec2, DVec3};
-use relativity_render::lines_of_sight::LinesOfSight;
-use relativity_render::wheel::rounds::Search;
+use relativity_render::camera::lines_of_sight::LinesOfSight;
+use relativity_render::scene::wheel::rounds::Search;
 use relativity_render::{Geometry, GroupView, HitImage, PreparedScene, View};
 use serde::{Deserialize, Serialize};
 

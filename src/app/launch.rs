@@ -7,7 +7,7 @@ use eframe::{CreationContext, NativeOptions};
 use gamow_platform::clock::Instant;
 use gamow_platform::last_word::LastWord;
 use gamow_platform::{environment, messages, threads};
-use relativity_render::{colour, planck};
+use relativity_render::colour::{self, planck};
 
 use crate::app::args::WindowArgs;
 use crate::app::notice::Notice;

@@ -1,7 +1,7 @@
 //! Light in words: its wavelengths and their colours, or how it is shifted where it has many.
 
 use relativity_core::doppler::received_wavelength;
-use relativity_render::spectrum::{self, Band};
+use relativity_render::colour::spectrum::{self, Band};
 use relativity_render::{Colour, Emission};
 
 use super::numbers::distinct_texts;

@@ -1,7 +1,7 @@
 //! The note in a picture on light that eyes do not see.
 
-use relativity_render::received::Shares;
-use relativity_render::spectrum::Band;
+use relativity_render::colour::spectrum::Band;
+use relativity_render::light::received::Shares;
 
 /// Share of a group from which on it is remarked on.
 const SUBSTANTIAL: f64 = 0.03;

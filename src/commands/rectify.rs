@@ -6,7 +6,7 @@ use anyhow::Context as _;
 use clap::{Args, ValueEnum};
 use gamow_platform::files;
 use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
-use relativity_render::rectify::{LightCorrection, Rectification};
+use relativity_render::picture::rectify::{LightCorrection, Rectification};
 use relativity_render::{Camera, Picture, Projection, Velocity};
 
 use crate::files::exr::{Channel, EYES, Measurements};

@@ -16,7 +16,7 @@ use exr::prelude::{
 use gamow_platform::files::{self, Regular};
 use gamow_platform::sizes;
 use relativity_core::doppler::{intensity_factor, received_wavelength};
-use relativity_render::rectify::LightCorrection;
+use relativity_render::picture::rectify::LightCorrection;
 use relativity_render::{Appearance, Hit, HitImage, PreparedScene};
 
 use super::provenance::{SOFTWARE, command_in_comments};

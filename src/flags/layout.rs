@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use clap::ValueEnum;
 use relativity_render::Composition;
-use relativity_render::compose::Top;
+use relativity_render::picture::compose::Top;
 use serde::{Serialize, Serializer};
 
 use crate::eye_colours;

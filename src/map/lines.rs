@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use glam::{DMat3, DVec2, DVec3};
-use relativity_render::shape::strokes::{Path, Stroke};
+use relativity_render::geometry::shape::strokes::{Path, Stroke};
 use relativity_render::{Body, MaterialPoint, Spin};
 
 use super::instant::{BodyPicture, MapInstant, Places};

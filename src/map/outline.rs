@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use relativity_render::Body;
-use relativity_render::shape::strokes::{Onlooker, Stroke};
+use relativity_render::geometry::shape::strokes::{Onlooker, Stroke};
 
 use super::MapProjection;
 

@@ -1,6 +1,6 @@
 //! Light and exposure of a picture, and settings in which every automatic choice is made.
 
-use relativity_render::exposure::automatic_ev;
+use relativity_render::light::exposure::automatic_ev;
 use relativity_render::{Appearance, RelativeVelocity, Velocity};
 
 use super::all::Settings;

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use gamow::files::png::{self, PngFile};
 use relativity_render::colour::linear_srgb;
-use relativity_render::picture::encoded;
+use relativity_render::picture::pixels::encoded;
 use serde_json::Value;
 
 use super::{complaint_of, folder, gamow_output, render, run_gamow};

@@ -5,7 +5,7 @@ use std::path::Path;
 use gamow::files::exr::{Channel, Measurements};
 use gamow::files::png::PngFile;
 use gamow::settings::Settings;
-use relativity_render::rectify::Rectification;
+use relativity_render::picture::rectify::Rectification;
 use relativity_render::{Picture, Velocity};
 
 use super::{complaint_of, folder, render, run_gamow};

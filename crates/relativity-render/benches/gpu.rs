@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use glam::DVec3;
 use relativity_core::{Aperture, Speed};
-use relativity_render::compose::Top;
+use relativity_render::picture::compose::Top;
 use relativity_render::{
     Appearance, Body, Camera, Composed, Composer, Composition, EyeTarget, Gaze, Geometry, Gpu, GpuError,
     Method, PreparedScene, Projection, Renderers, Shape, View,

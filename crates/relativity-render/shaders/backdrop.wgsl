@@ -117,7 +117,7 @@ fn shift(line: Line, step: vec3f, distance: f32) -> vec2f {
     return (step.xy - line.n.xy * (step.z / line.n.z)) * (line.scale * distance);
 }
 
-// A line of sight on the ground: see `street_sight.rs`.
+// A line of sight on the ground: see `street/sight.rs`.
 struct Line {
     // Unit vector.
     n: vec3f,

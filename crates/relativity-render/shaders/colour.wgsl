@@ -1,4 +1,4 @@
-// Received light: from a Doppler factor to linear sRGB. The same as `light.rs`, `tone.rs`, `hatch.rs` and `shade.rs`, by tables.
+// Received light: from a Doppler factor to linear sRGB. The same as `screen_light.rs`, `tone.rs`, `hatch.rs` and `shade.rs`, by tables.
 
 // How colours are found: 0 as at rest, 1 by one place in a table, 2 daylight, 3 by the Doppler factor, 4 the street's daylight.
 override SPECTRUM: u32;

@@ -7,7 +7,7 @@
 const MOST_WAITING = 64u;
 const IS_LEAF = 0x80000000u;
 
-// Weights of the relative luminance, as `colour.rs` has them.
+// Weights of the relative luminance, as `colour/mod.rs` has them.
 const LUMINANCE = vec3f(0.2126, 0.7152, 0.0722);
 
 // Where a ray meets a triangle.

@@ -1,6 +1,6 @@
 // House fronts beside a road, an upright plane.
 //
-// Repeats `street.rs`, which says what each line is for and gives these.
+// Repeats `house_fronts.rs`, which says what each line is for and gives these.
 
 override HOUSE_WIDTH: f32;
 override FRAME_WIDTH: f32;

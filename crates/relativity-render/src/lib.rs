@@ -49,111 +49,59 @@
     reason = "what runs on wide registers must be inlined into where they are chosen"
 )]
 
-mod answers;
-mod axes;
-pub mod backdrop;
-mod block;
-pub mod body;
-mod buffers;
-pub mod camera;
-mod candidates;
-mod canvas;
-mod cap;
-mod capsule;
-pub mod colour;
-pub mod compose;
-mod composer;
-mod cone;
-mod contact;
-mod corners;
-mod cover;
-mod daylight;
-mod device_cache;
-mod device_errors;
-mod drawing;
-mod effects;
-pub mod exposure;
-mod extent;
-mod first_entry;
-mod footprint;
-mod frame;
-pub mod gpu;
-mod gpu_error;
-pub mod group_view;
-mod hatch;
-mod hierarchy;
-mod hit;
-mod hits;
-pub mod intersect;
-mod ipt;
-mod kind;
-mod lanes;
-mod light;
-pub mod lines_of_sight;
-pub mod mercator;
-mod mesh;
-#[doc(hidden)]
-pub mod mirrors;
-mod models;
-mod one_cone;
-mod outline;
-mod packets;
-mod painted;
-mod palette;
-mod pattern;
-pub mod picture;
-mod pipeline_key;
-mod pipelines;
-pub mod planck;
-mod polynomial;
-pub mod prepared_body;
-pub mod ray;
-mod rays;
-pub mod received;
-pub mod rectified_hits;
-pub mod rectify;
-pub mod reference;
-mod registers;
-pub mod relative_velocity;
+// From the top: each imports from those below it, and none from one above, which `tests/layers` of the program holds.
 pub mod renderers;
-pub mod scene;
-mod shade;
-mod shaders;
-pub mod shape;
-mod sight;
-pub mod spectrum;
-mod street;
-mod street_light;
-mod street_sight;
-mod target;
-mod tiles;
-pub mod tone;
-pub mod triangles;
-pub mod velocity;
-pub mod view;
-pub mod wheel;
 
-pub use body::{Body, Emission, Pattern};
+pub mod gpu;
+
+pub mod cpu;
+
+mod frame;
+
+pub mod picture;
+
+pub mod street;
+
+pub mod light;
+
+pub mod scene;
+
+pub mod geometry;
+
+pub mod view;
+
+pub mod camera;
+
+pub mod colour;
+
+pub mod kinematics;
+
+mod simd;
+
+mod shaders;
+
+pub use camera::outline::{Framing, Outline};
 pub use camera::{Camera, Gaze, Projection};
-pub use compose::Composition;
-pub use composer::{Composed, Composer};
-pub use device_errors::{DeviceErrors, ErrorScopes};
-pub use gpu::{Gpu, adapter_name, instance_flags, named_adapter};
-pub use gpu_error::{GpuError, Undrawn};
-pub use group_view::{GroupView, RestRay};
-pub use hit::{Hit, HitImage};
-pub use light::received_intensity;
-pub use outline::{Framing, Outline};
-pub use picture::Picture;
-pub use relative_velocity::RelativeVelocity;
+pub use geometry::shape::Shape;
+pub use geometry::triangle_point::TrianglePoint;
+pub use geometry::triangles::{RawModel, Texture, Triangles, TrianglesError, Wrap};
+pub use gpu::composer::{Composed, Composer};
+pub use gpu::device::{Gpu, adapter_name, instance_flags, named_adapter};
+pub use gpu::device_errors::{DeviceErrors, ErrorScopes};
+pub use gpu::error::{GpuError, Undrawn};
+pub use gpu::target::EyeTarget;
+pub use kinematics::relative_velocity::RelativeVelocity;
+pub use kinematics::spin::{MaterialPoint, Spin};
+pub use kinematics::velocity::{Motion, Velocity};
+pub use light::screen_light::received_intensity;
+pub use picture::compose::Composition;
+pub use picture::hit::{Hit, HitImage};
+pub use picture::pixels::Picture;
 pub use renderers::{Method, Renderers};
-pub use scene::{Group, PreparedScene};
-pub use shape::Shape;
-pub use target::EyeTarget;
-pub use triangles::{RawModel, Texture, TrianglePoint, Triangles, TrianglesError, Wrap};
-pub use velocity::{Motion, Velocity};
+pub use scene::body::{Body, Emission, Pattern};
+pub use scene::prepared_scene::{Group, PreparedScene};
+pub use view::group_view::{GroupView, RestRay};
 pub use view::{Appearance, Colour, Geometry, Shading, StreetColours, View};
-pub use wheel::spin::{MaterialPoint, Spin};
 
 /// The example of the README.
 #[cfg(doctest)]

@@ -3,17 +3,17 @@
 use std::fmt;
 
 use crate::camera::Projection;
-use crate::canvas::Canvas;
-use crate::drawing::Drawing;
-use crate::gpu::Gpu;
-use crate::gpu_error::{GpuError, Undrawn};
-use crate::hit::HitImage;
-use crate::mesh::MeshRenderer;
-use crate::packets::PacketRenderer;
-use crate::picture::Picture;
-use crate::rays::{Bounds, RayRenderer};
-use crate::scene::PreparedScene;
-use crate::target::EyeTarget;
+use crate::cpu::packets::PacketRenderer;
+use crate::gpu::canvas::Canvas;
+use crate::gpu::device::Gpu;
+use crate::gpu::drawing::Drawing;
+use crate::gpu::error::{GpuError, Undrawn};
+use crate::gpu::mesh::MeshRenderer;
+use crate::gpu::rays::{Bounds, RayRenderer};
+use crate::gpu::target::EyeTarget;
+use crate::picture::hit::HitImage;
+use crate::picture::pixels::Picture;
+use crate::scene::prepared_scene::PreparedScene;
 use crate::view::{Appearance, Geometry, View};
 
 /// A way to draw a picture.

@@ -3,7 +3,7 @@
 /// Files of `shaders/`, one after another.
 macro_rules! source {
     ($($file:literal),+) => {
-        concat!($(include_str!(concat!("../shaders/", $file, ".wgsl"))),+)
+        concat!($(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/shaders/", $file, ".wgsl"))),+)
     };
 }
 pub(crate) use source;

@@ -1,6 +1,6 @@
 //! Both eyes' pictures composed by the GPU, against the same on the CPU.
 
-use relativity_render::compose::Top;
+use relativity_render::picture::compose::Top;
 use relativity_render::{Composed, Composer, Composition, EyeTarget, Picture, Renderers};
 
 use crate::gpu_support::Test;

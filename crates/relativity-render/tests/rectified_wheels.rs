@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 use relativity_core::{Aperture, Speed, Turning};
-use relativity_render::rectified_hits::Blank;
-use relativity_render::rectify::Rectification;
+use relativity_render::picture::rectified_hits::Blank;
+use relativity_render::picture::rectify::Rectification;
 use relativity_render::{
     Appearance, Body, Camera, Gaze, Geometry, Motion, Pattern, PreparedScene, Shading, Shape, Spin, Velocity,
     View,

@@ -7,7 +7,7 @@ use relativity_render::colour::{
     colour_matching, false_colour, hue_preserving_clip, linear_srgb, luminance, srgb_decoded, srgb_encoded,
     srgb_level, unseen_glow, unseen_line,
 };
-use relativity_render::tone::{KNEE, shoulder, toned, untoned};
+use relativity_render::light::tone::{KNEE, shoulder, toned, untoned};
 
 use crate::support::documented;
 
@@ -208,7 +208,7 @@ fn a_level_is_the_nearest_to_the_encoding() {
 
 #[test]
 fn colours_end_where_the_documentation_says() {
-    let source = include_str!("../src/colour.rs");
+    let source = include_str!("../src/colour/mod.rs");
     let nm = |before| documented(source, before);
     let [violet, red] = ["as can be; black outside ", "as can be; black outside 380 nm to "].map(nm);
     assert_eq!([violet, red].map(linear_srgb), [[0.0; 3]; 2]);

@@ -2,8 +2,8 @@
 
 use glam::{DQuat, DVec3};
 use relativity_render::Shape;
-use relativity_render::intersect::Solid;
-use relativity_render::ray::Ray;
+use relativity_render::geometry::intersect::Solid;
+use relativity_render::geometry::ray::Ray;
 
 use crate::support::{centred, documented, signed_distance, spread};
 
@@ -147,7 +147,7 @@ fn worst_residual(away: f64, depth: f64) -> [f64; 2] {
 
 #[test]
 fn entries_lie_on_the_surface_even_from_far_away_and_at_grazing_incidence() {
-    let intersect = include_str!("../src/intersect.rs");
+    let intersect = include_str!("../src/geometry/intersect.rs");
     let bound = documented(intersect, "the position lies on the surface within ");
     let furthest = documented(intersect, "for cameras up to ");
     for away in [5.0, 1e3, 1e6, furthest] {

@@ -2,7 +2,7 @@
 //! lookup.
 
 use relativity_render::colour::luminance;
-use relativity_render::planck::{Broad, band, black_body};
+use relativity_render::colour::planck::{Broad, band, black_body};
 use relativity_render::{Appearance, Colour, Emission, received_intensity};
 
 const TABLE: &str = include_str!("../assets/cie-1931-2deg.csv");

@@ -4,14 +4,14 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 use relativity_core::{Aperture, Speed, Turning};
-use relativity_render::wheel::rounds::Search;
+use relativity_render::scene::wheel::rounds::Search;
 use relativity_render::{
     Body, Camera, Gaze, Geometry, MaterialPoint, Motion, PreparedScene, Shape, Spin, View,
 };
 
 use crate::support::{centred, documented, spread};
 
-const DOCUMENTATION: &str = include_str!("../src/wheel/rounds.rs");
+const DOCUMENTATION: &str = include_str!("../src/scene/wheel/rounds.rs");
 const HUB: DVec3 = DVec3::new(0.0, 3.0, 1.0);
 const RADIUS: f64 = 0.5;
 const SPIN: Spin = Spin { hub: HUB.to_array(), radius: RADIUS, turning: Turning::Rolling };

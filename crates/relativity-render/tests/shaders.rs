@@ -5,7 +5,7 @@ use naga::{
     AddressSpace, Binding, Block, Expression, Function, Handle, Module, ScalarKind, Statement, StructMember,
     TypeInner,
 };
-use relativity_render::mirrors::{self, Mirror, Shader};
+use relativity_render::gpu::mirrors::{self, Mirror, Shader};
 use wgpu::VertexFormat;
 
 #[test]

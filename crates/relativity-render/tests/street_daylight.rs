@@ -1,9 +1,9 @@
 //! Pictures by the street's daylight, beside those by daylight that rides along.
 
 use relativity_core::{Aperture, Speed};
+use relativity_render::colour::planck::{DAYLIGHT_KELVIN, black_body};
 use relativity_render::colour::srgb_encoded;
-use relativity_render::planck::{DAYLIGHT_KELVIN, black_body};
-use relativity_render::tone::toned;
+use relativity_render::light::tone::toned;
 use relativity_render::{
     Appearance, Body, Camera, Colour, Gaze, Geometry, Group, Motion, Picture, PreparedScene, Shading, Shape,
     Velocity, View,

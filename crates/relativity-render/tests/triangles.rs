@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
-use relativity_render::shape::strokes::Onlooker;
+use relativity_render::geometry::shape::strokes::Onlooker;
 use relativity_render::{
     Appearance, Body, Colour, Geometry, HitImage, Method, PreparedScene, RawModel, Renderers, Shape,
     TrianglesError, View,

@@ -5,7 +5,7 @@ use eframe::egui::{
     Visuals, accesskit::Role, pos2, vec2,
 };
 use relativity_core::math;
-use relativity_render::spectrum::VISIBLE_NM;
+use relativity_render::colour::spectrum::VISIBLE_NM;
 
 use crate::app::state::State;
 use crate::app::theme;

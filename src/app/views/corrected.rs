@@ -2,9 +2,9 @@
 //! background from the speed that the fit found.
 
 use relativity_core::{Speed, math};
-use relativity_render::backdrop::Backdrop;
-use relativity_render::rectified_hits::Blank;
-use relativity_render::rectify::Rectification;
+use relativity_render::picture::rectified_hits::Blank;
+use relativity_render::picture::rectify::Rectification;
+use relativity_render::street::backdrop::Backdrop;
 use relativity_render::{Appearance, Camera, Picture, PreparedScene, Projection, Velocity, View};
 use serde::{Deserialize, Serialize};
 

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Pos2, Rect, Ui, Vec2, pos2, vec2};
 use relativity_render::Composition;
-use relativity_render::compose::Top;
+use relativity_render::picture::compose::Top;
 
 use crate::app::theme::{GAP, TITLE_HEIGHT};
 use crate::eye::Eye;

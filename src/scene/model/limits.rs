@@ -1,6 +1,6 @@
 //! Limits of a model that is being read.
 
-use relativity_render::triangles::MOST_TRIANGLES;
+use relativity_render::geometry::triangles::MOST_TRIANGLES;
 
 /// Refuses more triangles than are drawn, before they take memory.
 pub fn check_count(triangles: usize) -> Result<(), String> {

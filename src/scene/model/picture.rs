@@ -2,7 +2,7 @@
 
 use std::io::Cursor;
 
-use relativity_render::triangles::MOST_TEXELS;
+use relativity_render::geometry::triangles::MOST_TEXELS;
 use relativity_render::{Texture, Wrap};
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::zune_core::colorspace::ColorSpace;

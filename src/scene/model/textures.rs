@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::hash::Hash;
 
-use relativity_render::triangles::MOST_TEXELS;
+use relativity_render::geometry::triangles::MOST_TEXELS;
 use relativity_render::{RawModel, Texture, Wrap};
 
 use super::picture;

@@ -4,8 +4,8 @@ use glam::DVec3;
 use relativity_core::math::{asin, asinh, atan, atan2, hypot, sin_cos, tan};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::axes::{Axes, LEAST_ACROSS, MAX_ELEVATION};
-use crate::mercator::MOST_ASIDE;
+use super::axes::{Axes, LEAST_ACROSS, MAX_ELEVATION};
+use super::mercator::MOST_ASIDE;
 
 /// A gaze: the direction of a camera's optical axis. The camera's horizon stays level.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,10 +3,10 @@
 use glam::{DVec2, DVec3};
 use relativity_core::math::{asin, atan2, hypot, sin_cos, sinh};
 
+use super::axes::{Axes, MAX_ELEVATION};
 use super::gaze::aside;
+use super::mercator::MOST_ASIDE;
 use super::{Camera, Gaze, Projection, held};
-use crate::axes::{Axes, MAX_ELEVATION};
-use crate::mercator::MOST_ASIDE;
 
 impl Camera {
     /// The gaze with which something along `direction` (any length above 0) appears at `pixel`, the horizon staying

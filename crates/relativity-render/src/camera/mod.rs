@@ -1,20 +1,24 @@
 //! A pinhole camera at an aperture: lines of sight of pixels, and pixels of lines of sight.
 
+pub(crate) mod axes;
 mod gaze;
 mod gaze_at_pixel;
+pub mod lines_of_sight;
+pub mod mercator;
+pub(crate) mod outline;
 
 use glam::{DVec2, DVec3};
 use relativity_core::math::{asinh, atan, atan2, hypot, sinh, tan};
 use relativity_core::{Aperture, Observer, ObserverVelocity};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-pub use crate::axes::{Axes, MAX_ELEVATION};
-use crate::axes::{level_across, position};
-use crate::lines_of_sight::{DirectionMap, LinesOfSight};
-use crate::mercator::{MOST_SHIFTED, Mercator};
+pub use axes::{Axes, MAX_ELEVATION};
+use axes::{level_across, position};
 use gaze::aside;
 pub(crate) use gaze::held;
 pub use gaze::{Gaze, MAX_SLANT};
+use lines_of_sight::{DirectionMap, LinesOfSight};
+use mercator::{MOST_SHIFTED, Mercator};
 
 /// A pinhole camera at rest on the ground. Its [`Projection`] gives the place of the picture plane: across the gaze, unless two
 /// eyes' pictures are to be fused.

@@ -3,7 +3,7 @@
 
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape as Drawing, Stroke, pos2, vec2};
 use glam::DVec3;
-use relativity_render::shape::strokes::Onlooker;
+use relativity_render::geometry::shape::strokes::Onlooker;
 use relativity_render::{Body, GroupView, MaterialPoint, Motion};
 
 use super::sliding_view::{SlidingView, points_per_px};

@@ -1,7 +1,7 @@
 //! A view in which motion is a slide: a conformal one, of a head held along the motion.
 
 use eframe::egui::Vec2;
-use relativity_render::mercator::Mercator;
+use relativity_render::camera::mercator::Mercator;
 use relativity_render::{Geometry, Velocity, View};
 
 use crate::app::state::State;

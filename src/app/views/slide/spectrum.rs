@@ -6,7 +6,7 @@ use eframe::egui::{Align2, Color32, FontId, Painter, Rect, Stroke, pos2};
 use relativity_core::math::{atanh, cosh, ln, sinh, tanh};
 use relativity_core::{Speed, aberration};
 use relativity_render::Geometry;
-use relativity_render::spectrum::VISIBLE_NM;
+use relativity_render::colour::spectrum::VISIBLE_NM;
 
 use super::columns::PixelColumns;
 use super::sliding_view::SlidingView;

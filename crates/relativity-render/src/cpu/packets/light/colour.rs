@@ -1,0 +1,280 @@
+//! From a Doppler factor to linear sRGB, the same way as `shaders/colour.wgsl`.
+
+use std::array::from_fn;
+
+use super::daylight::{Facings, of_street_daylight};
+use super::tables::{BAND_ROW, GLOW_ROW, LINE_ROW, MAP_ROW, ScreenLights, Tables, shown};
+use crate::cpu::packets::logarithm::{MOST_POWER, log2, power_of_two};
+use crate::cpu::packets::places::pixel_of_lane;
+use crate::light::hatch::Hatch;
+use crate::light::shade::FORM;
+use crate::simd::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all};
+use crate::view::effects::{Effects, Spectrum};
+
+#[inline(always)]
+fn of_one_place<S: Simd>(
+    effects: Effects,
+    tables: &Tables,
+    light: [f32; 4],
+    octaves: F<S>,
+    shift: F<S>,
+) -> ScreenLights<S> {
+    let [at_rest, per_octave, exponent, exposure] = light;
+    let row = if per_octave < 0.0 { LINE_ROW } else { GLOW_ROW };
+    let place = shift * per_octave + at_rest;
+    let (entry, level) = tables.looked_up(row, place);
+    let power = power_of_two(level + octaves * exponent + exposure);
+    shown(effects, tables, entry * power, row, place)
+}
+
+#[inline(always)]
+fn of_daylight<S: Simd>(
+    effects: Effects,
+    tables: &Tables,
+    light: [f32; 4],
+    octaves: F<S>,
+    shift: F<S>,
+) -> ScreenLights<S> {
+    let [band, band_exposure, exposure, band_exponent] = light;
+    let place = shift * tables.glow_per_octave + tables.daylight_place;
+    let (white, white_level) = tables.looked_up(GLOW_ROW, place);
+    let (own, own_level) = tables.looked_up(BAND_ROW, shift * -tables.band_per_octave + band);
+    let exponent = if effects.doppler_shift { 0.0 } else { band_exponent };
+    let white_power = white_level + octaves * exponent + exposure;
+    let own_power = own_level + octaves * band_exponent + band_exposure;
+    // Beyond what floats hold both are held back alike: so their mixture keeps its hue.
+    let beyond = (white_power.max(own_power) - MOST_POWER).max(0.0);
+    let sum = white * power_of_two(white_power - beyond) + own * power_of_two(own_power - beyond);
+    shown(effects, tables, sum, GLOW_ROW, place)
+}
+
+#[inline(always)]
+fn colour_of<S: Simd>(
+    simd: S,
+    effects: Effects,
+    tables: &Tables,
+    light: [f32; 4],
+    doppler: F<S>,
+    facing: Option<Facings<S>>,
+) -> ScreenLights<S> {
+    if effects.spectrum() == Spectrum::AtRest {
+        let unseen = (light[3] != 0.0).then(|| all(simd, light[3]));
+        return ScreenLights { colour: V3::of_four(simd, light), unseen };
+    }
+    let octaves = log2(doppler);
+    let shift = if effects.doppler_shift { octaves } else { all(simd, 0.0) };
+    match effects.spectrum() {
+        Spectrum::AtRest | Spectrum::OnePlace => of_one_place(effects, tables, light, octaves, shift),
+        Spectrum::Daylight => of_daylight(effects, tables, light, octaves, shift),
+        Spectrum::StreetDaylight => {
+            let facing = facing.expect("it is known where the street's daylight is shown");
+            of_street_daylight(effects, tables, light, shift, facing)
+        }
+        Spectrum::Map => {
+            let place = octaves * tables.map_per_octave + tables.map_middle;
+            ScreenLights { colour: tables.looked_up(MAP_ROW, place).0, unseen: None }
+        }
+    }
+}
+
+/// The hatch in the pixels of a packet.
+#[derive(Debug, Clone, Copy)]
+pub struct Hatched<'a> {
+    pub hatch: &'a Hatch,
+    /// The pixel at the top left.
+    pub corner: [u32; 2],
+}
+
+impl Hatched<'_> {
+    /// The grey of light with this unseen share.
+    #[inline(always)]
+    fn grey<S: Simd>(self, unseen: F<S>) -> F<S> {
+        let shares: [f32; LANES] = unseen.into();
+        let grey = |lane: usize| {
+            let place = pixel_of_lane(self.corner, lane).map(f64::from);
+            self.hatch.grey(shares[lane].into(), place) as f32
+        };
+        F::simd_from(unseen.simd, from_fn(grey))
+    }
+}
+
+/// Linear sRGB of a body with this [`Light::packed`](crate::light::screen_light::Light::packed) where it is received with this Doppler
+/// factor, before its brightness; `facing` the street's daylight, where that lights it, and `hatched` in these pixels.
+#[inline(always)]
+pub fn received_colour<S: Simd>(
+    effects: Effects,
+    tables: &Tables,
+    light: [f32; 4],
+    doppler: F<S>,
+    normal: V3<S>,
+    facing: Option<Facings<S>>,
+    hatched: Hatched<'_>,
+) -> V3<S> {
+    let simd = doppler.simd;
+    let ScreenLights { mut colour, unseen } = colour_of(simd, effects, tables, light, doppler, facing);
+    if let Some(unseen) = unseen {
+        let grey = hatched.grey(unseen);
+        colour += V3::new(grey, grey, grey);
+    }
+    if !effects.form {
+        return colour;
+    }
+    let [across, towards] = FORM;
+    colour * (normal.dot(V3::all(simd, tables.light)) * towards as f32 + across as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+    use relativity_core::math;
+
+    use crate::colour::srgb_encoded;
+    use crate::cpu::packets::light::colour::*;
+    use crate::cpu::packets::testing::at_every_level;
+    use crate::light::daylight;
+    use crate::light::screen_light::{Light, ScreenLight};
+    use crate::light::shade::form;
+    use crate::scene::body::Emission;
+    use crate::view::{Appearance, Colour, Shading};
+
+    const CORNER: [u32; 2] = [40, 14];
+
+    /// The reference's colour in the pixel of this lane.
+    fn expected(shown: ScreenLight, hatch: &Hatch, lane: usize) -> [f64; 3] {
+        let grey = hatch.grey(shown.unseen, pixel_of_lane(CORNER, lane).map(f64::from));
+        shown.colour.map(|part| part + grey)
+    }
+
+    fn appearances() -> Vec<Appearance> {
+        let colours = [Colour::OneWavelength, Colour::Glowing, Colour::White, Colour::False];
+        let mut appearances = Vec::new();
+        for colour in colours {
+            for doppler_shift in [true, false] {
+                for intensity_exponent in [None, Some(2.5), Some(4.0)] {
+                    for (exposure_ev, invisible) in [
+                        (0.0, true),
+                        (-6.0, false),
+                        (6.0, true),
+                        (81.0, true),
+                        (100.0, false),
+                        (-100.0, true),
+                    ] {
+                        let shading = if invisible { Shading::Form } else { Shading::Emission };
+                        appearances.push(Appearance {
+                            colour,
+                            doppler_shift,
+                            intensity_exponent,
+                            exposure_ev,
+                            invisible,
+                            shading,
+                            ..Appearance::default()
+                        });
+                    }
+                }
+            }
+        }
+        appearances
+    }
+
+    /// D from 1e-6 to 1e6.
+    fn doppler_factors() -> Vec<[f32; LANES]> {
+        let factors: Vec<_> =
+            (0..800).map(|i| math::exp2((f64::from(i) / 400.0 - 1.0) * 19.93) as f32).collect();
+        factors.as_chunks().0.to_vec()
+    }
+
+    #[test]
+    fn received_light_is_the_references() {
+        let emissions = [
+            Emission::White,
+            Emission::Wavelength(450.0),
+            Emission::Wavelength(550.0),
+            Emission::Wavelength(700.0),
+        ];
+        let normal = DVec3::new(0.48, -0.6, 0.64);
+        let hatch = Hatch::new([640, 480], false);
+        let hatched = Hatched { hatch: &hatch, corner: CORNER };
+        let mut worst: f64 = 0.0;
+        for appearance in appearances() {
+            let effects = Effects::new(true, &appearance);
+            for emission in emissions {
+                let light = Light::new(emission, &appearance);
+                let packed = light.packed(&appearance, effects).map(|part| part as f32);
+                let mut first: Option<Vec<_>> = None;
+                at_every_level!(simd => {
+                    let mut bits = Vec::new();
+                    for factors in doppler_factors() {
+                        let toward = V3::all(simd, normal.as_vec3().to_array());
+                        let doppler = F::simd_from(simd, factors);
+                        let found = received_colour(effects, Tables::shared(), packed, doppler, toward, None, hatched);
+                        for (lane, factor) in factors.into_iter().enumerate() {
+                            bits.extend(found.lane(lane).map(f32::to_bits));
+                            let shading = if effects.form { form(normal) } else { 1.0 };
+                            // That table ends there.
+                            let ends = if light == Light::Map { 256.0 } else { 1e9 };
+                            let told = f64::from(factor).clamp(1.0 / ends, ends);
+                            let shown = light.shown(&appearance, told);
+                            let expected = expected(shown, &hatch, lane).map(|part| part * shading);
+                            for (found, expected) in found.lane(lane).into_iter().zip(expected) {
+                                let off = 255.0 * (srgb_encoded(found.into()) - srgb_encoded(expected)).abs();
+                                worst = worst.max(off);
+                                assert!(off < 2.0, "{appearance:?} {emission:?} D = {factor}: {found} for {expected}");
+                            }
+                        }
+                    }
+                    assert!(bits == *first.get_or_insert_with(|| bits.clone()), "{appearance:?} {emission:?}");
+                });
+            }
+        }
+        println!("at most {worst} levels off");
+    }
+
+    #[test]
+    fn street_daylight_is_the_references() {
+        let appearance = |exposure_ev| {
+            let (colour, shading) = (Colour::StreetDaylight, Shading::Emission);
+            Appearance { colour, exposure_ev, shading, ..Appearance::default() }
+        };
+        let hatch = Hatch::new([640, 480], false);
+        let hatched = Hatched { hatch: &hatch, corner: CORNER };
+        let mut worst: f64 = 0.0;
+        for (rapid, ahead, exposure_ev) in [
+            (0.0, 0.3, 0.0),
+            (1e-6, -0.7, 1.0),
+            (0.1, 0.9, 0.0),
+            (0.75, -1.0, 2.0),
+            (2.0647, 1.0, -2.0),
+            (2.0647, 0.0, 1.0),
+            (2.0647, -0.4, 5.0),
+            (7.0, -0.95, 8.0),
+            (22.4, 0.2, -4.0),
+            (1e6, 1.0, 100.0),
+        ] {
+            let appearance = appearance(exposure_ev);
+            let effects = Effects::new(true, &appearance).in_street_daylight();
+            for emission in [Emission::White, Emission::Wavelength(450.0), Emission::Wavelength(640.0)] {
+                let light = Light::new(emission, &appearance);
+                let packed = light.packed(&appearance, effects).map(|part| part as f32);
+                at_every_level!(simd => {
+                    let facing = Facings { rapid: all(simd, rapid as f32), ahead: all(simd, ahead as f32) };
+                    for factors in doppler_factors() {
+                        let (doppler, toward) = (F::simd_from(simd, factors), V3::all(simd, [0.0, 0.0, 1.0]));
+                        let found =
+                            received_colour(effects, Tables::shared(), packed, doppler, toward, Some(facing), hatched);
+                        let parts = daylight::Facing { rapid, ahead }.parts();
+                        for (lane, factor) in factors.into_iter().enumerate() {
+                            let shown = light.shown_in_parts(&appearance, factor.into(), &parts);
+                            let expected = expected(shown, &hatch, lane);
+                            for (found, expected) in found.lane(lane).into_iter().zip(expected) {
+                                let off = 255.0 * (srgb_encoded(found.into()) - srgb_encoded(expected)).abs();
+                                worst = worst.max(off);
+                                assert!(off < 2.0, "{rapid} {ahead} {emission:?} D = {factor}: {found} {expected}");
+                            }
+                        }
+                    }
+                });
+            }
+        }
+        println!("at most {worst} levels off");
+    }
+}

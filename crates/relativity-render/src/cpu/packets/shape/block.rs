@@ -1,0 +1,102 @@
+//! Rays against boxes: `shaders/box.wgsl`.
+
+use super::super::body::{PacketBody, PacketCapsule, PacketGroup, RestRays, Surface, own_ray};
+use super::super::edge::share_of_other;
+use crate::simd::lanes::{F, Mask, Simd, SimdFloat, V3, all, select, sign_of};
+
+/// Below this sine of its angle to the ray the image of an axis is a point.
+const LEAST_SINE: f32 = 1e-5;
+
+/// The middle of a body with flat faces.
+#[inline(always)]
+pub fn middle<S: Simd>(body: &PacketBody<S>) -> V3<S> {
+    body.place
+}
+
+/// Returns a capsule that contains the body.
+#[inline(always)]
+pub fn around<S: Simd>(body: &PacketBody<S>) -> PacketCapsule<S> {
+    PacketCapsule { place: body.place, end: body.place, radius: body.halves().length() }
+}
+
+/// Returns the surface of the body where rays meet it.
+#[inline(always)]
+pub fn surface<S: Simd>(simd: S, group: &PacketGroup, body: &PacketBody<S>, ray: &RestRays<S>) -> Surface<S> {
+    let own = own_ray(simd, body, ray);
+    let n = own.direction;
+    let half = body.halves();
+    let steep = n.abs();
+    // Along the ray the box is a hexagon, inside three pairs of lines along the images of its axes. The image of an axis
+    // along the ray is a point, and its lines cut off less than f32 resolves.
+    let squares = n.yzx().times(n.yzx()) + n.zxy().times(n.zxy());
+    let sines = squares.sqrt();
+    let divisors = sines.at_least(LEAST_SINE);
+    let spans = half.yzx().times(steep.zxy()) + half.zxy().times(steep.yzx());
+    let widths = of_lines(sines, spans / divisors);
+    let inside = of_lines(sines, (spans - own.moment.abs()) / divisors);
+    let clearance = inside.min_part();
+    let side = first_of(simd, equal_to(inside, clearance));
+    let outward = n.cross(side) * (-sign_of(own.moment.dot(side)) / divisors.dot(side).max(LEAST_SINE));
+
+    let towards = n.signs();
+    let slopes = steep.at_least(1e-12);
+    let enters = -(half + towards.times(own.nearest)) / slopes;
+    let leaves = (half - towards.times(own.nearest)) / slopes;
+    let last_entry = enters.max_part();
+    let s = last_entry.min(leaves.min_part());
+    // A ray that misses has its place where it comes close.
+    let place = (own.nearest + n * s).clamp(-half, half);
+    let beyond = body.place.dot(ray.direction) + place.dot(n);
+
+    // The three faces in sight meet in the nearest corner, from which three edges run along the axes.
+    let face = first_of(simd, equal_to(enters, last_entry));
+    let before = all(simd, -1e30);
+    let others = V3::new(
+        select(face.x.simd_gt(0.0), before, enters.x),
+        select(face.y.simd_gt(0.0), before, enters.y),
+        select(face.z.simd_gt(0.0), before, enters.z),
+    );
+    let second = first_of(simd, equal_to(others, others.max_part()));
+    let edge = V3::all(simd, [1.0; 3]) - face - second;
+    let divisor = sines.dot(edge).max(LEAST_SINE);
+    let of_edge = towards.times(half).cross(n).dot(edge);
+    let from_edge = (own.moment.dot(edge) - of_edge).abs() / divisor;
+    let width = (spans.dot(edge) - of_edge.abs()) / divisor;
+    let across = body.rest_from_body(n.cross(edge) / divisor);
+    let share = share_of_other(group, from_edge, width, across, ray, beyond);
+    let normal = (-towards).times(V3::mix(face, second, share));
+
+    Surface {
+        clearance,
+        half_width: widths.min_part(),
+        outward: body.rest_from_body(outward),
+        beyond,
+        place: body.rest_from_body(place),
+        normal: body.rest_from_body(normal),
+    }
+}
+
+/// Returns the three `distances` to pattern lines, 1e30 where a line does not exist.
+#[inline(always)]
+fn of_lines<S: Simd>(sines: V3<S>, distances: V3<S>) -> V3<S> {
+    V3::new(of_line(sines.x, distances.x), of_line(sines.y, distances.y), of_line(sines.z, distances.z))
+}
+
+#[inline(always)]
+fn of_line<S: Simd>(sine: F<S>, distance: F<S>) -> F<S> {
+    select(sine.simd_lt(LEAST_SINE), all(sine.simd, 1e30), distance)
+}
+
+/// Returns which parts equal this `value`.
+#[inline(always)]
+fn equal_to<S: Simd>(v: V3<S>, value: F<S>) -> [Mask<S>; 2] {
+    [v.x.simd_eq(value), v.y.simd_eq(value)]
+}
+
+/// Returns the first chosen axis, of which x and y are given: z if it is neither.
+#[inline(always)]
+fn first_of<S: Simd>(simd: S, [is_x, is_y]: [Mask<S>; 2]) -> V3<S> {
+    let (zero, one) = (all(simd, 0.0), all(simd, 1.0));
+    let neither = !(is_x | is_y);
+    V3::new(select(is_x, one, zero), select(is_y & !is_x, one, zero), select(neither, one, zero))
+}

@@ -1,0 +1,92 @@
+//! Rays against bodies of each kind, and the patterns on these.
+
+mod block;
+mod cylinder;
+pub(super) mod pattern;
+pub(super) mod ring;
+mod tube;
+
+use super::body::{PacketBody, PacketCapsule, PacketGroup, RestRays, Surface};
+use super::shape::pattern::coverage::PixelShifts;
+use super::shape::pattern::{chart, die};
+use crate::geometry::kind::Kind;
+use crate::simd::lanes::{F, Simd, V3};
+
+/// Returns the surface of a body where rays meet it.
+///
+/// Each kind's test is there once, and called.
+#[inline(always)]
+pub fn surface<S: Simd>(
+    simd: S,
+    kind: Kind,
+    group: &PacketGroup,
+    body: &PacketBody<S>,
+    ray: &RestRays<S>,
+) -> Surface<S> {
+    match kind {
+        Kind::Tube => simd.vectorize(
+            #[inline(always)]
+            || tube::surface(body, ray),
+        ),
+        Kind::Ring => simd.vectorize(
+            #[inline(always)]
+            || ring::surface(simd, body, ray),
+        ),
+        Kind::Box | Kind::Model => simd.vectorize(
+            #[inline(always)]
+            || block::surface(simd, group, body, ray),
+        ),
+        Kind::Cylinder => simd.vectorize(
+            #[inline(always)]
+            || cylinder::surface(simd, group, body, ray),
+        ),
+    }
+}
+
+/// A body's middle, from that of its group.
+#[inline(always)]
+pub fn middle<S: Simd>(kind: Kind, body: &PacketBody<S>) -> V3<S> {
+    match kind {
+        Kind::Tube => tube::middle(body),
+        Kind::Ring => ring::middle(body),
+        Kind::Box | Kind::Cylinder | Kind::Model => block::middle(body),
+    }
+}
+
+/// Returns a capsule that contains a body.
+#[inline(always)]
+pub fn around<S: Simd>(kind: Kind, body: &PacketBody<S>) -> PacketCapsule<S> {
+    match kind {
+        Kind::Tube => tube::around(body),
+        Kind::Ring => ring::around(body),
+        Kind::Box | Kind::Cylinder | Kind::Model => block::around(body),
+    }
+}
+
+/// Returns the normal by which the pattern at `place` is looked up, in the body's own axes: of flat faces that of the face.
+#[inline(always)]
+pub fn own_normal<S: Simd>(kind: Kind, body: &PacketBody<S>, place: V3<S>, normal: V3<S>) -> V3<S> {
+    match kind {
+        Kind::Tube | Kind::Ring => normal,
+        Kind::Cylinder => chart::normal_of_cylinder(body, place),
+        Kind::Box | Kind::Model => die::normal_of_box(body, place),
+    }
+}
+
+/// Returns the share of what is `covered` that `pattern` leaves dark at `place`, in the body's own axes.
+#[inline(always)]
+pub fn darkness<S: Simd>(
+    kind: Kind,
+    body: &PacketBody<S>,
+    pattern: [f32; 3],
+    place: V3<S>,
+    normal: V3<S>,
+    covered: &PixelShifts<S>,
+) -> F<S> {
+    match kind {
+        Kind::Tube => chart::on_tube(body, pattern, place, normal).darkness(pattern, covered),
+        Kind::Ring => chart::on_ring(body, place).darkness(pattern, covered),
+        Kind::Cylinder => chart::on_cylinder(body, pattern, place, normal).darkness(pattern, covered),
+        Kind::Box | Kind::Model => die::darkness_of_box(body, pattern, place, normal, covered),
+    }
+}

@@ -1,0 +1,77 @@
+//! Blocks that contain a shape with flat faces: what its bounds in a picture are worked out from.
+
+use glam::{DMat3, DQuat, DVec3};
+
+use super::capsule::Capsule;
+use crate::view::group_view::GroupView;
+
+/// A box in the rest frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Block {
+    /// Centre of the block.
+    pub center: DVec3,
+    /// From there to the middles of three faces, at right angles.
+    pub half_axes: [DVec3; 3],
+    /// The least radius of the shape in it.
+    pub radius: f64,
+}
+
+impl Block {
+    /// The block with half these sides along its own axes, which have this `turn`.
+    pub fn new(center: DVec3, half: DVec3, turn: DQuat) -> Self {
+        let axes = DMat3::from_quat(turn);
+        let half_axes = [axes.x_axis * half.x, axes.y_axis * half.y, axes.z_axis * half.z];
+        Self { center, half_axes, radius: half.min_element() }
+    }
+
+    /// From the camera's event, in the axes along the group's motion.
+    pub fn along_motion_from_camera(&self, view: &GroupView) -> Self {
+        Self {
+            center: view.along_motion_from_camera(self.center),
+            half_axes: self.half_axes.map(|axis| view.velocity.motion_from_group(axis)),
+            ..*self
+        }
+    }
+
+    /// Returns both halves of the block, divided across its longest axis.
+    pub fn halves(&self) -> [Self; 2] {
+        let squares = DVec3::from(self.half_axes.map(DVec3::length_squared));
+        let mut half = *self;
+        half.half_axes[squares.max_position()] *= 0.5;
+        let step = half.half_axes[squares.max_position()];
+        [-step, step].map(|step| Self { center: self.center + step, ..half })
+    }
+
+    /// Returns the corners of the block.
+    pub fn corners(&self) -> [DVec3; 8] {
+        let [x, y, z] = self.half_axes;
+        std::array::from_fn(|i| {
+            let side = |bit: usize| if i & bit == 0 { -1.0 } else { 1.0 };
+            self.center + x * side(1) + y * side(2) + z * side(4)
+        })
+    }
+
+    /// Returns the edges of the block, as tubes without a radius.
+    pub fn edges(&self) -> impl Iterator<Item = Capsule> + use<> {
+        let corners = self.corners();
+        let edge = move |from: usize, bit: usize| {
+            (from & bit == 0).then(|| Capsule { from: corners[from], to: corners[from | bit], radius: 0.0 })
+        };
+        (0..8).flat_map(move |from| [1, 2, 4].map(|bit| edge(from, bit)).into_iter().flatten())
+    }
+
+    /// The ball around it.
+    pub fn ball_around(&self) -> Capsule {
+        let radius = self.half_axes.iter().map(|axis| axis.length_squared()).sum::<f64>().sqrt();
+        Capsule::ball(self.center, radius)
+    }
+
+    /// Returns the distance of the block from the origin; 0 where it contains it.
+    pub fn distance(&self) -> f64 {
+        let nearest = self.half_axes.iter().fold(self.center, |from_origin, axis| {
+            let along = -self.center.dot(*axis) / axis.length_squared();
+            from_origin + *axis * along.clamp(-1.0, 1.0)
+        });
+        nearest.length()
+    }
+}

@@ -1,0 +1,296 @@
+//! Solid shapes at rest in the frame of their group, and their geometry: a file for each shape, which answers every question
+//! about it.
+
+mod cuboid;
+mod cylinder;
+pub(crate) mod flat;
+pub(crate) mod questions;
+pub(crate) mod ring;
+pub(crate) mod round;
+mod sphere;
+pub mod strokes;
+#[cfg(test)]
+mod tests;
+mod tube;
+
+use glam::{DMat3, DQuat, DVec3};
+
+use crate::geometry::block::Block;
+use crate::geometry::capsule::Capsule;
+use crate::geometry::corners::Template;
+use crate::geometry::kind::Kind;
+use crate::kinematics::spin::{Spin, about_y};
+pub(crate) use cuboid::BoxForm;
+use cuboid::Cuboid;
+use cylinder::{Cylinder, CylinderForm};
+use questions::{CentredShape, Foot, PackedShape, PlacedShape};
+use ring::Ring;
+pub(crate) use ring::RingForm;
+use sphere::{Sphere, SphereForm};
+use strokes::{Onlooker, Path, Stroke};
+use tube::TubeForm;
+
+/// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Shape {
+    /// A ball of any size.
+    Sphere {
+        /// Centre of the ball.
+        center: [f64; 3],
+        /// Radius of the ball, above 0.
+        radius: f64,
+    },
+    /// A cylinder with rounded ends (a capsule).
+    Tube {
+        /// Centre of one rounded end.
+        from: [f64; 3],
+        /// Centre of the other.
+        to: [f64; 3],
+        /// Radius of the tube, above 0.
+        radius: f64,
+    },
+    /// A torus, the shape of a tyre.
+    Ring {
+        /// Centre of the torus.
+        center: [f64; 3],
+        /// Unit vector along the axis of symmetry.
+        axis: [f64; 3],
+        /// Radius of the circle in the middle of the tube, above `tube_radius`.
+        radius: f64,
+        /// Radius of the tube, above 0.
+        tube_radius: f64,
+    },
+    /// A box: three pairs of flat faces at right angles.
+    Box {
+        /// Centre of the box.
+        center: [f64; 3],
+        /// Half its lengths along its own axes, above 0.
+        half: [f64; 3],
+        /// Unit quaternion `[x, y, z, w]` that turns its own axes into those of the rest frame.
+        turn: [f64; 4],
+    },
+    /// A cylinder with flat ends.
+    Cylinder {
+        /// Centre of one flat end.
+        from: [f64; 3],
+        /// Centre of the other, elsewhere.
+        to: [f64; 3],
+        /// Radius of the cylinder, above 0.
+        radius: f64,
+    },
+}
+
+/// Returns the tube between these ends.
+fn capsule(from: [f64; 3], to: [f64; 3], radius: f64) -> Capsule {
+    Capsule { from: from.into(), to: to.into(), radius }
+}
+
+/// A shape about its centre, prepared for rays, patterns and triangles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum PreparedShape {
+    Sphere(SphereForm),
+    Tube(TubeForm),
+    Ring(RingForm),
+    Box(BoxForm),
+    Cylinder(CylinderForm),
+}
+
+impl Shape {
+    /// Asks the file of the shape.
+    fn ask<T>(&self, question: impl FnOnce(&dyn PlacedShape) -> T) -> T {
+        match *self {
+            Self::Sphere { center, radius } => question(&Sphere { center: center.into(), radius }),
+            Self::Tube { from, to, radius } => question(&capsule(from, to, radius)),
+            Self::Ring { center, axis, radius, tube_radius } => {
+                question(&Ring { center: center.into(), axis: axis.into(), radius, tube_radius })
+            }
+            Self::Box { center, half, turn } => {
+                question(&Cuboid { center: center.into(), half: half.into(), turn: DQuat::from_array(turn) })
+            }
+            Self::Cylinder { from, to, radius } => question(&Cylinder(capsule(from, to, radius))),
+        }
+    }
+
+    /// The shape with its places mapped, and its own directions turned by `angle` about y, if at all.
+    fn mapped(self, place: impl Fn([f64; 3]) -> [f64; 3], angle: Option<f64>) -> Self {
+        match self {
+            Self::Sphere { center, radius } => Self::Sphere { center: place(center), radius },
+            Self::Tube { from, to, radius } => Self::Tube { from: place(from), to: place(to), radius },
+            Self::Ring { center, axis, radius, tube_radius } => {
+                let axis = angle.map_or(axis, |angle| about_y(axis.into(), angle).to_array());
+                Self::Ring { center: place(center), axis, radius, tube_radius }
+            }
+            Self::Box { center, half, turn } => {
+                let turned = |angle| DQuat::from_rotation_y(angle) * DQuat::from_array(turn);
+                let turn = angle.map_or(turn, |angle| turned(angle).to_array());
+                Self::Box { center: place(center), half, turn }
+            }
+            Self::Cylinder { from, to, radius } => {
+                Self::Cylinder { from: place(from), to: place(to), radius }
+            }
+        }
+    }
+
+    /// Returns the shape's centre, and the shape about it.
+    pub(crate) fn about_centre(&self) -> (DVec3, PreparedShape) {
+        match *self {
+            Self::Sphere { center, radius } => (center.into(), PreparedShape::Sphere(SphereForm { radius })),
+            Self::Tube { from, to, radius } => {
+                let (from, to) = (DVec3::from(from), DVec3::from(to));
+                let half_length = 0.5 * (to - from).length();
+                if half_length == 0.0 {
+                    return (from, PreparedShape::Sphere(SphereForm { radius }));
+                }
+                let axis = (to - from) / (2.0 * half_length);
+                (0.5 * (from + to), PreparedShape::Tube(TubeForm { axis, half_length, radius }))
+            }
+            Self::Ring { center, axis, radius, tube_radius } => {
+                (center.into(), PreparedShape::Ring(RingForm { axis: axis.into(), radius, tube_radius }))
+            }
+            Self::Box { center, half, turn } => {
+                let axes = DMat3::from_quat(DQuat::from_array(turn));
+                (center.into(), PreparedShape::Box(BoxForm { axes, half: half.into() }))
+            }
+            Self::Cylinder { from, to, radius } => {
+                let (from, to) = (DVec3::from(from), DVec3::from(to));
+                let half_length = 0.5 * (to - from).length();
+                let axis = (to - from).normalize();
+                (0.5 * (from + to), PreparedShape::Cylinder(CylinderForm { axis, half_length, radius }))
+            }
+        }
+    }
+
+    /// The name in scene files.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        self.ask(|shape| shape.name())
+    }
+
+    /// The numbers in the order of the scene format; of a box half its size, and its turn as a quaternion.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<f64> {
+        self.ask(|shape| shape.numbers())
+    }
+
+    /// Whether it stays as it is while it turns: a body of revolution about the axle of `spin`.
+    #[must_use]
+    pub fn is_round_about(&self, spin: &Spin) -> bool {
+        self.ask(|shape| shape.is_round_about(spin))
+    }
+
+    /// The shape moved by `offset`.
+    #[must_use]
+    pub fn moved(self, offset: [f64; 3]) -> Self {
+        self.mapped(|[x, y, z]| [x + offset[0], y + offset[1], z + offset[2]], None)
+    }
+
+    /// The shape turned by `angle` about the axle of `spin`, as [`Spin::turned`].
+    #[must_use]
+    pub(crate) fn turned(self, spin: &Spin, angle: f64) -> Self {
+        self.mapped(|place| spin.turned(place.into(), angle).to_array(), Some(angle))
+    }
+
+    /// The distance of `place` at rest from the surface; below 0 inside.
+    #[must_use]
+    pub fn distance(&self, place: DVec3) -> f64 {
+        self.ask(|shape| shape.distance(place))
+    }
+
+    /// The centre and the radius of a ball at rest that holds the shape.
+    #[must_use]
+    pub fn ball_around(&self) -> ([f64; 3], f64) {
+        self.ask(|shape| shape.ball_around())
+    }
+
+    /// The point with the largest x, at rest; any of them where there are several.
+    #[must_use]
+    pub fn forward_most(&self) -> DVec3 {
+        self.ask(|shape| shape.forward_most())
+    }
+
+    /// Places at rest: along the middle lines of what is slender, tubes and rings; on balls where they end along the axes;
+    /// the corners, middles of edges and middles of faces of boxes; around both ends of cylinders.
+    #[must_use]
+    pub fn samples(&self) -> Vec<DVec3> {
+        self.ask(|shape| shape.samples())
+    }
+
+    /// The middles of both ends at rest, of what has ends.
+    #[must_use]
+    pub fn ends(&self) -> Option<[[f64; 3]; 2]> {
+        self.ask(|shape| shape.ends())
+    }
+
+    /// The strokes that it is drawn with, whoever looks; none of a ball, which is drawn with its [`Self::silhouette`].
+    #[must_use]
+    pub fn strokes(&self) -> Vec<Stroke> {
+        self.ask(|shape| shape.strokes())
+    }
+
+    /// Returns the line along which the onlooker's lines of sight touch the shape; `onlooker_at` gives the onlooker for the shape's
+    /// middle. `None` for shapes that are drawn with strokes; these do not call `onlooker_at`.
+    #[must_use]
+    pub fn silhouette(&self, onlooker_at: impl Fn(DVec3) -> Onlooker) -> Option<Path> {
+        self.ask(|shape| shape.silhouette(&onlooker_at))
+    }
+
+    /// The turn from its own axes to those of the rest frame.
+    ///
+    /// The own z axis of a tube and of a cylinder (from `from` to `to`) and of a ring is its axis, reached by the shortest
+    /// turn, which fixes the other two; to -z it is half a turn about x. A ball has the axes of the rest frame; a box says
+    /// how it is turned.
+    pub(crate) fn turn(&self) -> DQuat {
+        self.ask(|shape| shape.turn())
+    }
+
+    /// The kind of the shape in the shaders.
+    pub(crate) fn kind(&self) -> Kind {
+        self.ask(|shape| shape.kind())
+    }
+
+    /// Capsules that contain it; none for a box.
+    pub(crate) fn capsules(&self) -> Vec<Capsule> {
+        self.ask(|shape| shape.capsules())
+    }
+
+    /// The block that contains it, if its bounds are better worked out from that than from capsules.
+    pub(crate) fn block(&self) -> Option<Block> {
+        self.ask(|shape| shape.block())
+    }
+
+    /// The lowest place and the shadow there, of a wheel that does not lie flat, a ball or a box.
+    pub(crate) fn foot(&self) -> Option<Foot> {
+        self.ask(|shape| shape.foot())
+    }
+
+    /// Returns the shape's numbers for the shaders.
+    pub(crate) fn packed(&self) -> PackedShape {
+        self.ask(|shape| shape.packed())
+    }
+}
+
+impl PreparedShape {
+    /// The answers of the shape's file.
+    #[inline]
+    pub fn answers(&self) -> &dyn CentredShape {
+        match self {
+            Self::Sphere(form) => form,
+            Self::Tube(form) => form,
+            Self::Ring(form) => form,
+            Self::Box(form) => form,
+            Self::Cylinder(form) => form,
+        }
+    }
+}
+
+/// Corners and triangles of the shape of this `kind`, with these numbers of segments each way; none of a model, which has its own.
+pub(crate) fn template(kind: Kind, segments: [u32; 3]) -> Template {
+    match kind {
+        Kind::Tube => tube::template(segments),
+        Kind::Ring => ring::template(segments),
+        Kind::Box => cuboid::template(segments),
+        Kind::Cylinder => cylinder::template(segments),
+        Kind::Model => Template::default(),
+    }
+}

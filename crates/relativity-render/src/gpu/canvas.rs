@@ -1,0 +1,317 @@
+//! The canvas of every GPU renderer: the frame's uniforms, the colour tables, and the last pass.
+//!
+//! Bodies are drawn with four samples per pixel over nothing, in linear light; the last pass puts them over sky
+//! and ground and applies the sRGB curve.
+
+use super::buffers::{fill_frame_buffer, frame_bindings, frame_buffer, vertex_buffer};
+use super::device::Gpu;
+use super::drawing::{Drawing, Shot};
+use super::error::GpuError;
+use super::models::Models;
+use super::target::{self, DEPTH_FORMAT, ENCODED_FORMAT, EyeTarget, MEASURES_FORMAT};
+use crate::frame::hit_numbers::HitNumbers;
+use crate::frame::uniform::FrameUniform;
+use crate::light::palette;
+use crate::picture::hit::HitImage;
+use crate::scene::prepared_scene::PreparedScene;
+use crate::shaders::BACKDROP;
+use crate::street::backdrop::{BackdropPart, LastPass, TILES};
+use crate::view::effects::Constant;
+use crate::view::{Appearance, View};
+
+#[derive(Debug)]
+pub struct Canvas {
+    frame_layout: wgpu::BindGroupLayout,
+    layer_layout: wgpu::BindGroupLayout,
+    /// The tables of colours.
+    tables: wgpu::TextureView,
+    /// The models of the scene drawn last.
+    models: Models,
+}
+
+impl Canvas {
+    pub fn new(gpu: &Gpu) -> Self {
+        let device = &gpu.device;
+        let frame_layout = bind_group_layout(device, &[uniform_entry(), texture_entry(1), models_entry(2)]);
+        let layer_layout = bind_group_layout(device, &[texture_entry(0)]);
+        let tables = tables(gpu);
+        let models = Models::new(gpu);
+        Self { frame_layout, layer_layout, tables, models }
+    }
+
+    /// Takes the models of `scene` onto the device, unless they are there; whether it can hold them.
+    pub fn load_models(&mut self, gpu: &Gpu, scene: &PreparedScene) -> bool {
+        self.models.load(gpu, scene)
+    }
+
+    /// The pipeline that draws `part` of the last pass of pictures like that of `frame`.
+    fn last_pass(&self, gpu: &Gpu, frame: &FrameUniform, part: BackdropPart) -> wgpu::RenderPipeline {
+        let pass = LastPass {
+            part,
+            street: frame.street(),
+            is_conformal: frame.is_conformal(),
+            is_oblique: frame.is_street_oblique(),
+        };
+        gpu.cache.last_passes.get(pass, || {
+            let module = gpu.shader("backdrop", BACKDROP);
+            let layout = pipeline_layout(&gpu.device, &[Some(&self.frame_layout), Some(&self.layer_layout)]);
+            last_pass(&gpu.device, &module, &layout, &pass.constants())
+        })
+    }
+
+    /// The layout of pipelines that draw bodies.
+    pub fn body_layout(&self, gpu: &Gpu) -> wgpu::PipelineLayout {
+        pipeline_layout(&gpu.device, &[Some(&self.frame_layout)])
+    }
+
+    /// Draws `scene` into `target`, whose size overrides the camera's, its bodies as `drawing` does.
+    pub fn paint(
+        &self,
+        gpu: &Gpu,
+        drawing: &mut dyn Drawing,
+        scene: &PreparedScene,
+        view: &View,
+        appearance: &Appearance,
+        target: &mut EyeTarget,
+    ) {
+        let views = scene.group_views(&view.with_size(target.size()));
+        let models = &self.models;
+        let shot = Shot { scene, models, views: &views, divided_for: &views, appearance: Some(appearance) };
+        drawing.load(gpu, &mut target.vertices, &shot);
+        let frames = FrameUniform::of_groups(scene, &views, appearance);
+        fill_frame_buffer(gpu, &mut target.frames, &frames);
+        let last_passes = frames[0]
+            .floor()
+            .parts()
+            .iter()
+            .map(|part| self.last_pass(gpu, &frames[0], *part))
+            .collect::<Vec<_>>();
+        let frames = self.frame_bind_groups(gpu, &target.frames, frames.len());
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let samples = wgpu::RenderPassColorAttachment {
+                resolve_target: Some(&target.bodies),
+                ..attachment(&target.samples, wgpu::StoreOp::Discard)
+            };
+            let mut pass = begin_pass(&mut encoder, "bodies", &[Some(samples)], Some(&target.depth));
+            drawing.record(&mut pass, &target.vertices, &frames);
+        }
+        {
+            let picture = attachment(target.view(), wgpu::StoreOp::Store);
+            let mut pass = begin_pass(&mut encoder, "last", &[Some(picture)], None);
+            pass.set_bind_group(0, &frames[0], &[]);
+            pass.set_bind_group(1, &self.layer_bind_group(gpu, &target.bodies), &[]);
+            for last_pass in &last_passes {
+                pass.set_pipeline(last_pass);
+                pass.draw(0..4, 0..TILES[0] * TILES[1]);
+            }
+        }
+        gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Returns the hits at the centre of every pixel of `part`, which is a magnified view of a small part of `whole` or `whole` itself, of
+    /// `scene`, its bodies drawn as `drawing` does for `whole`; without anti-aliasing.
+    pub fn hits(
+        &self,
+        gpu: &Gpu,
+        drawing: &mut dyn Drawing,
+        scene: &PreparedScene,
+        whole: &View,
+        part: &View,
+    ) -> Result<HitImage, GpuError> {
+        let (views, divided_for) = (scene.group_views(part), scene.group_views(whole));
+        let mut vertices = vertex_buffer(gpu, 0);
+        let models = &self.models;
+        let shot = Shot { scene, models, views: &views, divided_for: &divided_for, appearance: None };
+        drawing.load(gpu, &mut vertices, &shot);
+        let frames = FrameUniform::of_groups(scene, &views, &Appearance::default());
+        let measures = self.measure(gpu, part.camera.size, &frames, |pass, frames| {
+            drawing.record(pass, &vertices, frames);
+        })?;
+        Ok(measures.hit_image(scene, part))
+    }
+
+    fn measure(
+        &self,
+        gpu: &Gpu,
+        size: [u32; 2],
+        frames: &[FrameUniform],
+        bodies: impl FnOnce(&mut wgpu::RenderPass<'_>, &[wgpu::BindGroup]),
+    ) -> Result<HitNumbers, GpuError> {
+        let mut buffer = frame_buffer(gpu, frames.len());
+        fill_frame_buffer(gpu, &mut buffer, frames);
+        let frames = self.frame_bind_groups(gpu, &buffer, frames.len());
+        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+        let [measures, places, depth] =
+            [("measures", MEASURES_FORMAT), ("places", MEASURES_FORMAT), ("depth", DEPTH_FORMAT)]
+                .map(|(label, format)| target::texture(gpu, label, size, 1, format, usage));
+        let [measures_view, places_view, depth_view] = [&measures, &places, &depth]
+            .map(|texture| texture.create_view(&wgpu::TextureViewDescriptor::default()));
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let attachments =
+                [&measures_view, &places_view].map(|view| Some(attachment(view, wgpu::StoreOp::Store)));
+            let mut pass = begin_pass(&mut encoder, "hits", &attachments, Some(&depth_view));
+            bodies(&mut pass, &frames);
+        }
+        gpu.queue.submit([encoder.finish()]);
+        let numbers = |texture| -> Result<Vec<[f32; 4]>, GpuError> {
+            let bytes = target::bytes(gpu, texture, size, 16)?;
+            Ok(bytes.chunks_exact(16).map(bytemuck::pod_read_unaligned).collect())
+        };
+        Ok(HitNumbers { measures: numbers(&measures)?, places: numbers(&places)? })
+    }
+
+    fn frame_bind_groups(&self, gpu: &Gpu, frames: &wgpu::Buffer, count: usize) -> Vec<wgpu::BindGroup> {
+        let [tables, models] = [&self.tables, self.models.view()].map(wgpu::BindingResource::TextureView);
+        let group = |frame| {
+            let entries = [
+                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(frame) },
+                wgpu::BindGroupEntry { binding: 1, resource: tables.clone() },
+                wgpu::BindGroupEntry { binding: 2, resource: models.clone() },
+            ];
+            bind_group(gpu, &self.frame_layout, &entries)
+        };
+        frame_bindings(gpu, frames, count).map(group).collect()
+    }
+
+    fn layer_bind_group(&self, gpu: &Gpu, layer: &wgpu::TextureView) -> wgpu::BindGroup {
+        let resource = wgpu::BindingResource::TextureView(layer);
+        bind_group(gpu, &self.layer_layout, &[wgpu::BindGroupEntry { binding: 0, resource }])
+    }
+}
+
+pub fn begin_pass<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    label: &str,
+    color_attachments: &[Option<wgpu::RenderPassColorAttachment<'_>>],
+    depth: Option<&wgpu::TextureView>,
+) -> wgpu::RenderPass<'a> {
+    let depth_ops = Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store: wgpu::StoreOp::Discard });
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some(label),
+        color_attachments,
+        depth_stencil_attachment: depth.map(|view| wgpu::RenderPassDepthStencilAttachment {
+            view,
+            depth_ops,
+            stencil_ops: None,
+        }),
+        ..Default::default()
+    })
+}
+
+pub fn attachment(view: &wgpu::TextureView, store: wgpu::StoreOp) -> wgpu::RenderPassColorAttachment<'_> {
+    wgpu::RenderPassColorAttachment {
+        view,
+        depth_slice: None,
+        resolve_target: None,
+        ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store },
+    }
+}
+
+fn last_pass(
+    device: &wgpu::Device,
+    module: &wgpu::ShaderModule,
+    layout: &wgpu::PipelineLayout,
+    constants: &[Constant],
+) -> wgpu::RenderPipeline {
+    let compilation_options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("last pass"),
+        layout: Some(layout),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some("tile"),
+            compilation_options: compilation_options.clone(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState {
+            topology: wgpu::PrimitiveTopology::TriangleStrip,
+            ..wgpu::PrimitiveState::default()
+        },
+        depth_stencil: None,
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some("composite"),
+            compilation_options,
+            targets: &[Some(ENCODED_FORMAT.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
+fn tables(gpu: &Gpu) -> wgpu::TextureView {
+    let size = [palette::ENTRIES, palette::ROWS];
+    let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
+    let texture = target::texture(gpu, "tables", size, 1, wgpu::TextureFormat::Rgba32Float, usage);
+    let layout = wgpu::TexelCopyBufferLayout {
+        offset: 0,
+        bytes_per_row: Some(palette::ENTRIES * 16),
+        rows_per_image: None,
+    };
+    let tables = palette::tables();
+    gpu.queue.write_texture(texture.as_image_copy(), bytemuck::cast_slice(&tables), layout, texture.size());
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+pub fn bind_group(
+    gpu: &Gpu,
+    layout: &wgpu::BindGroupLayout,
+    entries: &[wgpu::BindGroupEntry<'_>],
+) -> wgpu::BindGroup {
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries })
+}
+
+pub fn bind_group_layout(
+    device: &wgpu::Device,
+    entries: &[wgpu::BindGroupLayoutEntry],
+) -> wgpu::BindGroupLayout {
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: None, entries })
+}
+
+pub fn pipeline_layout(
+    device: &wgpu::Device,
+    bind_group_layouts: &[Option<&wgpu::BindGroupLayout>],
+) -> wgpu::PipelineLayout {
+    device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: None,
+        bind_group_layouts,
+        immediate_size: 0,
+    })
+}
+
+pub fn uniform_entry() -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding: 0,
+        visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        },
+        count: None,
+    }
+}
+
+pub fn texture_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    sampled_entry(binding, wgpu::TextureSampleType::Float { filterable: false })
+}
+
+fn models_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    sampled_entry(binding, wgpu::TextureSampleType::Uint)
+}
+
+fn sampled_entry(binding: u32, sample_type: wgpu::TextureSampleType) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::FRAGMENT,
+        ty: wgpu::BindingType::Texture {
+            sample_type,
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        },
+        count: None,
+    }
+}

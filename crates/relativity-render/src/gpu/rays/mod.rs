@@ -1,0 +1,60 @@
+//! The rays: a test per pixel, in the rest frame, on the GPU.
+//!
+//! Each piece of a body is drawn as a rectangle that surely contains its image (`footprint`); the
+//! fragment stage boosts the pixel's line of sight into the rest frame, where rays are straight, and
+//! tests it against the body.
+
+mod pieces;
+
+use crate::geometry::kind::Kind;
+use crate::gpu::canvas::Canvas;
+use crate::gpu::device::Gpu;
+use crate::gpu::drawing::{Batches, Drawing, Shot};
+use crate::gpu::pipelines::{Pipelines, Technique};
+use pieces::Pieces;
+pub use pieces::{Bounds, Piece};
+
+/// Draws exactly what an aperture sees.
+#[derive(Debug)]
+pub struct RayRenderer {
+    bounds: Bounds,
+    pieces: Pieces,
+    batches: Batches<Piece, ()>,
+}
+
+/// Rectangles, and a ray test for each of their pixels.
+pub const TECHNIQUE: Technique = Technique {
+    source: Kind::impostor,
+    vertex: "rectangle",
+    buffers: &[Some(Piece::LAYOUT)],
+    primitive: wgpu::PrimitiveState {
+        topology: wgpu::PrimitiveTopology::TriangleStrip,
+        ..Technique::TRIANGLES
+    },
+    picture: "picture",
+    constant: None,
+};
+
+impl RayRenderer {
+    /// A renderer on `gpu` that looks for bodies within `bounds`; pipelines are made when first needed.
+    pub fn new(gpu: &Gpu, canvas: &Canvas, bounds: Bounds) -> Self {
+        let picture = if gpu.has_sample_masks() { TECHNIQUE.picture } else { "picture_sample" };
+        let pipelines = Pipelines::new(Technique { picture, ..TECHNIQUE }, canvas.body_layout(gpu));
+        Self { bounds, pieces: Pieces::default(), batches: Batches::new(pipelines) }
+    }
+}
+
+impl Drawing for RayRenderer {
+    fn load(&mut self, gpu: &Gpu, vertices: &mut wgpu::Buffer, shot: &Shot<'_>) {
+        self.pieces.refill(shot, self.bounds);
+        self.batches.refill(gpu, vertices, shot, self.pieces.runs());
+    }
+
+    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
+        for batch in self.batches.iter() {
+            self.batches.begin(pass, frames, batch);
+            pass.set_vertex_buffer(0, vertices.slice(..));
+            pass.draw(0..4, batch.instances.clone());
+        }
+    }
+}

@@ -1,0 +1,234 @@
+//! Bodies as what the GPU draws: pieces, each a bounding rectangle with the whole body's data.
+//!
+//! Every piece tests the ray against its whole body, so where the rectangles of one body overlap they
+//! agree to the bit, and a strict depth test draws each pixel once.
+
+use std::collections::BTreeMap;
+use std::mem;
+use std::slice::{self, Iter};
+
+use bytemuck::{Pod, Zeroable};
+use glam::DVec2;
+
+use crate::geometry::capsule::Capsule;
+use crate::geometry::kind::Kind;
+use crate::gpu::drawing::{Shot, Trait};
+use crate::picture::footprint::{Bound, Footprint, FootprintMap, Rectangle};
+use crate::picture::tiles::Tile;
+use crate::scene::prepared_body::{Placement, PreparedBody};
+use crate::scene::prepared_scene::PreparedScene;
+use crate::scene::wheel::packed::{TurningStart, Turns};
+use crate::view::Geometry;
+use crate::view::group_view::GroupView;
+
+/// Number of halvings after which the bound of a piece is taken as it is: 32 rectangles follow the most bent of tubes, and
+/// a looser bound only costs time.
+const MAX_HALVINGS: u32 = 5;
+/// Below this radius a piece may be faded in pictures instead of drawn thinner, px. The shader fades what it finds
+/// thinner than half a pixel; the rest is room. The radius is the one across x: what `Geometry::Contracted` flattens
+/// along x below a pixel is drawn as thin as it is there.
+const THIN_PX: f64 = 0.75;
+
+/// The bounds in which bodies are searched for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Bounds {
+    /// Tight bounds around where they can appear.
+    #[default]
+    Tight,
+    /// Everywhere: what tight bounds are measured against.
+    None,
+}
+
+/// Mirror of the shaders' `Piece`.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Piece {
+    pub place: [f32; 4],
+    pub second_axis_index_brightness: [f32; 4],
+    pub place_radius: [f32; 4],
+    pub form: [f32; 4],
+    pub turn: [f32; 4],
+    pub light: [f32; 4],
+    pub pattern: [f32; 3],
+    pub spin: [f32; 4],
+    pub rim: [f32; 2],
+}
+
+/// The pieces of a view, solid before thin, group by group, kind by kind, plain before patterned, bodies that do not
+/// turn before turning ones, else in the order of the bodies: where
+/// surfaces of two coincide, the first that is drawn stays. Kept from view to view, for its memory.
+#[derive(Debug, Default)]
+pub struct Pieces {
+    lists: BTreeMap<(bool, usize, Kind, bool, Turns), Vec<Piece>>,
+    rectangles: Vec<Rectangle>,
+    /// Capsules that contain the last body that turns.
+    shown: Vec<Capsule>,
+    /// The numbers of bodies that may be in the picture.
+    candidates: Vec<u32>,
+}
+
+impl Pieces {
+    /// Replaces all by the pieces of `shot`. In numbers nothing is faded, so none is thin there.
+    pub fn refill(&mut self, shot: &Shot<'_>, bounds: Bounds) {
+        let thin_px = if shot.appearance.is_some() { THIN_PX } else { 0.0 };
+        self.lists.values_mut().for_each(Vec::clear);
+        for (number, view) in shot.views.iter().enumerate() {
+            let projection = FootprintMap::new(view);
+            let mut candidates = mem::take(&mut self.candidates);
+            candidates.clear();
+            add_candidates(shot.scene, number, view, bounds, &mut candidates);
+            for &body in &candidates {
+                let body = &shot.scene.bodies()[body as usize];
+                match bounds {
+                    Bounds::Tight => self.bound(&projection, view, shot.scene, body),
+                    Bounds::None => self.bound_nowhere(),
+                }
+                self.add(body, shot, thin_px);
+            }
+            self.candidates = candidates;
+        }
+    }
+
+    /// Returns the runs of pieces that one draw draws, in order.
+    pub fn runs(&self) -> impl Iterator<Item = (Trait<()>, Iter<'_, Piece>)> {
+        let filled = self.lists.iter().filter(|(_, list)| !list.is_empty());
+        filled.map(|(&(is_thin, group, kind, is_patterned, turns), list)| {
+            (Trait { group, kind, template: (), is_thin, is_patterned, turns }, list.iter())
+        })
+    }
+
+    /// The pieces of `body` in the rectangles just found.
+    fn add(&mut self, body: &PreparedBody, shot: &Shot<'_>, thin_px: f64) {
+        let (template, turns) = (Piece::new(body, shot), shot.views[body.group].turns(body));
+        for rectangle in &self.rectangles {
+            // Each sample of a model looks for itself, however thin that is.
+            let is_thin = rectangle.radius_px < thin_px && body.kind != Kind::Model;
+            let list = (is_thin, body.group, body.kind, body.is_patterned, turns);
+            self.lists.entry(list).or_default().push(template.placed(rectangle));
+        }
+    }
+
+    fn bound(
+        &mut self,
+        projection: &FootprintMap,
+        view: &GroupView,
+        scene: &PreparedScene,
+        body: &PreparedBody,
+    ) {
+        self.rectangles.clear();
+        match (body.spin, &body.block) {
+            (Some(spin), _) if view.turns(body) == Turns::About => {
+                self.shown.clear();
+                view.capsules_when_shown(&spin, scene.around(body), &mut self.shown);
+                let radius = least_shown(body.placement.place_radius[3].into(), view);
+                for capsule in &self.shown {
+                    let first = self.rectangles.len();
+                    add_capsules(projection, view, slice::from_ref(capsule), &mut self.rectangles);
+                    for rectangle in &mut self.rectangles[first..] {
+                        rectangle.radius_px *= radius / capsule.radius;
+                    }
+                }
+            }
+            (_, Some(block)) => {
+                let block = block.along_motion_from_camera(view);
+                add_rectangles(projection, &block, MAX_HALVINGS, &mut self.rectangles);
+            }
+            _ => add_capsules(projection, view, scene.capsules(body), &mut self.rectangles),
+        }
+        if self.rectangles.contains(&Rectangle::EVERYWHERE) {
+            self.bound_nowhere();
+        }
+    }
+
+    fn bound_nowhere(&mut self) {
+        self.rectangles.clear();
+        self.rectangles.push(Rectangle::EVERYWHERE);
+    }
+}
+
+/// Half the width that a body of this `radius` which turns is shown with at least: light stretches it, and at one time of
+/// the ground it is sheared by what moves at less than 1.
+fn least_shown(radius: f64, view: &GroupView) -> f64 {
+    if view.geometry == Geometry::Contracted { 0.5 * radius } else { radius }
+}
+
+/// Adds the numbers, in order, of the bodies of a group that may be in the picture: of those that keep their places as far as
+/// the hierarchy tells.
+fn add_candidates(scene: &PreparedScene, group: usize, view: &GroupView, bounds: Bounds, out: &mut Vec<u32>) {
+    let prepared = &scene.groups()[group];
+    let picture = Tile { corner: [0, 0], size: view.camera.size };
+    let cap = picture.cap(&view.camera.lines_of_sight());
+    let beam = scene.beam(group, view, &cap).filter(|_| bounds == Bounds::Tight);
+    let Some(beam) = beam else {
+        out.extend(prepared.bodies.clone().map(|body| body as u32));
+        return;
+    };
+    let turning = scene.spinning().iter().copied();
+    let is_in = |body: &u32| prepared.bodies.contains(&(*body as usize));
+    out.extend(turning.filter(|body| is_in(body) && scene.turning(*body as usize).is_some()));
+    scene.hierarchy(group).along(&beam, |candidate| {
+        out.push(candidate.body);
+        f32::INFINITY
+    });
+    out.sort_unstable();
+    out.dedup();
+}
+
+fn add_capsules(projection: &FootprintMap, view: &GroupView, capsules: &[Capsule], out: &mut Vec<Rectangle>) {
+    for capsule in capsules {
+        add_rectangles(projection, &capsule.along_motion_from_camera(view), MAX_HALVINGS, out);
+    }
+}
+
+fn add_rectangles<B: Bound>(projection: &FootprintMap, bound: &B, halvings: u32, out: &mut Vec<Rectangle>) {
+    let is_whole = halvings == 0 || bound.is_point();
+    match bound.footprint(projection) {
+        Some(Footprint::Hidden) => {}
+        Some(Footprint::Inside(rectangle)) if is_whole || !rectangle.is_loose => out.push(rectangle),
+        None if is_whole => out.push(Rectangle::EVERYWHERE),
+        Some(Footprint::Inside(_)) | None => {
+            for half in bound.halves() {
+                add_rectangles(projection, &half, halvings - 1, out);
+            }
+        }
+    }
+}
+
+impl Piece {
+    /// Layout in which the vertex stage reads a piece.
+    pub const LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+        array_stride: size_of::<Self>() as u64,
+        step_mode: wgpu::VertexStepMode::Instance,
+        attributes: &wgpu::vertex_attr_array![
+            0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4,
+            6 => Float32x3, 7 => Float32x4, 8 => Float32x2
+        ],
+    };
+
+    /// Returns the piece of `body`, without a rectangle.
+    fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
+        let TurningStart { placement: Placement { place_radius, form, turn }, spin, rim } = shot.shown(body);
+        Self {
+            place: [0.0; 4],
+            second_axis_index_brightness: [0.0, 0.0, body.index(), body.brightness as f32],
+            place_radius,
+            form,
+            turn,
+            light: shot.light(body),
+            pattern: shot.pattern(body),
+            spin,
+            rim,
+        }
+    }
+
+    fn placed(&self, rectangle: &Rectangle) -> Self {
+        let [middle, first, second] =
+            [rectangle.middle, rectangle.half_axes[0], rectangle.half_axes[1]].map(DVec2::as_vec2);
+        let [_, _, index, brightness] = self.second_axis_index_brightness;
+        Self {
+            place: [middle.x, middle.y, first.x, first.y],
+            second_axis_index_brightness: [second.x, second.y, index, brightness],
+            ..*self
+        }
+    }
+}
