@@ -44,6 +44,23 @@ pub const CORE: House = House {
 pub const RENDERERS: House = House {
     name: "relativity-render",
     folder: "crates/relativity-render/src",
+    tables: &[Table {
+        inside: "",
+        floors: &[
+            &["lib.rs"],
+            &["renderers.rs"],
+            &["gpu", "cpu"],
+            &["frame"],
+            &["picture"],
+            &["street"],
+            &["light"],
+            &["scene"],
+            &["geometry"],
+            &["view"],
+            &["camera", "colour", "kinematics", "simd", "shaders.rs"],
+        ],
+    }],
+    strangers: &[["gpu/", "cpu/"]],
     never: &["std::fs", "std::time", "std::thread", "rayon", "egui", "eframe"],
     ..PLAIN
 };

@@ -8,9 +8,9 @@
 //! # Scope
 //!
 //! Bodies are balls, tubes, rings, boxes and cylinders that glow, each at one wavelength, alike in all directions in
-//! its rest frame; and models of [`triangles`], painted in white light.
+//! its rest frame; and models of [`Triangles`], painted in white light.
 //! They are opaque and do not light each other; the shading is a choice of looks, fixed to the rest frame. Motion is
-//! uniform and along x, but for bodies that turn evenly about an axle along y ([`wheel`]): nothing else accelerates, turns or
+//! uniform and along x, but for bodies that turn evenly about an axle along y ([`Spin`]): nothing else accelerates, turns or
 //! deforms. The camera is a pinhole that rests on the ground, or moves evenly in any direction. The published binocular model, which has no lines of sight, is drawn by triangles alone.
 //!
 //! Out of scope are windows and files (it knows wgpu, but reads and writes nothing), and a medium: light travels at c.
@@ -50,11 +50,11 @@
 )]
 
 // From the top: each imports from those below it, and none from one above, which `tests/layers` of the program holds.
-pub mod renderers;
+mod renderers;
 
 pub mod gpu;
 
-pub mod cpu;
+mod cpu;
 
 mod frame;
 
@@ -74,7 +74,7 @@ pub mod camera;
 
 pub mod colour;
 
-pub mod kinematics;
+mod kinematics;
 
 mod simd;
 

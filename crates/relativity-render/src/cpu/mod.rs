@@ -1,4 +1,4 @@
 //! Drawing on the CPU: by the reference in f64, and by packets of rays in f32.
 
-pub(crate) mod packets;
-pub mod reference;
+pub mod packets;
+mod reference;

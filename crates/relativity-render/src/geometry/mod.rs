@@ -11,5 +11,5 @@ pub(crate) mod kind;
 mod polynomial;
 pub mod ray;
 pub mod shape;
-pub mod triangle_point;
+pub(crate) mod triangle_point;
 pub mod triangles;

@@ -4,7 +4,7 @@ mod answers;
 mod buffers;
 pub(crate) mod canvas;
 pub(crate) mod composer;
-pub mod device;
+pub(crate) mod device;
 mod device_cache;
 pub(crate) mod device_errors;
 pub(crate) mod drawing;

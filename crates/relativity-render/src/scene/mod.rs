@@ -1,9 +1,9 @@
 //! A scene: its bodies with their patterns and wheels, prepared once for every view, and how rays enter them.
 
-pub mod body;
+pub(crate) mod body;
 pub(crate) mod first_entry;
 pub(crate) mod one_cone;
 pub(crate) mod pattern;
 pub mod prepared_body;
-pub mod prepared_scene;
+pub(crate) mod prepared_scene;
 pub mod wheel;

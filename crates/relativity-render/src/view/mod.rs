@@ -3,7 +3,7 @@
 pub(crate) mod cap;
 pub(crate) mod cone;
 pub(crate) mod effects;
-pub mod group_view;
+pub(crate) mod group_view;
 mod shown;
 
 use glam::DVec3;
