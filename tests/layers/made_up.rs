@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::houses::PROGRAM;
 use super::modules::modules;
 use super::{faults, imports};
 
@@ -9,7 +10,7 @@ use super::{faults, imports};
 fn faults_of(files: &[(&str, &str)]) -> Vec<String> {
     let sources: BTreeMap<String, String> =
         files.iter().map(|&(file, text)| (file.to_owned(), text.to_owned())).collect();
-    faults("gamow", &imports("gamow", &sources))
+    faults(&PROGRAM, &imports(PROGRAM.name, &sources))
 }
 
 /// Asserts that these files have one fault, and that its line contains every part.
@@ -77,6 +78,20 @@ fn an_import_upwards_is_found() {
         ("files/mod.rs", "fn f() { use crate::app::State as Shown; }"),
     ];
     assert_fault(&files, &["files/mod.rs imports app/mod.rs: upwards"]);
+}
+
+#[test]
+fn a_knot_of_rooms_without_a_circle_of_files_is_found() {
+    let files = [
+        ("lib.rs", "mod plot; mod units; mod files;"),
+        ("plot/mod.rs", "mod axis; mod label; use crate::files::FILE;"),
+        ("plot/axis.rs", "use crate::units::METRE;"),
+        ("plot/label.rs", "pub const LABEL: u8 = 1;"),
+        ("units.rs", "pub const METRE: u8 = 1;"),
+        ("files/mod.rs", "mod name; pub const FILE: u8 = 1;"),
+        ("files/name.rs", "use crate::plot::label::LABEL;"),
+    ];
+    assert_fault(&files, &["a knot of rooms", "files", "plot"]);
 }
 
 #[test]

@@ -1,60 +1,34 @@
 //! The house keeps its layers: imports run down, never in a circle, each crate knows only what it should, and each test is run.
 
+mod houses;
 mod imports;
 mod made_up;
 mod modules;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use houses::{CORE, House, PLATFORM, PROGRAM, RENDERERS, Table};
 use imports::{Imports, circles, imports};
-
-/// The rooms of the program, from the top. A room imports from those below it and beside it, and not upwards.
-const ROOMS: [&[&str]; 10] = [
-    &["main.rs"],
-    &["cli.rs"],
-    &["commands", "app"],
-    &["lesson"],
-    &["accuracy", "estimate", "studio"],
-    &["caption", "comfort.rs", "map"],
-    &["settings"],
-    &["scene", "columns", "time_range.rs", "flags", "files", "plot", "quantity.rs", "units.rs"],
-    &["eye.rs", "eye_colours.rs", "number_text.rs", "formula"],
-    &["markup.rs"],
-];
-
-/// What a crate names only in files whose paths begin in one way, if at all.
-const ONLY_IN: [(&str, &str, &[&str]); 3] = [
-    ("relativity-core", "threads.rs", &["rayon"]),
-    ("gamow", "app/", &["eframe", "egui_plot"]),
-    ("gamow", "formula/", &["ratex_font", "ratex_layout", "ratex_parser", "ratex_types", "skrifa"]),
-];
-
-/// What a crate names nowhere.
-const NEVER: [(&str, &[&str]); 3] = [
-    ("relativity-core", &["std::fs", "std::time", "std::thread", "glam", "wgpu", "egui", "eframe", "log"]),
-    ("relativity-render", &["std::fs", "std::time", "std::thread", "rayon", "egui", "eframe"]),
-    ("gamow", &["std::fs", "std::thread", "std::time::Instant", "std::time::SystemTime"]),
-];
 
 #[test]
 fn the_core_keeps_its_layers() {
-    assert_kept("relativity-core", "crates/relativity-core/src");
+    assert_kept(&CORE);
 }
 
 #[test]
 fn the_renderers_keep_their_layers() {
-    assert_kept("relativity-render", "crates/relativity-render/src");
+    assert_kept(&RENDERERS);
 }
 
 #[test]
 fn the_platform_keeps_its_layers() {
-    assert_kept("gamow-platform", "crates/gamow-platform/src");
+    assert_kept(&PLATFORM);
 }
 
 #[test]
 fn the_program_keeps_its_layers() {
-    assert_kept("gamow", "src");
+    assert_kept(&PROGRAM);
 }
 
 /// Folders of tests, and their programs.
@@ -124,12 +98,13 @@ fn the_window_changes_nothing_that_lasts_by_itself() {
 }
 
 #[track_caller]
-fn assert_kept(name: &str, folder: &str) {
+fn assert_kept(house: &House) {
+    let name = house.name;
     let mut sources = BTreeMap::new();
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(house.folder);
     read_folder(&folder, "", &mut sources);
     assert!(sources.len() > 10, "{} holds {} files", folder.display(), sources.len());
-    let faults = faults(name, &imports(name, &sources));
+    let faults = faults(house, &imports(name, &sources));
     assert!(faults.is_empty(), "{} faults in {name}:\n{}", faults.len(), faults.join("\n"));
 }
 
@@ -146,60 +121,64 @@ fn read_folder(folder: &Path, prefix: &str, sources: &mut BTreeMap<String, Strin
     }
 }
 
-/// What is wrong with the imports of the crate `name`, a line each.
-fn faults(name: &str, imports: &Imports) -> Vec<String> {
+/// What is wrong with the imports of a crate, a line each.
+fn faults(house: &House, imports: &Imports) -> Vec<String> {
     let mut faults: Vec<String> = circles(&imports.inside)
         .into_iter()
         .map(|circle| format!("a circle: {} -> {}", circle.join(" -> "), circle[0]))
         .collect();
-    if name == "gamow" {
-        faults.extend(imports.inside.iter().filter_map(|(from, to)| misplaced(from, to)));
+    for table in house.tables {
+        faults.extend(imports.inside.iter().filter_map(|(from, to)| misplaced(table, from, to)));
+        faults.extend(knots(table, &imports.inside));
     }
+    faults.extend(imports.inside.iter().filter(|(from, to)| are_apart(house, from, to)).map(neither));
     for (file, path) in &imports.outside {
         let is_named =
             |names: &[&str]| names.iter().any(|name| path == name || path.starts_with(&format!("{name}::")));
-        let only_in = ONLY_IN.iter().filter(|(owner, ..)| *owner == name);
         let is_misplaced =
-            only_in.into_iter().any(|(_, room, names)| is_named(names) && !file.starts_with(room));
-        if is_misplaced || NEVER.iter().any(|(owner, names)| *owner == name && is_named(names)) {
+            house.only_in.iter().any(|(room, names)| is_named(names) && !file.starts_with(room));
+        if is_misplaced || is_named(house.never) {
             faults.push(format!("{file} names {path}"));
         }
     }
     faults
 }
 
-/// What is wrong with an import of the program, if anything.
-fn misplaced(from: &str, to: &str) -> Option<String> {
-    let fault = |what: &str| Some(format!("{from} imports {to}: {what}"));
-    let [Some(here), Some(there)] = [level(from), level(to)] else {
-        return fault("one of them stands in no room of the table");
+fn neither((from, to): &(String, String)) -> String {
+    format!("{from} imports {to}: neither knows the other")
+}
+
+/// What is wrong with the height of an import inside the folder of `table`, if anything.
+fn misplaced(table: &Table, from: &str, to: &str) -> Option<String> {
+    let (here, there) = (room(table, from)?, room(table, to)?);
+    let level = |room| table.floors.iter().position(|rooms| rooms.contains(&room));
+    let fault = match (level(here), level(there)) {
+        (Some(here), Some(there)) if here <= there => return None,
+        (Some(_), Some(_)) => "upwards",
+        _ => "one of them stands in no room of the table",
     };
-    if here > there {
-        fault("upwards")
-    } else if are_apart(from, to) {
-        fault("neither knows the other")
-    } else {
-        None
-    }
+    Some(format!("{from} imports {to}: {fault}"))
 }
 
-/// The place of a file's room in the table.
-fn level(file: &str) -> Option<usize> {
-    let room = file.split('/').next()?;
-    ROOMS.iter().position(|rooms| rooms.contains(&room))
+/// The circles of rooms, a line each. Those of one room's files are found by file.
+fn knots(table: &Table, inside: &BTreeSet<(String, String)>) -> Vec<String> {
+    let rooms = inside.iter().filter_map(|(from, to)| Some((room(table, from)?, room(table, to)?)));
+    let rooms =
+        rooms.filter(|(from, to)| from != to).map(|(from, to)| (from.to_owned(), to.to_owned())).collect();
+    circles(&rooms).into_iter().map(|knot| format!("a knot of rooms: {}", knot.join(" -> "))).collect()
 }
 
-/// Folders whose files and folders do not know each other.
-const APART: [&str; 2] = ["commands/", "app/panels/"];
+/// The room of `table` that a file belongs to: the file itself, or its folder. None if it lies elsewhere.
+fn room<'a>(table: &Table, file: &'a str) -> Option<&'a str> {
+    file.strip_prefix(table.inside)?.split('/').next()
+}
 
-/// Whether two files stand beside each other in such a folder, or in the window and among the commands.
-fn are_apart(from: &str, to: &str) -> bool {
-    let inside = |folder| Some((from.strip_prefix(folder)?, to.strip_prefix(folder)?));
+/// Whether two files stand in folders, or in parts of a folder, that do not know each other.
+fn are_apart(house: &House, from: &str, to: &str) -> bool {
+    let inside = |folder: &&str| Some((from.strip_prefix(*folder)?, to.strip_prefix(*folder)?));
     let part = |file: &str| file.split(['/', '.']).next().map(str::to_owned);
     let differ = |(from, to)| part(from) != part(to) && ![from, to].contains(&"mod.rs");
-    let is_window = |file: &str| file.starts_with("app/");
-    let is_command = |file: &str| file.starts_with("commands/");
-    APART.iter().filter_map(inside).any(differ)
-        || is_window(from) && is_command(to)
-        || is_command(from) && is_window(to)
+    let stand_in = |[a, b]: [&str; 2]| from.starts_with(a) && to.starts_with(b);
+    house.parts_apart.iter().filter_map(inside).any(differ)
+        || house.strangers.iter().any(|&[a, b]| stand_in([a, b]) || stand_in([b, a]))
 }
