@@ -9,11 +9,12 @@ use std::time::{Duration, Instant};
 use eframe::egui::{Context, Pos2, RawInput, Rect};
 use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
 use eframe::wgpu;
-use gamow::app::command::Command;
-use gamow::app::riding::saddle::RideCommand;
+use gamow::app::commands::Command;
+use gamow::app::shell::App;
 use gamow::app::state::State;
+use gamow::app::state::riding::saddle::RideCommand;
+use gamow::app::tools::painting;
 use gamow::app::views::offscreen;
-use gamow::app::{App, painting};
 use gamow::scene::Scene;
 use gamow::settings::{Presence, Settings, WindowSettings};
 

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use clap::{Parser, ValueEnum as _};
-use gamow::app::args::WindowArgs;
-use gamow::app::command::Command;
-use gamow::app::pointer::Select;
+use gamow::app::commands::Command;
+use gamow::app::shell::args::WindowArgs;
 use gamow::app::state::State;
+use gamow::app::state::pointer::Select;
 use gamow::cli::Cli;
 use gamow::eye::Eye;
 use gamow::files::png::PngFile;

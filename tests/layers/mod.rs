@@ -8,7 +8,7 @@ mod modules;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use houses::{CORE, House, PLATFORM, PROGRAM, RENDERERS, Table};
+use houses::{CORE, House, PLATFORM, PROGRAM, PYTHON, RENDERERS, Table};
 use imports::{Imports, circles, imports};
 
 #[test]
@@ -29,6 +29,11 @@ fn the_platform_keeps_its_layers() {
 #[test]
 fn the_program_keeps_its_layers() {
     assert_kept(&PROGRAM);
+}
+
+#[test]
+fn the_python_package_keeps_its_layers() {
+    assert_kept(&PYTHON);
 }
 
 /// Folders of tests, and their programs.

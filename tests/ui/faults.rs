@@ -8,9 +8,9 @@ use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuSetup, WgpuSetupExisti
 use eframe::wgpu;
 use egui_kittest::Harness;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::painting;
+use gamow::app::commands::Command;
+use gamow::app::shell::App;
+use gamow::app::tools::painting;
 use gamow::flags::choices::RendererChoice;
 
 use super::Test;

@@ -7,11 +7,11 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, ViewportId};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::file_dialog::purpose::Purpose;
-use gamow::app::persistence::Keeper;
+use gamow::app::commands::Command;
+use gamow::app::shell::App;
+use gamow::app::shell::persistence::Keeper;
 use gamow::app::state::State;
+use gamow::app::state::files::purpose::Purpose;
 
 use super::Test;
 use super::picking::click;

@@ -3,10 +3,10 @@
 use eframe::egui::{Modifiers, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::pointer::Pick;
+use gamow::app::commands::Command;
+use gamow::app::shell::App;
 use gamow::app::state::State;
+use gamow::app::state::pointer::Pick;
 use gamow::eye::Eye;
 use gamow::flags::FieldOfView;
 use gamow::flags::choices::GazeChoice;

@@ -4,10 +4,10 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Rect, Vec2, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use gamow::app::App;
-use gamow::app::command::{Command, Switch};
-use gamow::app::lesson::session::LessonCommand;
+use gamow::app::commands::{Command, Switch};
+use gamow::app::shell::App;
 use gamow::app::state::State;
+use gamow::app::state::lesson::LessonCommand;
 use gamow::lesson::{Answer, AnswerKind, Confidence, Course, Lesson, Library, Outcome, Phase, Place};
 use gamow::settings::{Presence, Settings, Theme, WindowSettings};
 use relativity_render::Gaze;
@@ -163,13 +163,7 @@ fn made(answer: Answer, confidence: Option<Confidence>) -> Outcome {
 }
 
 fn is_running(window: &Harness<'_, App>) -> bool {
-    window
-        .state()
-        .state()
-        .session
-        .lesson
-        .as_ref()
-        .is_some_and(gamow::app::lesson::session::Running::is_running)
+    window.state().state().session.lesson.as_ref().is_some_and(gamow::app::state::lesson::Running::is_running)
 }
 
 fn time(window: &Harness<'_, App>) -> f64 {
@@ -421,7 +415,7 @@ fn a_closed_lesson_keeps_its_answers() {
     assert_eq!((asked.records()[0].outcome.as_ref(), asked.place()), (None, Place::START));
     // The start page goes on with the one that was left last.
     ask(&mut window, LessonCommand::Close);
-    window.state_mut().ask(Command::Toggle(gamow::app::overlay::Overlay::Start));
+    window.state_mut().ask(Command::Toggle(gamow::app::state::overlay::Overlay::Start));
     window.run_steps(2);
     press(&mut window, "Go on: Rods at 0.7 c");
     assert_eq!(course(&window).records()[0].outcome, Some(Outcome::Skipped));

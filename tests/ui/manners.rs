@@ -6,9 +6,9 @@ use clap::ValueEnum as _;
 use eframe::egui::{Key, Modifiers, OutputCommand, Rect, Shape, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::pointer::Pick;
+use gamow::app::commands::Command;
+use gamow::app::shell::App;
+use gamow::app::state::pointer::Pick;
 use gamow::flags::choices::GazeChoice;
 use gamow::settings::PlotTab;
 
@@ -47,7 +47,7 @@ const SIZES: [[f32; 2]; 4] = [[800.0, 600.0], [900.0, 600.0], [1024.0, 600.0], [
 /// A window that says it could not open a file whose path is so long.
 fn with_message(size: [f32; 2], text: &str) -> Harness<'static, App> {
     let mut state = cyclist(0.9);
-    state.scratch.notice = Some(gamow::app::notice::Notice::error(text));
+    state.scratch.notice = Some(gamow::app::state::notice::Notice::error(text));
     window_of_size(state, size, 1.0)
 }
 
@@ -223,7 +223,7 @@ fn points_are_numbered() {
         |window: &Harness<'_, App>| labels(window).iter().filter(|label| *label == "front tyre").count();
     assert!(readout(&window) > 0);
     let track = window.state().state().document.scene.track_on(FRONT_TYRE).expect("a body");
-    let select = gamow::app::pointer::Select { track, body: FRONT_TYRE, add: true };
+    let select = gamow::app::state::pointer::Select { track, body: FRONT_TYRE, add: true };
     window.state_mut().ask(Command::Select(select));
     window.run_ok();
     assert_eq!(readout(&window), 0);
@@ -322,7 +322,7 @@ fn keys_work_beside_a_button() {
     let time = window.state().state().document.time;
     window.key_press(Key::Space);
     window.run_ok();
-    let help = Some(gamow::app::overlay::Overlay::Help);
+    let help = Some(gamow::app::state::overlay::Overlay::Help);
     assert_eq!(window.state().state().session.overlay, help, "space presses the button");
     assert!(!window.state().state().scratch.playing && window.state().state().document.time == time);
 }

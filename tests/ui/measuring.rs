@@ -3,10 +3,10 @@
 use eframe::egui::{Key, Modifiers, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::measuring::stopwatch::Stopwatch;
+use gamow::app::commands::Command;
+use gamow::app::shell::App;
 use gamow::app::state::State;
+use gamow::app::state::measuring::stopwatch::Stopwatch;
 use gamow::eye::Eye;
 use gamow::flags::FieldOfView;
 use gamow::flags::choices::{Compare, GazeChoice, ProjectionChoice};

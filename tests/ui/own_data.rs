@@ -5,8 +5,8 @@ use std::process::Command as Program;
 
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::App;
-use gamow::app::command::Command;
+use gamow::app::commands::Command;
+use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::settings::{FitSettings, MotionSettings, PlotSettings, PlotTab, Presence};
 use gamow::units::Units;

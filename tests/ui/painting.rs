@@ -2,9 +2,10 @@
 
 use eframe::egui::{pos2, vec2};
 use egui_kittest::Harness;
-use gamow::app::command::{Command, Switch};
-use gamow::app::overlay::Overlay;
-use gamow::app::{App, painting};
+use gamow::app::commands::{Command, Switch};
+use gamow::app::shell::App;
+use gamow::app::state::overlay::Overlay;
+use gamow::app::tools::painting;
 use gamow::flags::choices::{Layout, RendererChoice};
 use gamow::settings::{QualitySettings, Theme};
 

@@ -6,11 +6,11 @@ use eframe::egui::{
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::plots::curves::PUBLISHED;
-use gamow::app::plots::look::{MAX_PINS, PlotCommand, Ranges};
+use gamow::app::commands::Command;
+use gamow::app::shell::App;
 use gamow::app::state::State;
+use gamow::app::state::plots::curves::PUBLISHED;
+use gamow::app::state::plots::look::{MAX_PINS, PlotCommand, Ranges};
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::quantity::Quantity;
 use gamow::settings::{Coordinates, PlotSettings, PlotTab};

@@ -3,10 +3,10 @@
 use eframe::egui::{Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::lesson::session::LessonCommand;
+use gamow::app::commands::Command;
+use gamow::app::shell::App;
 use gamow::app::state::State;
+use gamow::app::state::lesson::LessonCommand;
 use gamow::eye::Eye;
 use gamow::lesson::{Answer, Lesson, Outcome, Phase, Place, Record, verdict};
 use gamow::settings::Settings;

@@ -3,10 +3,10 @@
 use eframe::egui::Key;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::App;
-use gamow::app::command::{Command, GazeCommand, Switch};
-use gamow::app::riding::saddle::RideCommand;
+use gamow::app::commands::{Command, GazeCommand, Switch};
+use gamow::app::shell::App;
 use gamow::app::state::State;
+use gamow::app::state::riding::saddle::RideCommand;
 use gamow::settings::{MapFrame, Preset, Riding, Settings};
 use relativity_core::{Baseline, Model, Observer, ObserverVelocity, SourcePoint, Speed};
 
@@ -313,7 +313,7 @@ fn eyes_of_a_turned_head(aside: f64, gamma: f64, ahead: [f64; 2]) -> [f64; 2] {
 
 fn a_typed_speed_is_reached() {
     let mut state = street();
-    state.apply(Command::Ride(gamow::app::riding::saddle::RideCommand::Toggle));
+    state.apply(Command::Ride(gamow::app::state::riding::saddle::RideCommand::Toggle));
     state.apply(Command::TogglePlaying);
     let mut window = window(state);
     type_into(&mut window, "My speed β, typed", "0.6");

@@ -2,7 +2,7 @@
 
 use eframe::egui::Key;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::command::Command;
+use gamow::app::commands::Command;
 use gamow::settings::MotionSettings;
 
 use super::Test;
@@ -49,7 +49,7 @@ fn the_panorama() {
 fn the_outline_is_framed() {
     let mut window = window(cyclist(0.9));
     let half_width = |fov: f64| (0.5 * fov.to_radians()).tan().asinh();
-    let shown = |window: &egui_kittest::Harness<'_, gamow::app::App>| {
+    let shown = |window: &egui_kittest::Harness<'_, gamow::app::shell::App>| {
         window.state().state().look().set_fov().expect("a number")
     };
     let before = half_width(shown(&window));

@@ -4,8 +4,8 @@
 use eframe::egui::{Modifiers, Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::App;
-use gamow::app::command::{Command, Switch};
+use gamow::app::commands::{Command, Switch};
+use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::{

@@ -9,11 +9,11 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Rect, Vec2, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::lesson::session::LessonCommand;
-use gamow::app::overlay::Overlay;
+use gamow::app::commands::Command;
+use gamow::app::shell::App;
 use gamow::app::state::State;
+use gamow::app::state::lesson::LessonCommand;
+use gamow::app::state::overlay::Overlay;
 use gamow::lesson::{Course, Library};
 use gamow::settings::{Preset, Settings, Theme};
 

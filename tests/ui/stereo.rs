@@ -1,7 +1,7 @@
 //! The plot tab "Stereo": where two eyes take the selected point to be, held against the core.
 
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::command::Command;
+use gamow::app::commands::Command;
 use gamow::settings::PlotTab;
 use gamow::units::Units;
 use relativity_core::{Aperture, Baseline, Model, SourcePoint, Speed};

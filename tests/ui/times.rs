@@ -4,8 +4,8 @@
 use eframe::egui::{Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::App;
-use gamow::app::command::Command;
+use gamow::app::commands::Command;
+use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::flags::TimeRange;
 use gamow::lesson::Library;

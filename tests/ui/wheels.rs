@@ -4,8 +4,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use eframe::egui::{Key, Modifiers, vec2};
 use egui_kittest::Harness;
-use gamow::app::App;
-use gamow::app::command::Command;
+use gamow::app::commands::Command;
+use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::points::Point;
 use gamow::eye::Eye;

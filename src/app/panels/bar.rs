@@ -8,12 +8,12 @@ use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText
 use gamow_platform::files;
 
 use super::Commands;
-use crate::app::actions::with_keys;
-use crate::app::command::{Command, Switch};
-use crate::app::file_dialog::purpose::Purpose;
-use crate::app::files::recent::file_name;
-use crate::app::overlay::Overlay;
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, Switch};
 use crate::app::state::State;
+use crate::app::state::files::purpose::Purpose;
+use crate::app::state::files::recent::file_name;
+use crate::app::state::overlay::Overlay;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::{STEREOSCOPE_TIP, explained_lazily};
 use crate::scene::{PRESETS, Scene};

@@ -5,10 +5,10 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{self, CursorIcon, Sense, Stroke, Ui, Vec2, vec2};
 
 use super::Commands;
-use crate::app::border::Border;
-use crate::app::command::Command;
-use crate::app::screens::stage::WindowPart;
+use crate::app::commands::Command;
 use crate::app::state::State;
+use crate::app::state::stage::WindowPart;
+use crate::app::views::window_layout::border::Border;
 use crate::flags::Share;
 
 /// Size of the dots that show where a border can be grabbed, and from one to the next.

@@ -3,7 +3,7 @@
 use eframe::egui::{Align, Rect, Ui};
 
 use super::Commands;
-use crate::app::command::Command;
+use crate::app::commands::Command;
 use crate::app::state::State;
 use crate::app::widgets::strip_button;
 use crate::comfort::ComfortVerdict;

@@ -6,12 +6,12 @@ use eframe::egui::{
 };
 
 use super::Commands;
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
-use crate::app::notice::Notice;
+use crate::app::commands::Command;
+use crate::app::commands::actions::with_keys;
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::state::notice::Notice;
 use crate::app::widgets::icons::{self, Icon};
+use crate::app::widgets::theme;
 
 /// The widest message and the least height of one, at the usual scale of writing, and what is around its text; points.
 const WIDEST: f32 = 640.0;

@@ -6,12 +6,12 @@ use eframe::egui::{
 };
 
 use super::Commands;
-use crate::app::actions::ACTIONS;
-use crate::app::command::Command;
-use crate::app::lesson::session::LessonCommand;
-use crate::app::overlay::Overlay;
-use crate::app::pointer::Select;
+use crate::app::commands::Command;
+use crate::app::commands::actions::ACTIONS;
 use crate::app::state::State;
+use crate::app::state::lesson::LessonCommand;
+use crate::app::state::overlay::Overlay;
+use crate::app::state::pointer::Select;
 use crate::settings::{About, Preset, Settings, about_all};
 
 /// Width, and the greatest height of the list, points.

@@ -4,8 +4,8 @@ use eframe::egui::{Align2, Context, Spinner, Window};
 use gamow_platform::files;
 
 use super::Commands;
-use crate::app::command::Command;
-use crate::app::files::reader::Reader;
+use crate::app::commands::Command;
+use crate::app::state::files::reader::Reader;
 
 /// Above the lower edge of the window, points: above what is being saved.
 const ABOVE: f32 = 130.0;

@@ -7,11 +7,11 @@ use relativity_core::{
 use relativity_render::{Velocity, colour};
 
 use super::Commands;
-use crate::app::command::Command;
+use crate::app::commands::Command;
 use crate::app::state::State;
 use crate::app::state::points::Point;
-use crate::app::theme;
-use crate::app::views::on_wheel::{OnWheel, angle_text};
+use crate::app::state::queries::on_wheel::{OnWheel, angle_text};
+use crate::app::widgets::theme;
 use crate::app::widgets::{dot, named_text};
 use crate::caption::times::TimeName;
 use crate::eye::Eye;

@@ -3,8 +3,8 @@
 use eframe::egui::{Align2, Context, Label, ProgressBar, Window};
 
 use super::Commands;
-use crate::app::command::Command;
-use crate::app::saving::{Progress, Saver};
+use crate::app::commands::Command;
+use crate::app::commands::saving::{Progress, Saver};
 use crate::number_text;
 
 const WIDTH: f32 = 300.0;

@@ -10,13 +10,13 @@ use eframe::egui::{
 };
 
 use super::Commands;
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
+use crate::app::commands::Command;
+use crate::app::commands::actions::with_keys;
 use crate::app::state::State;
-use crate::app::theme;
 use crate::app::widgets;
 use crate::app::widgets::apart::{Span, apart};
 use crate::app::widgets::icons::{self, Icon};
+use crate::app::widgets::theme;
 use crate::flags::{MAX_TIME, TimeRange};
 use crate::settings::{PlaybackSettings, RATE, about};
 use crate::units::Unit;

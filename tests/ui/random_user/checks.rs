@@ -2,7 +2,7 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Pos2, Rect, Shape};
-use gamow::app::command::Command;
+use gamow::app::commands::Command;
 use gamow::app::state::State;
 use gamow::settings::Settings;
 

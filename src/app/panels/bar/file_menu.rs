@@ -2,12 +2,12 @@
 
 use eframe::egui::{Button, Ui};
 
-use crate::app::actions::keys_of;
-use crate::app::command::Command;
-use crate::app::file_dialog::purpose::{Product, Purpose};
-use crate::app::orders::Copied;
+use crate::app::commands::Command;
+use crate::app::commands::actions::keys_of;
 use crate::app::panels::Commands;
 use crate::app::state::State;
+use crate::app::state::files::purpose::{Product, Purpose};
+use crate::app::state::orders::Copied;
 use crate::scene::is_model;
 use crate::settings::PlotTab;
 

@@ -2,8 +2,8 @@
 
 use eframe::egui::{Button, ComboBox, RichText, Ui};
 
-use crate::app::actions::with_keys;
-use crate::app::command::{Command, Switch};
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, Switch};
 use crate::app::state::State;
 use crate::app::widgets::{explained_lazily, row};
 use crate::flags::choices::Compare;

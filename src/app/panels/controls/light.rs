@@ -6,7 +6,7 @@ use relativity_core::doppler::{
 };
 use relativity_render::{Colour, Shading, StreetColours};
 
-use crate::app::command::Command;
+use crate::app::commands::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, choice_of, row};

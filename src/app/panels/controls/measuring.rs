@@ -2,12 +2,12 @@
 
 use eframe::egui::{Checkbox, Ui};
 
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
-use crate::app::measuring::angle_ruler::{AngleRuler, RulerCommand};
-use crate::app::measuring::stopwatch::{Stopwatch, StopwatchCommand, TIP};
+use crate::app::commands::Command;
+use crate::app::commands::actions::with_keys;
 use crate::app::panels::Commands;
 use crate::app::state::State;
+use crate::app::state::measuring::angle_ruler::{AngleRuler, RulerCommand};
+use crate::app::state::measuring::stopwatch::{Stopwatch, StopwatchCommand, TIP};
 use crate::app::widgets::row;
 use crate::settings::about;
 

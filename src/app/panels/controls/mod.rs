@@ -14,13 +14,13 @@ use eframe::egui::{self, ComboBox, RichText, ScrollArea, Ui};
 use relativity_render::Geometry;
 
 use super::Commands;
-use crate::app::actions::with_keys;
-use crate::app::command::{Command, GazeCommand, Switch};
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, GazeCommand, Switch};
 use crate::app::state::State;
 use crate::app::state::defaults::Section;
-use crate::app::theme;
 use crate::app::views::dial;
 use crate::app::views::layouts::{self, LAYOUTS};
+use crate::app::widgets::theme;
 use crate::app::widgets::{Edit, NumberRow, choice, choice_of, explained_lazily, row, section};
 use crate::flags::FieldOfView;
 use crate::flags::choices::GazeChoice;

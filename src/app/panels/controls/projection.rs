@@ -4,8 +4,8 @@ use std::ops::RangeInclusive;
 
 use eframe::egui::Ui;
 
-use crate::app::actions::with_keys;
-use crate::app::command::{Command, Switch};
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, Switch};
 use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, choice_of, row};
 use crate::flags::choices::{ProjectionChoice, ZeroParallax};

@@ -3,7 +3,7 @@
 use eframe::egui::{Checkbox, RichText, Ui};
 use gamow_platform::threads;
 
-use crate::app::command::Command;
+use crate::app::commands::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, named_text, row};

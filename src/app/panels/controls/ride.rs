@@ -2,11 +2,11 @@
 
 use eframe::egui::{Id, RichText, Ui};
 
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
+use crate::app::commands::Command;
+use crate::app::commands::actions::with_keys;
 use crate::app::panels::Commands;
-use crate::app::riding::saddle::RideCommand;
 use crate::app::state::State;
+use crate::app::state::riding::saddle::RideCommand;
 use crate::app::widgets::{NumberRow, row, typed_text};
 use crate::flags::{RideLegs, StreetVelocity};
 use crate::number_text;

@@ -2,11 +2,11 @@
 
 use eframe::egui::{Button, Ui};
 
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
+use crate::app::commands::Command;
+use crate::app::commands::actions::with_keys;
 use crate::app::panels::Commands;
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::widgets::theme;
 use crate::app::widgets::{STEREOSCOPE_TIP, dot, named_text, number, row};
 use crate::flags::{SCREEN_CM, ScreenWidth};
 use crate::number_text;

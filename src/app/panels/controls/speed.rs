@@ -4,8 +4,8 @@ use eframe::egui::{
     self, Align, Align2, FontId, Label, Layout, Rect, RichText, Sense, Slider, TextStyle, Ui, vec2,
 };
 
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
+use crate::app::commands::Command;
+use crate::app::commands::actions::with_keys;
 use crate::app::widgets::{self, DOUBLE_CLICK};
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::number_text;

@@ -4,7 +4,7 @@
 use eframe::egui::Ui;
 
 use super::{projection, screen};
-use crate::app::command::Command;
+use crate::app::commands::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::{NumberRow, choice_of, row};

@@ -9,10 +9,10 @@ use eframe::egui::{
 };
 
 use super::Commands;
-use crate::app::actions::{ACTIONS, keys_of};
-use crate::app::command::Command;
-use crate::app::overlay::Overlay;
+use crate::app::commands::Command;
+use crate::app::commands::actions::{ACTIONS, keys_of};
 use crate::app::state::State;
+use crate::app::state::overlay::Overlay;
 use crate::app::widgets::markdown;
 use crate::settings::about_all;
 use words::{GLOSSARY, OWN_LICENCE, PAPER, PAPER_ADDRESS, WHAT};

@@ -4,12 +4,12 @@ use eframe::egui::{TextStyle, Ui};
 
 use super::asked::ask;
 use super::cards;
-use crate::app::command::Command;
-use crate::app::file_dialog::purpose::{Product, Purpose};
-use crate::app::lesson::session::{LessonCommand, Running};
-use crate::app::overlay::Overlay;
+use crate::app::commands::Command;
 use crate::app::panels::Commands;
-use crate::app::theme;
+use crate::app::state::files::purpose::{Product, Purpose};
+use crate::app::state::lesson::{LessonCommand, Running};
+use crate::app::state::overlay::Overlay;
+use crate::app::widgets::theme;
 use crate::lesson::{Course, Place, Score};
 
 /// The pages to print: each button's name, and its page.

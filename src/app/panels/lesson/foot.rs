@@ -3,12 +3,12 @@
 use eframe::egui::{Align, Button, Layout, RichText, Ui, vec2};
 
 use super::asked::ask;
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
-use crate::app::lesson::session::{LessonCommand, Running};
-use crate::app::overlay::Overlay;
+use crate::app::commands::Command;
+use crate::app::commands::actions::with_keys;
 use crate::app::panels::Commands;
 use crate::app::state::State;
+use crate::app::state::lesson::{LessonCommand, Running};
+use crate::app::state::overlay::Overlay;
 use crate::lesson::{Answer, AnswerKind, Course};
 
 /// Least width and height of the button that leads on.

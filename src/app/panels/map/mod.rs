@@ -11,7 +11,7 @@ mod times;
 use eframe::egui::{Rect, RichText, Ui, UiBuilder, vec2};
 
 use super::Commands;
-use crate::app::command::Command;
+use crate::app::commands::Command;
 use crate::app::state::State;
 use crate::app::widgets::{choice, explained_lazily};
 use crate::caption::capitalised;

@@ -7,10 +7,10 @@ use relativity_core::math;
 
 use super::axes::time_at_pointer;
 use super::chart::TimePlot;
-use crate::app::command::Command;
+use crate::app::commands::Command;
 use crate::app::panels::Commands;
-use crate::app::plots::look::{PlotCommand, Ranges};
 use crate::app::state::State;
+use crate::app::state::plots::look::{PlotCommand, Ranges};
 
 /// Scrolling by this much is one step of the zoom; by a line of a wheel it is that too. Points.
 const NOTCH: f32 = 40.0;

@@ -2,13 +2,13 @@
 
 use eframe::egui::{Color32, TextStyle, Ui, vec2};
 
-use crate::app::command::Command;
+use crate::app::commands::Command;
 use crate::app::panels::Commands;
-use crate::app::plots::look::{self, PlotCommand};
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::state::plots::look::{self, PlotCommand};
 use crate::app::widgets::dot;
 use crate::app::widgets::icons::{self, Icon};
+use crate::app::widgets::theme;
 
 /// The followed points: a click selects one, a cross removes it.
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {

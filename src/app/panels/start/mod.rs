@@ -13,13 +13,13 @@ use gamow_platform::messages;
 
 use self::card::{Card, Cards};
 use super::Commands;
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
-use crate::app::lesson::session::LessonCommand;
-use crate::app::overlay::Overlay;
+use crate::app::commands::Command;
+use crate::app::commands::actions::with_keys;
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::state::lesson::LessonCommand;
+use crate::app::state::overlay::Overlay;
 use crate::app::views::thumbnails::Thumbnails;
+use crate::app::widgets::theme;
 use crate::lesson::{Lesson, Refused};
 use crate::settings::Preset;
 

@@ -3,11 +3,11 @@
 use eframe::egui::{self, CursorIcon, Event, EventFilter, Key, Response, Sense, Ui};
 use relativity_core::math;
 
-use crate::app::command::{Command, GazeCommand, LOOK_STEP};
-use crate::app::measuring::angle_ruler::{Lay, RulerCommand};
+use crate::app::commands::{Command, GazeCommand, LOOK_STEP};
 use crate::app::panels::Commands;
-use crate::app::pointer::{Pick, Turn, Zoom};
 use crate::app::state::State;
+use crate::app::state::measuring::angle_ruler::{Lay, RulerCommand};
+use crate::app::state::pointer::{Pick, Turn, Zoom};
 use crate::app::views::panes::EyePane;
 
 /// Zoom per point of scrolling.

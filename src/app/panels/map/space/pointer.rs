@@ -5,10 +5,10 @@ use glam::DVec3;
 
 use super::light::ChartLight;
 use super::sheet::{SpaceSheet, colour};
-use crate::app::command::Command;
+use crate::app::commands::Command;
 use crate::app::panels::Commands;
-use crate::app::pointer::Select;
 use crate::app::state::State;
+use crate::app::state::pointer::Select;
 use crate::eye::Eye;
 use crate::map::{BodyPicture, MapInstant, Nearest, OutlineLines, PointWorldline};
 use crate::quantity::Quantity;

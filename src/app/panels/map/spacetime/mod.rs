@@ -17,7 +17,7 @@ use self::sheet::{DiagramSheet, HANDLE, NEAR};
 use super::axes::{self, AxisQuantity};
 use super::canvas;
 use super::labels::LabelPlaces;
-use crate::app::command::Command;
+use crate::app::commands::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::points::Point;

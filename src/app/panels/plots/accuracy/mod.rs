@@ -12,7 +12,7 @@ use eframe::egui::{Checkbox, Label, Rect, RichText, ScrollArea, Sense, Ui, pos2,
 use gamow_platform::threads;
 
 use super::split::{part, table_and_plots};
-use crate::app::command::Command;
+use crate::app::commands::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::views::examination::Examination;

@@ -9,12 +9,12 @@ use relativity_core::{Curves, Model, PublishedVariant};
 
 pub(super) use self::export::{csv, panels};
 use super::split::{part, table_and_plots};
-use crate::app::command::Command;
-use crate::app::file_dialog::purpose::{Product, Purpose};
-use crate::app::fitting::Fitting;
+use crate::app::commands::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::state::files::purpose::{Product, Purpose};
+use crate::app::state::fitting::Fitting;
+use crate::app::widgets::theme;
 use crate::app::widgets::{end_of_range, explained_lazily, fitted, number};
 use crate::flags::TimeRange;
 use crate::settings::{DataFrom, FIT_SAMPLES, FitSettings, MAX_SEED, NOISE_PERCENT, about, meaning};
