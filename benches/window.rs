@@ -43,12 +43,12 @@ fn main() {
 /// The same street from a bicycle at 0.9 c.
 fn riding() -> State {
     let mut state = State::new(Settings::default(), Scene::default());
-    state.apply(Command::Ride(RideCommand::Toggle));
+    state.run(Command::Ride(RideCommand::Toggle));
     let mut settings = Settings::clone(&state.document.settings);
     settings.ride.ride_speed = "0.9".parse().expect("a velocity");
     settings.window.map = Presence::Off;
-    state.apply(Command::Ride(RideCommand::Set(settings.ride.clone())));
-    state.apply(Command::Window(settings.window));
+    state.run(Command::Ride(RideCommand::Set(settings.ride.clone())));
+    state.run(Command::Window(settings.window));
     state
 }
 
@@ -133,7 +133,7 @@ impl Shown {
     /// Draws the next frame, as the toolkit does.
     fn draw(&mut self) {
         self.frame += 1;
-        self.app.ask(Command::Time(f64::from(self.frame % 200) / 20.0));
+        self.app.run(Command::Time(f64::from(self.frame % 200) / 20.0));
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(Pos2::ZERO, SIZE.map(|side| side as f32).into())),
             time: Some(f64::from(self.frame) / 60.0),

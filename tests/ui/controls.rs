@@ -99,7 +99,7 @@ fn a_decimal_comma_is_typed() {
         (0.75, 2.25, 0.5)
     );
     assert_eq!(state.document.settings.motion.depth_shift, 1.5);
-    window.state_mut().ask(Command::Plots(PlotSettings { plot: PlotTab::Fit, ..PlotSettings::default() }));
+    window.state_mut().run(Command::Plots(PlotSettings { plot: PlotTab::Fit, ..PlotSettings::default() }));
     window.run();
     type_into(&mut window, "Noise", "2,5");
     assert_eq!(window.state().state().document.settings.fit.noise_percent, 2.5);

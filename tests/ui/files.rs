@@ -38,7 +38,7 @@ fn file(folder: &Path, name: &str, text: &str) -> PathBuf {
 }
 
 fn ask(window: &mut Harness<'_, App>, command: Command) {
-    window.state_mut().ask(command);
+    window.state_mut().run(command);
     window.run();
 }
 
@@ -166,7 +166,7 @@ fn the_last_of_two_files_is_shown() {
     let balls = file(folder.path(), "balls.toml", BALLS);
     let mut window = window(cyclist(0.9));
     let before = window.state().state().clone();
-    window.state_mut().ask(Command::Open(large.clone()));
+    window.state_mut().run(Command::Open(large.clone()));
     // Nothing waits for it, and nothing has changed.
     assert!(window.state().is_reading() && *window.state().state() == before);
     open(&mut window, &balls);
@@ -177,11 +177,11 @@ fn the_last_of_two_files_is_shown() {
     // Given up before it is read, or when it is read and not shown yet: it is not shown then.
     for is_read in [false, true] {
         let wakes = Wakes::of(&window);
-        window.state_mut().ask(Command::Open(balls.clone()));
+        window.state_mut().run(Command::Open(balls.clone()));
         if is_read {
             wakes.next("it is read");
         }
-        window.state_mut().ask(Command::StopReading);
+        window.state_mut().run(Command::StopReading);
         wait_for_file(&mut window);
         assert_eq!(scene_name(&window), "Large");
     }

@@ -76,7 +76,7 @@ impl Pair {
     }
 
     fn asks(&mut self, command: &Command) {
-        self.does(&format!("{command:?}"), 2, |window| window.state_mut().ask(command.clone()));
+        self.does(&format!("{command:?}"), 2, |window| window.state_mut().run(command.clone()));
     }
 }
 

@@ -28,7 +28,7 @@ fn phone(state: State) -> Harness<'static, App> {
 
 fn the_first_prediction() {
     let mut window = phone(State::open(Settings::default()).expect("usual settings"));
-    window.state_mut().ask(Command::Toggle(Overlay::Start));
+    window.state_mut().run(Command::Toggle(Overlay::Start));
     window.run_steps(2);
     let first = Library::own().all().iter().find(|lesson| !lesson.is_a_preset()).cloned();
     let first = first.expect("there are lessons");

@@ -202,11 +202,11 @@ fn marker_and_surface_agree() {
                 // At rest the eyes are gamma d apart; like this the scene stays between them.
                 motion.d /= gamma;
             }
-            state.apply(Command::Motion(motion));
-            state.apply(Command::Geometry(geometry));
+            state.run(Command::Motion(motion));
+            state.run(Command::Geometry(geometry));
             // Where each geometry has the scene in front of the eyes.
             let is_seen = matches!(geometry, Geometry::Seen | Geometry::OneCone);
-            state.apply(Command::Time(if is_seen { 0.4 } else { 0.0 }));
+            state.run(Command::Time(if is_seen { 0.4 } else { 0.0 }));
             let mut worst = 0.0f64;
             let mut checked = 0;
             for eye in Eye::BOTH {
@@ -222,7 +222,7 @@ fn marker_and_surface_agree() {
                         continue; // An edge runs through this pixel.
                     }
                     let mut picked = state.clone();
-                    picked.apply(Command::Pick(Pick {
+                    picked.run(Command::Pick(Pick {
                         eye,
                         is_second: false,
                         pixel: centre,

@@ -27,7 +27,7 @@ fn the_ruler_is_there() {
     assert!(!is_there(&labels(&window)));
     window.key_press(Key::V);
     let motion = window.state().state().document.settings.motion;
-    window.state_mut().ask(Command::Motion(MotionSettings { roll: 10.0, ..motion }));
+    window.state_mut().run(Command::Motion(MotionSettings { roll: 10.0, ..motion }));
     window.run();
     assert!(!is_there(&labels(&window)));
 }

@@ -29,7 +29,7 @@ const READINGS: f32 = 0.125;
 /// A window that is presented.
 fn presented(state: State, size: [f32; 2]) -> Harness<'static, App> {
     let mut window = window_without_pictures(state, size);
-    window.state_mut().ask(Command::TogglePresenting);
+    window.state_mut().run(Command::TogglePresenting);
     window.run_steps(4);
     window
 }
@@ -100,7 +100,7 @@ fn every_word_is_read() {
             }
             window.key_press(Key::PageDown);
             window.run_steps(2);
-            window.state_mut().ask(Command::Lesson(LessonCommand::Observe(1)));
+            window.state_mut().run(Command::Lesson(LessonCommand::Observe(1)));
             window.run_steps(6);
         }
     }

@@ -29,7 +29,7 @@ pub enum GazeCommand {
 }
 
 impl State {
-    pub(in crate::app) fn apply_to_gaze(&mut self, command: GazeCommand) {
+    pub(in crate::app) fn perform_gaze(&mut self, command: GazeCommand) {
         match command {
             GazeCommand::Turn(turn) => self.turn(turn),
             GazeCommand::Zoom(zoom) => self.zoom(zoom),

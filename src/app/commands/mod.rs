@@ -208,16 +208,16 @@ impl State {
         let settings = &mut self.document.settings;
         match command {
             Command::Motion(motion) => settings.motion = motion,
-            Command::Ride(command) => self.apply_to_ride(command),
+            Command::Ride(command) => self.perform_ride(command),
             Command::Look(look) => settings.look = look,
             Command::Picture(picture) => settings.picture = picture,
             Command::Value { name, value } => self.set_by_name(name, &value),
-            Command::Switch(switch) => self.apply_switch(switch),
+            Command::Switch(switch) => self.perform_switch(switch),
             Command::Light(light) => self.set_light(light),
             Command::Quality(quality) => settings.quality = quality,
             Command::Playback(playback) => settings.playback = playback,
             Command::Plots(plots) => settings.plots = plots,
-            Command::Plotting(command) => self.apply_to_plots(command),
+            Command::Plotting(command) => self.perform_plots(command),
             Command::Map(map) => self.set_map(map),
             Command::MapView(viewpoint) => self.scratch.map_view = viewpoint,
             Command::Fit(fit) => settings.fit = fit,
@@ -230,11 +230,11 @@ impl State {
             Command::TogglePlaying => self.toggle_playing(),
             Command::NudgeSpeed(steps) => settings.motion.speed = settings.motion.speed.nudged(steps),
             Command::Geometry(geometry) => settings.look.geometry = geometry,
-            Command::Gaze(command) => self.apply_to_gaze(command),
+            Command::Gaze(command) => self.perform_gaze(command),
             Command::Pick(pick) => self.of_picture(pick.is_second, |state| state.pick(pick)),
             Command::Select(Select { track, body, add }) => self.document.points.choose(track, body, add),
-            Command::Ruler(command) => self.apply_to_ruler(command),
-            Command::Stopwatch(command) => self.apply_to_stopwatch(command),
+            Command::Ruler(command) => self.perform_ruler(command),
+            Command::Stopwatch(command) => self.perform_stopwatch(command),
             Command::FollowNext(steps) => self.follow_next(steps),
             Command::SelectPoint(index) => self.document.points.select(index),
             Command::RemovePoint(index) => self.document.points.remove(index),
@@ -243,7 +243,7 @@ impl State {
             Command::ShowNext(steps) => self.show_next(steps),
             Command::Open(_) | Command::OpenData(_) | Command::Reload(_) => self.read_and_show(&command),
             Command::ShowFile(file) => self.show_file(*file),
-            Command::Lesson(command) => self.apply_to_lesson(command),
+            Command::Lesson(command) => self.perform_lesson(command),
             Command::Choose(purpose) => self.scratch.chooser = Some(purpose),
             // Not done here, but by who goes through the steps or reads.
             Command::Undo | Command::Redo | Command::StopReading => {}
@@ -278,7 +278,7 @@ impl State {
     fn show_next(&mut self, steps: i32) {
         if self.session.lesson.is_some() {
             let command = if steps > 0 { LessonCommand::Forward } else { LessonCommand::Back };
-            self.apply_to_lesson(command);
+            self.perform_lesson(command);
         } else if let Some(preset) = next_to_show(self.document.preset, steps) {
             self.perform(Command::State(preset));
         }

@@ -7,7 +7,7 @@ use crate::app::state::plots::look::{Pin, PlotCommand};
 
 impl State {
     /// Performs a command of the plots.
-    pub fn apply_to_plots(&mut self, command: PlotCommand) {
+    pub fn perform_plots(&mut self, command: PlotCommand) {
         let (point, now) = (*self.document.points.selected(), self.document.time);
         let pin = Pin { point, seen: self.seen_point(&point) };
         let plotting = &mut self.scratch.plotting;

@@ -4,8 +4,8 @@ use crate::app::state::State;
 use crate::app::state::measuring::angle_ruler::{AngleRuler, Laid, RulerCommand, laid};
 
 impl State {
-    /// Applies a command about the ruler.
-    pub(in crate::app) fn apply_to_ruler(&mut self, command: RulerCommand) {
+    /// Performs a command about the ruler.
+    pub(in crate::app) fn perform_ruler(&mut self, command: RulerCommand) {
         self.scratch.angle_ruler = match (command, self.scratch.angle_ruler) {
             (RulerCommand::Toggle, AngleRuler::Off) => AngleRuler::Armed,
             (RulerCommand::Toggle, _) => AngleRuler::Off,
@@ -40,7 +40,7 @@ mod tests {
     }
 
     fn lay(state: &mut State, ends: [[f64; 2]; 2]) -> Laid {
-        state.apply_to_ruler(RulerCommand::Lay(Lay { eye: Eye::Left, is_second: false, ends, size: SIZE }));
+        state.perform_ruler(RulerCommand::Lay(Lay { eye: Eye::Left, is_second: false, ends, size: SIZE }));
         let AngleRuler::Laid(laid) = state.scratch.angle_ruler else { panic!("it is laid") };
         laid
     }
@@ -73,17 +73,17 @@ mod tests {
     #[test]
     fn a_toggle_arms_it_and_takes_it_away() {
         let mut state = state(ProjectionChoice::Mercator);
-        state.apply_to_ruler(RulerCommand::Toggle);
+        state.perform_ruler(RulerCommand::Toggle);
         assert!(state.scratch.angle_ruler.takes_drags());
         // A press without a movement lays none.
         let still = Lay { eye: Eye::Left, is_second: false, ends: [[5.0, 5.0]; 2], size: SIZE };
-        state.apply_to_ruler(RulerCommand::Lay(still));
+        state.perform_ruler(RulerCommand::Lay(still));
         assert_eq!(state.scratch.angle_ruler, AngleRuler::Armed);
         lay(&mut state, [[5.0, 5.0], [6.0, 5.0]]);
         assert!(state.scratch.angle_ruler.takes_drags(), "it is being laid");
-        state.apply_to_ruler(RulerCommand::Settle);
+        state.perform_ruler(RulerCommand::Settle);
         assert!(!state.scratch.angle_ruler.takes_drags());
-        state.apply_to_ruler(RulerCommand::Toggle);
+        state.perform_ruler(RulerCommand::Toggle);
         assert_eq!(state.scratch.angle_ruler, AngleRuler::Off);
     }
 }

@@ -8,8 +8,8 @@ use crate::app::state::points::Point;
 use crate::eye::Eye;
 
 impl State {
-    /// Applies a command about the stopwatch.
-    pub(in crate::app) fn apply_to_stopwatch(&mut self, command: StopwatchCommand) {
+    /// Performs a command about the stopwatch.
+    pub(in crate::app) fn perform_stopwatch(&mut self, command: StopwatchCommand) {
         let now = self.mark();
         self.scratch.stopwatch = match (command, &self.scratch.stopwatch) {
             (StopwatchCommand::Press, Stopwatch::Running(from)) => {

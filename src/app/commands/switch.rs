@@ -27,7 +27,7 @@ pub enum Switch {
 }
 
 impl State {
-    pub(in crate::app) fn apply_switch(&mut self, switch: Switch) {
+    pub(in crate::app) fn perform_switch(&mut self, switch: Switch) {
         let settings = &mut self.document.settings;
         match switch {
             Switch::Projection => settings.look.projection = settings.look.projection.toggled(),

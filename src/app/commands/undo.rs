@@ -1,4 +1,4 @@
-//! Undo and redo: commands are applied as steps.
+//! Undo and redo: commands are run as steps.
 
 use std::path::PathBuf;
 
@@ -17,15 +17,15 @@ impl State {
         self.session.history.hear(input);
     }
 
-    /// Applies a command, so that it can be undone.
-    pub fn apply(&mut self, command: Command) {
+    /// Runs a command, so that it can be undone.
+    pub fn run(&mut self, command: Command) {
         let before = self.course().cloned();
         match command {
             Command::Undo => self.travel(UndoDirection::Back),
             Command::Redo => self.travel(UndoDirection::Forwards),
             // A scene that is written anew is no setting: who writes it has a way back of their own.
             command if self.renews_the_scene(&command) => self.perform(command),
-            command => self.step(command),
+            command => self.record_undo(command),
         }
         self.follow_lesson();
         if let Some(before) = before {
@@ -33,7 +33,8 @@ impl State {
         }
     }
 
-    fn step(&mut self, command: Command) {
+    /// Performs a command, and records what it changed as an undo step.
+    fn record_undo(&mut self, command: Command) {
         if command == Command::Gaze(GazeCommand::WholeAgain)
             && let Some(before) = self.session.history.taken_pick()
         {

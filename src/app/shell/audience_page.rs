@@ -64,7 +64,7 @@ impl App {
 
     /// Shows an audience the `words` of the lesson, else those of the preset.
     pub(in crate::app) fn show_words(&mut self, ui: &mut Ui, rect: Rect, words: Words<'_>) {
-        self.panel(ui, "words", rect, |ui, state, commands| {
+        self.show_panel(ui, "words", rect, |ui, state, commands| {
             words.show(ui, |ui| match state.session.lesson {
                 Some(_) => panels::lesson::presented::show(ui, state, commands),
                 None => panels::presented::preset(ui, state, words.beside),
@@ -75,7 +75,7 @@ impl App {
     /// Shows the panel `beside` the words for an audience, at `rect`.
     pub(in crate::app) fn beside(&mut self, ui: &mut Ui, beside: Beside, rect: Rect) {
         if beside == Beside::Map {
-            self.panel(ui, "map", rect, panels::map::show_presented);
+            self.show_panel(ui, "map", rect, panels::map::show_presented);
             return;
         }
         if !self.state.shows_sketch() {
@@ -83,7 +83,7 @@ impl App {
         }
         let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
         let plotted = Plotted { curves: &curves, fitting: &fitting, examination: None };
-        self.panel(ui, "plots", rect, |ui, state, commands| {
+        self.show_panel(ui, "plots", rect, |ui, state, commands| {
             panels::plots::show_one(ui, state, plotted, commands);
         });
         (self.curves, self.fitting) = (curves, fitting);

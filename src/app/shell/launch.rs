@@ -226,7 +226,7 @@ mod tests {
         let lesson = Library::own().open("turned").expect("it is there");
         let mut state = started(&keeper, false);
         state.begin_lesson(&lesson).expect("it can be shown");
-        state.apply(Command::Lesson(LessonCommand::Skip));
+        state.run(Command::Lesson(LessonCommand::Skip));
         let left = state.course().expect("a lesson").clone();
         assert_ne!(left.records()[0], Record::default());
         keeper.keep(&state).expect("it is written");

@@ -193,8 +193,8 @@ impl App {
         self.reader.is_busy()
     }
 
-    /// Applies `command` as if the user had given it; a file that it needs is read first, in the background.
-    pub fn ask(&mut self, command: Command) {
+    /// Runs `command` as if the user had given it; a file that it needs is read first, in the background.
+    pub fn run(&mut self, command: Command) {
         if command == Command::StopReading {
             return self.reader.stop();
         }
@@ -203,7 +203,7 @@ impl App {
             self.reader.begin(errand);
             return;
         }
-        self.state.apply(command);
+        self.state.run(command);
         if let Some(keeper) = &self.keeper {
             keeper.note(&mut self.state);
         }
@@ -217,7 +217,7 @@ impl App {
             self.state.document.settings.ride.is_on().then(gamow_platform::controller::sticks).flatten();
         let Some(sticks) = sticks else { return held };
         if let Some(turned) = controller::looked(&sticks, step) {
-            self.ask(Command::Gaze(GazeCommand::Aside(turned)));
+            self.run(Command::Gaze(GazeCommand::Aside(turned)));
         }
         held.or_else(|| controller::pushed(&sticks))
     }
@@ -260,7 +260,7 @@ impl eframe::App for App {
         let pushed = self.pushed(ctx, step);
         self.state.advance(step, pushed.is_some());
         if let Some(direction) = pushed {
-            self.ask(Command::Ride(RideCommand::Push(direction, self.state.frame.step)));
+            self.run(Command::Ride(RideCommand::Push(direction, self.state.frame.step)));
         }
         if self.state.follow_for_comfort(step) {
             ctx.request_repaint();

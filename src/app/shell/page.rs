@@ -22,10 +22,10 @@ impl App {
         if !self.state.session.stage.is_presented() {
             let bar;
             (bar, page) = window_layout::below_bar(area);
-            self.panel(ui, "bar", bar.shrink2(INSET), panels::bar::show);
+            self.show_panel(ui, "bar", bar.shrink2(INSET), panels::bar::show);
         }
         let mut thumbnails = std::mem::take(&mut self.thumbnails);
-        self.panel(ui, "start", page, |ui, state, commands| {
+        self.show_panel(ui, "start", page, |ui, state, commands| {
             panels::start::show(ui, state, &mut thumbnails, commands);
         });
         thumbnails.go_on(ui.ctx());
@@ -58,23 +58,23 @@ impl App {
         self.choose_methods(ui, &layout.panes);
         self.state.frame.shows_map = layout.map.is_some();
         let inset = |rect: Rect| rect.shrink2(INSET);
-        self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
+        self.show_panel(ui, "bar", inset(layout.bar), panels::bar::show);
         if let Some(rect) = layout.lesson {
             self.show_lesson(ui, rect, area);
         }
         if let Some(rect) = layout.controls {
-            self.panel(ui, "controls", inset(rect), panels::controls::show);
+            self.show_panel(ui, "controls", inset(rect), panels::controls::show);
         }
         if let Some(rect) = layout.speed {
-            self.panel(ui, "speed", inset(rect), panels::controls::show_speed);
+            self.show_panel(ui, "speed", inset(rect), panels::controls::show_speed);
         }
-        self.panel(ui, "timeline", inset(layout.timeline), panels::timeline::show);
+        self.show_panel(ui, "timeline", inset(layout.timeline), panels::timeline::show);
         self.titles(ui, &layout);
         for &pane in &layout.panes {
             self.interact(ui, pane);
         }
         if let Some(rect) = layout.map {
-            self.panel(ui, "map", rect, panels::map::show);
+            self.show_panel(ui, "map", rect, panels::map::show);
         }
         let plots_are_shown = layout.plots.is_some() && !self.state.shows_sketch();
         self.update_fit(&ctx, plots_are_shown);
@@ -83,17 +83,17 @@ impl App {
             self.show_plots(ui, rect, plots_are_shown);
         }
         if let Some(rect) = layout.readout {
-            self.panel(ui, "readout", inset(rect), panels::readout::show);
+            self.show_panel(ui, "readout", inset(rect), panels::readout::show);
         }
         self.paint_all(ui, &layout.panes);
         if let Some(rect) = layout.spectrum {
-            self.panel(ui, "spectrum", rect, |ui, state, _| panels::spectrum::show(ui, state));
+            self.show_panel(ui, "spectrum", rect, |ui, state, _| panels::spectrum::show(ui, state));
         }
         if let Some(rect) = layout.sentence {
-            self.panel(ui, "sentence", rect, |ui, state, _| panels::sentence::show(ui, state));
+            self.show_panel(ui, "sentence", rect, |ui, state, _| panels::sentence::show(ui, state));
         }
         for &border in &layout.borders {
-            self.panel(ui, "borders", area, |ui, state, commands| {
+            self.show_panel(ui, "borders", area, |ui, state, commands| {
                 panels::borders::show(ui, state, border, commands);
             });
         }
@@ -107,7 +107,7 @@ impl App {
         let rect = rect.with_max_y(rect.max.y - theme::GAP).with_min_x(rect.min.x + theme::GAP);
         // Beside a panel on the left are the views, which have a margin of their own.
         let rect = rect.with_max_x(rect.max.x.min(area.max.x - theme::GAP));
-        self.panel(ui, "lesson", rect, panels::lesson::show);
+        self.show_panel(ui, "lesson", rect, panels::lesson::show);
     }
 
     /// Shows the plots inside `rect`; where the lesson's plot is drawn in instead, the curves need not be up to date.
@@ -118,7 +118,7 @@ impl App {
         let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
         let examination = self.examination.take();
         let plotted = Plotted { curves: &curves, fitting: &fitting, examination: examination.as_ref() };
-        self.panel(ui, "plots", rect, |ui, state, commands| {
+        self.show_panel(ui, "plots", rect, |ui, state, commands| {
             panels::plots::show(ui, state, plotted, commands);
         });
         (self.curves, self.fitting, self.examination) = (curves, fitting, examination);
@@ -138,7 +138,9 @@ impl App {
         let map = layout.map.map(|rect| (WindowPart::Map, strip(rect)));
         let plots = layout.plots.map(|rect| (WindowPart::Plots, strip(rect)));
         for (part, title) in panes.chain(map).chain(plots).collect::<Vec<_>>() {
-            self.panel(ui, "titles", title, |ui, _, commands| panels::borders::title(ui, part, commands));
+            self.show_panel(ui, "titles", title, |ui, _, commands| {
+                panels::borders::title(ui, part, commands)
+            });
         }
     }
 }

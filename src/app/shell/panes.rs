@@ -50,7 +50,7 @@ impl App {
     pub(in crate::app) fn interact(&mut self, ui: &mut Ui, pane: Pane) {
         for pane in self.eye_panes(ui, &pane).into_iter().filter(EyePane::takes_the_mouse) {
             let name = self.state.name_of_view(pane);
-            self.panel(ui, pane_id(pane), pane.rect, |ui, state, commands| {
+            self.show_panel(ui, pane_id(pane), pane.rect, |ui, state, commands| {
                 panels::views::interact(ui, state, pane, &name, commands);
             });
         }
@@ -65,7 +65,7 @@ impl App {
             .first()
             .and_then(|pane| self.eye_panes(ui, pane).into_iter().find(EyePane::takes_the_mouse));
         if let Some(pane) = first.filter(|_| self.state.scratch.stopwatch != Stopwatch::Hidden) {
-            self.panel(ui, "stopwatch", pane.rect, |ui, state, commands| {
+            self.show_panel(ui, "stopwatch", pane.rect, |ui, state, commands| {
                 panels::stopwatch::show(ui, state, pane, commands);
             });
         }
@@ -79,11 +79,11 @@ impl App {
         let height = theme::text_scale(ui.style()) * theme::TITLE_HEIGHT;
         let strip = Rect::from_min_max(area.min - vec2(0.0, height), area.right_top());
         if panels::panorama::is_offered(&self.state, area) {
-            self.panel(ui, "panorama", strip, |ui, state, commands| {
+            self.show_panel(ui, "panorama", strip, |ui, state, commands| {
                 panels::panorama::offer(ui, state, strip, commands);
             });
         }
-        self.panel(ui, "fusing", strip, |ui, state, commands| {
+        self.show_panel(ui, "fusing", strip, |ui, state, commands| {
             panels::fusing::offer(ui, state, strip, commands);
         });
     }

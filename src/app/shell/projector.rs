@@ -72,14 +72,14 @@ impl App {
             ui.input(|input| input.viewport().close_requested())
         });
         if is_closed {
-            self.apply(ctx, vec![Command::ToggleProjector]);
+            self.run_all(ctx, vec![Command::ToggleProjector]);
         }
     }
 
     /// Has the keys work in a window of its own, too.
     fn read_projector_keys(&mut self, ctx: &Context) {
         let commands = actions::asked(ctx, &self.state).into_iter().filter(|command| !takes(ctx, command));
-        self.apply(ctx, commands.collect());
+        self.run_all(ctx, commands.collect());
     }
 
     /// Shows the views, and a lesson's words with the panel beside them, in the window of this `ui`.

@@ -68,7 +68,7 @@ impl App {
         let cm = (0.1 * f64::from(points.x) / points_per_mm).clamp(*SCREEN_CM.start(), *SCREEN_CM.end());
         let screen =
             ScreenSettings { screen_width: ScreenWidth(Some(cm)), ..self.state.document.settings.screen };
-        self.apply(ui.ctx(), vec![Command::Screen(screen)]);
+        self.run_all(ui.ctx(), vec![Command::Screen(screen)]);
     }
 
     /// Shows the pictures, and the menu or its button over them.
@@ -96,7 +96,7 @@ impl App {
             MenuChoice::Menu => StereoscopePage::Menu,
             MenuChoice::Card => StereoscopePage::Card(CardOutline::new(points_per_mm)),
         };
-        self.apply(ui.ctx(), commands);
+        self.run_all(ui.ctx(), commands);
     }
 
     /// Reads a finger on the pictures: a tap plays or pauses, a drag turns the head.
@@ -106,7 +106,7 @@ impl App {
             if !self.state.scratch.playing && stereoscope.device.is_some() {
                 stereoscope.look_along(self.state.gaze());
             }
-            self.apply(ui.ctx(), vec![Command::TogglePlaying]);
+            self.run_all(ui.ctx(), vec![Command::TogglePlaying]);
         }
         if response.dragged() {
             let per_point = lenses::radians_per_point(pictures.rects[0].width(), pictures.fov);

@@ -22,7 +22,7 @@ const PRESENTED_START_SCALE: f32 = 1.6;
 
 impl App {
     /// Runs `panel` inside `rect` and does what it asks for.
-    pub(in crate::app) fn panel(
+    pub(in crate::app) fn show_panel(
         &mut self,
         ui: &mut Ui,
         name: &str,
@@ -34,17 +34,17 @@ impl App {
             ui.set_clip_rect(rect.expand(2.0).intersect(ui.clip_rect()));
             panel(ui, &self.state, &mut commands);
         });
-        self.apply(ui.ctx(), commands);
+        self.run_all(ui.ctx(), commands);
     }
 
-    pub(in crate::app) fn apply(&mut self, ctx: &egui::Context, commands: Commands) {
+    pub(in crate::app) fn run_all(&mut self, ctx: &egui::Context, commands: Commands) {
         ctx.input(|input| self.state.hear(input));
         if !commands.is_empty() {
             // Panels that were shown before this one show the change in the next frame.
             ctx.request_repaint();
         }
         for command in commands {
-            self.ask(command);
+            self.run(command);
         }
         self.state.renew_looks();
     }
@@ -74,11 +74,11 @@ impl App {
         panels::file_dialog::show(&ctx, &self.state, &mut self.chooser, &mut commands);
         panels::saving::show(&ctx, &self.saver, &mut commands);
         panels::reading::show(&ctx, &self.reader, &mut commands);
-        self.apply(&ctx, commands);
+        self.run_all(&ctx, commands);
         // A file that the user has just given up is not among these.
         let read = self.reader.finished().into_iter().map(|file| Command::ShowFile(Box::new(file)));
         let changed = self.changed_files(&ctx).into_iter().map(Command::Reload);
-        self.apply(&ctx, read.chain(changed).collect());
+        self.run_all(&ctx, read.chain(changed).collect());
         self.set_stage(&ctx);
 
         let area = ui.max_rect();
@@ -149,7 +149,7 @@ impl App {
     pub(in crate::app) fn message(&mut self, ctx: &egui::Context, room: Rect, area: Rect) {
         let mut commands = Commands::new();
         panels::message::show(ctx, &self.state, room, area, &mut commands);
-        self.apply(ctx, commands);
+        self.run_all(ctx, commands);
     }
 
     /// Returns the arrangement of the views' area.

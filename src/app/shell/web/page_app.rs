@@ -57,16 +57,16 @@ impl PageApp {
     /// Shows what another `fragment` of the address asks for.
     pub fn follow(&mut self, fragment: &Fragment) {
         if let Some(link) = fragment.link() {
-            self.app.ask(Command::Open(link));
+            self.app.run(Command::Open(link));
         }
         if let Some(lesson) = &fragment.lesson {
-            self.app.ask(Command::Lesson(LessonCommand::Open(lesson.clone())));
+            self.app.run(Command::Lesson(LessonCommand::Open(lesson.clone())));
         }
         if fragment.presents != self.app.state().session.stage.is_presented() {
-            self.app.ask(Command::TogglePresenting);
+            self.app.run(Command::TogglePresenting);
         }
         if fragment.stereoscope != self.app.state().session.stage.stereoscope {
-            self.app.ask(Command::ToggleStereoscope);
+            self.app.run(Command::ToggleStereoscope);
         }
     }
 
@@ -81,7 +81,7 @@ impl PageApp {
     /// Leaves the stereoscope, whose whole screen the viewer has left.
     pub fn leave_stereoscope(&mut self) {
         if self.app.state().session.stage.stereoscope {
-            self.app.ask(Command::ToggleStereoscope);
+            self.app.run(Command::ToggleStereoscope);
             self.ctx.request_repaint();
         }
     }
