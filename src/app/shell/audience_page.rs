@@ -41,7 +41,7 @@ impl App {
         for &pane in &presentation.panes {
             self.interact(ui, pane);
         }
-        self.state.frame.shows_map = beside == Beside::Map && presentation.plot.is_some();
+        self.state.frame_mut().shows_map = beside == Beside::Map && presentation.plot.is_some();
         if let Some(rect) = presentation.plot {
             self.beside(ui, beside, rect);
         }
@@ -57,7 +57,7 @@ impl App {
 
     /// Tells which words an audience has.
     pub(in crate::app) fn words(&self) -> String {
-        let State { document, session, .. } = &self.state;
+        let State { document, session, .. } = &*self.state;
         let lesson = session.lesson.as_ref().map(panels::lesson::what_is_shown);
         lesson.or_else(|| document.preset.map(|preset| preset.name.to_owned())).unwrap_or_default()
     }

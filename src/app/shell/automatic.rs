@@ -36,7 +36,7 @@ impl App {
             ui.ctx().request_repaint();
         }
         let choice = |(geometry, chosen): &(Geometry, Chosen)| (*geometry, chosen.choice);
-        self.state.frame.choices = self.chosen.iter().map(choice).collect();
+        self.state.frame_mut().choices = self.chosen.iter().map(choice).collect();
     }
 
     /// Returns the method that draws views of this `geometry` in this frame, and whether the reference does so within it.

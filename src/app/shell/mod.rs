@@ -22,6 +22,7 @@ mod stereoscope;
 #[cfg(not(feature = "desktop"))]
 pub mod web;
 mod window;
+mod window_state;
 
 use eframe::egui::{self, Ui};
 use eframe::egui_wgpu::RenderState;
@@ -36,6 +37,7 @@ use crate::app::panels::plots::Plotted;
 use crate::app::shell::full_screen::FullScreen;
 use crate::app::shell::other_screen::Screen;
 use crate::app::shell::persistence::Keeper;
+use crate::app::shell::window_state::WindowState;
 use crate::app::state::State;
 use crate::app::state::files::reader::Reader;
 use crate::app::state::fitting::Fitting;
@@ -54,7 +56,7 @@ use crate::settings::PlotTab;
 
 /// The application: the whole window.
 pub struct App {
-    state: State,
+    state: WindowState,
     curves: Vec<QuantityCurves>,
     fitting: Fitting,
     corrected: Option<Corrected>,
@@ -93,7 +95,7 @@ impl App {
     pub fn new(ctx: &egui::Context, render_state: Option<&RenderState>, state: State) -> Self {
         theme::install(ctx);
         Self {
-            state,
+            state: WindowState::new(state),
             curves: Vec::new(),
             fitting: Fitting::default(),
             corrected: None,
@@ -124,7 +126,7 @@ impl App {
 
     /// Returns the state that the window shows.
     #[must_use]
-    pub const fn state(&self) -> &State {
+    pub fn state(&self) -> &State {
         &self.state
     }
 
@@ -205,7 +207,7 @@ impl App {
         }
         self.state.run(command);
         if let Some(keeper) = &self.keeper {
-            keeper.note(&mut self.state);
+            self.state.note_in(keeper);
         }
     }
 
@@ -254,7 +256,7 @@ impl App {
 impl eframe::App for App {
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
         if let Some(keeper) = &self.keeper {
-            keeper.keep_on(&mut self.state, ctx);
+            self.state.keep_in(keeper, ctx);
         }
         let step = f64::from(ctx.input(|input| input.stable_dt));
         let pushed = self.pushed(ctx, step);

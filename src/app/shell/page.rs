@@ -56,7 +56,7 @@ impl App {
         let layout = if is_asked { layout.without_readout() } else { layout };
         self.measure_pictures(ui, &layout.panes);
         self.choose_methods(ui, &layout.panes);
-        self.state.frame.shows_map = layout.map.is_some();
+        self.state.frame_mut().shows_map = layout.map.is_some();
         let inset = |rect: Rect| rect.shrink2(INSET);
         self.show_panel(ui, "bar", inset(layout.bar), panels::bar::show);
         if let Some(rect) = layout.lesson {

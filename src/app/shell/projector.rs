@@ -113,8 +113,9 @@ impl App {
         self.paint_all(ui, &panes);
         self.forget_composed(&panes);
         std::mem::swap(&mut self.eyes, &mut self.projected);
-        (self.state.frame.picture_size, self.examination) = (size, examination);
-        self.state.frame.choices = choices;
+        self.examination = examination;
+        self.state.frame_mut().picture_size = size;
+        self.state.frame_mut().choices = choices;
         if let Some((words, lesson)) = lesson {
             self.show_projected_lesson(ui, words, &lesson);
         }

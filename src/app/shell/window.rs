@@ -121,7 +121,7 @@ impl App {
 
     /// Has the system and the writing follow what is made of the window, and notes what of its screen counts.
     fn set_stage(&mut self, ctx: &egui::Context) {
-        let State { document, session, .. } = &self.state;
+        let State { document, session, .. } = &*self.state;
         let full_screen = self.full_screen.update(ctx, session.stage.full_screen);
         let scale = match session.stage.is_presented() {
             // Its cards have pictures, and are to be in sight.
@@ -154,7 +154,7 @@ impl App {
 
     /// Returns the arrangement of the views' area.
     pub(in crate::app) fn arranged(&self, ui: &Ui) -> Arrangement {
-        let State { document, frame, .. } = &self.state;
+        let State { document, frame, .. } = &*self.state;
         let cm_per_point = frame.cm_per_pixel * f64::from(ui.pixels_per_point());
         Arrangement::new(&document.settings, cm_per_point, self.text_scale)
     }

@@ -53,8 +53,8 @@ use crate::scene::{Scene, SceneError};
 use crate::settings::Settings;
 use crate::units::Measures;
 
-/// Everything the panels read, each part by how long it lasts. What a user does changes it only through [`crate::app::commands`]. The window
-/// calls functions of the state (as `advance`, `tell`, `hear`), and writes only the frame directly.
+/// Everything the panels read, each part by how long it lasts. What a user does changes it through
+/// [`crate::app::commands`]; that of a running window is in a private field of the shell.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State {
     /// Document that is shown: undone, saved and compared.
