@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Rect, Vec2, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use gamow::app::commands::{Command, Switch};
+use gamow::app::commands::{Command, FileCommand, PlaybackCommand, SettingsCommand, Switch, WindowCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::lesson::LessonCommand;
@@ -284,7 +284,7 @@ fn digits_answer() {
     for is_presented in [false, true] {
         let mut window = window(&lesson(), [1280.0, 800.0]);
         if is_presented {
-            window.state_mut().run(Command::TogglePresenting);
+            window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
             window.run_steps(4);
             // Cards that are held up have letters.
             assert!(["A", "B"].iter().all(|letter| labels(&window).iter().any(|label| label == letter)));
@@ -311,7 +311,7 @@ fn hands_are_typed() {
     for is_presented in [false, true] {
         let mut window = window(&lesson(), [1280.0, 800.0]);
         if is_presented {
-            window.state_mut().run(Command::TogglePresenting);
+            window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
         }
         ask(&mut window, LessonCommand::ToggleClass);
         let geometry = window.state().state().document.settings.geometry();
@@ -352,7 +352,11 @@ fn what_was_explored_is_set_up_again() {
     let mut window = window(&lesson(), [1024.0, 600.0]);
     let told = window.state().state().document.settings.clone();
     assert!(window.query_by_label("Set up again").is_none());
-    for change in [Command::NudgeSpeed(3), Command::Time(3.0), Command::Switch(Switch::Map)] {
+    for change in [
+        Command::Settings(SettingsCommand::NudgeSpeed(3)),
+        Command::Playback(PlaybackCommand::GoTo(3.0)),
+        Command::Settings(SettingsCommand::Switch(Switch::Map)),
+    ] {
         window.state_mut().run(change);
         window.run_steps(2);
         press(&mut window, "Set up again");
@@ -366,7 +370,7 @@ fn what_was_explored_is_set_up_again() {
         press(&mut window, "Next");
     }
     assert_eq!(course(&window).place(), place(1, Phase::Ask));
-    window.state_mut().run(Command::NudgeSpeed(3));
+    window.state_mut().run(Command::Settings(SettingsCommand::NudgeSpeed(3)));
     window.state_mut().run(Command::Undo);
     window.run_steps(2);
     assert_eq!(course(&window).place(), place(1, Phase::Ask));
@@ -415,7 +419,9 @@ fn a_closed_lesson_keeps_its_answers() {
     assert_eq!((asked.records()[0].outcome.as_ref(), asked.place()), (None, Place::START));
     // The start page goes on with the one that was left last.
     ask(&mut window, LessonCommand::Close);
-    window.state_mut().run(Command::Toggle(gamow::app::state::overlay::Overlay::Start));
+    window
+        .state_mut()
+        .run(Command::Window(WindowCommand::Toggle(gamow::app::state::overlay::Overlay::Start)));
     window.run_steps(2);
     press(&mut window, "Go on: Rods at 0.7 c");
     assert_eq!(course(&window).records()[0].outcome, Some(Outcome::Skipped));
@@ -439,7 +445,7 @@ fn a_lesson_written_anew() {
     press(&mut window, "Next");
     let records = course(&window).records().to_vec();
     std::fs::write(&path, LESSON.replace("Light is late.", "Light needs time.")).expect("it is writable");
-    window.state_mut().run(Command::Reload(path));
+    window.state_mut().run(Command::File(FileCommand::Reload(path)));
     wait_for_file(&mut window);
     window.get_by_label("Light needs time.");
     assert_eq!(course(&window).place(), place(0, Phase::Explained));
@@ -453,7 +459,7 @@ fn key(window: &mut Harness<'_, App>, key: Key) {
 
 fn an_audience_is_led_through() {
     let mut window = window(&lesson(), [800.0, 600.0]);
-    window.state_mut().run(Command::TogglePresenting);
+    window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
     window.run_steps(3);
     let text = |window: &Harness<'_, App>, text: &str| labels(window).iter().any(|label| label == text);
     assert!(text(&window, "How long do they look?") && text(&window, "long"));
@@ -639,7 +645,7 @@ fn every_step_before_an_audience() {
     let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());
     for lesson in Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()) {
         let mut window = window(lesson, size);
-        window.state_mut().run(Command::TogglePresenting);
+        window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
         window.run_steps(3);
         walk(&mut window, lesson, |window, name| {
             let words = named(window, 0.0, 800.0);

@@ -5,7 +5,7 @@ use clap::ValueEnum as _;
 use eframe::egui::{Key, Modifiers, Pos2, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::Command;
+use gamow::app::commands::{Command, ShowCommand};
 use gamow::app::shell::App;
 use gamow::eye::Eye;
 use gamow::flags::choices::{Form, Layout};
@@ -72,7 +72,7 @@ fn clicking_in_every_layout() {
     for &layout in Layout::value_variants() {
         for eye in [0, 1] {
             // The scene's own point is selected again.
-            for command in [in_layout(layout), Command::Preset("cyclist")] {
+            for command in [in_layout(layout), Command::Show(ShowCommand::Scene("cyclist"))] {
                 window.state_mut().run(command);
             }
             window.run_steps(3);

@@ -3,7 +3,7 @@
 use eframe::egui::Key;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, GazeCommand, Switch};
+use gamow::app::commands::{Command, GazeCommand, PlaybackCommand, SettingsCommand, Switch};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::riding::saddle::RideCommand;
@@ -26,7 +26,7 @@ pub const TESTS: &[Test] = &[
 
 fn street() -> State {
     let mut state = State::open(Settings::default()).expect("a preset");
-    state.run(Command::Time(0.0));
+    state.run(Command::Playback(PlaybackCommand::GoTo(0.0)));
     state
 }
 
@@ -86,7 +86,7 @@ fn pedals_and_brakes() {
 
     // Each push is a step: the last is taken back, and with it where it led.
     window.state_mut().run(Command::Undo);
-    window.state_mut().run(Command::TogglePlaying);
+    window.state_mut().run(Command::Playback(PlaybackCommand::Toggle));
     assert!(state(&window).rider().velocity.rapidity().abs() < 1e-12);
     window.state_mut().run(Command::Undo);
     assert!(state(&window).rider().velocity.rapidity() > 0.1);
@@ -165,7 +165,7 @@ fn walks() {
     assert!(degrees > 4.0, "{degrees}");
     assert_sane(state(&window));
 
-    window.state_mut().run(Command::TogglePlaying);
+    window.state_mut().run(Command::Playback(PlaybackCommand::Toggle));
     for _ in 0..12 {
         if !state(&window).document.settings.ride.is_straight() {
             window.state_mut().run(Command::Undo);
@@ -177,7 +177,7 @@ fn walks() {
 
 fn a_rider_reads_what_the_core_says() {
     let mut window = window(preset("ride-lamps"));
-    window.state_mut().run(Command::Time(9.0));
+    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(9.0)));
     window.run_steps(2);
     let speed = Speed::from_beta(0.9).expect("a speed");
     let gamma = speed.gamma();
@@ -211,7 +211,7 @@ fn a_rider_reads_what_the_core_says() {
 
 fn a_ride_off_the_street() {
     let mut window = window(preset("ride-lamps"));
-    window.state_mut().run(Command::Time(8.0));
+    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(8.0)));
     let bodies = state(&window).document.scene.bodies.len();
     let along = state(&window).document.settings.ride.clone();
     let aslant = Riding { ride_azimuth: 60.0, ..along.clone() };
@@ -263,7 +263,7 @@ fn the_map_follows_a_ride_aslant() {
     let mut state = preset("ride-lamps");
     let ride = Riding { ride_azimuth: 60.0, ..state.document.settings.ride.clone() };
     state.run(Command::Ride(RideCommand::Set(ride)));
-    state.run(Command::Time(8.0));
+    state.run(Command::Playback(PlaybackCommand::GoTo(8.0)));
     let mut window = wide_window(state);
     window.run_steps(2);
     let gamma = 1.0 / (1.0_f64 - 0.81).sqrt();
@@ -283,8 +283,8 @@ fn the_map_follows_a_ride_aslant() {
         &[(&measured, [x, y]), ("Left eye", eyes_of_a_turned_head(eye, gamma, [cos, sin]))],
     );
 
-    window.state_mut().run(Command::Switch(Switch::Frame));
-    window.state_mut().run(Command::Switch(Switch::Frame));
+    window.state_mut().run(Command::Settings(SettingsCommand::Switch(Switch::Frame)));
+    window.state_mut().run(Command::Settings(SettingsCommand::Switch(Switch::Frame)));
     window.run_steps(2);
     assert_eq!(self::state(&window).document.settings.map_frame(), MapFrame::Rider);
     let ahead = cos * x + sin * y;
@@ -314,14 +314,14 @@ fn eyes_of_a_turned_head(aside: f64, gamma: f64, ahead: [f64; 2]) -> [f64; 2] {
 fn a_typed_speed_is_reached() {
     let mut state = street();
     state.run(Command::Ride(gamow::app::state::riding::saddle::RideCommand::Toggle));
-    state.run(Command::TogglePlaying);
+    state.run(Command::Playback(PlaybackCommand::Toggle));
     let mut window = window(state);
     type_into(&mut window, "My speed β, typed", "0.6");
     assert!(
         (self::state(&window).rider().velocity.beta() - 0.6).abs() < 1e-12,
         "at the start it is had at once"
     );
-    window.state_mut().run(Command::Time(2.0));
+    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(2.0)));
     type_into(&mut window, "My speed β, typed", "gamma:-1.25");
     let ride = &self::state(&window).document.settings.ride;
     let needed = 2.0 * 0.6_f64.atanh() / ride.push;

@@ -9,7 +9,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Rect, Vec2, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use gamow::app::commands::Command;
+use gamow::app::commands::{Command, WindowCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::lesson::LessonCommand;
@@ -294,7 +294,7 @@ fn it_fits() {
         let mut state = newcomers();
         state.document.settings.window.theme = Theme::Light;
         if present {
-            state.run(Command::TogglePresenting);
+            state.run(Command::Window(WindowCommand::TogglePresenting));
         }
         let window = window_of_size(state, size, 1.0);
         let whole = Rect::from_min_size(pos2(0.0, 0.0), Vec2::from(size));

@@ -6,7 +6,10 @@ use relativity_render::Geometry;
 
 use crate::app::commands::digits;
 use crate::app::commands::riding::keys;
-use crate::app::commands::{Command, GazeCommand, LOOK_STEP, Switch};
+use crate::app::commands::{
+    Command, FileCommand, GazeCommand, LOOK_STEP, PlaybackCommand, PointsCommand, SettingsCommand,
+    ShowCommand, Switch, WindowCommand,
+};
 use crate::app::state::State;
 use crate::app::state::files::purpose::{Product, Purpose};
 use crate::app::state::lesson::LessonCommand;
@@ -46,7 +49,7 @@ const fn with_control_and_shift(key: Key) -> KeyboardShortcut {
 }
 
 const fn save(product: Product) -> Command {
-    Command::Choose(Purpose::Save(product))
+    Command::File(FileCommand::Choose(Purpose::Save(product)))
 }
 
 const fn action(name: &'static str, keys: &'static [KeyboardShortcut], command: Command) -> Action {
@@ -60,33 +63,49 @@ pub const ZOOM_STEP: f64 = 0.9;
 pub static ACTIONS: &[Action] = &[
     action("undo the last step", &[with_control(Key::Z)], Command::Undo),
     action("redo what was undone", &[with_control_and_shift(Key::Z), with_control(Key::Y)], Command::Redo),
-    action("reset to the defaults", &[], Command::Reset),
-    action("open a file", &[with_control(Key::O)], Command::Choose(Purpose::Open)),
-    action("play or pause", &[key(Key::Space)], Command::TogglePlaying),
-    action("a step forwards in time", &[key(Key::ArrowRight)], Command::Step(1)),
-    action("a step back in time", &[key(Key::ArrowLeft)], Command::Step(-1)),
-    action("ten steps forwards in time", &[with_shift(Key::ArrowRight)], Command::Step(10)),
-    action("ten steps back in time", &[with_shift(Key::ArrowLeft)], Command::Step(-10)),
-    action("to the start", &[key(Key::Home)], Command::TimeInRange(0.0)),
-    action("to the end", &[key(Key::End)], Command::TimeInRange(1.0)),
-    action("faster", &[key(Key::ArrowUp)], Command::NudgeSpeed(1)),
-    action("slower", &[key(Key::ArrowDown)], Command::NudgeSpeed(-1)),
-    action("much faster", &[with_shift(Key::ArrowUp)], Command::NudgeSpeed(10)),
-    action("much slower", &[with_shift(Key::ArrowDown)], Command::NudgeSpeed(-10)),
+    action("reset to the defaults", &[], Command::Settings(SettingsCommand::Reset)),
+    action("open a file", &[with_control(Key::O)], Command::File(FileCommand::Choose(Purpose::Open))),
+    action("play or pause", &[key(Key::Space)], Command::Playback(PlaybackCommand::Toggle)),
+    action("a step forwards in time", &[key(Key::ArrowRight)], Command::Playback(PlaybackCommand::Step(1))),
+    action("a step back in time", &[key(Key::ArrowLeft)], Command::Playback(PlaybackCommand::Step(-1))),
+    action(
+        "ten steps forwards in time",
+        &[with_shift(Key::ArrowRight)],
+        Command::Playback(PlaybackCommand::Step(10)),
+    ),
+    action(
+        "ten steps back in time",
+        &[with_shift(Key::ArrowLeft)],
+        Command::Playback(PlaybackCommand::Step(-10)),
+    ),
+    action("to the start", &[key(Key::Home)], Command::Playback(PlaybackCommand::GoToPart(0.0))),
+    action("to the end", &[key(Key::End)], Command::Playback(PlaybackCommand::GoToPart(1.0))),
+    action("faster", &[key(Key::ArrowUp)], Command::Settings(SettingsCommand::NudgeSpeed(1))),
+    action("slower", &[key(Key::ArrowDown)], Command::Settings(SettingsCommand::NudgeSpeed(-1))),
+    action("much faster", &[with_shift(Key::ArrowUp)], Command::Settings(SettingsCommand::NudgeSpeed(10))),
+    action("much slower", &[with_shift(Key::ArrowDown)], Command::Settings(SettingsCommand::NudgeSpeed(-10))),
     action("get on the bicycle and ride, or get off", &[key(Key::I)], Command::Ride(RideCommand::Toggle)),
     action("face where you ride", &[with_shift(Key::I)], Command::Ride(RideCommand::Face)),
-    action("as seen", &[key(Key::Num1)], Command::Geometry(Geometry::Seen)),
-    action("contracted only", &[key(Key::Num2)], Command::Geometry(Geometry::Contracted)),
-    action("at rest", &[key(Key::Num3)], Command::Geometry(Geometry::Rest)),
-    action("one light cone for both eyes", &[key(Key::Num4)], Command::Geometry(Geometry::OneCone)),
+    action("as seen", &[key(Key::Num1)], Command::Settings(SettingsCommand::Geometry(Geometry::Seen))),
+    action(
+        "contracted only",
+        &[key(Key::Num2)],
+        Command::Settings(SettingsCommand::Geometry(Geometry::Contracted)),
+    ),
+    action("at rest", &[key(Key::Num3)], Command::Settings(SettingsCommand::Geometry(Geometry::Rest))),
+    action(
+        "one light cone for both eyes",
+        &[key(Key::Num4)],
+        Command::Settings(SettingsCommand::Geometry(Geometry::OneCone)),
+    ),
     action(
         "two pictures of one eye: as seen, contracted, at rest, D²",
         &[key(Key::B)],
-        Command::Switch(Switch::Comparison),
+        Command::Settings(SettingsCommand::Switch(Switch::Comparison)),
     ),
     action("frame: the whole scene in the views", &[key(Key::F)], Command::Gaze(GazeCommand::Whole)),
-    action("follow the next body", &[key(Key::N)], Command::FollowNext(1)),
-    action("follow the body before", &[with_shift(Key::N)], Command::FollowNext(-1)),
+    action("follow the next body", &[key(Key::N)], Command::Points(PointsCommand::FollowNext(1))),
+    action("follow the body before", &[with_shift(Key::N)], Command::Points(PointsCommand::FollowNext(-1))),
     action("zoom in", &[key(Key::Plus), key(Key::Equals)], Command::Gaze(GazeCommand::Magnify(ZOOM_STEP))),
     action("zoom out", &[key(Key::Minus)], Command::Gaze(GazeCommand::Magnify(1.0 / ZOOM_STEP))),
     action("look to the left", &[], Command::Gaze(GazeCommand::Aside([-LOOK_STEP, 0.0]))),
@@ -104,58 +123,94 @@ pub static ACTIONS: &[Action] = &[
         Command::Stopwatch(StopwatchCommand::Press),
     ),
     action("show or hide the stopwatch", &[with_shift(Key::T)], Command::Stopwatch(StopwatchCommand::Toggle)),
-    action("next layout of the two pictures", &[key(Key::L)], Command::Switch(Switch::Layout(1))),
-    action("the layout before", &[with_shift(Key::L)], Command::Switch(Switch::Layout(-1))),
-    action("conformal or camera pictures", &[key(Key::V)], Command::Switch(Switch::Projection)),
+    action(
+        "next layout of the two pictures",
+        &[key(Key::L)],
+        Command::Settings(SettingsCommand::Switch(Switch::Layout(1))),
+    ),
+    action(
+        "the layout before",
+        &[with_shift(Key::L)],
+        Command::Settings(SettingsCommand::Switch(Switch::Layout(-1))),
+    ),
+    action(
+        "conformal or camera pictures",
+        &[key(Key::V)],
+        Command::Settings(SettingsCommand::Switch(Switch::Projection)),
+    ),
     action(
         "the panorama of the whole passage, or two views",
         &[key(Key::U)],
-        Command::Switch(Switch::Panorama),
+        Command::Settings(SettingsCommand::Switch(Switch::Panorama)),
     ),
-    action("few controls, or all", &[], Command::Switch(Switch::Simple)),
+    action("few controls, or all", &[], Command::Settings(SettingsCommand::Switch(Switch::Simple))),
     action(
         "show or hide the resting outline in conformal views",
         &[key(Key::O)],
-        Command::Switch(Switch::Resting),
+        Command::Settings(SettingsCommand::Switch(Switch::Resting)),
     ),
-    action("swap the eyes", &[key(Key::X)], Command::Switch(Switch::Eyes)),
-    action("show or hide the map", &[key(Key::M)], Command::Switch(Switch::Map)),
+    action("swap the eyes", &[key(Key::X)], Command::Settings(SettingsCommand::Switch(Switch::Eyes))),
+    action("show or hide the map", &[key(Key::M)], Command::Settings(SettingsCommand::Switch(Switch::Map))),
     action(
         "draw the map in the ground's or the bicycle's frame",
         &[key(Key::G)],
-        Command::Switch(Switch::Frame),
+        Command::Settings(SettingsCommand::Switch(Switch::Frame)),
     ),
     action(
         "a cursor in the plots at T: the first, the second, none",
         &[key(Key::C)],
-        Command::Plotting(PlotCommand::Cursor(None)),
+        Command::Plots(PlotCommand::Cursor(None)),
     ),
     action(
         "pin the curves of the selected point in the plots",
         &[key(Key::K)],
-        Command::Plotting(PlotCommand::Pin),
+        Command::Plots(PlotCommand::Pin),
     ),
-    action("unpin all curves", &[with_shift(Key::K)], Command::Plotting(PlotCommand::Unpin)),
-    action("the whole of every plot", &[], Command::Plotting(PlotCommand::Whole)),
-    action("the whole screen", &[key(Key::F11)], Command::ToggleFullScreen),
-    action("present: large writing, and no controls", &[key(Key::P)], Command::TogglePresenting),
+    action("unpin all curves", &[with_shift(Key::K)], Command::Plots(PlotCommand::Unpin)),
+    action("the whole of every plot", &[], Command::Plots(PlotCommand::Whole)),
+    action("the whole screen", &[key(Key::F11)], Command::Window(WindowCommand::ToggleFullScreen)),
+    action(
+        "present: large writing, and no controls",
+        &[key(Key::P)],
+        Command::Window(WindowCommand::TogglePresenting),
+    ),
     action(
         "a window for a projector: the views and a lesson's words",
         &[key(Key::W)],
-        Command::ToggleProjector,
+        Command::Window(WindowCommand::ToggleProjector),
     ),
-    action("a stereoscope: a phone in a viewer with two lenses", &[], Command::ToggleStereoscope),
-    action("back in the lesson, or the preset before", &[key(Key::PageUp)], Command::ShowNext(-1)),
-    action("on in the lesson, or the next preset", &[key(Key::PageDown)], Command::ShowNext(1)),
+    action(
+        "a stereoscope: a phone in a viewer with two lenses",
+        &[],
+        Command::Window(WindowCommand::ToggleStereoscope),
+    ),
+    action(
+        "back in the lesson, or the preset before",
+        &[key(Key::PageUp)],
+        Command::Show(ShowCommand::Next(-1)),
+    ),
+    action(
+        "on in the lesson, or the next preset",
+        &[key(Key::PageDown)],
+        Command::Show(ShowCommand::Next(1)),
+    ),
     action("set up the step of the lesson again", &[], Command::Lesson(LessonCommand::SetUp)),
     action("count hands in the lesson, or no longer", &[], Command::Lesson(LessonCommand::ToggleClass)),
     action("fold the lesson, or unfold it", &[], Command::Lesson(LessonCommand::ToggleFolded)),
     action("start the lesson over, without its answers", &[], Command::Lesson(LessonCommand::BeginAnew)),
     action("close the lesson", &[], Command::Lesson(LessonCommand::Close)),
-    action("the start page: lessons and presets", &[key(Key::S)], Command::Toggle(Overlay::Start)),
-    action("find an action by its name", &[with_control(Key::P)], Command::Toggle(Overlay::Palette)),
-    action("fit own data", &[], Command::Choose(Purpose::OpenData)),
-    action("fit simulated data", &[], Command::Simulate),
+    action(
+        "the start page: lessons and presets",
+        &[key(Key::S)],
+        Command::Window(WindowCommand::Toggle(Overlay::Start)),
+    ),
+    action(
+        "find an action by its name",
+        &[with_control(Key::P)],
+        Command::Window(WindowCommand::Toggle(Overlay::Palette)),
+    ),
+    action("fit own data", &[], Command::File(FileCommand::Choose(Purpose::OpenData))),
+    action("fit simulated data", &[], Command::File(FileCommand::Simulate)),
     action("save the picture", &[with_control(Key::S)], save(Product::Picture)),
     action("save the state", &[with_control_and_shift(Key::S)], save(Product::State)),
     action("save the scene of the model", &[], save(Product::Scene)),
@@ -167,14 +222,22 @@ pub static ACTIONS: &[Action] = &[
     action("save the worksheet of the lesson", &[], save(Product::Worksheet)),
     action("save the lab of the lesson", &[], save(Product::LabSheet)),
     action("save the teacher’s page of the lesson", &[], save(Product::TeachersPage)),
-    action("copy the command of this window", &[with_control(Key::C)], Command::Copy(Copied::Command)),
-    action("copy a link to what is shown", &[], Command::Copy(Copied::Link)),
-    action("copy the picture", &[], Command::Copy(Copied::Picture)),
-    action("copy the command of the picture", &[], Command::Copy(Copied::RenderCommand)),
-    action("copy the command of the curves", &[], Command::Copy(Copied::CurveCommand)),
-    action("copy the values at T", &[], Command::Copy(Copied::Values)),
-    action("this help", &[key(Key::Questionmark), key(Key::F1)], Command::Toggle(Overlay::Help)),
-    action("close, leave", &[key(Key::Escape)], Command::Close),
+    action(
+        "copy the command of this window",
+        &[with_control(Key::C)],
+        Command::File(FileCommand::Copy(Copied::Command)),
+    ),
+    action("copy a link to what is shown", &[], Command::File(FileCommand::Copy(Copied::Link))),
+    action("copy the picture", &[], Command::File(FileCommand::Copy(Copied::Picture))),
+    action("copy the command of the picture", &[], Command::File(FileCommand::Copy(Copied::RenderCommand))),
+    action("copy the command of the curves", &[], Command::File(FileCommand::Copy(Copied::CurveCommand))),
+    action("copy the values at T", &[], Command::File(FileCommand::Copy(Copied::Values))),
+    action(
+        "this help",
+        &[key(Key::Questionmark), key(Key::F1)],
+        Command::Window(WindowCommand::Toggle(Overlay::Help)),
+    ),
+    action("close, leave", &[key(Key::Escape)], Command::Window(WindowCommand::Close)),
 ];
 
 impl Action {

@@ -1,6 +1,6 @@
 //! Sets a setting that is given by its name and its value, as they are typed into the palette.
 
-use crate::app::commands::Command;
+use crate::app::commands::{Command, SettingsCommand};
 use crate::app::state::State;
 use crate::app::state::notice::Notice;
 use crate::app::state::riding::saddle::RideCommand;
@@ -39,18 +39,18 @@ fn changes(before: &Settings, settings: Settings) -> impl Iterator<Item = Comman
         window,
     } = settings;
     let changed = [
-        (motion != before.motion, Command::Motion(motion)),
+        (motion != before.motion, Command::Settings(SettingsCommand::Motion(motion))),
         (ride != before.ride, Command::Ride(RideCommand::Set(ride))),
-        (look != before.look, Command::Look(look)),
-        (light != before.light, Command::Light(light)),
-        (quality != before.quality, Command::Quality(quality)),
-        (picture != before.picture, Command::Picture(picture)),
-        (screen != before.screen, Command::Screen(screen)),
-        (playback != before.playback, Command::Playback(playback)),
-        (map != before.map, Command::Map(map)),
-        (plots != before.plots, Command::Plots(plots)),
-        (fit != before.fit, Command::Fit(fit)),
-        (window != before.window, Command::Window(window)),
+        (look != before.look, Command::Settings(SettingsCommand::Look(look))),
+        (light != before.light, Command::Settings(SettingsCommand::Light(light))),
+        (quality != before.quality, Command::Settings(SettingsCommand::Quality(quality))),
+        (picture != before.picture, Command::Settings(SettingsCommand::Picture(picture))),
+        (screen != before.screen, Command::Settings(SettingsCommand::Screen(screen))),
+        (playback != before.playback, Command::Settings(SettingsCommand::Playback(playback))),
+        (map != before.map, Command::Settings(SettingsCommand::Map(map))),
+        (plots != before.plots, Command::Settings(SettingsCommand::Plots(plots))),
+        (fit != before.fit, Command::Settings(SettingsCommand::Fit(fit))),
+        (window != before.window, Command::Settings(SettingsCommand::Window(window))),
     ];
     changed.into_iter().filter_map(|(is_changed, command)| is_changed.then_some(command))
 }

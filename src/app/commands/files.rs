@@ -5,14 +5,60 @@ use std::sync::Arc;
 
 use gamow_platform::files;
 
-use crate::app::commands::Command;
 use crate::app::state::State;
+use crate::app::state::files::purpose::Purpose;
 use crate::app::state::files::reader::{Contents, Errand, ReadFile, ReadyScene, Use};
 use crate::app::state::notice::Notice;
+use crate::app::state::orders::{Copied, Order, Saving};
 use crate::flags::choices::FileKind;
 use crate::settings::{PlotTab, Settings, is_link};
 
+/// A command about files and the clipboard.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FileCommand {
+    /// Shows what is in a file: a scene, settings, or a picture with which settings it was made.
+    Open(PathBuf),
+    /// Fits the measured disparities in a file.
+    OpenData(PathBuf),
+    /// Fits simulated disparities again.
+    Simulate,
+    /// Shows the present contents of a file that is shown.
+    Reload(PathBuf),
+    /// Shows a file that was read.
+    Show(Box<ReadFile>),
+    /// Gives up the file that is being read.
+    StopReading,
+    /// Asks which file to open or to write.
+    Choose(Purpose),
+    /// Writes a file.
+    Save(Saving),
+    /// Copies something to the clipboard.
+    Copy(Copied),
+    /// Gives up what is being saved.
+    StopSaving,
+}
+
 impl State {
+    /// Performs a command about files.
+    pub(super) fn perform_file(&mut self, command: FileCommand) {
+        match command {
+            FileCommand::Open(_) | FileCommand::OpenData(_) | FileCommand::Reload(_) => {
+                self.read_and_show(&command);
+            }
+            FileCommand::Simulate => self.session.data = None,
+            FileCommand::Show(file) => self.show_file(*file),
+            // Who reads gives up.
+            FileCommand::StopReading => {}
+            FileCommand::Choose(purpose) => self.scratch.chooser = Some(purpose),
+            FileCommand::Save(saving) => {
+                self.scratch.chooser = None;
+                self.session.orders.push(Order::Save(saving));
+            }
+            FileCommand::Copy(copied) => self.session.orders.push(Order::Copy(copied)),
+            FileCommand::StopSaving => self.session.orders.push(Order::Stop),
+        }
+    }
+
     /// The files that are shown, which are read again when they change: those of the scene, of
     /// the settings and of the lesson.
     #[must_use]
@@ -24,37 +70,37 @@ impl State {
 
     /// The file that has to be read before `command` can be done.
     #[must_use]
-    pub fn errand(&self, command: &Command) -> Option<Errand> {
+    pub fn errand(&self, command: &FileCommand) -> Option<Errand> {
         let (path, purpose) = match command {
-            Command::Open(path) => (path, Use::Show),
-            Command::OpenData(path) => (path, Use::Fit),
-            Command::Reload(path) if self.scene_file() == Some(path) => (path, Use::RenewScene),
-            Command::Reload(path) if self.document.opened.as_ref() == Some(path) => {
+            FileCommand::Open(path) => (path, Use::Show),
+            FileCommand::OpenData(path) => (path, Use::Fit),
+            FileCommand::Reload(path) if self.scene_file() == Some(path) => (path, Use::RenewScene),
+            FileCommand::Reload(path) if self.document.opened.as_ref() == Some(path) => {
                 (path, Use::RenewSettings)
             }
-            Command::Reload(path) => (path, Use::RenewLesson),
+            FileCommand::Reload(path) => (path, Use::RenewLesson),
             _ => return None,
         };
         Some(Errand { path: path.clone(), purpose, settings: Settings::clone(&self.document.settings) })
     }
 
     /// Whether `command` is about the scene's file, which has changed.
-    pub(in crate::app) fn renews_the_scene(&self, command: &Command) -> bool {
+    pub(super) fn renews_the_scene(&self, command: &FileCommand) -> bool {
         match command {
-            Command::ShowFile(file) => file.purpose == Use::RenewScene,
+            FileCommand::Show(file) => file.purpose == Use::RenewScene,
             command => self.errand(command).is_some_and(|errand| errand.purpose == Use::RenewScene),
         }
     }
 
     /// Reads the file that `command` is about, and shows it: where nothing else is waiting, as without a window.
-    pub(in crate::app) fn read_and_show(&mut self, command: &Command) {
+    fn read_and_show(&mut self, command: &FileCommand) {
         if let Some(errand) = self.errand(command) {
             self.show_file(errand.read());
         }
     }
 
     /// Shows a file that was read. An error becomes a notice, and the picture stays as it is.
-    pub(in crate::app) fn show_file(&mut self, file: ReadFile) {
+    fn show_file(&mut self, file: ReadFile) {
         let ReadFile { path, purpose, contents } = file;
         if !self.still_shows(&path, purpose) {
             return;

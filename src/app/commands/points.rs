@@ -2,9 +2,36 @@
 
 use crate::app::state::State;
 use crate::app::state::notice::Notice;
-use crate::app::state::pointer::Pick;
+use crate::app::state::pointer::{Pick, Select};
+
+/// A command about the followed points.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PointsCommand {
+    /// Selects the point of the scene at a pixel of an eye's picture.
+    Pick(Pick),
+    /// Selects a point of the scene.
+    Choose(Select),
+    /// Follows the body that is this many further in the list, or back.
+    FollowNext(isize),
+    /// Selects the followed point of this number.
+    Select(usize),
+    /// No longer follows the point of this number.
+    Remove(usize),
+}
 
 impl State {
+    /// Performs a command about the followed points.
+    pub(super) fn perform_points(&mut self, command: PointsCommand) {
+        let points = &mut self.document.points;
+        match command {
+            PointsCommand::Pick(pick) => self.of_picture(pick.is_second, |state| state.pick(pick)),
+            PointsCommand::Choose(Select { track, body, add }) => points.choose(track, body, add),
+            PointsCommand::FollowNext(steps) => self.follow_next(steps),
+            PointsCommand::Select(index) => points.select(index),
+            PointsCommand::Remove(index) => points.remove(index),
+        }
+    }
+
     pub(in crate::app) fn pick(&mut self, pick: Pick) {
         if self.predicts_by(&pick) {
             return;

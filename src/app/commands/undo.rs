@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use eframe::egui::InputState;
 
-use crate::app::commands::{Command, GazeCommand};
+use crate::app::commands::{Command, GazeCommand, PointsCommand, SettingsCommand};
 use crate::app::state::State;
 use crate::app::state::history::{Run, UndoDirection, UndoStep};
 use crate::app::state::notice::Notice;
@@ -24,7 +24,7 @@ impl State {
             Command::Undo => self.travel(UndoDirection::Back),
             Command::Redo => self.travel(UndoDirection::Forwards),
             // A scene that is written anew is no setting: who writes it has a way back of their own.
-            command if self.renews_the_scene(&command) => self.perform(command),
+            Command::File(file) if self.renews_the_scene(&file) => self.perform(Command::File(file)),
             command => self.record_undo(command),
         }
         self.follow_lesson();
@@ -43,7 +43,8 @@ impl State {
         if matches!(command, Command::Ride(RideCommand::Push(..))) && self.scratch.saddle.push.is_none() {
             self.session.history.end_run();
         }
-        let (kept, is_pick, time) = (self.kept(), matches!(command, Command::Pick(_)), self.document.time);
+        let (kept, is_pick, time) =
+            (self.kept(), matches!(command, Command::Points(PointsCommand::Pick(_))), self.document.time);
         let run = self.session.history.run(nudge(&command));
         self.perform(command);
         let kept = UndoStep { time: Some(time).filter(|time| *time != self.document.time), ..kept };
@@ -81,7 +82,7 @@ impl State {
 /// The kind of nudge that it is, if it is one.
 const fn nudge(command: &Command) -> Option<Run> {
     match command {
-        Command::NudgeSpeed(_) => Some(Run::Speed),
+        Command::Settings(SettingsCommand::NudgeSpeed(_)) => Some(Run::Speed),
         Command::Ride(RideCommand::Push(..)) => Some(Run::Pedals),
         Command::Gaze(GazeCommand::Zoom(_) | GazeCommand::Magnify(_)) => Some(Run::Zoom),
         _ => None,

@@ -31,7 +31,7 @@ use relativity_render::Geometry;
 use crate::app::commands::file_dialog::Chooser;
 use crate::app::commands::riding::{controller, keys};
 use crate::app::commands::saving::Saver;
-use crate::app::commands::{Command, GazeCommand};
+use crate::app::commands::{Command, FileCommand, GazeCommand};
 use crate::app::panels;
 use crate::app::panels::plots::Plotted;
 use crate::app::shell::full_screen::FullScreen;
@@ -197,13 +197,15 @@ impl App {
 
     /// Runs `command` as if the user had given it; a file that it needs is read first, in the background.
     pub fn run(&mut self, command: Command) {
-        if command == Command::StopReading {
-            return self.reader.stop();
-        }
-        if let Some(errand) = self.state.errand(&command) {
-            self.state.close_chooser();
-            self.reader.begin(errand);
-            return;
+        if let Command::File(file) = &command {
+            if *file == FileCommand::StopReading {
+                return self.reader.stop();
+            }
+            if let Some(errand) = self.state.errand(file) {
+                self.state.close_chooser();
+                self.reader.begin(errand);
+                return;
+            }
         }
         self.state.run(command);
         if let Some(keeper) = &self.keeper {

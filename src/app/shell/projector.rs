@@ -2,8 +2,8 @@
 
 use eframe::egui::{Context, Ui, ViewportBuilder, ViewportClass, ViewportCommand, ViewportId};
 
-use crate::app::commands::Command;
 use crate::app::commands::actions;
+use crate::app::commands::{Command, WindowCommand};
 use crate::app::panels::presented::{self, Words};
 use crate::app::shell::App;
 use crate::app::shell::other_screen::{Screen, other_screen};
@@ -38,8 +38,8 @@ fn window(screen: Screen) -> ViewportBuilder {
 fn takes(ctx: &Context, command: &Command) -> bool {
     let is_full = ctx.input(|input| input.viewport().fullscreen).unwrap_or_default();
     let is_taken = match command {
-        Command::ToggleFullScreen => true,
-        Command::Close => is_full,
+        Command::Window(WindowCommand::ToggleFullScreen) => true,
+        Command::Window(WindowCommand::Close) => is_full,
         _ => false,
     };
     if is_taken {
@@ -72,7 +72,7 @@ impl App {
             ui.input(|input| input.viewport().close_requested())
         });
         if is_closed {
-            self.run_all(ctx, vec![Command::ToggleProjector]);
+            self.run_all(ctx, vec![Command::Window(WindowCommand::ToggleProjector)]);
         }
     }
 

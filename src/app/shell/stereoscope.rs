@@ -2,7 +2,7 @@
 
 use eframe::egui::{Color32, Id, Rect, Sense, Ui};
 
-use crate::app::commands::Command;
+use crate::app::commands::{Command, PlaybackCommand, SettingsCommand};
 use crate::app::panels::Commands;
 use crate::app::panels::stereoscope::{self as menu, Known, MenuChoice};
 use crate::app::shell::App;
@@ -68,7 +68,7 @@ impl App {
         let cm = (0.1 * f64::from(points.x) / points_per_mm).clamp(*SCREEN_CM.start(), *SCREEN_CM.end());
         let screen =
             ScreenSettings { screen_width: ScreenWidth(Some(cm)), ..self.state.document.settings.screen };
-        self.run_all(ui.ctx(), vec![Command::Screen(screen)]);
+        self.run_all(ui.ctx(), vec![Command::Settings(SettingsCommand::Screen(screen))]);
     }
 
     /// Shows the pictures, and the menu or its button over them.
@@ -106,7 +106,7 @@ impl App {
             if !self.state.scratch.playing && stereoscope.device.is_some() {
                 stereoscope.look_along(self.state.gaze());
             }
-            self.run_all(ui.ctx(), vec![Command::TogglePlaying]);
+            self.run_all(ui.ctx(), vec![Command::Playback(PlaybackCommand::Toggle)]);
         }
         if response.dragged() {
             let per_point = lenses::radians_per_point(pictures.rects[0].width(), pictures.fov);

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use eframe::egui::{self, Rect, Ui, UiBuilder};
 
-use crate::app::commands::{Command, actions};
+use crate::app::commands::{Command, FileCommand, actions};
 use crate::app::panels;
 use crate::app::panels::Commands;
 use crate::app::shell::{App, TITLE, dropped};
@@ -67,7 +67,7 @@ impl App {
         if self.shows_start() {
             commands.retain(panels::start::lets_through);
         }
-        commands.extend(dropped::take(&ctx).map(Command::Open));
+        commands.extend(dropped::take(&ctx).map(|path| Command::File(FileCommand::Open(path))));
         panels::palette::show(&ctx, &self.state, &mut commands);
         panels::help::show(&ctx, &self.state, &mut commands);
         self.chooser.update(&self.state, &mut commands);
@@ -76,8 +76,10 @@ impl App {
         panels::reading::show(&ctx, &self.reader, &mut commands);
         self.run_all(&ctx, commands);
         // A file that the user has just given up is not among these.
-        let read = self.reader.finished().into_iter().map(|file| Command::ShowFile(Box::new(file)));
-        let changed = self.changed_files(&ctx).into_iter().map(Command::Reload);
+        let read =
+            self.reader.finished().into_iter().map(|file| Command::File(FileCommand::Show(Box::new(file))));
+        let changed =
+            self.changed_files(&ctx).into_iter().map(|path| Command::File(FileCommand::Reload(path)));
         self.run_all(&ctx, read.chain(changed).collect());
         self.set_stage(&ctx);
 

@@ -16,7 +16,7 @@ use self::answer::DialogAnswer;
 use self::page::Dialog;
 #[cfg(feature = "desktop")]
 use self::system::Dialog;
-use crate::app::commands::Command;
+use crate::app::commands::{Command, FileCommand};
 use crate::app::state::State;
 use crate::app::state::files::purpose::{Product, Purpose};
 use crate::app::state::orders::Saving;
@@ -153,7 +153,7 @@ impl Chooser {
         let Some(purpose) = self.purpose else { return Ok(None) };
         let link = Path::new(self.path.trim());
         if purpose == Purpose::Open && is_link(link) {
-            return Ok(Some(Command::Open(link.to_owned())));
+            return Ok(Some(Command::File(FileCommand::Open(link.to_owned()))));
         }
         let path = typed_path(&self.path)?;
         if let Some(folder) = path.parent().filter(|folder| *folder != Path::new("")) {
@@ -167,7 +167,11 @@ impl Chooser {
                 return Err(format!("There is no file {}.", path.display()));
             }
             let is_data = purpose == Purpose::OpenData;
-            return Ok(Some(if is_data { Command::OpenData(path) } else { Command::Open(path) }));
+            return Ok(Some(if is_data {
+                Command::File(FileCommand::OpenData(path))
+            } else {
+                Command::File(FileCommand::Open(path))
+            }));
         };
         let path = product.with_ending(&path)?;
         let is_folder = product.can_be_a_folder() && FilmKind::from_path(&path) == Some(FilmKind::Folder);
@@ -182,7 +186,7 @@ impl Chooser {
             self.replaced = Some(path);
             return Ok(None);
         }
-        Ok(Some(Command::Save(Saving { product, path, size })))
+        Ok(Some(Command::File(FileCommand::Save(Saving { product, path, size }))))
     }
 }
 

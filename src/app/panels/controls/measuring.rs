@@ -2,8 +2,8 @@
 
 use eframe::egui::{Checkbox, Ui};
 
-use crate::app::commands::Command;
 use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, SettingsCommand};
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::measuring::angle_ruler::{AngleRuler, RulerCommand};
@@ -39,7 +39,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             .on_hover_text(about("resting-clock"))
             .on_disabled_hover_text(reason);
         if response.accessible_name("clock beside you").changed() {
-            commands.push(Command::Window(window));
+            commands.push(Command::Settings(SettingsCommand::Window(window)));
         }
     });
 }

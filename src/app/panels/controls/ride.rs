@@ -2,8 +2,8 @@
 
 use eframe::egui::{Id, RichText, Ui};
 
-use crate::app::commands::Command;
 use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, SettingsCommand};
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::riding::saddle::RideCommand;
@@ -41,7 +41,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             .on_hover_text(about("vignette"))
             .changed()
         {
-            commands.push(Command::Window(window));
+            commands.push(Command::Settings(SettingsCommand::Window(window)));
         }
     });
     if ride != state.document.settings.ride {

@@ -6,7 +6,7 @@ use eframe::egui;
 use gamow_platform::sizes::TEXT_BYTES;
 
 use super::*;
-use crate::app::commands::Command;
+use crate::app::commands::{Command, WindowCommand};
 use crate::app::shell::App;
 use crate::app::state::lesson::LessonCommand;
 use crate::app::tools::folded;
@@ -104,11 +104,11 @@ fn what_cannot_be_written_is_told_at_the_start_when_it_fails_and_at_the_end() {
         assert!(text.contains(&*within.to_string_lossy()) && text.contains(what), "{text}");
     };
     told(&window, "Free some space, or make the folder writable");
-    window.run(Command::CloseNotice);
+    window.run(Command::Window(WindowCommand::CloseNotice));
     ask(&mut window, LessonCommand::Skip);
     told(&window, "The answers in lessons are not saved: ");
     // It is said once.
-    window.run(Command::CloseNotice);
+    window.run(Command::Window(WindowCommand::CloseNotice));
     ask(&mut window, LessonCommand::Forward);
     assert_eq!(notice(&window), "");
     let keeper = Keeper::in_folder(&within);

@@ -5,7 +5,30 @@ use crate::app::tools::clock;
 use crate::flags::MAX_TIME;
 use crate::time_range::time_within;
 
+/// A command about T.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PlaybackCommand {
+    /// Goes to this T.
+    GoTo(f64),
+    /// Goes to the first (0) or the last (1) T, or in between.
+    GoToPart(f64),
+    /// Makes steps of the scrubber, forwards or back.
+    Step(i32),
+    /// Plays or pauses.
+    Toggle,
+}
+
 impl State {
+    /// Performs a command about T.
+    pub(super) fn perform_playback(&mut self, command: PlaybackCommand) {
+        match command {
+            PlaybackCommand::GoTo(time) => self.document.time = clock::bounded(time),
+            PlaybackCommand::GoToPart(fraction) => self.go_within_range(fraction),
+            PlaybackCommand::Step(steps) => self.step_in_time(steps),
+            PlaybackCommand::Toggle => self.toggle_playing(),
+        }
+    }
+
     pub(in crate::app) fn step_in_time(&mut self, steps: i32) {
         let size = clock::step_size(self.time_range());
         // Onto the multiples of the step, so that stepping gives round times.
