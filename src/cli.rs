@@ -7,7 +7,8 @@ use clap::builder::Styles;
 use clap::{CommandFactory as _, Parser, Subcommand};
 use gamow_platform::{environment, messages};
 
-use crate::app::{self, args::WindowArgs};
+use crate::app::shell::args::WindowArgs;
+use crate::app::shell::launch;
 use crate::commands;
 
 /// Interactive stereo viewer of special relativity: what each eye sees, exactly.
@@ -60,7 +61,7 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
             Some(scene) => commands::lesson::list::list_bodies(&scene),
             None => commands::lesson::list::list(&cli.window.library()?),
         },
-        None => app::launch::launch(&cli.window),
+        None => launch::launch(&cli.window),
         Some(HeadlessCommand::Eval(args)) => commands::eval::run(&args),
         Some(HeadlessCommand::Curve(args)) => commands::curve::run(&args),
         Some(HeadlessCommand::Fit(args)) => commands::fit::run(&args),
@@ -138,7 +139,7 @@ impl Cli {
 mod tests {
     use clap::{Arg, Command, CommandFactory as _};
 
-    use super::*;
+    use crate::cli::*;
 
     /// Words with which no sentence ends.
     const UNFINISHED: [&str; 15] =

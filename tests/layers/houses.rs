@@ -72,21 +72,35 @@ pub const PLATFORM: House = House { name: "gamow-platform", folder: "crates/gamo
 pub const PROGRAM: House = House {
     name: "gamow",
     folder: "src",
-    tables: &[Table {
-        inside: "",
-        floors: &[
-            &["main.rs"],
-            &["cli.rs"],
-            &["commands", "app"],
-            &["lesson"],
-            &["accuracy", "estimate", "studio"],
-            &["caption", "comfort.rs", "map"],
-            &["settings"],
-            &["scene", "columns", "time_range.rs", "flags", "files", "plot", "quantity.rs", "units.rs"],
-            &["eye.rs", "eye_colours.rs", "number_text.rs", "formula"],
-            &["markup.rs"],
-        ],
-    }],
+    tables: &[
+        Table {
+            inside: "",
+            floors: &[
+                &["main.rs"],
+                &["cli.rs"],
+                &["commands", "app"],
+                &["lesson"],
+                &["accuracy", "estimate", "studio"],
+                &["caption", "comfort.rs", "map"],
+                &["settings"],
+                &["scene", "columns", "time_range.rs", "flags", "files", "plot", "quantity.rs", "units.rs"],
+                &["eye.rs", "eye_colours.rs", "number_text.rs", "formula"],
+                &["markup.rs"],
+            ],
+        },
+        Table {
+            inside: "app/",
+            floors: &[
+                &["shell"],
+                &["panels"],
+                &["views"],
+                &["commands"],
+                &["widgets"],
+                &["state"],
+                &["tools"],
+            ],
+        },
+    ],
     parts_apart: &["commands/", "app/panels/"],
     strangers: &[["app/", "commands/"]],
     only_in: &[
@@ -95,3 +109,6 @@ pub const PROGRAM: House = House {
     ],
     never: &["std::fs", "std::thread", "std::time::Instant", "std::time::SystemTime"],
 };
+
+/// The Python package.
+pub const PYTHON: House = House { name: "gamow-python", folder: "crates/gamow-python/src", ..PLAIN };

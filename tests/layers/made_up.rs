@@ -26,46 +26,46 @@ fn imports_downwards_are_no_fault() {
     let faults = faults_of(&[
         ("main.rs", "fn main() { gamow::cli::run() }"),
         ("lib.rs", "pub mod cli; mod app; mod scene;"),
-        ("cli.rs", "use crate::app; pub fn run() { app::launch(); }"),
-        ("app/mod.rs", "mod state; pub use state::launch;"),
-        ("app/state.rs", "use crate::scene::{self, Scene}; pub fn launch() -> Scene { scene::open() }"),
+        ("cli.rs", "use crate::app; pub fn run() { app::shell::launch(); }"),
+        ("app/mod.rs", "pub mod shell;"),
+        ("app/shell/mod.rs", "use crate::scene::{self, Scene}; pub fn launch() -> Scene { scene::open() }"),
         ("scene.rs", "pub struct Scene; pub const fn open() -> Scene { Scene }"),
     ]);
     // `scene.rs` is not in the table.
-    assert_eq!(faults, ["app/state.rs imports scene.rs: one of them stands in no room of the table"]);
+    assert_eq!(faults, ["app/shell/mod.rs imports scene.rs: one of them stands in no room of the table"]);
 }
 
 #[test]
 fn a_circle_is_found_through_re_exports() {
     assert_fault(
         &[
-            ("lib.rs", "mod app;"),
-            ("app/mod.rs", "mod a; mod b; pub use b::Second;"),
-            ("app/a.rs", "use super::Second; pub struct First(Second);"),
-            ("app/b.rs", "pub enum Second { Of(Box<super::a::First>) }"),
+            ("lib.rs", "mod lesson;"),
+            ("lesson/mod.rs", "mod a; mod b; pub use b::Second;"),
+            ("lesson/a.rs", "use super::Second; pub struct First(Second);"),
+            ("lesson/b.rs", "pub enum Second { Of(Box<super::a::First>) }"),
         ],
-        &["a circle", "app/a.rs", "app/b.rs"],
+        &["a circle", "lesson/a.rs", "lesson/b.rs"],
     );
 }
 
 #[test]
 fn a_circle_is_found_through_names_used_without_an_import() {
     let files = [
-        ("lib.rs", "mod app;"),
-        ("app/mod.rs", "mod panel; pub type Asks = u8; fn show() { println!(\"{}\", panel::shown()); }"),
-        ("app/panel.rs", "pub fn shown() -> super::Asks { 1 }"),
+        ("lib.rs", "mod lesson;"),
+        ("lesson/mod.rs", "mod panel; pub type Asks = u8; fn show() { println!(\"{}\", panel::shown()); }"),
+        ("lesson/panel.rs", "pub fn shown() -> super::Asks { 1 }"),
     ];
-    assert_fault(&files, &["a circle", "app/mod.rs", "app/panel.rs"]);
+    assert_fault(&files, &["a circle", "lesson/mod.rs", "lesson/panel.rs"]);
 }
 
 #[test]
 fn what_only_tests_import_is_no_fault() {
     let faults = faults_of(&[
-        ("lib.rs", "mod app;"),
-        ("app/mod.rs", "mod a; mod b;"),
-        ("app/a.rs", "use super::b::B; pub struct A(B); #[cfg(test)] mod tests;"),
-        ("app/b.rs", "pub struct B; #[cfg(test)] mod tests { use crate::app::a::A; }"),
-        ("app/a/tests.rs", "use crate::commands::eval;"),
+        ("lib.rs", "mod lesson;"),
+        ("lesson/mod.rs", "mod a; mod b;"),
+        ("lesson/a.rs", "use super::b::B; pub struct A(B); #[cfg(test)] mod tests;"),
+        ("lesson/b.rs", "pub struct B; #[cfg(test)] mod tests { use crate::lesson::a::A; }"),
+        ("lesson/a/tests.rs", "use crate::commands::eval;"),
     ]);
     assert_eq!(faults, [""; 0]);
 }
@@ -78,6 +78,21 @@ fn an_import_upwards_is_found() {
         ("files/mod.rs", "fn f() { use crate::app::State as Shown; }"),
     ];
     assert_fault(&files, &["files/mod.rs imports app/mod.rs: upwards"]);
+}
+
+#[test]
+fn a_value_of_the_window_that_knows_a_command_is_found() {
+    let files = [
+        ("lib.rs", "mod app;"),
+        ("app/mod.rs", "mod commands; mod state;"),
+        ("app/commands/mod.rs", "use crate::app::state::State; pub enum Command { Undo }"),
+        ("app/state/mod.rs", "mod order; pub struct State;"),
+        ("app/state/order.rs", "use crate::app::commands::Command; pub struct Order(Command);"),
+    ];
+    let faults = faults_of(&files);
+    let [upwards, knot] = faults.as_slice() else { panic!("{faults:?}") };
+    assert_eq!(upwards, "app/state/order.rs imports app/commands/mod.rs: upwards");
+    assert!(knot.starts_with("a knot of rooms"), "{knot}");
 }
 
 #[test]
@@ -126,7 +141,7 @@ fn panels_stand_apart_but_have_parts_and_share_a_room() {
     let files = [
         ("lib.rs", "mod app;"),
         ("app/mod.rs", "mod panels; mod widgets;"),
-        ("app/widgets.rs", "pub struct Row;"),
+        ("app/widgets/mod.rs", "pub struct Row;"),
         ("app/panels/mod.rs", "mod bar; mod plots; pub type Asks = u8;"),
         ("app/panels/bar.rs", "use super::Asks; use crate::app::widgets::Row; use super::plots::show;"),
         ("app/panels/plots/mod.rs", "mod fit; pub fn show() { fit::show() }"),

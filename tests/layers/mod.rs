@@ -8,7 +8,7 @@ mod modules;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use houses::{CORE, House, PLATFORM, PROGRAM, RENDERERS, Table};
+use houses::{CORE, House, PLATFORM, PROGRAM, PYTHON, RENDERERS, Table};
 use imports::{Imports, circles, imports};
 
 #[test]
@@ -29,6 +29,11 @@ fn the_platform_keeps_its_layers() {
 #[test]
 fn the_program_keeps_its_layers() {
     assert_kept(&PROGRAM);
+}
+
+#[test]
+fn the_python_package_keeps_its_layers() {
+    assert_kept(&PYTHON);
 }
 
 /// Folders of tests, and their programs.
@@ -53,47 +58,6 @@ fn every_file_of_tests_is_in_a_program() {
             let name = file.split(['/', '.']).next().expect("a file has a name");
             assert!(is_of_a_program || is_named(name), "{folder}/{file} is in no program");
         }
-    }
-}
-
-/// The parts of the window's state that outlast a frame.
-const LASTING: [&str; 3] = ["document", "scratch", "session"];
-
-/// Whether a line assigns to a lasting part of `self.state`, or borrows it with `&mut`. A method that changes the part is not seen.
-fn changes_what_lasts(line: &str) -> bool {
-    LASTING.iter().any(|part| {
-        let name = format!("self.state.{part}");
-        line.match_indices(&name).any(|(start, _)| {
-            let rest = line[start + name.len()..]
-                .trim_start_matches(|c: char| c.is_alphanumeric() || "._".contains(c));
-            let assigned = rest.trim_start_matches([' ', '+', '-', '*', '/', '&', '|', '^']);
-            let is_assigned =
-                assigned.starts_with('=') && !assigned.starts_with("==") && !assigned.starts_with("=>");
-            is_assigned || line[..start].ends_with("&mut ")
-        })
-    })
-}
-
-/// The window calls functions of the state, in place of assigning to the document, the scratch or the session.
-#[test]
-fn the_window_changes_nothing_that_lasts_by_itself() {
-    let mut sources = BTreeMap::new();
-    read_folder(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src/app"), "", &mut sources);
-    for (file, source) in &sources {
-        let faults: Vec<&str> = source.lines().filter(|line| changes_what_lasts(line)).collect();
-        assert!(faults.is_empty(), "{file}: {faults:#?}");
-    }
-    for line in [
-        "self.state.document.time = 1.0;",
-        "self.state.scratch.saddle.turn += 1;",
-        "f(&mut self.state.session.orders)",
-    ] {
-        assert!(changes_what_lasts(line), "{line}");
-    }
-    for line in
-        ["if self.state.document.time == 1.0 {", "self.state.frame.step = 1.0;", "g(&self.state.session)"]
-    {
-        assert!(!changes_what_lasts(line), "{line}");
     }
 }
 

@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 use eframe::egui::ViewportId;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::App;
-use gamow::app::command::Command;
+use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
+use gamow::app::shell::App;
 use gamow::eye::Eye;
 use gamow::flags::choices::RendererChoice;
 use gamow::flags::{BUDGET_MS, ERROR_PX, Goal};
@@ -93,14 +93,14 @@ fn gets_smooth() {
 fn changes_are_plain() {
     let mut window = refined_window();
     refine(&mut window);
-    window.state_mut().ask(Command::Time(2.0));
+    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(2.0)));
     window.step();
     assert!(!window.state().is_refined());
     let [changed, _] = differences(&mut window, 8);
     assert!(changed < 3.0, "it is a picture of the new time: {changed}");
     let mut quality = window.state().state().document.settings.quality;
     quality.refine = false;
-    window.state_mut().ask(Command::Quality(quality));
+    window.state_mut().run(Command::Settings(SettingsCommand::Quality(quality)));
     window.step();
     assert!(window.state().is_refined(), "nothing is begun");
     let before = differences(&mut window, 8);
@@ -110,7 +110,7 @@ fn changes_are_plain() {
     // The mesh's errors are to be seen.
     quality.refine = true;
     quality.renderer = RendererChoice::Mesh;
-    window.state_mut().ask(Command::Quality(quality));
+    window.state_mut().run(Command::Settings(SettingsCommand::Quality(quality)));
     window.run();
     assert!(window.state().is_refined());
 }
@@ -125,7 +125,7 @@ fn what_was_chosen_is_said() {
     ] {
         let mut quality = window.state().state().document.settings.quality;
         quality.goal = goal;
-        window.state_mut().ask(Command::Quality(quality));
+        window.state_mut().run(Command::Settings(SettingsCommand::Quality(quality)));
         window.run_steps(3);
         let said = label_starting_with(&window, "Chosen: ");
         assert!(said.ends_with(end), "{goal:?}: {said}");
@@ -138,7 +138,7 @@ fn what_was_chosen_is_said() {
     window.run();
     assert!(label_starting_with(&window, "Chosen: ").ends_with(", within 0.002 px"));
     // One undoes the other.
-    window.state_mut().ask(Command::Undo);
+    window.state_mut().run(Command::Undo);
     window.run();
     assert_eq!(window.state().state().document.settings.quality.renderer, RendererChoice::Rays);
 }

@@ -4,8 +4,8 @@
 use eframe::egui::{Key, Modifiers, Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::App;
-use gamow::app::command::Command;
+use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
+use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::eye::Eye;
 use gamow::flags::FieldOfView;
@@ -36,8 +36,8 @@ const SECOND: &str = "Left eye view: contracted only";
 fn compared(compare: Compare) -> State {
     let mut state = cyclist(0.9);
     let look = LookSettings { compare, fov: FieldOfView(Some(80.0)), ..state.document.settings.look };
-    state.apply(Command::Look(look));
-    state.apply(Command::Time(-1.0));
+    state.run(Command::Settings(SettingsCommand::Look(look)));
+    state.run(Command::Playback(PlaybackCommand::GoTo(-1.0)));
     state
 }
 
@@ -146,7 +146,9 @@ fn named_and_no_pair() {
     // The numbers stay those of two eyes.
     let disparity = shown(&window, "Disparity Δφ");
     let look = window.state().state().document.settings.look;
-    window.state_mut().ask(Command::Look(LookSettings { compare: Compare::Off, ..look }));
+    window
+        .state_mut()
+        .run(Command::Settings(SettingsCommand::Look(LookSettings { compare: Compare::Off, ..look })));
     window.run();
     assert!((shown(&window, "Disparity Δφ") - disparity).abs() < 1e-12);
     window.get_by_label("Right eye view");
@@ -155,18 +157,18 @@ fn named_and_no_pair() {
 
 fn refused_with_a_reason() {
     let mut window = window_of_size(compared(Compare::Contracted), [1280.0, 1600.0], 1.0);
-    window.state_mut().ask(in_layout(Layout::Anaglyph));
+    window.state_mut().run(in_layout(Layout::Anaglyph));
     window.run();
     window.get_by_label("Both eyes' view");
     let reason = "Needs the layout side by side or over-under.";
     assert!(labels(&window).iter().any(|label| label == reason));
-    window.state_mut().ask(in_layout(Layout::OverUnder));
+    window.state_mut().run(in_layout(Layout::OverUnder));
     window.run();
     let [first, second] = ["Left eye view: as seen", SECOND].map(|name| window.get_by_label(name).rect());
     assert!(first.max.y < second.min.y);
     assert!(!labels(&window).iter().any(|label| label == reason));
     // Both would be alike.
-    window.state_mut().ask(Command::Geometry(Geometry::Contracted));
+    window.state_mut().run(Command::Settings(SettingsCommand::Geometry(Geometry::Contracted)));
     window.run();
     window.get_by_label("Right eye view");
     window.get_by_label("The first picture shows this already.");
@@ -193,7 +195,7 @@ fn chosen_saved_and_opened() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("state.toml");
     std::fs::write(&path, told).expect("it is writable");
-    window.state_mut().ask(Command::Reset);
+    window.state_mut().run(Command::Settings(SettingsCommand::Reset));
     window.run();
     assert_eq!(window.state().state().document.settings.look.compare, Compare::Off);
     open(&mut window, &path);

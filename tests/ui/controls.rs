@@ -4,9 +4,9 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{By, NodeT as _, Queryable as _};
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::persistence::Keeper;
+use gamow::app::commands::{Command, SettingsCommand};
+use gamow::app::shell::App;
+use gamow::app::shell::persistence::Keeper;
 use gamow::app::state::State;
 use gamow::settings::{PlotSettings, PlotTab, Settings};
 use relativity_core::{Aperture, Sighting, Speed, equidistance_time, sighting};
@@ -99,7 +99,10 @@ fn a_decimal_comma_is_typed() {
         (0.75, 2.25, 0.5)
     );
     assert_eq!(state.document.settings.motion.depth_shift, 1.5);
-    window.state_mut().ask(Command::Plots(PlotSettings { plot: PlotTab::Fit, ..PlotSettings::default() }));
+    window.state_mut().run(Command::Settings(SettingsCommand::Plots(PlotSettings {
+        plot: PlotTab::Fit,
+        ..PlotSettings::default()
+    })));
     window.run();
     type_into(&mut window, "Noise", "2,5");
     assert_eq!(window.state().state().document.settings.fit.noise_percent, 2.5);

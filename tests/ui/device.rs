@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use eframe::egui::mutex::RwLock;
 use eframe::egui_wgpu::{RenderState, Renderer, RendererOptions, WgpuConfiguration, WgpuError, WgpuSetup};
 use egui_kittest::wgpu::{WgpuTestRenderer, default_wgpu_setup};
-use gamow::app::graphics;
+use gamow::app::tools::graphics;
 use relativity_render::instance_flags;
 
 /// Made alone, before the first test, and kept: drivers set up for the process what two devices that begin at once would race for.

@@ -7,11 +7,11 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, ViewportId};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::file_dialog::purpose::Purpose;
-use gamow::app::persistence::Keeper;
+use gamow::app::commands::{Command, FileCommand, PlaybackCommand, WindowCommand};
+use gamow::app::shell::App;
+use gamow::app::shell::persistence::Keeper;
 use gamow::app::state::State;
+use gamow::app::state::files::purpose::Purpose;
 
 use super::Test;
 use super::picking::click;
@@ -38,7 +38,7 @@ fn file(folder: &Path, name: &str, text: &str) -> PathBuf {
 }
 
 fn ask(window: &mut Harness<'_, App>, command: Command) {
-    window.state_mut().ask(command);
+    window.state_mut().run(command);
     window.run();
 }
 
@@ -83,7 +83,7 @@ fn a_file_is_asked_for() {
     window.get_by_label("Open…").click();
     window.run();
     assert_eq!(window.state().state().scratch.chooser, Some(Purpose::Open));
-    ask(&mut window, Command::Close);
+    ask(&mut window, Command::Window(WindowCommand::Close));
     window.key_press_modifiers(Modifiers::COMMAND, Key::O);
     window.run();
     assert_eq!(window.state().state().scratch.chooser, Some(Purpose::Open));
@@ -104,7 +104,7 @@ fn window_on_a_ball(balls: &Path) -> Harness<'static, App> {
     open(&mut window, balls);
     let middle = pane(&window, 0).center();
     click(&mut window, middle, Modifiers::NONE);
-    ask(&mut window, Command::Time(1.25));
+    ask(&mut window, Command::Playback(PlaybackCommand::GoTo(1.25)));
     window
 }
 
@@ -145,7 +145,7 @@ fn a_state_is_read_again() {
     let path = file(folder.path(), "state.toml", "scene = \"cyclist\"\n[motion]\nbeta = 0.5\n");
     let mut window = window(cyclist(0.9));
     open(&mut window, &path);
-    ask(&mut window, Command::Time(1.25));
+    ask(&mut window, Command::Playback(PlaybackCommand::GoTo(1.25)));
     let middle = pane(&window, 0).center();
     click(&mut window, middle, Modifiers::NONE);
     let points = window.state().state().document.points.clone();
@@ -166,7 +166,7 @@ fn the_last_of_two_files_is_shown() {
     let balls = file(folder.path(), "balls.toml", BALLS);
     let mut window = window(cyclist(0.9));
     let before = window.state().state().clone();
-    window.state_mut().ask(Command::Open(large.clone()));
+    window.state_mut().run(Command::File(FileCommand::Open(large.clone())));
     // Nothing waits for it, and nothing has changed.
     assert!(window.state().is_reading() && *window.state().state() == before);
     open(&mut window, &balls);
@@ -177,11 +177,11 @@ fn the_last_of_two_files_is_shown() {
     // Given up before it is read, or when it is read and not shown yet: it is not shown then.
     for is_read in [false, true] {
         let wakes = Wakes::of(&window);
-        window.state_mut().ask(Command::Open(balls.clone()));
+        window.state_mut().run(Command::File(FileCommand::Open(balls.clone())));
         if is_read {
             wakes.next("it is read");
         }
-        window.state_mut().ask(Command::StopReading);
+        window.state_mut().run(Command::File(FileCommand::StopReading));
         wait_for_file(&mut window);
         assert_eq!(scene_name(&window), "Large");
     }
@@ -206,7 +206,7 @@ fn what_is_shown_is_remembered() {
     // The start is the same preset at any T.
     let mut window =
         super::support::window(State::open(gamow::settings::Settings::default()).expect("a preset"));
-    ask(&mut window, Command::Time(1.25));
+    ask(&mut window, Command::Playback(PlaybackCommand::GoTo(1.25)));
     Keeper::in_folder(kept.path()).keep(window.state().state()).expect("it is written");
     let again = State::open(Keeper::in_folder(kept.path()).load().settings).expect("it is there");
     assert_eq!(again.document.preset, window.state().state().document.preset);

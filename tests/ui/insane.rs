@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use gamow::app::persistence::{self, Keeper};
+use gamow::app::shell::persistence::{self, Keeper};
 use gamow::app::state::State;
 use gamow::settings::{Settings, Subject};
 

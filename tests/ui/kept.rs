@@ -3,7 +3,7 @@
 use eframe::egui::Key;
 use eframe::wgpu;
 use egui_kittest::wgpu::WgpuTestRenderer;
-use gamow::app::App;
+use gamow::app::shell::App;
 use gamow::flags::choices::RendererChoice;
 
 use super::support::{builder, cyclist};

@@ -4,10 +4,10 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Rect, pos2, vec2};
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::{Harness, SnapshotOptions};
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::lesson::session::LessonCommand;
+use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
+use gamow::app::shell::App;
 use gamow::app::state::State;
+use gamow::app::state::lesson::LessonCommand;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::lesson::Library;
 use gamow::scene::{PRESETS, Scene};
@@ -101,7 +101,7 @@ fn tiny_windows() {
         state.begin_lesson(&lesson).expect("it can be shown");
         let mut window = window_of_size(state, size, 1.0);
         window.run();
-        window.state_mut().ask(Command::Lesson(LessonCommand::ToggleFolded));
+        window.state_mut().run(Command::Lesson(LessonCommand::ToggleFolded));
         window.run();
     }
 }
@@ -116,13 +116,13 @@ fn extremes_show_numbers_or_dashes() {
     for (parameter, value) in speeds {
         let mut window = window_without_pictures(extreme(parameter, value), [1024.0, 600.0]);
         for plot in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
-            window.state_mut().ask(Command::Plots(PlotSettings {
+            window.state_mut().run(Command::Settings(SettingsCommand::Plots(PlotSettings {
                 plot,
                 published: true,
                 ..PlotSettings::default()
-            }));
+            })));
             for time in [0.0, -1e12, 1e12] {
-                window.state_mut().ask(Command::Time(time));
+                window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(time)));
                 window.run();
                 assert_no_broken_numbers(&window);
             }
@@ -140,7 +140,7 @@ fn extreme(parameter: SpeedParameter, value: f64) -> State {
     motion.d = 0.0;
     motion.depth_shift = -3.0;
     motion.height_shift = -2.0;
-    state.apply(Command::Motion(motion));
+    state.run(Command::Settings(SettingsCommand::Motion(motion)));
     state
 }
 

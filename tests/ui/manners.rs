@@ -6,9 +6,11 @@ use clap::ValueEnum as _;
 use eframe::egui::{Key, Modifiers, OutputCommand, Rect, Shape, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::pointer::Pick;
+use gamow::app::commands::{
+    Command, PlaybackCommand, PointsCommand, SettingsCommand, ShowCommand, WindowCommand,
+};
+use gamow::app::shell::App;
+use gamow::app::state::pointer::Pick;
 use gamow::flags::choices::GazeChoice;
 use gamow::settings::PlotTab;
 
@@ -47,7 +49,7 @@ const SIZES: [[f32; 2]; 4] = [[800.0, 600.0], [900.0, 600.0], [1024.0, 600.0], [
 /// A window that says it could not open a file whose path is so long.
 fn with_message(size: [f32; 2], text: &str) -> Harness<'static, App> {
     let mut state = cyclist(0.9);
-    state.scratch.notice = Some(gamow::app::notice::Notice::error(text));
+    state.scratch.notice = Some(gamow::app::state::notice::Notice::error(text));
     window_of_size(state, size, 1.0)
 }
 
@@ -70,7 +72,7 @@ fn a_message_of_any_length() {
             for present in [false, true] {
                 let mut window = with_message(size, text);
                 if present {
-                    window.state_mut().ask(Command::TogglePresenting);
+                    window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
                     window.run_ok();
                 }
                 let whole = Rect::from_min_size(pos2(0.0, 0.0), Vec2::from(size));
@@ -147,10 +149,10 @@ fn no_control_covers_another() {
         for (units, scene) in [("scene", "cyclist"), ("metres", "street")] {
             let mut state = cyclist(0.9);
             if units == "metres" {
-                state.apply(Command::Preset("street"));
+                state.run(Command::Show(ShowCommand::Scene("street")));
                 let units = gamow::units::Units::Metric;
                 let shown = gamow::settings::WindowSettings { units, ..state.document.settings.window };
-                state.apply(Command::Window(shown));
+                state.run(Command::Settings(SettingsCommand::Window(shown)));
             }
             let window = window_of_size(state, size, 1.0);
             let whole = Rect::from_min_size(pos2(0.0, 0.0), Vec2::from(size));
@@ -195,7 +197,9 @@ fn a_click_beside_everything_says_so() {
 
 fn what_is_under_the_pointer_is_outlined() {
     let mut window = window(cyclist(0.9));
-    window.state_mut().ask(Command::Geometry(relativity_render::Geometry::Contracted));
+    window
+        .state_mut()
+        .run(Command::Settings(SettingsCommand::Geometry(relativity_render::Geometry::Contracted)));
     window.run_ok();
     let bare = window.render().expect("a picture");
     let pane = pane(&window, 0);
@@ -223,8 +227,8 @@ fn points_are_numbered() {
         |window: &Harness<'_, App>| labels(window).iter().filter(|label| *label == "front tyre").count();
     assert!(readout(&window) > 0);
     let track = window.state().state().document.scene.track_on(FRONT_TYRE).expect("a body");
-    let select = gamow::app::pointer::Select { track, body: FRONT_TYRE, add: true };
-    window.state_mut().ask(Command::Select(select));
+    let select = gamow::app::state::pointer::Select { track, body: FRONT_TYRE, add: true };
+    window.state_mut().run(Command::Points(PointsCommand::Choose(select)));
     window.run_ok();
     assert_eq!(readout(&window), 0);
     window.get_by_label("front tyre (1)");
@@ -253,7 +257,7 @@ fn the_palette_finds() {
     window.key_press(Key::ArrowDown);
     window.run_ok();
     let mut expected = window.state().state().clone();
-    expected.apply(Command::Step(-10));
+    expected.run(Command::Playback(PlaybackCommand::Step(-10)));
     window.key_press(Key::Enter);
     window.run_ok();
     assert_eq!(window.state().state().document.time, expected.document.time);
@@ -322,7 +326,7 @@ fn keys_work_beside_a_button() {
     let time = window.state().state().document.time;
     window.key_press(Key::Space);
     window.run_ok();
-    let help = Some(gamow::app::overlay::Overlay::Help);
+    let help = Some(gamow::app::state::overlay::Overlay::Help);
     assert_eq!(window.state().state().session.overlay, help, "space presses the button");
     assert!(!window.state().state().scratch.playing && window.state().state().document.time == time);
 }
@@ -399,15 +403,15 @@ fn no_writing_is_small() {
     for size in [[800.0, 600.0], [1280.0, 800.0]] {
         for present in [false, true] {
             let mut window = window_of_size(cyclist(0.9), size, 1.0);
-            window.state_mut().ask(Command::State(&gamow::settings::Preset::all()[0]));
+            window.state_mut().run(Command::Show(ShowCommand::Preset(&gamow::settings::Preset::all()[0])));
             if present {
-                window.state_mut().ask(Command::TogglePresenting);
+                window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
             }
             window.run_ok();
             for &plot in PlotTab::value_variants() {
                 let plots =
                     gamow::settings::PlotSettings { plot, ..window.state().state().document.settings.plots };
-                window.state_mut().ask(Command::Plots(plots));
+                window.state_mut().run(Command::Settings(SettingsCommand::Plots(plots)));
                 window.run_ok();
                 let mut sizes = Vec::new();
                 for clipped in &window.output().shapes {
@@ -442,7 +446,7 @@ fn a_newcomer_is_told_to_click() {
     let mut window = window(state);
     let count = |window: &Harness<'_, App>| labels(window).iter().filter(|label| *label == hint).count();
     assert_eq!(count(&window), 2);
-    window.state_mut().ask(Command::Preset("street"));
+    window.state_mut().run(Command::Show(ShowCommand::Scene("street")));
     window.run_ok();
     assert_eq!(count(&window), 2, "another scene is as new");
     let pane = pane(&window, 0);
@@ -469,7 +473,13 @@ fn a_click_near_something_means_it() {
         let beside = [first[0] - off, first[1]];
         assert!(is_free(beside));
         let mut picked = state.clone();
-        picked.apply(Command::Pick(Pick { eye, is_second: false, pixel: beside, size, add: false }));
+        picked.run(Command::Points(PointsCommand::Pick(Pick {
+            eye,
+            is_second: false,
+            pixel: beside,
+            size,
+            add: false,
+        })));
         assert_eq!(picked.document.points != state.document.points, is_meant, "{off}");
         assert_eq!(picked.scratch.missed.is_none(), is_meant, "{off}");
     }

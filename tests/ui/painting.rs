@@ -2,9 +2,10 @@
 
 use eframe::egui::{pos2, vec2};
 use egui_kittest::Harness;
-use gamow::app::command::{Command, Switch};
-use gamow::app::overlay::Overlay;
-use gamow::app::{App, painting};
+use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand, Switch, WindowCommand};
+use gamow::app::shell::App;
+use gamow::app::state::overlay::Overlay;
+use gamow::app::tools::painting;
 use gamow::flags::choices::{Layout, RendererChoice};
 use gamow::settings::{QualitySettings, Theme};
 
@@ -75,7 +76,7 @@ impl Pair {
     }
 
     fn asks(&mut self, command: &Command) {
-        self.does(&format!("{command:?}"), 2, |window| window.state_mut().ask(command.clone()));
+        self.does(&format!("{command:?}"), 2, |window| window.state_mut().run(command.clone()));
     }
 }
 
@@ -83,31 +84,31 @@ fn what_changed_is_painted() {
     let mut pair = Pair::new(0.9, 1.0);
     pair.does("the beginning", 3, |_| ());
     for time in [1.0, 1.1, 9.0] {
-        pair.asks(&Command::Time(time));
+        pair.asks(&Command::Playback(PlaybackCommand::GoTo(time)));
     }
     pair.does("the pointer on a plot", 2, |window| window.hover_at(pos2(300.0, 480.0)));
     pair.does("the pointer in a view", 3, |window| window.hover_at(pos2(210.0, 180.0)));
     pair.does("the pointer gone", 2, |window| window.hover_at(pos2(959.0, 559.0)));
-    pair.asks(&Command::NudgeSpeed(-7));
-    pair.asks(&Command::Toggle(Overlay::Help));
-    pair.asks(&Command::Toggle(Overlay::Help));
-    pair.asks(&Command::Switch(Switch::Map));
+    pair.asks(&Command::Settings(SettingsCommand::NudgeSpeed(-7)));
+    pair.asks(&Command::Window(WindowCommand::Toggle(Overlay::Help)));
+    pair.asks(&Command::Window(WindowCommand::Toggle(Overlay::Help)));
+    pair.asks(&Command::Settings(SettingsCommand::Switch(Switch::Map)));
     let mut window = pair.windows[0].state().state().document.settings.window;
     window.theme = Theme::Light;
-    pair.asks(&Command::Window(window));
+    pair.asks(&Command::Settings(SettingsCommand::Window(window)));
     for layout in [Layout::Anaglyph, Layout::SideBySide] {
         pair.asks(&in_layout(layout));
     }
     pair.does("a smaller window", 3, |window| {
         window.set_size(vec2(840.0, 500.0));
     });
-    pair.asks(&Command::TogglePresenting);
+    pair.asks(&Command::Window(WindowCommand::TogglePresenting));
 }
 
 fn what_changed_is_painted_at_any_scale() {
     let mut pair = Pair::new(0.6, 1.3);
     for time in [2.0, 2.2] {
-        pair.asks(&Command::Time(time));
+        pair.asks(&Command::Playback(PlaybackCommand::GoTo(time)));
     }
     pair.does("the pointer on a plot", 2, |window| window.hover_at(pos2(300.0, 480.0)));
 }

@@ -5,8 +5,8 @@ use clap::ValueEnum as _;
 use eframe::egui::{Key, Modifiers, Pos2, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::App;
-use gamow::app::command::Command;
+use gamow::app::commands::{Command, ShowCommand};
+use gamow::app::shell::App;
 use gamow::eye::Eye;
 use gamow::flags::choices::{Form, Layout};
 use glam::DVec3;
@@ -72,8 +72,8 @@ fn clicking_in_every_layout() {
     for &layout in Layout::value_variants() {
         for eye in [0, 1] {
             // The scene's own point is selected again.
-            for command in [in_layout(layout), Command::Preset("cyclist")] {
-                window.state_mut().ask(command);
+            for command in [in_layout(layout), Command::Show(ShowCommand::Scene("cyclist"))] {
+                window.state_mut().run(command);
             }
             window.run_steps(3);
             let is_shared = window.query_by_label("Both eyes' view").is_some();
@@ -156,13 +156,13 @@ fn swapped_eyes_are_remembered() {
     window.get_by_label("swap eyes").click();
     window.run();
     assert!(!left_of(&window));
-    window.state_mut().ask(in_layout(Layout::CrossEyed));
+    window.state_mut().run(in_layout(Layout::CrossEyed));
     window.run();
     assert!(!left_of(&window));
     window.key_press(Key::X);
     window.run();
     assert!(left_of(&window));
-    window.state_mut().ask(in_layout(Layout::SideBySide));
+    window.state_mut().run(in_layout(Layout::SideBySide));
     window.run();
     assert!(!left_of(&window));
     let swapped = window.state().state().document.settings.picture.swapped;
@@ -254,7 +254,7 @@ fn tiny_windows() {
         state.document.settings.window.corrected = true;
         let mut window = window_of_size(state, size, 1.5);
         for &layout in Layout::value_variants() {
-            window.state_mut().ask(in_layout(layout));
+            window.state_mut().run(in_layout(layout));
             window.run_steps(2);
             window.render().expect("a picture");
         }

@@ -4,10 +4,10 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::overlay::Overlay;
+use gamow::app::commands::{Command, WindowCommand};
+use gamow::app::shell::App;
 use gamow::app::state::State;
+use gamow::app::state::overlay::Overlay;
 use gamow::lesson::{Library, Outcome};
 use gamow::settings::Settings;
 
@@ -28,7 +28,7 @@ fn phone(state: State) -> Harness<'static, App> {
 
 fn the_first_prediction() {
     let mut window = phone(State::open(Settings::default()).expect("usual settings"));
-    window.state_mut().ask(Command::Toggle(Overlay::Start));
+    window.state_mut().run(Command::Window(WindowCommand::Toggle(Overlay::Start)));
     window.run_steps(2);
     let first = Library::own().all().iter().find(|lesson| !lesson.is_a_preset()).cloned();
     let first = first.expect("there are lessons");

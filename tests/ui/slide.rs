@@ -2,7 +2,7 @@
 
 use eframe::egui::Key;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::command::Command;
+use gamow::app::commands::{Command, SettingsCommand};
 use gamow::settings::MotionSettings;
 
 use super::Test;
@@ -27,7 +27,9 @@ fn the_ruler_is_there() {
     assert!(!is_there(&labels(&window)));
     window.key_press(Key::V);
     let motion = window.state().state().document.settings.motion;
-    window.state_mut().ask(Command::Motion(MotionSettings { roll: 10.0, ..motion }));
+    window
+        .state_mut()
+        .run(Command::Settings(SettingsCommand::Motion(MotionSettings { roll: 10.0, ..motion })));
     window.run();
     assert!(!is_there(&labels(&window)));
 }
@@ -49,7 +51,7 @@ fn the_panorama() {
 fn the_outline_is_framed() {
     let mut window = window(cyclist(0.9));
     let half_width = |fov: f64| (0.5 * fov.to_radians()).tan().asinh();
-    let shown = |window: &egui_kittest::Harness<'_, gamow::app::App>| {
+    let shown = |window: &egui_kittest::Harness<'_, gamow::app::shell::App>| {
         window.state().state().look().set_fov().expect("a number")
     };
     let before = half_width(shown(&window));

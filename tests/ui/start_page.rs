@@ -9,11 +9,11 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Rect, Vec2, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::lesson::session::LessonCommand;
-use gamow::app::overlay::Overlay;
+use gamow::app::commands::{Command, WindowCommand};
+use gamow::app::shell::App;
 use gamow::app::state::State;
+use gamow::app::state::lesson::LessonCommand;
+use gamow::app::state::overlay::Overlay;
 use gamow::lesson::{Course, Library};
 use gamow::settings::{Preset, Settings, Theme};
 
@@ -138,7 +138,7 @@ fn it_goes_on() {
     assert_eq!(window.state().state().course().expect("it is open").place(), place);
     // Once it is over the next one is offered; a lesson left in its middle is offered again.
     let ask = |window: &mut Harness<'_, App>, command| {
-        window.state_mut().ask(Command::Lesson(command));
+        window.state_mut().run(Command::Lesson(command));
         window.run_ok();
     };
     ask(&mut window, LessonCommand::Close);
@@ -294,7 +294,7 @@ fn it_fits() {
         let mut state = newcomers();
         state.document.settings.window.theme = Theme::Light;
         if present {
-            state.apply(Command::TogglePresenting);
+            state.run(Command::Window(WindowCommand::TogglePresenting));
         }
         let window = window_of_size(state, size, 1.0);
         let whole = Rect::from_min_size(pos2(0.0, 0.0), Vec2::from(size));

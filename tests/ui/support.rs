@@ -9,8 +9,8 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Pos2, Rect, Vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, HarnessBuilder};
-use gamow::app::App;
-use gamow::app::command::Command;
+use gamow::app::commands::{Command, FileCommand, SettingsCommand};
+use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::flags::choices::Layout;
 use gamow::flags::{SpeedParameter, SpeedSetting};
@@ -48,7 +48,7 @@ pub fn cyclist(beta: f64) -> State {
 /// The command that shows both eyes' pictures in this layout.
 pub fn in_layout(layout: Layout) -> Command {
     let value = layout.to_possible_value().expect("it is a flag's value").get_name().to_owned();
-    Command::Value { name: "layout", value }
+    Command::Settings(SettingsCommand::Value { name: "layout", value })
 }
 
 /// A window that shows `state`, no larger than most claims need.
@@ -150,7 +150,7 @@ pub fn drag(harness: &mut Harness<'_, App>, from: Pos2, to: Pos2) {
 
 /// Has the window open the file at `path`, and waits until it is read.
 pub fn open(harness: &mut Harness<'_, App>, path: &std::path::Path) {
-    harness.state_mut().ask(Command::Open(path.to_owned()));
+    harness.state_mut().run(Command::File(FileCommand::Open(path.to_owned())));
     wait_for_file(harness);
 }
 

@@ -5,7 +5,7 @@ use std::time::Duration;
 use eframe::egui::{Key, Modifiers, ViewportId, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::App;
+use gamow::app::shell::App;
 use relativity_render::Geometry;
 
 use super::Test;

@@ -3,10 +3,10 @@
 use eframe::egui::{FontId, Key, Pos2, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::NodeT as _;
-use gamow::app::App;
-use gamow::app::command::Command;
-use gamow::app::lesson::session::LessonCommand;
+use gamow::app::commands::{Command, WindowCommand};
+use gamow::app::shell::App;
 use gamow::app::state::State;
+use gamow::app::state::lesson::LessonCommand;
 use gamow::lesson::{Course, Library, Phase};
 use gamow::settings::{MapFace, PlotTab, Presence, Preset, Settings};
 
@@ -29,7 +29,7 @@ const READINGS: f32 = 0.125;
 /// A window that is presented.
 fn presented(state: State, size: [f32; 2]) -> Harness<'static, App> {
     let mut window = window_without_pictures(state, size);
-    window.state_mut().ask(Command::TogglePresenting);
+    window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
     window.run_steps(4);
     window
 }
@@ -100,7 +100,7 @@ fn every_word_is_read() {
             }
             window.key_press(Key::PageDown);
             window.run_steps(2);
-            window.state_mut().ask(Command::Lesson(LessonCommand::Observe(1)));
+            window.state_mut().run(Command::Lesson(LessonCommand::Observe(1)));
             window.run_steps(6);
         }
     }
@@ -142,7 +142,7 @@ fn texts(state: &State) -> Vec<String> {
         return vec![course.lesson().sentence.markdown.source().to_owned()];
     };
     let is_running =
-        state.session.lesson.as_ref().is_some_and(gamow::app::lesson::session::Running::is_running);
+        state.session.lesson.as_ref().is_some_and(gamow::app::state::lesson::Running::is_running);
     let mut texts = match course.place().phase {
         Phase::Ask => vec![step.text.markdown.source().to_owned()],
         Phase::Shown => step.reveal.iter().map(|reveal| reveal.text.markdown.source().to_owned()).collect(),

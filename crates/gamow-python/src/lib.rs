@@ -9,6 +9,7 @@
 #![warn(clippy::disallowed_methods, clippy::disallowed_types, clippy::print_stdout, clippy::print_stderr)]
 
 mod arrays;
+mod drawing;
 mod errors;
 mod flags;
 mod pictures;

@@ -9,7 +9,7 @@ use toml::Table;
 
 use crate::errors::{of_command, value_error};
 use crate::flags::parsed;
-use crate::{pictures, tables};
+use crate::{drawing, tables};
 
 /// The state of the program: everything that decides what a picture shows. In a notebook it shows its picture.
 ///
@@ -64,15 +64,15 @@ impl State {
     #[pyo3(signature = (*, channels = false))]
     fn render<'py>(&self, py: Python<'py>, channels: bool) -> PyResult<Bound<'py, PyAny>> {
         if channels {
-            Ok(pictures::channels_of(py, &self.settings)?.into_any())
+            Ok(drawing::channels_of(py, &self.settings)?.into_any())
         } else {
-            pictures::rgb_of(py, &self.settings)
+            drawing::rgb_of(py, &self.settings)
         }
     }
 
     /// The picture as a PNG file, with a record of its settings: `gamow --state` opens it.
     fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        pictures::png_of(py, &self.settings)
+        drawing::png_of(py, &self.settings)
     }
 
     /// Pickles the state as its TOML text, for workers in other processes.

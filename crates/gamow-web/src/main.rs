@@ -2,7 +2,7 @@
 
 #[cfg(target_arch = "wasm32")]
 fn main() {
-    gamow::app::web::start();
+    gamow::app::shell::web::start();
 }
 
 #[cfg(not(target_arch = "wasm32"))]

@@ -8,12 +8,12 @@ use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText
 use gamow_platform::files;
 
 use super::Commands;
-use crate::app::actions::with_keys;
-use crate::app::command::{Command, Switch};
-use crate::app::file_dialog::purpose::Purpose;
-use crate::app::files::recent::file_name;
-use crate::app::overlay::Overlay;
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, FileCommand, SettingsCommand, ShowCommand, Switch, WindowCommand};
 use crate::app::state::State;
+use crate::app::state::files::purpose::Purpose;
+use crate::app::state::files::recent::file_name;
+use crate::app::state::overlay::Overlay;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::{STEREOSCOPE_TIP, explained_lazily};
 use crate::scene::{PRESETS, Scene};
@@ -72,7 +72,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 }
 
 fn help(ui: &mut Ui, commands: &mut Commands) {
-    let open = Command::Toggle(Overlay::Help);
+    let open = Command::Window(WindowCommand::Toggle(Overlay::Help));
     let tip = "Explains the window, its terms, settings, keys and mouse.";
     if ui.button("Help").on_hover_text(with_keys(tip, std::slice::from_ref(&open))).clicked() {
         commands.push(open);
@@ -83,7 +83,7 @@ fn help(ui: &mut Ui, commands: &mut Commands) {
 fn lessons(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let is_open = state.session.overlay == Some(Overlay::Start);
     let button = ui.add(Button::new("Lessons").selected(is_open));
-    let open = Command::Toggle(Overlay::Start);
+    let open = Command::Window(WindowCommand::Toggle(Overlay::Start));
     let tip = with_keys("Opens the start page, with the lessons and presets.", std::slice::from_ref(&open));
     if button.on_hover_text(tip).clicked() {
         commands.push(open);
@@ -126,7 +126,7 @@ fn scene(ui: &mut Ui, state: &State, commands: &mut Commands) {
             for (preset, scene) in PRESETS.into_iter().filter_map(|name| Some((name, Scene::preset(name)?))) {
                 let shown = scene.name == state.document.scene.name;
                 if ui.selectable_label(shown, scene.name).clicked() {
-                    commands.push(Command::Preset(preset));
+                    commands.push(Command::Show(ShowCommand::Scene(preset)));
                 }
             }
             files(ui, state, commands);
@@ -146,13 +146,13 @@ fn files(ui: &mut Ui, state: &State, commands: &mut Commands) {
     for path in state.session.recent.all() {
         let choice = ui.selectable_label(shown.contains(path), file_name(path));
         if choice.on_hover_text(files::shown(path)).clicked() {
-            commands.push(Command::Open(path.clone()));
+            commands.push(Command::File(FileCommand::Open(path.clone())));
         }
     }
     let tip = "Opens a scene, a model, a state, data, or a picture with the state that it records.";
-    let tip = with_keys(tip, &[Command::Choose(Purpose::Open)]);
+    let tip = with_keys(tip, &[Command::File(FileCommand::Choose(Purpose::Open))]);
     if ui.button("Open…").on_hover_text(tip).clicked() {
-        commands.push(Command::Choose(Purpose::Open));
+        commands.push(Command::File(FileCommand::Choose(Purpose::Open)));
     }
 }
 
@@ -174,7 +174,8 @@ fn units_to_choose(ui: &mut Ui, state: &State, commands: &mut Commands) {
         let is_there = has_metres || choice == Units::Natural;
         let response = ui.add_enabled(is_there, Button::selectable(shown == choice, name));
         if explained_lazily(response, || meaning(&choice)).on_disabled_hover_text(NO_METRES).clicked() {
-            commands.push(Command::Window(WindowSettings { units: choice, ..window }));
+            commands
+                .push(Command::Settings(SettingsCommand::Window(WindowSettings { units: choice, ..window })));
         }
     }
     if !has_metres {
@@ -193,7 +194,7 @@ fn way_back(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let buttons = [
         (Icon::Undo, "Undo", "Undoes the last step.", history.can_undo(), Command::Undo),
         (Icon::Redo, "Redo", "Redoes the step that was undone.", history.can_redo(), Command::Redo),
-        (Icon::Reset, "Reset", &reset, !state.is_default(), Command::Reset),
+        (Icon::Reset, "Reset", &reset, !state.is_default(), Command::Settings(SettingsCommand::Reset)),
     ];
     let apart = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 3.0);
     for (icon, name, tip, is_there, command) in buttons {
@@ -236,7 +237,7 @@ fn more_on_a_phone(ui: &mut Ui, state: &State, commands: &mut Commands) {
 /// The way into the stereoscope.
 fn stereoscope(ui: &mut Ui, commands: &mut Commands) {
     if ui.button("Stereoscope").on_hover_text(STEREOSCOPE_TIP).clicked() {
-        commands.push(Command::ToggleStereoscope);
+        commands.push(Command::Window(WindowCommand::ToggleStereoscope));
     }
 }
 
@@ -261,7 +262,10 @@ fn theme(ui: &mut Ui, state: &State, commands: &mut Commands) {
         .on_hover_text("Switches between a light and a dark window")
         .clicked()
     {
-        commands.push(Command::Window(WindowSettings { theme: other, ..state.document.settings.window }));
+        commands.push(Command::Settings(SettingsCommand::Window(WindowSettings {
+            theme: other,
+            ..state.document.settings.window
+        })));
     }
 }
 
@@ -273,13 +277,13 @@ fn parts(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut shows_map = state.frame.shows_map;
     if ui
         .toggle_value(&mut shows_map, "Map")
-        .on_hover_text(with_keys(about("map"), &[Command::Switch(Switch::Map)]))
+        .on_hover_text(with_keys(about("map"), &[Command::Settings(SettingsCommand::Switch(Switch::Map))]))
         .changed()
     {
-        commands.push(Command::Switch(Switch::Map));
+        commands.push(Command::Settings(SettingsCommand::Switch(Switch::Map)));
     }
     ui.toggle_value(&mut window.views, "Views").on_hover_text(about("views"));
     if window != state.document.settings.window {
-        commands.push(Command::Window(window));
+        commands.push(Command::Settings(SettingsCommand::Window(window)));
     }
 }

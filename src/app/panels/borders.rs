@@ -5,10 +5,10 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{self, CursorIcon, Sense, Stroke, Ui, Vec2, vec2};
 
 use super::Commands;
-use crate::app::border::Border;
-use crate::app::command::Command;
-use crate::app::screens::stage::WindowPart;
+use crate::app::commands::{Command, SettingsCommand, WindowCommand};
 use crate::app::state::State;
+use crate::app::state::stage::WindowPart;
+use crate::app::views::window_layout::border::Border;
 use crate::flags::Share;
 
 /// Size of the dots that show where a border can be grabbed, and from one to the next.
@@ -35,7 +35,7 @@ pub fn show(ui: &Ui, state: &State, border: Border, commands: &mut Commands) {
     response.on_hover_cursor(cursor).on_hover_text(TIP);
     let changed = share.map_or(window, |share| split.with(window, share));
     if changed != window {
-        commands.push(Command::Window(changed));
+        commands.push(Command::Settings(SettingsCommand::Window(changed)));
     }
 }
 
@@ -49,7 +49,7 @@ pub fn title(ui: &Ui, part: WindowPart, commands: &mut Commands) {
     let response = ui.interact(ui.max_rect(), ui.scope_id().with(part), Sense::click());
     response.widget_info(|| egui::WidgetInfo::labeled(Role::TitleBar, true, &name));
     if response.double_clicked() {
-        commands.push(Command::ToggleMaximised(part));
+        commands.push(Command::Window(WindowCommand::ToggleMaximised(part)));
     }
     response.on_hover_text("Double-click to show this part alone, or all parts again.");
 }

@@ -4,7 +4,7 @@ use eframe::egui::{
     self, Color32, Pos2, Rect, Sense, Stroke, StrokeKind, TextureHandle, Ui, accesskit::Role, pos2,
 };
 
-use crate::app::views::observer::SpeedCorrection;
+use crate::app::state::queries::observer::SpeedCorrection;
 use crate::app::widgets::pane_title;
 use crate::number_text;
 

@@ -6,12 +6,12 @@ use eframe::egui::{
 };
 
 use super::Commands;
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
-use crate::app::notice::Notice;
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, WindowCommand};
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::state::notice::Notice;
 use crate::app::widgets::icons::{self, Icon};
+use crate::app::widgets::theme;
 
 /// The widest message and the least height of one, at the usual scale of writing, and what is around its text; points.
 const WIDEST: f32 = 640.0;
@@ -64,8 +64,8 @@ fn text(ui: &mut Ui, notice: &Notice, height: f32) {
 
 fn buttons(ui: &mut Ui, notice: &Notice, commands: &mut Commands) {
     let close = icons::button(ui, Icon::Remove, "Close message", vec2(22.0, 22.0), false);
-    if close.on_hover_text(with_keys("Close.", &[Command::Close])).clicked() {
-        commands.push(Command::CloseNotice);
+    if close.on_hover_text(with_keys("Close.", &[Command::Window(WindowCommand::Close)])).clicked() {
+        commands.push(Command::Window(WindowCommand::CloseNotice));
     }
     if ui.button("Copy").on_hover_text("Copies the message").accessible_name("Copy message").clicked() {
         ui.ctx().copy_text(notice.text.clone());

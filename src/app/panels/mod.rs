@@ -12,6 +12,7 @@ pub mod lesson;
 pub mod map;
 pub mod message;
 pub mod palette;
+pub mod panorama;
 pub mod plots;
 pub mod presented;
 pub mod reading;
@@ -20,11 +21,12 @@ pub mod saving;
 pub mod sentence;
 pub mod spectrum;
 pub mod start;
+pub mod stereoscope;
 pub mod stopwatch;
 pub mod timeline;
 pub mod views;
 
-use super::command::Command;
+use super::commands::Command;
 
 /// The commands that a panel asks for while it is shown.
 pub type Commands = Vec<Command>;

@@ -6,12 +6,12 @@ use eframe::egui::{
 };
 
 use super::Commands;
-use crate::app::actions::ACTIONS;
-use crate::app::command::Command;
-use crate::app::lesson::session::LessonCommand;
-use crate::app::overlay::Overlay;
-use crate::app::pointer::Select;
+use crate::app::commands::actions::ACTIONS;
+use crate::app::commands::{Command, PointsCommand, SettingsCommand, ShowCommand, WindowCommand};
 use crate::app::state::State;
+use crate::app::state::lesson::LessonCommand;
+use crate::app::state::overlay::Overlay;
+use crate::app::state::pointer::Select;
 use crate::settings::{About, Preset, Settings, about_all};
 
 /// Width, and the greatest height of the list, points.
@@ -79,10 +79,10 @@ pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
         // The first time it is only measured.
         ctx.request_repaint();
     } else if shown.response.clicked_elsewhere() {
-        commands.push(Command::Toggle(Overlay::Palette));
+        commands.push(Command::Window(WindowCommand::Toggle(Overlay::Palette)));
     }
     if let Some(entry) = asked {
-        commands.extend([Command::Toggle(Overlay::Palette), entry.command]);
+        commands.extend([Command::Window(WindowCommand::Toggle(Overlay::Palette)), entry.command]);
     }
 }
 
@@ -148,8 +148,9 @@ fn found(state: &State, text: &str) -> Vec<PaletteEntry> {
         command: action.command.clone(),
     });
     let entry = |name: String, command| PaletteEntry { name, keys: String::new(), sentence: "", command };
-    let presets =
-        Preset::all().iter().map(|preset| entry(format!("preset: {}", preset.title), Command::State(preset)));
+    let presets = Preset::all()
+        .iter()
+        .map(|preset| entry(format!("preset: {}", preset.title), Command::Show(ShowCommand::Preset(preset))));
     let library = state.library();
     let lessons = library.all().iter().filter(|lesson| !lesson.is_a_preset()).map(|lesson| {
         let open = LessonCommand::Open(lesson.name.clone());
@@ -158,7 +159,7 @@ fn found(state: &State, text: &str) -> Vec<PaletteEntry> {
     let scene = &state.document.scene;
     let bodies = (0..scene.bodies.len()).filter_map(|body| {
         let track = scene.track_on(body)?;
-        let command = Command::Select(Select { track, body, add: false });
+        let command = Command::Points(PointsCommand::Choose(Select { track, body, add: false }));
         Some(entry(format!("follow: {}", scene.name_of(body)), command))
     });
     let words_of = |about: &'static About| {
@@ -177,7 +178,7 @@ fn settings() -> impl Iterator<Item = &'static About> {
 fn setting(about: &'static About, value: &str, meaning: &'static str) -> PaletteEntry {
     let name = format!("{}: {value}", about.name.replace('-', " "));
     let sentence = if meaning.is_empty() { &about.sentence } else { meaning };
-    let command = Command::Value { name: about.name, value: value.to_owned() };
+    let command = Command::Settings(SettingsCommand::Value { name: about.name, value: value.to_owned() });
     PaletteEntry { name, keys: String::new(), sentence, command }
 }
 
@@ -228,7 +229,7 @@ mod tests {
     fn a_setting_is_set_as_by_its_control() {
         let mut state = State::open(Settings::default()).expect("a preset");
         let set = |state: &mut State, name, value: &str| {
-            state.perform(Command::Value { name, value: value.to_owned() });
+            state.perform(Command::Settings(SettingsCommand::Value { name, value: value.to_owned() }));
         };
         set(&mut state, "gamma", "7");
         set(&mut state, "sky", "off");

@@ -6,9 +6,9 @@ use std::hash::{DefaultHasher, Hash, Hasher as _};
 use eframe::egui::{Context, Id, Label, Rect, RichText, TextStyle, Ui};
 
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::views::window_layout::Beside;
 use crate::app::widgets::fitted;
-use crate::app::window_layout::Beside;
+use crate::app::widgets::theme;
 use crate::number_text;
 
 /// Least size of writing before an audience, as a part of the window's height.

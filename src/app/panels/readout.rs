@@ -7,11 +7,11 @@ use relativity_core::{
 use relativity_render::{Velocity, colour};
 
 use super::Commands;
-use crate::app::command::Command;
+use crate::app::commands::{Command, SettingsCommand};
 use crate::app::state::State;
 use crate::app::state::points::Point;
-use crate::app::theme;
-use crate::app::views::on_wheel::{OnWheel, angle_text};
+use crate::app::state::queries::on_wheel::{OnWheel, angle_text};
+use crate::app::widgets::theme;
 use crate::app::widgets::{dot, named_text};
 use crate::caption::times::TimeName;
 use crate::eye::Eye;
@@ -202,7 +202,7 @@ fn fold(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let title = egui::Button::new(RichText::new(format!("{sign} {name}")).strong()).frame(false);
     if ui.add(title).on_hover_text(tip).accessible_name("Readout").clicked() {
         window.readout = !window.readout;
-        commands.push(Command::Window(window));
+        commands.push(Command::Settings(SettingsCommand::Window(window)));
     }
 }
 

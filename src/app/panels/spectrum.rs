@@ -8,9 +8,9 @@ use relativity_core::math;
 use relativity_render::colour::spectrum::VISIBLE_NM;
 
 use crate::app::state::State;
-use crate::app::theme;
-use crate::app::wavelength_colour::{paint_strip, places, visible_colour};
 use crate::app::widgets::apart::{Span, apart};
+use crate::app::widgets::theme;
+use crate::app::widgets::wavelength_colour::{paint_strip, places, visible_colour};
 use crate::caption::{Moment, RestLight, in_words};
 use crate::eye::Eye;
 

@@ -7,12 +7,12 @@ use eframe::egui::{
 };
 
 use super::Commands;
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
-use crate::app::measuring::stopwatch::{Stopwatch, StopwatchCommand, TIP};
+use crate::app::commands::Command;
+use crate::app::commands::actions::with_keys;
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::state::measuring::stopwatch::{Stopwatch, StopwatchCommand, TIP};
 use crate::app::views::panes::EyePane;
+use crate::app::widgets::theme;
 use crate::number_text;
 
 /// Room around its words, and its width, points.

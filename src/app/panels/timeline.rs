@@ -10,13 +10,13 @@ use eframe::egui::{
 };
 
 use super::Commands;
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, PlaybackCommand, SettingsCommand};
 use crate::app::state::State;
-use crate::app::theme;
 use crate::app::widgets;
 use crate::app::widgets::apart::{Span, apart};
 use crate::app::widgets::icons::{self, Icon};
+use crate::app::widgets::theme;
 use crate::flags::{MAX_TIME, TimeRange};
 use crate::settings::{PlaybackSettings, RATE, about};
 use crate::units::Unit;
@@ -92,19 +92,19 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 fn transport(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.spacing_mut().item_spacing.x = 4.0;
     let buttons = [
-        (Icon::Start, "To the start", 28.0, Command::TimeInRange(0.0)),
-        (Icon::Back, "Step back", 28.0, Command::Step(-1)),
+        (Icon::Start, "To the start", 28.0, Command::Playback(PlaybackCommand::GoToPart(0.0))),
+        (Icon::Back, "Step back", 28.0, Command::Playback(PlaybackCommand::Step(-1))),
         if state.scratch.playing {
-            (Icon::Pause, "Pause", 46.0, Command::TogglePlaying)
+            (Icon::Pause, "Pause", 46.0, Command::Playback(PlaybackCommand::Toggle))
         } else {
-            (Icon::Play, "Play", 46.0, Command::TogglePlaying)
+            (Icon::Play, "Play", 46.0, Command::Playback(PlaybackCommand::Toggle))
         },
-        (Icon::Forward, "Step forwards", 28.0, Command::Step(1)),
-        (Icon::End, "To the end", 28.0, Command::TimeInRange(1.0)),
+        (Icon::Forward, "Step forwards", 28.0, Command::Playback(PlaybackCommand::Step(1))),
+        (Icon::End, "To the end", 28.0, Command::Playback(PlaybackCommand::GoToPart(1.0))),
     ];
     let few = state.document.settings.window.simple;
     for (icon, name, width, command) in buttons {
-        if few && command != Command::TogglePlaying {
+        if few && command != Command::Playback(PlaybackCommand::Toggle) {
             continue;
         }
         let pressed = icon == Icon::Pause;
@@ -129,14 +129,24 @@ fn time(ui: &mut Ui, state: &State, commands: &mut Commands) {
         .max_decimals(unit.decimals(most).into());
     let response = ui.add_sized([time_width(state), ui.spacing().interact_size.y], number);
     if widgets::explained(response, tip).accessible_name("T, typed").changed() {
-        commands.push(Command::Time(time));
+        commands.push(Command::Playback(PlaybackCommand::GoTo(time)));
     }
 }
 
 /// Returns the tooltip of T, with the keys that set it.
 fn time_tip(state: &State) -> String {
-    let ends = [Command::TimeInRange(0.0), Command::TimeInRange(1.0)];
-    with_keys(state.clock().received.tip, &[&[Command::Step(-1), Command::Step(1)][..], &ends].concat())
+    let ends = [
+        Command::Playback(PlaybackCommand::GoToPart(0.0)),
+        Command::Playback(PlaybackCommand::GoToPart(1.0)),
+    ];
+    with_keys(
+        state.clock().received.tip,
+        &[
+            &[Command::Playback(PlaybackCommand::Step(-1)), Command::Playback(PlaybackCommand::Step(1))][..],
+            &ends,
+        ]
+        .concat(),
+    )
 }
 
 /// Rate, looping and range, from the right; what is not `shown` of them is in a menu.
@@ -165,7 +175,7 @@ fn playback(ui: &mut Ui, state: &State, shown: PlaybackControls, commands: &mut 
         rate(ui, state, &mut playback);
     }
     if playback != state.document.settings.playback {
-        commands.push(Command::Playback(playback));
+        commands.push(Command::Settings(SettingsCommand::Playback(playback)));
     }
 }
 
@@ -218,7 +228,7 @@ fn scrubber(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let slider = Slider::new(&mut time, from..=to).show_value(false).clamping(SliderClamping::Never);
     let response = widgets::explained(ui.add(slider), time_tip(state)).accessible_name("Observation time T");
     if response.changed() {
-        commands.push(Command::Time(time));
+        commands.push(Command::Playback(PlaybackCommand::GoTo(time)));
     }
     marks(ui, state, response.rect, commands);
 }
@@ -316,7 +326,7 @@ fn marks(ui: &mut Ui, state: &State, slider: Rect, commands: &mut Commands) {
             tick(ui, slider, span.middle, place, mark.colour);
         }
         if name(ui, mark, place, galley).clicked() {
-            commands.push(Command::Time(mark.time));
+            commands.push(Command::Playback(PlaybackCommand::GoTo(mark.time)));
         }
     }
 }

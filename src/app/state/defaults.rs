@@ -1,9 +1,9 @@
 //! Defaults: those of the shown preset, or else of a window that starts; and the ways back to them.
 
-use crate::app::clock;
-use crate::app::notice::Notice;
 use crate::app::state::State;
+use crate::app::state::notice::Notice;
 use crate::app::state::points::Points;
+use crate::app::tools::clock;
 use crate::settings::{LookSettings, MotionSettings, PictureSettings, Settings};
 
 /// A section of the controls.

@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use relativity_render::PreparedScene;
 
-use crate::app::clock;
-use crate::app::files::reader::ReadyScene;
-use crate::app::notice::Notice;
+use crate::app::state::files::reader::ReadyScene;
+use crate::app::state::notice::Notice;
 use crate::app::state::points::Points;
 use crate::app::state::shared::Shared;
+use crate::app::tools::clock;
 use crate::flags::choices::ProjectionChoice;
 use crate::scene::Scene;
 use crate::settings::{LookSettings, Preset, Settings};

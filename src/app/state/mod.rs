@@ -2,10 +2,22 @@
 
 pub mod defaults;
 pub mod document;
-pub(super) mod frame;
-pub(super) mod looks;
+pub mod files;
+pub mod fitting;
+pub(in crate::app) mod frame;
+pub mod history;
+pub mod lesson;
+pub mod measuring;
+pub mod notice;
+pub mod orders;
+pub mod overlay;
+pub mod plots;
+pub mod pointer;
 pub mod points;
-pub(super) mod shared;
+pub(in crate::app) mod queries;
+pub mod riding;
+pub(in crate::app) mod shared;
+pub mod stage;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -14,25 +26,25 @@ use relativity_core::Speed;
 use relativity_render::{Appearance, Emission, Geometry, Method, View};
 
 use crate::accuracy::Choice;
-use crate::app::file_dialog::purpose::Purpose;
-use crate::app::files::reader::ReadyScene;
-use crate::app::files::recent::Recent;
-use crate::app::lesson::session::Running;
-use crate::app::measuring::angle_ruler::AngleRuler;
-use crate::app::measuring::stopwatch::Stopwatch;
-use crate::app::notice::Notice;
-use crate::app::orders::Order;
-use crate::app::overlay::Overlay;
-use crate::app::plots::look::Plotting;
-use crate::app::pointer::Pick;
-use crate::app::riding::comfort::RideComfort;
-use crate::app::riding::saddle::Saddle;
-use crate::app::screens::stage::Stage;
 use crate::app::state::document::Document;
+use crate::app::state::files::purpose::Purpose;
+use crate::app::state::files::reader::ReadyScene;
+use crate::app::state::files::recent::Recent;
 use crate::app::state::frame::Frame;
+use crate::app::state::history::History;
+use crate::app::state::lesson::Running;
+use crate::app::state::measuring::angle_ruler::AngleRuler;
+use crate::app::state::measuring::stopwatch::Stopwatch;
+use crate::app::state::notice::Notice;
+use crate::app::state::orders::Order;
+use crate::app::state::overlay::Overlay;
+use crate::app::state::plots::look::Plotting;
+use crate::app::state::pointer::Pick;
 use crate::app::state::points::Point;
+use crate::app::state::riding::comfort::RideComfort;
+use crate::app::state::riding::saddle::Saddle;
 use crate::app::state::shared::Shared;
-use crate::app::undo::history::History;
+use crate::app::state::stage::Stage;
 use crate::caption::times::ObserverClock;
 use crate::estimate::samples::DataFile;
 use crate::lesson::{Answers, Library};
@@ -41,8 +53,8 @@ use crate::scene::{Scene, SceneError};
 use crate::settings::Settings;
 use crate::units::Measures;
 
-/// Everything the panels read, each part by how long it lasts. What a user does changes it only through [`crate::app::command`]. The window
-/// calls functions of the state (as `advance`, `tell`, `hear`), and writes only the frame directly.
+/// Everything the panels read, each part by how long it lasts. What a user does changes it through
+/// [`crate::app::commands`]; that of a running window is in a private field of the shell.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State {
     /// Document that is shown: undone, saved and compared.

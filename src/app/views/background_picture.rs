@@ -3,8 +3,8 @@
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 use relativity_render::Picture;
 
-use crate::app::image;
-use crate::app::worker::{BackgroundWork, Work};
+use crate::app::tools::image;
+use crate::app::tools::worker::{BackgroundWork, Work};
 
 /// The newest picture, and the one that is being made.
 pub struct BackgroundPicture<W: Work> {

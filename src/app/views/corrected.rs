@@ -8,8 +8,8 @@ use relativity_render::street::backdrop::Backdrop;
 use relativity_render::{Appearance, Camera, Picture, PreparedScene, Projection, Velocity, View};
 use serde::{Deserialize, Serialize};
 
+use crate::app::tools::worker::{StepOutcome, Wanted, Work};
 use crate::app::views::background_picture::BackgroundPicture;
-use crate::app::worker::{StepOutcome, Wanted, Work};
 
 /// Greatest number of pixels of a corrected picture: enough to judge it by, and drawn in a blink on the CPU.
 const MAX_PIXELS: f64 = 200_000.0;

@@ -6,7 +6,6 @@ use std::f32::consts::TAU;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align2, Color32, Pos2, Rect, Sense, Stroke, TextStyle, Ui, Vec2, WidgetInfo, pos2, vec2};
-use relativity_render::Geometry;
 
 use crate::app::state::State;
 use crate::app::state::points::Point;
@@ -82,13 +81,6 @@ impl State {
         })
     }
 
-    /// Returns the rate of a clock at `point`, relative to the own clock of its body, at that proper time: below 1 where it turns.
-    #[must_use]
-    pub fn slowed(&self, point: &Point, proper_time: f64) -> f64 {
-        let turning = self.on_wheel(&point.track, proper_time).map_or(0.0, |wheel| wheel.turning);
-        ((1.0 - turning) * (1.0 + turning)).sqrt()
-    }
-
     /// The clock that rests beside the eyes, which shows T; none where none is drawn, or no light is shown that `eye`
     /// receives.
     #[must_use]
@@ -115,14 +107,6 @@ impl State {
         let both = self.document.settings.shown_disparity(&point.track, time).ok()?;
         let seen = [both.primary, both.secondary][eye.index()];
         seen.proper_time.is_finite().then_some(seen.proper_time)
-    }
-
-    /// Whether the picture of `eye` is made of the light that it receives at T.
-    #[must_use]
-    pub fn shows_what_is_received(&self, eye: Eye) -> bool {
-        let is_worked_out =
-            matches!(self.document.settings.look.geometry, Geometry::Contracted | Geometry::Rest);
-        !is_worked_out && !self.sees_as_published(eye)
     }
 }
 
@@ -220,6 +204,8 @@ fn face(marker: Pos2, view: Rect) -> (Pos2, f32) {
 
 #[cfg(test)]
 mod tests {
+    use relativity_render::Geometry;
+
     use super::*;
     use crate::flags::{SpeedParameter, SpeedSetting};
     use crate::settings::Settings;

@@ -9,9 +9,9 @@ use crate::accuracy::{
     DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, RESOLUTION_PX, RoundsError, Spread,
     expected_error, method_name,
 };
-use crate::app::debounce::Debounce;
+use crate::app::tools::debounce::Debounce;
+use crate::app::tools::worker::{BackgroundWork, StepOutcome, Wanted, Work};
 use crate::app::views::heat_map::HeatMap;
-use crate::app::worker::{BackgroundWork, StepOutcome, Wanted, Work};
 use crate::eye::Eye;
 
 /// The present views, which are examined.

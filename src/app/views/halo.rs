@@ -2,7 +2,7 @@
 
 use eframe::egui::{Color32, Context, Id, LayerId, Order, Stroke};
 
-use crate::app::awake;
+use crate::app::tools::awake;
 
 const RADIUS: f32 = 22.0;
 

@@ -8,7 +8,7 @@ use relativity_core::math;
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::{ARCSECONDS, Difference, PixelDifference};
-use crate::app::image;
+use crate::app::tools::image;
 
 /// Powers of ten of a pixel, from the darkest to the brightest colour.
 pub const DECADES: RangeInclusive<f64> = -8.0..=0.0;

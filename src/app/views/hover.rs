@@ -7,7 +7,8 @@ use relativity_core::{Conformal, Sighting};
 use relativity_render::Geometry;
 
 use crate::app::state::State;
-use crate::app::{awake, clock, theme};
+use crate::app::tools::{awake, clock};
+use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::flags::choices::ProjectionChoice;
 use crate::number_text;

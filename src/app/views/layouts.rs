@@ -3,7 +3,7 @@
 use eframe::egui::{Color32, Visuals};
 
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::flags::choices::Layout;
 use crate::settings::PictureSettings;

@@ -5,7 +5,7 @@ use glam::DVec3;
 use relativity_render::{Camera, Motion};
 
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::widgets::theme;
 use crate::eye::Eye;
 
 /// Something out of a view.

@@ -4,7 +4,7 @@ use eframe::egui::{Pos2, Rect, Ui, Vec2, pos2, vec2};
 use relativity_render::Composition;
 use relativity_render::picture::compose::Top;
 
-use crate::app::theme::{GAP, TITLE_HEIGHT};
+use crate::app::widgets::theme::{GAP, TITLE_HEIGHT};
 use crate::eye::Eye;
 use crate::flags::choices::{Form, Layout};
 use crate::settings::{PictureSettings, Settings};

@@ -5,7 +5,7 @@ use relativity_render::{Appearance, Picture, PreparedScene, View};
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::REFERENCE_SAMPLES;
-use crate::app::worker::{StepOutcome, Wanted, Work};
+use crate::app::tools::worker::{StepOutcome, Wanted, Work};
 
 /// A picture to draw.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -70,7 +70,7 @@ mod tests {
     use relativity_render::{Camera, Gaze, Geometry};
 
     use super::*;
-    use crate::app::steps::sent;
+    use crate::app::tools::worker::sent;
     use crate::scene::{PRESETS, Scene};
 
     #[test]

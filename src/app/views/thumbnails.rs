@@ -9,10 +9,10 @@ use relativity_render::Picture;
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::REFERENCE_SAMPLES;
-use crate::app::image;
 use crate::app::state::State;
+use crate::app::tools::image;
+use crate::app::tools::worker::{BackgroundWork, StepOutcome, Wanted, Work};
 use crate::app::views::reference_steps::{ReferencePicture, ReferenceSteps};
-use crate::app::worker::{BackgroundWork, StepOutcome, Wanted, Work};
 use crate::eye::Eye;
 use crate::lesson::Lesson;
 use crate::settings::Settings;

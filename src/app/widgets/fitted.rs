@@ -4,7 +4,7 @@ use std::hash::Hash;
 
 use eframe::egui::{ScrollArea, Ui, UiBuilder};
 
-use crate::app::theme;
+use crate::app::widgets::theme;
 
 /// From one size that is tried to the next, points.
 const STEP: f32 = 0.25;

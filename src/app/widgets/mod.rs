@@ -1,10 +1,13 @@
 //! Widgets of the panels: rows of controls that look alike (a name, a widget, an explanation on hover), buttons, numbers and titles.
 
-pub mod apart;
-pub mod fitted;
-pub mod formula;
-pub mod icons;
-pub mod markdown;
+pub(in crate::app) mod apart;
+pub(in crate::app) mod fitted;
+pub(in crate::app) mod focus;
+pub(in crate::app) mod formula;
+pub(in crate::app) mod icons;
+pub(in crate::app) mod markdown;
+pub(in crate::app) mod theme;
+pub(in crate::app) mod wavelength_colour;
 
 use std::ops::RangeInclusive;
 
@@ -17,8 +20,7 @@ use eframe::egui::{
 use relativity_core::math;
 
 use self::icons::Icon;
-use crate::app::persistence::folded;
-use crate::app::theme;
+use crate::app::tools::folded;
 use crate::flags::MAX_TIME;
 use crate::number_text;
 use crate::settings::meaning;

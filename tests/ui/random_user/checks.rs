@@ -2,7 +2,7 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Pos2, Rect, Shape};
-use gamow::app::command::Command;
+use gamow::app::commands::Command;
 use gamow::app::state::State;
 use gamow::settings::Settings;
 
@@ -100,7 +100,7 @@ pub fn of_plots(window: &mut Window) {
 pub fn undo_all(window: &mut Window) -> usize {
     let mut steps = 0;
     while window.state().state().session.history.can_undo() {
-        window.state_mut().ask(Command::Undo);
+        window.state_mut().run(Command::Undo);
         steps += 1;
         assert!(steps <= 200, "more steps than are kept");
     }
@@ -123,7 +123,7 @@ pub fn of_the_way_back(window: &mut Window, start: &State) {
         assert_eq!(first.1, start.document.points, "after {steps} steps back");
     }
     for _ in 0..steps {
-        window.state_mut().ask(Command::Redo);
+        window.state_mut().run(Command::Redo);
     }
     assert_eq!(window.state().state().session.history.can_redo(), could_redo);
     let again = shown(window);

@@ -3,7 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Rect, Vec2, vec2};
 use egui_kittest::kittest::NodeT as _;
-use gamow::app::file_dialog::purpose::Purpose;
+use gamow::app::state::files::purpose::Purpose;
 
 use super::dice::Dice;
 use super::files::{Files, ODD_TEXTS};

@@ -4,7 +4,7 @@ use eframe::egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Vec2,
 };
 use egui_kittest::Harness;
-use gamow::app::App;
+use gamow::app::shell::App;
 
 pub type Window = Harness<'static, App>;
 

@@ -14,7 +14,7 @@ use std::collections::VecDeque;
 
 use eframe::egui::Vec2;
 use egui_kittest::Harness;
-use gamow::app::App;
+use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::settings::Settings;
 

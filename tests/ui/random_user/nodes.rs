@@ -6,7 +6,7 @@ use eframe::egui::accesskit::{Action, Role};
 use eframe::egui::{Pos2, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::NodeT as _;
-use gamow::app::App;
+use gamow::app::shell::App;
 
 use super::dice::Dice;
 

@@ -2,12 +2,12 @@
 
 use eframe::egui::{Button, Ui};
 
-use crate::app::actions::keys_of;
-use crate::app::command::Command;
-use crate::app::file_dialog::purpose::{Product, Purpose};
-use crate::app::orders::Copied;
+use crate::app::commands::actions::keys_of;
+use crate::app::commands::{Command, FileCommand};
 use crate::app::panels::Commands;
 use crate::app::state::State;
+use crate::app::state::files::purpose::{Product, Purpose};
+use crate::app::state::orders::Copied;
 use crate::scene::is_model;
 use crate::settings::PlotTab;
 
@@ -20,10 +20,14 @@ type MenuEntry = (&'static str, Command, &'static str);
 const OPEN: [MenuEntry; 2] = [
     (
         "Open…",
-        Command::Choose(Purpose::Open),
+        Command::File(FileCommand::Choose(Purpose::Open)),
         "Opens a scene, a model, a state, a picture by this program, or data as CSV.",
     ),
-    ("Own data…", Command::Choose(Purpose::OpenData), "Opens measured disparities (CSV) and fits them."),
+    (
+        "Own data…",
+        Command::File(FileCommand::Choose(Purpose::OpenData)),
+        "Opens measured disparities (CSV) and fits them.",
+    ),
 ];
 
 const SAVE: [MenuEntry; 11] = [
@@ -41,33 +45,37 @@ const SAVE: [MenuEntry; 11] = [
 ];
 
 const COPY: [MenuEntry; 6] = [
-    ("Copy picture", Command::Copy(Copied::Picture), "Copies the views as they are."),
+    ("Copy picture", Command::File(FileCommand::Copy(Copied::Picture)), "Copies the views as they are."),
     (
         "Copy values",
-        Command::Copy(Copied::Values),
+        Command::File(FileCommand::Copy(Copied::Values)),
         "Copies what both eyes see of the selected point at T, for a spreadsheet.",
     ),
     (
         "Copy link",
-        Command::Copy(Copied::Link),
+        Command::File(FileCommand::Copy(Copied::Link)),
         "Copies one line, gamow:?…, that holds everything shown. Open…, `gamow --state` and `gamow render \
             --state` take it.",
     ),
-    ("Copy command", Command::Copy(Copied::Command), "Copies the `gamow` command that opens this window."),
+    (
+        "Copy command",
+        Command::File(FileCommand::Copy(Copied::Command)),
+        "Copies the `gamow` command that opens this window.",
+    ),
     (
         "Copy render command",
-        Command::Copy(Copied::RenderCommand),
+        Command::File(FileCommand::Copy(Copied::RenderCommand)),
         "Copies the `gamow render` command that draws this picture.",
     ),
     (
         "Copy curve command",
-        Command::Copy(Copied::CurveCommand),
+        Command::File(FileCommand::Copy(Copied::CurveCommand)),
         "Copies the `gamow curve` command that computes the selected point's curves.",
     ),
 ];
 
 const fn save(label: &'static str, product: Product) -> MenuEntry {
-    (label, Command::Choose(Purpose::Save(product)), product.tip())
+    (label, Command::File(FileCommand::Choose(Purpose::Save(product))), product.tip())
 }
 
 /// Shows the menu's button.
@@ -101,7 +109,7 @@ fn entry(ui: &mut Ui, state: &State, (name, command, tip): &MenuEntry, commands:
 fn obstacle(state: &State, command: &Command) -> Option<&'static str> {
     let settings = &state.document.settings;
     let (is_plotted, tab) = (settings.window.plots, settings.plots.plot);
-    let Command::Choose(Purpose::Save(product)) = command else { return None };
+    let Command::File(FileCommand::Choose(Purpose::Save(product))) = command else { return None };
     match product {
         Product::PlotsSvg | Product::PlotsCsv if !is_plotted => Some("The plots are hidden."),
         Product::PlotsSvg if tab == PlotTab::Accuracy => Some("This tab is a table: save it as CSV."),

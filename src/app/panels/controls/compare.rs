@@ -2,8 +2,8 @@
 
 use eframe::egui::{Button, ComboBox, RichText, Ui};
 
-use crate::app::actions::with_keys;
-use crate::app::command::{Command, Switch};
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, SettingsCommand, Switch};
 use crate::app::state::State;
 use crate::app::widgets::{explained_lazily, row};
 use crate::flags::choices::Compare;
@@ -35,7 +35,7 @@ pub fn show(ui: &mut Ui, state: &State, look: &mut LookSettings) {
     let refused = settings.check_two_pictures().err();
     let problem = settings.check_comparison().err();
     let name = |of| CHOICES.iter().find(|(choice, _)| *choice == of).map_or("", |(_, name)| name);
-    let tip = with_keys(about("compare"), &[Command::Switch(Switch::Comparison)]);
+    let tip = with_keys(about("compare"), &[Command::Settings(SettingsCommand::Switch(Switch::Comparison))]);
     row(ui, "Compare with", &tip, |ui| {
         let reason = refused.as_ref().map_or("", problem_text);
         ui.add_enabled_ui(refused.is_none(), |ui| {

@@ -2,12 +2,12 @@
 
 use eframe::egui::{Checkbox, Ui};
 
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
-use crate::app::measuring::angle_ruler::{AngleRuler, RulerCommand};
-use crate::app::measuring::stopwatch::{Stopwatch, StopwatchCommand, TIP};
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, SettingsCommand};
 use crate::app::panels::Commands;
 use crate::app::state::State;
+use crate::app::state::measuring::angle_ruler::{AngleRuler, RulerCommand};
+use crate::app::state::measuring::stopwatch::{Stopwatch, StopwatchCommand, TIP};
 use crate::app::widgets::row;
 use crate::settings::about;
 
@@ -39,7 +39,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             .on_hover_text(about("resting-clock"))
             .on_disabled_hover_text(reason);
         if response.accessible_name("clock beside you").changed() {
-            commands.push(Command::Window(window));
+            commands.push(Command::Settings(SettingsCommand::Window(window)));
         }
     });
 }

@@ -14,13 +14,13 @@ use eframe::egui::{self, ComboBox, RichText, ScrollArea, Ui};
 use relativity_render::Geometry;
 
 use super::Commands;
-use crate::app::actions::with_keys;
-use crate::app::command::{Command, GazeCommand, Switch};
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, GazeCommand, SettingsCommand, Switch};
 use crate::app::state::State;
 use crate::app::state::defaults::Section;
-use crate::app::theme;
 use crate::app::views::dial;
 use crate::app::views::layouts::{self, LAYOUTS};
+use crate::app::widgets::theme;
 use crate::app::widgets::{Edit, NumberRow, choice, choice_of, explained_lazily, row, section};
 use crate::flags::FieldOfView;
 use crate::flags::choices::GazeChoice;
@@ -56,7 +56,7 @@ pub fn show_speed(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let motion = state.document.settings.motion;
     if let Some(speed) = speed::show(ui, motion.speed, state.defaults().motion.speed, &state.measures(), &[])
     {
-        commands.push(Command::Motion(MotionSettings { speed, ..motion }));
+        commands.push(Command::Settings(SettingsCommand::Motion(MotionSettings { speed, ..motion })));
     }
 }
 
@@ -71,7 +71,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             let tip = format!("Resets this section to its defaults, {}.", state.defaults_source());
             let reset = (!state.is_default_in(part)).then_some(tip.as_str());
             if section(ui, part.title(), reset, |ui| rows(ui, state, commands)) {
-                commands.push(Command::ResetSection(part));
+                commands.push(Command::Settings(SettingsCommand::ResetSection(part)));
             }
         }
     });
@@ -85,7 +85,7 @@ fn few(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let tip = "Shows all controls (path, look, light, quality) and all plots. The palette (Ctrl+P) leads \
         back.";
     if ui.button("More controls").on_hover_text(tip).clicked() {
-        commands.push(Command::Switch(Switch::Simple));
+        commands.push(Command::Settings(SettingsCommand::Switch(Switch::Simple)));
     }
 }
 
@@ -103,7 +103,7 @@ fn motion(ui: &mut Ui, state: &State, commands: &mut Commands) {
         path_rows(ui, measures.length, state.document.scene.tracked, &mut motion, default);
     }
     if motion != state.document.settings.motion {
-        commands.push(Command::Motion(motion));
+        commands.push(Command::Settings(SettingsCommand::Motion(motion)));
     }
 }
 
@@ -169,13 +169,13 @@ fn look(ui: &mut Ui, state: &State, commands: &mut Commands) {
     quality::show(ui, state, commands);
     measuring::show(ui, state, commands);
     if look != state.document.settings.look {
-        commands.push(Command::Look(look));
+        commands.push(Command::Settings(SettingsCommand::Look(look)));
     }
 }
 
 /// Shows the choice of the layout.
 fn layout_row(ui: &mut Ui, picture: PictureSettings, commands: &mut Commands) {
-    let tip = with_keys(about("layout"), &[Command::Switch(Switch::Layout(1))]);
+    let tip = with_keys(about("layout"), &[Command::Settings(SettingsCommand::Switch(Switch::Layout(1)))]);
     row(ui, "Layout", &tip, |ui| {
         ComboBox::from_id_salt("layout")
             .selected_text(layouts::name(picture.layout))
@@ -185,7 +185,10 @@ fn layout_row(ui: &mut Ui, picture: PictureSettings, commands: &mut Commands) {
                 for (layout, name) in LAYOUTS {
                     let choice = ui.selectable_label(layout == picture.layout, name);
                     if explained_lazily(choice, || meaning(&layout)).clicked() {
-                        commands.push(Command::Picture(PictureSettings { layout, ..picture }));
+                        commands.push(Command::Settings(SettingsCommand::Picture(PictureSettings {
+                            layout,
+                            ..picture
+                        })));
                     }
                 }
             })
@@ -195,16 +198,16 @@ fn layout_row(ui: &mut Ui, picture: PictureSettings, commands: &mut Commands) {
         let mut is_swapped = picture.swapped.has(picture.layout);
         let swap = egui::Checkbox::new(&mut is_swapped, "swap eyes");
         let response = ui.add_enabled(picture.layout.has_both(), swap);
-        let tip = with_keys(about("swapped"), &[Command::Switch(Switch::Eyes)]);
+        let tip = with_keys(about("swapped"), &[Command::Settings(SettingsCommand::Switch(Switch::Eyes))]);
         if response.on_hover_text(tip).on_disabled_hover_text("This layout shows one eye.").changed() {
-            commands.push(Command::Switch(Switch::Eyes));
+            commands.push(Command::Settings(SettingsCommand::Switch(Switch::Eyes)));
         }
     });
 }
 
 fn geometry_row(ui: &mut Ui, geometry: &mut Geometry) {
     let mut chosen = if is_as_seen(*geometry) { Geometry::Seen } else { *geometry };
-    let keys = GEOMETRIES.map(|(geometry, _)| Command::Geometry(geometry));
+    let keys = GEOMETRIES.map(|(geometry, _)| Command::Settings(SettingsCommand::Geometry(geometry)));
     row(ui, "Geometry", &with_keys(about("geometry"), &keys), |ui| {
         if choice(ui, &mut chosen, &GEOMETRIES) {
             *geometry = chosen;
@@ -225,7 +228,7 @@ const UNPUBLISHED: &str = "The published model has the eyes along the motion, so
 
 fn light_cones_row(ui: &mut Ui, geometry: &mut Geometry, is_along_motion: bool) {
     let tip = "Chooses which events the two eyes receive, with the geometry as seen.";
-    let tip = with_keys(tip, &[Command::Geometry(Geometry::OneCone)]);
+    let tip = with_keys(tip, &[Command::Settings(SettingsCommand::Geometry(Geometry::OneCone))]);
     let is_seen = is_as_seen(*geometry);
     let mut chosen = if is_seen { *geometry } else { Geometry::Seen };
     row(ui, "Eyes receive", &tip, |ui| {
@@ -247,7 +250,8 @@ fn more_rows(ui: &mut Ui, before: WindowSettings, unit: Unit, commands: &mut Com
     row(ui, "Also show", "Chooses what stands beside the views, and what is drawn into them.", |ui| {
         ui.checkbox(&mut window.corrected, "corrected").on_hover_text(about("corrected"));
         ui.checkbox(&mut window.dials, "clocks").on_hover_text(dial::tip(unit, false));
-        let resting = with_keys(about("resting"), &[Command::Switch(Switch::Resting)]);
+        let resting =
+            with_keys(about("resting"), &[Command::Settings(SettingsCommand::Switch(Switch::Resting))]);
         ui.checkbox(&mut window.resting, "outline").on_hover_text(resting);
     });
     row(ui, "Below views", "Chooses what stands below the views.", |ui| {
@@ -257,7 +261,7 @@ fn more_rows(ui: &mut Ui, before: WindowSettings, unit: Unit, commands: &mut Com
         ui.checkbox(&mut window.ruler, "ruler").on_hover_text(about("ruler"));
     });
     if window != before {
-        commands.push(Command::Window(window));
+        commands.push(Command::Settings(SettingsCommand::Window(window)));
     }
 }
 

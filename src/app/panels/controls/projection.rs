@@ -4,8 +4,8 @@ use std::ops::RangeInclusive;
 
 use eframe::egui::Ui;
 
-use crate::app::actions::with_keys;
-use crate::app::command::{Command, Switch};
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, SettingsCommand, Switch};
 use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, choice_of, row};
 use crate::flags::choices::{ProjectionChoice, ZeroParallax};
@@ -28,7 +28,8 @@ pub fn show(ui: &mut Ui, state: &State, look: &mut LookSettings) {
 }
 
 fn projection_row(ui: &mut Ui, projection: &mut ProjectionChoice) {
-    let tip = with_keys(about("projection"), &[Command::Switch(Switch::Projection)]);
+    let tip =
+        with_keys(about("projection"), &[Command::Settings(SettingsCommand::Switch(Switch::Projection))]);
     row(ui, "Pictures", &tip, |ui| _ = choice(ui, projection, &PROJECTIONS));
 }
 

@@ -2,11 +2,11 @@
 
 use eframe::egui::{Id, RichText, Ui};
 
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, SettingsCommand};
 use crate::app::panels::Commands;
-use crate::app::riding::saddle::RideCommand;
 use crate::app::state::State;
+use crate::app::state::riding::saddle::RideCommand;
 use crate::app::widgets::{NumberRow, row, typed_text};
 use crate::flags::{RideLegs, StreetVelocity};
 use crate::number_text;
@@ -41,7 +41,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             .on_hover_text(about("vignette"))
             .changed()
         {
-            commands.push(Command::Window(window));
+            commands.push(Command::Settings(SettingsCommand::Window(window)));
         }
     });
     if ride != state.document.settings.ride {

@@ -2,11 +2,11 @@
 
 use eframe::egui::{Button, Ui};
 
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, SettingsCommand, WindowCommand};
 use crate::app::panels::Commands;
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::widgets::theme;
 use crate::app::widgets::{STEREOSCOPE_TIP, dot, named_text, number, row};
 use crate::flags::{SCREEN_CM, ScreenWidth};
 use crate::number_text;
@@ -57,12 +57,12 @@ fn narrow(ui: &mut Ui, state: &State, commands: &mut Commands) {
         let is_pair = !state.document.settings.is_comparing();
         let button = ui.add_enabled(is_pair, Button::new("Comfortable"));
         if button.on_hover_text(tip).on_disabled_hover_text(NO_PAIR).clicked() {
-            commands.push(Command::Narrow);
+            commands.push(Command::Settings(SettingsCommand::Narrow));
         }
         if let Some([wide, _]) = narrowed
             && ui.button("As before").on_hover_text("Restores the eye separation.").clicked()
         {
-            commands.push(Command::Motion(MotionSettings { d: wide, ..motion }));
+            commands.push(Command::Settings(SettingsCommand::Motion(MotionSettings { d: wide, ..motion })));
         }
     });
     if let Some([wide, d]) = narrowed {
@@ -93,23 +93,23 @@ fn place(ui: &mut Ui, state: &State, commands: &mut Commands) {
     });
     row(ui, "Audience", "Shows the views to an audience.", |ui| {
         let tip = "Fills the screen with the views, one plot and words, all large. Esc leaves.";
-        let tip = with_keys(tip, &[Command::TogglePresenting]);
+        let tip = with_keys(tip, &[Command::Window(WindowCommand::TogglePresenting)]);
         if ui.button("Present").on_hover_text(tip).clicked() {
-            commands.push(Command::TogglePresenting);
+            commands.push(Command::Window(WindowCommand::TogglePresenting));
         }
         let mut is_open = state.session.stage.projector;
-        let tip = with_keys(PROJECTOR_TIP, &[Command::ToggleProjector]);
+        let tip = with_keys(PROJECTOR_TIP, &[Command::Window(WindowCommand::ToggleProjector)]);
         if ui.checkbox(&mut is_open, "second window").on_hover_text(tip).changed() {
-            commands.push(Command::ToggleProjector);
+            commands.push(Command::Window(WindowCommand::ToggleProjector));
         }
     });
     row(ui, "Lenses", STEREOSCOPE_TIP, |ui| {
         if ui.button("Stereoscope").on_hover_text(STEREOSCOPE_TIP).clicked() {
-            commands.push(Command::ToggleStereoscope);
+            commands.push(Command::Window(WindowCommand::ToggleStereoscope));
         }
     });
     if screen != state.document.settings.screen {
-        commands.push(Command::Screen(screen));
+        commands.push(Command::Settings(SettingsCommand::Screen(screen)));
     }
 }
 

@@ -4,8 +4,8 @@ use eframe::egui::{
     self, Align, Align2, FontId, Label, Layout, Rect, RichText, Sense, Slider, TextStyle, Ui, vec2,
 };
 
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, SettingsCommand};
 use crate::app::widgets::{self, DOUBLE_CLICK};
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::number_text;
@@ -25,7 +25,10 @@ pub const FIELDS: [Field; 3] = [
 ];
 
 fn tip() -> String {
-    let keys = [Command::NudgeSpeed(1), Command::NudgeSpeed(-1)];
+    let keys = [
+        Command::Settings(SettingsCommand::NudgeSpeed(1)),
+        Command::Settings(SettingsCommand::NudgeSpeed(-1)),
+    ];
     format!("{}\n{DOUBLE_CLICK}", with_keys(TIP, &keys))
 }
 

@@ -9,10 +9,10 @@ use eframe::egui::{
 };
 
 use super::Commands;
-use crate::app::actions::{ACTIONS, keys_of};
-use crate::app::command::Command;
-use crate::app::overlay::Overlay;
+use crate::app::commands::actions::{ACTIONS, keys_of};
+use crate::app::commands::{Command, WindowCommand};
 use crate::app::state::State;
+use crate::app::state::overlay::Overlay;
 use crate::app::widgets::markdown;
 use crate::settings::about_all;
 use words::{GLOSSARY, OWN_LICENCE, PAPER, PAPER_ADDRESS, WHAT};
@@ -101,7 +101,7 @@ pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
         });
     ctx.data_mut(|data| data.insert_temp(id, shown));
     if !open {
-        commands.push(Command::Toggle(Overlay::Help));
+        commands.push(Command::Window(WindowCommand::Toggle(Overlay::Help)));
     }
 }
 
@@ -144,7 +144,7 @@ fn licences(ui: &mut Ui, area: ScrollArea) {
 
 /// Shows every setting by its name, which the palette, the command line and files have in common.
 fn settings(ui: &mut Ui) {
-    let key = keys_of(&[Command::Toggle(Overlay::Palette)]);
+    let key = keys_of(&[Command::Window(WindowCommand::Toggle(Overlay::Palette))]);
     ui.label(format!(
         "The palette ({key}) sets them: type a name and a value, such as “beta 0.99” or “sky off”. On the command line they \
         are flags (--beta 0.99), and in a state's file the same words (beta = 0.99). Scene, time and points are chosen in the \

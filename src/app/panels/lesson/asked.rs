@@ -1,8 +1,8 @@
 //! Requests of the parts of the panel.
 
-use crate::app::command::Command;
-use crate::app::lesson::session::LessonCommand;
+use crate::app::commands::Command;
 use crate::app::panels::Commands;
+use crate::app::state::lesson::LessonCommand;
 
 /// Asks for something in the lesson.
 pub fn ask(commands: &mut Commands, command: LessonCommand) {

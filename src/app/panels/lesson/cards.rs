@@ -6,9 +6,9 @@ use eframe::egui::{
     UiBuilder, WidgetInfo, vec2,
 };
 
-use crate::app::theme;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::markdown;
+use crate::app::widgets::theme;
 use crate::comfort::ComfortVerdict;
 use crate::lesson::Text;
 

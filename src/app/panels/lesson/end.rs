@@ -4,12 +4,12 @@ use eframe::egui::{TextStyle, Ui};
 
 use super::asked::ask;
 use super::cards;
-use crate::app::command::Command;
-use crate::app::file_dialog::purpose::{Product, Purpose};
-use crate::app::lesson::session::{LessonCommand, Running};
-use crate::app::overlay::Overlay;
+use crate::app::commands::{Command, FileCommand, WindowCommand};
 use crate::app::panels::Commands;
-use crate::app::theme;
+use crate::app::state::files::purpose::{Product, Purpose};
+use crate::app::state::lesson::{LessonCommand, Running};
+use crate::app::state::overlay::Overlay;
+use crate::app::widgets::theme;
 use crate::lesson::{Course, Place, Score};
 
 /// The pages to print: each button's name, and its page.
@@ -48,11 +48,11 @@ pub fn show(ui: &mut Ui, running: &Running, commands: &mut Commands) {
         for (name, product) in PAGES {
             let is_there = product != Product::LabSheet || course.lesson().lab.is_some();
             if is_there && ui.button(name).on_hover_text(product.tip()).clicked() {
-                commands.push(Command::Choose(Purpose::Save(product)));
+                commands.push(Command::File(FileCommand::Choose(Purpose::Save(product))));
             }
         }
         if ui.button("All lessons").clicked() {
-            commands.push(Command::Toggle(Overlay::Start));
+            commands.push(Command::Window(WindowCommand::Toggle(Overlay::Start)));
         }
     });
 }

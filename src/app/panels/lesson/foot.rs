@@ -3,12 +3,12 @@
 use eframe::egui::{Align, Button, Layout, RichText, Ui, vec2};
 
 use super::asked::ask;
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
-use crate::app::lesson::session::{LessonCommand, Running};
-use crate::app::overlay::Overlay;
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, ShowCommand, WindowCommand};
 use crate::app::panels::Commands;
 use crate::app::state::State;
+use crate::app::state::lesson::{LessonCommand, Running};
+use crate::app::state::overlay::Overlay;
 use crate::lesson::{Answer, AnswerKind, Course};
 
 /// Least width and height of the button that leads on.
@@ -24,7 +24,7 @@ pub fn show(ui: &mut Ui, state: &State, running: &Running, commands: &mut Comman
             let back = Button::new("Back").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false);
             if ui
                 .add_enabled(can_go_back, back)
-                .on_hover_text(with_keys("", &[Command::ShowNext(-1)]))
+                .on_hover_text(with_keys("", &[Command::Show(ShowCommand::Next(-1))]))
                 .clicked()
             {
                 ask(commands, LessonCommand::Back);
@@ -68,7 +68,10 @@ fn lead_on(ui: &mut Ui, state: &State, running: &Running, commands: &mut Command
             ask(commands, LessonCommand::Skip);
         }
     } else if can_go_on {
-        if main(ui, "Next", true).on_hover_text(with_keys("", &[Command::ShowNext(1)])).clicked() {
+        if main(ui, "Next", true)
+            .on_hover_text(with_keys("", &[Command::Show(ShowCommand::Next(1))]))
+            .clicked()
+        {
             ask(commands, LessonCommand::Forward);
         }
     } else {
@@ -76,7 +79,7 @@ fn lead_on(ui: &mut Ui, state: &State, running: &Running, commands: &mut Command
     }
     let is_a_state_alone = course.step().is_some() && !can_go_on;
     if is_a_state_alone && ui.button("All lessons").clicked() {
-        commands.push(Command::Toggle(Overlay::Start));
+        commands.push(Command::Window(WindowCommand::Toggle(Overlay::Start)));
     }
 }
 

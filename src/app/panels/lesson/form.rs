@@ -4,10 +4,10 @@ use eframe::egui::{Align, Event, Id, Key, Layout, RichText, TextEdit, TextStyle,
 
 use super::asked::ask;
 use super::cards;
-use crate::app::lesson::predicted_place;
-use crate::app::lesson::session::LessonCommand;
 use crate::app::panels::Commands;
 use crate::app::state::State;
+use crate::app::state::lesson::LessonCommand;
+use crate::app::views::predicted_place;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::markdown;
 use crate::lesson::{Answer, AnswerKind, Confidence, Course, Number, Options, Prediction};

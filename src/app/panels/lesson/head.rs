@@ -4,10 +4,10 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Label, Layout, Response, RichText, Sense, Stroke, Ui, WidgetInfo, vec2};
 
 use super::asked::ask;
-use crate::app::lesson::session::LessonCommand;
 use crate::app::panels::Commands;
-use crate::app::theme;
+use crate::app::state::lesson::LessonCommand;
 use crate::app::widgets::icons::{self, Icon};
+use crate::app::widgets::theme;
 use crate::lesson::{Course, Phase, Place};
 
 /// Side of the buttons in the title.

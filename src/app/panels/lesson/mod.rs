@@ -18,8 +18,8 @@ pub use page::what_is_shown;
 
 use super::Commands;
 use crate::app::state::State;
-use crate::app::theme;
 use crate::app::widgets::fitted;
+use crate::app::widgets::theme;
 
 /// Sizes of most writing, points: as large as fits.
 const SIZES: [f32; 2] = [theme::BODY_SIZE, 12.0];

@@ -4,7 +4,7 @@ use eframe::egui::{RichText, Ui};
 
 use super::cards;
 use super::page;
-use crate::app::lesson::session::Running;
+use crate::app::state::lesson::Running;
 use crate::lesson::{AnswerKind, Course, Options, Phase};
 
 /// Shows the notes for the present place.

@@ -4,9 +4,9 @@ use eframe::egui::{RichText, Ui};
 
 use super::asked::ask;
 use super::cards;
-use crate::app::lesson::session::LessonCommand;
 use crate::app::panels::Commands;
 use crate::app::state::State;
+use crate::app::state::lesson::LessonCommand;
 use crate::lesson::{Choices, Course, Record};
 
 /// Shows the question, and what is to say to its answer.

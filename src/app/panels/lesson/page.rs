@@ -3,9 +3,9 @@
 use eframe::egui::{RichText, Ui};
 
 use super::{cards, end, form, observed, shown};
-use crate::app::lesson::session::Running;
 use crate::app::panels::Commands;
 use crate::app::state::State;
+use crate::app::state::lesson::Running;
 use crate::app::widgets::markdown;
 use crate::lesson::{Course, Phase, Step, Text};
 

@@ -3,9 +3,9 @@
 use eframe::egui::{Label, RichText, Ui};
 
 use super::{cards, end, form, observed, page, shown};
-use crate::app::lesson::session::Running;
 use crate::app::panels::Commands;
 use crate::app::state::State;
+use crate::app::state::lesson::Running;
 use crate::lesson::{AnswerKind, Phase, Step};
 use crate::number_text;
 

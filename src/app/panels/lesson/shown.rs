@@ -4,7 +4,7 @@ use eframe::egui::{Align, Layout, Rect, RichText, Sense, TextStyle, Ui, vec2};
 
 use super::cards::{self, Sign};
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::widgets::theme;
 use crate::app::widgets::{markdown, named_text};
 use crate::formula::markdown::Markdown;
 use crate::lesson::{Answer, AnswerKind, Course, Options, Step, verdict};

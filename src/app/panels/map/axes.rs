@@ -4,7 +4,7 @@ use eframe::egui::{Align2, Painter, Pos2, Stroke, TextStyle, Ui, pos2, vec2};
 
 use super::canvas;
 use super::labels::LabelPlaces;
-use crate::app::theme;
+use crate::app::widgets::theme;
 use crate::map::{Chart, ticks};
 use crate::number_text;
 use crate::units::Unit;

@@ -3,7 +3,7 @@
 use eframe::egui::{self, CursorIcon, Pos2, Rect, Response, Sense, Ui, Vec2, accesskit::Role, pos2};
 use relativity_core::math;
 
-use crate::app::command::Command;
+use crate::app::commands::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::map::{Chart, Viewpoint};

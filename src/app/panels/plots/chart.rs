@@ -5,9 +5,9 @@ use egui_plot::PlotPoint;
 use relativity_core::{Model, math};
 
 use super::axes::{Ruler, value_range};
-use crate::app::plots::curves::{Curve, SeenPoint};
-use crate::app::plots::look::MAX_PINS;
-use crate::app::theme;
+use crate::app::state::plots::curves::{Curve, SeenPoint};
+use crate::app::state::plots::look::MAX_PINS;
+use crate::app::widgets::theme;
 use crate::caption::times::ObserverClock;
 use crate::eye::Eye;
 use crate::quantity::Quantity;

@@ -7,10 +7,10 @@ use relativity_core::math;
 
 use super::axes::time_at_pointer;
 use super::chart::TimePlot;
-use crate::app::command::Command;
+use crate::app::commands::{Command, PlaybackCommand};
 use crate::app::panels::Commands;
-use crate::app::plots::look::{PlotCommand, Ranges};
 use crate::app::state::State;
+use crate::app::state::plots::look::{PlotCommand, Ranges};
 
 /// Scrolling by this much is one step of the zoom; by a line of a wheel it is that too. Points.
 const NOTCH: f32 = 40.0;
@@ -26,7 +26,7 @@ pub(super) fn read(
     commands: &mut Commands,
 ) {
     let quantity = chart.quantity;
-    let look = |ranges| Command::Plotting(PlotCommand::Look(quantity, ranges));
+    let look = |ranges| Command::Plots(PlotCommand::Look(quantity, ranges));
     let (mouse, modifiers) = (&response.response, ui.input(|input| input.modifiers));
     let shown = Ranges { times: chart.range, values: chart.value_range() };
     let is_moved = mouse.dragged_by(PointerButton::Secondary)
@@ -47,10 +47,10 @@ pub(super) fn read(
     } else if let Some(time) = time_at_pointer(response) {
         if modifiers.shift {
             if mouse.clicked() {
-                commands.push(Command::Plotting(PlotCommand::Cursor(Some(time))));
+                commands.push(Command::Plots(PlotCommand::Cursor(Some(time))));
             }
         } else if !modifiers.command {
-            commands.push(Command::Time(time));
+            commands.push(Command::Playback(PlaybackCommand::GoTo(time)));
         }
     }
     let Some(pointer) = mouse.hover_pos().filter(|_| mouse.contains_pointer()) else { return };

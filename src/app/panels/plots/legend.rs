@@ -11,7 +11,7 @@ use eframe::egui::{
 use egui_plot::PlotResponse;
 
 use super::chart::{Dash, TimePlot, Trace};
-use crate::app::plots::curves::PUBLISHED;
+use crate::app::state::plots::curves::PUBLISHED;
 
 /// Length of a piece of line, and what is between it and its name; points.
 pub(super) const SAMPLE: f32 = 18.0;

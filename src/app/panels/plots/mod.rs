@@ -28,13 +28,13 @@ pub use self::export::{csv, svg};
 use self::legend::Drawn;
 pub use self::plotted::Plotted;
 use self::traces::chart;
-use crate::app::command::Command;
+use crate::app::commands::{Command, SettingsCommand};
 use crate::app::panels::Commands;
-use crate::app::plots::curves::QuantityCurves;
-use crate::app::plots::look::quantities;
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::state::plots::curves::QuantityCurves;
+use crate::app::state::plots::look::quantities;
 use crate::app::widgets::explained_lazily;
+use crate::app::widgets::theme;
 use crate::quantity::Quantity;
 use crate::settings::{Coordinates, PlotTab, about, meaning};
 
@@ -129,7 +129,7 @@ fn tabs(ui: &mut Ui, state: &State, commands: &mut Commands) {
         coordinates(ui, &mut plots.coordinates);
     }
     if plots != state.document.settings.plots {
-        commands.push(Command::Plots(plots));
+        commands.push(Command::Settings(SettingsCommand::Plots(plots)));
     }
 }
 

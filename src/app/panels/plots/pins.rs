@@ -2,8 +2,8 @@
 
 use relativity_core::Model;
 
-use crate::app::plots::curves::SeenPoint;
 use crate::app::state::State;
+use crate::app::state::plots::curves::SeenPoint;
 use crate::app::state::points::Point;
 use crate::number_text;
 

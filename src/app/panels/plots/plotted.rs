@@ -1,7 +1,7 @@
 //! The data of the plots.
 
-use crate::app::fitting::Fitting;
-use crate::app::plots::curves::QuantityCurves;
+use crate::app::state::fitting::Fitting;
+use crate::app::state::plots::curves::QuantityCurves;
 use crate::app::views::examination::Examination;
 
 /// The data that can be plotted.

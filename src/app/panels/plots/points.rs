@@ -2,13 +2,13 @@
 
 use eframe::egui::{Color32, TextStyle, Ui, vec2};
 
-use crate::app::command::Command;
+use crate::app::commands::{Command, PointsCommand};
 use crate::app::panels::Commands;
-use crate::app::plots::look::{self, PlotCommand};
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::state::plots::look::{self, PlotCommand};
 use crate::app::widgets::dot;
 use crate::app::widgets::icons::{self, Icon};
+use crate::app::widgets::theme;
 
 /// The followed points: a click selects one, a cross removes it.
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -35,13 +35,13 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         };
         let tip = format!("{is}\nClick in a view to move it, shift-click to add one.");
         if ui.selectable_label(chosen, &name).on_hover_text(tip).clicked() {
-            commands.push(Command::SelectPoint(index));
+            commands.push(Command::Points(PointsCommand::Select(index)));
         }
         if points.is_removable(index) {
             let name = format!("Remove {name}");
             if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
             {
-                commands.push(Command::RemovePoint(index));
+                commands.push(Command::Points(PointsCommand::Remove(index)));
             }
         }
         ui.add_space(6.0);
@@ -63,7 +63,7 @@ fn buttons(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let plotting = &state.scratch.plotting;
     let mut button = |ui: &mut Ui, name: &str, tip: &str, command: PlotCommand| {
         if ui.small_button(name).on_hover_text(tip).clicked() {
-            commands.push(Command::Plotting(command));
+            commands.push(Command::Plots(command));
         }
     };
     let tip = "Keeps the present curves of the selected point, to compare speeds, for example. (K)";

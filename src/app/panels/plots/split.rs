@@ -2,7 +2,7 @@
 
 use eframe::egui::{Rect, Ui, UiBuilder, pos2};
 
-use crate::app::theme;
+use crate::app::widgets::theme;
 
 /// The table and the plots inside `area`: in one that leaves the plots less than `least_plots` there is the table alone.
 pub fn table_and_plots(area: Rect, table_width: f32, least_plots: f32) -> (Rect, Option<Rect>) {

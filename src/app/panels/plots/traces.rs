@@ -4,8 +4,8 @@ use relativity_core::Model;
 
 use super::chart::{Dash, Hue, TimePlot, Trace, ValueSource};
 use super::pins;
-use crate::app::plots::curves::{Curve, CurvesKey, PUBLISHED, QuantityCurves, SeenPoint, Whose};
 use crate::app::state::State;
+use crate::app::state::plots::curves::{Curve, CurvesKey, PUBLISHED, QuantityCurves, SeenPoint, Whose};
 use crate::app::state::points::Point;
 use crate::eye::Eye;
 use crate::quantity::{Dimension, Of, Quantity};

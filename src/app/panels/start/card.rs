@@ -12,9 +12,9 @@ use eframe::egui::{
 
 use super::Commands;
 use super::picture::{self, ASPECT, RADIUS};
-use crate::app::command::Command;
-use crate::app::theme;
+use crate::app::commands::Command;
 use crate::app::views::thumbnails::{ThumbnailLook, Thumbnails};
+use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::lesson::Lesson;
 

@@ -13,13 +13,13 @@ use gamow_platform::messages;
 
 use self::card::{Card, Cards};
 use super::Commands;
-use crate::app::actions::with_keys;
-use crate::app::command::Command;
-use crate::app::lesson::session::LessonCommand;
-use crate::app::overlay::Overlay;
+use crate::app::commands::actions::with_keys;
+use crate::app::commands::{Command, FileCommand, ShowCommand, WindowCommand};
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::state::lesson::LessonCommand;
+use crate::app::state::overlay::Overlay;
 use crate::app::views::thumbnails::Thumbnails;
+use crate::app::widgets::theme;
 use crate::lesson::{Lesson, Refused};
 use crate::settings::Preset;
 
@@ -45,12 +45,12 @@ const LINE: f32 = 60.0;
 pub const fn lets_through(command: &Command) -> bool {
     matches!(
         command,
-        Command::Toggle(_)
-            | Command::Close
-            | Command::Choose(_)
-            | Command::ToggleFullScreen
-            | Command::TogglePresenting
-            | Command::ToggleProjector
+        Command::Window(WindowCommand::Toggle(_))
+            | Command::Window(WindowCommand::Close)
+            | Command::File(FileCommand::Choose(_))
+            | Command::Window(WindowCommand::ToggleFullScreen)
+            | Command::Window(WindowCommand::TogglePresenting)
+            | Command::Window(WindowCommand::ToggleProjector)
     )
 }
 
@@ -145,10 +145,10 @@ fn introduction(ui: &mut Ui, state: &State, lessons: &[&Arc<Lesson>], commands: 
         let around = Button::new(RichText::new("Look around").size(INTRODUCTION * body));
         let tip = with_keys(
             "Closes this page. Lessons, above, brings it back.",
-            &[Command::Toggle(Overlay::Start)],
+            &[Command::Window(WindowCommand::Toggle(Overlay::Start))],
         );
         if ui.add(around).on_hover_text(tip).clicked() {
-            commands.push(Command::Toggle(Overlay::Start));
+            commands.push(Command::Window(WindowCommand::Toggle(Overlay::Start)));
         }
     });
 }
@@ -156,7 +156,10 @@ fn introduction(ui: &mut Ui, state: &State, lessons: &[&Arc<Lesson>], commands: 
 /// Returns the way in: the lesson that is open, else the one that comes next.
 fn way_in(state: &State, lessons: &[&Arc<Lesson>]) -> Option<(String, Command)> {
     if let Some(course) = state.course() {
-        return Some((format!("Go on: {}", course.lesson().title), Command::Toggle(Overlay::Start)));
+        return Some((
+            format!("Go on: {}", course.lesson().title),
+            Command::Window(WindowCommand::Toggle(Overlay::Start)),
+        ));
     }
     let next = lessons.iter().find(|lesson| state.session.next_lesson.as_ref() == Some(&lesson.name));
     let next = next.or(lessons.first())?;
@@ -176,7 +179,7 @@ fn section(ui: &mut Ui, title: &str, remark: &str) {
 fn of_lesson<'a>(state: &State, number: usize, lesson: &'a Arc<Lesson>) -> Card<'a> {
     let open = state.course().filter(|course| course.lesson().name == lesson.name);
     let command = match open {
-        Some(_) => Command::Toggle(Overlay::Start),
+        Some(_) => Command::Window(WindowCommand::Toggle(Overlay::Start)),
         None => Command::Lesson(LessonCommand::Open(lesson.name.clone())),
     };
     Card {
@@ -200,7 +203,7 @@ fn of_preset<'a>(state: &State, lesson: &'a Arc<Lesson>) -> Option<Card<'a>> {
         text: String::new(),
         tip: preset.caption.clone(),
         state: is_shown.then(|| "Shown".to_owned()),
-        command: Command::State(preset),
+        command: Command::Show(ShowCommand::Preset(preset)),
     })
 }
 

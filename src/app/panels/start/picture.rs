@@ -5,8 +5,8 @@ use std::sync::Arc;
 use eframe::egui::epaint::{CornerRadius, RectShape};
 use eframe::egui::{Color32, Rect, TextStyle, TextureHandle, Ui, Visuals, pos2, vec2};
 
-use crate::app::theme;
 use crate::app::views::thumbnails::{ThumbnailLook, Thumbnails};
+use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::lesson::Lesson;
 

@@ -5,12 +5,12 @@ use std::sync::Arc;
 use eframe::egui::{self, Align2, Color32, Galley, Painter, Rect, Sense, TextStyle, Ui, vec2};
 
 use super::notes::unseen;
-use crate::app::awake;
-use crate::app::lesson::predicted_place;
-use crate::app::measuring::laid_ruler;
 use crate::app::state::State;
+use crate::app::tools::awake;
+use crate::app::views::laid_ruler;
 use crate::app::views::offscreen_arrows;
 use crate::app::views::panes::EyePane;
+use crate::app::views::predicted_place;
 use crate::app::views::slide;
 
 /// Says in the picture of `pane` what is beyond it, what it is, and why a part of it is dark.

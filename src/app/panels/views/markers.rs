@@ -5,10 +5,10 @@ use relativity_render::{PreparedScene, View};
 
 use crate::app::state::State;
 use crate::app::state::points::Point;
-use crate::app::theme;
 use crate::app::views::dial::{self, DialPlacement};
 use crate::app::views::layouts;
 use crate::app::views::panes::EyePane;
+use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::flags::choices::Form;
 

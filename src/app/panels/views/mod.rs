@@ -8,16 +8,16 @@ mod pointer;
 
 use eframe::egui::{self, Color32, Rect, Sense, Stroke, StrokeKind, TextureId, Ui, pos2};
 
-use crate::app::lesson::predicted_place;
-use crate::app::measuring::laid_ruler;
 use crate::app::state::State;
-use crate::app::theme;
 use crate::app::views::eyes::ShownPicture;
 use crate::app::views::highlight;
 use crate::app::views::hover;
+use crate::app::views::laid_ruler;
 use crate::app::views::layouts;
 use crate::app::views::panes::EyePane;
+use crate::app::views::predicted_place;
 use crate::app::widgets::pane_title;
+use crate::app::widgets::theme;
 use crate::eye::Eye;
 use captions::words;
 use markers::{Coat, markers};

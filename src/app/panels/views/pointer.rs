@@ -3,11 +3,11 @@
 use eframe::egui::{self, CursorIcon, Event, EventFilter, Key, Response, Sense, Ui};
 use relativity_core::math;
 
-use crate::app::command::{Command, GazeCommand, LOOK_STEP};
-use crate::app::measuring::angle_ruler::{Lay, RulerCommand};
+use crate::app::commands::{Command, GazeCommand, LOOK_STEP, PlaybackCommand, PointsCommand};
 use crate::app::panels::Commands;
-use crate::app::pointer::{Pick, Turn, Zoom};
 use crate::app::state::State;
+use crate::app::state::measuring::angle_ruler::{Lay, RulerCommand};
+use crate::app::state::pointer::{Pick, Turn, Zoom};
 use crate::app::views::panes::EyePane;
 
 /// Zoom per point of scrolling.
@@ -27,7 +27,13 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, name: &str, commands:
     } else if let (true, Some(place)) = (response.clicked(), response.interact_pointer_pos()) {
         let add = ui.input(|input| input.modifiers.shift);
         let EyePane { eye, is_second, size, .. } = pane;
-        commands.push(Command::Pick(Pick { eye, is_second, pixel: pane.pixel(place), size, add }));
+        commands.push(Command::Points(PointsCommand::Pick(Pick {
+            eye,
+            is_second,
+            pixel: pane.pixel(place),
+            size,
+            add,
+        })));
     }
     if response.has_focus() {
         keys(ui, &response, commands);
@@ -71,8 +77,8 @@ fn command_of(key: Key, with_shift: bool) -> Option<Command> {
         Key::ArrowRight => Some(Command::Gaze(GazeCommand::Aside([LOOK_STEP, 0.0]))),
         Key::ArrowUp => Some(Command::Gaze(GazeCommand::Aside([0.0, LOOK_STEP]))),
         Key::ArrowDown => Some(Command::Gaze(GazeCommand::Aside([0.0, -LOOK_STEP]))),
-        Key::Enter => Some(Command::FollowNext(if with_shift { -1 } else { 1 })),
-        Key::Space => Some(Command::TogglePlaying),
+        Key::Enter => Some(Command::Points(PointsCommand::FollowNext(if with_shift { -1 } else { 1 }))),
+        Key::Space => Some(Command::Playback(PlaybackCommand::Toggle)),
         _ => None,
     }
 }

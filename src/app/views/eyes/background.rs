@@ -6,9 +6,9 @@ use relativity_render::Picture;
 
 use super::request::Request;
 use crate::accuracy::REFERENCE_SAMPLES;
-use crate::app::debounce::Debounce;
+use crate::app::tools::debounce::Debounce;
+use crate::app::tools::worker::BackgroundWork;
 use crate::app::views::reference_steps::{ReferencePicture, ReferenceSteps};
-use crate::app::worker::BackgroundWork;
 
 /// Rays per pixel and direction of the steps in which pictures get smoother: the first has as many as any other picture.
 const STEPS: [u32; 3] = [REFERENCE_SAMPLES, 4, 8];

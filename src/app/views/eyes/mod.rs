@@ -17,8 +17,8 @@ use self::background::{Background, FinishedPicture};
 use self::meter::Meter;
 use self::slot::{ComposedPicture, DrawnBy, EyePicture, fitting, fitting_composed};
 use crate::accuracy::MethodViews;
-use crate::app::graphics;
-use crate::app::painting;
+use crate::app::tools::graphics;
+use crate::app::tools::painting;
 use crate::flags::Goal;
 
 /// Both eyes' pictures, and what draws them.

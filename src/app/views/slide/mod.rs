@@ -13,8 +13,8 @@ mod spectrum;
 use eframe::egui::{Painter, Ui};
 
 use crate::app::state::State;
-use crate::app::theme;
 use crate::app::views::panes::EyePane;
+use crate::app::widgets::theme;
 
 use columns::PixelColumns;
 use sliding_view::SlidingView;

@@ -11,7 +11,7 @@ use relativity_render::colour::spectrum::VISIBLE_NM;
 use super::columns::PixelColumns;
 use super::sliding_view::SlidingView;
 use crate::app::state::State;
-use crate::app::wavelength_colour::{paint_strip, places, visible_colour};
+use crate::app::widgets::wavelength_colour::{paint_strip, places, visible_colour};
 use crate::caption::{RestLight, in_words};
 use crate::number_text;
 

@@ -8,7 +8,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
 use super::*;
-use crate::app::theme;
+use crate::app::widgets::theme;
 
 const SAMPLE: &str = r"# Abreast
 

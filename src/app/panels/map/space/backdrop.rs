@@ -8,7 +8,7 @@ use crate::app::panels::map::axes::{self, AxisQuantity};
 use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::LabelPlaces;
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::map::{MapProjection, StraightLine, field_of_view, street_lines, way_of_rider};
 use crate::settings::MapFrame;

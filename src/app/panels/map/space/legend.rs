@@ -6,7 +6,7 @@ use eframe::egui::{Color32, Galley, Rect, Ui, pos2, vec2};
 
 use super::sheet::colour;
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::widgets::theme;
 use crate::map::BodyPicture;
 use crate::settings::MapFrame;
 

@@ -2,7 +2,7 @@
 
 use super::sheet::{SheetPainter, colour};
 use crate::app::panels::map::canvas;
-use crate::app::theme;
+use crate::app::widgets::theme;
 use crate::map::{BodyPicture, MapProjection};
 use crate::settings::MapFraming;
 

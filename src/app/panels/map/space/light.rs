@@ -10,7 +10,7 @@ use relativity_core::{Event, math};
 use super::sheet::{SheetPainter, SpaceSheet};
 use crate::app::panels::map::times::{labelled, times};
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::map::{Front, MapProjection, PointWorldline, ReceivedRay, along, fronts, rays};
 use crate::plot::round_step;

@@ -4,7 +4,7 @@ use eframe::egui::{Align2, Stroke, vec2};
 
 use super::sheet::{SheetPainter, colour};
 use crate::app::panels::map::canvas;
-use crate::app::theme;
+use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::map::{BodyPicture, MapProjection};
 use crate::settings::MapFrame;

@@ -5,10 +5,10 @@ use glam::DVec3;
 
 use super::light::ChartLight;
 use super::sheet::{SpaceSheet, colour};
-use crate::app::command::Command;
+use crate::app::commands::{Command, PointsCommand};
 use crate::app::panels::Commands;
-use crate::app::pointer::Select;
 use crate::app::state::State;
+use crate::app::state::pointer::Select;
 use crate::eye::Eye;
 use crate::map::{BodyPicture, MapInstant, Nearest, OutlineLines, PointWorldline};
 use crate::quantity::Quantity;
@@ -43,7 +43,7 @@ pub(super) fn read(
     let Some(track) = state.document.scene.track_at(nearest.surface.to_array(), body) else { return };
     if response.clicked() {
         let add = ui.input(|input| input.modifiers.shift);
-        commands.push(Command::Select(Select { track, body, add }));
+        commands.push(Command::Points(PointsCommand::Choose(Select { track, body, add })));
     }
     response.clone().on_hover_text_at_pointer(text(state, &nearest, &track));
 }

@@ -6,7 +6,7 @@ use glam::DVec3;
 use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::LabelPlaces;
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::map::{BodyPicture, Chart, MapInstant, MapProjection};
 

@@ -6,7 +6,7 @@ use relativity_render::Velocity;
 
 use super::sheet::{DiagramSheet, NEAR};
 use crate::app::panels::map::labels::LabelPlaces;
-use crate::app::theme;
+use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::map::{Diagram, PastCone, ReceivedRay, StraightLine, worldline_of_eye};
 use crate::quantity::Quantity;

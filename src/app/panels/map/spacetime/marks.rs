@@ -6,7 +6,7 @@ use super::sheet::{DiagramSheet, HANDLE};
 use super::{lines, words};
 use crate::app::panels::map::labels::LabelPlaces;
 use crate::app::panels::map::times::labelled;
-use crate::app::theme;
+use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::map::{Diagram, ReceivedRay};
 

@@ -6,8 +6,8 @@ use relativity_core::math;
 use relativity_render::Method;
 
 use crate::app::panels::plots::axes::{Ruler, frame, still_plot};
-use crate::app::theme;
 use crate::app::views::examination::{Examination, ExaminedMethod};
+use crate::app::widgets::theme;
 use crate::flags::Goal;
 use crate::plot::extent;
 use crate::settings::QualitySettings;

@@ -2,9 +2,9 @@
 
 use csv::ByteRecord;
 
-use crate::app::fitting::{FitOutcome, Fitting};
 use crate::app::panels::plots::axes::{axis_label, time_label};
 use crate::app::state::State;
+use crate::app::state::fitting::{FitOutcome, Fitting};
 use crate::estimate::samples::{EyeColumns, Samples};
 use crate::files::csv_out::CsvWriter;
 use crate::plot::{BLACK, BLUE, Line, LineStroke, Panel};

@@ -3,9 +3,9 @@
 use eframe::egui::{Grid, RichText, Ui};
 use relativity_core::{DEFAULT_REPLICATES, Model, Parameter};
 
-use crate::app::fitting::{FitOutcome, Fitted, Fitting};
-use crate::app::theme;
+use crate::app::state::fitting::{FitOutcome, Fitted, Fitting};
 use crate::app::widgets::named_text;
+use crate::app::widgets::theme;
 use crate::caption::capitalised;
 use crate::estimate::samples::Samples;
 use crate::estimate::{Estimate, sigmas};

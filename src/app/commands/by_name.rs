@@ -1,0 +1,56 @@
+//! Sets a setting that is given by its name and its value, as they are typed into the palette.
+
+use crate::app::commands::{Command, SettingsCommand};
+use crate::app::state::State;
+use crate::app::state::notice::Notice;
+use crate::app::state::riding::saddle::RideCommand;
+use crate::settings::Settings;
+
+impl State {
+    /// Gives the setting of this name another value, as its control does.
+    pub(in crate::app) fn set_by_name(&mut self, name: &str, value: &str) {
+        let before = Settings::clone(&self.document.settings);
+        match before.clone().with_value(name, value) {
+            Ok(settings) => changes(&before, settings).for_each(|command| self.perform(command)),
+            Err(problem) => self.tell(Notice::error(problem)),
+        }
+    }
+}
+
+/// Returns the commands of the controls that make these settings of those `before`: one, where one setting differs.
+fn changes(before: &Settings, settings: Settings) -> impl Iterator<Item = Command> {
+    // What belongs to a scene is chosen there.
+    let Settings {
+        scene: _,
+        time: _,
+        point: _,
+        points: _,
+        motion,
+        ride,
+        look,
+        light,
+        quality,
+        picture,
+        screen,
+        playback,
+        map,
+        plots,
+        fit,
+        window,
+    } = settings;
+    let changed = [
+        (motion != before.motion, Command::Settings(SettingsCommand::Motion(motion))),
+        (ride != before.ride, Command::Ride(RideCommand::Set(ride))),
+        (look != before.look, Command::Settings(SettingsCommand::Look(look))),
+        (light != before.light, Command::Settings(SettingsCommand::Light(light))),
+        (quality != before.quality, Command::Settings(SettingsCommand::Quality(quality))),
+        (picture != before.picture, Command::Settings(SettingsCommand::Picture(picture))),
+        (screen != before.screen, Command::Settings(SettingsCommand::Screen(screen))),
+        (playback != before.playback, Command::Settings(SettingsCommand::Playback(playback))),
+        (map != before.map, Command::Settings(SettingsCommand::Map(map))),
+        (plots != before.plots, Command::Settings(SettingsCommand::Plots(plots))),
+        (fit != before.fit, Command::Settings(SettingsCommand::Fit(fit))),
+        (window != before.window, Command::Settings(SettingsCommand::Window(window))),
+    ];
+    changed.into_iter().filter_map(|(is_changed, command)| is_changed.then_some(command))
+}

@@ -1,5 +1,0 @@
-//! Measuring in the views: a ruler for angles, and a stopwatch.
-
-pub mod angle_ruler;
-pub(super) mod laid_ruler;
-pub mod stopwatch;

@@ -1,0 +1,192 @@
+//! Does what the state cannot do itself: writes files, and copies.
+
+use eframe::egui::{Context, Ui};
+use gamow_platform::files;
+use relativity_render::Picture;
+
+use crate::app::commands::saving::MOST_FRAMES;
+use crate::app::commands::saving::work::{SaveJob, SaveOutcome, SceneSnapshot, name_of};
+use crate::app::shell::App;
+#[cfg(not(feature = "desktop"))]
+use crate::app::shell::web::link_to;
+use crate::app::state::files::purpose::Product;
+use crate::app::state::notice::Notice;
+use crate::app::state::orders::{Copied, Order, Saving};
+use crate::app::tools::image;
+use crate::files::whole::write_whole;
+use crate::flags::choices::{Compare, RendererChoice, Size};
+use crate::flags::words::Shell;
+use crate::scene::is_model;
+#[cfg(feature = "desktop")]
+use crate::settings::link_of_pairs as link_to;
+use crate::settings::{Daylight, Settings};
+use crate::studio::film::{FilmKind, loop_times};
+
+impl App {
+    /// Fulfils the orders, and reports the outcome of earlier ones.
+    pub(in crate::app) fn fulfil_orders(&mut self, ui: &Ui) {
+        for order in self.state.take_orders() {
+            match order {
+                Order::Save(saving) => self.save_as(ui, saving),
+                Order::Copy(copied) => self.copy(ui, copied),
+                Order::Stop => {
+                    if self.saver.stop() {
+                        self.tell(ui.ctx(), Notice::done("Stopped: no file was written."));
+                    }
+                }
+            }
+        }
+        let ctx = ui.ctx();
+        match self.saver.made() {
+            None => {}
+            Some(SaveOutcome::File(path, text)) => self.tell(ctx, Notice::done(text).about(&path)),
+            Some(SaveOutcome::Film(path, text, command)) => {
+                let text = format!("{text} Copied, for an MP4 of it: {command}");
+                self.tell(ctx, Notice::done(text).about(&path));
+                ctx.copy_text(command);
+            }
+            Some(SaveOutcome::Picture(Picture { size, rgba })) => {
+                self.tell(ctx, Notice::done("Copied the picture."));
+                ctx.copy_image(image::of_pixels(size, &rgba));
+            }
+            Some(SaveOutcome::Nothing(path, problem)) => self.tell(ctx, Notice::error(problem).about(&path)),
+        }
+    }
+
+    fn tell(&mut self, ctx: &Context, notice: Notice) {
+        self.state.tell(notice);
+        ctx.request_repaint();
+    }
+
+    fn begin(&mut self, ctx: &Context, job: SaveJob, name: String, frames: u32) {
+        if self.saver.is_busy() {
+            return self.tell(ctx, Notice::error("Something is still being saved: wait for it, or stop it."));
+        }
+        self.saver.begin(ctx, job, name, frames);
+    }
+
+    fn save_as(&mut self, ui: &Ui, Saving { product, path, size }: Saving) {
+        // A pipe would keep the window waiting for a reader.
+        if let Err(problem) = files::check_replaceable(&path) {
+            return self.tell(ui.ctx(), Notice::error(format!("Nothing was saved: {problem}.")).about(&path));
+        }
+        let name = name_of(&path);
+        match product {
+            Product::Picture => {
+                let job = SaveJob::Picture(self.drawn(ui, size), path);
+                self.begin(ui.ctx(), job, name, 1);
+            }
+            Product::Film => {
+                let frames = self.state.film_frames();
+                let Some(kind) = FilmKind::from_path(&path).filter(|_| frames <= MOST_FRAMES) else {
+                    let text = format!(
+                        "A film has {MOST_FRAMES} frames at most, and this would have {frames}: play it faster, or shorten the range of T."
+                    );
+                    return self.tell(ui.ctx(), Notice::error(text));
+                };
+                let times = loop_times(self.state.time_range(), frames);
+                let job = SaveJob::Film(self.drawn(ui, size), times, kind, path);
+                self.begin(ui.ctx(), job, name, frames);
+            }
+            Product::Fit => {
+                let job = SaveJob::Fit(Box::new(self.state.fit_key()), path);
+                self.begin(ui.ctx(), job, name, 1);
+            }
+            Product::Report => {
+                let Some(course) = self.state.course().cloned() else {
+                    return self.tell(ui.ctx(), Notice::error("No lesson is open."));
+                };
+                let base = Box::new(self.state.lesson_base());
+                // The fit that stands in its tab.
+                let fit = self.fitting.shown().map(|_| Box::new(self.state.fit_key()));
+                self.begin(ui.ctx(), SaveJob::Report(Box::new(course), base, fit, path), name, 1);
+            }
+            Product::Worksheet | Product::LabSheet | Product::TeachersPage => {
+                let lesson = self.state.course().map(|course| Box::new(course.lesson().clone()));
+                let Some((lesson, sheet)) = lesson.zip(product.sheet()) else {
+                    return self.tell(ui.ctx(), Notice::error("No lesson is open."));
+                };
+                self.begin(ui.ctx(), SaveJob::Sheet(lesson, sheet, path), name, 1);
+            }
+            Product::Scene => match self.state.scene_file().filter(|model| is_model(model)) {
+                Some(model) => self.begin(ui.ctx(), SaveJob::Scene(model.to_owned(), path), name, 1),
+                None => self.tell(ui.ctx(), Notice::error("No model is open.")),
+            },
+            Product::PlotsSvg | Product::PlotsCsv => {
+                let is_drawing = product == Product::PlotsSvg;
+                let text = if is_drawing { self.plots_svg() } else { self.plots_csv() };
+                self.write_text(ui.ctx(), &path, &text);
+            }
+            Product::State => {
+                let told = self.state.shown().relative_to(&path);
+                self.write_text(ui.ctx(), &path, &told.to_toml());
+            }
+        }
+    }
+
+    fn write_text(&mut self, ctx: &Context, path: &std::path::Path, text: &str) {
+        let written = write_whole(path, |file| Ok(std::io::Write::write_all(file, text.as_bytes())?));
+        let notice = match written {
+            Ok(()) => Notice::done(format!("Saved {}.", name_of(path))),
+            Err(error) => Notice::error(format!("{error:#}")),
+        };
+        self.tell(ctx, notice.about(path));
+    }
+
+    /// Returns the scene of the views, to be drawn with pictures of this `size` for each eye.
+    fn drawn(&self, ui: &Ui, size: [u32; 2]) -> SceneSnapshot {
+        let document = &self.state.document;
+        SceneSnapshot {
+            settings: self.settings_of_picture(ui, size),
+            scene: document.scene.clone(),
+            tracked: document.points.selected().track,
+        }
+    }
+
+    /// The settings with which `gamow render` makes the picture that the views show, this `size` for each eye.
+    fn settings_of_picture(&self, ui: &Ui, size: [u32; 2]) -> Settings {
+        let mut settings = self.state.shown();
+        settings.picture.size = Size(size);
+        settings.look.geometry = settings.geometry();
+        if !settings.is_comparing() {
+            settings.look.compare = Compare::Off;
+        }
+        if settings.light.light == Daylight::Theme {
+            settings.light.light = if ui.visuals().dark_mode { Daylight::Off } else { Daylight::On };
+        }
+        // Not every renderer draws every geometry: the window then takes the one that does.
+        let [left, right] = settings.views(self.state.subject(), self.state.document.time, size);
+        let method = settings.quality.method();
+        if method.is_some_and(|method| [left, right].iter().any(|view| method.of_view(view) != method)) {
+            settings.quality.renderer = RendererChoice::Auto;
+        }
+        settings
+    }
+
+    fn copy(&mut self, ui: &Ui, copied: Copied) {
+        let ctx = ui.ctx();
+        let text = match copied {
+            Copied::Picture => {
+                let job = SaveJob::Clipboard(self.drawn(ui, self.state.frame.picture_size));
+                return self.begin(ctx, job, "the picture".to_owned(), 1);
+            }
+            Copied::Command => Ok(self.state.shown().window_command(Shell::here())),
+            Copied::Link => self.state.shown().link_pairs().map(|pairs| link_to(&pairs)),
+            Copied::RenderCommand => {
+                Ok(self.settings_of_picture(ui, self.state.frame.picture_size).command(Shell::here()))
+            }
+            Copied::CurveCommand => self.state.curve_command(),
+            Copied::Values => self.state.values_as_table(),
+        };
+        match text {
+            Ok(text) => {
+                // What is copied as a line is short enough to be shown.
+                let shown =
+                    if copied == Copied::Values { "the values at T".to_owned() } else { text.clone() };
+                ctx.copy_text(text);
+                self.tell(ctx, Notice::done(format!("Copied: {shown}")));
+            }
+            Err(problem) => self.tell(ctx, Notice::error(problem)),
+        }
+    }
+}

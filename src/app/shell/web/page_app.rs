@@ -1,0 +1,182 @@
+//! The window as an application of the page: it keeps the address current, and makes way for another, or for a sentence, when its device is lost.
+
+use std::time::Duration;
+
+use eframe::egui::{Context, RawInput, Ui, Vec2};
+use eframe::{CreationContext, WebRunner};
+use gamow_platform::clock::Instant;
+use gamow_platform::web::{page, tasks};
+
+use super::address::Fragment;
+use super::webgpu::{self, FirstPicture};
+use crate::app::commands::{Command, FileCommand, WindowCommand};
+use crate::app::shell::App;
+use crate::app::state::document::Document;
+use crate::app::state::lesson::LessonCommand;
+
+/// Time between a change of the state and its appearance in the address.
+const REST: Duration = Duration::from_secs(1);
+
+/// The window, with what ends it.
+pub struct PageApp {
+    app: App,
+    runner: WebRunner,
+    ctx: Context,
+    address: Address,
+    is_stereoscope: bool,
+    is_webgpu: bool,
+    first_picture: FirstPicture,
+    has_ended: bool,
+}
+
+/// The page's address, with the state in it.
+struct Address {
+    document: Document,
+    fragment: Option<Fragment>,
+    due: Option<Instant>,
+}
+
+impl PageApp {
+    /// Shows `app`, which the `runner` runs, in the window of this `cc`.
+    pub fn new(app: App, runner: WebRunner, cc: &CreationContext<'_>) -> Self {
+        let state = app.state();
+        let address =
+            Address { document: state.document.clone(), fragment: Fragment::from_state(state), due: None };
+        Self {
+            app,
+            runner,
+            ctx: cc.egui_ctx.clone(),
+            address,
+            is_stereoscope: false,
+            is_webgpu: webgpu::is_used(cc),
+            first_picture: FirstPicture::default(),
+            has_ended: false,
+        }
+    }
+
+    /// Shows what another `fragment` of the address asks for.
+    pub fn follow(&mut self, fragment: &Fragment) {
+        if let Some(link) = fragment.link() {
+            self.app.run(Command::File(FileCommand::Open(link)));
+        }
+        if let Some(lesson) = &fragment.lesson {
+            self.app.run(Command::Lesson(LessonCommand::Open(lesson.clone())));
+        }
+        if fragment.presents != self.app.state().session.stage.is_presented() {
+            self.app.run(Command::Window(WindowCommand::TogglePresenting));
+        }
+        if fragment.stereoscope != self.app.state().session.stage.stereoscope {
+            self.app.run(Command::Window(WindowCommand::ToggleStereoscope));
+        }
+    }
+
+    /// Takes how the device is turned.
+    pub fn turn_device(&mut self) {
+        if let Some(angles) = page::turned() {
+            self.app.turn_device(angles);
+            self.ctx.request_repaint();
+        }
+    }
+
+    /// Leaves the stereoscope, whose whole screen the viewer has left.
+    pub fn leave_stereoscope(&mut self) {
+        if self.app.state().session.stage.stereoscope {
+            self.app.run(Command::Window(WindowCommand::ToggleStereoscope));
+            self.ctx.request_repaint();
+        }
+    }
+
+    /// Tells the page when the stereoscope is entered or left.
+    fn tell_stereoscope(&mut self) {
+        let is_on = self.app.state().session.stage.stereoscope;
+        if is_on != self.is_stereoscope {
+            self.is_stereoscope = is_on;
+            page::set_stereoscope(is_on);
+        }
+    }
+
+    /// Writes the state into the page's address, a while after a change.
+    fn keep_address(&mut self, ctx: &Context) {
+        let Address { document, fragment, due } = &mut self.address;
+        let Some(since) = due else {
+            let state = self.app.state();
+            let is_other = fragment.as_ref().is_some_and(|fragment| {
+                fragment.presents != state.session.stage.is_presented()
+                    || fragment.stereoscope != state.session.stage.stereoscope
+                    || fragment.lesson.is_some() != state.course().is_some()
+            });
+            if is_other || *document != state.document {
+                *due = Some(Instant::now());
+                ctx.request_repaint_after(REST);
+            }
+            return;
+        };
+        let rest = REST.saturating_sub(since.elapsed());
+        if !rest.is_zero() {
+            ctx.request_repaint_after(rest);
+            return;
+        }
+        *due = None;
+        *document = self.app.state().document.clone();
+        let now = Fragment::from_state(self.app.state());
+        if *fragment != now {
+            page::replace_fragment(&now.as_ref().map(Fragment::to_text).unwrap_or_default());
+            *fragment = now;
+        }
+    }
+
+    /// Ends the window if its device is lost or shows nothing. WebGL 2 takes the place of WebGPU; without either, a sentence takes the window's.
+    fn end_if_broken(&mut self) {
+        let is_late = self.first_picture.look(&self.ctx);
+        let loss = self.app.loss().map(|loss| format!("its device was lost: {}", loss.trim_end_matches('.')));
+        let reason = loss.or_else(|| (is_late && self.is_webgpu).then(|| "it shows nothing".to_owned()));
+        let Some(reason) = reason.filter(|_| !self.has_ended) else { return };
+        self.has_ended = true;
+        eframe::App::on_exit(self);
+        if self.is_webgpu && page::reload_without_webgpu(&reason) {
+            return;
+        }
+        page::show_problem(&format!("The graphics have failed ({reason}). What was shown is kept."));
+        let runner = self.runner.clone();
+        // Not before this frame has ended.
+        tasks::spawn(async move {
+            tasks::pause().await;
+            runner.destroy();
+        });
+    }
+}
+
+impl eframe::App for PageApp {
+    fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
+        self.end_if_broken();
+        self.app.logic(ctx, frame);
+        self.keep_address(ctx);
+        self.tell_stereoscope();
+    }
+
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        self.app.ui(ui, frame);
+    }
+
+    fn raw_input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
+        // The windowing library knows nothing of a browser's screen.
+        if let (Some(sides), Some(viewport)) =
+            (page::screen_sides(), input.viewports.get_mut(&input.viewport_id))
+        {
+            viewport.monitor_size = Some(Vec2::from(sides) / ctx.zoom_factor());
+        }
+        self.app.raw_input_hook(ctx, input);
+    }
+
+    fn on_exit(&mut self) {
+        if let Some(fragment) = Fragment::from_state(self.app.state()).filter(|_| self.address.due.is_some())
+        {
+            page::replace_fragment(&fragment.to_text());
+        }
+        self.app.on_exit();
+    }
+
+    fn as_any_mut(&mut self) -> Option<&mut dyn std::any::Any> {
+        Some(self)
+    }
+}

@@ -1,0 +1,263 @@
+//! Files read for the window: each by a thread of its own, so that no frame waits for a slow disc or a long file.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::Duration;
+
+use eframe::egui::Context;
+use gamow_platform::clock::Instant;
+use gamow_platform::{files, threads};
+use relativity_render::PreparedScene;
+
+use crate::app::tools::waker::Woken;
+use crate::estimate::samples::DataFile;
+use crate::flags::choices::FileKind;
+use crate::lesson::Lesson;
+use crate::scene::Scene;
+use crate::settings::{Settings, SettingsError, is_link, looks_like_settings};
+
+/// A file that is read sooner than this is not announced.
+const GRACE: Duration = Duration::from_millis(300);
+
+/// The use that is made of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Use {
+    /// The contents are shown, whatever their kind.
+    Show,
+    /// The measured disparities in the file are fitted.
+    Fit,
+    /// The file of the scene that is shown has changed on disk.
+    RenewScene,
+    /// The file of the settings that are shown has changed on disk.
+    RenewSettings,
+    /// The file of the running lesson has changed on disk.
+    RenewLesson,
+}
+
+impl Use {
+    /// Whether the file replaces what was opened before it.
+    const fn opens(self) -> bool {
+        matches!(self, Self::Show | Self::Fit)
+    }
+}
+
+/// A file to be read.
+#[derive(Debug, Clone)]
+pub struct Errand {
+    /// Path of the file to read.
+    pub path: PathBuf,
+    /// The purpose of reading the file.
+    pub purpose: Use,
+    /// The window's present settings, which complete the contents of the file.
+    pub settings: Settings,
+}
+
+/// A file that was read, or could not be.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReadFile {
+    /// Path of the file read.
+    pub path: PathBuf,
+    /// The purpose of reading the file.
+    pub purpose: Use,
+    /// The contents, or a one-line error message.
+    pub contents: Result<Contents, String>,
+}
+
+/// The contents of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Contents {
+    /// A scene, a state, or a picture that records one.
+    Settings {
+        /// The settings that the file leads to.
+        settings: Box<Settings>,
+        /// The scene of these settings.
+        scene: Box<ReadyScene>,
+        /// Whether the file is the scene's own.
+        is_scene: bool,
+    },
+    /// The scene of the settings that are shown, and whether with what rests around it.
+    Scene(Box<ReadyScene>, bool),
+    /// A lesson in Markdown.
+    Lesson(Box<Lesson>),
+    /// A table of measured disparities.
+    Data(DataFile),
+}
+
+/// A scene that is ready to be drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReadyScene {
+    /// The scene at rest, as its file describes it.
+    pub scene: Scene,
+    /// The scene prepared for drawing and picking.
+    pub prepared: PreparedScene,
+}
+
+impl From<Scene> for ReadyScene {
+    fn from(scene: Scene) -> Self {
+        Self { prepared: scene.prepared(), scene }
+    }
+}
+
+impl Errand {
+    /// Reads the file, however long that takes.
+    #[must_use]
+    pub fn read(self) -> ReadFile {
+        let contents = match self.purpose {
+            Use::Show => match self.path.extension().map(OsStr::to_ascii_lowercase) {
+                Some(ending) if ending == "csv" => self.data(),
+                Some(ending) if ending == "md" => self.lesson(),
+                _ => self.shown(),
+            },
+            Use::Fit => self.data(),
+            Use::RenewScene => self.scene(),
+            Use::RenewSettings => self.shown(),
+            Use::RenewLesson => self.lesson(),
+        };
+        ReadFile { path: self.path, purpose: self.purpose, contents }
+    }
+
+    fn data(&self) -> Result<Contents, String> {
+        let file = DataFile::open(&self.path, self.settings.baseline());
+        file.map(Contents::Data).map_err(|error| format!("{error:#}"))
+    }
+
+    fn lesson(&self) -> Result<Contents, String> {
+        let lesson = Lesson::load(&self.path).map_err(|error| error.to_string())?;
+        Ok(Contents::Lesson(Box::new(lesson)))
+    }
+
+    fn scene(&self) -> Result<Contents, String> {
+        let scene = self.settings.opened_scene().map_err(|error| error.to_string())?;
+        Ok(Contents::Scene(Box::new(scene.into()), self.settings.light.surroundings))
+    }
+
+    fn shown(&self) -> Result<Contents, String> {
+        let is_scene = is_scene(&self.path);
+        let settings = self.led_to(is_scene).map_err(|error| error.to_string())?;
+        let scene = settings.opened_scene().map_err(|error| error.to_string())?;
+        Ok(Contents::Settings { settings: Box::new(settings), scene: Box::new(scene.into()), is_scene })
+    }
+
+    /// The settings that the file leads to. What it does not say of the window's parts and of the layout stays as it is;
+    /// the rest has its defaults.
+    fn led_to(&self, is_scene: bool) -> Result<Settings, SettingsError> {
+        if is_scene {
+            return self.settings.clone().with_scene_file(&self.path);
+        }
+        Settings::default().in_place_of(&self.settings).with_file(&self.path)
+    }
+}
+
+/// Whether the file at `path` is a scene's, and none of settings.
+fn is_scene(path: &Path) -> bool {
+    FileKind::from_path(path).is_none()
+        && !is_link(path)
+        && !files::read_to_string(path).is_ok_and(|text| looks_like_settings(&text))
+}
+
+/// The files that are being read.
+pub struct Reader {
+    woken: Woken,
+    read: Receiver<(u64, ReadFile)>,
+    sender: Sender<(u64, ReadFile)>,
+    begun: u64,
+    underway: Vec<PendingRead>,
+}
+
+struct PendingRead {
+    number: u64,
+    path: PathBuf,
+    purpose: Use,
+    since: Instant,
+}
+
+impl Reader {
+    /// Creates a reader that requests a repaint after each file it has read.
+    #[must_use]
+    pub fn new(ctx: Context) -> Self {
+        let (sender, read) = channel();
+        Self { woken: Woken::new(ctx), read, sender, begun: 0, underway: Vec::new() }
+    }
+
+    /// Begins `errand`. A file that is opened takes the place of one that is still being read to be opened, and a change of
+    /// a file that of an earlier one.
+    pub fn begin(&mut self, errand: Errand) {
+        let Errand { ref path, purpose, .. } = errand;
+        self.begun += 1;
+        let replaces = |other: &PendingRead| {
+            let is_renewed = other.purpose == purpose && other.path == *path;
+            is_renewed || purpose.opens() && other.purpose.opens()
+        };
+        self.underway.retain(|other| !replaces(other));
+        let number = self.begun;
+        self.underway.push(PendingRead { number, path: path.clone(), purpose, since: Instant::now() });
+        let (sender, waker) = (self.sender.clone(), self.woken.waker());
+        // Nothing waits for this thread: a disc that does not answer keeps nobody from leaving.
+        threads::spawn(move || {
+            if sender.send((number, errand.read())).is_ok() {
+                waker.wake();
+            }
+        });
+    }
+
+    /// Takes the files read since the last call, except those no longer wanted.
+    pub fn finished(&mut self) -> Vec<ReadFile> {
+        let mut finished = Vec::new();
+        for (number, file) in self.read.try_iter() {
+            if let Some(place) = self.underway.iter().position(|underway| underway.number == number) {
+                self.underway.remove(place);
+                finished.push(file);
+            }
+        }
+        finished
+    }
+
+    /// Gives up what is being read to be opened.
+    pub fn stop(&mut self) {
+        self.underway.retain(|underway| !underway.purpose.opens());
+    }
+
+    /// Whether something is being read.
+    #[must_use]
+    pub const fn is_busy(&self) -> bool {
+        !self.underway.is_empty()
+    }
+
+    /// The file that is taking long to be opened.
+    #[must_use]
+    pub fn awaited(&self) -> Option<&Path> {
+        let opened = self.underway.iter().find(|underway| underway.purpose.opens())?;
+        let rest = GRACE.saturating_sub(opened.since.elapsed());
+        if rest.is_zero() {
+            return Some(&opened.path);
+        }
+        self.woken.wake_after(rest);
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A model that is dropped is a scene, and a broken one is named in one line.
+    #[test]
+    fn a_model_is_shown_as_a_scene() {
+        let folder = tempfile::tempdir().expect("there is a place for temporary files");
+        let path = folder.path().join("tent.obj");
+        let read = |text: &str| {
+            std::fs::write(&path, text).expect("it is writable");
+            Errand { path: path.clone(), purpose: Use::Show, settings: Settings::default() }.read().contents
+        };
+        let shown = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("it is right");
+        let Contents::Settings { settings, scene, is_scene } = shown else { panic!("{shown:?}") };
+        assert_eq!((Path::new(&settings.scene), is_scene), (path.as_path(), true));
+        assert_eq!((scene.scene.name.as_str(), scene.scene.groups.len()), ("tent", 2));
+        let error = read("v 0 0 0\nf 1 2 3\n").expect_err("it is wrong");
+        assert!(
+            error.ends_with("tent.obj: line 2 of it: a face names corner 2, and so far there are 1"),
+            "{error}"
+        );
+    }
+}

@@ -1,0 +1,4 @@
+//! Measuring in the views: a ruler for angles, and a stopwatch.
+
+pub mod angle_ruler;
+pub mod stopwatch;

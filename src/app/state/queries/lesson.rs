@@ -1,0 +1,58 @@
+//! The lesson under way: its course, and the settings that it builds on.
+
+use std::sync::Arc;
+
+use crate::app::state::State;
+use crate::lesson::{Course, Lesson, Library};
+use crate::settings::{Settings, WindowSettings};
+
+impl State {
+    /// The lessons that there are.
+    #[must_use]
+    pub fn library(&self) -> Arc<Library> {
+        self.session.library.clone().unwrap_or_else(Library::own)
+    }
+
+    /// The way through the lesson that is gone through.
+    #[must_use]
+    pub fn course(&self) -> Option<&Course> {
+        self.session.lesson.as_ref().map(|running| &running.course)
+    }
+
+    /// Returns the settings that the states of the lesson build on: defaults, in this window with the parts that it had before.
+    #[must_use]
+    pub fn lesson_base(&self) -> Settings {
+        let now = self.document.settings.window;
+        let before = self.session.lesson.as_ref().map_or(now, |running| running.before);
+        let window = WindowSettings {
+            views: before.views,
+            corrected: before.corrected,
+            spectrum: before.spectrum,
+            sentence: before.sentence,
+            map: before.map,
+            plots: before.plots,
+            controls: before.controls,
+            simple: before.simple,
+            readout: before.readout,
+            dials: before.dials,
+            resting_clock: before.resting_clock,
+            ruler: before.ruler,
+            resting: before.resting,
+            vignette: before.vignette,
+            ..now
+        };
+        Settings { window, ..Settings::default().in_place_of(&self.document.settings) }
+    }
+
+    /// The settings that the lesson has at its present place.
+    #[must_use]
+    pub fn lesson_settings(&self) -> Option<&Settings> {
+        self.session.lesson.as_ref()?.told.as_ref().map(|told| &told.settings)
+    }
+
+    /// The lesson that comes after the one that is gone through.
+    #[must_use]
+    pub fn lesson_after(&self) -> Option<Arc<Lesson>> {
+        self.library().after(&self.course()?.lesson().name).map(Arc::clone)
+    }
+}

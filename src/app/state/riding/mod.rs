@@ -1,0 +1,4 @@
+//! A ride: what the rider does, and its comfort.
+
+pub mod comfort;
+pub mod saddle;

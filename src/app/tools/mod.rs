@@ -1,0 +1,17 @@
+//! Small tools of the window, which know nothing of its state.
+
+pub(in crate::app) mod aids;
+pub(in crate::app) mod awake;
+pub mod clock;
+pub(in crate::app) mod debounce;
+pub(in crate::app) mod folded;
+pub(in crate::app) mod gpu_errors;
+pub mod graphics;
+#[cfg(feature = "desktop")]
+pub(in crate::app) mod icon;
+pub(in crate::app) mod image;
+pub mod painting;
+mod speed_slider;
+pub(in crate::app) mod waker;
+pub(in crate::app) mod watch;
+pub(in crate::app) mod worker;
