@@ -6,7 +6,6 @@ use relativity_render::{Appearance, GpuError, HitImage, Method, PreparedScene, R
 use super::cost::frame_ms;
 use super::difference::Difference;
 use super::outline::{OutlinePoint, displacement_px, outline_pixels};
-use super::rounds::RoundsError;
 use super::spread::Spread;
 
 /// The effort with which a view is examined.
@@ -34,8 +33,6 @@ pub struct ExpectedError {
     pub outlines_px: Option<Spread>,
     /// Pixel by pixel, for a heat map, and in figures.
     pub difference: Difference,
-    /// With the reference: what rounds come to where it shows bodies that turn.
-    pub rounds: Option<RoundsError>,
 }
 
 /// Measures `method` in `view` of `scene`; `None` if `is_cancelled` becomes true.
@@ -68,12 +65,9 @@ pub fn expected_error(
         let strips = |strip: &View| renderers.hits_in_part(method, scene, view, strip);
         displacements.push(displacement_px(scene, view, &place, strips)?);
     }
-    let is_reference = method == Method::Reference;
-    let rounds =
-        is_reference.then(|| RoundsError::new(scene, view, &reference, effort.outline_places)).flatten();
     let frame_ms = frame_ms(renderers, method, scene, view, appearance, effort.rounds)?;
     let outlines_px = Spread::from_errors(displacements);
-    Ok((!is_cancelled()).then_some(ExpectedError { frame_ms, outlines_px, difference, rounds }))
+    Ok((!is_cancelled()).then_some(ExpectedError { frame_ms, outlines_px, difference }))
 }
 
 fn outline_places(scene: &PreparedScene, view: &View, image: &HitImage, count: usize) -> Vec<OutlinePoint> {

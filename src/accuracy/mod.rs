@@ -9,7 +9,6 @@ mod expected;
 mod formulas;
 mod outline;
 mod published;
-mod rounds;
 mod spread;
 mod views;
 
@@ -20,6 +19,5 @@ pub use expected::{Effort, ExpectedError, expected_error};
 pub use formulas::{ConeFormula, formula_error};
 pub use outline::{LARGEST_PX, RESOLUTION_PX};
 pub use published::{PublishedError, published_error};
-pub use rounds::{AfterRounds, RoundsError};
 pub use spread::Spread;
 pub use views::{TrackedPlace, view_at};

@@ -205,7 +205,7 @@ mod tests {
             bound_px: None,
             frame_ms,
             worst_view: errors.clone(),
-            views: vec![PictureRow { view: at(2.0), frame_ms, errors, rounds: None }],
+            views: vec![PictureRow { view: at(2.0), frame_ms, errors }],
         }
     }
 

@@ -206,7 +206,6 @@ fn picture_row(view: Circumstances, found: ExpectedError) -> PictureRow {
             wrong_share: figures.wrong_share(),
             wrong_pixels_off_outlines: figures.wrong_pixels_off_outlines,
         },
-        rounds: found.rounds,
     }
 }
 

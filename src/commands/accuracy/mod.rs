@@ -52,10 +52,7 @@ What is measured:
                  shows is really seen, by the light cone in f64, arcseconds
   D              relative error of the Doppler factor, in each view, and the worst at each speed
   wrong body     pixels that show another body than the reference, per pixel that shows
-                 one; where two bodies share a surface, that of the first is right
-  rounds         where bodies turn: how far a search for spokes is off that costs less than
-                 the renderers' own: after 1, 2, 3 and 6 rounds along straight lines, along
-                 the ray in radii of the wheel";
+                 one; where two bodies share a surface, that of the first is right";
 
 const EXAMPLES: &str = "\
 Examples:

@@ -2,21 +2,12 @@
 
 use serde::Serialize;
 
-use crate::accuracy::{RoundsError, Spread, TrackedPlace};
+use crate::accuracy::{Spread, TrackedPlace};
 
 /// Members, at whatever depth, that depend on the clock, and differ from run to run: times, ratios of times, and remarks
 /// on them. All others are the same in every run on the same device.
-pub const TIMED: [&str; 9] = [
-    "frame_ms",
-    "point_ns",
-    "ray_ns",
-    "exact_ns",
-    "published_ns",
-    "all_on_ms",
-    "repeatability",
-    "ratio",
-    "advice",
-];
+pub const TIMED: [&str; 8] =
+    ["frame_ms", "point_ns", "exact_ns", "published_ns", "all_on_ms", "repeatability", "ratio", "advice"];
 
 /// The whole report.
 #[derive(Debug, Clone, Serialize)]
@@ -116,9 +107,6 @@ pub struct PictureRow {
     /// Errors against the truth.
     #[serde(flatten)]
     pub errors: PictureErrors,
-    /// With the reference: what rounds come to where bodies turn.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rounds: Option<RoundsError>,
 }
 
 /// Errors of a picture.

@@ -5,13 +5,12 @@ use std::fmt;
 use gamow_platform::messages;
 
 use super::report::{AccuracyReport, Circumstances, FormulaRow, PictureErrors, PictureRow, RendererReport};
-use crate::accuracy::{RESOLUTION_PX, RoundsError, Spread};
+use crate::accuracy::{RESOLUTION_PX, Spread};
 
 impl fmt::Display for AccuracyReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.write_setting(f)?;
         self.write_pictures(f)?;
-        self.write_rounds(f)?;
         self.write_formulas(f)?;
         self.write_published(f)?;
         self.write_effects(f)?;
@@ -64,25 +63,6 @@ impl AccuracyReport {
         self.renderers.iter().filter(|renderer| !renderer.is_reference).try_for_each(|renderer| {
             by_speed(f, &renderer.method, &renderer.views.iter().map(worst).collect::<Vec<_>>())
         })
-    }
-
-    /// Nothing where nothing turns.
-    fn write_rounds(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let rows = self.renderers.iter().flat_map(|renderer| &renderer.views);
-        let rows: Vec<_> = rows.filter_map(|row| Some((&row.view, row.rounds.as_ref()?))).collect();
-        if rows.is_empty() {
-            return Ok(());
-        }
-        writeln!(
-            f,
-            "\nSpokes, by a cheaper search than the rays have, in rounds: ns per ray and body, one thread; median, 99 % and worst error"
-        )?;
-        writeln!(
-            f,
-            "{:36}{:>9}  {:^30}  {:^30}  {:>9}",
-            "", "ns/ray", "along the ray, radii", "outline, pixels", "missed, %"
-        )?;
-        rows.into_iter().try_for_each(|(circumstances, error)| write_rounds_in(f, circumstances, error))
     }
 
     fn write_formulas(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -142,18 +122,6 @@ impl AccuracyReport {
         };
         effects.without.iter().try_for_each(row)
     }
-}
-
-fn write_rounds_in(f: &mut fmt::Formatter<'_>, of: &Circumstances, error: &RoundsError) -> fmt::Result {
-    writeln!(f, "{:36}{:9.0}  {:^30}", view(of), error.exact_ns, "truth")?;
-    for after in &error.after {
-        let name =
-            if after.rounds == 1 { "  1 round".to_owned() } else { format!("  {} rounds", after.rounds) };
-        let [along, outlines] = [after.along_radii, after.outlines_px].map(|errors| spread(errors, 0.0));
-        let missed = 100.0 * after.missed_share;
-        writeln!(f, "{name:36}{:9.0}  {along}  {outlines}  {missed:9.2}", after.ray_ns)?;
-    }
-    Ok(())
 }
 
 const PICTURE_HEADER: &str = "   ms/eye          outline, pixels             line of sight, arcseconds              D, relative              wrong body, %";

@@ -3,7 +3,6 @@
 pub(crate) mod bounds;
 mod model;
 pub(crate) mod packed;
-pub mod rounds;
 mod shown;
 pub(crate) mod solid;
 pub mod spin;
