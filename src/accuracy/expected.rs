@@ -5,7 +5,7 @@ use relativity_render::{Appearance, GpuError, HitImage, Method, PreparedScene, R
 
 use super::cost::frame_ms;
 use super::difference::Difference;
-use super::outline::{OutlinePoint, displacement_px, outline_pixels};
+use super::outline::{OutlinePoint, RESOLUTION_PX, displacement_px, outline_pixels};
 use super::spread::Spread;
 
 /// The effort with which a view is examined.
@@ -33,6 +33,14 @@ pub struct ExpectedError {
     pub outlines_px: Option<Spread>,
     /// Pixel by pixel, for a heat map, and in figures.
     pub difference: Difference,
+}
+
+/// The total error of a picture, pixels: the displacement of outlines or the error of directions, whichever is larger.
+/// Outlines that are nearer than can be distinguished count as exact.
+#[must_use]
+pub fn total_error_px(outlines_px: Option<f64>, arcseconds: Option<f64>, px_per_radian: f64) -> f64 {
+    let resolved_px = outlines_px.filter(|&px| px > RESOLUTION_PX).unwrap_or(0.0);
+    resolved_px.max((arcseconds.unwrap_or(0.0) / 3600.0).to_radians() * px_per_radian)
 }
 
 /// Measures `method` in `view` of `scene`; `None` if `is_cancelled` becomes true.

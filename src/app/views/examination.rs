@@ -6,8 +6,8 @@ use relativity_render::{Appearance, Gpu, GpuError, Method, PreparedScene, Render
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::{
-    DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, RESOLUTION_PX, Spread, expected_error,
-    method_name,
+    DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, Spread, expected_error, method_name,
+    total_error_px,
 };
 use crate::app::debounce::Debounce;
 use crate::app::views::heat_map::HeatMap;
@@ -329,11 +329,10 @@ impl Figures {
         let covered = sum(|figures| figures.covered_pixels).max(1);
         let outlines_px = worse(|error| error.outlines_px);
         let line_of_sight_arcseconds = worse(|error| error.difference.figures.line_of_sight_arcseconds);
-        let outlines = outlines_px.map_or(0.0, |spread| spread.p99);
-        let directions = line_of_sight_arcseconds.map_or(0.0, |spread| spread.p99);
-        let distinct_texts = if outlines > RESOLUTION_PX { outlines } else { 0.0 };
+        let [outlines, directions] =
+            [outlines_px, line_of_sight_arcseconds].map(|spread| spread.map(|spread| spread.p99));
         Self {
-            error_px: distinct_texts.max((directions / 3600.0).to_radians() * px_per_radian),
+            error_px: total_error_px(outlines, directions, px_per_radian),
             frame_ms: found.iter().map(|error| error.frame_ms).sum(),
             outlines_px,
             line_of_sight_arcseconds,
