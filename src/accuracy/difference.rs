@@ -103,8 +103,7 @@ fn direction(view: &GroupView, hit: &Hit) -> DVec3 {
 }
 
 /// Angle between two directions, radians: accurate also where it is tiny.
-#[must_use]
-pub fn angle(a: DVec3, b: DVec3) -> f64 {
+fn angle(a: DVec3, b: DVec3) -> f64 {
     math::atan2(a.cross(b).length(), a.dot(b))
 }
 

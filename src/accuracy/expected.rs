@@ -5,8 +5,7 @@ use relativity_render::{Appearance, GpuError, HitImage, Method, PreparedScene, R
 
 use super::cost::frame_ms;
 use super::difference::Difference;
-use super::outline::{OutlinePoint, displacement_px, outline_pixels};
-use super::rounds::RoundsError;
+use super::outline::{OutlinePoint, RESOLUTION_PX, displacement_px, outline_pixels};
 use super::spread::Spread;
 
 /// The effort with which a view is examined.
@@ -34,8 +33,14 @@ pub struct ExpectedError {
     pub outlines_px: Option<Spread>,
     /// Pixel by pixel, for a heat map, and in figures.
     pub difference: Difference,
-    /// With the reference: what rounds come to where it shows bodies that turn.
-    pub rounds: Option<RoundsError>,
+}
+
+/// The total error of a picture, pixels: the displacement of outlines or the error of directions, whichever is larger.
+/// Outlines that are nearer than can be distinguished count as exact.
+#[must_use]
+pub fn total_error_px(outlines_px: Option<f64>, arcseconds: Option<f64>, px_per_radian: f64) -> f64 {
+    let resolved_px = outlines_px.filter(|&px| px > RESOLUTION_PX).unwrap_or(0.0);
+    resolved_px.max((arcseconds.unwrap_or(0.0) / 3600.0).to_radians() * px_per_radian)
 }
 
 /// Measures `method` in `view` of `scene`; `None` if `is_cancelled` becomes true.
@@ -68,12 +73,9 @@ pub fn expected_error(
         let strips = |strip: &View| renderers.hits_in_part(method, scene, view, strip);
         displacements.push(displacement_px(scene, view, &place, strips)?);
     }
-    let is_reference = method == Method::Reference;
-    let rounds =
-        is_reference.then(|| RoundsError::new(scene, view, &reference, effort.outline_places)).flatten();
     let frame_ms = frame_ms(renderers, method, scene, view, appearance, effort.rounds)?;
     let outlines_px = Spread::from_errors(displacements);
-    Ok((!is_cancelled()).then_some(ExpectedError { frame_ms, outlines_px, difference, rounds }))
+    Ok((!is_cancelled()).then_some(ExpectedError { frame_ms, outlines_px, difference }))
 }
 
 fn outline_places(scene: &PreparedScene, view: &View, image: &HitImage, count: usize) -> Vec<OutlinePoint> {

@@ -25,8 +25,6 @@ pub const BLACK: &str = "#000000";
 pub const BLUE: &str = "#0072B2";
 /// Vermilion: the right eye.
 pub const VERMILION: &str = "#D55E00";
-/// Colours of the lines, in their order: as many as there may be marks in a panel.
-pub const COLOURS: [&str; 7] = [BLUE, VERMILION, "#009E73", "#CC79A7", "#E69F00", "#56B4E9", BLACK];
 
 /// Height of a panel unless it has another, pixels.
 const HEIGHT: f64 = 380.0;

@@ -247,10 +247,6 @@ fn a_file_is_called_what_it_is() {
     let cases = [
         ("--screenshot x.jpg", "gamow: --screenshot x.jpg: it writes .png files only; x.png would be right"),
         ("--screenshot a/x", "gamow: --screenshot a/x: it writes .png files only; a/x.png would be right"),
-        (
-            "accuracy --plot cost.pdf",
-            "gamow: --plot cost.pdf: it writes .svg files only; cost.svg would be right",
-        ),
     ];
     for (arguments, expected) in cases {
         assert_eq!(words(arguments).complaint(), expected);

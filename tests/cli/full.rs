@@ -33,7 +33,7 @@ const WRITERS: [(&str, &str); 11] = [
     ("render --renderer reference --size 8x6 --frames 2 --out", "film.png"),
     ("rectify frame.exr --beta 0.5 --out", "out.exr"),
     ("lesson page.md --worksheet", "out.html"),
-    ("accuracy --quick --scene two-balls --size 8x6 --out rest.txt --plot", "out.svg"),
+    ("accuracy --quick --scene two-balls --size 8x6 --out", "out.txt"),
 ];
 
 /// How many of them are quick.

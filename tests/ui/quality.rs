@@ -12,7 +12,7 @@ use gamow::app::state::State;
 use gamow::app::views::examination::Examination;
 use gamow::eye::Eye;
 use gamow::flags::choices::RendererChoice;
-use gamow::settings::{PlotSettings, PlotTab, Settings};
+use gamow::settings::{PlotSettings, PlotTab};
 use relativity_render::Method;
 
 use super::Test;
@@ -23,7 +23,6 @@ pub const TESTS: &[Test] = &[
     ("the_accuracy_tab_measures_every_renderer", the_accuracy_tab_measures),
     ("the_accuracy_tab_begins_with_what_its_figures_come_to", begins_with_a_conclusion),
     ("figures_are_of_the_views_that_are_shown", figures_are_of_the_views),
-    ("the_accuracy_tab_tells_how_far_off_spokes_are", tells_how_far_off_spokes_are),
     ("hidden_figures_are_not_measured", hidden_figures_are_not_measured),
     ("clicking_a_renderer_in_the_table_or_the_plot_chooses_it", clicking_a_renderer_chooses_it),
     ("the_heat_map_marks_what_the_mesh_gets_wrong", the_heat_map_marks_errors),
@@ -175,25 +174,6 @@ fn the_accuracy_tab_measures() {
     assert!(figure(all, "rays", "other body") < 0.1);
     assert_eq!(figure(all, "reference", "other body"), 0.0);
     assert_eq!(*repaint_delay, Duration::MAX, "a window at rest uses no processor");
-}
-
-/// After each round; nothing of that where nothing turns.
-fn tells_how_far_off_spokes_are() {
-    assert!(!measured().labels.iter().any(|label| label.starts_with("1 round")));
-    let mut state = examined(0.9);
-    "wheel".clone_into(&mut state.document.settings.scene);
-    let mut window = small_window(State::open(Settings::clone(&state.document.settings)).expect("a preset"));
-    settle(&mut window);
-    let all = &labels(&window);
-    let after = ["1 round", "2 rounds", "3 rounds"].map(|rounds| {
-        assert!(figure(all, rounds, "ns") > 0.0 && figure(all, rounds, "missed") < 1.0);
-        ["along / radii", "outlines / px"].map(|column| figure(all, rounds, column))
-    });
-    for (first, second) in [(after[0], after[1]), (after[1], after[2])] {
-        assert!(second[0] < 0.1 * first[0] && second[1] < 0.1 * first[1], "{after:?}");
-    }
-    assert!(after[2][1] < 0.02, "{after:?}");
-    assert!(figure(all, "exact", "ns") > 0.0);
 }
 
 fn current(window: &Harness<'_, App>) -> usize {

@@ -21,7 +21,6 @@ mod reference_rolling;
 mod reference_wheels;
 mod riding;
 mod rolling_models;
-mod rounds;
 mod scale;
 #[path = "gpu_support/scenes.rs"]
 #[expect(dead_code, reason = "shared with the tests on the GPU")]

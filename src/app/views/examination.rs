@@ -6,8 +6,8 @@ use relativity_render::{Appearance, Gpu, GpuError, Method, PreparedScene, Render
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::{
-    DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, RESOLUTION_PX, RoundsError, Spread,
-    expected_error, method_name,
+    DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, Spread, expected_error, method_name,
+    total_error_px,
 };
 use crate::app::tools::debounce::Debounce;
 use crate::app::tools::worker::{BackgroundWork, StepOutcome, Wanted, Work};
@@ -40,8 +40,6 @@ pub struct Figures {
     pub wrong_share: f64,
     /// Total error, pixels: 99 % of the outlines that can be distinguished, and of the directions, are nearer.
     pub error_px: f64,
-    /// Errors of rounds, for the reference where it shows bodies that turn.
-    pub rounds: Option<RoundsError>,
 }
 
 /// The error of each eye's picture, pixel by pixel.
@@ -328,21 +326,17 @@ impl Figures {
         let sum = |count: fn(&DifferenceFigures) -> usize| -> usize {
             found.iter().map(|error| count(&error.difference.figures)).sum()
         };
-        let rounds = found.iter().filter_map(|error| error.rounds.clone());
-        let rounds = rounds.reduce(|worst, other| worst.worse(&other));
         let covered = sum(|figures| figures.covered_pixels).max(1);
         let outlines_px = worse(|error| error.outlines_px);
         let line_of_sight_arcseconds = worse(|error| error.difference.figures.line_of_sight_arcseconds);
-        let outlines = outlines_px.map_or(0.0, |spread| spread.p99);
-        let directions = line_of_sight_arcseconds.map_or(0.0, |spread| spread.p99);
-        let distinct_texts = if outlines > RESOLUTION_PX { outlines } else { 0.0 };
+        let [outlines, directions] =
+            [outlines_px, line_of_sight_arcseconds].map(|spread| spread.map(|spread| spread.p99));
         Self {
-            error_px: distinct_texts.max((directions / 3600.0).to_radians() * px_per_radian),
+            error_px: total_error_px(outlines, directions, px_per_radian),
             frame_ms: found.iter().map(|error| error.frame_ms).sum(),
             outlines_px,
             line_of_sight_arcseconds,
             doppler: worse(|error| error.difference.figures.doppler_relative),
-            rounds,
             wrong_share: sum(|figures| figures.wrong_pixels) as f64 / covered as f64,
         }
     }

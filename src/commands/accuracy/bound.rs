@@ -5,7 +5,7 @@ use relativity_render::{Appearance, Gpu, Method, Renderers, View};
 
 use super::measure::views;
 use crate::accuracy::{
-    Automatic, Effort, ExpectedError, Machine, MethodViews, RESOLUTION_PX, TrackedPlace, expected_error,
+    Automatic, Effort, ExpectedError, Machine, MethodViews, TrackedPlace, expected_error, total_error_px,
     view_at,
 };
 use crate::flags::Goal;
@@ -33,10 +33,9 @@ fn chosen(scene: &Scene, view: &View, px: f64, favourite: Method) -> Method {
 
 /// The worst of what is off, pixels.
 fn worst_px(error: &ExpectedError, view: &View) -> f64 {
-    let outlines = error.outlines_px.map_or(0.0, |spread| spread.worst);
-    let distinct_texts = if outlines > RESOLUTION_PX { outlines } else { 0.0 };
-    let directions = error.difference.figures.line_of_sight_arcseconds.map_or(0.0, |spread| spread.worst);
-    distinct_texts.max((directions / 3600.0).to_radians() * view.camera.px_per_radian())
+    let spreads = [error.outlines_px, error.difference.figures.line_of_sight_arcseconds];
+    let [outlines, directions] = spreads.map(|spread| spread.map(|spread| spread.worst));
+    total_error_px(outlines, directions, view.camera.px_per_radian())
 }
 
 #[test]

@@ -3,16 +3,13 @@
 use anyhow::Context as _;
 use gamow_platform::{progress, threads};
 use relativity_core::Speed;
-use relativity_render::{Appearance, Gpu, Method, PreparedScene, Renderers, View};
+use relativity_render::{Appearance, Gpu, Method, Renderers, View};
 
 use super::report::{
-    AccuracyReport, Circumstances, FormulaReport, FormulaRow, MeasuredSetup, PictureErrors, PictureRow,
-    PublishedReport, PublishedRow, RendererReport, TIMED, median,
+    AccuracyReport, Circumstances, MeasuredSetup, PictureErrors, PictureRow, RendererReport, TIMED,
 };
-use super::{advice, effects};
 use crate::accuracy::{
-    ConeFormula, Effort, ExpectedError, LARGEST_PX, RESOLUTION_PX, Spread, TrackedPlace, expected_error,
-    formula_error, methods, published_error, view_at,
+    Effort, ExpectedError, LARGEST_PX, RESOLUTION_PX, Spread, TrackedPlace, expected_error, methods, view_at,
 };
 use crate::files::provenance::SOFTWARE;
 use crate::scene::Scene;
@@ -25,11 +22,9 @@ const BETAS: [f64; 7] = [0.0, 0.3, 0.6, 0.9, 0.99, 0.999, 0.9999];
 const QUICK_BETAS: [f64; 3] = [0.0, 0.9, 0.9999];
 /// Lorentz factors that beta does not express well.
 const GAMMAS: [f64; 2] = [100.0, 1000.0];
-/// Only for formulas in f64.
-const EXTREME_GAMMAS: [f64; 2] = [1e5, 1e7];
 const QUICK_EFFORT: Effort = Effort { outline_places: 12, rounds: 1 };
 
-/// Measures everything for `scene`, called `scene_name`.
+/// Measures every renderer in every view of `scene`, called `scene_name`.
 ///
 /// # Errors
 ///
@@ -42,19 +37,12 @@ pub fn report(
 ) -> anyhow::Result<AccuracyReport> {
     let mut missing = Vec::new();
     let gpu = Gpu::headless().map_err(|error| missing.push(format!("rays and mesh: {error}"))).ok();
-    let mut measurement = Measurement {
-        renderers: Renderers::new(gpu),
-        scene: scene.prepared(),
-        appearance: Appearance { ground_z: scene.ground_z, ..Appearance::default() },
-        views: views(scene, size, quick)?,
-        tracked: scene.tracked,
-        effort: if quick { QUICK_EFFORT } else { Effort::REPORT },
-    };
+    let mut renderers = Renderers::new(gpu);
     let setting = MeasuredSetup {
         program: SOFTWARE,
         optimised: !cfg!(debug_assertions),
         threads: threads::count(),
-        device: measurement.renderers.gpu().map(Gpu::description),
+        device: renderers.gpu().map(Gpu::description),
         scene: scene_name.to_owned(),
         bodies: scene.bodies.len(),
         size_px: size,
@@ -63,21 +51,12 @@ pub fn report(
         outline_resolution_px: RESOLUTION_PX,
         outline_limit_px: LARGEST_PX,
     };
-    let mut report = AccuracyReport {
-        setting,
-        timed: TIMED,
-        missing,
-        renderers: measurement.pictures()?,
-        formulas: measurement.formulas()?,
-        published: measurement.published()?,
-        effects: measurement.effects()?,
-        advice: Vec::new(),
-    };
-    report.advice = advice::advice(&report);
-    Ok(report)
+    let effort = if quick { QUICK_EFFORT } else { Effort::REPORT };
+    let renderers = pictures(&mut renderers, scene, &views(scene, size, quick)?, effort)?;
+    Ok(AccuracyReport { setting, timed: TIMED, missing, renderers })
 }
 
-/// Measures the views, and reports each.
+/// Returns the views that are measured, each with its circumstances.
 pub(super) fn views(
     scene: &Scene,
     size: [u32; 2],
@@ -106,92 +85,29 @@ fn circumstances(speed: &Speed, place: TrackedPlace) -> Circumstances {
     Circumstances { beta: speed.beta(), gamma: speed.gamma(), place }
 }
 
-struct Measurement {
-    renderers: Renderers,
-    scene: PreparedScene,
-    appearance: Appearance,
-    views: Vec<(Circumstances, View)>,
-    tracked: [f64; 3],
+/// Measures each of the `renderers` in these views of `scene`.
+fn pictures(
+    renderers: &mut Renderers,
+    scene: &Scene,
+    views: &[(Circumstances, View)],
     effort: Effort,
-}
-
-impl Measurement {
-    fn pictures(&mut self) -> anyhow::Result<Vec<RendererReport>> {
-        let methods = methods(&self.renderers);
-        let progress = progress::bar((methods.len() * self.views.len()) as u64, "views");
-        let mut reports = Vec::new();
-        for method in methods {
-            let mut rows = Vec::new();
-            for (circumstances, view) in &self.views {
-                let (renderers, appearance, effort) = (&mut self.renderers, &self.appearance, self.effort);
-                let found =
-                    expected_error(renderers, &self.scene, method, view, appearance, effort, &|| false)?;
-                let found = found.context("nothing cancels this")?;
-                rows.push(picture_row(*circumstances, found));
-                progress.inc(1);
-            }
-            reports.push(renderer_report(method, rows));
+) -> anyhow::Result<Vec<RendererReport>> {
+    let prepared = scene.prepared();
+    let appearance = Appearance { ground_z: scene.ground_z, ..Appearance::default() };
+    let methods = methods(renderers);
+    let progress = progress::bar((methods.len() * views.len()) as u64, "views");
+    let mut reports = Vec::new();
+    for method in methods {
+        let mut rows = Vec::new();
+        for (circumstances, view) in views {
+            let found = expected_error(renderers, &prepared, method, view, &appearance, effort, &|| false)?;
+            rows.push(picture_row(*circumstances, found.context("nothing cancels this")?));
+            progress.inc(1);
         }
-        progress.finish_and_clear();
-        Ok(reports)
+        reports.push(renderer_report(method, rows));
     }
-
-    fn formulas(&self) -> anyhow::Result<Vec<FormulaReport>> {
-        ConeFormula::ALL.into_iter().map(|formula| self.formula(formula)).collect()
-    }
-
-    fn formula(&self, formula: ConeFormula) -> anyhow::Result<FormulaReport> {
-        let default = self.views.iter().map(|(circumstances, view)| (*circumstances, view.speed));
-        let mut cases: Vec<_> = default.collect();
-        for gamma in EXTREME_GAMMAS {
-            let speed = Speed::from_gamma(gamma)?;
-            cases.extend(TrackedPlace::ALL.map(|place| (circumstances(&speed, place), speed)));
-        }
-        cases.retain(|(_, speed)| speed.gamma() <= formula.max_gamma());
-        let row = |(view, speed): (Circumstances, Speed)| {
-            let error = formula_error(formula, &speed, view.place, self.tracked, -0.5 * SEPARATION)?;
-            Ok(FormulaRow {
-                view,
-                point_ns: error.point_ns,
-                line_of_sight_arcseconds: error.line_of_sight_arcseconds,
-                doppler_relative: error.doppler_relative,
-            })
-        };
-        let views = cases.into_iter().map(row).collect::<anyhow::Result<Vec<_>>>()?;
-        Ok(FormulaReport {
-            formula: formula.to_string(),
-            is_reference: formula == ConeFormula::StableF64,
-            point_ns: median(views.iter().map(|row| row.point_ns)),
-            line_of_sight_arcseconds: worst(views.iter().map(|row| row.line_of_sight_arcseconds)),
-            doppler_relative: worst(views.iter().map(|row| row.doppler_relative)),
-            views,
-        })
-    }
-
-    fn published(&self) -> anyhow::Result<PublishedReport> {
-        let error = |(_, view): &(Circumstances, View)| published_error(&self.scene, view, SEPARATION);
-        let errors = self.views.iter().map(error).collect::<Result<Vec<_>, _>>()?;
-        let row =
-            |((view, _), error): (&(Circumstances, View), &crate::accuracy::PublishedError)| PublishedRow {
-                view: *view,
-                line_of_sight_arcseconds: error.line_of_sight_arcseconds,
-                pixels: error.pixels,
-            };
-        Ok(PublishedReport {
-            published_ns: median(errors.iter().map(|error| error.published_ns)),
-            exact_ns: median(errors.iter().map(|error| error.exact_ns)),
-            views: self.views.iter().zip(&errors).map(row).collect(),
-        })
-    }
-
-    /// Abreast at the paper's speed.
-    fn effects(&mut self) -> anyhow::Result<super::report::EffectsReport> {
-        let is_paper =
-            |(view, _): &&(Circumstances, View)| view.beta == 0.9 && view.place == TrackedPlace::Abreast;
-        let (circumstances, view) = *self.views.iter().find(is_paper).context("0.9 is always measured")?;
-        let (renderers, rounds) = (&mut self.renderers, self.effort.rounds);
-        effects::report(renderers, &self.scene, circumstances, &view, &self.appearance, rounds)
-    }
+    progress.finish_and_clear();
+    Ok(reports)
 }
 
 fn picture_row(view: Circumstances, found: ExpectedError) -> PictureRow {
@@ -206,29 +122,24 @@ fn picture_row(view: Circumstances, found: ExpectedError) -> PictureRow {
             wrong_share: figures.wrong_share(),
             wrong_pixels_off_outlines: figures.wrong_pixels_off_outlines,
         },
-        rounds: found.rounds,
     }
 }
 
-/// The worst of some spreads, figure by figure.
-fn worst(spreads: impl Iterator<Item = Option<Spread>>) -> Option<Spread> {
-    spreads.flatten().reduce(Spread::worse)
-}
-
 fn renderer_report(method: Method, views: Vec<PictureRow>) -> RendererReport {
-    let spread = |of: fn(&PictureErrors) -> Option<_>| worst(views.iter().map(|row| of(&row.errors)));
-    let largest = |of: fn(&PictureErrors) -> f64| views.iter().map(|row| of(&row.errors)).fold(0.0, f64::max);
-    let off_outlines = views.iter().map(|row| row.errors.wrong_pixels_off_outlines).max();
+    let errors = || views.iter().map(|row| &row.errors);
+    let spread = |of: fn(&PictureErrors) -> Option<Spread>| errors().filter_map(of).reduce(Spread::worse);
+    let costs = Spread::from_errors(views.iter().map(|row| row.frame_ms).collect());
+    let off_outlines = errors().map(|errors| errors.wrong_pixels_off_outlines).max();
     RendererReport {
         method: method.to_string(),
         is_reference: method == Method::Reference,
         bound_px: if let Method::Mesh { bound_px } = method { Some(bound_px) } else { None },
-        frame_ms: median(views.iter().map(|row| row.frame_ms)),
+        frame_ms: costs.map_or(0.0, |spread| spread.median),
         worst_view: PictureErrors {
             outlines_px: spread(|errors| errors.outlines_px),
             line_of_sight_arcseconds: spread(|errors| errors.line_of_sight_arcseconds),
             doppler_relative: spread(|errors| errors.doppler_relative),
-            wrong_share: largest(|errors| errors.wrong_share),
+            wrong_share: errors().map(|errors| errors.wrong_share).fold(0.0, f64::max),
             wrong_pixels_off_outlines: off_outlines.unwrap_or(0),
         },
         views,

@@ -4,19 +4,13 @@ use std::fmt;
 
 use gamow_platform::messages;
 
-use super::report::{AccuracyReport, Circumstances, FormulaRow, PictureErrors, PictureRow, RendererReport};
-use crate::accuracy::{RESOLUTION_PX, RoundsError, Spread};
+use super::report::{AccuracyReport, Circumstances, PictureErrors, RendererReport};
+use crate::accuracy::{RESOLUTION_PX, Spread};
 
 impl fmt::Display for AccuracyReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.write_setting(f)?;
-        self.write_pictures(f)?;
-        self.write_rounds(f)?;
-        self.write_formulas(f)?;
-        self.write_published(f)?;
-        self.write_effects(f)?;
-        writeln!(f, "\nAdvice, from the figures above")?;
-        self.advice.iter().try_for_each(|sentence| writeln!(f, "- {sentence}"))
+        self.write_pictures(f)
     }
 }
 
@@ -35,10 +29,7 @@ impl AccuracyReport {
         let device = setting.device.as_deref().unwrap_or("none");
         let build = if setting.optimised { "" } else { "; NOT AN OPTIMISED BUILD" };
         writeln!(f, "graphics: {device}; CPU threads: {}{build}", setting.threads)?;
-        writeln!(
-            f,
-            "ms, ns and their ratios, and advice that rests on them, differ from run to run; errors are the same in every run"
-        )?;
+        writeln!(f, "ms differ from run to run; errors are the same in every run")?;
         self.missing.iter().try_for_each(|missing| writeln!(f, "not measured: {missing}"))
     }
 
@@ -60,100 +51,9 @@ impl AccuracyReport {
             }
         }
         writeln!(f, "\nWorst error of D by speed, relative, over all three places")?;
-        let worst = |row: &PictureRow| (row.view, row.errors.doppler_relative);
-        self.renderers.iter().filter(|renderer| !renderer.is_reference).try_for_each(|renderer| {
-            by_speed(f, &renderer.method, &renderer.views.iter().map(worst).collect::<Vec<_>>())
-        })
+        let mut compared = self.renderers.iter().filter(|renderer| !renderer.is_reference);
+        compared.try_for_each(|renderer| doppler_by_speed(f, renderer))
     }
-
-    /// Nothing where nothing turns.
-    fn write_rounds(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let rows = self.renderers.iter().flat_map(|renderer| &renderer.views);
-        let rows: Vec<_> = rows.filter_map(|row| Some((&row.view, row.rounds.as_ref()?))).collect();
-        if rows.is_empty() {
-            return Ok(());
-        }
-        writeln!(
-            f,
-            "\nSpokes, by a cheaper search than the rays have, in rounds: ns per ray and body, one thread; median, 99 % and worst error"
-        )?;
-        writeln!(
-            f,
-            "{:36}{:>9}  {:^30}  {:^30}  {:>9}",
-            "", "ns/ray", "along the ray, radii", "outline, pixels", "missed, %"
-        )?;
-        rows.into_iter().try_for_each(|(circumstances, error)| write_rounds_in(f, circumstances, error))
-    }
-
-    fn write_formulas(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(
-            f,
-            "\nPoints: ns per point, one thread; median, 99 % and worst error of the worst view, against stable f64; f32 up to gamma = 1000"
-        )?;
-        writeln!(
-            f,
-            "{:36}{:>9}  {:^30}  {:^30}",
-            "", "ns/point", "line of sight, arcseconds", "D, relative"
-        )?;
-        for formula in &self.formulas {
-            let errors = if formula.is_reference {
-                "truth".to_owned()
-            } else {
-                format!(
-                    "{}  {}",
-                    spread(formula.line_of_sight_arcseconds, 0.0),
-                    spread(formula.doppler_relative, 0.0)
-                )
-            };
-            writeln!(f, "{:36}{:9.2}  {errors}", formula.formula, formula.point_ns)?;
-        }
-        writeln!(f, "\nWorst line of sight by speed, arcseconds, over all three places")?;
-        let worst = |row: &FormulaRow| (row.view, row.line_of_sight_arcseconds);
-        self.formulas.iter().filter(|formula| !formula.is_reference).try_for_each(|formula| {
-            by_speed(f, &formula.formula, &formula.views.iter().map(worst).collect::<Vec<_>>())
-        })
-    }
-
-    fn write_published(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let published = &self.published;
-        writeln!(
-            f,
-            "\nPublished model against the exact one, right eye: median, 99 % and worst ({:.0} and {:.0} ns per point)",
-            published.published_ns, published.exact_ns
-        )?;
-        writeln!(f, "{:36}{:^30}  {:^30}", "", "line of sight, arcseconds", "pixels")?;
-        for row in &published.views {
-            let sights = spread(row.line_of_sight_arcseconds, 0.0);
-            writeln!(f, "{:36}{sights}  {}", view(&row.view), spread(row.pixels, 0.0))?;
-        }
-        Ok(())
-    }
-
-    fn write_effects(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let effects = &self.effects;
-        writeln!(f, "\nWhat effects cost: {}, {}", effects.method, view(&effects.view))?;
-        writeln!(f, "{:36}{:>9}", "", "ms/eye")?;
-        writeln!(f, "{:36}{:9.2}", "everything on", effects.all_on_ms)?;
-        let again = 100.0 * effects.repeatability;
-        writeln!(f, "(timed twice, it differed by {again:.0} %; smaller differences are noise)")?;
-        let row = |row: &super::report::EffectRow| {
-            let name = format!("without {}", row.effect);
-            writeln!(f, "{name:44}{:9.2} {:9.2} of that", row.frame_ms, row.ratio)
-        };
-        effects.without.iter().try_for_each(row)
-    }
-}
-
-fn write_rounds_in(f: &mut fmt::Formatter<'_>, of: &Circumstances, error: &RoundsError) -> fmt::Result {
-    writeln!(f, "{:36}{:9.0}  {:^30}", view(of), error.exact_ns, "truth")?;
-    for after in &error.after {
-        let name =
-            if after.rounds == 1 { "  1 round".to_owned() } else { format!("  {} rounds", after.rounds) };
-        let [along, outlines] = [after.along_radii, after.outlines_px].map(|errors| spread(errors, 0.0));
-        let missed = 100.0 * after.missed_share;
-        writeln!(f, "{name:36}{:9.0}  {along}  {outlines}  {missed:9.2}", after.ray_ns)?;
-    }
-    Ok(())
 }
 
 const PICTURE_HEADER: &str = "   ms/eye          outline, pixels             line of sight, arcseconds              D, relative              wrong body, %";
@@ -195,12 +95,13 @@ fn spread(spread: Option<Spread>, resolution: f64) -> String {
     )
 }
 
-/// The worst of the errors at each speed, of rows in the order of speeds.
-fn by_speed(f: &mut fmt::Formatter<'_>, name: &str, rows: &[(Circumstances, Option<Spread>)]) -> fmt::Result {
-    write!(f, "{name:36}")?;
-    for rows in rows.chunk_by(|(a, _), (b, _)| a.gamma == b.gamma) {
-        let worst = rows.iter().filter_map(|(_, errors)| Some((*errors)?.worst)).fold(0.0, f64::max);
-        let speed = view(&rows[0].0);
+/// The worst error of D at each speed; a renderer's views are in the order of speeds.
+fn doppler_by_speed(f: &mut fmt::Formatter<'_>, renderer: &RendererReport) -> fmt::Result {
+    write!(f, "{:36}", renderer.method)?;
+    for rows in renderer.views.chunk_by(|a, b| a.view.gamma == b.view.gamma) {
+        let errors = rows.iter().filter_map(|row| row.errors.doppler_relative);
+        let worst = errors.map(|errors| errors.worst).fold(0.0, f64::max);
+        let speed = view(&rows[0].view);
         let speed = speed.split(',').next().unwrap_or_default();
         write!(f, "  {speed}: {worst:.2e}")?;
     }

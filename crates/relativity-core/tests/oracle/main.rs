@@ -8,6 +8,7 @@ mod conformal;
 mod draw;
 mod model;
 mod observer;
+mod printed;
 mod tally;
 mod wheel;
 mod wheel_model;

@@ -3,5 +3,4 @@
 pub(crate) mod bounds;
 mod model;
 pub(crate) mod packed;
-pub mod rounds;
 pub(crate) mod solid;

@@ -230,7 +230,7 @@ pub(super) struct TurningRay<'a> {
     turn: f64,
     turned_at: f64,
     /// k, the change of that angle per length along the ray.
-    pub rate: f64,
+    rate: f64,
     /// L: q is no faster.
     speed: f64,
     /// K: q is bent no more.

@@ -3,7 +3,6 @@
 
 mod conclusion;
 mod frontier;
-mod rounds;
 mod table;
 
 pub use table::csv;
@@ -50,10 +49,7 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, comma
     let (table, plot) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH, LEAST_PLOT);
     part(ui, "figures", table, |ui| {
         let area = ScrollArea::both().auto_shrink(false);
-        area.show(ui, |ui| {
-            table::show(ui, examination, chosen, &mut quality);
-            rounds::show(ui, examination);
-        });
+        area.show(ui, |ui| table::show(ui, examination, chosen, &mut quality));
     });
     if let Some(plot) = plot {
         part(ui, "frontier", plot, |ui| frontier::show(ui, plot.size(), examination, chosen, &mut quality));

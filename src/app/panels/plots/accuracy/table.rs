@@ -83,7 +83,7 @@ fn table_row(
 }
 
 /// Writes a spread's 99 %, and the rest of it. Nothing below the `resolution` was distinguished.
-pub(super) fn cell(spread: Option<Spread>, resolution: f64) -> (String, String) {
+fn cell(spread: Option<Spread>, resolution: f64) -> (String, String) {
     let Some(Spread { median, p99, worst, count }) = spread else {
         return (number_text::NONE.to_owned(), String::new());
     };

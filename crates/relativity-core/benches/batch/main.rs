@@ -1,7 +1,12 @@
-//! Time per point of the batch forms, against the formulas as printed and against a copy of the same bytes.
+//! The formulas in their stable form and as printed: time per point, and error over gamma; then the published binocular model
+//! against the exact one.
 //!
-//! `cargo bench -p relativity-core --bench batch`. All in one run, since only ratios carry over between
-//! machines. The printed formulas (naive) lose digits; they are here to show what keeping them costs.
+//! `cargo bench -p relativity-core --bench batch`. Times are those of the batch forms, and of a copy of the same bytes, all
+//! in one run, since only ratios carry over between machines. The printed formulas lose digits; they are here to show how many,
+//! and what keeping them costs.
+
+mod errors;
+mod printed;
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -13,16 +18,17 @@ use relativity_core::{Aperture, Speed};
 const MANY: usize = 10_000_000;
 const IN_CACHE: usize = 1024;
 const REPETITIONS: usize = 7;
+const BETA: f64 = 0.9;
 const TIME: f64 = 1.5;
 const APERTURE: Aperture = Aperture { x: -0.05, y: 0.0, z: 0.0 };
 
 fn main() {
     println!(
-        "ns per point, the best of {REPETITIONS}; ratios to the naive form and to a copy of the same bytes\n"
+        "ns per point, the best of {REPETITIONS}; ratios to the printed form and to a copy of the same bytes\n"
     );
     println!(
-        "{:8}{:>10}{:>12}{:>8}{:>8}{:>8}{:>10}{:>8}",
-        "", "points", "threads", "stable", "naive", "copy", "/ naive", "/ copy"
+        "{:8}{:>10}{:>12}{:>8}{:>9}{:>8}{:>11}{:>8}",
+        "", "points", "threads", "stable", "printed", "copy", "/ printed", "/ copy"
     );
     for rows in [MANY, IN_CACHE] {
         bench::<f64>("f64", rows, Threads::One);
@@ -30,6 +36,8 @@ fn main() {
     }
     bench::<f64>("f64", MANY, Threads::All);
     bench::<f32>("f32", MANY, Threads::All);
+    errors::print_forms();
+    errors::print_published();
 }
 
 struct Table<F> {
@@ -43,14 +51,14 @@ fn bench<F: Real>(name: &str, rows: usize, threads: Threads) {
     let inputs =
         [0.618_034, 0.324_718, 0.220_744].map(|step| (0..rows).map(|i| coordinate(i, step)).collect());
     let mut table = Table { inputs, outputs: [(); 3].map(|()| vec![F::zero(); rows]) };
-    let speed = Speed::from_beta(0.9).expect("0.9 is a speed");
+    let speed = Speed::from_beta(BETA).expect("it is a speed");
     let stable = best(rows, || stable(&speed, &mut table, threads));
-    let naive = best(rows, || naive(&mut table));
+    let printed = best(rows, || printed(&mut table));
     let copy = best(rows, || copy(&mut table));
     let label = format!("{threads:?}");
     println!(
-        "{name:8}{rows:>10}{label:>12}{stable:8.2}{naive:8.2}{copy:8.2}{:10.2}{:8.2}",
-        stable / naive,
+        "{name:8}{rows:>10}{label:>12}{stable:8.2}{printed:9.2}{copy:8.2}{:11.2}{:8.2}",
+        stable / printed,
         stable / copy
     );
 }
@@ -77,33 +85,12 @@ fn stable<F: Real>(speed: &Speed, table: &mut Table<F>, threads: Threads) {
     black_box(&table.outputs);
 }
 
-fn naive<F: Float>(table: &mut Table<F>) {
+fn printed<F: Float>(table: &mut Table<F>) {
+    let to = |v: f64| F::from(v).expect("f64 converts to any float");
     let inputs = table.inputs.each_ref().map(Vec::as_slice);
     let outputs = table.outputs.each_mut().map(Vec::as_mut_slice);
-    pulp::Arch::new().dispatch(
-        #[inline(always)]
-        || naive_columns(inputs, outputs),
-    );
+    printed::sightings(to(BETA), to(TIME), to(APERTURE.x), inputs, outputs);
     black_box(&table.outputs);
-}
-
-#[inline(always)]
-#[expect(clippy::inline_always, reason = "what pulp dispatches must be inlined to use wider registers")]
-fn naive_columns<F: Float>([x0, y, z]: [&[F]; 3], [x, t, d]: [&mut [F]; 3]) {
-    let to = |v: f64| F::from(v).expect("f64 converts to any float");
-    let (beta, time, aperture) = (to(0.9), to(TIME), to(APERTURE.x));
-    let gamma = F::one() / (F::one() - beta * beta).sqrt();
-    let rows = x0.len();
-    let (y, z, x, t, d) = (&y[..rows], &z[..rows], &mut x[..rows], &mut t[..rows], &mut d[..rows]);
-    for i in 0..rows {
-        let s = x0[i] - aperture + beta * time;
-        let rho_squared = y[i] * y[i] + z[i] * z[i];
-        let apparent = gamma * gamma * s - gamma * beta * (gamma * gamma * s * s + rho_squared).sqrt();
-        let r = (apparent * apparent + rho_squared).sqrt();
-        x[i] = apparent;
-        t[i] = time - r;
-        d[i] = F::one() / (gamma * (F::one() + beta * apparent / r));
-    }
 }
 
 #[inline(never)]
