@@ -1,9 +1,9 @@
 //! The house keeps its layers: imports run down, never in a circle, each crate knows only what it should, and each test is run.
 
-mod doc_names;
 mod imports;
 mod made_up;
 mod modules;
+mod names;
 
 use std::collections::BTreeMap;
 use std::path::Path;

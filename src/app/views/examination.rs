@@ -335,9 +335,9 @@ impl Figures {
         let line_of_sight_arcseconds = worse(|error| error.difference.figures.line_of_sight_arcseconds);
         let outlines = outlines_px.map_or(0.0, |spread| spread.p99);
         let directions = line_of_sight_arcseconds.map_or(0.0, |spread| spread.p99);
-        let resolved_px = if outlines > RESOLUTION_PX { outlines } else { 0.0 };
+        let distinct_texts = if outlines > RESOLUTION_PX { outlines } else { 0.0 };
         Self {
-            error_px: resolved_px.max((directions / 3600.0).to_radians() * px_per_radian),
+            error_px: distinct_texts.max((directions / 3600.0).to_radians() * px_per_radian),
             frame_ms: found.iter().map(|error| error.frame_ms).sum(),
             outlines_px,
             line_of_sight_arcseconds,
