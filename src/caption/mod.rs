@@ -46,7 +46,7 @@ pub struct Moment {
     shown: ShownPoint,
 }
 
-/// The point in the shown geometry.
+/// What the views show of the point in the geometry that is set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum ShownPoint {
     /// Light at each eye; at both in one place the same.
@@ -188,7 +188,7 @@ impl Moment {
         }
     }
 
-    /// `start`, and which light that is.
+    /// Returns a sentence of `start` and the light that it speaks of, if there is any.
     fn with_light(&self, start: &str) -> String {
         match self.light() {
             Some(light) => format!("{start}: {light}.{}", self.drawn),

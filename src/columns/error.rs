@@ -34,7 +34,7 @@ pub enum ObservationError {
         name: &'static str,
         /// Value that is out of range.
         value: f64,
-        /// Range that is right.
+        /// The values that it may have, in words.
         range: &'static str,
     },
     /// A pair of eyes that the model does not know.

@@ -56,9 +56,9 @@ pub enum InputError {
     /// A point on a wheel is given in part.
     #[error("column {there} is given, and {missing} is not; wheel_radius, rho and angle go together")]
     PartOfWheel {
-        /// A column that is there.
+        /// One of the three that the header names.
         there: &'static str,
-        /// A column that is missing.
+        /// One of the three that it does not.
         missing: &'static str,
     },
     /// A column has the name of one that will be appended.

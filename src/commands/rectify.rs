@@ -60,7 +60,7 @@ pub struct RectifyArgs {
     camera: CameraArgs,
 }
 
-/// An eye of the two.
+/// The eye whose picture is corrected.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 enum EyeChoice {
     #[default]

@@ -24,7 +24,7 @@ use crate::time_range::time_within;
 /// Everything that a fit depends on.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FitKey {
-    /// Samples to fit.
+    /// Readings of the disparities, simulated or from a file.
     pub samples: Samples,
     /// Settings of the simulation, if there is one, and of the fit.
     #[serde(with = "message::fit")]
@@ -43,9 +43,9 @@ pub enum Samples {
 /// The point of which samples are simulated, and how they are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Simulated {
-    /// Velocity of the truth.
+    /// True velocity, with which the fit is compared.
     pub velocity: Velocity,
-    /// Worldline of the truth.
+    /// True worldline of the point.
     pub source: Source,
     /// The eyes, from the middle between them.
     pub pair: [Aperture; 2],
@@ -214,9 +214,9 @@ impl DataFile {
 /// Samples, and how they are fitted.
 #[derive(Debug, Clone)]
 pub struct Fittable {
-    /// Observations to fit.
+    /// Readings, with the eyes that took them.
     pub observations: Observations,
-    /// Options of the fit.
+    /// Model, curves and known parameters of the fit.
     pub options: FitOptions,
 }
 

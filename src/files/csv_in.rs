@@ -319,7 +319,7 @@ pub enum HeaderError {
     /// A column is not there.
     #[error("column {name} is missing; the header should name {needed}, and it names {found}")]
     Missing {
-        /// Name of the column.
+        /// The first needed column that the header does not name.
         name: &'static str,
         /// Names of the columns that are needed.
         needed: &'static str,
@@ -329,7 +329,7 @@ pub enum HeaderError {
     /// A column is there twice.
     #[error("column {name} is there twice, as fields {first} and {second}; it should be there once")]
     Duplicate {
-        /// Name of the column.
+        /// The name that two fields have.
         name: &'static str,
         /// First place of the column, from 1.
         first: usize,
@@ -364,25 +364,25 @@ pub enum RowError {
     /// The file ends inside a quoted field.
     #[error("the quote that opens \"{value}\" is never closed")]
     Unclosed {
-        /// Text of the field.
+        /// Beginning of the field, after its quote.
         value: String,
     },
     /// A value is a number that it cannot be.
     #[error("column {column}: {value} is out of range: it must be {range}")]
     OutOfRange {
-        /// Column of the field.
+        /// Name of the column.
         column: String,
-        /// Text of the value.
+        /// The field, as it stands in the file.
         value: String,
-        /// Range that is right.
+        /// The values that it may have, in words.
         range: &'static str,
     },
     /// A value is no finite number.
     #[error("column {column}: \"{value}\" {problem}")]
     Value {
-        /// Column of the field.
+        /// Name of the column.
         column: String,
-        /// Text of the value.
+        /// The field, as it stands in the file.
         value: String,
         /// Problem with the value, in words.
         problem: &'static str,

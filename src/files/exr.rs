@@ -70,13 +70,13 @@ pub enum Channel {
     TriangleC,
 }
 
-/// The definition of a [`Channel`].
+/// A row of the table of channels.
 struct Definition {
     /// Name in the file, after the layer's.
     name: &'static str,
     /// Value where nothing is seen.
     nothing: f32,
-    /// Value for a hit.
+    /// Computes the value where a body is seen.
     value: fn(&Hit, &ChannelLight<'_>) -> f64,
     /// Factor of the value on the way to the frame of the bodies, for a Doppler factor.
     factor: fn(f64, LightCorrection) -> f64,
@@ -171,9 +171,9 @@ impl Channel {
 /// The data that channels need beside the hits.
 #[derive(Debug, Clone, Copy)]
 pub struct ChannelLight<'a> {
-    /// Scene that is seen.
+    /// Scene, in whose bodies turning wheels are looked up.
     pub scene: &'a PreparedScene,
-    /// Appearance of the light.
+    /// Appearance, by which wavelength and intensity are worked out.
     pub appearance: Appearance,
 }
 

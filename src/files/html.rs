@@ -195,7 +195,7 @@ impl HtmlPage {
     }
 }
 
-/// The events of `text`.
+/// Returns the Markdown events of `text`, without their places in it.
 fn events(text: &Markdown) -> impl Iterator<Item = Event<'static>> {
     text.events().iter().map(|(event, _)| event.clone())
 }

@@ -12,7 +12,7 @@ use serde::{Serialize, Serializer};
 
 use crate::number_text;
 
-/// Parses a number, which may have a decimal comma: f64's own parser also takes `nan` and `inf`, which nobody means.
+/// Parses a number, which may have a decimal comma: f64's own parser also takes "nan" and "inf", which nobody means.
 pub fn finite_number(text: &str) -> Result<f64, String> {
     match number_text::with_point(text.trim()).parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),

@@ -8,11 +8,11 @@ use super::plan::{AnswerKind, Number};
 /// A prediction of any kind.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Answer {
-    /// The choice of this number.
+    /// Index of a choice, from 0.
     Choice(usize),
     /// Number of raised hands for each choice.
     Votes(Vec<u32>),
-    /// A predicted number.
+    /// A number in the unit of the question; not finite while none is entered.
     Number(f64),
     /// A direction in which the left eye would look there.
     Direction(Gaze),

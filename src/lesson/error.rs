@@ -9,7 +9,7 @@ pub enum LessonError {
     /// The file, or the folder, could not be read.
     #[error("{source_name}: cannot read this lesson: {reason}")]
     Read {
-        /// Name of the file.
+        /// The file, as it was named.
         source_name: String,
         /// Reason why the lesson cannot be read.
         reason: String,
@@ -28,7 +28,7 @@ pub enum LessonError {
     /// A problem in the lesson's text.
     #[error("{source_name}:{line}: {problem}")]
     Content {
-        /// Name of the file.
+        /// The file, as it was named.
         source_name: String,
         /// The line in the file, from 1.
         line: usize,

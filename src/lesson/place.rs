@@ -9,16 +9,16 @@ pub enum Phase {
     Ask,
     /// The outcome is shown, and compared.
     Shown,
-    /// The outcome is explained.
+    /// What was said and seen is compared with the truth, and explained.
     Explained,
 }
 
 /// A place in a lesson. After its last step comes the sentence to take away.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Place {
-    /// The number of the step.
+    /// Index of the step, from 0; the number of steps after the last.
     pub step: usize,
-    /// Phase of the step.
+    /// How far the step has gone.
     pub phase: Phase,
 }
 

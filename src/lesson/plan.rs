@@ -32,7 +32,7 @@ impl Text {
 /// Settings that differ, as TOML, and the line in the file at which that begins.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct StateBlock {
-    /// Text in TOML.
+    /// The settings as in a state file.
     pub toml: String,
     /// Number of the state block's first line in the file, from 1.
     pub line: usize,
@@ -62,15 +62,15 @@ pub struct Lesson {
     pub source_name: String,
     /// The file that it was read from, if it is not one of the program's own.
     pub path: Option<PathBuf>,
-    /// Title of the lesson.
+    /// Title, as on its card of the start page.
     pub title: String,
     /// Place among the lessons.
     pub order: u32,
     /// The concept of the Relativity Concept Inventory that it serves; empty for a state that only shows something.
     pub concept: String,
-    /// Duration, minutes.
+    /// Minutes that it takes in front of a class.
     pub minutes: u32,
-    /// Introduction to the subject.
+    /// What it is about, before the first step.
     pub introduction: Text,
     /// Steps of the lesson, at least one.
     pub steps: Vec<Step>,
@@ -83,7 +83,7 @@ pub struct Lesson {
 /// A step of a lesson.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Step {
-    /// Title of the step.
+    /// Title above its text.
     pub title: String,
     /// Changes of the state from the step before.
     pub state: Option<StateBlock>,
@@ -106,7 +106,7 @@ pub struct Step {
 pub struct Prediction {
     /// Question in words.
     pub question: Text,
-    /// Kind of the answer.
+    /// How it is answered, and what is right.
     pub kind: AnswerKind,
 }
 
@@ -126,7 +126,7 @@ pub enum AnswerKind {
 /// Several answers, one of which is right.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Options {
-    /// Texts of the answers.
+    /// The answers, in the order of the file.
     pub texts: Vec<Text>,
     /// The number of the right one.
     pub right: usize,
@@ -181,9 +181,9 @@ pub struct CurveAnswer {
 pub struct Reveal {
     /// Changes of the state from the step's.
     pub state: Option<StateBlock>,
-    /// Animation that plays.
+    /// Animation from the settings of the step to those of the reveal, if there is one.
     pub animation: Option<Animation>,
-    /// Text of the reveal.
+    /// What to look for.
     pub text: Text,
 }
 
@@ -192,7 +192,7 @@ pub struct Reveal {
 pub struct Animation {
     /// End of the animation.
     pub to: Animated,
-    /// Duration, seconds.
+    /// Seconds that it takes.
     pub seconds: f64,
 }
 

@@ -77,7 +77,7 @@ fn curve([from, to]: [f64; 2], value: impl Fn(f64) -> Option<f64>) -> Vec<Vec<[f
     pieces
 }
 
-/// Adds to `points` those after the first of `ends` up to the second.
+/// Adds to `points` those of the curve after `from` up to `to`.
 fn refine(
     value: &impl Fn(f64) -> Option<f64>,
     [from, to]: [[f64; 2]; 2],

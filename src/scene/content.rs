@@ -44,9 +44,9 @@ pub struct Scene {
 /// Bodies that move alike.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SceneGroup {
-    /// Name of the group.
+    /// Name, by which bodies of one name in two groups are told apart.
     pub name: String,
-    /// Motion of the group.
+    /// Its motion along x: the scene's, or one of its own.
     pub motion: Motion,
     /// Number of the scene group's first body.
     pub first: usize,

@@ -14,7 +14,7 @@ pub enum SceneError {
     /// The file could not be read.
     #[error("{source_name}: cannot read this scene file: {reason}")]
     Read {
-        /// Name of the file.
+        /// The file, as it was named.
         source_name: String,
         /// Reason why the scene cannot be read.
         reason: std::io::Error,
@@ -25,7 +25,7 @@ pub enum SceneError {
     /// A model that cannot be read.
     #[error("{source_name}: {reason}")]
     Model {
-        /// Name of the file.
+        /// The file, as it was named.
         source_name: String,
         /// Reason why the model cannot be read.
         reason: String,
@@ -33,11 +33,11 @@ pub enum SceneError {
     /// A file with wrong contents.
     #[error("{source_name}:{line}: {problem}")]
     Content {
-        /// Name of the file.
+        /// The file, as it was named.
         source_name: String,
         /// Line in the file, from 1.
         line: usize,
-        /// Problem in that line.
+        /// Problem in that line, and its correction.
         problem: SceneProblem,
     },
 }
@@ -56,7 +56,7 @@ pub enum SceneProblem {
     /// A key that means nothing here.
     #[error("unknown key `{key}`: {owner} has {known}", key = messages::excerpt(key))]
     UnknownKey {
-        /// Name of the key.
+        /// The unknown key.
         key: String,
         /// Table that contains the key.
         owner: &'static str,
@@ -66,7 +66,7 @@ pub enum SceneProblem {
     /// A key that must be there.
     #[error("{owner} needs `{key}`")]
     MissingKey {
-        /// Name of the key.
+        /// The missing key.
         key: &'static str,
         /// Table that needs the key.
         owner: &'static str,
@@ -74,9 +74,9 @@ pub enum SceneProblem {
     /// A value of the wrong type, or none of those that there are.
     #[error("{key} = {value} must be {expected}")]
     WrongType {
-        /// Name of the key.
+        /// Key of the value.
         key: &'static str,
-        /// Value of the key.
+        /// Its value, as in the file.
         value: String,
         /// Value that would be right.
         expected: &'static str,
@@ -84,7 +84,7 @@ pub enum SceneProblem {
     /// A name of more letters than one may have.
     #[error("{key} = {value} must have at most {most} letters", most = sizes::NAME_LETTERS)]
     LongName {
-        /// The key in the file.
+        /// Key of the value.
         key: &'static str,
         /// The first characters of the name.
         value: String,
@@ -101,28 +101,28 @@ pub enum SceneProblem {
     /// A coordinate that is not finite, or too far out to draw.
     #[error("{key} = {value} must lie between -1e6 and 1e6")]
     OutOfRange {
-        /// Name of the key.
+        /// Key of the value.
         key: &'static str,
-        /// Value of the key.
+        /// Its value, as in the file.
         value: String,
     },
     /// A radius or wavelength that is not positive.
     #[error("{key} = {value} must be above 0")]
     NotPositive {
-        /// Name of the key.
+        /// Key of the value.
         key: &'static str,
-        /// Value of the key.
+        /// Its value, as in the file.
         value: String,
     },
     /// A positive size that f32 arithmetic on a graphics card would lose or overflow.
     #[error("{key} = {value} must lie between 1e-6 and 1e6")]
     SizeOutOfRange {
-        /// Name of the key.
+        /// Key of the value.
         key: &'static str,
-        /// Value of the key.
+        /// Its value, as in the file.
         value: String,
     },
-    /// A speed that is none.
+    /// A group's speed of light or more.
     #[error("beta = {0} must lie between -1 and 1 (0 rests on the ground, below 0 moves towards -x)")]
     NoSpeed(String),
     /// A street whose parts do not lie one behind the other.
@@ -131,9 +131,9 @@ pub enum SceneProblem {
     /// A ring whose tube leaves no hole.
     #[error("tube_radius = {tube_radius} must be below radius = {radius}")]
     NoHole {
-        /// Radius of the tube.
+        /// The ring's thickness: the radius of its tube, as in the file.
         tube_radius: String,
-        /// Radius of the ring.
+        /// Radius of the circle in the middle of the tube, as in the file.
         radius: String,
     },
     /// An axis without a direction.
@@ -148,7 +148,7 @@ pub enum SceneProblem {
     /// An axis to be turned about, and no angle.
     #[error("axis = {axis} needs `angle`, by how many degrees {what} is turned about it")]
     NoAngle {
-        /// Axis in the file.
+        /// The axis, as in the file.
         axis: String,
         /// Name of the body, with its article.
         what: &'static str,
@@ -156,7 +156,7 @@ pub enum SceneProblem {
     /// A shape that does not exist.
     #[error("shape = {shape} must be {known}")]
     UnknownShape {
-        /// Shape in the file.
+        /// The unknown shape.
         shape: String,
         /// The shapes that exist.
         known: String,
@@ -172,12 +172,12 @@ pub enum SceneProblem {
     /// A model whose file cannot be read, or is none.
     #[error("path = {path}: {reason}")]
     Model {
-        /// Path in the file.
+        /// The model's path, as in the file.
         path: String,
         /// Reason why there is no model.
         reason: String,
     },
-    /// A wheel of a model that is none.
+    /// A part of a model that cannot be a wheel.
     #[error("wheels = {value}: {reason}")]
     ModelWheel {
         /// The wheels in the file.

@@ -283,7 +283,7 @@ pub(super) fn coincide(a: [f64; 3], b: [f64; 3]) -> bool {
     glam::DVec3::from(a).distance(b.into()) < MIN_SIZE
 }
 
-/// The number that a value is.
+/// Returns the number in a value: a float or an integer in any base; `None` for other types.
 fn number(value: &DeValue) -> Option<f64> {
     match value {
         DeValue::Float(float) => float.as_str().parse().ok(),

@@ -80,7 +80,7 @@ fn motion(wheel: &Table) -> Result<Option<WheelMotion>, Located> {
     }
 }
 
-/// The measures of a wheel.
+/// Measures from which the bodies of a wheel are made.
 struct Wheel {
     hub: DVec3,
     radius: f64,

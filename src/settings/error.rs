@@ -11,7 +11,7 @@ pub enum SettingsError {
     /// The file could not be read.
     #[error("{source_name}: cannot read these settings: {reason}")]
     Read {
-        /// Name of the file.
+        /// The file, as it was named.
         source_name: String,
         /// Reason why the settings cannot be read.
         reason: String,

@@ -148,13 +148,13 @@ pub fn looks_like_settings(text: &str) -> bool {
 
 /// The contents of a settings file besides the settings.
 pub(super) struct Heading {
-    /// Title of the state.
+    /// Title, as in the list of presets.
     pub title: String,
-    /// A sentence or two.
+    /// A sentence or two: what is to be seen, and why.
     pub caption: String,
 }
 
-/// The keys of that.
+/// Keys of a [`Heading`], which are no settings.
 const HEADING_KEYS: [&str; 2] = ["title", "caption"];
 
 impl Heading {
@@ -167,7 +167,7 @@ impl Heading {
     }
 }
 
-/// A setting in a file.
+/// A setting in a file, with its place there for errors.
 struct FileSetting {
     key: String,
     text: String,

@@ -81,7 +81,7 @@ impl Settings {
         self.baseline().direction().into()
     }
 
-    /// The place `rest` in the scene, from the point between the eyes.
+    /// Returns this place of the scene at rest, relative to the middle of the eyes.
     #[must_use]
     pub fn rest_place(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         [x, y + self.motion.depth_shift, z + self.motion.height_shift]
@@ -135,8 +135,8 @@ impl Settings {
         self.source(point).place()
     }
 
-    /// Returns the place where `point` is measured at `time`, from the point between the eyes: of eyes that ride in the frame in
-    /// which they rest, where a point that turns is where its hub is.
+    /// Returns where `point` is at `time`, relative to the middle of the eyes. While riding: in the rider's rest frame, and for a
+    /// point on a wheel its hub.
     #[must_use]
     pub fn measured_place(&self, point: &Track, time: f64) -> [f64; 3] {
         let velocity = self.velocity(point.motion);

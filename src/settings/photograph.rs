@@ -29,7 +29,7 @@ pub struct CameraArgs {
 
 impl CameraArgs {
     /// The settings of a picture in a file of `file_size`, pixels: as `recorded`, with what the flags say in their stead;
-    /// and the flags that are missing. Without a record it is laid out as is `usual`.
+    /// and the flags that are missing. Without a record the layout is the `default`.
     #[must_use]
     pub fn settings(
         &self,

@@ -10,11 +10,11 @@ use super::file::Heading;
 pub struct Preset {
     /// Name on the command line.
     pub name: &'static str,
-    /// Title in the window.
+    /// Title on its card of the start page and in the palette.
     pub title: String,
     /// Caption: what is seen, and why.
     pub caption: String,
-    /// Settings of the preset.
+    /// Its settings, with defaults for all that its file leaves out.
     pub settings: Settings,
     /// Text of the preset's file.
     pub toml: &'static str,

@@ -23,7 +23,7 @@ pub struct Rider {
     pub aside: [f64; 2],
     /// The time of the street's clock there.
     pub street_time: f64,
-    /// Velocity on the ground.
+    /// Velocity on the ground, with its direction.
     on_ground: ObserverVelocity,
     /// From the axes of the head to the observer's, which are the ground's, boosted without turning.
     head: DQuat,

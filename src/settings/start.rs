@@ -70,7 +70,7 @@ fn named(preset_or_path: &Path, left: &Settings) -> Result<Settings, SettingsErr
     }
 }
 
-/// The preset of this name.
+/// Returns the preset of this name; `None` for the path of a file.
 fn preset(name: &Path) -> Option<&'static Preset> {
     Preset::named(name.to_str()?)
 }

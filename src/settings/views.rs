@@ -31,7 +31,7 @@ const FARTHEST_RESTING: f64 = 4.0;
 pub struct Subject<'a> {
     /// Scene, with everything that moves.
     pub scene: &'a PreparedScene,
-    /// The point that is tracked.
+    /// The selected point, at which a gaze at a point looks.
     pub tracked: Track,
 }
 

@@ -4,6 +4,7 @@ mod houses;
 mod imports;
 mod made_up;
 mod modules;
+mod names;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! Automatic quality in the window: what it says, what it is told, and pictures that get smoother while nothing changes.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use eframe::egui::ViewportId;
 use egui_kittest::Harness;
@@ -12,15 +12,16 @@ use gamow::flags::choices::RendererChoice;
 use gamow::flags::{BUDGET_MS, ERROR_PX, Goal};
 
 use super::support::{
-    assert_sane, builder, cyclist, label_starting_with, labels, pane, type_into, wide_window, window_of_size,
+    assert_sane, builder, cyclist, label_starting_with, labels, pane, type_into, wait_for, wide_window,
+    window_of_size,
 };
 use super::{Test, device};
 
-pub const TESTS: &[Test] = &[
-    ("a_still_view_gets_as_smooth_as_the_reference_and_then_costs_nothing", gets_smooth),
-    ("what_changes_is_drawn_plainly_at_once", changes_are_plain),
-    ("what_was_chosen_and_why_is_said", what_was_chosen_is_said),
-    ("a_goal_that_cannot_be_is_refused", wrong_goals_are_refused),
+pub const TESTS: &[Test] = trials![
+    a_still_view_gets_as_smooth_as_the_reference_and_then_costs_nothing,
+    what_changes_is_drawn_plainly_at_once,
+    what_was_chosen_and_why_is_said,
+    a_goal_that_cannot_be_is_refused,
 ];
 
 /// A small window whose pictures may get smoother.
@@ -36,13 +37,7 @@ fn refined_window() -> Harness<'static, App> {
 
 /// Frames until pictures are as smooth as they get.
 fn refine(window: &mut Harness<'_, App>) {
-    let start = Instant::now();
-    window.step();
-    while !window.state().is_refined() {
-        assert!(start.elapsed() < Duration::from_mins(2), "it goes on");
-        std::thread::sleep(Duration::from_millis(5));
-        window.step();
-    }
+    wait_for(window, "it is smooth", |window| window.state().is_refined());
     window.run();
 }
 
@@ -74,7 +69,7 @@ fn repaint_delay(window: &Harness<'_, App>) -> Duration {
     window.output().viewport_output[&ViewportId::ROOT].repaint_delay
 }
 
-fn gets_smooth() {
+fn a_still_view_gets_as_smooth_as_the_reference_and_then_costs_nothing() {
     let mut window = refined_window();
     assert!(!window.state().is_refined());
     let [_, plain] = differences(&mut window, 8);
@@ -90,7 +85,7 @@ fn gets_smooth() {
     assert_eq!(repaint_delay(&window), Duration::MAX);
 }
 
-fn changes_are_plain() {
+fn what_changes_is_drawn_plainly_at_once() {
     let mut window = refined_window();
     refine(&mut window);
     window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(2.0)));
@@ -115,7 +110,7 @@ fn changes_are_plain() {
     assert!(window.state().is_refined());
 }
 
-fn what_was_chosen_is_said() {
+fn what_was_chosen_and_why_is_said() {
     let mut window = wide_window(cyclist(0.9));
     assert!(label_starting_with(&window, "Chosen: ").ends_with(", within 0.002 px"));
     for (goal, end) in [
@@ -144,7 +139,7 @@ fn what_was_chosen_is_said() {
 }
 
 /// What is no number changes nothing; what is out of range becomes the nearest that is inside.
-fn wrong_goals_are_refused() {
+fn a_goal_that_cannot_be_is_refused() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 1300.0], 1.0);
     let goal = |window: &Harness<'_, App>| window.state().state().document.settings.quality.goal;
     for (text, expected) in [

@@ -20,14 +20,14 @@ use super::support::{
     SEPARATION, cyclist, in_layout, label_starting_with, labels, open, shown, window, window_of_size,
 };
 
-pub const TESTS: &[Test] = &[
-    ("the_second_picture_is_that_of_its_geometry_by_itself", second_picture_is_that_alone),
-    ("a_click_into_the_second_picture_selects_what_it_shows_there", clicking_the_second_picture),
-    ("dragging_the_second_picture_moves_it_with_the_pointer", dragging_the_second_picture),
-    ("two_pictures_of_one_eye_are_named_and_are_no_pair", named_and_no_pair),
-    ("what_cannot_be_compared_shows_two_eyes_and_says_why", refused_with_a_reason),
-    ("a_comparison_is_chosen_by_key_saved_and_opened", chosen_saved_and_opened),
-    ("a_clock_beside_you_has_a_checkbox", clock_beside_you),
+pub const TESTS: &[Test] = trials![
+    the_second_picture_is_that_of_its_geometry_by_itself,
+    a_click_into_the_second_picture_selects_what_it_shows_there,
+    dragging_the_second_picture_moves_it_with_the_pointer,
+    two_pictures_of_one_eye_are_named_and_are_no_pair,
+    what_cannot_be_compared_shows_two_eyes_and_says_why,
+    a_comparison_is_chosen_by_key_saved_and_opened,
+    a_clock_beside_you_has_a_checkbox,
 ];
 
 const SECOND: &str = "Left eye view: contracted only";
@@ -51,7 +51,7 @@ fn pixels(window: &mut Harness<'_, App>, rect: Rect) -> Vec<[u8; 4]> {
     (min.y as u32..max.y as u32).flat_map(row).map(|[x, y]| picture.get_pixel(x, y).0).collect()
 }
 
-fn second_picture_is_that_alone() {
+fn the_second_picture_is_that_of_its_geometry_by_itself() {
     for (geometry, compare, name) in [
         (Geometry::Contracted, Compare::Contracted, SECOND),
         (Geometry::Rest, Compare::Rest, "Left eye view: at rest"),
@@ -101,7 +101,7 @@ fn measured(window: &Harness<'_, App>, rest: [f64; 3]) -> Pos2 {
     rect.min + vec2(u as f32, v as f32)
 }
 
-fn clicking_the_second_picture() {
+fn a_click_into_the_second_picture_selects_what_it_shows_there() {
     let mut window = window(compared(Compare::Contracted));
     let place = measured(&window, ON_THE_TYRE);
     assert!(window.get_by_label(SECOND).rect().contains(place));
@@ -126,7 +126,7 @@ fn clicking_the_second_picture() {
     assert_eq!(window.state().state().document.settings.look.compare, Compare::Contracted);
 }
 
-fn dragging_the_second_picture() {
+fn dragging_the_second_picture_moves_it_with_the_pointer() {
     let mut window = window(compared(Compare::Contracted));
     let from = measured(&window, ON_THE_TYRE);
     let to = from + vec2(-60.0, 25.0);
@@ -137,7 +137,7 @@ fn dragging_the_second_picture() {
     assert_eq!((look.compare, look.geometry), (Compare::Contracted, Geometry::Seen));
 }
 
-fn named_and_no_pair() {
+fn two_pictures_of_one_eye_are_named_and_are_no_pair() {
     let mut window = window_of_size(compared(Compare::Rest), [1280.0, 1600.0], 1.0);
     window.run();
     let all = labels(&window);
@@ -155,7 +155,7 @@ fn named_and_no_pair() {
     assert!(!labels(&window).iter().any(|label| label.starts_with("Fusing: two pictures")));
 }
 
-fn refused_with_a_reason() {
+fn what_cannot_be_compared_shows_two_eyes_and_says_why() {
     let mut window = window_of_size(compared(Compare::Contracted), [1280.0, 1600.0], 1.0);
     window.state_mut().run(in_layout(Layout::Anaglyph));
     window.run();
@@ -174,7 +174,7 @@ fn refused_with_a_reason() {
     window.get_by_label("The first picture shows this already.");
 }
 
-fn chosen_saved_and_opened() {
+fn a_comparison_is_chosen_by_key_saved_and_opened() {
     let mut window = window(cyclist(0.9));
     for (name, other) in [
         // What is seen is no second picture of what is seen.
@@ -207,7 +207,7 @@ fn chosen_saved_and_opened() {
     assert_eq!(window.state().state().document.settings.look.compare, Compare::Off);
 }
 
-fn clock_beside_you() {
+fn a_clock_beside_you_has_a_checkbox() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 1600.0], 1.0);
     assert!(!labels(&window).iter().any(|label| label.starts_with("Clock beside you")));
     window.get_by_label("clock beside you").click();

@@ -17,23 +17,23 @@ use super::support::{
     cyclist, drag, label_starting_with, seen, shown, slider, type_into, wide_window, window, window_of_size,
 };
 
-pub const TESTS: &[Test] = &[
-    ("assistive_technology_reads_values_and_what_the_views_show", assistive_technology_reads),
-    ("the_first_window_has_few_controls_and_a_button_for_all", the_first_window_has_few_controls),
-    ("dragging_beta_changes_the_readout_in_the_same_frame", dragging_beta_changes_the_readout),
-    ("marks_below_the_slider_set_the_speed_they_name", marks_set_the_speed),
-    ("typed_gamma_and_rapidity_are_kept_exactly", typed_gamma_is_kept_exactly),
-    ("a_decimal_comma_may_be_typed_wherever_a_number_is", a_decimal_comma_is_typed),
-    ("a_bad_speed_is_explained_and_the_old_one_kept", a_bad_speed_is_explained),
-    ("the_readout_is_what_the_core_computes", the_readout_is_what_the_core_computes),
-    ("separation_and_path_follow_their_fields", separation_and_path_follow),
-    ("one_light_cone_for_both_eyes_is_one_click_away", one_light_cone_is_one_click_away),
-    ("each_effect_changes_the_picture", each_effect_changes_the_picture),
-    ("settings_survive_saving_and_loading", settings_survive),
-    ("a_slider_is_set_by_an_aid_to_what_may_be_typed_at_most", a_slider_is_set_by_an_aid),
+pub const TESTS: &[Test] = trials![
+    assistive_technology_reads_values_and_what_the_views_show,
+    the_first_window_has_few_controls_and_a_button_for_all,
+    dragging_beta_changes_the_readout_in_the_same_frame,
+    marks_below_the_slider_set_the_speed_they_name,
+    typed_gamma_and_rapidity_are_kept_exactly,
+    a_decimal_comma_may_be_typed_wherever_a_number_is,
+    a_bad_speed_is_explained_and_the_old_one_kept,
+    the_readout_is_what_the_core_computes,
+    separation_and_path_follow_their_fields,
+    one_light_cone_for_both_eyes_is_one_click_away,
+    each_effect_changes_the_picture,
+    settings_survive_saving_and_loading,
+    a_slider_is_set_by_an_aid_to_what_may_be_typed_at_most,
 ];
 
-fn a_slider_is_set_by_an_aid() {
+fn a_slider_is_set_by_an_aid_to_what_may_be_typed_at_most() {
     let mut window = window_of_size(cyclist(0.5), [1280.0, 1600.0], 1.0);
     for (name, value) in
         [("Separation d", 1e300), ("Distance y", -1e300), ("Head tilted", 1e300), ("Field of view", 1e300)]
@@ -46,7 +46,7 @@ fn a_slider_is_set_by_an_aid() {
     }
 }
 
-fn dragging_beta_changes_the_readout() {
+fn dragging_beta_changes_the_readout_in_the_same_frame() {
     let mut window = window(cyclist(0.5));
     let rail = slider(&window, "Speed β");
     let start = window.state().state().document.settings.motion.speed.slider_position();
@@ -65,7 +65,7 @@ fn dragging_beta_changes_the_readout() {
     assert!((doppler - expected).abs() < 6e-5, "{doppler} for {expected}");
 }
 
-fn marks_set_the_speed() {
+fn marks_below_the_slider_set_the_speed_they_name() {
     let mut window = window(cyclist(0.5));
     for (name, beta) in [("Set β to 0.99", 0.99), ("Set β to 0", 0.0), ("Set β to 0.9999", 0.9999)] {
         window.get_by_label(name).click();
@@ -75,7 +75,7 @@ fn marks_set_the_speed() {
     window.get_by_label("β = 0.999\u{2009}900");
 }
 
-fn typed_gamma_is_kept_exactly() {
+fn typed_gamma_and_rapidity_are_kept_exactly() {
     let mut window = window(cyclist(0.9));
     type_into(&mut window, "Gamma, typed", "1e12");
     let speed = window.state().state().speed();
@@ -87,7 +87,7 @@ fn typed_gamma_is_kept_exactly() {
     assert_eq!(window.state().state().speed().beta(), 0.123_456_789_012_345);
 }
 
-fn a_decimal_comma_is_typed() {
+fn a_decimal_comma_may_be_typed_wherever_a_number_is() {
     let mut window = window(cyclist(0.9));
     type_into(&mut window, "Beta, typed", "0,75");
     type_into(&mut window, "T, typed", "2,25");
@@ -108,7 +108,7 @@ fn a_decimal_comma_is_typed() {
     assert_eq!(window.state().state().document.settings.fit.noise_percent, 2.5);
 }
 
-fn a_bad_speed_is_explained() {
+fn a_bad_speed_is_explained_and_the_old_one_kept() {
     let mut window = window(cyclist(0.9));
     for (field, text, message) in [
         ("Gamma, typed", "0.5", "gamma = 0.5 is out of range: it must be between 1 and 1e30"),
@@ -158,7 +158,7 @@ fn proper_time(beta: f64, seen: &Sighting) -> f64 {
     seen.retarded_time * (1.0 - beta * beta).sqrt()
 }
 
-fn separation_and_path_follow() {
+fn separation_and_path_follow_their_fields() {
     let mut window = window(cyclist(0.9));
     let separation = slider(&window, "Separation d");
     drag(&mut window, separation.left_center() + [10.0, 0.0].into(), separation.center());
@@ -182,7 +182,7 @@ fn separation_and_path_follow() {
     assert_eq!(of_core, Some(time));
 }
 
-fn one_light_cone_is_one_click_away() {
+fn one_light_cone_for_both_eyes_is_one_click_away() {
     let mut state = cyclist(0.9);
     state.document.settings.motion.d = 1.0;
     let mut window = window_of_size(state, [1280.0, 1100.0], 1.0);
@@ -241,7 +241,7 @@ fn each_effect_changes_the_picture() {
     assert_eq!(window.state().state().document.settings.look.geometry, Geometry::Seen);
 }
 
-fn settings_survive() {
+fn settings_survive_saving_and_loading() {
     let mut window = wide_window(cyclist(0.9));
     type_into(&mut window, "Gamma, typed", "1e12");
     for choice in ["D³ photons", "False", "Published", "Angles", "Contracted", "Fixed", "Theme"] {
@@ -276,7 +276,7 @@ fn controls(window: &Harness<'_, App>) -> Vec<String> {
     nodes.filter(|node| is_control(node.role())).map(|node| node.label().unwrap_or_default()).collect()
 }
 
-fn the_first_window_has_few_controls() {
+fn the_first_window_has_few_controls_and_a_button_for_all() {
     let folder = tempfile::tempdir().expect("a folder");
     let keeper = || Keeper::in_folder(folder.path());
     let opened = || super::support::window(State::open(keeper().load().settings).expect("a preset"));
@@ -309,7 +309,7 @@ fn the_first_window_has_few_controls() {
     assert!(controls(&opened()).len() > 100);
 }
 
-fn assistive_technology_reads() {
+fn assistive_technology_reads_values_and_what_the_views_show() {
     let window = super::support::window(super::support::cyclist(0.9));
     assert_eq!(window.root().accesskit_node().label().as_deref(), Some("Gamow"));
     let speed = window.get_by_role_and_label(Role::Slider, "Speed β").accesskit_node();

@@ -1,7 +1,6 @@
 //! What the window does when its graphics device fails. Each test has a device of its own, which it may break.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
 use eframe::egui::{Vec2, ViewportCommand};
 use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuSetup, WgpuSetupExisting};
@@ -14,14 +13,14 @@ use gamow::app::tools::painting;
 use gamow::flags::choices::RendererChoice;
 
 use super::Test;
-use super::support::{builder, cyclist, wide_window};
+use super::support::{builder, cyclist, settle, wide_window};
 
-pub const TESTS: &[Test] = &[
-    ("a_device_that_refuses_leaves_the_views_to_the_cpu", a_device_that_refuses_leaves_the_views_to_the_cpu),
-    ("an_error_that_nobody_waits_for_is_told_once", an_error_that_nobody_waits_for_is_told_once),
-    ("a_lost_device_closes_the_window_and_leaves_its_state", a_lost_device_closes_the_window),
-    ("no_size_of_the_window_is_an_error", no_size_of_the_window_is_an_error),
-    ("the_device_of_a_closed_window_is_freed", the_device_of_a_closed_window_is_freed),
+pub const TESTS: &[Test] = trials![
+    a_device_that_refuses_leaves_the_views_to_the_cpu,
+    an_error_that_nobody_waits_for_is_told_once,
+    a_lost_device_closes_the_window_and_leaves_its_state,
+    no_size_of_the_window_is_an_error,
+    the_device_of_a_closed_window_is_freed,
 ];
 
 /// A window, and its device, whose limits are those of the adapter after `lower`.
@@ -54,12 +53,7 @@ fn a_device_that_refuses_leaves_the_views_to_the_cpu() {
     harness.run_steps(3);
     let text = notice(&harness).expect("it is told");
     assert!(text.contains("refused to draw") && text.contains("drawn on the CPU"), "{text}");
-    let deadline = Instant::now() + Duration::from_mins(1);
-    while !harness.state().is_settled() {
-        assert!(Instant::now() < deadline, "the pictures by the CPU do not come");
-        harness.step();
-        std::thread::sleep(Duration::from_millis(10));
-    }
+    settle(&mut harness);
     // Told once; what is set stays.
     harness.state_mut().run(Command::Window(WindowCommand::CloseNotice));
     harness.run_steps(3);
@@ -96,7 +90,7 @@ fn an_error_that_nobody_waits_for_is_told_once() {
     }
 }
 
-fn a_lost_device_closes_the_window() {
+fn a_lost_device_closes_the_window_and_leaves_its_state() {
     let (mut harness, render_state) = on_device(|_| {});
     harness.run_steps(2);
     assert_eq!(harness.state().loss(), None);

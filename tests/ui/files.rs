@@ -17,14 +17,14 @@ use super::Test;
 use super::picking::click;
 use super::support::{Wakes, cyclist, labels, open, pane, wait_for_file, window};
 
-pub const TESTS: &[Test] = &[
-    ("the_last_of_two_files_is_shown", the_last_of_two_files_is_shown),
-    ("an_opened_scene_stays_in_the_list_and_a_missing_one_is_dropped", opened_scenes_stay_in_the_list),
-    ("the_list_of_scenes_and_a_key_ask_for_a_file", a_file_is_asked_for),
-    ("a_scene_is_read_again_when_its_file_changes", a_scene_is_read_again),
-    ("a_state_is_read_again_when_its_file_changes", a_state_is_read_again),
-    ("scene_time_point_and_files_are_remembered", what_is_shown_is_remembered),
-    ("a_value_of_megabytes_is_refused_in_a_message_that_can_be_shown", a_long_value_is_refused),
+pub const TESTS: &[Test] = trials![
+    the_last_of_two_files_is_shown,
+    an_opened_scene_stays_in_the_list_and_a_missing_one_is_dropped,
+    the_list_of_scenes_and_a_key_ask_for_a_file,
+    a_scene_is_read_again_when_its_file_changes,
+    a_state_is_read_again_when_its_file_changes,
+    scene_time_point_and_files_are_remembered,
+    a_value_of_megabytes_is_refused_in_a_message_that_can_be_shown,
 ];
 
 const BALLS: &str = "name = \"Balls\"\n[[object]]\nname = \"big ball\"\nshape = \"sphere\"\ncentre = [0, 3, 0]\n\
@@ -51,7 +51,7 @@ fn scene_name<'a>(window: &'a Harness<'_, App>) -> &'a str {
     &window.state().state().document.scene.name
 }
 
-fn opened_scenes_stay_in_the_list() {
+fn an_opened_scene_stays_in_the_list_and_a_missing_one_is_dropped() {
     let folder = tempfile::tempdir().expect("a folder");
     let balls = file(folder.path(), "balls.toml", BALLS);
     let state = file(folder.path(), "fast.toml", "scene = \"globe\"\n[motion]\ngamma = 9\n");
@@ -77,7 +77,7 @@ fn opened_scenes_stay_in_the_list() {
     window.get_by_label("fast.toml");
 }
 
-fn a_file_is_asked_for() {
+fn the_list_of_scenes_and_a_key_ask_for_a_file() {
     let mut window = window(cyclist(0.9));
     open_the_list(&mut window);
     window.get_by_label("Open…").click();
@@ -108,7 +108,7 @@ fn window_on_a_ball(balls: &Path) -> Harness<'static, App> {
     window
 }
 
-fn a_scene_is_read_again() {
+fn a_scene_is_read_again_when_its_file_changes() {
     let folder = tempfile::tempdir().expect("a folder");
     let balls = file(folder.path(), "balls.toml", BALLS);
     let mut window = window_on_a_ball(&balls);
@@ -140,7 +140,7 @@ fn a_scene_is_read_again() {
     assert_eq!(scene_name(&window), "Balls");
 }
 
-fn a_state_is_read_again() {
+fn a_state_is_read_again_when_its_file_changes() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = file(folder.path(), "state.toml", "scene = \"cyclist\"\n[motion]\nbeta = 0.5\n");
     let mut window = window(cyclist(0.9));
@@ -187,7 +187,7 @@ fn the_last_of_two_files_is_shown() {
     }
 }
 
-fn what_is_shown_is_remembered() {
+fn scene_time_point_and_files_are_remembered() {
     let folder = tempfile::tempdir().expect("a folder");
     let balls = file(folder.path(), "balls.toml", BALLS);
     let window = window_on_a_ball(&balls);
@@ -213,7 +213,7 @@ fn what_is_shown_is_remembered() {
     assert!(again.document.preset.is_some());
 }
 
-fn a_long_value_is_refused() {
+fn a_value_of_megabytes_is_refused_in_a_message_that_can_be_shown() {
     let folder = tempfile::tempdir().expect("there is a place for temporary files");
     let text = format!("[motion]\nd = \"{}\"\n", "7x".repeat(1_500_000));
     let path = file(folder.path(), "long.toml", &text);

@@ -1,7 +1,7 @@
 //! The Fit tab: what it recovers from noisy curves, and what it says where there is nothing to recover. The
 //! corrected view, which shows whether the fitted speed is right.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use eframe::egui::ViewportId;
 use egui_kittest::Harness;
@@ -9,7 +9,6 @@ use egui_kittest::kittest::Queryable as _;
 use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
-use gamow::app::views::corrected::Corrected;
 use gamow::flags::choices::ProjectionChoice;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::{FitSettings, MAX_SEED, PlotSettings, PlotTab, Presence, Settings, Theme};
@@ -19,23 +18,23 @@ use relativity_core::{
 use relativity_render::Geometry;
 
 use super::Test;
-use super::support::{SEPARATION, cyclist, labels, seen, shown, type_into, window, window_of_size};
+use super::support::{SEPARATION, cyclist, labels, seen, settle, shown, type_into, window, window_of_size};
 
-pub const TESTS: &[Test] = &[
-    ("the_fit_recovers_speed_and_distance", the_fit_recovers),
-    ("each_curve_alone_recovers_them_too", each_curve_alone_recovers),
-    ("without_noise_the_fit_is_exact", without_noise_the_fit_is_exact),
-    ("the_published_model_is_biased_and_says_so", the_published_model_is_biased),
-    ("one_light_cone_is_biased_unless_the_views_show_it", one_light_cone_is_biased),
-    ("what_cannot_be_fitted_is_said_in_words", what_cannot_be_fitted),
-    ("intervals_keep_to_what_is_possible", intervals_keep_to_what_is_possible),
-    ("the_fit_follows_the_controls", the_fit_follows_the_controls),
-    ("a_hidden_fit_is_not_made", a_hidden_fit_is_not_made),
-    ("a_window_that_shows_a_fit_rests", a_window_that_shows_a_fit_rests),
-    ("the_corrected_picture_is_red_if_the_fit_is_right", the_corrected_picture_is_red_if_the_fit_is_right),
-    ("the_corrected_picture_costs_nothing_when_off", the_corrected_picture_costs_nothing_when_off),
-    ("extremes_are_fitted_and_corrected_without_harm", extremes_are_fitted_and_corrected_without_harm),
-    ("a_seed_typed_too_large_is_the_largest", a_seed_typed_too_large_is_the_largest),
+pub const TESTS: &[Test] = trials![
+    the_fit_recovers_speed_and_distance,
+    each_curve_alone_recovers_them_too,
+    without_noise_the_fit_is_exact,
+    the_published_model_is_biased_and_says_so,
+    one_light_cone_is_biased_unless_the_views_show_it,
+    what_cannot_be_fitted_is_said_in_words,
+    intervals_keep_to_what_is_possible,
+    the_fit_follows_the_controls,
+    a_hidden_fit_is_not_made,
+    a_window_that_shows_a_fit_rests,
+    the_corrected_picture_is_red_if_the_fit_is_right,
+    the_corrected_picture_costs_nothing_when_off,
+    extremes_are_fitted_and_corrected_without_harm,
+    a_seed_typed_too_large_is_the_largest,
 ];
 
 const APPENDIX_A: Model = Model::Published(PublishedVariant::AppendixA);
@@ -61,21 +60,9 @@ fn a_seed_typed_too_large_is_the_largest() {
     assert_eq!(written.fit.seed, MAX_SEED);
 }
 
-/// Frames until the newest fit is in view.
-pub fn wait(window: &mut Harness<'_, App>) {
-    let start = Instant::now();
-    window.step();
-    while !window.state().fitting().is_up_to_date() {
-        assert!(start.elapsed() < Duration::from_mins(1), "no fit");
-        std::thread::sleep(Duration::from_millis(5));
-        window.step();
-    }
-    window.step();
-}
-
 fn window_with_fit(state: State) -> Harness<'static, App> {
     let mut window = window(state);
-    wait(&mut window);
+    settle(&mut window);
     window
 }
 
@@ -90,14 +77,14 @@ fn text(window: &Harness<'_, App>, words: &str) -> String {
     found.unwrap_or_else(|| panic!("no {words:?} in {all:?}")).clone()
 }
 
-fn the_fit_recovers() {
+fn the_fit_recovers_speed_and_distance() {
     // Beside the map there is room for one of the plots.
     let mut state = cyclist(0.9);
     state.document.settings.window.map = Presence::Off;
     let mut window = window(state);
     window.get_by_label("Fit").click();
     window.run_steps(2);
-    wait(&mut window);
+    settle(&mut window);
     for (symbol, truth) in [("β", 0.9), ("y", 3.0), ("z", 2.0)] {
         let [value, uncertainty] = estimate(&window, symbol);
         assert!(uncertainty > 0.0 && uncertainty < 0.02, "{symbol}: {uncertainty}");
@@ -111,7 +98,7 @@ fn the_fit_recovers() {
     window.render().expect("a picture");
 }
 
-fn each_curve_alone_recovers() {
+fn each_curve_alone_recovers_them_too() {
     for curves in [Curves::Azimuth, Curves::Polar] {
         let setup = FitSettings { curves, noise_percent: 0.5, fit_x0: true, ..FitSettings::default() };
         let mut state = fitted(0.6, setup);
@@ -140,7 +127,7 @@ fn without_noise_the_fit_is_exact() {
     assert!(error.parse::<f64>().expect("a number") < 1e-9, "{error}");
 }
 
-fn the_published_model_is_biased() {
+fn the_published_model_is_biased_and_says_so() {
     let setup = FitSettings { model: APPENDIX_A, curves: Curves::Polar, ..FitSettings::default() };
     let window = window_with_fit(fitted(0.9, setup));
     let [beta, uncertainty] = estimate(&window, "β");
@@ -151,7 +138,7 @@ fn the_published_model_is_biased() {
     assert!(bias > 0.05 && note.contains(&format!("β by +{bias:.3},")), "{note} for {bias}");
 }
 
-fn one_light_cone_is_biased() {
+fn one_light_cone_is_biased_unless_the_views_show_it() {
     let setup = FitSettings { model: Model::OneCone, noise_percent: 0.0, ..FitSettings::default() };
     let two_cones = window_with_fit(fitted(0.9, setup));
     let [beta, _] = estimate(&two_cones, "β");
@@ -180,7 +167,7 @@ fn published_beta_of_exact_curves(state: &State, setup: FitSettings) -> f64 {
     fit(&observed.expect("usable samples"), &options).expect("a fit").value(Parameter::Beta)
 }
 
-fn what_cannot_be_fitted() {
+fn what_cannot_be_fitted_is_said_in_words() {
     let mut together = fitted(0.9, FitSettings::default());
     let mut motion = together.document.settings.motion;
     motion.d = 0.0;
@@ -234,25 +221,25 @@ fn intervals_keep_to_what_is_possible() {
 fn the_fit_follows_the_controls() {
     // Higher than usual, so that every row is in view.
     let mut window = window_of_size(fitted(0.9, FitSettings::default()), [1280.0, 1000.0], 1.0);
-    wait(&mut window);
+    settle(&mut window);
     type_into(&mut window, "Beta, typed", "0.7");
-    wait(&mut window);
+    settle(&mut window);
     let [beta, uncertainty] = estimate(&window, "β");
     assert!((beta - 0.7).abs() < 4.0 * uncertainty, "β = {beta} +- {uncertainty}");
     window.get_by_label("Fit Δθ").click();
     window.run_steps(2);
-    wait(&mut window);
+    settle(&mut window);
     assert!(window.query_by_label("Fit of Δφ against T").is_none());
     window.get_by_label("Fit of Δθ against T");
     window.get_by_label("Fit x₀").click();
     window.run_steps(2);
-    wait(&mut window);
+    settle(&mut window);
     text(&window, "Fitted x₀");
 }
 
 fn a_hidden_fit_is_not_made() {
     let mut window = window(fitted(0.9, FitSettings::default()));
-    wait(&mut window);
+    settle(&mut window);
     let requests = window.state().fitting().requests();
     assert_eq!(requests, 1, "one for one state of the controls");
     window.get_by_label("Disparity").click();
@@ -262,7 +249,7 @@ fn a_hidden_fit_is_not_made() {
     assert_eq!(window.state().fitting().requests(), requests);
     window.get_by_label("Fit").click();
     window.run_steps(2);
-    wait(&mut window);
+    settle(&mut window);
     assert_eq!(window.state().fitting().requests(), requests + 1);
     window.get_by_label("Plots").click();
     window.run();
@@ -282,21 +269,9 @@ fn a_window_that_shows_a_fit_rests() {
     assert_eq!(window.state().fitting().requests(), 1, "the fit does not depend on T");
 }
 
-/// Frames until the newest corrected picture is in view.
-fn wait_for_picture(window: &mut Harness<'_, App>) {
-    let start = Instant::now();
-    window.step();
-    while !window.state().corrected().is_some_and(Corrected::is_up_to_date) {
-        assert!(start.elapsed() < Duration::from_mins(1), "no picture");
-        std::thread::sleep(Duration::from_millis(5));
-        window.step();
-    }
-    window.step();
-}
-
 /// The share of the corrected picture's bodies that is red: all of the cyclist at rest.
 fn red_share(window: &mut Harness<'_, App>, by: &str) -> f64 {
-    wait_for_picture(window);
+    settle(window);
     let name = text(window, &format!("Corrected by the {by} β "));
     let rect = window.get_by_label(&name).rect().shrink(2.0);
     let picture = window.render().expect("a picture");
@@ -327,7 +302,7 @@ fn the_corrected_picture_is_red_if_the_fit_is_right() {
     assert!(right > 0.9, "{right}");
     window.get_by_label("published").click();
     window.run_steps(2);
-    wait(&mut window);
+    settle(&mut window);
     let wrong = red_share(&mut window, "fitted");
     assert!(wrong < 0.1, "{wrong}");
     window.get_by_label("Disparity").click();
@@ -342,7 +317,7 @@ fn the_corrected_picture_costs_nothing_when_off() {
     let before = window.get_by_label("Left eye view").rect();
     window.get_by_label("corrected").click();
     window.run_steps(2);
-    wait_for_picture(&mut window);
+    settle(&mut window);
     assert!(window.get_by_label("Left eye view").rect().width() < 0.8 * before.width());
     window.run();
     window.step();
@@ -364,8 +339,8 @@ fn extremes_are_fitted_and_corrected_without_harm() {
         let mut window = window_of_size(state, [1024.0, 600.0], 1.0);
         for time in [-1e12, 0.0, 1e12] {
             window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(time)));
-            wait(&mut window);
-            wait_for_picture(&mut window);
+            settle(&mut window);
+            settle(&mut window);
             assert!(!labels(&window).iter().any(|label| label.contains("NaN") || label.contains("inf ")));
         }
         window.render().expect("a picture");

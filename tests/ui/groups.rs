@@ -17,10 +17,10 @@ use super::Test;
 use super::picking::click;
 use super::support::{drag, labels, pane, shown, slider, window};
 
-pub const TESTS: &[Test] = &[
-    ("a_point_that_rests_keeps_its_colour_place_and_disparity", a_point_that_rests),
-    ("a_point_that_rests_or_comes_is_not_fitted_and_why_is_said", what_is_not_fitted),
-    ("markers_lie_where_the_reference_shows_their_points", markers_lie_on_their_points),
+pub const TESTS: &[Test] = trials![
+    a_point_that_rests_keeps_its_colour_place_and_disparity,
+    a_point_that_rests_or_comes_is_not_fitted_and_why_is_said,
+    markers_lie_where_the_reference_shows_their_points,
 ];
 
 /// A ball that passes at the scene's speed, one that rests beside the road, and one that comes the other way.
@@ -64,7 +64,7 @@ fn marker(window: &Harness<'_, App>) -> Pos2 {
     pane.min + vec2(u as f32, v as f32)
 }
 
-fn a_point_that_rests() {
+fn a_point_that_rests_keeps_its_colour_place_and_disparity() {
     let mut window = window(groups());
     let clicked = place(&window, RESTING);
     click(&mut window, clicked, Modifiers::NONE);
@@ -87,7 +87,7 @@ fn a_point_that_rests() {
     assert!(marker(&window).distance(clicked) < 0.6, "{:?} for {clicked:?}", marker(&window));
 }
 
-fn what_is_not_fitted() {
+fn a_point_that_rests_or_comes_is_not_fitted_and_why_is_said() {
     for (body, words) in [
         (RESTING, "At rest (β = 0) no disparity changes with T."),
         (ONCOMING, "The fit needs a point that moves towards +x, and this one moves the other way."),
@@ -108,7 +108,7 @@ fn what_is_not_fitted() {
     }
 }
 
-fn markers_lie_on_their_points() {
+fn markers_lie_where_the_reference_shows_their_points() {
     let size = [240, 180];
     for body in [RESTING, ONCOMING] {
         for time in [TIME, TIME + 1.0] {

@@ -11,10 +11,8 @@ use gamow::settings::{Settings, Subject};
 use super::Test;
 use super::support::{assert_sane, window};
 
-pub const TESTS: &[Test] = &[
-    ("insane_settings_open_with_numbers_that_are_numbers", insane_settings_open),
-    ("insane_settings_are_drawn", insane_settings_are_drawn),
-];
+pub const TESTS: &[Test] =
+    trials![insane_settings_open_with_numbers_that_are_numbers, insane_settings_are_drawn,];
 
 /// Settings that have no value as usual, with their sections.
 const UNSET: [(&str, &str); 5] =
@@ -239,7 +237,7 @@ fn each(share: u64, mut judge: impl FnMut(State)) {
     }
 }
 
-fn insane_settings_open() {
+fn insane_settings_open_with_numbers_that_are_numbers() {
     each(1, |state| {
         assert_sane(&state);
         let State { document, frame, .. } = &state;

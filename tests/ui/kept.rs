@@ -9,7 +9,7 @@ use gamow::flags::choices::RendererChoice;
 use super::support::{builder, cyclist};
 use super::{Test, device};
 
-pub const TESTS: &[Test] = &[("switches_keep_nothing_on_the_device", switches_keep_nothing_on_the_device)];
+pub const TESTS: &[Test] = trials![switches_keep_nothing_on_the_device,];
 
 /// Keys that switch geometry, layout, presenting, projection, panorama, outline and map, and back.
 const SWITCHES: [&[Key]; 6] = [

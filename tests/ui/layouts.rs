@@ -16,15 +16,15 @@ use gamow::settings::{PlotSettings, PlotTab, Theme};
 use super::Test;
 use super::support::{cyclist, labels, window, window_of_size, window_without_pictures};
 
-pub const TESTS: &[Test] = &[
-    ("every_part_is_in_the_window_from_1024x600_to_4k", every_part_is_in_the_window),
-    ("the_light_window_looks_as_it_did", the_light_window_looks_as_it_did),
-    ("the_dark_window_looks_as_it_did", the_dark_window_looks_as_it_did),
-    ("tiny_windows_do_no_harm", tiny_windows),
-    ("extremes_show_numbers_or_dashes", extremes_show_numbers_or_dashes),
-    ("every_scene_shows", every_scene_shows),
-    ("hidden_parts_make_room", hidden_parts_make_room),
-    ("the_published_model_adds_dashed_curves", the_published_model_adds_curves),
+pub const TESTS: &[Test] = trials![
+    every_part_is_in_the_window_from_1024x600_to_4k,
+    the_light_window_looks_as_it_did,
+    the_dark_window_looks_as_it_did,
+    tiny_windows_do_no_harm,
+    extremes_show_numbers_or_dashes,
+    every_scene_shows,
+    hidden_parts_make_room,
+    the_published_model_adds_dashed_curves,
 ];
 
 /// Widgets that are in view without scrolling.
@@ -42,7 +42,7 @@ const ALWAYS_THERE: [&str; 11] = [
     "Plot of Δθ of front tyre against T",
 ];
 
-fn every_part_is_in_the_window() {
+fn every_part_is_in_the_window_from_1024x600_to_4k() {
     for (size, scale) in
         [([1024.0, 600.0], 1.0), ([1280.0, 800.0], 2.0), ([3840.0, 2160.0], 1.0), ([1920.0, 1080.0], 2.0)]
     {
@@ -90,7 +90,7 @@ fn assert_both_backgrounds_differ(window: &mut Harness<'_, App>, theme: Theme) {
     assert_eq!(corner[0] > 128, theme == Theme::Light, "{corner:?}");
 }
 
-fn tiny_windows() {
+fn tiny_windows_do_no_harm() {
     for size in [[64.0, 64.0], [200.0, 100.0], [480.0, 320.0], [3000.0, 90.0], [90.0, 1500.0]] {
         let mut window = window_of_size(cyclist(0.9), size, 1.0);
         window.run();
@@ -177,7 +177,7 @@ fn hidden_parts_make_room() {
     assert!(window.query_by_label("Left eye view").is_none());
 }
 
-fn the_published_model_adds_curves() {
+fn the_published_model_adds_dashed_curves() {
     let mut window = window(cyclist(0.9));
     let picture = |window: &mut Harness<'_, App>| {
         window.remove_cursor();

@@ -1,7 +1,7 @@
 //! Lessons in the window: what a student does in the panel, what an audience sees, and the way back.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Event, Key, Rect, Vec2, pos2};
+use eframe::egui::{Event, Key, Rect, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::commands::{Command, FileCommand, PlaybackCommand, SettingsCommand, Switch, WindowCommand};
@@ -13,27 +13,24 @@ use gamow::settings::{Presence, Settings, Theme, WindowSettings};
 use relativity_render::Gaze;
 
 use super::Test;
-use super::support::{FRAME, labels, open, type_into, wait_for_file};
+use super::support::{labels, open, type_into, wait_for_file, window_without_pictures};
 
-pub const TESTS: &[Test] = &[
-    ("a_lesson_is_gone_through_by_its_labels", a_lesson_is_gone_through),
-    ("a_prediction_in_a_lesson_can_be_skipped_and_the_way_back_is_open", skipped_and_back),
-    (
-        "an_observation_in_a_lesson_against_what_was_shown_offers_to_look_again",
-        an_observation_against_what_was_shown,
-    ),
-    ("hands_are_counted_in_a_lesson_of_a_class", hands_are_counted),
-    ("digits_answer_a_lesson_that_has_choices_and_change_no_picture", digits_answer),
-    ("hands_in_a_lesson_are_typed_as_numbers", hands_are_typed),
-    ("a_narrow_window_folds_the_lesson_for_its_controls", a_narrow_window_folds_the_lesson),
-    ("what_was_explored_in_a_lesson_is_set_up_again_and_undone", what_was_explored_is_set_up_again),
-    ("closing_a_lesson_has_the_parts_of_the_window_as_before", closing_a_lesson),
-    ("a_lesson_that_is_closed_keeps_its_answers", a_closed_lesson_keeps_its_answers),
-    ("a_lesson_that_is_written_anew_keeps_its_place", a_lesson_written_anew),
-    ("an_audience_is_led_through_a_lesson_with_two_keys", an_audience_is_led_through),
-    ("the_end_of_a_lesson_leads_to_the_next_and_to_its_pages", the_end_leads_on),
-    ("every_step_of_every_lesson_fits_and_shows_its_state", every_step_of_every_lesson),
-    ("every_step_of_every_lesson_fits_before_an_audience", every_step_before_an_audience),
+pub const TESTS: &[Test] = trials![
+    a_lesson_is_gone_through_by_its_labels,
+    a_prediction_in_a_lesson_can_be_skipped_and_the_way_back_is_open,
+    an_observation_in_a_lesson_against_what_was_shown_offers_to_look_again,
+    hands_are_counted_in_a_lesson_of_a_class,
+    digits_answer_a_lesson_that_has_choices_and_change_no_picture,
+    hands_in_a_lesson_are_typed_as_numbers,
+    a_narrow_window_folds_the_lesson_for_its_controls,
+    what_was_explored_in_a_lesson_is_set_up_again_and_undone,
+    closing_a_lesson_has_the_parts_of_the_window_as_before,
+    a_lesson_that_is_closed_keeps_its_answers,
+    a_lesson_that_is_written_anew_keeps_its_place,
+    an_audience_is_led_through_a_lesson_with_two_keys,
+    the_end_of_a_lesson_leads_to_the_next_and_to_its_pages,
+    every_step_of_every_lesson_fits_and_shows_its_state,
+    every_step_of_every_lesson_fits_before_an_audience,
 ];
 
 const LESSON: &str = r#"---
@@ -122,17 +119,7 @@ fn window_with(parts: WindowSettings, lesson: &Lesson, size: [f32; 2]) -> Harnes
     let settings = Settings { window: parts, ..Settings::default() };
     let mut state = State::open(settings).expect("usual settings");
     state.begin_lesson(lesson).expect("it can be worked out");
-    shown(state, size)
-}
-
-fn shown(state: State, size: [f32; 2]) -> Harness<'static, App> {
-    let mut window = Harness::builder()
-        .with_size(Vec2::from(size))
-        .with_step_dt(FRAME)
-        .with_max_steps(60)
-        .build_eframe(|cc| App::new(&cc.egui_ctx, None, state));
-    window.run_steps(2);
-    window
+    window_without_pictures(state, size)
 }
 
 fn course<'a>(window: &'a Harness<'_, App>) -> &'a Course {
@@ -170,7 +157,7 @@ fn time(window: &Harness<'_, App>) -> f64 {
     window.state().state().document.time
 }
 
-fn a_lesson_is_gone_through() {
+fn a_lesson_is_gone_through_by_its_labels() {
     let mut window = window(&lesson(), [1280.0, 800.0]);
     window.get_by_label("1 of 2");
     assert!(window.get_by_role_and_label(Role::Button, "Predict").accesskit_node().is_disabled());
@@ -216,7 +203,7 @@ fn a_number_is_entered_and_the_end_reached(window: &mut Harness<'_, App>) {
     assert!((time(window) + 20.0).abs() < 1e-12);
 }
 
-fn skipped_and_back() {
+fn a_prediction_in_a_lesson_can_be_skipped_and_the_way_back_is_open() {
     let mut window = window(&lesson(), [1024.0, 600.0]);
     press(&mut window, "Skip");
     assert_eq!(course(&window).records()[0].outcome, Some(Outcome::Skipped));
@@ -246,7 +233,7 @@ fn skipped_and_back() {
     assert_eq!(course(&window).records()[0].outcome, Some(made(Answer::Choice(1), None)));
 }
 
-fn an_observation_against_what_was_shown() {
+fn an_observation_in_a_lesson_against_what_was_shown_offers_to_look_again() {
     let mut window = window(&lesson(), [1024.0, 600.0]);
     choose(&mut window, "long");
     press(&mut window, "Predict");
@@ -260,7 +247,7 @@ fn an_observation_against_what_was_shown() {
     assert_eq!(course(&window).records()[0].observed, Some(1));
 }
 
-fn hands_are_counted() {
+fn hands_are_counted_in_a_lesson_of_a_class() {
     let mut window = window(&lesson(), [1024.0, 600.0]);
     window.get_by_label("Count hands").click();
     window.run_steps(2);
@@ -280,7 +267,7 @@ fn hands_are_counted() {
     assert_eq!((score.asked, score.others), (0, vec!["Step 1: 2 of 3 hands were right.".to_owned()]));
 }
 
-fn digits_answer() {
+fn digits_answer_a_lesson_that_has_choices_and_change_no_picture() {
     for is_presented in [false, true] {
         let mut window = window(&lesson(), [1280.0, 800.0]);
         if is_presented {
@@ -307,7 +294,7 @@ fn digits_answer() {
     }
 }
 
-fn hands_are_typed() {
+fn hands_in_a_lesson_are_typed_as_numbers() {
     for is_presented in [false, true] {
         let mut window = window(&lesson(), [1280.0, 800.0]);
         if is_presented {
@@ -333,7 +320,7 @@ fn hands_are_typed() {
     }
 }
 
-fn a_narrow_window_folds_the_lesson() {
+fn a_narrow_window_folds_the_lesson_for_its_controls() {
     let has_controls = |window: &Harness<'_, App>| window.query_by_label("Speed β").is_some();
     let mut wide = window(&lesson(), [1280.0, 800.0]);
     assert!(has_controls(&wide));
@@ -348,7 +335,7 @@ fn a_narrow_window_folds_the_lesson() {
     assert!(has_controls(&narrow));
 }
 
-fn what_was_explored_is_set_up_again() {
+fn what_was_explored_in_a_lesson_is_set_up_again_and_undone() {
     let mut window = window(&lesson(), [1024.0, 600.0]);
     let told = window.state().state().document.settings.clone();
     assert!(window.query_by_label("Set up again").is_none());
@@ -377,19 +364,19 @@ fn what_was_explored_is_set_up_again() {
     assert_eq!(window.state().state().document.settings, told);
 }
 
-fn closing_a_lesson() {
+fn closing_a_lesson_has_the_parts_of_the_window_as_before() {
     let mut state = State::open(Settings::default()).expect("usual settings");
     let before = WindowSettings { readout: false, theme: Theme::Dark, ..WindowSettings::default() };
     state.document.settings.window = before;
     state.begin_lesson(&lesson()).expect("it can be worked out");
-    let mut window = shown(state, [1280.0, 800.0]);
+    let mut window = window_without_pictures(state, [1280.0, 800.0]);
     assert_ne!(window.state().state().document.settings.window, before);
     press(&mut window, "Close the lesson");
     assert!(window.state().state().course().is_none());
     assert_eq!(window.state().state().document.settings.window, before);
 }
 
-fn a_closed_lesson_keeps_its_answers() {
+fn a_lesson_that_is_closed_keeps_its_answers() {
     let mut window = window(&lesson(), [1280.0, 800.0]);
     choose(&mut window, "short");
     press(&mut window, "Predict");
@@ -432,11 +419,12 @@ fn a_closed_lesson_keeps_its_answers() {
     );
 }
 
-fn a_lesson_written_anew() {
+fn a_lesson_that_is_written_anew_keeps_its_place() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().canonicalize().expect("it is there").join("own.md");
     std::fs::write(&path, LESSON).expect("it is writable");
-    let mut window = shown(State::open(Settings::default()).expect("usual settings"), [1024.0, 600.0]);
+    let mut window =
+        window_without_pictures(State::open(Settings::default()).expect("usual settings"), [1024.0, 600.0]);
     open(&mut window, &path);
     choose(&mut window, "long");
     press(&mut window, "Predict");
@@ -457,7 +445,7 @@ fn key(window: &mut Harness<'_, App>, key: Key) {
     window.run_steps(3);
 }
 
-fn an_audience_is_led_through() {
+fn an_audience_is_led_through_a_lesson_with_two_keys() {
     let mut window = window(&lesson(), [800.0, 600.0]);
     window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
     window.run_steps(3);
@@ -581,7 +569,7 @@ fn named(window: &Harness<'_, App>, left: f32, right: f32) -> Vec<(String, Rect)
     named.filter(|(_, rect)| rect.min.x >= left && rect.min.x < right && rect.is_positive()).collect()
 }
 
-fn the_end_leads_on() {
+fn the_end_of_a_lesson_leads_to_the_next_and_to_its_pages() {
     let library = Library::own();
     let colour = library.open("colour").expect("a lesson");
     let mut window = window(&colour, [1280.0, 800.0]);
@@ -614,7 +602,7 @@ fn the_end_leads_on() {
     );
 }
 
-fn every_step_of_every_lesson() {
+fn every_step_of_every_lesson_fits_and_shows_its_state() {
     // What stands beside the panel takes long and changes nothing in it.
     let parts = WindowSettings { plots: false, map: Presence::Off, ..WindowSettings::default() };
     for lesson in Library::own().all() {
@@ -640,7 +628,7 @@ fn every_step_of_every_lesson() {
     }
 }
 
-fn every_step_before_an_audience() {
+fn every_step_of_every_lesson_fits_before_an_audience() {
     let size = [800.0, 600.0];
     let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());
     for lesson in Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()) {

@@ -4,6 +4,13 @@
 //! Needs a graphics adapter (a software one will do) and reports itself ignored where there is none;
 //! with `GAMOW_REQUIRE_GPU=1` that is a failure.
 
+/// The tests of a file: its functions, each with its own name, which is a claim.
+macro_rules! trials {
+    ($($(#[$attribute:meta])* $test:ident),+ $(,)?) => {
+        &[$($(#[$attribute])* (stringify!($test), $test)),+]
+    };
+}
+
 mod automatic;
 mod comparison;
 mod controls;
@@ -49,7 +56,7 @@ use std::process::ExitCode;
 
 use libtest_mimic::{Arguments, Trial};
 
-/// A named test; the name is a claim.
+/// A named test.
 type Test = (&'static str, fn());
 
 fn main() -> ExitCode {

@@ -20,28 +20,28 @@ use super::support::{
     FRAME, cyclist, label_starting_with, labels, open, pane, slider, wide_window, window, window_of_size,
 };
 
-pub const TESTS: &[Test] = &[
-    ("a_message_of_any_length_stays_over_the_views", a_message_of_any_length),
-    ("a_message_is_copied_and_closed", a_message_is_copied_and_closed),
-    ("a_message_names_its_file_without_the_folder", a_message_names_its_file),
-    ("no_control_leaves_the_window_or_covers_another", no_control_covers_another),
-    ("the_smallest_window_has_plots_and_views_of_use", the_smallest_window),
-    ("a_click_beside_everything_says_so", a_click_beside_everything_says_so),
-    ("a_click_near_something_means_it", a_click_near_something_means_it),
-    ("what_is_under_the_pointer_is_outlined", what_is_under_the_pointer_is_outlined),
-    ("points_are_numbered_only_where_two_have_one_name", points_are_numbered),
-    ("the_palette_finds_what_to_do_by_its_words", the_palette_finds),
-    ("the_palette_follows_what_is_named", the_palette_follows),
-    ("keys_look_around_in_a_focused_view", keys_look_around),
-    ("keys_go_from_body_to_body", keys_go_from_body_to_body),
-    ("keys_work_while_a_button_has_the_keyboard", keys_work_beside_a_button),
-    ("no_tooltip_covers_what_was_dragged", no_tooltip_covers_what_was_dragged),
-    ("no_writing_in_the_window_is_smaller_than_eleven_points", no_writing_is_small),
-    ("a_newcomer_is_told_to_click_until_the_first_click", a_newcomer_is_told_to_click),
-    ("a_hint_in_the_views_goes_by_itself", a_hint_goes_by_itself),
-    ("the_tabulator_reaches_every_control_and_both_views_visibly", the_tabulator_reaches_everything),
-    ("scroll_bars_have_room_of_their_own", scroll_bars_have_room),
-    ("the_help_fits_into_the_smallest_window", the_help_fits),
+pub const TESTS: &[Test] = trials![
+    a_message_of_any_length_stays_over_the_views,
+    a_message_is_copied_and_closed,
+    a_message_names_its_file_without_the_folder,
+    no_control_leaves_the_window_or_covers_another,
+    the_smallest_window_has_plots_and_views_of_use,
+    a_click_beside_everything_says_so,
+    a_click_near_something_means_it,
+    what_is_under_the_pointer_is_outlined,
+    points_are_numbered_only_where_two_have_one_name,
+    the_palette_finds_what_to_do_by_its_words,
+    the_palette_follows_what_is_named,
+    keys_look_around_in_a_focused_view,
+    keys_go_from_body_to_body,
+    keys_work_while_a_button_has_the_keyboard,
+    no_tooltip_covers_what_was_dragged,
+    no_writing_in_the_window_is_smaller_than_eleven_points,
+    a_newcomer_is_told_to_click_until_the_first_click,
+    a_hint_in_the_views_goes_by_itself,
+    the_tabulator_reaches_every_control_and_both_views_visibly,
+    scroll_bars_have_room_of_their_own,
+    the_help_fits_into_the_smallest_window,
 ];
 
 const SIZES: [[f32; 2]; 4] = [[800.0, 600.0], [900.0, 600.0], [1024.0, 600.0], [1280.0, 800.0]];
@@ -64,7 +64,7 @@ fn places(window: &Harness<'_, App>, names: &[&str]) -> Vec<(String, Rect)> {
         .collect()
 }
 
-fn a_message_of_any_length() {
+fn a_message_of_any_length_stays_over_the_views() {
     let words = "This file could not be read. ".repeat(69);
     let unbroken = "x".repeat(2000);
     for text in [words.as_str(), &unbroken] {
@@ -110,7 +110,7 @@ fn a_message_is_copied_and_closed() {
     assert_eq!(window.state().state().scratch.notice, None);
 }
 
-fn a_message_names_its_file() {
+fn a_message_names_its_file_without_the_folder() {
     let mut window = window(cyclist(0.9));
     open(&mut window, Path::new("/nowhere/at/all/balls.toml"));
     window.run_ok();
@@ -144,7 +144,7 @@ const CONTROLS: [&str; 20] = [
     "Last T",
 ];
 
-fn no_control_covers_another() {
+fn no_control_leaves_the_window_or_covers_another() {
     for size in SIZES {
         for (units, scene) in [("scene", "cyclist"), ("metres", "street")] {
             let mut state = cyclist(0.9);
@@ -170,7 +170,7 @@ fn no_control_covers_another() {
     }
 }
 
-fn the_smallest_window() {
+fn the_smallest_window_has_plots_and_views_of_use() {
     for size in SIZES {
         let window = window_of_size(cyclist(0.9), size, 1.0);
         for eye in [0, 1] {
@@ -221,7 +221,7 @@ fn what_is_under_the_pointer_is_outlined() {
     assert!(differing > 10, "{differing} pixels");
 }
 
-fn points_are_numbered() {
+fn points_are_numbered_only_where_two_have_one_name() {
     let mut window = window(cyclist(0.9));
     let readout =
         |window: &Harness<'_, App>| labels(window).iter().filter(|label| *label == "front tyre").count();
@@ -235,7 +235,7 @@ fn points_are_numbered() {
     window.get_by_label("Remove front tyre (2)");
 }
 
-fn the_palette_finds() {
+fn the_palette_finds_what_to_do_by_its_words() {
     let mut window = window(cyclist(0.9));
     window.key_press_modifiers(Modifiers::COMMAND, Key::P);
     window.run_ok();
@@ -268,7 +268,7 @@ fn the_palette_finds() {
     assert!(window.query_by_label("Command").is_none());
 }
 
-fn the_palette_follows() {
+fn the_palette_follows_what_is_named() {
     let mut window = window(cyclist(0.9));
     window.key_press_modifiers(Modifiers::COMMAND, Key::P);
     window.run_ok();
@@ -279,7 +279,7 @@ fn the_palette_follows() {
     label_starting_with(&window, "Plot of Δφ of rear tyre against T");
 }
 
-fn keys_look_around() {
+fn keys_look_around_in_a_focused_view() {
     let mut window = window(cyclist(0.9));
     window.get_by_label("Left eye view").focus();
     window.run_ok();
@@ -316,7 +316,7 @@ fn keys_go_from_body_to_body() {
     label_starting_with(&window, "Plot of Δφ of crown of the hat against T");
 }
 
-fn keys_work_beside_a_button() {
+fn keys_work_while_a_button_has_the_keyboard() {
     let mut window = window(cyclist(0.9));
     window.get_by_label("Help").focus();
     window.run_ok();
@@ -331,7 +331,7 @@ fn keys_work_beside_a_button() {
     assert!(!window.state().state().scratch.playing && window.state().state().document.time == time);
 }
 
-fn the_help_fits() {
+fn the_help_fits_into_the_smallest_window() {
     let mut window = window_of_size(cyclist(0.9), [800.0, 600.0], 1.0);
     window.key_press(Key::F1);
     window.run_ok();
@@ -399,7 +399,7 @@ fn written(shape: &Shape, sizes: &mut Vec<(f32, String)>) {
     }
 }
 
-fn no_writing_is_small() {
+fn no_writing_in_the_window_is_smaller_than_eleven_points() {
     for size in [[800.0, 600.0], [1280.0, 800.0]] {
         for present in [false, true] {
             let mut window = window_of_size(cyclist(0.9), size, 1.0);
@@ -426,7 +426,7 @@ fn no_writing_is_small() {
 }
 
 /// The hint goes by itself, and covers nothing else that is written in the view.
-fn a_hint_goes_by_itself() {
+fn a_hint_in_the_views_goes_by_itself() {
     let hint = "Click a point to follow it.";
     let mut state = cyclist(0.9);
     state.session.hint = true;
@@ -439,7 +439,7 @@ fn a_hint_goes_by_itself() {
     assert!(!has_hint(&window) && window.state().state().session.hint);
 }
 
-fn a_newcomer_is_told_to_click() {
+fn a_newcomer_is_told_to_click_until_the_first_click() {
     let hint = "Click a point to follow it.";
     let mut state = cyclist(0.9);
     state.session.hint = true;
@@ -485,7 +485,7 @@ fn a_click_near_something_means_it() {
     }
 }
 
-fn the_tabulator_reaches_everything() {
+fn the_tabulator_reaches_every_control_and_both_views_visibly() {
     let mut window = wide_window(cyclist(0.9));
     let bare = window.render().expect("a picture");
     let mut reached = std::collections::BTreeSet::new();
@@ -529,7 +529,7 @@ fn focused(window: &Harness<'_, App>) -> Option<(String, Rect)> {
     Some((node.accesskit_node().label().unwrap_or_default(), node.rect()))
 }
 
-fn scroll_bars_have_room() {
+fn scroll_bars_have_room_of_their_own() {
     for size in SIZES {
         let window = window_of_size(cyclist(0.9), size, 1.0);
         for name in ["Separation d, typed", "Height z, typed", "Speed β"] {

@@ -17,18 +17,18 @@ use super::layouts::assert_no_broken_numbers;
 use super::picking::click;
 use super::support::{SEPARATION, TRACKED, cyclist, drag, label_starting_with, labels, seen, window_of_size};
 
-pub const TESTS: &[Test] = &[
-    ("marks_on_the_map_are_where_the_numbers_say_to_half_a_pixel", marks_are_where_the_numbers_say),
-    ("the_bicycle_rests_in_its_own_frame_and_the_eyes_ride_past", the_bicycle_rests_in_its_own_frame),
-    ("abreast_is_said_when_it_is_measured_there_and_when_it_is_seen_there", abreast_is_said),
-    ("clicking_the_map_selects_the_point_there", clicking_the_map_selects),
-    ("what_is_under_the_pointer_on_the_map_is_told_with_its_times", what_is_under_the_pointer_is_told),
-    ("the_map_is_dragged_zoomed_at_the_pointer_and_fitted_again", the_map_is_dragged_and_zoomed),
-    ("a_close_up_tells_the_length_of_a_rod_to_one_eye_and_to_two", a_close_up_tells_lengths),
-    ("a_hidden_map_is_not_there_at_all", a_hidden_map_is_not_there),
-    ("the_keys_of_the_map_do_what_the_help_says", the_keys_of_the_map),
-    ("the_map_is_whole_at_every_size", the_map_is_whole_at_every_size),
-    ("no_speed_distance_or_time_breaks_the_map", nothing_breaks_the_map),
+pub const TESTS: &[Test] = trials![
+    marks_on_the_map_are_where_the_numbers_say_to_half_a_pixel,
+    the_bicycle_rests_in_its_own_frame_and_the_eyes_ride_past,
+    abreast_is_said_when_it_is_measured_there_and_when_it_is_seen_there,
+    clicking_the_map_selects_the_point_there,
+    what_is_under_the_pointer_on_the_map_is_told_with_its_times,
+    the_map_is_dragged_zoomed_at_the_pointer_and_fitted_again,
+    a_close_up_tells_the_length_of_a_rod_to_one_eye_and_to_two,
+    a_hidden_map_is_not_there_at_all,
+    the_keys_of_the_map_do_what_the_help_says,
+    the_map_is_whole_at_every_size,
+    no_speed_distance_or_time_breaks_the_map,
 ];
 
 const SIZES: [[f32; 2]; 4] = [[800.0, 600.0], [1024.0, 600.0], [1280.0, 800.0], [1920.0, 1080.0]];
@@ -77,7 +77,7 @@ impl Found {
     }
 }
 
-fn marks_are_where_the_numbers_say() {
+fn marks_on_the_map_are_where_the_numbers_say_to_half_a_pixel() {
     for size in SIZES {
         for beta in [0.3, 0.9, 0.99] {
             let mut state = cyclist(beta);
@@ -113,7 +113,7 @@ fn assert_marks(window: &Harness<'_, App>, chart: &str, up: usize, found: &Found
     near("Right eye", [0.5 * SEPARATION, 0.0]);
 }
 
-fn the_bicycle_rests_in_its_own_frame() {
+fn the_bicycle_rests_in_its_own_frame_and_the_eyes_ride_past() {
     let mut window = map_window(cyclist(0.9));
     window.state_mut().run(Command::Settings(SettingsCommand::Map(MapSettings {
         frame: MapFrame::Bicycle,
@@ -137,7 +137,7 @@ fn the_bicycle_rests_in_its_own_frame() {
     assert!((right.x - later.x - 0.1 / gamma as f32 * scale).abs() < 0.1, "{later:?} {right:?}");
 }
 
-fn abreast_is_said() {
+fn abreast_is_said_when_it_is_measured_there_and_when_it_is_seen_there() {
     let mut window = map_window(cyclist(0.9));
     let said = |window: &Harness<'_, App>| {
         ["measured abreast", "seen abreast"]
@@ -151,7 +151,7 @@ fn abreast_is_said() {
     assert_eq!(said(&window), [false, false]);
 }
 
-fn clicking_the_map_selects() {
+fn clicking_the_map_selects_the_point_there() {
     let mut state = cyclist(0.9);
     state.document.settings.window.plots = false;
     let mut window = map_window(state);
@@ -176,7 +176,7 @@ fn window_corner(window: &Harness<'_, App>) -> Pos2 {
     window.get_by_label("Map, from above").rect().right_bottom() - vec2(10.0, 6.0)
 }
 
-fn what_is_under_the_pointer_is_told() {
+fn what_is_under_the_pointer_on_the_map_is_told_with_its_times() {
     let mut window = map_window(cyclist(0.9));
     go_to(&mut window, 1.5);
     let told = |window: &mut Harness<'_, App>, name: &str| {
@@ -199,7 +199,7 @@ fn what_is_under_the_pointer_is_told() {
     assert_eq!(text, "Left eye\nx = −0.050,  y = 0.000,  z = 0.000\nreceived T = 1.500");
 }
 
-fn the_map_is_dragged_and_zoomed() {
+fn the_map_is_dragged_zoomed_at_the_pointer_and_fitted_again() {
     let mut window = map_window(cyclist(0.9));
     let eye = |window: &Harness<'_, App>| mark(window, "Map, from above: Left eye");
     let before = eye(&window);
@@ -237,7 +237,7 @@ fn scroll(window: &mut Harness<'_, App>, points: f32) {
     window.run_ok();
 }
 
-fn a_close_up_tells_lengths() {
+fn a_close_up_tells_the_length_of_a_rod_to_one_eye_and_to_two() {
     // Seen abreast and far away, a rod of length 2 is contracted to two eyes one above the other; to two eyes along the
     // motion it is sqrt(1 - beta^4) of its length, and turned (physics.md). One eye sees its ends at one ground time.
     const BETA: f64 = 0.8;
@@ -262,7 +262,7 @@ fn a_close_up_tells_lengths() {
     }
 }
 
-fn a_hidden_map_is_not_there() {
+fn a_hidden_map_is_not_there_at_all() {
     for window in [
         WindowSettings { map: Presence::Off, ..WindowSettings::default() },
         WindowSettings { map: Presence::Off, views: false, ..WindowSettings::default() },
@@ -276,7 +276,7 @@ fn a_hidden_map_is_not_there() {
     }
 }
 
-fn the_keys_of_the_map() {
+fn the_keys_of_the_map_do_what_the_help_says() {
     let mut window = window_of_size(cyclist(0.9), [1024.0, 600.0], 1.0);
     let is_shown = |window: &Harness<'_, App>| window.query_by_label("Map, from above").is_some();
     let press = |window: &mut Harness<'_, App>, key| {
@@ -326,7 +326,7 @@ fn the_map_is_whole_at_every_size() {
     }
 }
 
-fn nothing_breaks_the_map() {
+fn no_speed_distance_or_time_breaks_the_map() {
     let speeds = [
         (SpeedParameter::Beta, 0.0),
         (SpeedParameter::Beta, 1e-14),

@@ -20,13 +20,13 @@ use super::support::{
     FRAME, SEPARATION, cyclist, drag, label_starting_with, labels, pane, seen, window, window_of_size,
 };
 
-pub const TESTS: &[Test] = &[
-    ("a_ruler_across_the_globe_shows_its_angle", across_the_globe),
-    ("a_ruler_stays_where_it_was_laid_until_it_is_taken_away", stays_until_taken_away),
-    ("a_ruler_in_the_second_picture_measures_that", in_the_second_picture),
-    ("a_stopwatch_shows_t_and_the_clock_that_is_seen", stopwatch_shows_t),
-    ("a_stopwatch_of_running_t_is_right_within_its_error", stopwatch_of_running_t),
-    ("a_stopwatch_takes_no_drag_of_the_view_below_and_is_closed", stopwatch_and_view),
+pub const TESTS: &[Test] = trials![
+    a_ruler_across_the_globe_shows_its_angle,
+    a_ruler_stays_where_it_was_laid_until_it_is_taken_away,
+    a_ruler_in_the_second_picture_measures_that,
+    a_stopwatch_shows_t_and_the_clock_that_is_seen,
+    a_stopwatch_of_running_t_is_right_within_its_error,
+    a_stopwatch_takes_no_drag_of_the_view_below_and_is_closed,
 ];
 
 /// The globe at 0.8 c, still coming.
@@ -67,7 +67,7 @@ fn tangents(state: &State) -> [DVec3; 2] {
     })
 }
 
-fn across_the_globe() {
+fn a_ruler_across_the_globe_shows_its_angle() {
     let mut window = window(globe());
     let state = window.state().state().clone();
     let rect = pane(&window, 0);
@@ -98,7 +98,7 @@ fn across_the_globe() {
     assert_eq!(look.gaze, state.document.settings.look.gaze, "a drag that measures does not turn the view");
 }
 
-fn stays_until_taken_away() {
+fn a_ruler_stays_where_it_was_laid_until_it_is_taken_away() {
     let mut state = cyclist(0.9);
     let look = LookSettings { fov: FieldOfView(Some(80.0)), ..state.look() };
     state.run(Command::Settings(SettingsCommand::Look(look)));
@@ -140,7 +140,7 @@ fn stays_until_taken_away() {
     assert_eq!(rulers(&window), 0);
 }
 
-fn in_the_second_picture() {
+fn a_ruler_in_the_second_picture_measures_that() {
     let mut state = cyclist(0.9);
     let look =
         LookSettings { compare: Compare::Rest, fov: FieldOfView(Some(80.0)), ..state.document.settings.look };
@@ -174,7 +174,7 @@ fn timed(window: &Harness<'_, App>, name: &str) -> [f64; 2] {
     [value, error].map(|text| text.replace('−', "-").parse().expect("a number"))
 }
 
-fn stopwatch_shows_t() {
+fn a_stopwatch_shows_t_and_the_clock_that_is_seen() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 800.0], 1.0);
     window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(-2.0)));
     window.key_press(Key::T);
@@ -211,7 +211,7 @@ fn stopwatch_shows_t() {
     assert!(!labels(&window).iter().any(|label| label.starts_with("Stopwatch: clock of ")));
 }
 
-fn stopwatch_of_running_t() {
+fn a_stopwatch_of_running_t_is_right_within_its_error() {
     let mut window = window(cyclist(0.9));
     window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(0.0)));
     window.state_mut().run(Command::Playback(PlaybackCommand::Toggle));
@@ -239,7 +239,7 @@ fn stopwatch_of_running_t() {
     assert!((late - rate[0].max(rate[1]) * error).abs() < 6e-3, "{late}");
 }
 
-fn stopwatch_and_view() {
+fn a_stopwatch_takes_no_drag_of_the_view_below_and_is_closed() {
     let mut window = window(cyclist(0.9));
     window.key_press_modifiers(Modifiers::SHIFT, Key::T);
     window.run();

@@ -13,19 +13,20 @@ use gamow::units::Units;
 use relativity_core::{Curves, Model, PublishedVariant};
 
 use super::Test;
-use super::fit::wait;
 use super::saving::{message, save};
-use super::support::{cyclist, label_starting_with, labels, open, shown, type_into, wait_for_file, window};
+use super::support::{
+    cyclist, label_starting_with, labels, open, settle, shown, type_into, wait_for_file, window,
+};
 
-pub const TESTS: &[Test] = &[
-    ("own_data_are_fitted_and_shown", own_data_are_fitted_and_shown),
-    ("the_saved_fit_is_that_of_the_command_line", the_saved_fit_is_that_of_the_command_line),
-    ("a_dropped_csv_file_is_data", a_dropped_csv_file_is_data),
-    ("the_plotted_samples_are_saved_and_fitted_again", the_plotted_samples_are_saved_and_fitted_again),
-    ("the_plotted_curves_are_saved_and_fitted", the_plotted_curves_are_saved_and_fitted),
-    ("what_is_wrong_in_own_data_is_located", what_is_wrong_in_own_data_is_located),
-    ("what_own_data_do_not_tell_is_told", what_own_data_do_not_tell_is_told),
-    ("the_papers_own_fit_is_repeated", the_papers_own_fit_is_repeated),
+pub const TESTS: &[Test] = trials![
+    own_data_are_fitted_and_shown,
+    the_saved_fit_is_that_of_the_command_line,
+    a_dropped_csv_file_is_data,
+    the_plotted_samples_are_saved_and_fitted_again,
+    the_plotted_curves_are_saved_and_fitted,
+    what_is_wrong_in_own_data_is_located,
+    what_own_data_do_not_tell_is_told,
+    the_papers_own_fit_is_repeated,
 ];
 
 const APPENDIX_A: Model = Model::Published(PublishedVariant::AppendixA);
@@ -82,9 +83,9 @@ fn own_data_are_fitted_and_shown() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = measured(folder.path(), &["T", "d", "dphi", "dtheta"]);
     let mut window = fit_window(FitSettings::default());
-    wait(&mut window);
+    settle(&mut window);
     open_data(&mut window, &path);
-    wait(&mut window);
+    settle(&mut window);
     label_starting_with(&window, "Data from measured.csv");
     for (symbol, truth) in [("β", 0.7), ("y", 4.0), ("z", 1.0)] {
         let value = shown(&window, &format!("Fitted {symbol}"));
@@ -104,11 +105,11 @@ fn own_data_are_fitted_and_shown() {
         model: APPENDIX_A,
         ..FitSettings::default()
     })));
-    wait(&mut window);
+    settle(&mut window);
     assert!((shown(&window, "Fitted β") - 0.7).abs() > 0.01);
     window.get_by_label("Simulated").click();
     window.run_ok();
-    wait(&mut window);
+    settle(&mut window);
     assert_eq!(shown(&window, "True β"), 0.9);
 }
 
@@ -130,7 +131,7 @@ fn the_saved_fit_is_that_of_the_command_line() {
         };
         let mut window = fit_window(setup);
         open_data(&mut window, &path);
-        wait(&mut window);
+        settle(&mut window);
         let text = save(&mut window, "Save fit…", &json);
         let is_bootstrapped = !arguments.contains(&"--bootstrap=0");
         assert!(text.starts_with("Saved fit.json."), "{text}");
@@ -147,14 +148,14 @@ fn the_plotted_samples_are_saved_and_fitted_again() {
     let [csv, svg, of_samples, of_file] =
         ["fit.csv", "fit.svg", "samples.json", "file.json"].map(|name| folder.path().join(name));
     let mut window = fit_window(FitSettings { fit_samples: 60, ..FitSettings::default() });
-    wait(&mut window);
+    settle(&mut window);
     save(&mut window, "Save plots as CSV…", &csv);
     save(&mut window, "Save plots as SVG…", &svg);
     save(&mut window, "Save fit…", &of_samples);
     let svg = std::fs::read_to_string(svg).expect("text");
     assert!(svg.contains("sample − fit") && svg.contains("95 % band"));
     open_data(&mut window, &csv);
-    wait(&mut window);
+    settle(&mut window);
     save(&mut window, "Save fit…", &of_file);
     let text = |path: &Path| std::fs::read_to_string(path).expect("text");
     assert_eq!(text(&of_samples), text(&of_file));
@@ -175,7 +176,7 @@ fn a_dropped_csv_file_is_data() {
     let before = window.state().state().clone();
     open(&mut window, &path);
     window.run_ok();
-    wait(&mut window);
+    settle(&mut window);
     let State { document, .. } = window.state().state();
     assert_eq!(document.settings.plots.plot, PlotTab::Fit);
     assert_eq!(document.scene, before.document.scene);
@@ -203,7 +204,7 @@ fn the_plotted_curves_are_saved_and_fitted() {
         assert!((found - expected).abs() < 1e-6, "{key}: {told}");
     }
     open(&mut window, &csv);
-    wait(&mut window);
+    settle(&mut window);
     assert!((shown(&window, "Fitted β") - 0.9).abs() < 1e-3);
 }
 
@@ -231,7 +232,7 @@ fn what_is_wrong_in_own_data_is_located() {
     std::fs::write(&path, "T,dphi\n0,-0.1\n1,-0.2\n").expect("written");
     open(&mut window, &path);
     window.run_ok();
-    wait(&mut window);
+    settle(&mut window);
     window.get_by_label("No fit");
     window.get_by_label("2 samples of dphi are too few: 3 parameters need at least 6.");
 }
@@ -241,7 +242,7 @@ fn what_own_data_do_not_tell_is_told() {
     let mut window = fit_window(FitSettings { curves: Curves::Both, ..FitSettings::default() });
     let path = measured(folder.path(), &["T", "dphi"]);
     open_data(&mut window, &path);
-    wait(&mut window);
+    settle(&mut window);
     for words in [
         "The file has no sigmas: all readings of a curve are taken to scatter alike, as much as the residuals do.",
         "The file has no column d: the eyes are d = 0.1 apart, as set.",
@@ -252,12 +253,12 @@ fn what_own_data_do_not_tell_is_told() {
     // As far apart as the eyes really were, they tell the distance.
     let motion = MotionSettings { d: 0.2, ..window.state().state().document.settings.motion };
     window.state_mut().run(Command::Settings(SettingsCommand::Motion(motion)));
-    wait(&mut window);
+    settle(&mut window);
     let (value, uncertainty) = (shown(&window, "Fitted y"), shown(&window, "Uncertainty of y"));
     assert!((value - 4.0).abs() < 5.0 * uncertainty, "y = {value} +- {uncertainty}");
     let path = measured(folder.path(), &["T", "d", "dphi", "sigma_dphi"]);
     open(&mut window, &path);
-    wait(&mut window);
+    settle(&mut window);
     assert!(labels(&window).iter().any(|label| label.starts_with("χ² per degree of freedom: ")));
     assert!(!labels(&window).iter().any(|label| label.starts_with("The file has no ")));
 }
@@ -265,13 +266,13 @@ fn what_own_data_do_not_tell_is_told() {
 fn the_papers_own_fit_is_repeated() {
     let setup = FitSettings { model: APPENDIX_A, noise_percent: 0.0, ..FitSettings::default() };
     let mut window = fit_window(setup);
-    wait(&mut window);
+    settle(&mut window);
     assert!((shown(&window, "Fitted β") - 0.9).abs() > 0.01);
     window.get_by_label("Data from").click();
     window.run_ok();
     window.get_by_label("from published").click();
     window.run_ok();
-    wait(&mut window);
+    settle(&mut window);
     for (symbol, truth) in [("β", 0.9), ("y", 3.0), ("z", 2.0)] {
         assert!((shown(&window, &format!("Fitted {symbol}")) - truth).abs() < 1e-9, "{symbol}");
     }
@@ -281,7 +282,7 @@ fn the_papers_own_fit_is_repeated() {
     window
         .state_mut()
         .run(Command::Settings(SettingsCommand::Fit(FitSettings { model: Model::Exact, ..setup })));
-    wait(&mut window);
+    settle(&mut window);
     window.get_by_label("No fit");
     label_starting_with(&window, "It has parallax where the data leave it out. Even without noise: ");
 }

@@ -9,13 +9,11 @@ use gamow::app::tools::painting;
 use gamow::flags::choices::{Layout, RendererChoice};
 use gamow::settings::{QualitySettings, Theme};
 
-use super::support::{FRAME, cyclist, in_layout};
+use super::support::{builder, cyclist, in_layout};
 use super::{Test, device};
 
-pub const TESTS: &[Test] = &[
-    ("what_changed_is_painted_as_the_whole_would_be", what_changed_is_painted),
-    ("what_changed_is_painted_so_at_any_scale", what_changed_is_painted_at_any_scale),
-];
+pub const TESTS: &[Test] =
+    trials![what_changed_is_painted_as_the_whole_would_be, what_changed_is_painted_so_at_any_scale,];
 
 /// The same window twice: painted whole, and where it changes.
 struct Pair {
@@ -33,11 +31,8 @@ impl Pair {
                 refine: false,
                 ..QualitySettings::default()
             };
-            Harness::builder()
-                .with_size(vec2(960.0, 560.0))
+            builder([960.0, 560.0])
                 .with_pixels_per_point(pixels_per_point)
-                .with_step_dt(FRAME)
-                .with_render_cursor(false)
                 .renderer(device::renderer())
                 .build_eframe(|cc| {
                     if let Some(render_state) = cc.wgpu_render_state.as_ref().filter(|_| is_painted) {
@@ -80,7 +75,7 @@ impl Pair {
     }
 }
 
-fn what_changed_is_painted() {
+fn what_changed_is_painted_as_the_whole_would_be() {
     let mut pair = Pair::new(0.9, 1.0);
     pair.does("the beginning", 3, |_| ());
     for time in [1.0, 1.1, 9.0] {
@@ -105,7 +100,7 @@ fn what_changed_is_painted() {
     pair.asks(&Command::Window(WindowCommand::TogglePresenting));
 }
 
-fn what_changed_is_painted_at_any_scale() {
+fn what_changed_is_painted_so_at_any_scale() {
     let mut pair = Pair::new(0.6, 1.3);
     for time in [2.0, 2.2] {
         pair.asks(&Command::Playback(PlaybackCommand::GoTo(time)));

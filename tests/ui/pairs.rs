@@ -19,15 +19,15 @@ use super::support::{
     FRAME, SEPARATION, cyclist, in_layout, label_starting_with, labels, window, window_of_size,
 };
 
-pub const TESTS: &[Test] = &[
-    ("in_every_layout_a_click_on_the_tyre_selects_it_and_resting_there_tells_it", clicking_in_every_layout),
-    ("every_layout_is_chosen_by_name_and_by_key", chosen_by_name_and_key),
-    ("swapped_eyes_are_remembered_for_each_layout", swapped_eyes_are_remembered),
-    ("one_eye_alone_has_all_of_the_views", one_eye_alone),
-    ("flicker_waits_for_its_beat_and_shows_each_eye_in_turn", flicker_waits_for_its_beat),
-    ("composed_views_show_both_eyes", composed_views_show_both_eyes),
-    ("dragging_in_a_squeezed_picture_moves_it_with_the_pointer", dragging_in_a_squeezed_picture),
-    ("tiny_windows_do_no_harm_in_any_layout", tiny_windows),
+pub const TESTS: &[Test] = trials![
+    in_every_layout_a_click_on_the_tyre_selects_it_and_resting_there_tells_it,
+    every_layout_is_chosen_by_name_and_by_key,
+    swapped_eyes_are_remembered_for_each_layout,
+    one_eye_alone_has_all_of_the_views,
+    flicker_waits_for_its_beat_and_shows_each_eye_in_turn,
+    composed_views_show_both_eyes,
+    dragging_in_a_squeezed_picture_moves_it_with_the_pointer,
+    tiny_windows_do_no_harm_in_any_layout,
 ];
 
 /// The window with this layout. What flickers asks for frames without an end, so that frames are counted.
@@ -67,7 +67,7 @@ fn place_of_tyre(window: &Harness<'_, App>, layout: Layout, eye: usize) -> Optio
     Some(rect.min + part * rect.size())
 }
 
-fn clicking_in_every_layout() {
+fn in_every_layout_a_click_on_the_tyre_selects_it_and_resting_there_tells_it() {
     let mut window = window(cyclist(0.9));
     for &layout in Layout::value_variants() {
         for eye in [0, 1] {
@@ -123,7 +123,7 @@ fn click_without_rest(window: &mut Harness<'_, App>, place: Pos2) {
     window.run_steps(2);
 }
 
-fn chosen_by_name_and_key() {
+fn every_layout_is_chosen_by_name_and_by_key() {
     let mut window = window(cyclist(0.9));
     let layout = |window: &Harness<'_, App>| window.state().state().document.settings.picture.layout;
     window.key_press(Key::L);
@@ -146,7 +146,7 @@ fn chosen_by_name_and_key() {
     assert_eq!(layout(&window), Layout::Dubois);
 }
 
-fn swapped_eyes_are_remembered() {
+fn swapped_eyes_are_remembered_for_each_layout() {
     let mut window = window(cyclist(0.9));
     let left_of = |window: &Harness<'_, App>| {
         let [left, right] = [0, 1].map(|eye| picture_of(window, eye).expect("it is shown").center().x);
@@ -169,7 +169,7 @@ fn swapped_eyes_are_remembered() {
     assert_eq!(swapped.layouts().collect::<Vec<_>>(), [Layout::SideBySide, Layout::CrossEyed]);
 }
 
-fn one_eye_alone() {
+fn one_eye_alone_has_all_of_the_views() {
     let both = window(cyclist(0.9));
     let width = picture_of(&both, 0).expect("it is shown").width();
     for (layout, eye) in [(Layout::Left, 0), (Layout::Right, 1)] {
@@ -183,7 +183,7 @@ fn one_eye_alone() {
     }
 }
 
-fn flicker_waits_for_its_beat() {
+fn flicker_waits_for_its_beat_and_shows_each_eye_in_turn() {
     let mut window = shown(Layout::Flicker);
     let mut waits = Vec::new();
     let mut turns = Vec::new();
@@ -236,7 +236,7 @@ fn composed_views_show_both_eyes() {
     assert!(differing > 500, "{differing} pixels differ between the eyes");
 }
 
-fn dragging_in_a_squeezed_picture() {
+fn dragging_in_a_squeezed_picture_moves_it_with_the_pointer() {
     for layout in [Layout::HalfSideBySide, Layout::HalfOverUnder] {
         let mut window = shown(layout);
         let before = place_of_tyre(&window, layout, 0).expect("it is shown");
@@ -248,7 +248,7 @@ fn dragging_in_a_squeezed_picture() {
     }
 }
 
-fn tiny_windows() {
+fn tiny_windows_do_no_harm_in_any_layout() {
     for size in [[64.0, 64.0], [90.0, 900.0]] {
         let mut state = cyclist(0.9);
         state.document.settings.window.corrected = true;

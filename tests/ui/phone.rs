@@ -14,9 +14,9 @@ use gamow::settings::Settings;
 use super::Test;
 use super::support::{drag, pane, slider, window_of_size};
 
-pub const TESTS: &[Test] = &[
-    ("a_newcomer_makes_the_first_prediction_on_a_phone", the_first_prediction),
-    ("a_phone_has_a_bar_without_overlaps_and_a_speed_slider", bar_and_speed),
+pub const TESTS: &[Test] = trials![
+    a_newcomer_makes_the_first_prediction_on_a_phone,
+    a_phone_has_a_bar_without_overlaps_and_a_speed_slider,
 ];
 
 /// Width and height of a small phone's screen, points.
@@ -26,7 +26,7 @@ fn phone(state: State) -> Harness<'static, App> {
     window_of_size(state, PHONE, 1.0)
 }
 
-fn the_first_prediction() {
+fn a_newcomer_makes_the_first_prediction_on_a_phone() {
     let mut window = phone(State::open(Settings::default()).expect("usual settings"));
     window.state_mut().run(Command::Window(WindowCommand::Toggle(Overlay::Start)));
     window.run_steps(2);
@@ -56,7 +56,7 @@ fn inside(window: &Harness<'_, App>, name: &str) -> bool {
     screen.contains_rect(window.get_by_role_and_label(Role::Button, name).rect())
 }
 
-fn bar_and_speed() {
+fn a_phone_has_a_bar_without_overlaps_and_a_speed_slider() {
     let mut window = phone(State::open(Settings::default()).expect("usual settings"));
     let bar = Rect::from_min_max(pos2(0.0, 0.0), pos2(PHONE[0], 38.0));
     let in_bar = |window: &Harness<'_, App>| -> Vec<Rect> {

@@ -21,20 +21,20 @@ use super::support::{
     FRAME, SEPARATION, cyclist, drag, label_starting_with, pane, shown, wide_window, window,
 };
 
-pub const TESTS: &[Test] = &[
-    ("clicking_the_wheel_at_beta_0_9_plots_that_point", || clicking_the_wheel(0.9)),
-    ("clicking_the_wheel_at_beta_0_1_plots_that_point", || clicking_the_wheel(0.1)),
-    ("a_pointer_that_was_forgotten_tells_nothing", a_forgotten_pointer),
-    ("shift_clicking_compares_points", shift_clicking_compares_points),
-    ("double_clicking_follows_again_and_picks_nothing", double_clicking_follows_again),
-    ("a_click_beside_everything_changes_nothing", a_click_beside_everything),
-    ("marker_and_drawn_surface_agree_within_half_a_pixel", marker_and_surface_agree),
-    ("the_published_right_eye_shows_its_own_picture_and_marker", the_published_right_eye),
-    ("dragging_looks_around_and_frame_comes_back", dragging_looks_around),
-    ("scrolling_zooms_at_the_pointer", scrolling_zooms_at_the_pointer),
-    ("a_pick_leaves_the_whole_scene_where_it_is", a_pick_leaves_the_whole_scene_where_it_is),
-    ("the_gazes_are_chosen_by_name", the_gazes_are_chosen_by_name),
-    ("the_followed_point_stays_in_the_middle", the_followed_point_stays_in_the_middle),
+pub const TESTS: &[Test] = trials![
+    clicking_the_wheel_at_beta_0_9_plots_that_point,
+    clicking_the_wheel_at_beta_0_1_plots_that_point,
+    a_pointer_that_was_forgotten_tells_nothing,
+    shift_clicking_compares_points,
+    double_clicking_follows_again_and_picks_nothing,
+    a_click_beside_everything_changes_nothing,
+    marker_and_drawn_surface_agree_within_half_a_pixel,
+    the_published_right_eye_shows_its_own_picture_and_marker,
+    dragging_looks_around_and_frame_comes_back,
+    scrolling_zooms_at_the_pointer,
+    a_pick_leaves_the_whole_scene_where_it_is,
+    the_gazes_are_chosen_by_name,
+    the_followed_point_stays_in_the_middle,
 ];
 
 /// On the side of the front tyre that faces the eyes, at its top: the wheel stands around (-0.525, 3, 2)
@@ -58,7 +58,7 @@ fn place(window: &Harness<'_, App>, rest: [f64; 3], eye: usize) -> Pos2 {
 
 /// The hover label has one line after a move, until three seconds at rest or a key press. After a click it has all,
 /// until a key press.
-fn a_forgotten_pointer() {
+fn a_pointer_that_was_forgotten_tells_nothing() {
     let mut window = window(cyclist(0.9));
     let tyre = place(&window, ON_THE_TYRE, 0);
     let tag = |window: &Harness<'_, App>| {
@@ -115,6 +115,14 @@ pub fn click(window: &mut Harness<'_, App>, place: Pos2, modifiers: Modifiers) {
     window.run_ok();
 }
 
+fn clicking_the_wheel_at_beta_0_9_plots_that_point() {
+    clicking_the_wheel(0.9);
+}
+
+fn clicking_the_wheel_at_beta_0_1_plots_that_point() {
+    clicking_the_wheel(0.1);
+}
+
 fn clicking_the_wheel(beta: f64) {
     for eye in [0, 1] {
         let mut window = window(cyclist(beta));
@@ -136,7 +144,7 @@ fn clicking_the_wheel(beta: f64) {
     }
 }
 
-fn double_clicking_follows_again() {
+fn double_clicking_follows_again_and_picks_nothing() {
     let mut window = window(cyclist(0.9));
     let before = window.state().state().document.points.clone();
     let middle = pane(&window, 0).center();
@@ -180,7 +188,7 @@ fn shift_clicking_compares_points() {
     label_starting_with(&window, "Plot of Δφ of front tyre");
 }
 
-fn a_click_beside_everything() {
+fn a_click_beside_everything_changes_nothing() {
     let mut window = window(cyclist(0.9));
     let before = window.state().state().document.points.clone();
     let corner = pane(&window, 0).right_top() + vec2(-5.0, 5.0);
@@ -190,7 +198,7 @@ fn a_click_beside_everything() {
 
 /// Every pixel the GPU draws of the scene: the marker of the point it shows lies on that pixel's centre,
 /// and so does that of a point picked there.
-fn marker_and_surface_agree() {
+fn marker_and_drawn_surface_agree_within_half_a_pixel() {
     let mut renderers = Renderers::new(Some(Gpu::headless().expect("an adapter")));
     let size = [320, 240];
     for gamma in [1.0, 1.005, 2.3, 10.0, 1000.0] {
@@ -246,7 +254,7 @@ fn marker_and_surface_agree() {
 }
 
 /// In the published model the right eye's marker is where the left eye saw the point at T - Delta T.
-fn the_published_right_eye() {
+fn the_published_right_eye_shows_its_own_picture_and_marker() {
     let mut window = window(cyclist(0.9));
     let exact = window.render().expect("a picture");
     window.get_by_role_and_label(Role::Button, "Published").click();
@@ -293,7 +301,7 @@ fn the_published_right_eye() {
     window.get_by_label("With the right eye as published, click in the left eye's view.");
 }
 
-fn dragging_looks_around() {
+fn dragging_looks_around_and_frame_comes_back() {
     let mut window = wide_window(cyclist(0.9));
     let before = window.state().state().gaze();
     let middle = pane(&window, 0).center();

@@ -23,21 +23,21 @@ use super::support::{
     SEPARATION, TRACKED, cyclist, drag, label_starting_with, labels, seen, shown, window, window_of_size,
 };
 
-pub const TESTS: &[Test] = &[
-    ("a_plot_says_in_words_and_units_what_it_is_of", says_what_it_is_of),
-    ("the_plots_as_files_hold_what_the_core_says", files_hold_what_the_core_says),
-    ("the_plots_as_files_have_the_units_that_are_shown", files_have_the_shown_units),
-    ("the_plots_as_files_are_whole_at_the_extremes", files_are_whole_at_the_extremes),
-    ("the_disparity_has_a_choice_of_coordinates", the_disparity_has_a_choice_of_coordinates),
-    ("a_constant_is_a_line_in_the_middle", a_constant_is_a_line_in_the_middle),
-    ("scrolling_in_a_plot_zooms_about_the_pointer_and_a_double_click_resets", scrolling_zooms),
-    ("a_drag_with_the_right_button_moves_a_plot_and_leaves_T", a_right_drag_moves),
-    ("a_plot_tells_the_values_at_the_pointer_anywhere", tells_values_at_the_pointer),
-    ("two_cursors_tell_the_difference_and_the_slope", two_cursors_tell_the_difference),
-    ("pinned_curves_stay_while_the_speed_changes", pinned_curves_stay),
-    ("as_many_curves_are_pinned_as_there_are_dashes", as_many_pins_as_dashes),
-    ("the_published_value_stands_beside_the_exact_one", the_published_value_is_told),
-    ("several_points_have_a_legend_that_fits", several_points_have_a_legend),
+pub const TESTS: &[Test] = trials![
+    a_plot_says_in_words_and_units_what_it_is_of,
+    the_plots_as_files_hold_what_the_core_says,
+    the_plots_as_files_have_the_units_that_are_shown,
+    the_plots_as_files_are_whole_at_the_extremes,
+    the_disparity_has_a_choice_of_coordinates,
+    a_constant_is_a_line_in_the_middle,
+    scrolling_in_a_plot_zooms_about_the_pointer_and_a_double_click_resets,
+    a_drag_with_the_right_button_moves_a_plot_and_leaves_T,
+    a_plot_tells_the_values_at_the_pointer_anywhere,
+    two_cursors_tell_the_difference_and_the_slope,
+    pinned_curves_stay_while_the_speed_changes,
+    as_many_curves_are_pinned_as_there_are_dashes,
+    the_published_value_stands_beside_the_exact_one,
+    several_points_have_a_legend_that_fits,
 ];
 
 const DPHI: &str = "Plot of Δφ of front tyre against T";
@@ -70,7 +70,7 @@ fn table(text: &str) -> (Vec<String>, Vec<Vec<Option<f64>>>) {
     (head, rows.collect())
 }
 
-fn says_what_it_is_of() {
+fn a_plot_says_in_words_and_units_what_it_is_of() {
     for (plot, headings) in [
         (PlotTab::Disparity, ["Δφ, left − right / 10⁻³ rad", "Δθ, left − right / 10⁻³ rad"]),
         (PlotTab::Angles, ["azimuth φ / rad", "elevation θ / rad"]),
@@ -89,7 +89,7 @@ fn says_what_it_is_of() {
     }
 }
 
-fn files_hold_what_the_core_says() {
+fn the_plots_as_files_hold_what_the_core_says() {
     let mut window = showing(PlotTab::Disparity, 0.9);
     window.get_by_role_and_label(Role::CheckBox, "Published").click();
     window.run();
@@ -135,7 +135,7 @@ fn polyline(text: &str) -> Vec<Pos2> {
     points.split_whitespace().map(place).collect()
 }
 
-fn files_have_the_shown_units() {
+fn the_plots_as_files_have_the_units_that_are_shown() {
     let mut state = cyclist(0.9);
     state.document.settings.window.units = Units::Metric;
     state.document.settings.plots.plot = PlotTab::Stereo;
@@ -153,7 +153,7 @@ fn files_have_the_shown_units() {
     assert!(svg.contains(">observation time T / ns<") && svg.contains(">distance / m<"));
 }
 
-fn files_are_whole_at_the_extremes() {
+fn the_plots_as_files_are_whole_at_the_extremes() {
     for (beta, d, geometry) in [
         (0.0, 0.1, Geometry::Seen),
         (0.9, 0.0, Geometry::OneCone),
@@ -263,7 +263,7 @@ fn pointed_time(window: &Harness<'_, App>) -> f64 {
     text.trim_start_matches("T = ").replace('−', "-").parse().expect("a number")
 }
 
-fn scrolling_zooms() {
+fn scrolling_in_a_plot_zooms_about_the_pointer_and_a_double_click_resets() {
     let mut window = showing(PlotTab::Disparity, 0.9);
     let place = plot(&window).center() + vec2(20.0, -10.0);
     window.hover_at(place);
@@ -296,7 +296,8 @@ fn scrolling_zooms() {
     assert_eq!(zoom(&window), None);
 }
 
-fn a_right_drag_moves() {
+#[expect(non_snake_case, reason = "T is the time of reception; t is another")]
+fn a_drag_with_the_right_button_moves_a_plot_and_leaves_T() {
     let mut window = showing(PlotTab::Disparity, 0.9);
     let time = window.state().state().document.time;
     let place = plot(&window).center();
@@ -326,7 +327,7 @@ fn a_right_drag_moves() {
     assert!(zoom(&window).is_none() && window.state().state().document.time != time);
 }
 
-fn tells_values_at_the_pointer() {
+fn a_plot_tells_the_values_at_the_pointer_anywhere() {
     let mut window = showing(PlotTab::Disparity, 0.9);
     let frame = plot(&window);
     for share in [0.3, 0.5, 0.9] {
@@ -348,7 +349,7 @@ fn value_told(window: &Harness<'_, App>, name: &str) -> f64 {
     number.replace('−', "-").parse().expect("a number")
 }
 
-fn two_cursors_tell_the_difference() {
+fn two_cursors_tell_the_difference_and_the_slope() {
     let mut window = showing(PlotTab::Disparity, 0.9);
     let legend = |window: &Harness<'_, App>| {
         labels(window).into_iter().find(|label| label.starts_with("Legend of Δφ: "))
@@ -398,7 +399,7 @@ fn two_cursors_tell_the_difference() {
     assert!(window.state().state().scratch.plotting.cursors().is_empty());
 }
 
-fn pinned_curves_stay() {
+fn pinned_curves_stay_while_the_speed_changes() {
     let mut window = showing(PlotTab::Disparity, 0.9);
     for beta in [0.7, 0.5] {
         window.get_by_label("Pin").click();
@@ -436,7 +437,7 @@ fn pinned_curves_stay() {
     assert!(window.query_by_label("Unpin all").is_none());
 }
 
-fn as_many_pins_as_dashes() {
+fn as_many_curves_are_pinned_as_there_are_dashes() {
     let mut state = cyclist(0.9);
     for beta in [0.1, 0.2, 0.3, 0.3, 0.4, 0.5, 0.6] {
         at_speed(&mut state, beta);
@@ -451,7 +452,7 @@ fn as_many_pins_as_dashes() {
     assert_eq!(head.iter().filter(|name| name.starts_with("Δφ")).count(), MAX_PINS + 1);
 }
 
-fn the_published_value_is_told() {
+fn the_published_value_stands_beside_the_exact_one() {
     let mut window = showing(PlotTab::Disparity, 0.9);
     assert!(!labels(&window).iter().any(|label| label.starts_with("Published Δφ")));
     window.get_by_role_and_label(Role::CheckBox, "Published").click();
@@ -466,7 +467,7 @@ fn the_published_value_is_told() {
     }
 }
 
-fn several_points_have_a_legend() {
+fn several_points_have_a_legend_that_fits() {
     for size in [[1280.0, 800.0], [800.0, 600.0], [1920.0, 1080.0]] {
         let mut state = cyclist(0.9);
         let mut point = state.document.points.selected().track;

@@ -17,15 +17,15 @@ use super::Test;
 use super::saving::save;
 use super::support::{drag, label_starting_with, labels, pane, seen, type_into, wide_window, window};
 
-pub const TESTS: &[Test] = &[
-    ("a_number_that_is_none_stays_where_it_was_typed", a_number_that_is_none),
-    ("a_drawn_curve_is_recorded_where_the_mouse_was", recorded_where_the_mouse_was),
-    ("nothing_of_the_true_curve_is_shown_before_the_reveal", nothing_is_shown_before),
-    ("a_drawn_curve_is_compared_with_the_core", compared_with_the_core),
-    ("a_curve_is_drawn_before_an_audience_too", drawn_before_an_audience),
-    ("a_click_into_a_view_predicts_a_place_and_selects_nothing", a_click_predicts_a_place),
-    ("a_place_on_the_body_or_near_it_is_right", a_place_on_the_body_is_right),
-    ("the_report_of_a_lesson_holds_what_was_done_and_nothing_from_elsewhere", the_report_holds_all),
+pub const TESTS: &[Test] = trials![
+    a_number_that_is_none_stays_where_it_was_typed,
+    a_drawn_curve_is_recorded_where_the_mouse_was,
+    nothing_of_the_true_curve_is_shown_before_the_reveal,
+    a_drawn_curve_is_compared_with_the_core,
+    a_curve_is_drawn_before_an_audience_too,
+    a_click_into_a_view_predicts_a_place_and_selects_nothing,
+    a_place_on_the_body_or_near_it_is_right,
+    the_report_of_a_lesson_holds_what_was_done_and_nothing_from_elsewhere,
 ];
 
 /// A lesson at this speed that has a curve drawn, then a place clicked.
@@ -137,7 +137,7 @@ fn ask(window: &mut Harness<'_, App>, command: LessonCommand) {
     window.run_ok();
 }
 
-fn a_number_that_is_none() {
+fn a_number_that_is_none_stays_where_it_was_typed() {
     let text = "---\ntitle: Asked\n---\n\n## One\n\n### Predict\n\nHow much?\n\n```number\ntruth = \"gamma\"\n```\n\n### Reveal\n\nSo.\n";
     let lesson = Lesson::read("asked", text, "asked.md").expect("a lesson");
     let mut state = State::open(Settings::default()).expect("usual settings");
@@ -176,7 +176,7 @@ fn draft(window: &Harness<'_, App>) -> Vec<[f64; 2]> {
     }
 }
 
-fn recorded_where_the_mouse_was() {
+fn a_drawn_curve_is_recorded_where_the_mouse_was() {
     let mut window = at_lesson(0.9);
     let frame = frame(&window);
     assert!(frame.width() > 300.0 && frame.height() > 100.0, "though the plots are off: {frame:?}");
@@ -202,7 +202,7 @@ fn recorded_where_the_mouse_was() {
     assert_eq!(window.state().state().course().expect("a lesson").draft, None);
 }
 
-fn nothing_is_shown_before() {
+fn nothing_of_the_true_curve_is_shown_before_the_reveal() {
     let mut of_speeds = [0.9, 0.2].map(|beta| {
         let mut window = at_lesson(beta);
         let frame = frame(&window);
@@ -230,7 +230,7 @@ fn difference(window: &Harness<'_, App>) -> String {
     labels(window).into_iter().find(|label| label.starts_with("rms difference ")).expect("it is told")
 }
 
-fn compared_with_the_core() {
+fn a_drawn_curve_is_compared_with_the_core() {
     let mut window = at_lesson(0.9);
     let frame = frame(&window);
     drag(&mut window, place(frame, [-8.05, 3.5]), place(frame, [8.05, 1.5]));
@@ -266,7 +266,7 @@ fn compared_with_the_core() {
     assert!(labels(&window).iter().any(is_told), "{:?}", labels(&window));
 }
 
-fn drawn_before_an_audience() {
+fn a_curve_is_drawn_before_an_audience_too() {
     let mut window = at_lesson(0.9);
     window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
     window.run_ok();
@@ -314,7 +314,7 @@ fn direction(time: f64, eye: usize) -> DVec3 {
     DVec3::from(seen(0.9, time, eye).position).normalize()
 }
 
-fn a_click_predicts_a_place() {
+fn a_click_into_a_view_predicts_a_place_and_selects_nothing() {
     let mut window = at_the_place();
     let hints = labels(&window).iter().filter(|label| *label == HINT).count();
     assert_eq!(hints, 3, "in both views and in the panel");
@@ -352,7 +352,7 @@ fn a_click_predicts_a_place() {
     assert!((number - degrees).abs() < 0.2, "{} for {degrees}", verdict.is);
 }
 
-fn a_place_on_the_body_is_right() {
+fn a_place_on_the_body_or_near_it_is_right() {
     let window = at_the_place();
     let state = window.state().state();
     let mut course = state.course().expect("a lesson").clone();
@@ -383,7 +383,7 @@ fn a_place_on_the_body_is_right() {
     assert_eq!(right(on_tyre.expect("a wheel is wide")), Some(true));
 }
 
-fn the_report_holds_all() {
+fn the_report_of_a_lesson_holds_what_was_done_and_nothing_from_elsewhere() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("done.html");
     let mut window = at_lesson(0.9);

@@ -14,24 +14,24 @@ use super::support::{
     cyclist, drag, in_layout, label_starting_with, pane, wide_window, window, window_of_size,
 };
 
-pub const TESTS: &[Test] = &[
-    ("an_audience_has_views_a_plot_and_words_and_all_comes_back", an_audience_has_views_a_plot_and_words),
-    ("a_clicker_steps_the_presets_in_front_of_an_audience", a_clicker_steps_the_presets),
-    ("presenting_works_at_every_size_and_preset", presenting_works_at_every_size),
-    ("borders_are_dragged_and_a_double_click_has_them_as_usual", borders_are_dragged),
-    ("a_double_click_on_a_title_has_a_part_alone", a_part_alone),
-    ("the_comfortable_button_narrows_d_and_says_so", the_comfortable_button),
-    ("a_layout_to_be_fused_offers_to_narrow_d_where_it_is_hard_to", narrowing_is_offered),
-    ("the_projectors_window_shows_the_views_and_goes_again", the_projectors_window),
-    ("a_projector_has_the_lessons_words_and_the_lecturer_keeps_notes", a_projector_has_the_lessons_words),
-    ("the_meter_knows_the_distance_and_costs_nothing_unseen", the_meter_knows_the_distance),
+pub const TESTS: &[Test] = trials![
+    an_audience_has_views_a_plot_and_words_and_all_comes_back,
+    a_clicker_steps_the_presets_in_front_of_an_audience,
+    presenting_works_at_every_size_and_preset,
+    borders_are_dragged_and_a_double_click_has_them_as_usual,
+    a_double_click_on_a_title_has_a_part_alone,
+    the_comfortable_button_narrows_d_and_says_so,
+    a_layout_to_be_fused_offers_to_narrow_d_where_it_is_hard_to,
+    the_projectors_window_shows_the_views_and_goes_again,
+    a_projector_has_the_lessons_words_and_the_lecturer_keeps_notes,
+    the_meter_knows_the_distance_and_costs_nothing_unseen,
 ];
 
 fn settings_window(harness: &Harness<'_, App>) -> WindowSettings {
     harness.state().state().document.settings.window
 }
 
-fn an_audience_has_views_a_plot_and_words() {
+fn an_audience_has_views_a_plot_and_words_and_all_comes_back() {
     let mut window = window(cyclist(0.9));
     let before = settings_window(&window);
     window.key_press(Key::P);
@@ -53,7 +53,7 @@ fn an_audience_has_views_a_plot_and_words() {
     window.get_by_label("Controls");
 }
 
-fn a_clicker_steps_the_presets() {
+fn a_clicker_steps_the_presets_in_front_of_an_audience() {
     let mut window = window(cyclist(0.9));
     window.key_press(Key::P);
     window.run();
@@ -70,7 +70,7 @@ fn a_clicker_steps_the_presets() {
 }
 
 /// Checks the places of everything, in points, in every preset with few pixels; at the end the window is drawn with all pixels.
-fn presenting_works_at_every_size() {
+fn presenting_works_at_every_size_and_preset() {
     for (size, few, scale) in [
         ([64.0, 64.0], 1.0, 1.0),
         ([800.0, 600.0], 1.0, 1.0),
@@ -101,7 +101,7 @@ fn presenting_works_at_every_size() {
     }
 }
 
-fn borders_are_dragged() {
+fn borders_are_dragged_and_a_double_click_has_them_as_usual() {
     let mut window = wide_window(cyclist(0.9));
     let before = (pane(&window, 0), settings_window(&window));
     let middle = |window: &Harness<'_, App>, name: &str| window.get_by_label(name).rect().center();
@@ -139,7 +139,7 @@ fn double_click(window: &mut Harness<'_, App>, place: eframe::egui::Pos2) {
     window.run_ok();
 }
 
-fn a_part_alone() {
+fn a_double_click_on_a_title_has_a_part_alone() {
     let mut window = wide_window(cyclist(0.9));
     let parts = [
         ("Title of view 1", "Left eye view"),
@@ -172,7 +172,7 @@ fn meter(window: &Harness<'_, App>) -> String {
     label_starting_with(window, "Fusing: ")
 }
 
-fn the_comfortable_button() {
+fn the_comfortable_button_narrows_d_and_says_so() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 1600.0], 1.0);
     let wide = MotionSettings { d: 1.5, ..window.state().state().document.settings.motion };
     window.state_mut().run(Command::Settings(SettingsCommand::Motion(wide)));
@@ -189,7 +189,7 @@ fn the_comfortable_button() {
     assert_eq!(window.state().state().document.settings.motion, wide);
 }
 
-fn narrowing_is_offered() {
+fn a_layout_to_be_fused_offers_to_narrow_d_where_it_is_hard_to() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 800.0], 1.0);
     let wide = MotionSettings { d: 1.5, ..window.state().state().document.settings.motion };
     window.state_mut().run(Command::Settings(SettingsCommand::Motion(wide)));
@@ -205,7 +205,7 @@ fn narrowing_is_offered() {
     assert!(d > 0.0 && d < 1.5, "{d}");
 }
 
-fn the_meter_knows_the_distance() {
+fn the_meter_knows_the_distance_and_costs_nothing_unseen() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 1600.0], 1.0);
     let across = |window: &Harness<'_, App>| -> f64 {
         let text = meter(window);
@@ -225,7 +225,7 @@ fn the_meter_knows_the_distance() {
     assert_eq!(meter(&window), "Fusing: nothing to fuse");
 }
 
-fn the_projectors_window() {
+fn the_projectors_window_shows_the_views_and_goes_again() {
     // Without a system that has windows, it stands in this one.
     let mut window = window(cyclist(0.9));
     let views = |window: &Harness<'_, App>| window.query_all_by_label("Left eye view").count();
@@ -241,7 +241,7 @@ fn the_projectors_window() {
     assert_eq!(views(&window), 1);
 }
 
-fn a_projector_has_the_lessons_words() {
+fn a_projector_has_the_lessons_words_and_the_lecturer_keeps_notes() {
     let lesson = gamow::lesson::Library::own().open("turned").expect("a lesson");
     let mut state = cyclist(0.9);
     state.begin_lesson(&lesson).expect("it can be worked out");

@@ -1,7 +1,7 @@
 //! The choice of what draws the views, and the Accuracy tab: what each costs, and how far it is off.
 
 use std::sync::OnceLock;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use eframe::egui::ViewportId;
 use egui_kittest::Harness;
@@ -16,16 +16,16 @@ use gamow::settings::{PlotSettings, PlotTab};
 use relativity_render::Method;
 
 use super::Test;
-use super::support::{cyclist, labels, pane, type_into, wide_window, window_of_size};
+use super::support::{cyclist, labels, pane, settle, type_into, wide_window, window_of_size};
 
-pub const TESTS: &[Test] = &[
-    ("the_reference_draws_the_views_if_chosen", the_reference_draws_the_views),
-    ("the_accuracy_tab_measures_every_renderer", the_accuracy_tab_measures),
-    ("the_accuracy_tab_begins_with_what_its_figures_come_to", begins_with_a_conclusion),
-    ("figures_are_of_the_views_that_are_shown", figures_are_of_the_views),
-    ("hidden_figures_are_not_measured", hidden_figures_are_not_measured),
-    ("clicking_a_renderer_in_the_table_or_the_plot_chooses_it", clicking_a_renderer_chooses_it),
-    ("the_heat_map_marks_what_the_mesh_gets_wrong", the_heat_map_marks_errors),
+pub const TESTS: &[Test] = trials![
+    the_reference_draws_the_views_if_chosen,
+    the_accuracy_tab_measures_every_renderer,
+    the_accuracy_tab_begins_with_what_its_figures_come_to,
+    figures_are_of_the_views_that_are_shown,
+    hidden_figures_are_not_measured,
+    clicking_a_renderer_in_the_table_or_the_plot_chooses_it,
+    the_heat_map_marks_what_the_mesh_gets_wrong,
 ];
 
 /// The default scene at this beta, with the Accuracy tab in view.
@@ -41,19 +41,6 @@ fn examined(beta: f64) -> State {
 /// A window whose small views are measured soon.
 fn small_window(state: State) -> Harness<'static, App> {
     window_of_size(state, [800.0, 600.0], 1.0)
-}
-
-/// Frames until nothing is left to do in the background.
-fn settle(window: &mut Harness<'_, App>) {
-    let start = Instant::now();
-    window.step();
-    while !window.state().is_settled() {
-        assert!(start.elapsed() < Duration::from_mins(2), "it goes on");
-        // Frames would take the processor from what they wait for.
-        std::thread::sleep(Duration::from_millis(50));
-        window.step();
-    }
-    window.run();
 }
 
 /// Height of the note at the bottom of a pane, pixels.
@@ -78,7 +65,7 @@ fn share_in_pane(window: &mut Harness<'_, App>, differs: fn([u8; 3], [u8; 3]) ->
     differing.count() as f64 / f64::from(compared)
 }
 
-fn the_reference_draws_the_views() {
+fn the_reference_draws_the_views_if_chosen() {
     let mut state = cyclist(0.6);
     (state.document.settings.window.dials, state.document.settings.window.ruler) = (false, false);
     // High enough that the choice is in sight.
@@ -142,7 +129,7 @@ fn figure(all: &[String], renderer: &str, column: &str) -> f64 {
 }
 
 /// The sentence is of the figures in the table: the cheapest, and what is not worth its time.
-fn begins_with_a_conclusion() {
+fn the_accuracy_tab_begins_with_what_its_figures_come_to() {
     let Measured { labels: all, csv, .. } = measured();
     let sentence = all.iter().find(|label| label.contains("cheapest here")).expect("a sentence");
     let renderers = ["rays", "packets", "mesh 0.1 px", "mesh 0.5 px", "mesh 2 px", "reference"];
@@ -156,7 +143,7 @@ fn begins_with_a_conclusion() {
     assert_eq!(csv.lines().count(), 1 + renderers.len(), "{csv}");
 }
 
-fn the_accuracy_tab_measures() {
+fn the_accuracy_tab_measures_every_renderer() {
     let Measured { labels: all, repaint_delay, .. } = measured();
     for renderer in ["rays", "packets", "mesh 0.1 px", "mesh 0.5 px", "mesh 2 px", "reference"] {
         assert!(figure(all, renderer, "ms") > 0.0, "{renderer}");
@@ -181,7 +168,7 @@ fn current(window: &Harness<'_, App>) -> usize {
     examination.rows().filter(|row| row.is_current).count()
 }
 
-fn figures_are_of_the_views() {
+fn figures_are_of_the_views_that_are_shown() {
     let mut window = small_window(examined(0.9));
     settle(&mut window);
     let figures = |window: &Harness<'_, App>| {
@@ -216,7 +203,7 @@ fn hidden_figures_are_not_measured() {
     }
 }
 
-fn clicking_a_renderer_chooses_it() {
+fn clicking_a_renderer_in_the_table_or_the_plot_chooses_it() {
     // Large enough for the plot beside the table.
     let mut window = window_of_size(examined(0.9), [1000.0, 720.0], 1.0);
     settle(&mut window);
@@ -245,7 +232,7 @@ fn clicking_a_renderer_chooses_it() {
     assert_eq!(window.state().state().document.settings.quality.renderer, RendererChoice::Reference);
 }
 
-fn the_heat_map_marks_errors() {
+fn the_heat_map_marks_what_the_mesh_gets_wrong() {
     let mut state = examined(0.9);
     state.document.settings.quality.renderer = RendererChoice::Mesh;
     state.document.settings.quality.bound_px = 4.0;

@@ -11,17 +11,19 @@ use gamow::settings::{MapFrame, Preset, Riding, Settings};
 use relativity_core::{Baseline, Model, Observer, ObserverVelocity, SourcePoint, Speed};
 
 use super::Test;
-use super::support::{FRAME, assert_sane, label_starting_with, shown, type_into, wide_window, window};
+use super::support::{
+    FRAME, assert_sane, label_starting_with, settle, shown, type_into, wide_window, window,
+};
 
-pub const TESTS: &[Test] = &[
-    ("pedals_and_brakes_are_recorded_as_they_are_pushed", pedals_and_brakes),
-    ("who_walks_goes_where_they_look_and_leaves_the_bicycle", walks),
-    ("a_rider_reads_what_the_core_says", a_rider_reads_what_the_core_says),
-    ("a_ride_off_the_street_has_the_cores_numbers_and_a_map", a_ride_off_the_street),
-    ("the_map_follows_a_ride_aslant", the_map_follows_a_ride_aslant),
-    ("a_typed_speed_is_reached_by_pedalling", a_typed_speed_is_reached),
-    ("the_map_has_a_riders_frame_while_one_rides", the_map_has_a_riders_frame),
-    ("a_fit_finds_ones_own_speed", a_fit_finds_ones_own_speed),
+pub const TESTS: &[Test] = trials![
+    pedals_and_brakes_are_recorded_as_they_are_pushed,
+    who_walks_goes_where_they_look_and_leaves_the_bicycle,
+    a_rider_reads_what_the_core_says,
+    a_ride_off_the_street_has_the_cores_numbers_and_a_map,
+    the_map_follows_a_ride_aslant,
+    a_typed_speed_is_reached_by_pedalling,
+    the_map_has_a_riders_frame_while_one_rides,
+    a_fit_finds_ones_own_speed,
 ];
 
 fn street() -> State {
@@ -38,7 +40,7 @@ fn state<'a>(window: &'a Harness<'_, App>) -> &'a State {
     window.state().state()
 }
 
-fn pedals_and_brakes() {
+fn pedals_and_brakes_are_recorded_as_they_are_pushed() {
     let mut window = window(street());
     window.key_press(Key::I);
     window.run_steps(2);
@@ -98,7 +100,7 @@ fn pedals_and_brakes() {
     assert_eq!(state(&window).document.settings.motion.turn, 0.0);
 }
 
-fn walks() {
+fn who_walks_goes_where_they_look_and_leaves_the_bicycle() {
     let hold = |window: &mut Harness<'_, App>, keys: &[Key], frames: usize| {
         for key in keys {
             window.key_down(*key);
@@ -209,7 +211,7 @@ fn a_rider_reads_what_the_core_says() {
     }
 }
 
-fn a_ride_off_the_street() {
+fn a_ride_off_the_street_has_the_cores_numbers_and_a_map() {
     let mut window = window(preset("ride-lamps"));
     window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(8.0)));
     let bodies = state(&window).document.scene.bodies.len();
@@ -311,7 +313,7 @@ fn eyes_of_a_turned_head(aside: f64, gamma: f64, ahead: [f64; 2]) -> [f64; 2] {
     [along * ahead[0], aside + along * ahead[1]]
 }
 
-fn a_typed_speed_is_reached() {
+fn a_typed_speed_is_reached_by_pedalling() {
     let mut state = street();
     state.run(Command::Ride(gamow::app::state::riding::saddle::RideCommand::Toggle));
     state.run(Command::Playback(PlaybackCommand::Toggle));
@@ -332,7 +334,7 @@ fn a_typed_speed_is_reached() {
     assert!(told.iter().any(|label| label.contains("beta = 1.5 is out of range")), "{told:?}");
 }
 
-fn the_map_has_a_riders_frame() {
+fn the_map_has_a_riders_frame_while_one_rides() {
     let mut window = wide_window(preset("ride-lamps"));
     for (expected, key) in
         [(MapFrame::Bicycle, "Bicycle"), (MapFrame::Rider, "Mine"), (MapFrame::Ground, "Ground")]
@@ -358,11 +360,7 @@ fn a_fit_finds_ones_own_speed() {
         settings.plots.plot = gamow::settings::PlotTab::Fit;
         settings.fit.noise_percent = 0.0;
         let mut window = window(State::open(settings).expect("a preset"));
-        let start = std::time::Instant::now();
-        while !window.state().is_settled() && start.elapsed() < std::time::Duration::from_mins(1) {
-            std::thread::sleep(std::time::Duration::from_millis(5));
-            window.step();
-        }
+        settle(&mut window);
         let outcome = window.state().fitting().shown().expect("it is fitted");
         let fitted = outcome.fitted.as_ref().expect("it can be");
         let beta = fitted.value(relativity_core::Parameter::Beta).expect("it is fitted");

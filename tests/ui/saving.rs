@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command as Program;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use eframe::egui::{Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
@@ -19,29 +19,26 @@ use gamow::flags::words::words;
 use gamow::settings::{MotionSettings, PlaybackSettings, PlotSettings, PlotTab, QualitySettings, Settings};
 
 use super::Test;
-use super::support::{cyclist, in_layout, labels, type_into, wait_for_file, window};
+use super::support::{cyclist, in_layout, labels, type_into, wait_for, wait_for_file, window};
 
-pub const TESTS: &[Test] = &[
-    ("a_saved_picture_opens_as_the_state_that_it_shows", a_saved_picture_opens_as_its_state),
-    ("a_saved_picture_has_the_pixels_of_the_views", a_saved_picture_has_the_pixels_of_the_views),
-    ("a_saved_state_opens_as_it_was", a_saved_state_opens_as_it_was),
-    ("a_file_that_is_there_is_replaced_only_when_asked", a_file_that_is_there_is_replaced_only_when_asked),
-    ("what_cannot_be_written_is_said_and_leaves_nothing", what_cannot_be_written_is_said),
+pub const TESTS: &[Test] = trials![
+    a_saved_picture_opens_as_the_state_that_it_shows,
+    a_saved_picture_has_the_pixels_of_the_views,
+    a_saved_state_opens_as_it_was,
+    a_file_that_is_there_is_replaced_only_when_asked,
+    what_cannot_be_written_is_said_and_leaves_nothing,
     #[cfg(unix)]
-    ("nothing_is_saved_to_a_pipe_that_nobody_reads", nothing_is_saved_to_a_pipe),
-    ("films_have_the_frames_of_the_loop", films_have_the_frames_of_the_loop),
-    ("a_stopped_film_leaves_no_file", a_stopped_film_leaves_no_file),
-    ("the_copied_commands_give_the_same_again", the_copied_commands_give_the_same_again),
-    (
-        "the_copied_curve_command_gives_the_plotted_numbers",
-        the_copied_curve_command_gives_the_plotted_numbers,
-    ),
-    ("the_copied_values_are_those_of_the_moment", the_copied_values_are_those_of_the_moment),
-    ("the_copied_picture_is_that_of_the_views", the_copied_picture_is_that_of_the_views),
-    ("what_is_typed_first_is_the_name", what_is_typed_first_is_the_name),
-    ("saved_plots_hold_the_numbers_of_the_core", saved_plots_hold_the_numbers_of_the_core),
-    ("a_file_is_opened_by_its_path", a_file_is_opened_by_its_path),
-    ("opening_and_saving_can_be_left", opening_and_saving_can_be_left),
+    nothing_is_saved_to_a_pipe_that_nobody_reads,
+    films_have_the_frames_of_the_loop,
+    a_stopped_film_leaves_no_file,
+    the_copied_commands_give_the_same_again,
+    the_copied_curve_command_gives_the_plotted_numbers,
+    the_copied_values_are_those_of_the_moment,
+    the_copied_picture_is_that_of_the_views,
+    what_is_typed_first_is_the_name,
+    saved_plots_hold_the_numbers_of_the_core,
+    a_file_is_opened_by_its_path,
+    opening_and_saving_can_be_left,
 ];
 
 /// Chooses `entry` of the menu.
@@ -54,16 +51,9 @@ pub fn choose(window: &mut Harness<'_, App>, entry: &str) {
 
 /// Frames until a message stands there and nothing is left to do; the message.
 pub fn message(window: &mut Harness<'_, App>) -> String {
-    let start = Instant::now();
-    loop {
-        window.step();
-        let app = window.state();
-        if let Some(notice) = app.state().scratch.notice.as_ref().filter(|_| app.is_settled()) {
-            return notice.text.clone();
-        }
-        assert!(start.elapsed() < Duration::from_mins(2), "no message");
-        std::thread::sleep(Duration::from_millis(5));
-    }
+    let notice = |window: &Harness<'_, App>| window.state().state().scratch.notice.clone();
+    wait_for(window, "a message", |window| notice(window).is_some() && window.state().is_settled());
+    notice(window).expect("it was waited for").text
 }
 
 /// Saves what `entry` says at `path`; the message.
@@ -130,7 +120,7 @@ fn opened(path: &Path) -> State {
     State::open(settings).expect("its scene is there")
 }
 
-fn a_saved_picture_opens_as_its_state() {
+fn a_saved_picture_opens_as_the_state_that_it_shows() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("ride.png");
     let mut window = window(special());
@@ -214,7 +204,7 @@ fn a_file_that_is_there_is_replaced_only_when_asked() {
     assert_eq!(opened(&path).shown(), window.state().state().shown());
 }
 
-fn what_cannot_be_written_is_said() {
+fn what_cannot_be_written_is_said_and_leaves_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = window(special());
     let cases = [
@@ -237,7 +227,7 @@ fn what_cannot_be_written_is_said() {
 }
 
 #[cfg(unix)]
-fn nothing_is_saved_to_a_pipe() {
+fn nothing_is_saved_to_a_pipe_that_nobody_reads() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = window(special());
     for (entry, name) in [("Save state…", "ride.toml"), ("Save picture…", "ride.png")] {
@@ -351,19 +341,13 @@ fn a_stopped_film_leaves_no_file() {
     let mut window = window(state);
     choose(&mut window, "Save film…");
     type_into(&mut window, "Path", folder.path().join("ride.gif").to_str().expect("a plain path"));
-    let start = Instant::now();
-    while window.query_by_label("Stop").is_none() {
-        assert!(start.elapsed() < Duration::from_mins(1), "nothing is said");
-        std::thread::sleep(Duration::from_millis(20));
-        window.step();
-    }
+    wait_for(&mut window, "it can be stopped", |window| window.query_by_label("Stop").is_some());
     window.get_by_label_contains("Saving ride.gif");
     let place = |window: &Harness<'_, App>| window.get_by_label("Stop").rect();
     let first = place(&window);
-    while window.query_by_label_contains("in all, judging by the frames so far").is_none() {
-        assert!(start.elapsed() < Duration::from_mins(1), "no size is expected");
-        window.step();
-    }
+    wait_for(&mut window, "a size is expected", |window| {
+        window.query_by_label_contains("in all, judging by the frames so far").is_some()
+    });
     // What is learnt on the way moves nothing: the button stays under the pointer.
     assert_eq!(place(&window), first);
     window.get_by_label("Stop").click();
@@ -453,20 +437,16 @@ fn the_copied_picture_is_that_of_the_views() {
     window.get_by_label("File").click();
     window.run_ok();
     window.get_by_label("Copy picture").click();
-    let start = Instant::now();
-    let copied = loop {
-        window.step();
+    let mut copied = None;
+    wait_for(&mut window, "a picture is copied", |window| {
         let commands = &window.output().platform_output.commands;
-        let image = commands.iter().find_map(|command| match command {
+        copied = commands.iter().find_map(|command| match command {
             OutputCommand::CopyImage(image) => Some(image.clone()),
             _ => None,
         });
-        if let Some(image) = image {
-            break image;
-        }
-        assert!(start.elapsed() < Duration::from_mins(1), "nothing was copied");
-        std::thread::sleep(Duration::from_millis(5));
-    };
+        copied.is_some()
+    });
+    let copied = copied.expect("it was waited for");
     assert_eq!(copied.size, saved.size.map(|side| side as usize));
     let pixels: Vec<[u8; 4]> = copied.pixels.iter().map(eframe::egui::Color32::to_array).collect();
     assert!(pixels == saved.rgba);

@@ -8,15 +8,15 @@ use gamow::settings::MotionSettings;
 use super::Test;
 use super::support::{cyclist, labels, pane, window};
 
-pub const TESTS: &[Test] = &[
-    ("the_ruler_is_there_while_motion_is_a_slide", the_ruler_is_there),
-    ("the_panorama_has_one_strip_above_the_other_and_can_be_left", the_panorama),
-    ("the_resting_outline_is_framed_with_what_moves", the_outline_is_framed),
+pub const TESTS: &[Test] = trials![
+    the_ruler_is_there_while_motion_is_a_slide,
+    the_panorama_has_one_strip_above_the_other_and_can_be_left,
+    the_resting_outline_is_framed_with_what_moves,
 ];
 
 const RULER: &str = "Rapidity ruler, Left eye";
 
-fn the_ruler_is_there() {
+fn the_ruler_is_there_while_motion_is_a_slide() {
     let mut window = window(cyclist(0.9));
     let is_there = |labels: &[String]| labels.iter().any(|label| label.starts_with(RULER));
     let ruler = labels(&window).into_iter().find(|label| label.starts_with(RULER)).expect("it is there");
@@ -34,7 +34,7 @@ fn the_ruler_is_there() {
     assert!(!is_there(&labels(&window)));
 }
 
-fn the_panorama() {
+fn the_panorama_has_one_strip_above_the_other_and_can_be_left() {
     let mut window = window(cyclist(0.9));
     let before = window.state().state().document.settings.clone();
     window.get_by_label("Panorama").click();
@@ -48,7 +48,7 @@ fn the_panorama() {
 }
 
 /// The picture reaches further aside by about the rapidity.
-fn the_outline_is_framed() {
+fn the_resting_outline_is_framed_with_what_moves() {
     let mut window = window(cyclist(0.9));
     let half_width = |fov: f64| (0.5 * fov.to_radians()).tan().asinh();
     let shown = |window: &egui_kittest::Harness<'_, gamow::app::shell::App>| {

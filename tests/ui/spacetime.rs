@@ -18,16 +18,16 @@ use super::layouts::assert_no_broken_numbers;
 use super::picking::click;
 use super::support::{SEPARATION, TRACKED, cyclist, drag, label_starting_with, labels, seen, window_of_size};
 
-pub const TESTS: &[Test] = &[
-    ("events_of_spacetime_are_where_the_numbers_say_to_half_a_pixel", events_are_where_the_numbers_say),
-    ("light_runs_at_45_degrees_in_every_unit", light_runs_at_45_degrees),
-    ("dragging_the_present_along_the_worldline_of_the_eyes_goes_to_another_time", dragging_the_present),
-    ("a_click_on_the_worldline_goes_to_when_that_event_is_seen", a_click_on_the_worldline),
-    ("an_event_tells_its_three_times_by_their_names", an_event_tells_its_three_times),
-    ("the_way_of_the_light_on_the_plan_tells_when_it_left", the_way_of_the_light),
-    ("a_close_up_has_the_clocks_of_all_followed_points_at_one_ground_time", close_up_of_clocks),
-    ("spacetime_that_is_not_shown_is_not_there", spacetime_that_is_not_shown),
-    ("no_speed_time_or_size_breaks_spacetime", nothing_breaks_spacetime),
+pub const TESTS: &[Test] = trials![
+    events_of_spacetime_are_where_the_numbers_say_to_half_a_pixel,
+    light_runs_at_45_degrees_in_every_unit,
+    dragging_the_present_along_the_worldline_of_the_eyes_goes_to_another_time,
+    a_click_on_the_worldline_goes_to_when_that_event_is_seen,
+    an_event_tells_its_three_times_by_their_names,
+    the_way_of_the_light_on_the_plan_tells_when_it_left,
+    a_close_up_has_the_clocks_of_all_followed_points_at_one_ground_time,
+    spacetime_that_is_not_shown_is_not_there,
+    no_speed_time_or_size_breaks_spacetime,
 ];
 
 const NAME: &str = "Map, x against t";
@@ -98,7 +98,7 @@ impl Found {
     }
 }
 
-fn events_are_where_the_numbers_say() {
+fn events_of_spacetime_are_where_the_numbers_say_to_half_a_pixel() {
     for size in [[800.0, 600.0], [1280.0, 800.0], [1920.0, 1080.0]] {
         for beta in [0.3, 0.9, 0.99] {
             for frame in [MapFrame::Ground, MapFrame::Bicycle] {
@@ -133,7 +133,7 @@ fn assert_events(window: &Harness<'_, App>, found: &Found) {
     }
 }
 
-fn light_runs_at_45_degrees() {
+fn light_runs_at_45_degrees_in_every_unit() {
     use gamow::units::Units;
     for units in [Units::Natural, Units::Metric, Units::Town] {
         let mut window = spacetime(0.9, MapFrame::Ground, [1280.0, 800.0]);
@@ -150,7 +150,7 @@ fn light_runs_at_45_degrees() {
     }
 }
 
-fn dragging_the_present() {
+fn dragging_the_present_along_the_worldline_of_the_eyes_goes_to_another_time() {
     for frame in [MapFrame::Ground, MapFrame::Bicycle] {
         let mut window = spacetime(0.9, frame, [1280.0, 800.0]);
         let found = Found::new(&mut window, 0.9, frame);
@@ -165,7 +165,7 @@ fn dragging_the_present() {
     }
 }
 
-fn a_click_on_the_worldline() {
+fn a_click_on_the_worldline_goes_to_when_that_event_is_seen() {
     let mut window = spacetime(0.9, MapFrame::Ground, [1280.0, 800.0]);
     let found = Found::new(&mut window, 0.9, MapFrame::Ground);
     go_to(&mut window, 2.0);
@@ -179,7 +179,7 @@ fn a_click_on_the_worldline() {
     assert!((time(&window) - 4.0).abs() < 1.0 / found.scale, "{}", time(&window));
 }
 
-fn an_event_tells_its_three_times() {
+fn an_event_tells_its_three_times_by_their_names() {
     let mut window = spacetime(0.9, MapFrame::Ground, [1280.0, 800.0]);
     go_to(&mut window, 2.0);
     let place = mark(&window, "happened, Left eye");
@@ -197,7 +197,7 @@ fn an_event_tells_its_three_times() {
     assert!((shown("proper time τ = ") - seen.retarded_time / gamma(0.9)).abs() < 6e-4);
 }
 
-fn the_way_of_the_light() {
+fn the_way_of_the_light_on_the_plan_tells_when_it_left() {
     let mut window = spacetime(0.9, MapFrame::Ground, [1280.0, 800.0]);
     window.state_mut().run(Command::Settings(SettingsCommand::Map(MapSettings::default())));
     go_to(&mut window, 5.0);
@@ -213,7 +213,7 @@ fn the_way_of_the_light() {
     assert!((happened.parse::<f64>().expect("a number") - seen(0.9, 5.0, eye).retarded_time).abs() < 6e-4);
 }
 
-fn close_up_of_clocks() {
+fn a_close_up_has_the_clocks_of_all_followed_points_at_one_ground_time() {
     let beta = 0.8;
     let rear = [-2.105, 3.881, -1.975];
     let mut settings = cyclist(beta).document.settings;
@@ -239,7 +239,7 @@ fn close_up_of_clocks() {
     assert!(across > 100.0, "{apart} units are {across} points");
 }
 
-fn spacetime_that_is_not_shown() {
+fn spacetime_that_is_not_shown_is_not_there() {
     let mut window = spacetime(0.9, MapFrame::Ground, [1280.0, 800.0]);
     let is_there = |window: &Harness<'_, App>| labels(window).iter().any(|label| label.starts_with(NAME));
     assert!(is_there(&window));
@@ -255,7 +255,7 @@ fn spacetime_that_is_not_shown() {
     assert!(!is_there(&window));
 }
 
-fn nothing_breaks_spacetime() {
+fn no_speed_time_or_size_breaks_spacetime() {
     for size in [[300.0, 290.0], [1024.0, 600.0]] {
         for theme in [Theme::Dark, Theme::Light] {
             let mut window = spacetime(0.9, MapFrame::Ground, size);

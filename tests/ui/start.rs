@@ -7,12 +7,12 @@ use gamow::settings::Settings;
 
 use super::Test;
 
-pub const TESTS: &[Test] = &[
-    ("a_screenshot_has_the_size_asked_for_and_shows_the_state", a_screenshot_shows_the_state),
-    ("a_screenshot_that_cannot_be_written_leaves_nothing", a_screenshot_that_cannot_be_written),
-    ("an_adapter_that_is_not_there_is_named", an_adapter_that_is_not_there_is_named),
-    ("bad_flags_are_named_before_anything_is_drawn", bad_flags_are_named),
-    ("without_a_display_it_says_what_to_do", without_a_display),
+pub const TESTS: &[Test] = trials![
+    a_screenshot_has_the_size_asked_for_and_shows_the_state,
+    a_screenshot_that_cannot_be_written_leaves_nothing,
+    an_adapter_that_is_not_there_is_named,
+    bad_flags_are_named_before_anything_is_drawn,
+    without_a_display_it_says_what_to_do,
 ];
 
 fn gamow(arguments: &[&str]) -> Output {
@@ -35,7 +35,7 @@ fn screenshot(folder: &Path, name: &str, arguments: &[&str]) -> (png::OutputInfo
     (info, pixels)
 }
 
-fn a_screenshot_shows_the_state() {
+fn a_screenshot_has_the_size_asked_for_and_shows_the_state() {
     let folder = tempfile::tempdir().expect("a folder");
     let (info, fast) = screenshot(folder.path(), "fast.png", &["--beta", "0.9", "--time", "1", "--paused"]);
     assert_eq!((info.width, info.height), (640, 480));
@@ -72,7 +72,7 @@ fn a_screenshot_shows_the_state() {
     assert!(fit == again, "the same fit is drawn the same");
 }
 
-fn a_screenshot_that_cannot_be_written() {
+fn a_screenshot_that_cannot_be_written_leaves_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("nowhere").join("window.png");
     let output = gamow(&["--screenshot", path.to_str().expect("a plain path")]);
@@ -80,7 +80,7 @@ fn a_screenshot_that_cannot_be_written() {
     assert!(std::fs::read_dir(folder.path()).expect("it is there").next().is_none());
 }
 
-fn bad_flags_are_named() {
+fn bad_flags_are_named_before_anything_is_drawn() {
     for (arguments, part) in [
         (["--scene", "bicycle"], "bicycle"),
         (["--gamma", "0.5"], "gamma = 0.5"),
@@ -107,7 +107,7 @@ fn an_adapter_that_is_not_there_is_named() {
     assert!(!message.contains("panicked") && !path.exists(), "{message}");
 }
 
-fn without_a_display() {
+fn without_a_display_it_says_what_to_do() {
     if !cfg!(target_os = "linux") {
         return;
     }

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use std::thread;
-use std::time::{Duration, Instant};
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Rect, Vec2, pos2};
@@ -18,20 +16,20 @@ use gamow::lesson::{Course, Library};
 use gamow::settings::{Preset, Settings, Theme};
 
 use super::Test;
-use super::support::{window, window_of_size};
+use super::support::{settle, window, window_of_size};
 
-pub const TESTS: &[Test] = &[
-    ("the_start_page_has_all_lessons_and_presets", it_has_all),
-    ("the_start_page_opens_and_closes_by_its_key_and_button", it_opens_and_closes),
-    ("the_start_page_begins_the_first_lesson_and_then_goes_on", it_goes_on),
-    ("three_clicks_lead_a_newcomer_to_the_first_reveal", three_clicks),
-    ("a_click_on_a_card_of_the_start_page_shows_it", a_click_on_a_card),
-    ("cards_of_the_start_page_are_reached_and_pressed_by_keys", keys_reach_cards),
-    ("keys_change_nothing_behind_the_start_page", keys_change_nothing_behind),
-    ("thumbnails_arrive_once_and_differ", thumbnails_arrive),
-    ("no_thumbnail_is_drawn_while_the_start_page_is_closed", nothing_is_drawn_while_closed),
-    ("the_start_page_fits_every_window", it_fits),
-    ("lessons_that_cannot_be_read_stand_beside_the_others_with_the_reason", some_cannot_be_read),
+pub const TESTS: &[Test] = trials![
+    the_start_page_has_all_lessons_and_presets,
+    the_start_page_opens_and_closes_by_its_key_and_button,
+    the_start_page_begins_the_first_lesson_and_then_goes_on,
+    three_clicks_lead_a_newcomer_to_the_first_reveal,
+    a_click_on_a_card_of_the_start_page_shows_it,
+    cards_of_the_start_page_are_reached_and_pressed_by_keys,
+    keys_change_nothing_behind_the_start_page,
+    thumbnails_arrive_once_and_differ,
+    no_thumbnail_is_drawn_while_the_start_page_is_closed,
+    the_start_page_fits_every_window,
+    lessons_that_cannot_be_read_stand_beside_the_others_with_the_reason,
 ];
 
 /// A window as a newcomer finds it.
@@ -57,19 +55,7 @@ fn open_lesson(window: &Harness<'_, App>) -> Option<String> {
     window.state().state().course().map(|course| course.lesson().name.clone())
 }
 
-/// Frames until all thumbnails are drawn.
-pub fn wait(window: &mut Harness<'_, App>) {
-    let start = Instant::now();
-    let mut still = 0;
-    while still < 3 {
-        assert!(start.elapsed() < Duration::from_mins(2), "the thumbnails are not done");
-        thread::sleep(Duration::from_millis(5));
-        window.step();
-        still = if window.state().is_settled() { still + 1 } else { 0 };
-    }
-}
-
-fn some_cannot_be_read() {
+fn lessons_that_cannot_be_read_stand_beside_the_others_with_the_reason() {
     let folder = tempfile::tempdir().expect("a folder");
     for number in 0..30 {
         std::fs::write(folder.path().join(format!("{number}.md")), "---\n").expect("it is written");
@@ -85,7 +71,7 @@ fn some_cannot_be_read() {
     assert_eq!(window.query_all_by_label_contains("10 more lessons cannot be read").count(), 1);
 }
 
-fn it_has_all() {
+fn the_start_page_has_all_lessons_and_presets() {
     let window = window(newcomers());
     let (lessons, presets) = names();
     assert!(lessons.len() >= 12 && lessons[0].starts_with("1. "));
@@ -98,7 +84,7 @@ fn it_has_all() {
     assert!(!is_open(&super::support::window(State::open(Settings::default()).expect("a preset"))));
 }
 
-fn it_opens_and_closes() {
+fn the_start_page_opens_and_closes_by_its_key_and_button() {
     let mut window = window(newcomers());
     assert!(is_open(&window));
     window.key_press(Key::Escape);
@@ -120,7 +106,7 @@ fn it_opens_and_closes() {
     assert!(!is_open(&window) && open_lesson(&window).is_none());
 }
 
-fn it_goes_on() {
+fn the_start_page_begins_the_first_lesson_and_then_goes_on() {
     let library = Library::own();
     let [first, second] = [0, 1].map(|number: usize| &library.all()[number]);
     let mut window = window(newcomers());
@@ -155,7 +141,7 @@ fn it_goes_on() {
     window.get_by_label(&format!("Begin: {}", second.title));
 }
 
-fn three_clicks() {
+fn three_clicks_lead_a_newcomer_to_the_first_reveal() {
     let text = "---\ntitle: Another first\norder: 1\n---\n\n## One step\n\nLook.\n\n### Predict\n\nWhich?\n\n\
                 - [ ] this one\n- [x] that one\n\n### Reveal\n\nSee.\n";
     let folder = tempfile::tempdir().expect("a folder");
@@ -171,7 +157,7 @@ fn three_clicks() {
     assert!(window.state().state().course().is_some_and(Course::is_revealed));
 }
 
-fn a_click_on_a_card() {
+fn a_click_on_a_card_of_the_start_page_shows_it() {
     let (lessons, _) = names();
     let mut window = window_of_size(newcomers(), [1280.0, 2400.0], 1.0);
     window.get_by_label("A globe").click();
@@ -192,7 +178,7 @@ fn focused(window: &Harness<'_, App>) -> Option<(String, Rect)> {
     Some((node.accesskit_node().label()?, node.rect()))
 }
 
-fn keys_reach_cards() {
+fn cards_of_the_start_page_are_reached_and_pressed_by_keys() {
     let mut window = window_of_size(newcomers(), [800.0, 600.0], 1.0);
     let (lessons, presets) = names();
     let mut reached = BTreeSet::new();
@@ -211,7 +197,7 @@ fn keys_reach_cards() {
     assert_eq!(window.state().state().document.preset.map(|preset| preset.name), last);
 }
 
-fn keys_change_nothing_behind() {
+fn keys_change_nothing_behind_the_start_page() {
     let mut window = window(newcomers());
     let shown = window.state().state().shown();
     for key in
@@ -242,12 +228,12 @@ fn pictures(window: &mut Harness<'_, App>, names: &[String]) -> Vec<Vec<[u8; 4]>
     names.iter().map(pixels).collect()
 }
 
-fn thumbnails_arrive() {
+fn thumbnails_arrive_once_and_differ() {
     let (_, presets) = names();
     let mut window = window_of_size(newcomers(), [1280.0, 2400.0], 1.0);
     let empty: BTreeSet<_> = pictures(&mut window, &presets[6..]).concat().into_iter().collect();
     assert_eq!(empty.len(), 1, "quiet places, until there are pictures");
-    wait(&mut window);
+    settle(&mut window);
     let count = window.state().thumbnails().count();
     // One of each, and what both eyes see beside the introduction.
     assert_eq!(count, Library::own().all().len() + 2);
@@ -259,20 +245,20 @@ fn thumbnails_arrive() {
         window.key_press(Key::S);
         window.run_ok();
     }
-    wait(&mut window);
+    settle(&mut window);
     assert_eq!(window.state().thumbnails().count(), count);
 }
 
-fn nothing_is_drawn_while_closed() {
+fn no_thumbnail_is_drawn_while_the_start_page_is_closed() {
     let mut window = window(State::open(Settings::default()).expect("a preset"));
     let count = |window: &Harness<'_, App>| window.state().thumbnails().count();
-    wait(&mut window);
+    settle(&mut window);
     assert_eq!(count(&window), 0);
     window.key_press(Key::S);
     window.run_steps(2);
     window.key_press(Key::Escape);
     window.run_ok();
-    wait(&mut window);
+    settle(&mut window);
     // The one that was begun may be finished.
     let left = count(&window);
     assert!(left < names().0.len(), "{left}");
@@ -283,7 +269,7 @@ fn nothing_is_drawn_while_closed() {
     assert_eq!(count(&window), left);
 }
 
-fn it_fits() {
+fn the_start_page_fits_every_window() {
     let (lessons, presets) = names();
     for (size, present) in [
         ([800.0, 600.0], false),

@@ -12,13 +12,13 @@ use super::support::{
     SEPARATION, TRACKED, cyclist, label_starting_with, labels, seen, shown, window, window_of_size,
 };
 
-pub const TESTS: &[Test] = &[
-    ("the_stereo_tab_gives_the_gain_and_four_distances", gives_the_gain_and_four_distances),
-    ("the_stereo_tab_gives_distances_in_the_chosen_unit", gives_distances_in_the_chosen_unit),
-    ("with_one_light_cone_the_stereo_tab_has_gain_1_and_the_seen_distance", has_gain_1_with_one_cone),
-    ("the_stereo_tab_fits_in_the_smallest_window", fits_in_the_smallest_window),
-    ("the_stereo_of_eyes_above_and_behind_each_other_is_told", eyes_above_and_behind_each_other),
-    ("the_stereo_of_a_turned_head_and_no_separation_leave_the_window_whole", a_turned_head_and_no_separation),
+pub const TESTS: &[Test] = trials![
+    the_stereo_tab_gives_the_gain_and_four_distances,
+    the_stereo_tab_gives_distances_in_the_chosen_unit,
+    with_one_light_cone_the_stereo_tab_has_gain_1_and_the_seen_distance,
+    the_stereo_tab_fits_in_the_smallest_window,
+    the_stereo_of_eyes_above_and_behind_each_other_is_told,
+    the_stereo_of_a_turned_head_and_no_separation_leave_the_window_whole,
 ];
 
 /// Where two eyes take the tracked point to be, after its label, and the other distances after theirs.
@@ -40,7 +40,7 @@ fn distances(model: Model, time: f64) -> (f64, [f64; 4]) {
     (fused.gain, [fused.distance(), left, right, measured])
 }
 
-fn gives_the_gain_and_four_distances() {
+fn the_stereo_tab_gives_the_gain_and_four_distances() {
     let mut window = window(cyclist(0.9));
     window.get_by_label("Stereo").click();
     window.run();
@@ -58,7 +58,7 @@ fn gives_the_gain_and_four_distances() {
     }
 }
 
-fn gives_distances_in_the_chosen_unit() {
+fn the_stereo_tab_gives_distances_in_the_chosen_unit() {
     let mut state = cyclist(0.9);
     state.document.settings.window.units = Units::Metric;
     state.document.settings.plots.plot = PlotTab::Stereo;
@@ -72,7 +72,7 @@ fn gives_distances_in_the_chosen_unit() {
     }
 }
 
-fn has_gain_1_with_one_cone() {
+fn with_one_light_cone_the_stereo_tab_has_gain_1_and_the_seen_distance() {
     let mut state = cyclist(0.9);
     state.document.settings.look.geometry = Geometry::OneCone;
     state.document.settings.plots.plot = PlotTab::Stereo;
@@ -84,7 +84,7 @@ fn has_gain_1_with_one_cone() {
     assert!((shown(&window, DISTANCES[0]) - distance).abs() < 6e-3);
 }
 
-fn fits_in_the_smallest_window() {
+fn the_stereo_tab_fits_in_the_smallest_window() {
     let mut state = cyclist(0.9);
     state.document.settings.plots.plot = PlotTab::Stereo;
     let mut window = window_of_size(state, [1024.0, 600.0], 1.0);
@@ -98,7 +98,7 @@ fn fits_in_the_smallest_window() {
 }
 
 /// The buttons hold the head; readout and plot say what the core says of such a pair.
-fn eyes_above_and_behind_each_other() {
+fn the_stereo_of_eyes_above_and_behind_each_other_is_told() {
     let mut state = cyclist(0.9);
     state.document.settings.plots.plot = PlotTab::Stereo;
     // Nearly level with the eyes.
@@ -126,7 +126,7 @@ fn eyes_above_and_behind_each_other() {
 }
 
 /// Whatever the tab, the geometry and the map, and with both eyes in one place.
-fn a_turned_head_and_no_separation() {
+fn the_stereo_of_a_turned_head_and_no_separation_leave_the_window_whole() {
     let mut window = window(cyclist(0.9));
     let default = window.state().state().document.settings.clone();
     for (roll, turn) in [(90.0, 0.0), (0.0, 90.0), (180.0, 0.0), (-30.0, 60.0)] {

@@ -12,12 +12,12 @@ use gamow::settings::{ScreenSettings, Settings};
 use super::Test;
 use super::support::{drag, pane, window_of_size};
 
-pub const TESTS: &[Test] = &[
-    ("the_pictures_of_a_stereoscope_are_as_far_apart_as_its_lenses", as_far_apart_as_the_lenses),
-    ("a_head_that_turns_sees_something_else_and_leaves_the_document_as_it_is", a_head_turns),
-    ("a_tap_on_a_stereoscope_plays_and_a_drag_turns_the_head", tap_and_drag),
-    ("a_bank_card_measures_the_screen", a_card_measures_the_screen),
-    ("a_stereoscope_in_a_window_of_any_size_breaks_nothing", any_size),
+pub const TESTS: &[Test] = trials![
+    the_pictures_of_a_stereoscope_are_as_far_apart_as_its_lenses,
+    a_head_that_turns_sees_something_else_and_leaves_the_document_as_it_is,
+    a_tap_on_a_stereoscope_plays_and_a_drag_turns_the_head,
+    a_bank_card_measures_the_screen,
+    a_stereoscope_in_a_window_of_any_size_breaks_nothing,
 ];
 
 /// Width and height of a small phone on its side, points, and its width in millimetres.
@@ -50,7 +50,7 @@ fn press(window: &mut Harness<'_, App>, button: &str) {
     window.run_steps(3);
 }
 
-fn as_far_apart_as_the_lenses() {
+fn the_pictures_of_a_stereoscope_are_as_far_apart_as_its_lenses() {
     let mut window = phone(Some(0.1 * f64::from(PHONE_MM)));
     for apart_mm in [55.0, 60.0, 75.0] {
         let screen = window.state().state().document.settings.screen;
@@ -77,7 +77,7 @@ fn picture(window: &mut Harness<'_, App>) -> Vec<u8> {
     window.render().expect("a picture").into_raw()
 }
 
-fn a_head_turns() {
+fn a_head_that_turns_sees_something_else_and_leaves_the_document_as_it_is() {
     let mut window = phone(Some(15.0));
     let document = window.state().state().document.clone();
     press(&mut window, "Look");
@@ -99,7 +99,7 @@ fn a_head_turns() {
     assert!(!window.state().state().session.history.can_undo());
 }
 
-fn tap_and_drag() {
+fn a_tap_on_a_stereoscope_plays_and_a_drag_turns_the_head() {
     let mut window = phone(Some(15.0));
     press(&mut window, "Look");
     let before = picture(&mut window);
@@ -121,7 +121,7 @@ fn tap_and_drag() {
     assert!(!window.state().state().session.stage.stereoscope);
 }
 
-fn a_card_measures_the_screen() {
+fn a_bank_card_measures_the_screen() {
     let mut window = phone(None);
     press(&mut window, "Card…");
     // At 96 points to an inch the card is drawn 323.5 points long from x = 12 on; it is longer.
@@ -137,7 +137,7 @@ fn a_card_measures_the_screen() {
     assert!((apart_mm - 60.0).abs() < 0.3, "{apart_mm}");
 }
 
-fn any_size() {
+fn a_stereoscope_in_a_window_of_any_size_breaks_nothing() {
     for size in [[360.0, 740.0], [200.0, 100.0], [2400.0, 1300.0]] {
         let mut window = window_of_size(State::open(Settings::default()).expect("usual"), size, 1.0);
         window.state_mut().run(Command::Window(WindowCommand::ToggleStereoscope));

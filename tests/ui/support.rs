@@ -2,7 +2,7 @@
 
 use std::sync::mpsc::{Receiver, channel};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use clap::ValueEnum as _;
 use eframe::egui::accesskit::Role;
@@ -37,6 +37,9 @@ pub const SEPARATION: f64 = 0.1;
 
 /// Seconds between frames: short enough for two clicks to be a double click.
 pub const FRAME: f32 = 1.0 / 16.0;
+
+/// Longest that a window may take for anything, on a busy machine too.
+const LIMIT: Duration = Duration::from_mins(2);
 
 /// The paper's cyclist at this beta.
 pub fn cyclist(beta: f64) -> State {
@@ -173,8 +176,33 @@ impl Wakes {
 
     /// Waits for the first that asks and was not waited for before; there is none if `what` does not happen.
     pub fn next(&self, what: &str) {
-        self.0.recv_timeout(Duration::from_mins(2)).unwrap_or_else(|_| panic!("it does not happen: {what}"));
+        self.0.recv_timeout(LIMIT).unwrap_or_else(|_| panic!("it does not happen: {what}"));
     }
+}
+
+/// Steps the window until `is_done`, and sleeps between the frames, which take the processor from the work that they wait for.
+pub fn wait_for(
+    window: &mut Harness<'_, App>,
+    what: &str,
+    mut is_done: impl FnMut(&Harness<'_, App>) -> bool,
+) {
+    let start = Instant::now();
+    window.step();
+    while !is_done(window) {
+        assert!(start.elapsed() < LIMIT, "it does not happen: {what}");
+        thread::sleep(Duration::from_millis(10));
+        window.step();
+    }
+}
+
+/// Steps the window until no work is left in the background: in three frames together, since some begins in the frame
+/// after other work has ended.
+pub fn settle(window: &mut Harness<'_, App>) {
+    let mut still = 0;
+    wait_for(window, "all work is done", |window| {
+        still = if window.state().is_settled() { still + 1 } else { 0 };
+        still == 3
+    });
 }
 
 /// Frames until no file is being read.

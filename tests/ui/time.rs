@@ -11,22 +11,22 @@ use relativity_render::Geometry;
 use super::Test;
 use super::support::{FRAME, cyclist, drag, seen, shown, slider, type_into, window};
 
-pub const TESTS: &[Test] = &[
-    ("scrubbing_moves_the_time_and_the_readout", scrubbing_moves_the_time),
-    ("at_t0_the_elevations_agree_and_d_is_near_one_over_gamma", at_t0_the_elevations_agree),
-    ("clicking_in_a_plot_goes_to_that_time", clicking_in_a_plot),
-    ("keys_do_what_the_help_says", keys_do_what_the_help_says),
-    ("keys_are_left_to_a_field_that_is_typed_in", keys_are_left_to_a_field),
-    ("a_paused_window_asks_for_no_frames", a_paused_window_asks_for_no_frames),
-    ("playing_runs_by_the_clock_and_loops", playing_runs_by_the_clock),
-    ("a_scene_at_rest_has_no_t0", a_scene_at_rest_has_no_t0),
+pub const TESTS: &[Test] = trials![
+    scrubbing_moves_the_time_and_the_readout,
+    at_t0_the_elevations_agree_and_d_is_near_one_over_gamma,
+    clicking_in_a_plot_goes_to_that_time,
+    keys_do_what_the_help_says,
+    keys_are_left_to_a_field_that_is_typed_in,
+    a_paused_window_asks_for_no_frames,
+    playing_runs_by_the_clock_and_loops,
+    a_scene_at_rest_has_no_t0,
 ];
 
 fn time(window: &Harness<'_, App>) -> f64 {
     window.state().state().document.time
 }
 
-fn scrubbing_moves_the_time() {
+fn scrubbing_moves_the_time_and_the_readout() {
     let mut window = window(cyclist(0.9));
     let scrubber = slider(&window, "Observation time T");
     drag(&mut window, scrubber.left_center() + [30.0, 0.0].into(), scrubber.center());
@@ -38,7 +38,7 @@ fn scrubbing_moves_the_time() {
     assert_eq!(time(&window), 2.25);
 }
 
-fn at_t0_the_elevations_agree() {
+fn at_t0_the_elevations_agree_and_d_is_near_one_over_gamma() {
     let mut window = window(cyclist(0.9));
     window.get_by_label("Go to seen abreast").click();
     window.run();
@@ -50,7 +50,7 @@ fn at_t0_the_elevations_agree() {
     assert!((mean - 1.0 / gamma).abs() < 1e-3, "{mean}");
 }
 
-fn clicking_in_a_plot() {
+fn clicking_in_a_plot_goes_to_that_time() {
     let mut window = window(cyclist(0.9));
     let plot = window.get_by_label("Plot of Δθ of front tyre against T").rect();
     let before = time(&window);
@@ -112,7 +112,7 @@ fn keys_do_what_the_help_says() {
     window.get_by_label("What is this?");
 }
 
-fn keys_are_left_to_a_field() {
+fn keys_are_left_to_a_field_that_is_typed_in() {
     let mut window = window(cyclist(0.9));
     window.get_by_label("Beta, typed").click();
     window.run();
@@ -145,7 +145,7 @@ fn a_paused_window_asks_for_no_frames() {
     assert_eq!(repaint_delay(&window), Duration::MAX);
 }
 
-fn playing_runs_by_the_clock() {
+fn playing_runs_by_the_clock_and_loops() {
     const RATE: f64 = 8.0;
     let mut state = cyclist(0.9);
     state.scratch.playing = true;

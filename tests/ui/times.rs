@@ -19,16 +19,16 @@ use super::support::{
     window_of_size,
 };
 
-pub const TESTS: &[Test] = &[
-    ("an_event_has_its_numbers_in_three_units", an_event_has_its_numbers_in_three_units),
-    ("what_is_typed_is_taken_in_the_unit_that_is_shown", what_is_typed_is_taken_in_its_unit),
-    ("units_are_chosen_in_the_bar_and_only_where_there_are_metres", units_are_chosen_in_the_bar),
-    ("two_marks_tell_presently_from_seen_abreast", two_marks_tell_presently_from_seen),
-    ("marks_of_time_never_cover_each_other", marks_never_cover_each_other),
-    ("what_is_under_the_pointer_is_told", what_is_under_the_pointer_is_told),
-    ("nothing_is_told_of_what_no_ray_leads_to", nothing_is_told_where_no_ray_leads),
-    ("clocks_show_proper_time_and_can_be_switched_off", clocks_show_proper_time),
-    ("a_lesson_counts_the_turns_of_its_clocks", a_lesson_counts_turns),
+pub const TESTS: &[Test] = trials![
+    an_event_has_its_numbers_in_three_units,
+    what_is_typed_is_taken_in_the_unit_that_is_shown,
+    units_are_chosen_in_the_bar_and_only_where_there_are_metres,
+    two_marks_tell_presently_from_seen_abreast,
+    marks_of_time_never_cover_each_other,
+    what_is_under_the_pointer_is_told,
+    nothing_is_told_of_what_no_ray_leads_to,
+    clocks_show_proper_time_and_can_be_switched_off,
+    a_lesson_counts_the_turns_of_its_clocks,
 ];
 
 /// What a unit of length and of time is in these: 0.65 m, and what light takes for that.
@@ -85,7 +85,7 @@ fn an_event_has_its_numbers_in_three_units() {
     }
 }
 
-fn what_is_typed_is_taken_in_its_unit() {
+fn what_is_typed_is_taken_in_the_unit_that_is_shown() {
     for units in ALL {
         let [length, time] = factors(units);
         let mut window = window(in_units(units));
@@ -101,7 +101,7 @@ fn what_is_typed_is_taken_in_its_unit() {
     }
 }
 
-fn units_are_chosen_in_the_bar() {
+fn units_are_chosen_in_the_bar_and_only_where_there_are_metres() {
     let mut window = wide_window(cyclist(0.9));
     let choose = |window: &mut Harness<'_, App>, name: &str| {
         window.get_by_label("Units").click();
@@ -127,7 +127,7 @@ fn units_are_chosen_in_the_bar() {
     assert_eq!(window.state().state().measures().units, Units::Town);
 }
 
-fn two_marks_tell_presently_from_seen() {
+fn two_marks_tell_presently_from_seen_abreast() {
     // The cyclist moved back by one unit is abreast 1/beta times its contracted length later.
     let mut state = cyclist(0.9);
     let track = gamow::scene::Track { rest: [-1.0, 3.0, 2.0], ..state.document.points.selected().track };
@@ -149,7 +149,7 @@ fn two_marks_tell_presently_from_seen() {
     assert!((shown(&window, "Right eye, apparent X") + 0.05).abs() < 6e-5);
 }
 
-fn marks_never_cover_each_other() {
+fn marks_of_time_never_cover_each_other() {
     let ranges = [[-5.0, 20.0], [-1e3, 1e3], [0.0, 3.6], [3.0, 4.0], [10.0, 20.0], [-20.0, -10.0]];
     for size in [[800.0, 600.0], [1024.0, 600.0], [1920.0, 1080.0]] {
         for range in ranges {
@@ -212,7 +212,7 @@ fn what_is_under_the_pointer_is_told() {
     assert!(!tag.contains(pointer));
 }
 
-fn nothing_is_told_where_no_ray_leads() {
+fn nothing_is_told_of_what_no_ray_leads_to() {
     let mut state = cyclist(0.9);
     state.document.settings.look.geometry = Geometry::Published;
     let mut window = window(state);
@@ -230,7 +230,7 @@ fn nothing_is_told_where_no_ray_leads() {
     }
 }
 
-fn clocks_show_proper_time() {
+fn clocks_show_proper_time_and_can_be_switched_off() {
     let mut window = window(cyclist(0.9));
     for time in [-3.0, 1.1, 12.0] {
         window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(time)));
@@ -253,7 +253,7 @@ fn clocks_show_proper_time() {
 }
 
 /// The clock that comes in the lesson, against the one that rests, from the beginning of its first step.
-fn a_lesson_counts_turns() {
+fn a_lesson_counts_the_turns_of_its_clocks() {
     let mut state = cyclist(0.9);
     let lesson = Library::own().open("clocks").expect("the program's own");
     state.begin_lesson(&lesson).expect("it begins");

@@ -12,12 +12,12 @@ use gamow::settings::{MapFace, PlotTab, Presence, Preset, Settings};
 
 use super::Test;
 use super::random_user::dice::Dice;
-use super::support::{sweep, window_without_pictures};
+use super::support::{settle, sweep, window_without_pictures};
 
-pub const TESTS: &[Test] = &[
-    ("a_preset_about_a_fit_shows_an_audience_its_readings_residuals_and_numbers", presets_about_a_fit),
-    ("an_audience_reads_every_word_of_every_lesson", every_word_is_read),
-    ("no_press_of_a_presenters_two_keys_hides_a_plot_or_a_text", no_press_hides),
+pub const TESTS: &[Test] = trials![
+    a_preset_about_a_fit_shows_an_audience_its_readings_residuals_and_numbers,
+    an_audience_reads_every_word_of_every_lesson,
+    no_press_of_a_presenters_two_keys_hides_a_plot_or_a_text,
 ];
 
 const SEED: u64 = 31;
@@ -43,19 +43,7 @@ fn named(window: &Harness<'_, App>) -> Vec<(String, Rect)> {
     named.collect()
 }
 
-/// Waits until the fit is made.
-fn settle(window: &mut Harness<'_, App>) {
-    for _ in 0..600 {
-        window.run_steps(2);
-        if window.state().is_settled() {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(10));
-    }
-    panic!("the fit is never made");
-}
-
-fn presets_about_a_fit() {
+fn a_preset_about_a_fit_shows_an_audience_its_readings_residuals_and_numbers() {
     for size in [[1280.0, 800.0], [1920.0, 1080.0], [1024.0, 600.0]] {
         for preset in Preset::all().iter().filter(|preset| preset.settings.plots.plot == PlotTab::Fit) {
             let mut state = State::open(preset.settings.clone()).expect("a preset");
@@ -83,7 +71,7 @@ fn presets_about_a_fit() {
 const LEAST: f32 = 0.03;
 
 /// Every line at each place of each lesson is high enough, and on the screen.
-fn every_word_is_read() {
+fn an_audience_reads_every_word_of_every_lesson() {
     let size = [1024.0, 600.0];
     let screen = Rect::from_min_size(Pos2::ZERO, size.into());
     for lesson in Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()) {
@@ -167,7 +155,7 @@ fn beginning(text: &str) -> &str {
     text[..end].trim()
 }
 
-fn no_press_hides() {
+fn no_press_of_a_presenters_two_keys_hides_a_plot_or_a_text() {
     let size = [1280.0, 800.0];
     for (number, lesson) in Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()).enumerate() {
         let mut state = State::open(Settings::default()).expect("usual settings");

@@ -14,18 +14,18 @@ use super::Test;
 use super::picking::click;
 use super::support::{cyclist, drag, in_layout, slider, type_into, wide_window, window, window_of_size};
 
-pub const TESTS: &[Test] = &[
-    ("a_drag_is_one_step_and_comes_back_by_keys_and_buttons", a_drag_is_one_step),
-    ("a_run_of_nudges_is_one_step", a_run_of_nudges_is_one_step),
-    ("time_and_playing_are_no_steps", time_and_playing_are_no_steps),
-    ("a_pick_and_a_removal_can_be_undone", picks_can_be_undone),
-    ("undoing_another_scene_brings_it_back_with_its_points", undoing_another_scene),
-    ("a_new_step_forgets_what_was_undone", a_new_step_forgets_what_was_undone),
-    ("reset_has_all_as_usual_but_the_window", reset_has_all_as_usual),
-    ("a_section_is_reset_by_a_button_that_is_there_only_then", a_section_is_reset),
-    ("a_double_click_on_a_slider_or_its_name_restores_it", a_double_click_restores),
-    ("usual_is_what_the_shown_preset_says", usual_is_what_the_preset_says),
-    ("shifts_belong_to_their_scene", shifts_belong_to_their_scene),
+pub const TESTS: &[Test] = trials![
+    a_drag_is_one_step_and_comes_back_by_keys_and_buttons,
+    a_run_of_nudges_is_one_step,
+    time_and_playing_are_no_steps,
+    a_pick_and_a_removal_can_be_undone,
+    undoing_another_scene_brings_it_back_with_its_points,
+    a_new_step_forgets_what_was_undone,
+    reset_has_all_as_usual_but_the_window,
+    a_section_is_reset_by_a_button_that_is_there_only_then,
+    a_double_click_on_a_slider_or_its_name_restores_it,
+    usual_is_what_the_shown_preset_says,
+    shifts_belong_to_their_scene,
 ];
 
 fn settings<'a>(window: &'a Harness<'_, App>) -> &'a Settings {
@@ -43,7 +43,7 @@ fn is_enabled(window: &Harness<'_, App>, name: &str) -> bool {
 
 const WITH_SHIFT: Modifiers = Modifiers { shift: true, ..Modifiers::COMMAND };
 
-fn a_drag_is_one_step() {
+fn a_drag_is_one_step_and_comes_back_by_keys_and_buttons() {
     let mut window = window(cyclist(0.9));
     assert!(!is_enabled(&window, "Undo") && !is_enabled(&window, "Redo"));
     let distance = slider(&window, "Distance y");
@@ -100,7 +100,7 @@ fn time_and_playing_are_no_steps() {
     assert_eq!(window.state().state().document.time, time);
 }
 
-fn picks_can_be_undone() {
+fn a_pick_and_a_removal_can_be_undone() {
     let mut window = window(cyclist(0.9));
     let middle = super::support::pane(&window, 0).center();
     click(&mut window, middle, Modifiers::SHIFT);
@@ -116,7 +116,7 @@ fn picks_can_be_undone() {
     assert_eq!(window.state().state().document.points, picked);
 }
 
-fn undoing_another_scene() {
+fn undoing_another_scene_brings_it_back_with_its_points() {
     let mut window = window(cyclist(0.9));
     let middle = super::support::pane(&window, 0).center();
     click(&mut window, middle, Modifiers::NONE);
@@ -146,7 +146,7 @@ fn a_new_step_forgets_what_was_undone() {
     assert!(!is_enabled(&window, "Redo"));
 }
 
-fn reset_has_all_as_usual() {
+fn reset_has_all_as_usual_but_the_window() {
     let mut window = wide_window(cyclist(0.9));
     assert!(!is_enabled(&window, "Reset"));
     for choice in ["False", "Theme", "Angles"] {
@@ -175,7 +175,7 @@ fn reset_has_all_as_usual() {
     );
 }
 
-fn a_section_is_reset() {
+fn a_section_is_reset_by_a_button_that_is_there_only_then() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 1600.0], 1.0);
     for (section, choice) in
         [("Motion", "Set β to 0.5"), ("Look", "Contracted"), ("Two eyes", "Above"), ("Light", "False")]
@@ -208,7 +208,7 @@ fn double_click(window: &mut Harness<'_, App>, place: eframe::egui::Pos2) {
     window.run_ok();
 }
 
-fn a_double_click_restores() {
+fn a_double_click_on_a_slider_or_its_name_restores_it() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 1600.0], 1.0);
     for name in ["Separation d", "Distance y", "Height z", "Head tilted", "Head turned"] {
         let rail = slider(&window, name);
@@ -236,7 +236,7 @@ fn a_double_click_restores() {
     assert_eq!(settings(&window).look.fov.0, None, "automatic again");
 }
 
-fn usual_is_what_the_preset_says() {
+fn usual_is_what_the_shown_preset_says() {
     let mut window = window(cyclist(0.9));
     let preset = gamow::settings::Preset::named("abreast-0.6").expect("a preset");
     window.state_mut().run(Command::Show(ShowCommand::Preset(preset)));

@@ -17,18 +17,17 @@ use relativity_core::{Aperture, Model, SourcePoint, Speed, Turning, WheelPoint};
 use relativity_render::Geometry;
 
 use super::Test;
-use super::fit::wait;
 use super::picking::click;
-use super::support::{SEPARATION, label_starting_with, labels, pane, shown, window};
+use super::support::{SEPARATION, label_starting_with, labels, pane, settle, shown, window};
 
-pub const TESTS: &[Test] = &[
-    ("a_clicked_point_of_a_wheel_is_followed_round_with_its_body", a_clicked_point_is_followed),
-    ("what_is_told_of_a_point_of_a_wheel_is_what_the_core_has_it", what_is_told),
-    ("curves_of_a_point_of_a_wheel_are_those_of_the_core", curves_are_those_of_the_core),
-    ("a_point_of_a_wheel_is_undone_redone_and_kept_in_a_state", a_point_of_a_wheel_is_kept),
-    ("a_point_of_a_wheel_has_numbers_at_every_speed", numbers_at_every_speed),
-    ("the_fit_of_a_point_of_a_wheel_finds_its_hub", the_fit_finds_the_hub),
-    ("the_pointer_tells_where_on_the_wheel_it_is", the_pointer_tells_where_on_the_wheel),
+pub const TESTS: &[Test] = trials![
+    a_clicked_point_of_a_wheel_is_followed_round_with_its_body,
+    what_is_told_of_a_point_of_a_wheel_is_what_the_core_has_it,
+    curves_of_a_point_of_a_wheel_are_those_of_the_core,
+    a_point_of_a_wheel_is_undone_redone_and_kept_in_a_state,
+    a_point_of_a_wheel_has_numbers_at_every_speed,
+    the_fit_of_a_point_of_a_wheel_finds_its_hub,
+    the_pointer_tells_where_on_the_wheel_it_is,
 ];
 
 /// The street's front wheel: its hub at rest, and the radius on which it rolls.
@@ -103,7 +102,7 @@ fn in_sight(state: &State, point: &Point) -> usize {
     seen.count()
 }
 
-fn a_clicked_point_is_followed() {
+fn a_clicked_point_of_a_wheel_is_followed_round_with_its_body() {
     for (beta, eye) in [(0.5, Eye::Left), (0.9, Eye::Right)] {
         for word in ["tyre", "spoke"] {
             let window = with_clicked(street(SpeedParameter::Beta, beta), eye, word);
@@ -137,7 +136,7 @@ fn expected(state: &State) -> (Speed, WheelPoint) {
     (speed, WheelPoint { hub, radius: RADIUS, rho, angle, turning: Turning::Rolling })
 }
 
-fn what_is_told() {
+fn what_is_told_of_a_point_of_a_wheel_is_what_the_core_has_it() {
     for beta in [0.3, 0.9, 0.99] {
         let window = with_clicked(street(SpeedParameter::Beta, beta), Eye::Left, "tyre");
         let state = window.state().state();
@@ -173,7 +172,7 @@ fn what_is_told() {
     }
 }
 
-fn curves_are_those_of_the_core() {
+fn curves_of_a_point_of_a_wheel_are_those_of_the_core() {
     for (beta, word) in [(0.9, "tyre"), (0.6, "spoke")] {
         let mut window = with_clicked(street(SpeedParameter::Beta, beta), Eye::Left, word);
         let (speed, point) = expected(window.state().state());
@@ -227,7 +226,7 @@ fn curves_are_those_of_the_core() {
     }
 }
 
-fn a_point_of_a_wheel_is_kept() {
+fn a_point_of_a_wheel_is_undone_redone_and_kept_in_a_state() {
     let mut window = with_clicked(street(SpeedParameter::Beta, 0.9), Eye::Left, "spoke");
     let picked = window.state().state().clone();
     let press = |window: &mut Harness<'_, App>, modifiers| {
@@ -258,7 +257,7 @@ fn a_point_of_a_wheel_is_kept() {
     assert_eq!(pinned.point.spin, picked.document.points.selected().track.spin);
 }
 
-fn numbers_at_every_speed() {
+fn a_point_of_a_wheel_has_numbers_at_every_speed() {
     for (parameter, speed) in [
         (SpeedParameter::Beta, 0.0),
         (SpeedParameter::Beta, 1e-6),
@@ -288,7 +287,7 @@ fn numbers_at_every_speed() {
     }
 }
 
-fn the_fit_finds_the_hub() {
+fn the_fit_of_a_point_of_a_wheel_finds_its_hub() {
     for (beta, noise_percent) in [(0.9, 0.0), (0.6, 1.0)] {
         let mut state = street(SpeedParameter::Beta, beta);
         let spoke = state
@@ -309,7 +308,7 @@ fn the_fit_finds_the_hub() {
             ..PlotSettings::default()
         })));
         let mut window = window(state);
-        wait(&mut window);
+        settle(&mut window);
         // The spoke's end is in the plane of the rim or beside it; the hub it is told of is the axle there.
         for (symbol, truth) in [("β", beta), ("y", track.rest[1]), ("z", HUB[2])] {
             let value = shown(&window, &format!("Fitted {symbol}"));
@@ -330,7 +329,7 @@ fn the_fit_finds_the_hub() {
     }
 }
 
-fn the_pointer_tells_where_on_the_wheel() {
+fn the_pointer_tells_where_on_the_wheel_it_is() {
     for (geometry, first) in [
         (Geometry::Seen, "seen at"),
         (Geometry::Contracted, "measured now at"),

@@ -16,13 +16,13 @@ use super::support::{
     window_without_pictures,
 };
 
-pub const TESTS: &[Test] = &[
-    ("the_sentence_has_the_numbers_of_the_core", the_sentence_has_the_numbers_of_the_core),
-    ("ticks_lie_where_the_wavelengths_do", ticks_lie_where_the_wavelengths_do),
-    ("words_follow_a_drag_in_the_same_frame", words_follow_a_drag),
-    ("words_are_numbers_at_the_ends_of_every_range", words_at_the_ends),
-    ("words_are_in_the_window_from_800x600_on", words_are_in_the_window),
-    ("words_that_are_switched_off_are_gone", words_can_be_switched_off),
+pub const TESTS: &[Test] = trials![
+    the_sentence_has_the_numbers_of_the_core,
+    ticks_lie_where_the_wavelengths_do,
+    words_follow_a_drag_in_the_same_frame,
+    words_are_numbers_at_the_ends_of_every_range,
+    words_are_in_the_window_from_800x600_on,
+    words_that_are_switched_off_are_gone,
 ];
 
 /// Wavelength at rest of the cyclist, nm.
@@ -78,7 +78,7 @@ fn ticks_lie_where_the_wavelengths_do() {
     }
 }
 
-fn words_follow_a_drag() {
+fn words_follow_a_drag_in_the_same_frame() {
     let mut window = window(cyclist(0.9));
     let before = label_starting_with(&window, ARRIVING);
     let handle = slider(&window, "Observation time T");
@@ -100,7 +100,7 @@ fn words_follow_a_drag() {
     drag(&mut window, to, from);
 }
 
-fn words_at_the_ends() {
+fn words_are_numbers_at_the_ends_of_every_range() {
     let speeds =
         [(SpeedParameter::Beta, 0.0), (SpeedParameter::Beta, 1.0 - 1e-9), (SpeedParameter::Gamma, 1e12)];
     for (parameter, value) in speeds {
@@ -127,7 +127,7 @@ fn words_at_the_ends() {
     }
 }
 
-fn words_are_in_the_window() {
+fn words_are_in_the_window_from_800x600_on() {
     for size in [[800.0, 600.0], [1024.0, 600.0], [1200.0, 760.0], [1920.0, 1080.0]] {
         for theme in [Theme::Light, Theme::Dark] {
             let mut state = cyclist(0.9);
@@ -149,7 +149,7 @@ fn words_are_in_the_window() {
     }
 }
 
-fn words_can_be_switched_off() {
+fn words_that_are_switched_off_are_gone() {
     let mut window = wide_window(cyclist(0.9));
     let before = window.get_by_label("Left eye view").rect();
     let has =

@@ -103,7 +103,7 @@ pub fn curve<'py>(py: Python<'py>, flags: Option<&Bound<'py, PyDict>>) -> PyResu
 /// The most samples of a curve: some gigabytes.
 const MOST_SAMPLES: u64 = 10_000_000;
 
-/// The columns that are inputs.
+/// Keywords that are columns of `gamow eval`, apart from the observer's.
 const INPUTS: [&str; 13] =
     ["beta", "gamma", "rapidity", "d", "y", "z", "T", "x0", "roll", "turn", "wheel_radius", "rho", "angle"];
 

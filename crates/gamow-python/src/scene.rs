@@ -25,7 +25,7 @@ pub struct Scene {
     source: SceneSource,
 }
 
-/// The source of a scene.
+/// What a scene was made from, which names it in settings and pictures.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum SceneSource {
     /// A preset's name or a file's path.

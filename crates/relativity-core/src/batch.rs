@@ -30,9 +30,9 @@ pub enum Threads {
 pub struct PointColumns<'a, F> {
     /// Objective x at t = 0.
     pub x0: &'a [F],
-    /// Depths (y).
+    /// Depths y, ahead of the eyes.
     pub y: &'a [F],
-    /// Heights (z).
+    /// Heights z, above the eyes.
     pub z: &'a [F],
 }
 
@@ -41,9 +41,9 @@ pub struct PointColumns<'a, F> {
 pub struct SightingColumns<'a, F> {
     /// Apparent X from the aperture.
     pub apparent_x: &'a mut [F],
-    /// Retarded times.
+    /// Retarded times t, when the light left.
     pub retarded_time: &'a mut [F],
-    /// Doppler factors.
+    /// Doppler factors D: received over emitted frequency.
     pub doppler_factor: &'a mut [F],
 }
 

@@ -15,7 +15,7 @@ pub enum BatchError {
     /// A column of another length than the first.
     #[error("column {column} has {found} rows instead of {expected}")]
     Length {
-        /// Name of the column.
+        /// The first column of another length.
         column: &'static str,
         /// Rows of the first column.
         expected: usize,
@@ -27,7 +27,7 @@ pub enum BatchError {
     Row {
         /// Index of the first such row.
         index: usize,
-        /// Name of the column.
+        /// The column with that value.
         column: &'static str,
         /// Value that is outside the domain.
         value: f64,

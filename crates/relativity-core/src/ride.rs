@@ -311,7 +311,7 @@ fn normalized(q: [f64; 4]) -> [f64; 4] {
     q.map(|part| part / length)
 }
 
-/// `v` turned by the unit quaternion `q`.
+/// Returns this vector turned by the unit quaternion `q`.
 fn turned(q: [f64; 4], [x, y, z]: [f64; 3]) -> [f64; 3] {
     let [a, b, c, d] = q;
     let [_, x, y, z] = product(product(q, [0.0, x, y, z]), [a, -b, -c, -d]);

@@ -22,7 +22,7 @@ impl SourcePoint {
         Self { x0: self.x0 - aperture.x, y: self.y - aperture.y, z: self.z - aperture.z }
     }
 
-    /// The point at rest coordinates `rest`: x0 is contracted by gamma.
+    /// Returns the point with these coordinates at rest: x0 is contracted by gamma.
     ///
     /// # Examples
     ///
@@ -39,7 +39,7 @@ impl SourcePoint {
     }
 }
 
-/// The least radius of a wheel.
+/// The least radius of a wheel: a length over it is at most 1e120, whose square f64 holds.
 pub const MIN_RADIUS: f64 = 1e-60;
 
 /// The speed at which a wheel turns.

@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// Half of the threads.
+/// A pool of half as many threads as there are; `None` where none can be started.
 static HALF: LazyLock<Option<ThreadPool>> = LazyLock::new(|| {
     let threads = (current_num_threads() / 2).max(1);
     ThreadPoolBuilder::new().num_threads(threads).build().ok()

@@ -13,7 +13,7 @@ use crate::math;
 use crate::source::SourcePoint;
 use crate::speed::Speed;
 
-/// Below this beta a frame is slow.
+/// Below this beta a frame is slow: [`Event::in_frame`] says what that decides.
 const SLOW: f64 = 0.5;
 
 /// An event: a place along x and a time. Of a step from one event to another both are differences.

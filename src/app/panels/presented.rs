@@ -23,7 +23,7 @@ const SPEED: f32 = 1.5;
 /// Height of the smallest writing in a window of this height that is less wide than high, in widths.
 const LEAST_ASPECT: f32 = 0.75;
 
-/// Part of the room from which on words need all of it.
+/// Share of the room above which words get all of it.
 const NEARLY: f32 = 0.92;
 
 /// Height of words, as far as it is known.

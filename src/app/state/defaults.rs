@@ -34,7 +34,7 @@ impl Section {
         }
     }
 
-    /// `settings` with what is set in this section as in `usual`.
+    /// Returns `settings` with this section as in `default`.
     fn as_in(self, default: &Settings, settings: &Settings) -> Settings {
         let (kept, all) = (settings.clone(), default);
         match self {

@@ -116,7 +116,7 @@ pub fn pointer(ui: &Ui, state: &State, rect: Rect) -> Option<Pos2> {
     (is_free && state.is_legible()).then_some(pointer)
 }
 
-/// Writes what is `under` a `pointer` beside it, inside `view`: its name and D, and the rest once it was clicked. Assistive
+/// Writes what is `hovered` beside the `pointer`, inside `view`: its name and D, and the rest once it was clicked. Assistive
 /// technology has all of it.
 pub fn show(ui: &Ui, view: Rect, pointer: Pos2, hovered: &Hovered) {
     let name = format!("Under the pointer: {}; {}", hovered.title(), hovered.lines.join("; "));

@@ -77,7 +77,7 @@ struct TakenArgs {
     camera: CameraArgs,
 }
 
-/// The target that is followed.
+/// The target: a mark on a surface, a body or a colour.
 #[derive(Debug, Clone, Args)]
 #[group(required = true, multiple = false)]
 struct TargetArgs {
@@ -123,7 +123,7 @@ pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
 /// The measured angles, as a table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredTable {
-    /// The names of the columns.
+    /// Names of the columns as `gamow fit` reads them.
     pub columns: Vec<&'static str>,
     /// A row for each file that shows the target to both eyes, by time, with a value for each column.
     pub rows: Vec<Vec<f64>>,

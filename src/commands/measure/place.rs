@@ -18,7 +18,7 @@ const LEAST_SHARE: f64 = 0.1;
 pub struct TargetMask {
     /// Row by row from the top left.
     pub shows: Vec<bool>,
-    /// Width of the picture.
+    /// Pixels in a row.
     pub width: usize,
 }
 

@@ -92,7 +92,7 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The output that is made.
+/// What the path of the output asks for.
 enum RenderOutput {
     File(FileKind),
     Sequence,

@@ -15,7 +15,7 @@ pub type CachedFit = OnceCell<Option<[FittedParameter; 3]>>;
 /// A fitted parameter, and the truth.
 #[derive(Debug, Clone)]
 pub struct FittedParameter {
-    /// Estimate of the parameter.
+    /// Best value and its uncertainty.
     pub estimate: Estimate,
     truth: f64,
 }

@@ -8,7 +8,7 @@ use crate::settings::Settings;
 
 /// A value that lessons can quote.
 pub struct Value {
-    /// Name of the value.
+    /// Name by which a text quotes it, such as `doppler`.
     pub name: &'static str,
     /// Description of the value, with its unit.
     pub what: &'static str,
@@ -18,7 +18,7 @@ pub struct Value {
 
 /// The place that a value is computed for: a point of a scene at a T.
 pub struct Here<'a> {
-    /// Settings of the step.
+    /// Settings of the step, with those of the steps before.
     pub settings: &'a Settings,
     /// The scene that they name.
     pub scene: &'a Scene,

@@ -16,7 +16,7 @@ use crate::files::html::{HtmlPage, PageStyle};
 pub enum SheetKind {
     /// Questions, with room for answers.
     Questions,
-    /// The answers to these.
+    /// The right answers to the questions, on a sheet of their own.
     Answers,
     /// The task of the lab, with its data.
     Lab,

@@ -8,7 +8,7 @@ use gltf::buffer::View;
 pub struct Needed {
     types: &'static [DataType],
     dimensions: &'static [Dimensions],
-    /// The same in words.
+    /// These types and dimensions in words, for an error.
     words: &'static str,
 }
 

@@ -157,7 +157,7 @@ fn data_at(uri: &str, what: &str, beside: ReadBeside<'_>) -> Result<Vec<u8>, Str
     beside(&name.map_err(|_| format!("the name of {what} in it is not UTF-8 text"))?)
 }
 
-/// A node of the scene.
+/// A node with its place in the scene.
 struct PlacedNode<'a> {
     node: Node<'a>,
     /// From its axes to those of the scene.

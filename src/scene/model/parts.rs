@@ -17,7 +17,7 @@ pub(super) struct NamedModel {
 /// A part of a model.
 pub(super) struct NamedPart {
     pub name: String,
-    /// The numbers of its triangles.
+    /// Ranges of its triangles in the model.
     pub triangles: Vec<Range<usize>>,
 }
 
@@ -53,7 +53,7 @@ impl NamedModel {
         Ok(Split { rest, parts: (0..names.len()).map(|number| of(Some(number))).collect() })
     }
 
-    /// The part of this name.
+    /// Returns the only part of this name, which must have triangles.
     fn part(&self, name: &str) -> Result<&NamedPart, String> {
         let shown = messages::excerpt(name);
         let mut called = self.parts.iter().filter(|part| part.name == name);

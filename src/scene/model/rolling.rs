@@ -18,7 +18,7 @@ struct Circle {
     radius: f64,
 }
 
-/// Returns the body of the wheel called `name` that is this `model`, in the axes of the scene.
+/// Returns the body of the wheel that is this `model`, in the axes of the scene.
 ///
 /// # Errors
 ///

@@ -12,8 +12,6 @@ mod nodes;
 
 use std::collections::VecDeque;
 
-use eframe::egui::Vec2;
-use egui_kittest::Harness;
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::settings::Settings;
@@ -23,13 +21,11 @@ use self::dice::Dice;
 use self::files::Files;
 use self::hands::Window;
 use self::nodes::Coverage;
-use super::support::{FRAME, sweep};
+use super::support::{builder, sweep};
 use super::{Test, device};
 
-pub const TESTS: &[Test] = &[
-    ("a_random_user_breaks_nothing", breaks_nothing),
-    ("a_random_user_breaks_nothing_while_all_is_drawn", breaks_nothing_while_all_is_drawn),
-];
+pub const TESTS: &[Test] =
+    trials![a_random_user_breaks_nothing, a_random_user_breaks_nothing_while_all_is_drawn,];
 
 /// Actions of each run, in the usual tests and in the whole sweep: without views, which cost most of the time, and with them.
 const ACTIONS: [usize; 2] = [800, 20_000];
@@ -38,11 +34,11 @@ const ACTIONS_DRAWN: [usize; 2] = [100, 1000];
 const WAY_BACK: usize = 100;
 const TOLD: usize = 30;
 
-fn breaks_nothing() {
+fn a_random_user_breaks_nothing() {
     run(ACTIONS, false);
 }
 
-fn breaks_nothing_while_all_is_drawn() {
+fn a_random_user_breaks_nothing_while_all_is_drawn() {
     run(ACTIONS_DRAWN, true);
 }
 
@@ -80,8 +76,7 @@ fn number(variable: &str) -> Option<u64> {
 
 fn opened(is_drawn: bool) -> Window {
     let state = State::open(Settings::default()).expect("usual settings");
-    let builder =
-        Harness::builder().with_size(Vec2::new(800.0, 600.0)).with_step_dt(FRAME).allow_missing_glyphs();
+    let builder = builder([800.0, 600.0]).allow_missing_glyphs();
     let mut window = if is_drawn {
         builder
             .renderer(device::renderer())

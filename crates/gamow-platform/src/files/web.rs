@@ -171,7 +171,7 @@ pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
     deliver(to, bytes)
 }
 
-/// The name by which a file in `folder` calls that at `path`: the name alone.
+/// Returns the name by which a file in some folder calls that at `path`: the name alone.
 #[must_use]
 pub fn name_from(_: &Path, path: &Path) -> Option<String> {
     path.file_name()?.to_str().map(str::to_owned)

@@ -15,9 +15,9 @@ pub enum FitError {
     Sample {
         /// Number of the sample, from 0.
         index: usize,
-        /// Name of the quantity.
+        /// Field of the sample that is not usable.
         quantity: &'static str,
-        /// Value of the quantity.
+        /// Value of that field.
         value: f64,
     },
     /// A pair of apertures that measures nothing, or that the model does not cover.
@@ -25,13 +25,13 @@ pub enum FitError {
     Pair {
         /// Number of the pair, from 0.
         pair: usize,
-        /// Problem with the quantity, in words.
+        /// Problem with the pair, in words.
         problem: &'static str,
     },
     /// Some readings of a curve have a sigma and some have none, so that they cannot be weighed.
     #[error("{with} of {of} readings of {curve} have a sigma: give it for all or for none")]
     MixedSigma {
-        /// Name of the curve.
+        /// Name of the curve, dphi or dtheta.
         curve: &'static str,
         /// Readings with a sigma.
         with: usize,
@@ -99,7 +99,7 @@ pub enum FitError {
         "the data cannot tell {parameter}: near {parameter} = {value:.3e}, where they fit best, they do not depend on it"
     )]
     Insensitive {
-        /// Name of the parameter.
+        /// The parameter on which nothing depends there.
         parameter: &'static str,
         /// Best value, which means nothing.
         value: f64,

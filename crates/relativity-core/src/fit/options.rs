@@ -56,7 +56,7 @@ pub enum Passage {
 pub struct FitOptions {
     /// Binocular model that is fitted.
     pub model: Model,
-    /// Curves that are fitted.
+    /// Disparities that the fit uses: dphi, dtheta or both.
     pub curves: Curves,
     /// x0, known or not.
     pub passage: Passage,
@@ -76,9 +76,9 @@ impl Default for FitOptions {
 pub enum Parameter {
     /// Speed over c, beta.
     Beta,
-    /// Depth y.
+    /// Depth y: distance ahead, across the path.
     Y,
-    /// Height z.
+    /// Height z above the eyes.
     Z,
     /// Objective x at t = 0.
     X0,

@@ -68,7 +68,7 @@ struct CurveFeatures {
     distance: f64,
 }
 
-/// The features of the data.
+/// Features of the data that starts are made of: when and how large its extremum is, and when it sets in.
 struct Features {
     rows: Vec<PreparedSample>,
     /// The curve with the largest disparity in it that is read for its extremum: 0 or 1.

@@ -67,7 +67,8 @@ pub(super) fn lowest(mut descents: Vec<Descent>, count: usize) -> Vec<Descent> {
     descents
 }
 
-/// The hubs that fit best at speeds about those of `ways`, as far as the wheel may have misled them.
+/// Returns starts for the hub at speeds on both sides of those of `ways`, as far as the fit is no worse than the wheel's own wiggle
+/// explains.
 fn speeds(problem: &Problem, hubs: &Problem, ways: &[Descent]) -> Vec<Free> {
     let Some(best) = ways.first() else { return Vec::new() };
     let limit = LEFT_OVER * (cost(hubs, &best.free) + wiggle(problem, &best.free));

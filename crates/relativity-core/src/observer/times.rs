@@ -74,5 +74,5 @@ fn sum_that_cancels_least(direct: Terms, others: &[Terms]) -> f64 {
     others.iter().fold(&direct, smaller).iter().sum()
 }
 
-/// Factor by which terms have to be smaller.
+/// Factor by which terms have to be smaller: what is gained must be more than what the middle may be known less well.
 const FAR_SMALLER: f64 = 4.0;

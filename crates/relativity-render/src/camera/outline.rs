@@ -77,7 +77,7 @@ struct ShearedOutline {
     axes: Axes,
     /// Between which angles to the right of their axis it lies, for the left eye and for the right one.
     across: [Range; 2],
-    /// Reach up or down, as a tangent, in pictures turned by this angle to the right from there.
+    /// Reach up or down, as a tangent, in pictures turned by `turn` to the right of the axes.
     up: f64,
     turn: f64,
 }

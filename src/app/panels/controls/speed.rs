@@ -32,8 +32,8 @@ fn tip() -> String {
     format!("{}\n{DOUBLE_CLICK}", with_keys(TIP, &keys))
 }
 
-/// Shows it, in these units too where they have one for speeds, with the fields `shown`; a speed if the user gave one, or the
-/// `usual` one.
+/// Shows the `current` speed with the fields `shown`, in the unit of `measures` too if it has one for speeds. Returns a speed if the
+/// user gave one, or asked for the `default`.
 pub fn show(
     ui: &mut Ui,
     current: SpeedSetting,

@@ -96,13 +96,13 @@ impl Memory {
         self.recent = state.session.recent.to_text().lines().map(str::to_owned).collect();
     }
 
-    /// Notes the zoom and the folded sections of the window, and its place if it `is_usual`.
-    pub fn note_window(&mut self, ctx: &Context, is_default: bool) {
+    /// Stores the window's zoom and folded sections, and if it `keeps_place` its place: a size that a flag asked for is no habit.
+    pub fn note_window(&mut self, ctx: &Context, keeps_place: bool) {
         self.zoom = ctx.zoom_factor().clamp(ZOOM[0], ZOOM[1]);
         if let Some(folded) = folded::noted(ctx).filter(|folded| *folded != self.folded) {
             self.folded = folded;
         }
-        if is_default {
+        if keeps_place {
             let place = WindowPlace::from_context(ctx, self.place);
             self.place = place.filter(WindowPlace::can_be).or(self.place);
         }

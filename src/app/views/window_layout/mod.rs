@@ -274,8 +274,8 @@ pub fn views(area: Rect, arranged: &Arrangement) -> Vec<Pane> {
     shared.or_else(|| Some(arranged.panes(large_enough(area)?))).unwrap_or_default()
 }
 
-/// Returns the size of a part with this share of a `whole`, else `usual`: at least the first of `least`, and as long as there
-/// is room leaving the second.
+/// Returns the size of a part with this `share` of a `whole`, else the `default`: at least `least`, and as long as there is room
+/// leaving `rest`.
 fn part(share: Share, whole: f32, default: f32, [least, rest]: [f32; 2]) -> f32 {
     let Some(share) = share.0 else { return default };
     (share as f32 * whole).clamp(least, (whole - rest).max(least))

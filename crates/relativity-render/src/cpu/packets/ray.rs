@@ -151,8 +151,8 @@ pub fn line_of_sight<S: Simd>(simd: S, frame: &FrameUniform, u: F<S>, v: F<S>) -
     PixelSight::of_flat(simd, frame, from_pole(frame, [u, v]))
 }
 
-/// The lines of sight through the corners of rectangles around the places `u` and `v` of the picture, px, twice this `half` wide and
-/// high: the upper two, then the lower two.
+/// Returns the lines of sight through the corners of rectangles around the places `u` and `v` of the picture, px, of these half
+/// widths and heights: the upper two, then the lower two.
 #[inline(always)]
 pub fn corner_sights<S: Simd>(
     simd: S,
@@ -302,8 +302,8 @@ pub fn nearest_to<S: Simd>(anchor: V3<S>, ray: &RestRays<S>) -> V3<S> {
     -ray.direction.cross(ray.moment + anchor.cross(ray.direction))
 }
 
-/// Depth of what lies `beyond` the group's middle along its ray: 1 is nearest, 0 is nothing. Where there are several
-/// groups, as `others` says.
+/// Returns the depth, from 1 (nearest) to 0 (nothing), of what lies `beyond` the group's middle along the ray. With several groups
+/// it is counted among the depths of the reference group (`others`).
 #[inline(always)]
 pub fn depth<S: Simd>(
     group: &PacketGroup,

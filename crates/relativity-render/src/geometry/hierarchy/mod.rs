@@ -36,7 +36,7 @@ pub struct Hierarchy {
     nodes: Vec<Node>,
 }
 
-/// Boxes that are in one, and what is in them: lines of cache of its own.
+/// A node: its child boxes and what each holds, aligned to lines of the cache.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 struct Node {
