@@ -4,6 +4,7 @@
 //! apart; lines differ by dashes too.
 
 mod axis;
+mod curve;
 mod grid;
 mod labels;
 
@@ -16,6 +17,7 @@ pub use self::axis::{
     Axis, MOST_TICKS, Tick, at_least, extent, round_step, ticks_along, widened, with_factor, with_margin,
     zoom_step,
 };
+pub use self::curve::{CurveSample, CurveSampling, RefinementLimits, even_times, refined};
 use self::labels::{Label, PlacedNames};
 use crate::markup::escaped;
 
