@@ -1,6 +1,7 @@
 //! Widgets of the panels: rows of controls that look alike (a name, a widget, an explanation on hover), buttons, numbers and titles.
 
 pub mod apart;
+mod area;
 pub mod fitted;
 pub mod formula;
 pub mod icons;
