@@ -8,7 +8,7 @@ use super::verdict::{Verdict, verdict};
 use super::{curve_plot, picture, sketch};
 use crate::files::html::{HtmlPage, PageStyle, escaped};
 use crate::formula::markdown::Markdown;
-use crate::plot::{BLACK, BLUE, Line, LineStroke};
+use crate::plot::{BLACK, BLUE, Dash, Line, LineStroke};
 use crate::settings::Settings;
 
 /// Returns the report of `course`, whose states are shown on top of `base`; with a `fit` that was made,
@@ -102,7 +102,7 @@ fn curves(curve: &CurveAnswer, record: &Record, sight: &Sight<'_>) -> String {
     let mut lines = vec![Line::in_pieces("true curve", BLUE, truth)];
     if !drawn.is_empty() {
         let pieces = sketch::pieces(drawn, times);
-        lines.push(Line::in_pieces("drawn curve", BLACK, pieces).with(LineStroke::Dashed));
+        lines.push(Line::in_pieces("drawn curve", BLACK, pieces).with(LineStroke::Line(Dash::Dashed(7))));
     }
     let unit = sight.settings.window.units.measures(sight.scene).time;
     curve_plot::svg(curve, times, unit, lines)

@@ -4,17 +4,15 @@ use glam::DVec3;
 use relativity_render::{Gaze, PreparedScene};
 
 use super::plan::CurveAnswer;
+use crate::plot::{CurveSample, CurveSampling};
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
 /// Distance up to which a place counts as that of a body, radians.
 pub const NEAR: f64 = 2.0 / 180.0 * std::f64::consts::PI;
 
-/// Equal parts in which a curve is sampled at least, how often they are halved at most, and how far from its chord, as a part
-/// of its height, a curve may be there.
+/// Equal parts in which a curve is sampled at least.
 const PARTS: u32 = 128;
-const HALVINGS: u32 = 6;
-const FLAT: f64 = 1e-3;
 
 /// The picture of a scene.
 #[derive(Debug, Clone, Copy)]
@@ -56,44 +54,13 @@ impl Sight<'_> {
 }
 
 /// The curve of `value` over T from the first to the last of `times`, in pieces: it ends where there is none.
-fn curve([from, to]: [f64; 2], value: impl Fn(f64) -> Option<f64>) -> Vec<Vec<[f64; 2]>> {
-    let time = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);
-    let coarse: Vec<_> = (0..=PARTS).map(|part| (time(part), value(time(part)))).collect();
-    let values = || coarse.iter().filter_map(|(_, value)| *value);
-    let height = values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min);
-    let mut pieces = vec![Vec::new()];
-    for pair in coarse.windows(2) {
-        let [(from, start), (to, end)] = [pair[0], pair[1]];
-        let Some(((start, end), piece)) = start.zip(end).zip(pieces.last_mut()) else {
-            pieces.push(Vec::new());
-            continue;
-        };
-        if piece.is_empty() {
-            piece.push([from, start]);
-        }
-        refine(&value, [[from, start], [to, end]], FLAT * height, HALVINGS, piece);
-    }
-    pieces.retain(|piece| !piece.is_empty());
-    pieces
-}
-
-/// Adds to `points` those of the curve after `from` up to `to`.
-fn refine(
-    value: &impl Fn(f64) -> Option<f64>,
-    [from, to]: [[f64; 2]; 2],
-    flat: f64,
-    halvings: u32,
-    points: &mut Vec<[f64; 2]>,
-) {
-    let time = 0.5 * (from[0] + to[0]);
-    let is_bent = |middle: &f64| (middle - 0.5 * (from[1] + to[1])).abs() > flat;
-    match value(time).filter(|middle| halvings > 0 && is_bent(middle)) {
-        Some(middle) => {
-            refine(value, [from, [time, middle]], flat, halvings - 1, points);
-            refine(value, [[time, middle], to], flat, halvings - 1, points);
-        }
-        None => points.push(to),
-    }
+fn curve(times: [f64; 2], value: impl Fn(f64) -> Option<f64>) -> Vec<Vec<[f64; 2]>> {
+    let values = |time| value(time).map(|value| [value]);
+    let points = |piece| {
+        let samples = CurveSampling::even(piece, PARTS).samples(values).into_iter();
+        samples.map(|CurveSample { time, values: [value] }| [time, value]).collect()
+    };
+    CurveSampling::even(times, PARTS).pieces(values).into_iter().map(points).collect()
 }
 
 impl CurveAnswer {

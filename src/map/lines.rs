@@ -9,13 +9,14 @@ use relativity_render::{Body, MaterialPoint, Spin};
 use super::instant::{BodyPicture, MapInstant, Places};
 use super::outline::outline;
 use super::{Chart, MapProjection};
+use crate::plot::{RefinementLimits, refined};
 use crate::scene::{Scene, SceneGroup};
 use crate::settings::MapFrame;
 
 /// Greatest distance of a line from its curve, points.
 const TOLERANCE: f64 = 0.25;
-/// A part of a line is halved so often at most.
-const DEEPEST: u32 = 12;
+/// The bounds of a line.
+const LIMITS: RefinementLimits = RefinementLimits { depth: 12, samples: 4000 };
 /// Bodies smaller than this are left out, points.
 const SMALLEST: f64 = 1.0;
 /// Length over which a picture is taken for straight, units.
@@ -180,18 +181,15 @@ impl<'a> Sampler<'a> {
 
     /// Adds the points of `path` to `vertices`: none if it has a part that is nowhere.
     fn sample(&self, path: &Path, vertices: &mut Vec<Vertex>) {
-        let first = vertices.len();
         // What turns may be bent both ways.
         let parts = path.parts() * if self.spin.is_some() { 2 } else { 1 };
-        let at = |i: u32| f64::from(i) / f64::from(parts);
-        let Some(mut last) = self.vertex(path, 0.0) else { return };
-        vertices.push(last);
-        for i in 1..=parts {
-            let Some(next) = self.vertex(path, at(i)) else { return vertices.truncate(first) };
-            self.divide(path, [at(i - 1), at(i)], [last, next], DEEPEST, vertices);
-            vertices.push(next);
-            last = next;
-        }
+        let at = |s: f64| Some((s, self.vertex(path, s)?));
+        let first: Option<Vec<_>> = (0..=parts).map(|i| at(f64::from(i) / f64::from(parts))).collect();
+        let Some(first) = first else { return };
+        let all = refined(first, LIMITS, |[(from, start), (to, end)]| {
+            at(0.5 * (from + to)).filter(|(_, middle)| self.is_bent([start, end], middle))
+        });
+        vertices.extend(all.into_iter().map(|(_, vertex)| vertex));
     }
 
     /// The direction at `rest` that the map looks along in `projection`, a unit vector at rest.
@@ -214,24 +212,10 @@ impl<'a> Sampler<'a> {
         MaterialPoint { rest: path.at(0.5), spin }
     }
 
-    /// Adds the points between the `ends` of a part of `path`.
-    fn divide(
-        &self,
-        path: &Path,
-        [from, to]: [f64; 2],
-        ends: [Vertex; 2],
-        deepest: u32,
-        out: &mut Vec<Vertex>,
-    ) {
-        let middle = 0.5 * (from + to);
-        let Some(vertex) = self.vertex(path, middle) else { return };
-        let off = (vertex.place - 0.5 * (ends[0].place + ends[1].place)).length();
-        if deepest == 0 || off * self.charts[0].scale <= TOLERANCE || !self.is_near(ends, off) {
-            return;
-        }
-        self.divide(path, [from, middle], [ends[0], vertex], deepest - 1, out);
-        out.push(vertex);
-        self.divide(path, [middle, to], [vertex, ends[1]], deepest - 1, out);
+    /// Whether the line from one of `ends` to the other is off the `middle` of a curve where that can be seen.
+    fn is_bent(&self, ends: [Vertex; 2], middle: &Vertex) -> bool {
+        let off = (middle.place - 0.5 * (ends[0].place + ends[1].place)).length();
+        off * self.charts[0].scale > TOLERANCE && self.is_near(ends, off)
     }
 
     /// Whether what is between `ends`, as far as `off` from the straight line, comes into a chart.

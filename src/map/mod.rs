@@ -21,7 +21,6 @@ mod straight_line;
 mod street;
 #[cfg(test)]
 mod tests;
-mod ticks;
 mod worldline;
 
 pub use chart::{Chart, Viewpoint};
@@ -36,5 +35,4 @@ pub use projection::MapProjection;
 pub use sight::field_of_view;
 pub use straight_line::StraightLine;
 pub use street::{street_lines, way_of_rider};
-pub use ticks::ticks;
 pub use worldline::PointWorldline;

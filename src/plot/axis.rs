@@ -1,8 +1,11 @@
 //! An axis: where it begins and ends, and its ticks, four to seven at round places.
 
+use std::ops::Range;
+
 use relativity_core::math;
 
-use super::grid::{Grid, count, power_of_ten, scaled};
+use super::grid::{Grid, count, scaled};
+use super::tick_text::{common_exponent, text, with_factor};
 
 /// Fewest and most ticks.
 const TICKS: [usize; 2] = [4, MOST_TICKS];
@@ -12,6 +15,10 @@ pub const MOST_TICKS: usize = 7;
 const NARROWEST: f64 = 1e-9;
 /// Weight of a gap of the axis' whole length without a tick, in ticks too many or too few.
 const GAP_WEIGHT: f64 = 8.0;
+
+/// More ticks than this are not spaced evenly, nor such as are closer together than this part of their numbers.
+const MOST_SPACED: i64 = 1000;
+const FINEST: f64 = 1e15;
 
 /// A mark along an axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,11 +96,34 @@ impl Axis {
         };
         let best = grids.into_iter().map(|grid| (misfit(&grid), grid));
         let best = best.min_by(|((a, x), _), ((b, y), _)| a.cmp(b).then(x.total_cmp(y)));
-        best.map_or(Self { range, ticks: Vec::new(), exponent: 0 }, |(_, grid)| Self::on(&grid, range))
+        best.map_or(Self::without_ticks(range), |(_, grid)| Self::on(&grid, range, grid.numbers(range)))
     }
 
-    fn on(grid: &Grid, range: [f64; 2]) -> Self {
-        let numbers = grid.numbers(range);
+    /// A linear axis over this `range` and no more, with all ticks that have at least so much between them; with none where these cannot
+    /// be counted.
+    #[must_use]
+    pub fn spaced(range: [f64; 2], least: f64) -> Self {
+        let [low, high] = range;
+        let is_range = low.is_finite() && high.is_finite() && low < high && least > 0.0;
+        if !is_range || high - low > MOST_SPACED as f64 * least || low.abs().max(high.abs()) > FINEST * least
+        {
+            return Self::without_ticks(range);
+        }
+        let grid = Grid::spaced(least);
+        Self::on(&grid, range, grid.first_numbers(range, MOST_SPACED))
+    }
+
+    /// Returns `words`, the name of what is along the axis and its unit, with the power of ten that the numbers have in common.
+    #[must_use]
+    pub fn label(&self, words: &str) -> String {
+        with_factor(words, self.exponent)
+    }
+
+    const fn without_ticks(range: [f64; 2]) -> Self {
+        Self { range, ticks: Vec::new(), exponent: 0 }
+    }
+
+    fn on(grid: &Grid, range: [f64; 2], numbers: Range<i64>) -> Self {
         let largest = range[0].abs().max(range[1].abs());
         let exponent = if let Grid::Steps { .. } = grid { common_exponent(largest) } else { 0 };
         let tick = |number| {
@@ -151,85 +181,6 @@ fn widest_gap(grid: &Grid, [low, high]: [f64; 2]) -> f64 {
     widest / (high - low)
 }
 
-/// Returns the power of ten in which values up to `largest` are written: 0 for short ones, else a multiple of three.
-fn common_exponent(largest: f64) -> i32 {
-    if largest == 0.0 {
-        return 0;
-    }
-    let exponent = math::log10(largest * (1.0 + 1e-12)).floor() as i32;
-    if (-1..=3).contains(&exponent) { 0 } else { 3 * (exponent + 1).div_euclid(3) }
-}
-
-/// Returns the text at a place of `grid`: as many digits as distinguish it from its neighbours.
-fn text(grid: &Grid, number: i64, exponent: i32) -> String {
-    let decimals = |power: i32| (-power).max(0) as usize;
-    let text = match *grid {
-        Grid::Steps { .. } if number == 0 => "0".to_owned(),
-        Grid::Steps { leading, power } => {
-            let digits = (number * i64::from(leading)) as f64;
-            format!("{:.*}", decimals(power - exponent), scaled(digits, power - exponent))
-        }
-        Grid::LogSteps { leading, power } => {
-            let (digits, most) = ((number * i64::from(leading)) as f64, decade_of(grid, number));
-            if (-3..=3).contains(&most) {
-                format!("{:.*}", decimals(power), scaled(digits, power))
-            } else {
-                let mantissa = format!("{:.*}", decimals(power - most), scaled(digits, power - most));
-                format!("{mantissa}·{}", power_text(most))
-            }
-        }
-        Grid::Digits(digits) => {
-            let (decade, digit) = Grid::digit(digits, number);
-            digit_text(digit, decade as i32)
-        }
-        Grid::Decades { leading, power } => {
-            digit_text(1, scaled((number * i64::from(leading)) as f64, power) as i32)
-        }
-    };
-    text.replace('-', "\u{2212}")
-}
-
-/// Returns the power of ten of the number at this place.
-fn decade_of(grid: &Grid, number: i64) -> i32 {
-    grid.place(number).map_or(0, |place| (place + 1e-12).floor() as i32)
-}
-
-/// A `digit` times 10 to the power of `exponent`.
-fn digit_text(digit: u8, exponent: i32) -> String {
-    match (digit, exponent) {
-        (_, -3..=3) => {
-            format!("{:.*}", (-exponent).max(0) as usize, f64::from(digit) * power_of_ten(exponent))
-        }
-        (1, _) => power_text(exponent),
-        _ => format!("{digit}·{}", power_text(exponent)),
-    }
-}
-
-fn power_text(exponent: i32) -> String {
-    let superscript = |digit: char| match digit {
-        '-' => '\u{207b}',
-        '1' => '\u{b9}',
-        '2' => '\u{b2}',
-        '3' => '\u{b3}',
-        // The other superscripts are in one row.
-        digit => digit.to_digit(10).and_then(|digit| char::from_u32(0x2070 + digit)).unwrap_or(digit),
-    };
-    format!("10{}", exponent.to_string().chars().map(superscript).collect::<String>())
-}
-
-/// Returns the label of an axis, `symbol / unit`, whose numbers are in units of 10 to the power of `exponent`.
-#[must_use]
-pub fn with_factor(label: &str, exponent: i32) -> String {
-    if exponent == 0 {
-        return label.to_owned();
-    }
-    let power = power_text(exponent);
-    match label.split_once(" / ") {
-        Some((what, unit)) => format!("{what} / {power} {unit}"),
-        None => format!("{label} / {power}"),
-    }
-}
-
 /// Widths, of each power of ten, that leave room for four to seven steps of 1, 2 or 5 wherever they begin.
 const ZOOM_WIDTHS: [f64; 6] = [1.0, 1.3, 2.2, 3.2, 4.4, 6.4];
 
@@ -247,9 +198,7 @@ pub fn zoom_step(width: f64, inwards: bool) -> f64 {
 /// The least of 1, 2 and 5 times a power of ten that is not below `step`.
 #[must_use]
 pub fn round_step(step: f64) -> f64 {
-    let power = math::powf(10.0, math::log10(step).floor());
-    let leading = step / power;
-    power * [1.0, 2.0, 5.0, 10.0].into_iter().find(|&nice| nice >= leading).unwrap_or(10.0)
+    Grid::spaced(step).place(1).unwrap_or(step)
 }
 
 #[cfg(test)]
@@ -358,7 +307,7 @@ mod tests {
     fn numbers_are_short_and_their_power_of_ten_stands_in_the_label() {
         let axis = Axis::fitted(false, [-0.035, 0.008], 5);
         assert_eq!(texts(&axis), ["−30", "−20", "−10", "0"]);
-        assert_eq!(with_factor("Δφ / rad", axis.exponent), "Δφ / 10⁻³ rad");
+        assert_eq!(axis.label("Δφ / rad"), "Δφ / 10⁻³ rad");
         let axis = Axis::fitted(false, [0.0, 11.0], 6);
         assert_eq!((texts(&axis), axis.exponent), (vec!["0", "2", "4", "6", "8", "10"], 0));
         assert_eq!(with_factor("T", 6), "T / 10⁶");
@@ -368,5 +317,19 @@ mod tests {
         );
         assert_eq!(texts(&Axis::fitted(true, [-0.1, 1.4], 5)), ["1", "2", "5", "10", "20"]);
         assert_eq!(texts(&Axis::fitted(true, [0.0, 0.15], 4)), ["1.0", "1.1", "1.2", "1.3", "1.4"]);
+    }
+    #[test]
+    fn spaced_ticks_are_round_and_as_dense_as_allowed() {
+        assert_eq!(texts(&Axis::spaced([-4.5, 4.9], 1.7)), ["−4", "−2", "0", "2", "4"]);
+        assert_eq!(texts(&Axis::spaced([0.0, 0.11], 0.03)), ["0", "0.05", "0.10"]);
+        let far = Axis::spaced([0.0, 3e7], 1e7);
+        assert_eq!((texts(&far), far.exponent), (vec!["0", "10", "20", "30"], 6));
+    }
+
+    #[test]
+    fn no_range_has_no_spaced_ticks() {
+        for range in [[1.0, 1.0], [f64::NAN, 2.0], [0.0, f64::INFINITY], [1e30, 2e30]] {
+            assert!(Axis::spaced(range, 1e-3).ticks.is_empty(), "{range:?}");
+        }
     }
 }

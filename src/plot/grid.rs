@@ -22,7 +22,7 @@ pub enum Grid {
 const LEADING: [u8; 3] = [1, 2, 5];
 /// Logarithms less wide than this may have places at even steps of the number.
 const NARROW_LOGARITHM: f64 = 1.5;
-/// More places than this on an axis are not counted.
+/// More places than this on an axis are not counted where a grid is chosen.
 const MOST: i64 = 12;
 /// Distance beyond the end of an axis, as a part of it, up to which a place still lies on it: rounding.
 const ROUNDING: f64 = 1e-9;
@@ -102,16 +102,28 @@ impl Grid {
         }
     }
 
-    /// The numbers of the grid's places in a range.
-    pub fn numbers(&self, [low, high]: [f64; 2]) -> Range<i64> {
+    /// The steps that are as close as they can be with so much from one to the next.
+    pub fn spaced(least: f64) -> Self {
+        let power = math::log10(least).floor() as i32;
+        let leading = LEADING.into_iter().find(|&leading| scaled(f64::from(leading), power) >= least);
+        leading.map_or(Self::Steps { leading: 1, power: power + 1 }, |leading| Self::Steps { leading, power })
+    }
+
+    /// The numbers of the grid's places in a range, or the first of them.
+    pub fn numbers(&self, range: [f64; 2]) -> Range<i64> {
+        self.first_numbers(range, MOST)
+    }
+
+    /// The numbers of the first places in a range, so many at `most`.
+    pub fn first_numbers(&self, [low, high]: [f64; 2], most: i64) -> Range<i64> {
         let rounding = ROUNDING * (high - low);
         let mut first = self.below(low);
         while self.place(first).is_none_or(|place| place < low - rounding) {
             first += 1;
         }
         let is_inside = |number: &i64| self.place(*number).is_some_and(|place| place <= high + rounding);
-        let beyond = (first..first + MOST).find(|number| !is_inside(number));
-        first..beyond.unwrap_or(first + MOST)
+        let beyond = (first..first + most).find(|number| !is_inside(number));
+        first..beyond.unwrap_or(first + most)
     }
 
     /// `range` widened to the next places, whichever is nearer, until there are so `many`.

@@ -7,6 +7,7 @@ use relativity_render::{Camera, Motion};
 use crate::app::state::State;
 use crate::app::widgets::theme;
 use crate::eye::Eye;
+use crate::plot::LabelPlaces;
 
 /// Something out of a view.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,6 +84,7 @@ const INSET: f32 = 7.0;
 
 /// Draws an arrow at the edge of `rect`, where a view is, for each of `all`.
 pub fn paint(ui: &Ui, painter: &Painter, rect: Rect, all: &[OffscreenArrow]) {
+    let mut labels = LabelPlaces::new(rect, 1.0);
     for beyond in all {
         let towards = beyond.towards;
         let tip = edge_of(rect.shrink(INSET), towards);
@@ -91,11 +93,18 @@ pub fn paint(ui: &Ui, painter: &Painter, rect: Rect, all: &[OffscreenArrow]) {
             beyond.point.map_or(Color32::WHITE, |number| theme::point_colour(number, &Visuals::dark()));
         let arrow = vec![tip, back + aside, back - aside];
         painter.add(Shape::convex_polygon(arrow, colour, Stroke::new(1.5, Color32::from_black_alpha(200))));
-        label(ui, painter, rect, beyond, tip);
+        label(ui, painter, rect, (beyond, tip), &mut labels);
     }
 }
 
-fn label(ui: &Ui, painter: &Painter, rect: Rect, beyond: &OffscreenArrow, tip: Pos2) {
+/// Names the arrow with this `tip`, above or below where its name would cover another's.
+fn label(
+    ui: &Ui,
+    painter: &Painter,
+    rect: Rect,
+    (beyond, tip): (&OffscreenArrow, Pos2),
+    labels: &mut LabelPlaces,
+) {
     let font = TextStyle::Small.resolve(ui.style());
     let galley = painter.layout_no_wrap(beyond.text(), font, Color32::WHITE);
     let half = 0.5 * galley.size() + vec2(5.0, 2.0);
@@ -105,7 +114,11 @@ fn label(ui: &Ui, painter: &Painter, rect: Rect, beyond: &OffscreenArrow, tip: P
         if is_aside { vec2(beyond.towards.x, 0.0) } else { vec2(0.0, beyond.towards.y) }.normalized();
     let centre = tip - inwards * (ARROW + 5.0 + (half * inwards).length());
     let room = rect.shrink2(half + Vec2::splat(2.0));
-    let back = Rect::from_center_size(centre.clamp(room.min, room.max.max(room.min)), 2.0 * half);
+    let backs = [0.0, -1.0, 1.0, -2.0, 2.0].map(|rows| {
+        let centre = centre + vec2(0.0, rows * 2.0 * (half.y + 1.0));
+        Rect::from_center_size(centre.clamp(room.min, room.max.max(room.min)), 2.0 * half)
+    });
+    let Some(back) = labels.take(backs).map(Rect::from) else { return };
     painter.rect_filled(back, 3.0, Color32::from_black_alpha(170));
     painter.galley(back.min + vec2(5.0, 2.0), galley, Color32::WHITE);
 }

@@ -1,6 +1,7 @@
 //! Widgets of the panels: rows of controls that look alike (a name, a widget, an explanation on hover), buttons, numbers and titles.
 
 pub(in crate::app) mod apart;
+mod area;
 pub(in crate::app) mod fitted;
 pub(in crate::app) mod focus;
 pub(in crate::app) mod formula;

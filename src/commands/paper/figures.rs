@@ -10,7 +10,7 @@ use super::bicycle;
 use super::curves::{APPENDIX_A, Setup, title};
 use crate::files::csv_out;
 use crate::files::whole::write_whole;
-use crate::plot::{BLACK, BLUE, Line, LineStroke, Panel, VERMILION, svg, svg_of_rows};
+use crate::plot::{BLACK, BLUE, Dash, Line, LineStroke, Panel, VERMILION, svg, svg_of_rows};
 
 /// Observation times of the curves, which hold all their features; and how many.
 const TIMES: [f64; 2] = [-2.0, 5.0];
@@ -86,12 +86,12 @@ fn write_angles(
     let mut panels = Vec::new();
     let mut columns = Vec::new();
     for model in [APPENDIX_A, Model::Exact] {
-        let eyes = [(0, "left", BLUE, LineStroke::Solid), (1, "right", VERMILION, LineStroke::Dashed)];
+        let eyes = [(0, "left", BLUE, Dash::Solid), (1, "right", VERMILION, Dash::Dashed(7))];
         let mut lines = Vec::new();
-        for (eye, eye_name, colour, stroke) in eyes {
+        for (eye, eye_name, colour, dash) in eyes {
             let curve = setup.curve(model, TIMES, SAMPLES, |seen| angles(seen)[eye])?;
             push_column(&mut columns, &format!("{name}_{eye_name}_{}", model.name()), &curve);
-            lines.push(Line::solid(format!("{eye_name} eye"), colour, curve).with(stroke));
+            lines.push(Line::solid(format!("{eye_name} eye"), colour, curve).with(LineStroke::Line(dash)));
         }
         let marks = vec![(setup.equidistance_time()?, "T0".to_owned())];
         panels.push(Panel { marks, ..Panel::new(title(model), ["T", label], lines) });

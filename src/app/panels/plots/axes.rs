@@ -6,7 +6,7 @@ use relativity_core::math;
 
 use crate::caption::times::ObserverClock;
 use crate::plot::{
-    Axis, MOST_TICKS, at_least, extent, ticks_along, widened, with_factor, with_margin, zoom_step,
+    Axis, LabelPlaces, MOST_TICKS, Tick, at_least, extent, ticks_along, widened, with_margin, zoom_step,
 };
 use crate::quantity::{Dimension, Quantity};
 use crate::units::{Measures, Unit};
@@ -17,6 +17,8 @@ pub(super) const Y_AXIS_WIDTH: f32 = 48.0;
 const NUMBER_ROOM: [f32; 2] = [58.0, 26.0];
 /// Least room between two numbers above each other.
 const LEAST_NUMBER_ROOM: f32 = 16.0;
+/// About how wide a digit is, points.
+const DIGIT: f64 = 7.2;
 /// A plot less wide or less high has no room for words at its axis.
 const LEAST_WITH_WORDS: [f32; 2] = [170.0, 110.0];
 /// Least height of an axis as a part of the largest value, and most of what that asks for, radians.
@@ -25,6 +27,10 @@ const LEAST_ANGLE: f64 = 0.01;
 /// Room above and below the curves, as a part of their height.
 const MARGIN: f64 = 0.08;
 
+/// Least space between labels, points.
+const LABELS_APART: f32 = 3.0;
+/// The weight of the present among what labels avoid: it moves, and they should not.
+const NOW: f32 = 0.1;
 /// Opacity of the backdrop of words at an axis.
 const BACKDROP: f32 = 0.75;
 
@@ -62,6 +68,8 @@ pub(super) struct Ruler {
     wanted: usize,
     /// Greatest number of ticks that have room.
     most: usize,
+    /// Room for numbers beside each other, if they are.
+    along: Option<f64>,
 }
 
 impl Ruler {
@@ -69,7 +77,7 @@ impl Ruler {
     pub fn of_time(unit: Unit, width: f32) -> Self {
         let room = f64::from(width - Y_AXIS_WIDTH);
         let wanted = ticks_along(room, NUMBER_ROOM[0].into());
-        Self { logarithmic: false, unit, wanted, most: MOST_TICKS }
+        Self { logarithmic: false, unit, wanted, most: MOST_TICKS, along: Some(room) }
     }
 
     /// Returns a ruler for values of `quantity`, shown in `unit`, in a plot of this height.
@@ -96,7 +104,7 @@ impl Ruler {
     pub fn of_height(height: f32) -> Self {
         let [wanted, most] =
             [NUMBER_ROOM[1], LEAST_NUMBER_ROOM].map(|room| ticks_along(height.into(), room.into()));
-        Self { logarithmic: false, unit: Unit::OWN, wanted, most }
+        Self { logarithmic: false, unit: Unit::OWN, wanted, most, along: None }
     }
 
     /// A plotted value as the axis counts it.
@@ -134,7 +142,7 @@ impl Ruler {
     /// Returns the label of the axis over the values of `bounds`: `what / unit`, with the power of ten that its numbers have in
     /// common.
     pub fn label(self, what: &str, bounds: &PlotBounds) -> String {
-        with_factor(what, self.axis(self.widened([bounds.min()[1], bounds.max()[1]])).exponent)
+        self.axis(self.widened([bounds.min()[1], bounds.max()[1]])).label(what)
     }
 
     /// The axis over a plotted range.
@@ -151,10 +159,14 @@ impl Ruler {
     }
 
     fn text(self, mark: GridMark, range: [f64; 2]) -> String {
-        let off = |place: f64| (self.plotted(place) - mark.value).abs();
-        let ticks = self.axis(range).ticks.into_iter();
-        let nearest = ticks.min_by(|a, b| off(a.place).total_cmp(&off(b.place)));
-        nearest.map_or_else(String::new, |tick| tick.text)
+        let off = |tick: &Tick| (self.plotted(tick.place) - mark.value).abs();
+        let ticks = self.axis(range).ticks;
+        // Where not all numbers have room every second or third is written.
+        let longest = ticks.iter().map(|tick| tick.text.chars().count()).max().unwrap_or_default();
+        let taken = ticks.len() as f64 * DIGIT * longest as f64;
+        let stride = self.along.map_or(1, |room| (taken / room.max(1.0)).ceil().max(1.0) as usize);
+        let nearest = ticks.into_iter().enumerate().min_by(|(_, a), (_, b)| off(a).total_cmp(&off(b)));
+        nearest.filter(|(number, _)| number % stride == 0).map_or_else(String::new, |(_, tick)| tick.text)
     }
 
     /// `plot` with these ticks below it.
@@ -220,73 +232,69 @@ pub(super) fn in_unit(words: &str, unit: Unit) -> String {
     if unit.name.is_empty() { format!("{words} / units") } else { unit.label(words) }
 }
 
-/// Names the axis, whose time by this `clock` is shown in `unit`, in the corner where that costs least, and T0, and frames the plot. Returns
-/// where it wrote that.
+/// Returns the places of labels in a plot, T being `now`.
+pub(super) fn label_places(response: &PlotResponse<()>, now: f64) -> LabelPlaces {
+    let frame = *response.transform.frame();
+    let mut labels = LabelPlaces::new(frame, LABELS_APART);
+    let x = response.transform.position_from_point_x(now);
+    labels.avoid([pos2(x, frame.min.y), pos2(x, frame.max.y)], NOW);
+    labels
+}
+
+/// Names the axis, whose time by this `clock` is shown in `unit`, in the corner where that covers least, and T0, and frames the plot.
 pub(super) fn annotate(
     ui: &Ui,
     response: &PlotResponse<()>,
     (clock, unit): (&ObserverClock, Unit),
     equidistant: Option<(f64, &'static str)>,
-    cost: impl Fn(Rect) -> f32,
-) -> Vec<Rect> {
+    labels: &mut LabelPlaces,
+) {
     let frame = *response.transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
     let (small, weak) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
     let laid = |text: String| painter.layout_no_wrap(text, small.clone(), weak);
     let is_wide = frame.width() >= LEAST_WITH_WORDS[0] && frame.height() >= LEAST_WITH_WORDS[1];
-    let mut written = Vec::new();
     let placed = equidistant.map(|(time, words)| (response.transform.position_from_point_x(time), words));
     // At the lowest speeds it is further away than can be told in pixels.
     if let Some((x, words)) = placed.filter(|(x, _)| frame.x_range().contains(*x)) {
         let galley = laid(if is_wide { format!("T₀, {words}") } else { "T₀".to_owned() });
-        // On the side of its line where there is room.
-        let left = if x + 3.0 + galley.size().x < frame.max.x { x + 3.0 } else { x - 3.0 - galley.size().x };
-        let place = Rect::from_min_size(pos2(left, frame.min.y + 2.0), galley.size());
-        painter.galley(place.min, galley, weak);
-        written.push(place);
+        let beside = [(x + 3.0, Align2::LEFT_TOP), (x - 3.0, Align2::RIGHT_TOP)]
+            .map(|(x, align)| align.anchor_size(pos2(x, frame.min.y + 2.0), galley.size()));
+        if let Some(place) = labels.take(beside).map(Rect::from) {
+            painter.galley(place.min, galley, weak);
+        }
     }
     let bounds = response.transform.bounds();
     let ruler = Ruler::of_time(unit, frame.width() + Y_AXIS_WIDTH);
-    let exponent = ruler.axis([bounds.min()[0], bounds.max()[0]]).exponent;
+    let axis = ruler.axis([bounds.min()[0], bounds.max()[0]]);
     let words = if is_wide { time_label(clock, unit) } else { in_unit(clock.symbol, unit) };
-    let galley = laid(with_factor(&words, exponent));
+    let galley = laid(axis.label(&words));
     let corners = [Align2::RIGHT_BOTTOM, Align2::LEFT_BOTTOM, Align2::RIGHT_TOP, Align2::LEFT_TOP];
     let inside = frame.shrink2(vec2(7.0, 3.0));
-    let spots = corners.map(|corner| corner.align_size_within_rect(galley.size(), inside));
-    let is_free = |spot: &Rect| !written.iter().any(|taken: &Rect| taken.intersects(*spot));
-    let free = spots.into_iter().filter(is_free);
-    let place = free.min_by(|a, b| cost(*a).total_cmp(&cost(*b))).unwrap_or(spots[0]);
-    // What it covers in spite of that shows through, faintly.
-    painter.rect_filled(place.expand(1.0), 0.0, ui.visuals().extreme_bg_color.gamma_multiply(BACKDROP));
-    painter.galley(place.min, galley, weak);
-    written.push(place);
+    let corners = corners.map(|corner| corner.align_size_within_rect(galley.size(), inside));
+    if let Some(place) = labels.take(corners).map(Rect::from) {
+        // What it covers in spite of that shows through, faintly.
+        painter.rect_filled(place.expand(1.0), 0.0, ui.visuals().extreme_bg_color.gamma_multiply(BACKDROP));
+        painter.galley(place.min, galley, weak);
+    }
     self::frame(ui, response);
-    written
 }
 
-/// Names the cursors, whose lines are at these T, where nothing is `written`; returns the places of the names.
-pub(super) fn name_cursors(
-    ui: &Ui,
-    response: &PlotResponse<()>,
-    cursors: &[f64],
-    written: &[Rect],
-) -> Vec<Rect> {
+/// Names the cursors, whose lines are at these T.
+pub(super) fn name_cursors(ui: &Ui, response: &PlotResponse<()>, cursors: &[f64], labels: &mut LabelPlaces) {
     let frame = *response.transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
-    let name = |(name, &time): (&str, &f64)| {
-        let x = response.transform.position_from_point_x(time);
-        let font = TextStyle::Small.resolve(ui.style());
-        let galley = painter.layout_no_wrap(name.to_owned(), font, ui.visuals().text_color());
-        let spots = [0.97, 0.85, 0.75, 0.65].map(|share| {
-            Align2::LEFT_BOTTOM
-                .anchor_size(pos2(x + 2.0, frame.min.y + share * frame.height()), galley.size())
+    let (font, colour) = (TextStyle::Small.resolve(ui.style()), ui.visuals().text_color());
+    for (name, &time) in ["A", "B"].into_iter().zip(cursors) {
+        let x = response.transform.position_from_point_x(time) + 2.0;
+        let galley = painter.layout_no_wrap(name.to_owned(), font.clone(), colour);
+        let places = [0.97, 0.85, 0.75, 0.65].map(|share| {
+            Align2::LEFT_BOTTOM.anchor_size(pos2(x, frame.min.y + share * frame.height()), galley.size())
         });
-        let is_free = |spot: &Rect| !written.iter().any(|taken| taken.intersects(*spot));
-        let place = spots.into_iter().find(is_free).unwrap_or(spots[0]);
-        painter.galley(place.min, galley, ui.visuals().text_color());
-        place
-    };
-    ["A", "B"].into_iter().zip(cursors).map(name).collect()
+        if let Some(place) = labels.take(places).map(Rect::from) {
+            painter.galley(place.min, galley, colour);
+        }
+    }
 }
 
 /// Draws the frame of the plot.

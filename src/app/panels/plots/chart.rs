@@ -10,6 +10,7 @@ use crate::app::state::plots::look::MAX_PINS;
 use crate::app::widgets::theme;
 use crate::caption::times::ObserverClock;
 use crate::eye::Eye;
+use crate::plot::Dash;
 use crate::quantity::Quantity;
 use crate::units::{Measures, Unit};
 
@@ -87,23 +88,13 @@ pub(super) enum Hue {
     Measured,
 }
 
-/// The dashes of a line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Dash {
-    Solid,
-    /// Dashes of this length, points.
-    Dashed(u8),
-    Dotted,
-}
-
-impl Dash {
-    /// Dashes of the right eye, over the left one.
-    pub const RIGHT: Self = Self::Dashed(7);
-    /// Dashes of the published model.
-    pub const PUBLISHED: Self = Self::Dashed(4);
-    /// Dashes of pinned curves.
-    pub const PINNED: [Self; MAX_PINS] = [Self::Dashed(12), Self::Dotted, Self::Dashed(6), Self::Dashed(24)];
-}
+/// Dashes of the right eye, over the left one.
+pub(super) const RIGHT_DASHES: Dash = Dash::Dashed(7);
+/// Dashes of the published model.
+pub(super) const PUBLISHED_DASHES: Dash = Dash::Dashed(4);
+/// Dashes of pinned curves.
+pub(super) const PINNED_DASHES: [Dash; MAX_PINS] =
+    [Dash::Dashed(12), Dash::Dotted, Dash::Dashed(6), Dash::Dashed(24)];
 
 impl Hue {
     /// The colour on such a background.

@@ -1,20 +1,22 @@
 //! A curve as the plots over T draw it.
 
 use eframe::egui::Visuals;
-use egui_plot::{Line, LineStyle, PlotPoint, PlotUi, Points};
+use egui_plot::{Line, LineStyle, PlotPoint, PlotResponse, PlotUi, Points};
 
-use super::chart::{Dash, Trace};
+use super::chart::Trace;
+use crate::plot::{Dash, LabelPlaces};
 
-impl Dash {
-    /// Returns the toolkit's style of the line.
-    pub fn style(self) -> LineStyle {
-        match self {
-            Self::Solid => LineStyle::Solid,
-            Self::Dashed(length) => LineStyle::Dashed { length: f32::from(length) },
-            Self::Dotted => LineStyle::dotted_dense(),
-        }
+/// Returns the toolkit's style of a line with these dashes.
+pub(super) fn style(dash: Dash) -> LineStyle {
+    match dash {
+        Dash::Solid => LineStyle::Solid,
+        Dash::Dashed(length) => LineStyle::Dashed { length: f32::from(length) },
+        Dash::Dotted => LineStyle::dotted_dense(),
     }
 }
+
+/// The weight of a dot among what labels should not cover.
+const DOT: f32 = 12.0;
 
 impl<'a> Trace<'a> {
     /// Draws the trace, T being `now`.
@@ -23,7 +25,7 @@ impl<'a> Trace<'a> {
         for piece in self.pieces {
             // Bands would draw steep parts of a densely sampled curve thinner than the rest.
             let line = Line::new(self.name.clone(), piece.as_slice()).allow_band(false).allow_hover(false);
-            plot.line(line.color(colour).width(width).style(self.dash.style()));
+            plot.line(line.color(colour).width(width).style(style(self.dash)));
         }
         if let Some(value) = self.drawn_at(now).filter(|_| self.dot) {
             let dot = Points::new("now", vec![[now, value]]).color(colour).radius(4.0);
@@ -31,8 +33,19 @@ impl<'a> Trace<'a> {
         }
     }
 
+    /// Has `labels` in the plot avoid the trace, T being `now`.
+    pub fn keep_clear(&self, labels: &mut LabelPlaces, response: &PlotResponse<()>, now: f64) {
+        let place = |point: &PlotPoint| response.transform.position_from_point(point);
+        for piece in self.pieces {
+            labels.avoid(piece.iter().map(place), 1.0);
+        }
+        if let Some(value) = self.drawn_at(now).filter(|_| self.dot) {
+            labels.avoid([place(&[now, value].into())], DOT);
+        }
+    }
+
     /// Returns the value drawn at `time`; `None` where there is none.
-    pub fn drawn_at(&self, time: f64) -> Option<f64> {
+    fn drawn_at(&self, time: f64) -> Option<f64> {
         self.pieces.iter().find_map(|piece| value_at(piece, time))
     }
 }

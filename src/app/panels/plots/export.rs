@@ -4,7 +4,7 @@ use csv::ByteRecord;
 use eframe::egui::{Color32, Visuals};
 
 use super::axes::{axis_label, column_label, in_unit, time_label};
-use super::chart::{Dash, TimePlot};
+use super::chart::TimePlot;
 use super::plotted::Plotted;
 use super::traces::chart;
 use super::{accuracy, fit};
@@ -56,11 +56,7 @@ fn panel(state: &State, chart: &TimePlot<'_>) -> Panel {
     let lines = chart.traces.iter().map(|trace| Line {
         name: trace.name.clone(),
         colour: css(trace.colour(&visuals)).into(),
-        stroke: match trace.dash {
-            Dash::Solid => LineStroke::Solid,
-            Dash::Dashed(length) => LineStroke::Dashes(length),
-            Dash::Dotted => LineStroke::Dotted,
-        },
+        stroke: LineStroke::Line(trace.dash),
         pieces: trace.pieces.iter().map(|piece| piece.iter().map(in_chart).collect()).collect(),
     });
     let labels = [time_label(chart.clock, chart.time_unit), axis_label(chart.quantity, &chart.measures)];

@@ -10,8 +10,9 @@ use eframe::egui::{
 };
 use egui_plot::PlotResponse;
 
-use super::chart::{Dash, TimePlot, Trace};
+use super::chart::{TimePlot, Trace};
 use crate::app::state::plots::curves::PUBLISHED;
+use crate::plot::{Area, Dash, LabelPlaces};
 
 /// Length of a piece of line, and what is between it and its name; points.
 pub(super) const SAMPLE: f32 = 18.0;
@@ -181,10 +182,10 @@ pub(super) fn sample(painter: &Painter, from: Pos2, length: f32, dash: Dash, str
     }
 }
 
-/// Draws the legend of `chart` where it covers least of what is `drawn`.
-pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &TimePlot<'_>, drawn: &Drawn) {
+/// Draws the legend of `chart` where it covers least.
+pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &TimePlot<'_>, labels: &mut LabelPlaces) {
     let Some(block) = block(ui, chart, response.transform.frame().size()) else { return };
-    put(ui, response, chart.quantity.row().symbol, &block, drawn);
+    put(ui, response, chart.quantity.row().symbol, &block, labels);
 }
 
 /// Draws a legend of these `rows`, the names of the lines in the plot of `what`.
@@ -193,19 +194,17 @@ pub(super) fn show_rows(
     response: &PlotResponse<()>,
     what: &str,
     rows: Vec<LegendEntry>,
-    drawn: &Drawn,
+    labels: &mut LabelPlaces,
 ) {
     if !rows.is_empty() {
-        put(ui, response, what, &LegendBlock::new(ui, rows, 1), drawn);
+        put(ui, response, what, &LegendBlock::new(ui, rows, 1), labels);
     }
 }
 
-fn put(ui: &Ui, response: &PlotResponse<()>, what: &str, block: &LegendBlock, drawn: &Drawn) {
+fn put(ui: &Ui, response: &PlotResponse<()>, what: &str, block: &LegendBlock, labels: &mut LabelPlaces) {
     let frame = *response.transform.frame();
-    let size = block.size();
-    let spots = spots(frame.shrink(3.0), size);
-    let cost = |spot: &Rect| drawn.covered_by(spot.expand(3.0));
-    let Some(place) = spots.into_iter().min_by(|a, b| cost(a).total_cmp(&cost(b))) else { return };
+    let places = Area::from(frame.shrink(3.0)).along_edges(block.size());
+    let Some(place) = labels.take(places).map(Rect::from) else { return };
     let painter = ui.painter().with_clip_rect(frame);
     block.paint(&painter, place, ui.visuals().panel_fill.gamma_multiply(OPACITY));
     let words: Vec<&str> = block.rows.iter().map(|(row, _)| row.text.as_str()).collect();
@@ -234,62 +233,4 @@ fn block(ui: &Ui, chart: &TimePlot<'_>, room: Vec2) -> Option<LegendBlock> {
         blocks.filter(|block| !block.rows.is_empty() && block.size().x < room.x && block.size().y < room.y)
     };
     blocks().find(|block| block.size().y < LOW * room.y).or_else(|| blocks().next())
-}
-
-/// Returns the places for a legend of this `size`: along the edges.
-fn spots(area: Rect, size: Vec2) -> Vec<Rect> {
-    let free = (area.size() - size).max(Vec2::ZERO);
-    let shares =
-        [[1.0, 0.0], [0.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.5, 0.0], [0.5, 1.0], [1.0, 0.5], [0.0, 0.5]];
-    shares.map(|[x, y]| Rect::from_min_size(area.min + vec2(x * free.x, y * free.y), size)).to_vec()
-}
-
-/// The contents of a plot so far, which labels should not cover.
-pub(super) struct Drawn {
-    points: Vec<Pos2>,
-    dots: Vec<Pos2>,
-    /// Places with text.
-    pub written: Vec<Rect>,
-    /// Place of the present.
-    now: f32,
-}
-
-/// Number of places at which a curve is sampled.
-const PLACES: u32 = 80;
-/// Cost of covering a dot, and text, relative to a place of a curve; and that of covering the line of the present.
-const DOT: f32 = 12.0;
-const WRITING: f32 = 30.0;
-const NOW: f32 = 0.5;
-
-impl Drawn {
-    /// Returns the contents that `chart` draws.
-    pub fn new(response: &PlotResponse<()>, chart: &TimePlot<'_>) -> Self {
-        let [from, to] = chart.range;
-        let place = |trace: &Trace<'_>, time: f64| {
-            let value = trace.drawn_at(time)?;
-            Some(response.transform.position_from_point(&[time, value].into()))
-        };
-        let times = |i: u32| from + (to - from) * f64::from(i) / f64::from(PLACES);
-        let traces = chart.traces.iter();
-        let points =
-            traces.clone().flat_map(|trace| (0..=PLACES).filter_map(move |i| place(trace, times(i))));
-        let dots = traces.filter(|trace| trace.dot).filter_map(|trace| place(trace, chart.now));
-        let now = response.transform.position_from_point_x(chart.now);
-        Self { points: points.collect(), dots: dots.collect(), written: Vec::new(), now }
-    }
-
-    /// Returns the contents that curves through these `points` (T and value) draw, T being `now`.
-    pub fn of_points(response: &PlotResponse<()>, points: &[[f64; 2]], now: f64) -> Self {
-        let place = |point: &[f64; 2]| response.transform.position_from_point(&(*point).into());
-        let now = response.transform.position_from_point_x(now);
-        Self { points: points.iter().map(place).collect(), dots: Vec::new(), written: Vec::new(), now }
-    }
-
-    /// Returns the cost of covering this `spot`.
-    pub fn covered_by(&self, spot: Rect) -> f32 {
-        let inside = |places: &[Pos2]| places.iter().filter(|&&place| spot.contains(place)).count() as f32;
-        let written = self.written.iter().filter(|written| written.intersects(spot)).count() as f32;
-        let crosses_now = f32::from(u8::from(spot.x_range().contains(self.now)));
-        inside(&self.points) + DOT * inside(&self.dots) + WRITING * written + NOW * crosses_now
-    }
 }

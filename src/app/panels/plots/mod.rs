@@ -22,10 +22,9 @@ use clap::ValueEnum as _;
 use eframe::egui::{self, ComboBox, Ui, vec2};
 use egui_plot::{LineStyle, PlotBounds, PlotResponse, PlotUi, VLine};
 
-use self::axes::{annotate, plot_over_time};
+use self::axes::{annotate, label_places, plot_over_time};
 use self::chart::TimePlot;
 pub use self::export::{csv, svg};
-use self::legend::Drawn;
 pub use self::plotted::Plotted;
 use self::traces::chart;
 use crate::app::commands::{Command, SettingsCommand};
@@ -160,12 +159,13 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &TimePlot<'_>, comm
             trace.draw(plot, &visuals, chart.now);
         }
     });
-    let mut drawn = Drawn::new(&response, chart);
-    let covered = |spot| drawn.covered_by(spot);
-    drawn.written = annotate(ui, &response, (chart.clock, chart.time_unit), chart.equidistant, covered);
-    let names = axes::name_cursors(ui, &response, &chart.cursors, &drawn.written);
-    drawn.written.extend(names);
-    legend::show(ui, &response, chart, &drawn);
+    let mut labels = label_places(&response, chart.now);
+    for trace in &chart.traces {
+        trace.keep_clear(&mut labels, &response, chart.now);
+    }
+    annotate(ui, &response, (chart.clock, chart.time_unit), chart.equidistant, &mut labels);
+    axes::name_cursors(ui, &response, &chart.cursors, &mut labels);
+    legend::show(ui, &response, chart, &mut labels);
     describe(&response, state, quantity);
     pointed::show(ui, &response, chart);
     gestures::read(ui, state, &response, chart, commands);

@@ -6,9 +6,10 @@ use eframe::egui::{
 };
 use egui_plot::{Line, PlotBounds, PlotPoints, PlotResponse, Points, VLine};
 
-use super::axes::{Ruler, Y_AXIS_WIDTH, annotate, axis_label, plot_over_time};
-use super::chart::Dash;
-use super::legend::{self, Drawn, LegendEntry};
+use super::axes::{Ruler, Y_AXIS_WIDTH, annotate, axis_label, label_places, plot_over_time};
+use super::chart::RIGHT_DASHES;
+use super::drawn::style;
+use super::legend::{self, LegendEntry};
 use crate::app::commands::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
@@ -17,14 +18,14 @@ use crate::app::state::queries::drawn_curve::Sketched;
 use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::lesson::{Answer, CurveAnswer, difference, sketch};
-use crate::plot::with_factor;
+use crate::plot::Dash;
 use crate::quantity::Quantity;
 
 /// Invitation in an empty plot.
 const INVITATION: &str = "Draw the curve that you expect: press and drag.";
 /// Width of the lines, and their dashes and names.
 const WIDTH: f32 = 2.0;
-const DRAWN: (Dash, &str) = (Dash::RIGHT, "your curve");
+const DRAWN: (Dash, &str) = (RIGHT_DASHES, "your curve");
 const TRUE: (Dash, &str) = (Dash::Solid, "true curve");
 
 /// Shows the plot to draw in.
@@ -45,8 +46,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands:
     ui.horizontal_wrapped(|ui| {
         ui.add_space(Y_AXIS_WIDTH);
         let ruler = Ruler::of_height(ui.available_height());
-        let heading =
-            with_factor(&axis_label(quantity, &state.measures()), ruler.axis(sketched.curve.range).exponent);
+        let heading = ruler.axis(sketched.curve.range).label(&axis_label(quantity, &state.measures()));
         let of = state.name_of(state.document.points.selected());
         ui.label(RichText::new(heading).strong());
         ui.label(RichText::new(format!("of the {of}{}", whose(quantity))).weak());
@@ -97,7 +97,7 @@ fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands: &mut Comma
             lines.chain(drawn.iter().map(|piece| (piece, dash, DRAWN.1, drawn_colour)))
         {
             let line = Line::new(name, PlotPoints::from(piece.clone())).allow_hover(false).allow_band(false);
-            plot.line(line.color(colour).width(WIDTH).style(dash.style()));
+            plot.line(line.color(colour).width(WIDTH).style(style(dash)));
         }
         let value = sketched.is_revealed.then(|| sketched.curve.at(settings, &track, now));
         if let Some(value) = value.flatten() {
@@ -105,15 +105,16 @@ fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands: &mut Comma
             plot.points(dot.allow_hover(false));
         }
     });
-    let all: Vec<[f64; 2]> = truth.iter().chain(&drawn).flatten().copied().collect();
-    let mut covered = Drawn::of_points(&response, &all, now);
-    covered.written =
-        annotate(ui, &response, (state.clock(), time_unit), None, |spot| covered.covered_by(spot));
+    let mut labels = label_places(&response, now);
+    for piece in truth.iter().chain(&drawn) {
+        labels.avoid(piece.iter().map(|point| response.transform.position_from_point(&(*point).into())), 1.0);
+    }
+    annotate(ui, &response, (state.clock(), time_unit), None, &mut labels);
     let is_there = [(&truth, TRUE, true_colour), (&drawn, DRAWN, drawn_colour)];
     let is_there = is_there.into_iter().filter(|(pieces, ..)| sketched.is_revealed && !pieces.is_empty());
     let row =
         |(_, (dash, name), colour): (_, (Dash, &str), _)| LegendEntry::of_line(dash, WIDTH, name, colour);
-    legend::show_rows(ui, &response, "the sketch", is_there.map(row).collect(), &covered);
+    legend::show_rows(ui, &response, "the sketch", is_there.map(row).collect(), &mut labels);
     describe(ui, &response, state, sketched);
     if sketched.is_asked {
         read(ui, &response, sketched, [times, values], commands);

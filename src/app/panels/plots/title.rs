@@ -12,7 +12,6 @@ use crate::app::state::State;
 use crate::app::state::plots::curves::{PUBLISHED, Whose};
 use crate::app::widgets::named_text;
 use crate::number_text;
-use crate::plot::with_factor;
 use crate::quantity::Quantity;
 
 /// Shows the title.
@@ -22,10 +21,10 @@ pub(super) fn show(ui: &mut Ui, state: &State, chart: &TimePlot<'_>) {
         ui.add_space(Y_AXIS_WIDTH);
         ui.allocate_ui_with_layout(room, Layout::left_to_right(Align::Min).with_main_wrap(true), |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            let exponent = chart.ruler().axis(chart.value_range()).exponent;
-            let heading = with_factor(&axis_label(chart.quantity, &chart.measures), exponent);
+            let axis = chart.ruler().axis(chart.value_range());
+            let heading = axis.label(&axis_label(chart.quantity, &chart.measures));
             ui.label(RichText::new(heading).strong()).on_hover_text(chart.quantity.row().about);
-            values_now(ui, state, chart, exponent);
+            values_now(ui, state, chart, axis.exponent);
             let beside = match state.document.settings.shown_model() {
                 _ if chart.quantity == Quantity::Distance => None,
                 Model::OneCone => Some((format!("{ONE_CONE}; dotted: two"), ONE_CONE_TIP)),

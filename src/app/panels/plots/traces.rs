@@ -2,12 +2,13 @@
 
 use relativity_core::Model;
 
-use super::chart::{Dash, Hue, TimePlot, Trace, ValueSource};
+use super::chart::{Hue, PINNED_DASHES, PUBLISHED_DASHES, RIGHT_DASHES, TimePlot, Trace, ValueSource};
 use super::pins;
 use crate::app::state::State;
 use crate::app::state::plots::curves::{Curve, CurvesKey, PUBLISHED, QuantityCurves, SeenPoint, Whose};
 use crate::app::state::points::Point;
 use crate::eye::Eye;
+use crate::plot::Dash;
 use crate::quantity::{Dimension, Of, Quantity};
 
 /// The chart of `quantity`: of every point for a disparity, of each eye of the selected one else; and of what is pinned.
@@ -62,7 +63,7 @@ fn traces<'a>(state: &State, curves: &'a [QuantityCurves], quantity: Quantity) -
     } else {
         selected.map_or_else(Vec::new, of_selected)
     };
-    let pinned = state.scratch.plotting.pins().iter().zip(pins::names(state)).zip(Dash::PINNED);
+    let pinned = state.scratch.plotting.pins().iter().zip(pins::names(state)).zip(PINNED_DASHES);
     let pinned = pinned.filter_map(|((pin, name), dash)| {
         Some(of_pin(found(state.pinned_key(pin, quantity))?, &name, pin.point.number, dash))
     });
@@ -85,7 +86,7 @@ fn resting(own: &QuantityCurves) -> Option<Trace<'_>> {
     let is_there = !own.pieces(Whose::Resting, own.key().point.model).is_empty();
     is_there.then(|| Trace {
         name: "at rest, eyes γd apart".to_owned(),
-        dash: Dash::RIGHT,
+        dash: RIGHT_DASHES,
         wide: false,
         dot: false,
         ..of_model("", Hue::Measured, own, own.key().point.model, Whose::Resting)
@@ -98,7 +99,7 @@ fn of_eyes(own: &QuantityCurves) -> Vec<Trace<'_>> {
         Eye::BOTH.map(|eye| {
             let trace = of_model(eye.name(), Hue::Eye(eye), own, model, Whose::Eye(eye));
             let is_over = eye == Eye::Right && trace.dash == Dash::Solid;
-            if is_over { Trace { dash: Dash::RIGHT, ..trace } } else { trace }
+            if is_over { Trace { dash: RIGHT_DASHES, ..trace } } else { trace }
         })
     });
     traces.collect()
@@ -175,7 +176,7 @@ fn of_points<'a>(state: &State, curves: impl Fn(&Point) -> Option<&'a QuantityCu
         if curves.key().published {
             traces.push(Trace {
                 name: format!("{name}, published"),
-                dash: Dash::PUBLISHED,
+                dash: PUBLISHED_DASHES,
                 wide: is_selected,
                 dot: true,
                 ..of_model(&name, hue, curves, PUBLISHED, Whose::Both)
@@ -200,7 +201,7 @@ const fn distance_look(whose: Whose) -> (Hue, Dash, bool) {
     match whose {
         Whose::Both | Whose::Resting => (Hue::Stereo, Dash::Solid, true),
         Whose::Eye(Eye::Left) => (Hue::Eye(Eye::Left), Dash::Solid, true),
-        Whose::Eye(Eye::Right) => (Hue::Eye(Eye::Right), Dash::RIGHT, true),
+        Whose::Eye(Eye::Right) => (Hue::Eye(Eye::Right), RIGHT_DASHES, true),
         Whose::Measured => (Hue::Measured, Dash::Solid, false),
     }
 }

@@ -14,10 +14,11 @@ use relativity_core::{
 use serde::{Deserialize, Serialize};
 
 use super::plot_line::PlotLine;
-use crate::app::state::plots::curves::{Bends, CurveSample, sampled};
+use crate::app::state::plots::curves::Bends;
 use crate::app::tools::worker::{StepOutcome, Wanted, Work};
 use crate::estimate::samples::{FitKey, Fittable, Samples, Simulated};
 use crate::estimate::{Estimate, estimate, other_side};
+use crate::plot::CurveSample;
 
 /// The samples and what became of them.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -236,7 +237,8 @@ fn curves(
     replicates: Option<&Bootstrap>,
 ) -> [Option<FittedCurve>; 2] {
     let Some(&pair) = observed.pairs().first() else { return [None, None] };
-    let lines = sampled(range, &bends_of(key, pair, range, best), |time| fitted_angles(best, 0, time));
+    let bends = bends_of(key, pair, range, best);
+    let lines = bends.sampling(range).samples(|time| fitted_angles(best, 0, time));
     let eyes = (best.options, pair);
     let bands = replicates.map(|replicates| bands(eyes, &lines, replicates)).unwrap_or_default();
     let used = best.options.curves.used();

@@ -11,6 +11,7 @@ use super::spectrum;
 use crate::app::state::State;
 use crate::app::views::panes::EyePane;
 use crate::number_text;
+use crate::plot::LabelPlaces;
 
 /// Lower views have none.
 pub const LEAST_VIEW: f32 = 110.0;
@@ -81,7 +82,7 @@ fn paint_fine_ticks(painter: &Painter, ruler: Rect, columns: &PixelColumns) {
 
 /// Draws the ticks of speeds with the names that have room, and returns these. The tick of `own` goes first.
 fn paint_named_ticks(painter: &Painter, ruler: Rect, columns: &PixelColumns, own: f64) -> Vec<String> {
-    let mut taken: Vec<Rect> = Vec::new();
+    let mut labels = LabelPlaces::new(ruler.expand2(vec2(0.0, RULER)), BETWEEN);
     let mut named = Vec::new();
     let speeds = [own].into_iter().chain(SPEEDS);
     for (number, beta) in speeds.enumerate().filter(|(number, beta)| *number == 0 || *beta != own) {
@@ -100,15 +101,11 @@ fn paint_named_ticks(painter: &Painter, ruler: Rect, columns: &PixelColumns, own
             let galley =
                 painter.layout_no_wrap(text.clone(), FontId::proportional(columns.scale * FONT_SIZE), colour);
             let place = Align2::CENTER_BOTTOM.anchor_size(pos2(x, ruler.max.y - 1.0), galley.size());
-            let has_room = ruler.x_range().contains(place.min.x)
-                && ruler.x_range().contains(place.max.x)
-                && !taken.iter().any(|other| other.expand(BETWEEN).intersects(place));
-            if !has_room {
+            if labels.take_free([place]).is_none() {
                 continue;
             }
             painter.vline(x, ruler.min.y..=ruler.min.y + 6.0, Stroke::new(1.5, colour));
             painter.galley(place.min, galley, colour);
-            taken.push(place);
             named.push(text);
         }
     }

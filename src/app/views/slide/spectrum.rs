@@ -2,7 +2,7 @@
 //!
 //! D = cosh u/cosh(u + eta) depends on the column alone.
 
-use eframe::egui::{Align2, Color32, FontId, Painter, Rect, Stroke, pos2};
+use eframe::egui::{Align2, Color32, FontId, Painter, Rect, Stroke, pos2, vec2};
 use relativity_core::math::{atanh, cosh, ln, sinh, tanh};
 use relativity_core::{Speed, aberration};
 use relativity_render::Geometry;
@@ -14,12 +14,15 @@ use crate::app::state::State;
 use crate::app::widgets::wavelength_colour::{paint_strip, places, visible_colour};
 use crate::caption::{RestLight, in_words};
 use crate::number_text;
+use crate::plot::LabelPlaces;
 
 /// Between the lines of a hatch, points.
 const HATCH: f32 = 6.0;
 const INVISIBLE: Color32 = Color32::from_gray(58);
 const HATCH_COLOUR: Color32 = Color32::from_gray(120);
 const FONT_SIZE: f32 = 10.0;
+/// Least space between two names, points.
+const BETWEEN: f32 = 6.0;
 /// The Doppler factors that are named where light is not of one wavelength.
 const NAMED: [f64; 7] = [1.0, 2.0, 0.5, 4.0, 0.25, 10.0, 0.1];
 
@@ -96,16 +99,15 @@ fn paint_factors(painter: &Painter, columns: &PixelColumns, strip: Rect, speed: 
         painter.text(strip.center(), Align2::CENTER_CENTER, "D = 1 everywhere", font, Color32::WHITE);
         return;
     }
-    let mut taken: Vec<Rect> = Vec::new();
+    let mut labels = LabelPlaces::new(strip.expand2(vec2(0.0, strip.height())), BETWEEN);
     for factor in NAMED {
         let Some(x) = column_of(speed, factor).map(|u| columns.x(u)) else { continue };
         let text = format!("D = {}", number_text::trimmed(factor, 2));
         let galley = painter.layout_no_wrap(text, font.clone(), Color32::WHITE);
         let place = Align2::LEFT_CENTER.anchor_size(pos2(x + 3.0, strip.center().y), galley.size());
-        if strip.x_range().contains(x) && !taken.iter().any(|other| other.expand(6.0).intersects(place)) {
+        if labels.take_free([place]).is_some() {
             painter.vline(x, strip.y_range(), Stroke::new(1.5, Color32::WHITE));
             painter.galley(place.min, galley, Color32::WHITE);
-            taken.push(place);
         }
     }
 }

@@ -1,12 +1,11 @@
 //! The backdrop of the map: a grid, the street, the eyes' fields of view, and the line abreast of the eyes.
 
-use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Vec2, pos2, vec2};
+use eframe::egui::{Align2, Color32, Painter, Pos2, Shape, Stroke, Vec2, pos2, vec2};
 use relativity_core::Event;
 
 use super::sheet::{SheetPainter, SpaceSheet};
 use crate::app::panels::map::axes::{self, AxisQuantity};
 use crate::app::panels::map::canvas;
-use crate::app::panels::map::labels::LabelPlaces;
 use crate::app::state::State;
 use crate::app::widgets::theme;
 use crate::eye::Eye;
@@ -40,24 +39,8 @@ fn axes_and_title(on: &mut SheetPainter<'_>) {
         MapProjection::Side => "from the side",
     };
     let place = sheet.room().min + theme::text_scale(ui.style()) * TITLE;
-    let words = (title, theme::scaled_font(ui.style(), WORDS_SIZE), ui.visuals().weak_text_color());
-    write(painter, place, Align2::LEFT_TOP, words, labels);
-}
-
-/// Writes text where there is no other.
-fn write(
-    painter: &Painter,
-    place: Pos2,
-    align: Align2,
-    (text, font, colour): (&str, FontId, Color32),
-    labels: &mut LabelPlaces,
-) {
-    let galley = painter.layout_no_wrap(text.to_owned(), font, colour);
-    let rect = align.anchor_size(place, galley.size());
-    if labels.is_free(rect) {
-        painter.galley(rect.min, galley, colour);
-        labels.keep_free(rect);
-    }
+    let (font, colour) = (theme::scaled_font(ui.style(), WORDS_SIZE), ui.visuals().weak_text_color());
+    labels.write_at(painter, (place, Align2::LEFT_TOP), title, font, colour);
 }
 
 /// Returns the axes of a chart. Both charts share x, whose numbers are below the lower one.
@@ -93,12 +76,12 @@ fn street(on: &mut SheetPainter<'_>) {
             level.push((pos2(room.max.x - 5.0, y - 1.0), name));
         } else if let Some(ends) = across_chart(sheet, [from, to]) {
             painter.line_segment(ends, stroke);
-            labels.avoid(&ends);
+            labels.places.avoid(&ends, 1.0);
             labels.write(painter, (ends[0].lerp(ends[1], NAMED_AT), 1.0), name, font.clone(), colour);
         }
     }
     for (place, name) in level {
-        write(painter, place, Align2::RIGHT_BOTTOM, (name, font.clone(), colour), labels);
+        labels.write_at(painter, (place, Align2::RIGHT_BOTTOM), name, font.clone(), colour);
     }
 }
 
@@ -128,7 +111,7 @@ fn way(on: &mut SheetPainter<'_>) {
     let mut named = None;
     sheet.chart.clipped(way.iter().map(|place| sheet.projection.flat(*place)), 0.0, |run| {
         let places: Vec<Pos2> = run.iter().map(|&[x, y]| pos2(x as f32, y as f32)).collect();
-        labels.avoid(&places);
+        labels.places.avoid(&places, 1.0);
         named = named.or(part_way(&places));
         painter.line(places, Stroke::new(1.0, colour));
     });
@@ -178,7 +161,8 @@ fn abreast(on: &mut SheetPainter<'_>) {
             "abreast of the eyes"
         };
         let font = theme::scaled_font(ui.style(), WORDS_SIZE);
-        write(painter, pos2(x + 4.0, room.min.y + 3.0), Align2::LEFT_TOP, (text, font, colour), labels);
+        let place = pos2(x + 4.0, room.min.y + 3.0);
+        labels.write_at(painter, (place, Align2::LEFT_TOP), text, font, colour);
     }
 }
 

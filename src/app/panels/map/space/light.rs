@@ -90,7 +90,7 @@ impl<'a> ChartLight<'a> {
         let SheetPainter { ui, painter, state, labels, .. } = on;
         let ways = self.rays.map(|ray| self.ends(&ray));
         for way in &ways {
-            labels.avoid(way);
+            labels.places.avoid(way, 1.0);
         }
         let (name, times) = match state.document.settings.map.frame {
             MapFrame::Ground | MapFrame::Rider => {

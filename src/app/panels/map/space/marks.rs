@@ -84,7 +84,13 @@ fn eyes(on: &mut SheetPainter<'_>) {
         painter.circle_filled(place, EYE_RADIUS, colour);
         if sheet.projection == MapProjection::Plan {
             let font = theme::scaled_font(ui.style(), FONT_SIZE);
-            labels.keep_free(painter.text(place + vec2(side * 9.0, 0.0), anchor, eye.name(), font, colour));
+            labels.places.keep_free(painter.text(
+                place + vec2(side * 9.0, 0.0),
+                anchor,
+                eye.name(),
+                font,
+                colour,
+            ));
         }
         canvas::name_place(ui, sheet.room(), place, &format!("{}: {}", sheet.name(), eye.name()));
     }

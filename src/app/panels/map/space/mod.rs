@@ -15,7 +15,7 @@ use glam::DVec3;
 use self::light::ChartLight;
 use self::sheet::{SheetPainter, SpaceSheet};
 use super::canvas;
-use super::labels::LabelPlaces;
+use super::labels::MapLabels;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::map::{BodyPicture, Chart, MapInstant, MapProjection, OutlineLines, WorldBox, plan_and_side};
@@ -31,7 +31,7 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, commands: &mut Commands) {
         let sheet = SpaceSheet { projection, chart };
         let response = canvas::look_around(ui, state, sheet.name(), &chart, projection.axes(), commands);
         let painter = ui.painter().with_clip_rect(sheet.room().intersect(ui.clip_rect()));
-        let labels = LabelPlaces::new(sheet.room(), ui.visuals().extreme_bg_color);
+        let labels = MapLabels::new(sheet.room(), ui.visuals().extreme_bg_color);
         let mut on = SheetPainter { ui, painter: &painter, state, instant: &instant, sheet, labels };
         backdrop::paint(&mut on);
         let light = ChartLight::new(state, &sheet);

@@ -4,7 +4,7 @@ use eframe::egui::{Color32, Painter, Pos2, Rect, Ui, Visuals};
 use glam::DVec3;
 
 use crate::app::panels::map::canvas;
-use crate::app::panels::map::labels::LabelPlaces;
+use crate::app::panels::map::labels::MapLabels;
 use crate::app::state::State;
 use crate::app::widgets::theme;
 use crate::eye::Eye;
@@ -49,7 +49,7 @@ pub(super) struct SheetPainter<'a> {
     pub instant: &'a MapInstant<'a>,
     pub sheet: SpaceSheet,
     /// Places of the labels that are written already.
-    pub labels: LabelPlaces,
+    pub labels: MapLabels,
 }
 
 /// The colour of a picture.

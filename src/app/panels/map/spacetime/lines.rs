@@ -5,7 +5,7 @@ use relativity_core::Event;
 use relativity_render::Velocity;
 
 use super::sheet::{DiagramSheet, NEAR};
-use crate::app::panels::map::labels::LabelPlaces;
+use crate::app::panels::map::labels::MapLabels;
 use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::map::{Diagram, PastCone, ReceivedRay, StraightLine, worldline_of_eye};
@@ -19,7 +19,7 @@ const SPACE: f32 = 4.0;
 const EYES_APART: f32 = 60.0;
 
 /// Draws all lines.
-pub fn paint(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
+pub fn paint(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
     nows(sheet, labels);
     cones(sheet, labels);
     eyes(sheet, labels);
@@ -36,20 +36,20 @@ fn shown(sheet: &DiagramSheet<'_>, line: StraightLine) -> Option<[Pos2; 2]> {
     line.within(low, high).map(|ends| ends.map(|event| sheet.place(event)))
 }
 
-fn draw(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces, line: StraightLine, stroke: Stroke) {
+fn draw(sheet: &DiagramSheet<'_>, labels: &mut MapLabels, line: StraightLine, stroke: Stroke) {
     if let Some(ends) = shown(sheet, line) {
         sheet.painter.line_segment(ends, stroke);
-        labels.avoid(&ends);
+        labels.places.avoid(&ends, 1.0);
     }
 }
 
-fn dashed(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces, ends: [Pos2; 2], stroke: Stroke) {
+fn dashed(sheet: &DiagramSheet<'_>, labels: &mut MapLabels, ends: [Pos2; 2], stroke: Stroke) {
     sheet.painter.extend(Shape::dashed_line(&ends, stroke, DASH, SPACE));
-    labels.avoid(&ends);
+    labels.places.avoid(&ends, 1.0);
 }
 
 /// Draws the present: of the frame that is drawn, solid; of the other one, dashed.
-fn nows(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
+fn nows(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
     let [ground, scene] = sheet.diagram.nows();
     let colours = now_colours(sheet);
     let is_ground = sheet.state.document.settings.map_frame() == MapFrame::Ground;
@@ -85,7 +85,7 @@ fn point_colour(sheet: &DiagramSheet<'_>) -> Color32 {
 }
 
 /// The past light cones in the plane of the point, and light that runs along x.
-fn cones(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
+fn cones(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
     let [low, high] = sheet.corners();
     let Some(cones) = sheet.diagram.cones() else { return };
     paint_past(sheet, &cones[0]);
@@ -101,7 +101,7 @@ fn cones(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
         }
         let curve: Vec<Pos2> =
             cone.curve([low.x, high.x]).into_iter().map(|event| sheet.place(event)).collect();
-        labels.avoid(&curve);
+        labels.places.avoid(&curve, 1.0);
         sheet.painter.line(curve, Stroke::new(1.5, colour));
     }
 }
@@ -120,7 +120,7 @@ fn paint_past(sheet: &DiagramSheet<'_>, cone: &PastCone) {
     sheet.painter.add(Shape::convex_polygon(outline, tint, Stroke::NONE));
 }
 
-fn eyes(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
+fn eyes(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
     if sheet.state.document.settings.ride.is_on() {
         return riding_eyes(sheet, labels);
     }
@@ -130,12 +130,12 @@ fn eyes(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
 }
 
 /// Draws the worldlines of eyes that ride: they bend where the velocity changes.
-fn riding_eyes(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
+fn riding_eyes(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
     let (settings, range) = (&sheet.state.document.settings, sheet.state.time_range());
     for eye in Eye::BOTH {
         let events = worldline_of_eye(settings, &sheet.diagram.frame, eye.index(), range);
         let places: Vec<Pos2> = events.into_iter().map(|event| sheet.place(event)).collect();
-        labels.avoid(&places);
+        labels.places.avoid(&places, 1.0);
         sheet.painter.line(places, Stroke::new(1.5, theme::eye_colour(eye, sheet.ui.visuals())));
     }
 }
@@ -149,7 +149,7 @@ pub fn whose(sheet: &DiagramSheet<'_>) -> String {
 }
 
 /// Draws the worldline of a point: boldest as far as light from it has arrived, and faint where it is yet to be.
-fn worldline(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces, diagram: &Diagram, colour: Color32) {
+fn worldline(sheet: &DiagramSheet<'_>, labels: &mut MapLabels, diagram: &Diagram, colour: Color32) {
     let times = sheet.worldline_times(diagram);
     let received = diagram.rays.map(|ray| ray.happened);
     let received = received[0].min(received[1]);
@@ -162,7 +162,7 @@ fn worldline(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces, diagram: &Diagr
     for (from, to, stroke) in parts {
         let places: Vec<Pos2> =
             part(&times, from, to).map(|time| sheet.place(diagram.point.at(time))).collect();
-        labels.avoid(&places);
+        labels.places.avoid(&places, 1.0);
         sheet.painter.line(places, stroke);
     }
 }
@@ -178,7 +178,7 @@ fn part(times: &[f64], from: f64, to: f64) -> impl Iterator<Item = f64> {
 }
 
 /// The light that arrives at T: dashed, for it also crosses the distance that is not drawn.
-fn rays(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
+fn rays(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
     for (eye, ray) in Eye::BOTH.into_iter().zip(sheet.diagram.rays) {
         let colour = theme::eye_colour(eye, sheet.ui.visuals());
         if let Some(ends) = shown_ray(sheet, &ray) {
@@ -203,7 +203,7 @@ fn upper([first, last]: [Pos2; 2]) -> Pos2 {
 }
 
 /// Names what is not clear by its marks.
-pub fn name(sheet: &DiagramSheet<'_>, labels: &mut LabelPlaces) {
+pub fn name(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
     let font = TextStyle::Small.resolve(sheet.ui.style());
     let mut write = |place: Pos2, text: &str, colour: Color32| {
         labels.write(&sheet.painter, (place, 1.0), text, font.clone(), colour);

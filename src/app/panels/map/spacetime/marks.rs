@@ -4,7 +4,7 @@ use eframe::egui::{Color32, Pos2, Stroke, TextStyle, vec2};
 
 use super::sheet::{DiagramSheet, HANDLE};
 use super::{lines, words};
-use crate::app::panels::map::labels::LabelPlaces;
+use crate::app::panels::map::labels::MapLabels;
 use crate::app::panels::map::times::labelled;
 use crate::app::widgets::theme;
 use crate::eye::Eye;
@@ -96,7 +96,7 @@ fn of_point(sheet: &DiagramSheet<'_>, happened: f64, name: &str, label: &str, co
 }
 
 /// Draws them with their labels.
-pub fn paint(sheet: &DiagramSheet<'_>, marks: &[EventMark], labels: &mut LabelPlaces) {
+pub fn paint(sheet: &DiagramSheet<'_>, marks: &[EventMark], labels: &mut MapLabels) {
     let shown = || marks.iter().filter(|mark| sheet.room().contains(mark.place));
     for mark in shown() {
         let halo = theme::halo_colour(sheet.ui.visuals());
@@ -106,7 +106,7 @@ pub fn paint(sheet: &DiagramSheet<'_>, marks: &[EventMark], labels: &mut LabelPl
         } else {
             sheet.painter.circle_filled(mark.place, RADIUS, mark.colour);
         }
-        labels.keep_clear_of(mark.place, RADIUS);
+        labels.places.keep_clear_of(mark.place, RADIUS);
     }
     let font = TextStyle::Small.resolve(sheet.ui.style());
     let strong = sheet.ui.visuals().strong_text_color();
@@ -115,7 +115,7 @@ pub fn paint(sheet: &DiagramSheet<'_>, marks: &[EventMark], labels: &mut LabelPl
         let time = labelled(sheet.state, sheet.diagram.clock);
         let text =
             format!("{} {time}{}", sheet.state.clock().received.name, sheet.state.measures().time.suffix());
-        labels.keep_clear_of(present, HANDLE);
+        labels.places.keep_clear_of(present, HANDLE);
         labels.write(&sheet.painter, (present, HANDLE), &text, font.clone(), strong);
     }
     for mark in shown().filter(|mark| !mark.label.is_empty()) {

@@ -1,6 +1,6 @@
 //! The Accuracy tab's plot: error against cost of each way to draw the present views, both as powers of ten.
 
-use eframe::egui::{self, Align2, Color32, Rect, TextStyle, Ui, Vec2, Visuals, vec2};
+use eframe::egui::{self, Align2, Color32, Rect, TextStyle, Ui, Visuals};
 use egui_plot::{HLine, LineStyle, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, VLine};
 use relativity_core::math;
 use relativity_render::Method;
@@ -9,7 +9,7 @@ use crate::app::panels::plots::axes::{Ruler, frame, still_plot};
 use crate::app::views::examination::{Examination, ExaminedMethod};
 use crate::app::widgets::theme;
 use crate::flags::Goal;
-use crate::plot::extent;
+use crate::plot::{Area, LabelPlaces, extent};
 use crate::settings::QualitySettings;
 
 /// Errors below this, arcseconds, are drawn as this: none is measured as 0 but by chance.
@@ -87,40 +87,23 @@ impl GoalLine {
     }
 }
 
-/// Distance of a name from the middle of its mark, points.
-const NAME_GAP: f32 = 8.0;
-
 /// Names the marks, each beside its own where no other name or mark is, nor the names of the axes.
 fn name_marks(ui: &Ui, response: &PlotResponse<()>, marks: &[MethodMark], axes: [Rect; 2]) {
     let frame = *response.transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
     let small = TextStyle::Small.resolve(ui.style());
     let middle = |mark: &MethodMark| response.transform.position_from_point(&PlotPoint::from(mark.place));
-    let mut taken: Vec<Rect> = marks
-        .iter()
-        .map(|mark| Rect::from_center_size(middle(mark), Vec2::splat(2.0 * mark.radius)))
-        .chain(axes)
-        .collect();
+    let mut labels = LabelPlaces::new(frame, 0.0);
+    axes.into_iter().for_each(|name| labels.keep_free(name));
+    for mark in marks {
+        labels.keep_clear_of(middle(mark), mark.radius);
+    }
     for mark in marks {
         let galley = painter.layout_no_wrap(mark.name.clone(), small.clone(), mark.colour);
-        let aside = 0.5 * galley.size() + Vec2::splat(NAME_GAP);
-        let ways = [
-            [1.0, 0.0],
-            [-1.0, 0.0],
-            [0.0, -1.0],
-            [0.0, 1.0],
-            [1.0, -1.0],
-            [1.0, 1.0],
-            [-1.0, -1.0],
-            [-1.0, 1.0],
-        ];
-        let spots =
-            ways.map(|[x, y]| Rect::from_center_size(middle(mark) + vec2(x, y) * aside, galley.size()));
-        let overlaps = |spot: &Rect| taken.iter().filter(|taken| taken.intersects(*spot)).count();
-        let cost = |spot: &Rect| overlaps(spot) + usize::from(!frame.contains_rect(*spot));
-        let Some(spot) = spots.into_iter().min_by_key(cost) else { continue };
-        painter.galley(spot.min, galley, mark.colour);
-        taken.push(spot);
+        let near = Area::near(middle(mark), mark.radius, galley.size());
+        if let Some(place) = labels.take(near).map(Rect::from) {
+            painter.galley(place.min, galley, mark.colour);
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use crate::app::state::State;
 use crate::app::state::fitting::{FitOutcome, Fitting};
 use crate::estimate::samples::{EyeColumns, Samples};
 use crate::files::csv_out::CsvWriter;
-use crate::plot::{BLACK, BLUE, Line, LineStroke, Panel};
+use crate::plot::{BLACK, BLUE, Dash, Line, LineStroke, Panel};
 use crate::quantity::Quantity;
 
 /// The columns of each curve.
@@ -77,7 +77,7 @@ fn of_curve(state: &State, outcome: &FitOutcome, curve: usize, quantity: Quantit
             points.map(|(point, band)| [unit.shown(point.x), point.y + band[end]]).collect()
         };
         let band = Line::in_pieces("95 % band", BLUE, vec![edge(0), edge(1)]);
-        lines.push(Line { stroke: LineStroke::Dotted, ..band });
+        lines.push(Line { stroke: LineStroke::Line(Dash::Dotted), ..band });
     }
     let ends = outcome.range.map(|time| [unit.shown(time), 0.0]).to_vec();
     let left = vec![dots("sample − fit", &fitted.residuals), Line::solid("0", BLACK, ends)];

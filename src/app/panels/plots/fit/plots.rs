@@ -6,9 +6,8 @@ use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, V
 use crate::app::commands::{Command, PlaybackCommand};
 use crate::app::panels::Commands;
 use crate::app::panels::plots::axes::{
-    Ruler, annotate, bounds, column_label, plot_over_time, time_at_pointer,
+    Ruler, annotate, bounds, column_label, label_places, plot_over_time, time_at_pointer,
 };
-use crate::app::panels::plots::legend::Drawn;
 use crate::app::state::State;
 use crate::app::state::fitting::{FitOutcome, FittedCurve, Fitting};
 use crate::app::widgets::theme;
@@ -173,15 +172,17 @@ impl FitPlot<'_> {
             plot.vline(now.allow_hover(false));
             drawing.draw(half, plot);
         });
-        let points: Vec<_> = drawing.points(half).iter().map(|point| [point.x, point.y]).collect();
-        let mut covered = Drawn::of_points(&response, &points, state.document.time);
+        let mut labels = label_places(&response, state.document.time);
+        for point in drawing.points(half) {
+            labels.avoid([response.transform.position_from_point(point)], 1.0);
+        }
         if let Some(heading) = self.heading {
             let (small, weak) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
             let place = response.transform.frame().left_top() + vec2(5.0, 2.0);
             let text = ruler.label(heading, &bounds);
-            covered.written.push(ui.painter().text(place, Align2::LEFT_TOP, text, small, weak));
+            labels.keep_free(ui.painter().text(place, Align2::LEFT_TOP, text, small, weak));
         }
-        let _ = annotate(ui, &response, (state.clock(), unit), None, |spot| covered.covered_by(spot));
+        annotate(ui, &response, (state.clock(), unit), None, &mut labels);
         let info = || egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &self.name);
         response.response.widget_info(info);
         if let Some(time) = time_at_pointer(&response) {

@@ -14,12 +14,11 @@ use relativity_core::{
 use relativity_render::{MaterialPoint, Velocity};
 
 use crate::eye::Eye;
+use crate::plot::CurveSample;
 use crate::quantity::{Of, Quantity};
 use crate::settings::{Rider, Riding};
 
 pub(in crate::app) use bends::Bends;
-use sampled::pieces;
-pub(in crate::app) use sampled::{CurveSample, sampled};
 
 /// A curve of a point: of a quantity, and of one of those who have a value of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -265,9 +264,10 @@ impl QuantityCurves {
 fn curve(key: &CurvesKey, model: Model, whose: Whose, bends: &Bends) -> CurvePieces {
     let curve = Curve { quantity: key.quantity, whose };
     let value = |time| key.point.value(model, curve, time).map(|value| [value]);
-    let pieces = if key.point.is_whole(curve) { vec![key.range] } else { pieces(key.range, bends, value) };
+    let pieces =
+        if key.point.is_whole(curve) { vec![key.range] } else { bends.sampling(key.range).pieces(value) };
     let points = |piece| {
-        let samples = sampled(piece, bends, value).into_iter();
+        let samples = bends.sampling(piece).samples(value).into_iter();
         samples.map(|CurveSample { time, values: [value] }| PlotPoint::new(time, value)).collect()
     };
     pieces.into_iter().map(points).collect()
