@@ -101,7 +101,7 @@ fn pictures(
         let mut rows = Vec::new();
         for (circumstances, view) in views {
             let found = expected_error(renderers, &prepared, method, view, &appearance, effort, &|| false)?;
-            rows.push(picture_row(*circumstances, found.context("nothing cancels this")?));
+            rows.push(picture_row(*circumstances, &found.context("nothing cancels this")?));
             progress.inc(1);
         }
         reports.push(renderer_report(method, rows));
@@ -110,7 +110,7 @@ fn pictures(
     Ok(reports)
 }
 
-fn picture_row(view: Circumstances, found: ExpectedError) -> PictureRow {
+fn picture_row(view: Circumstances, found: &ExpectedError) -> PictureRow {
     let figures = &found.difference.figures;
     PictureRow {
         view,

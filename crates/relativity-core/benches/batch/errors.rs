@@ -69,8 +69,9 @@ pub fn print_published() {
 }
 
 fn print_row(name: &str, cells: impl Iterator<Item = String>) {
-    let cells: String = cells.map(|cell| format!("{cell:>12}")).collect();
-    println!("{name:12}{cells}");
+    print!("{name:12}");
+    cells.for_each(|cell| print!("{cell:>12}"));
+    println!();
 }
 
 fn speeds() -> impl Iterator<Item = Speed> {
