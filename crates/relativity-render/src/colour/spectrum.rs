@@ -81,8 +81,8 @@ pub fn name(wavelength_nm: f64) -> &'static str {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::colour::linear_srgb;
-    use crate::colour::spectrum::*;
 
     #[test]
     fn bands_end_where_colours_do() {

@@ -6,9 +6,10 @@ use relativity_core::math::{cosh, exp, sin_cos, sinh};
 
 use crate::camera::mercator::Mercator;
 use crate::camera::{Axes, Camera, Gauge};
+use crate::geometry::extent::Extent;
 use crate::kinematics::relative_velocity::RelativeVelocity;
 use crate::light::hatch::Hatch;
-use crate::scene::prepared_body::{Extent, packed};
+use crate::scene::prepared_body::packed;
 use crate::scene::prepared_scene::{PreparedGroup, PreparedScene};
 use crate::street::backdrop::{Backdrop, Floor};
 use crate::street::contact::{self, Contacts};

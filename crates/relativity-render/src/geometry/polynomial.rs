@@ -25,7 +25,7 @@ pub fn first_descent(coefficients: &[f64; 5], [low, high]: [f64; 2]) -> Option<f
 
 #[cfg(test)]
 mod tests {
-    use crate::geometry::polynomial::*;
+    use super::*;
 
     /// Coefficients of (x - r0)(x - r1)(x - r2)(x - r3), constant first.
     fn with_roots(roots: [f64; 4]) -> [f64; 5] {

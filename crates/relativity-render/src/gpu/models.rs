@@ -126,8 +126,8 @@ fn filled(gpu: &Gpu, size: [u32; 2], texels: &[Texel]) -> wgpu::TextureView {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::geometry::triangles::RawModel;
-    use crate::gpu::models::*;
 
     /// A band of triangles, about one of whose corners the next is turned.
     fn band(count: u32) -> Arc<Triangles> {

@@ -186,7 +186,7 @@ fn in_columns(columns: DMat3, v: DVec3) -> DVec3 {
 mod tests {
     use std::f64::consts::FRAC_PI_2;
 
-    use crate::kinematics::relative_velocity::*;
+    use super::*;
 
     /// n = [n'_across/Gamma + (n'_p - V) v]/(1 - V n'_p) onto the ground, then the same along x.
     fn through_ground(group: f64, camera: &ObserverVelocity, line: DVec3) -> (DVec3, f64) {

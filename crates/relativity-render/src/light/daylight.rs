@@ -146,7 +146,7 @@ fn missing(octaves: f64) -> f64 {
 mod tests {
     use std::f64::consts::{PI, TAU};
 
-    use crate::light::daylight::*;
+    use super::*;
 
     const BETAS: [f64; 5] = [0.1, 0.5, 0.9, 0.99, 0.999];
     const AHEAD: [f64; 9] = [-1.0, -0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.9, 1.0];

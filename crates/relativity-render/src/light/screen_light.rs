@@ -236,7 +236,7 @@ pub(crate) fn log2_glow(kelvin: f64, doppler_factor: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use crate::light::screen_light::*;
+    use super::*;
     use crate::light::tone::shoulder;
 
     #[test]

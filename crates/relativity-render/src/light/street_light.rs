@@ -121,10 +121,10 @@ pub(crate) fn coloured_false(octaves: f64) -> [f64; 4] {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::colour::planck::SECOND_RADIATION_NM_K;
     use crate::colour::{colour_matching, luminance, srgb_from_xyz};
     use crate::light::screen_light::Light;
-    use crate::light::street_light::*;
     use crate::scene::body::Emission;
 
     const PAINTS: [[f64; 3]; 4] =

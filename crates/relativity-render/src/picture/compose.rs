@@ -216,7 +216,7 @@ fn at(picture: &Picture, column: usize, row: usize) -> [u8; 4] {
 
 #[cfg(test)]
 mod tests {
-    use crate::picture::compose::*;
+    use super::*;
 
     fn one(rgb: [u8; 3]) -> Picture {
         let [r, g, b] = rgb;

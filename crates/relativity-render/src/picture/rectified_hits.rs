@@ -68,7 +68,7 @@ impl Rectification {
 
 #[cfg(test)]
 mod tests {
-    use crate::picture::rectified_hits::*;
+    use super::*;
     use crate::{Body, Camera, Gaze, Geometry, Hit, Shading, Shape, Velocity, View};
     use relativity_core::{Aperture, Speed};
 

@@ -190,7 +190,7 @@ fn interpolated(linear: &[[f64; 3]], [width, height]: [u32; 2], [u, v]: [f64; 2]
 
 #[cfg(test)]
 mod tests {
-    use crate::picture::rectify::*;
+    use super::*;
     use relativity_core::Aperture;
 
     fn camera() -> Camera {

@@ -10,7 +10,7 @@ use super::body::{Body, Emission};
 use super::pattern::Marking;
 use crate::geometry::block::Block;
 use crate::geometry::capsule::Capsule;
-pub use crate::geometry::extent::Extent;
+use crate::geometry::extent::Extent;
 use crate::geometry::intersect::Solid;
 use crate::geometry::kind::Kind;
 use crate::geometry::shape::Shape;

@@ -5,9 +5,10 @@ use std::slice;
 use std::sync::Arc;
 
 use super::body::{Body, Emission};
-use super::prepared_body::{Extent, PreparedBody, find_joints, find_patterned, number_emissions};
+use super::prepared_body::{PreparedBody, find_joints, find_patterned, number_emissions};
 use super::wheel::solid::TurningSolid;
 use crate::geometry::capsule::Capsule;
+use crate::geometry::extent::Extent;
 use crate::geometry::hierarchy::{Beam, Hierarchy, pieces};
 use crate::geometry::intersect::{Entry, Solid};
 use crate::geometry::ray::Ray;

@@ -160,12 +160,12 @@ fn foot(shape: &Shape, ground: f64) -> Option<Foot> {
 mod tests {
     use relativity_core::{Aperture, Speed};
 
+    use super::*;
     use crate::camera::{Camera, Gaze};
     use crate::geometry::shape::ring::SHADOW as WHEEL;
     use crate::kinematics::velocity::{Motion, Velocity};
     use crate::scene::body::Body;
     use crate::scene::prepared_scene::Group;
-    use crate::street::contact::*;
     use crate::view::View;
 
     const GROUND: f64 = -2.0;

@@ -160,10 +160,10 @@ mod tests {
 
     use relativity_core::{Aperture, ObserverVelocity, Speed};
 
+    use super::*;
     use crate::camera::Gaze;
     use crate::kinematics::velocity::Motion;
     use crate::street::backdrop::Backdrop;
-    use crate::street::sight::*;
     use crate::view::View;
 
     /// Along the street, across it, upwards and aslant.

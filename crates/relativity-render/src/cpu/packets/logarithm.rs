@@ -66,7 +66,7 @@ fn float<S: Simd>(bits: i32x8<S>) -> F<S> {
 mod tests {
     use relativity_core::math;
 
-    use crate::cpu::packets::logarithm::*;
+    use super::*;
     use crate::cpu::packets::testing::at_every_level;
     use crate::simd::lanes::{LANES, SimdFrom as _};
 

@@ -197,7 +197,7 @@ mod tests {
     use fearless_simd::{Level, dispatch};
 
     use super::super::testing::{inside, place};
-    use crate::geometry::hierarchy::beam::*;
+    use super::*;
     use crate::geometry::hierarchy::boxes::WIDTH;
 
     /// `side` times as many, of a square this wide per distance, which is turned and looks at `middle`.

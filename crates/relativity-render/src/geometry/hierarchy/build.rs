@@ -232,7 +232,7 @@ fn cheapest(bins: &[(BoundingBox, usize); BINS]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::super::BeamLine;
-    use crate::geometry::hierarchy::build::*;
+    use super::*;
     use crate::geometry::ray::Ray;
 
     /// Returns the number of times that each of `bodies` is reported to a ray along x, which meets all: boxes around places there, of this size.

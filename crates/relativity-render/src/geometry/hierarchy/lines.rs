@@ -165,7 +165,7 @@ mod tests {
     use fearless_simd::{Level, dispatch};
 
     use super::super::testing::{inside, looks, place};
-    use crate::geometry::hierarchy::lines::*;
+    use super::*;
 
     #[test]
     fn rays_are_told_that_meet_a_box_and_hardly_others() {

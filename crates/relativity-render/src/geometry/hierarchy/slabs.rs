@@ -71,7 +71,7 @@ mod tests {
 
     use super::super::boxes::WIDTH;
     use super::super::testing::{inside, looks, place};
-    use crate::geometry::hierarchy::slabs::*;
+    use super::*;
 
     #[test]
     fn a_ray_meets_the_boxes_that_it_meets_and_hardly_others() {

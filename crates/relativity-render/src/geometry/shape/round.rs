@@ -77,7 +77,7 @@ pub(crate) fn grid(profile: &[[f32; 4]], around: u32) -> Template {
 
 #[cfg(test)]
 mod tests {
-    use crate::geometry::shape::round::*;
+    use super::*;
 
     #[test]
     fn the_z_axis_is_turned_into_any_axis() {

@@ -126,7 +126,7 @@ fn joined(corners: &[Vec3], step: f64) -> Vec<u32> {
 
 #[cfg(test)]
 mod tests {
-    use crate::geometry::triangles::edges::*;
+    use super::*;
 
     fn edges(corners: &[[f64; 3]], triangles: &[[u32; 3]]) -> Edges {
         let corners: Vec<_> = corners.iter().map(|&corner| DVec3::from(corner).as_vec3()).collect();

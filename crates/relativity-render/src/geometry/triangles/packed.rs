@@ -197,7 +197,7 @@ fn texel(place: Vec3, word: u32) -> Texel {
 
 #[cfg(test)]
 mod tests {
-    use crate::geometry::triangles::packed::*;
+    use super::*;
 
     /// Triangles of all sizes that have an area in f32, strewn about.
     fn strewn(count: u32) -> Triangles {

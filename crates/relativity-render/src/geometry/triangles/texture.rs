@@ -181,7 +181,7 @@ impl TexelShares {
 
 #[cfg(test)]
 mod tests {
-    use crate::geometry::triangles::texture::*;
+    use super::*;
 
     fn texture(size: [u32; 2], wrap: Wrap) -> Texture {
         let texel = |i: u32| [(i * 37 % 256) as u8, (i * 101 % 256) as u8, (i * 11 % 256) as u8, 255];

@@ -83,7 +83,7 @@ fn average(integral: impl Fn(f64) -> f64, x: f64, covered: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::pattern::coverage::*;
+    use super::*;
 
     /// The average of `value` from `x - covered/2` to `x + covered/2`, by many samples.
     fn sampled(value: impl Fn(f64) -> f64, x: f64, covered: f64) -> f64 {

@@ -194,9 +194,9 @@ fn bounded(spin: &Spin, capsule: &Capsule, shown: Capsule) -> Capsule {
 mod tests {
     use relativity_core::{Aperture, Speed, Turning};
 
+    use super::*;
     use crate::camera::{Camera, Gaze};
     use crate::kinematics::velocity::{Motion, Velocity};
-    use crate::scene::wheel::bounds::*;
     use crate::view::View;
 
     const HUB: [f64; 3] = [0.4, 3.0, 0.5];

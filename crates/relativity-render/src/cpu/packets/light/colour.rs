@@ -128,8 +128,8 @@ mod tests {
     use glam::DVec3;
     use relativity_core::math;
 
+    use super::*;
     use crate::colour::srgb_encoded;
-    use crate::cpu::packets::light::colour::*;
     use crate::cpu::packets::testing::at_every_level;
     use crate::light::daylight;
     use crate::light::screen_light::{Light, ScreenLight};

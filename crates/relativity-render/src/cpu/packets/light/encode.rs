@@ -51,8 +51,8 @@ fn level<S: Simd>(simd: S, table: &[u32; CELLS], linear: F<S>) -> u32x8<S> {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::colour::srgb_level;
-    use crate::cpu::packets::light::encode::*;
     use crate::cpu::packets::testing::at_every_level;
 
     /// Every float near where a level begins, and many between.

@@ -7,10 +7,10 @@ pub(super) mod ring;
 mod tube;
 
 use super::body::{PacketBody, PacketCapsule, PacketGroup, RestRays, Surface};
-use super::shape::pattern::coverage::PixelShifts;
-use super::shape::pattern::{chart, die};
 use crate::geometry::kind::Kind;
 use crate::simd::lanes::{F, Simd, V3};
+use pattern::coverage::PixelShifts;
+use pattern::{chart, die};
 
 /// Returns the surface of a body where rays meet it.
 ///

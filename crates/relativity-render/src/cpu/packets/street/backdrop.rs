@@ -305,10 +305,10 @@ mod tests {
     use glam::DVec3;
     use relativity_core::{Aperture, Speed};
 
+    use super::*;
     use crate::camera::{Camera, Gaze, Projection};
     use crate::colour::srgb_encoded;
     use crate::cpu::packets::light::encode::encoded;
-    use crate::cpu::packets::street::backdrop::*;
     use crate::cpu::packets::testing::at_every_level;
     use crate::kinematics::velocity::{Motion, Velocity};
     use crate::scene::prepared_scene::PreparedScene;

@@ -12,7 +12,6 @@ use super::look::{Look, Seen};
 use super::model::{Meetings, ModelPart};
 use super::places::PACKETS;
 use super::ray::{TileSights, rest_ray};
-use super::tile::passing::{Middles, may_show as may_show_in};
 use super::wheel::turning::TurningBody;
 use crate::geometry::kind::Kind;
 use crate::geometry::triangles::Triangles;
@@ -20,6 +19,7 @@ use crate::picture::candidates::TileLook;
 use crate::scene::wheel::packed::Turns;
 use crate::simd::lanes::{F, Simd, SimdFloat, SimdMask, all};
 use crate::view::cap::Cap;
+use passing::{Middles, may_show as may_show_in};
 
 pub use contents::{Owner, Packet, TileContents};
 pub use ray_test::RayTest;

@@ -1,8 +1,8 @@
 //! Patterns on bodies, as `shaders/pattern.wgsl` has them.
 
-pub(in crate::cpu::packets) mod chart;
-pub(in crate::cpu::packets) mod coverage;
-pub(in crate::cpu::packets) mod die;
+pub(super) mod chart;
+pub(super) mod coverage;
+pub(super) mod die;
 #[cfg(test)]
 mod tests;
 
