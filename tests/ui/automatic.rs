@@ -93,14 +93,14 @@ fn gets_smooth() {
 fn changes_are_plain() {
     let mut window = refined_window();
     refine(&mut window);
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(2.0)));
+    window.state_mut().run(PlaybackCommand::GoTo(2.0));
     window.step();
     assert!(!window.state().is_refined());
     let [changed, _] = differences(&mut window, 8);
     assert!(changed < 3.0, "it is a picture of the new time: {changed}");
     let mut quality = window.state().state().document.settings.quality;
     quality.refine = false;
-    window.state_mut().run(Command::Settings(SettingsCommand::Quality(quality)));
+    window.state_mut().run(SettingsCommand::Quality(quality));
     window.step();
     assert!(window.state().is_refined(), "nothing is begun");
     let before = differences(&mut window, 8);
@@ -110,7 +110,7 @@ fn changes_are_plain() {
     // The mesh's errors are to be seen.
     quality.refine = true;
     quality.renderer = RendererChoice::Mesh;
-    window.state_mut().run(Command::Settings(SettingsCommand::Quality(quality)));
+    window.state_mut().run(SettingsCommand::Quality(quality));
     window.run();
     assert!(window.state().is_refined());
 }
@@ -125,7 +125,7 @@ fn what_was_chosen_is_said() {
     ] {
         let mut quality = window.state().state().document.settings.quality;
         quality.goal = goal;
-        window.state_mut().run(Command::Settings(SettingsCommand::Quality(quality)));
+        window.state_mut().run(SettingsCommand::Quality(quality));
         window.run_steps(3);
         let said = label_starting_with(&window, "Chosen: ");
         assert!(said.ends_with(end), "{goal:?}: {said}");
