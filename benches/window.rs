@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use eframe::egui::{Context, Pos2, RawInput, Rect};
 use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
 use eframe::wgpu;
-use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::riding::saddle::RideCommand;
@@ -43,12 +43,12 @@ fn main() {
 /// The same street from a bicycle at 0.9 c.
 fn riding() -> State {
     let mut state = State::new(Settings::default(), Scene::default());
-    state.run(Command::Ride(RideCommand::Toggle));
+    state.run(RideCommand::Toggle);
     let mut settings = Settings::clone(&state.document.settings);
     settings.ride.ride_speed = "0.9".parse().expect("a velocity");
     settings.window.map = Presence::Off;
-    state.run(Command::Ride(RideCommand::Set(settings.ride.clone())));
-    state.run(Command::Settings(SettingsCommand::Window(settings.window)));
+    state.run(RideCommand::Set(settings.ride.clone()));
+    state.run(SettingsCommand::Window(settings.window));
     state
 }
 
@@ -133,7 +133,7 @@ impl Shown {
     /// Draws the next frame, as the toolkit does.
     fn draw(&mut self) {
         self.frame += 1;
-        self.app.run(Command::Playback(PlaybackCommand::GoTo(f64::from(self.frame % 200) / 20.0)));
+        self.app.run(PlaybackCommand::GoTo(f64::from(self.frame % 200) / 20.0));
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(Pos2::ZERO, SIZE.map(|side| side as f32).into())),
             time: Some(f64::from(self.frame) / 60.0),

@@ -3,9 +3,7 @@
 use std::path::Path;
 
 use clap::{Parser, ValueEnum as _};
-use gamow::app::commands::{
-    Command, FileCommand, PlaybackCommand, PointsCommand, SettingsCommand, ShowCommand,
-};
+use gamow::app::commands::{FileCommand, PlaybackCommand, PointsCommand, SettingsCommand, ShowCommand};
 use gamow::app::shell::args::WindowArgs;
 use gamow::app::state::State;
 use gamow::app::state::pointer::Select;
@@ -85,7 +83,7 @@ fn in_parallel_pictures_the_selected_point_is_at_one_place_and_nothing_has_verti
                 settings.look.geometry = geometry;
                 let mut state = State::open(settings.clone()).expect("a preset");
                 for time in [-2.0, 0.7, 2.0, 3.6, 5.0] {
-                    state.run(Command::Playback(PlaybackCommand::GoTo(time)));
+                    state.run(PlaybackCommand::GoTo(time));
                     compared += assert_fusible(&state);
                 }
             }
@@ -208,10 +206,10 @@ fn all_followed_points_are_part_of_what_is_shown() {
     for (number, body) in [tyre, last, body("front tyre")].into_iter().enumerate() {
         let rest = [0.1 * number as f64, 4.0, -1.5];
         let track = state.document.scene.track_at(rest, body).expect("there is one");
-        state.run(Command::Points(PointsCommand::Choose(Select { track, body, add: true })));
+        state.run(PointsCommand::Choose(Select { track, body, add: true }));
     }
     for selected in 0..4 {
-        state.run(Command::Points(PointsCommand::Select(selected)));
+        state.run(PointsCommand::Select(selected));
         let shown = state.shown();
         let again = State::open(shown.clone()).expect("a preset");
         assert_eq!(again.document.points, state.document.points);
@@ -255,7 +253,7 @@ fn pictures_and_files_open_in_the_window_and_in_render_alike() {
     for name in ["a.png", "b.png", "c.exr"] {
         let mut state = State::open(Settings::default()).expect("a preset");
         state.document.settings.window.plots = false;
-        state.run(Command::File(FileCommand::Open(path(name))));
+        state.run(FileCommand::Open(path(name)));
         assert_eq!(state.scratch.notice, None);
         assert!(!state.document.settings.window.plots, "the window's parts stay as they are");
         assert_eq!(state.document.scene.name, "Ball");
@@ -280,7 +278,7 @@ fn a_file_that_cannot_be_opened_leaves_all_as_it_was_and_says_why() {
         std::fs::write(&file, text).expect("the folder is writable");
         let mut state = State::open(Settings::default()).expect("a preset");
         let before = state.clone();
-        state.run(Command::File(FileCommand::Open(file.clone())));
+        state.run(FileCommand::Open(file.clone()));
         let notice = state.scratch.notice.take().expect("it says why");
         assert!(notice.text.contains(told), "{notice:?}");
         assert_eq!(state, before);
@@ -307,7 +305,7 @@ fn a_link_opens_what_is_shown() {
         let link = state.shown().link().expect("a preset");
         assert!(link.len() < 400 && link.is_ascii() && !link.contains(' '), "{link}");
         let mut opened = State::open(Settings::default()).expect("a preset");
-        opened.run(Command::File(FileCommand::Open(link.clone().into())));
+        opened.run(FileCommand::Open(link.clone().into()));
         assert_eq!(opened.scratch.notice, None, "{link}");
         // The window and the screen are those of whoever opens it.
         let expected = Settings {
@@ -327,14 +325,14 @@ fn a_preset_is_applied_afresh_but_for_the_parts_of_the_window() {
     let mut state = started(&["--beta", "0.3", "--plots=off", "--theme=light"], Settings::default());
     assert_eq!(state.document.preset, None);
     let preset = Preset::named("overhead").expect("a preset");
-    state.run(Command::Show(ShowCommand::Preset(preset)));
+    state.run(ShowCommand::Preset(preset));
     let window = state.document.settings.window;
     assert!(!window.plots && window.theme == Theme::Light);
     assert_eq!(
         state.shown(),
         Settings { window, time: Some(state.document.time), ..preset.settings.clone() }
     );
-    state.run(Command::Show(ShowCommand::Scene("two-balls")));
+    state.run(ShowCommand::Scene("two-balls"));
     assert_eq!(state.document.preset, None);
 }
 
@@ -343,10 +341,7 @@ fn surroundings_are_left_out_and_put_back_and_all_else_stays() {
     let mut state = started(&["--time", "2.5"], Settings::default());
     let before = state.clone();
     let set = |state: &mut State, surroundings| {
-        state.run(Command::Settings(SettingsCommand::Light(LightSettings {
-            surroundings,
-            ..state.document.settings.light
-        })));
+        state.run(SettingsCommand::Light(LightSettings { surroundings, ..state.document.settings.light }));
     };
     set(&mut state, false);
     assert!(state.document.prepared.groups().iter().all(|group| group.motion == Motion::Scene));
@@ -392,7 +387,7 @@ fn the_window_opens_no_pipe_and_does_not_wait_for_one() {
         for path in paths {
             let mut state = State::open(Settings::default()).expect("a preset");
             let before = state.clone();
-            state.run(Command::File(FileCommand::Open(path.clone())));
+            state.run(FileCommand::Open(path.clone()));
             let notice = state.scratch.notice.take();
             sender.send((path, notice, state == before)).expect("it is waited for");
         }

@@ -88,14 +88,14 @@ fn a_still_view_gets_as_smooth_as_the_reference_and_then_costs_nothing() {
 fn what_changes_is_drawn_plainly_at_once() {
     let mut window = refined_window();
     refine(&mut window);
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(2.0)));
+    window.state_mut().run(PlaybackCommand::GoTo(2.0));
     window.step();
     assert!(!window.state().is_refined());
     let [changed, _] = differences(&mut window, 8);
     assert!(changed < 3.0, "it is a picture of the new time: {changed}");
     let mut quality = window.state().state().document.settings.quality;
     quality.refine = false;
-    window.state_mut().run(Command::Settings(SettingsCommand::Quality(quality)));
+    window.state_mut().run(SettingsCommand::Quality(quality));
     window.step();
     assert!(window.state().is_refined(), "nothing is begun");
     let before = differences(&mut window, 8);
@@ -105,7 +105,7 @@ fn what_changes_is_drawn_plainly_at_once() {
     // The mesh's errors are to be seen.
     quality.refine = true;
     quality.renderer = RendererChoice::Mesh;
-    window.state_mut().run(Command::Settings(SettingsCommand::Quality(quality)));
+    window.state_mut().run(SettingsCommand::Quality(quality));
     window.run();
     assert!(window.state().is_refined());
 }
@@ -120,7 +120,7 @@ fn what_was_chosen_and_why_is_said() {
     ] {
         let mut quality = window.state().state().document.settings.quality;
         quality.goal = goal;
-        window.state_mut().run(Command::Settings(SettingsCommand::Quality(quality)));
+        window.state_mut().run(SettingsCommand::Quality(quality));
         window.run_steps(3);
         let said = label_starting_with(&window, "Chosen: ");
         assert!(said.ends_with(end), "{goal:?}: {said}");

@@ -4,7 +4,7 @@
 use eframe::egui::{Key, Modifiers, Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::eye::Eye;
@@ -36,8 +36,8 @@ const SECOND: &str = "Left eye view: contracted only";
 fn compared(compare: Compare) -> State {
     let mut state = cyclist(0.9);
     let look = LookSettings { compare, fov: FieldOfView(Some(80.0)), ..state.document.settings.look };
-    state.run(Command::Settings(SettingsCommand::Look(look)));
-    state.run(Command::Playback(PlaybackCommand::GoTo(-1.0)));
+    state.run(SettingsCommand::Look(look));
+    state.run(PlaybackCommand::GoTo(-1.0));
     state
 }
 
@@ -146,9 +146,7 @@ fn two_pictures_of_one_eye_are_named_and_are_no_pair() {
     // The numbers stay those of two eyes.
     let disparity = shown(&window, "Disparity Δφ");
     let look = window.state().state().document.settings.look;
-    window
-        .state_mut()
-        .run(Command::Settings(SettingsCommand::Look(LookSettings { compare: Compare::Off, ..look })));
+    window.state_mut().run(SettingsCommand::Look(LookSettings { compare: Compare::Off, ..look }));
     window.run();
     assert!((shown(&window, "Disparity Δφ") - disparity).abs() < 1e-12);
     window.get_by_label("Right eye view");
@@ -168,7 +166,7 @@ fn what_cannot_be_compared_shows_two_eyes_and_says_why() {
     assert!(first.max.y < second.min.y);
     assert!(!labels(&window).iter().any(|label| label == reason));
     // Both would be alike.
-    window.state_mut().run(Command::Settings(SettingsCommand::Geometry(Geometry::Contracted)));
+    window.state_mut().run(SettingsCommand::Geometry(Geometry::Contracted));
     window.run();
     window.get_by_label("Right eye view");
     window.get_by_label("The first picture shows this already.");
@@ -195,7 +193,7 @@ fn a_comparison_is_chosen_by_key_saved_and_opened() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("state.toml");
     std::fs::write(&path, told).expect("it is writable");
-    window.state_mut().run(Command::Settings(SettingsCommand::Reset));
+    window.state_mut().run(SettingsCommand::Reset);
     window.run();
     assert_eq!(window.state().state().document.settings.look.compare, Compare::Off);
     open(&mut window, &path);

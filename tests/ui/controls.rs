@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{By, NodeT as _, Queryable as _};
-use gamow::app::commands::{Command, SettingsCommand};
+use gamow::app::commands::SettingsCommand;
 use gamow::app::shell::App;
 use gamow::app::shell::persistence::Keeper;
 use gamow::app::state::State;
@@ -99,10 +99,9 @@ fn a_decimal_comma_may_be_typed_wherever_a_number_is() {
         (0.75, 2.25, 0.5)
     );
     assert_eq!(state.document.settings.motion.depth_shift, 1.5);
-    window.state_mut().run(Command::Settings(SettingsCommand::Plots(PlotSettings {
-        plot: PlotTab::Fit,
-        ..PlotSettings::default()
-    })));
+    window
+        .state_mut()
+        .run(SettingsCommand::Plots(PlotSettings { plot: PlotTab::Fit, ..PlotSettings::default() }));
     window.run();
     type_into(&mut window, "Noise", "2,5");
     assert_eq!(window.state().state().document.settings.fit.noise_percent, 2.5);

@@ -7,7 +7,7 @@ use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuSetup, WgpuSetupExisti
 use eframe::wgpu;
 use egui_kittest::Harness;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
-use gamow::app::commands::{Command, PlaybackCommand, WindowCommand};
+use gamow::app::commands::{PlaybackCommand, WindowCommand};
 use gamow::app::shell::App;
 use gamow::app::tools::painting;
 use gamow::flags::choices::RendererChoice;
@@ -55,7 +55,7 @@ fn a_device_that_refuses_leaves_the_views_to_the_cpu() {
     assert!(text.contains("refused to draw") && text.contains("drawn on the CPU"), "{text}");
     settle(&mut harness);
     // Told once; what is set stays.
-    harness.state_mut().run(Command::Window(WindowCommand::CloseNotice));
+    harness.state_mut().run(WindowCommand::CloseNotice);
     harness.run_steps(3);
     assert_eq!(notice(&harness), None);
     assert!((harness.state().state().speed().beta() - 0.9).abs() < 1e-12);
@@ -82,7 +82,7 @@ fn an_error_that_nobody_waits_for_is_told_once() {
     harness.run_steps(2);
     let text = notice(&harness).expect("it is told");
     assert!(before != Some(text.clone()) && text.contains("too large"), "{text}");
-    harness.state_mut().run(Command::Window(WindowCommand::CloseNotice));
+    harness.state_mut().run(WindowCommand::CloseNotice);
     for _ in 0..10 {
         invalid(1 << 61);
         harness.step();
@@ -108,7 +108,7 @@ fn a_lost_device_closes_the_window_and_leaves_its_state() {
 fn no_size_of_the_window_is_an_error() {
     // A device that draws little more than the window is large.
     let (mut harness, _) = on_device(|limits| limits.max_texture_dimension_2d = 2048);
-    harness.state_mut().run(Command::Playback(PlaybackCommand::Toggle));
+    harness.state_mut().run(PlaybackCommand::Toggle);
     for size in [[0.0, 0.0], [1.0, 1.0], [1.0, 800.0], [20_000.0, 3.0], [5000.0, 4000.0], [1280.0, 800.0]] {
         harness.set_size(Vec2::from(size));
         harness.run_steps(2);

@@ -166,7 +166,7 @@ fn the_last_of_two_files_is_shown() {
     let balls = file(folder.path(), "balls.toml", BALLS);
     let mut window = window(cyclist(0.9));
     let before = window.state().state().clone();
-    window.state_mut().run(Command::File(FileCommand::Open(large.clone())));
+    window.state_mut().run(FileCommand::Open(large.clone()));
     // Nothing waits for it, and nothing has changed.
     assert!(window.state().is_reading() && *window.state().state() == before);
     open(&mut window, &balls);
@@ -177,11 +177,11 @@ fn the_last_of_two_files_is_shown() {
     // Given up before it is read, or when it is read and not shown yet: it is not shown then.
     for is_read in [false, true] {
         let wakes = Wakes::of(&window);
-        window.state_mut().run(Command::File(FileCommand::Open(balls.clone())));
+        window.state_mut().run(FileCommand::Open(balls.clone()));
         if is_read {
             wakes.next("it is read");
         }
-        window.state_mut().run(Command::File(FileCommand::StopReading));
+        window.state_mut().run(FileCommand::StopReading);
         wait_for_file(&mut window);
         assert_eq!(scene_name(&window), "Large");
     }

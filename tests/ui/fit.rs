@@ -6,7 +6,7 @@ use std::time::Duration;
 use eframe::egui::ViewportId;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::flags::choices::ProjectionChoice;
@@ -42,11 +42,8 @@ const APPENDIX_A: Model = Model::Published(PublishedVariant::AppendixA);
 /// The default scene at this beta, with this fit in view.
 fn fitted(beta: f64, setup: FitSettings) -> State {
     let mut state = cyclist(beta);
-    state.run(Command::Settings(SettingsCommand::Fit(setup)));
-    state.run(Command::Settings(SettingsCommand::Plots(PlotSettings {
-        plot: PlotTab::Fit,
-        ..PlotSettings::default()
-    })));
+    state.run(SettingsCommand::Fit(setup));
+    state.run(SettingsCommand::Plots(PlotSettings { plot: PlotTab::Fit, ..PlotSettings::default() }));
     state
 }
 
@@ -104,7 +101,7 @@ fn each_curve_alone_recovers_them_too() {
         let mut state = fitted(0.6, setup);
         let mut motion = state.document.settings.motion;
         motion.height_shift = -3.5; // z = -1.5, of which Δφ tells only the magnitude
-        state.run(Command::Settings(SettingsCommand::Motion(motion)));
+        state.run(SettingsCommand::Motion(motion));
         let window = window_with_fit(state);
         let z = if curves == Curves::Azimuth { 1.5 } else { -1.5 };
         for (symbol, truth) in [("β", 0.6), ("y", 3.0), ("z", z), ("x₀", 0.0)] {
@@ -171,11 +168,11 @@ fn what_cannot_be_fitted_is_said_in_words() {
     let mut together = fitted(0.9, FitSettings::default());
     let mut motion = together.document.settings.motion;
     motion.d = 0.0;
-    together.run(Command::Settings(SettingsCommand::Motion(motion)));
+    together.run(SettingsCommand::Motion(motion));
     let mut behind = fitted(0.9, FitSettings::default());
     motion.d = 0.1;
     motion.depth_shift = -3.0;
-    behind.run(Command::Settings(SettingsCommand::Motion(motion)));
+    behind.run(SettingsCommand::Motion(motion));
     // So slow, it hardly moves while it is watched.
     let azimuth =
         FitSettings { curves: Curves::Azimuth, fit_x0: true, noise_percent: 2.0, ..FitSettings::default() };
@@ -183,7 +180,7 @@ fn what_cannot_be_fitted_is_said_in_words() {
     motion.speed = slow.document.settings.motion.speed;
     motion.depth_shift = 5.0;
     motion.height_shift = -1.5;
-    slow.run(Command::Settings(SettingsCommand::Motion(motion)));
+    slow.run(SettingsCommand::Motion(motion));
     let cases = [
         (together, "Both eyes are in one place (d = 0)"),
         (fitted(0.0, FitSettings::default()), "At rest (β = 0)"),
@@ -264,7 +261,7 @@ fn a_window_that_shows_a_fit_rests() {
     window.step();
     let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
     assert_eq!(repaint, Duration::MAX);
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(2.0)));
+    window.state_mut().run(PlaybackCommand::GoTo(2.0));
     window.run();
     assert_eq!(window.state().fitting().requests(), 1, "the fit does not depend on T");
 }
@@ -334,11 +331,11 @@ fn extremes_are_fitted_and_corrected_without_harm() {
         let mut state = fitted(0.5, FitSettings { fit_samples: 60, ..FitSettings::default() });
         let mut motion = state.document.settings.motion;
         motion.speed = SpeedSetting::new(SpeedParameter::Gamma, gamma).expect("a speed");
-        state.run(Command::Settings(SettingsCommand::Motion(motion)));
+        state.run(SettingsCommand::Motion(motion));
         state.document.settings.window.corrected = true;
         let mut window = window_of_size(state, [1024.0, 600.0], 1.0);
         for time in [-1e12, 0.0, 1e12] {
-            window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(time)));
+            window.state_mut().run(PlaybackCommand::GoTo(time));
             settle(&mut window);
             settle(&mut window);
             assert!(!labels(&window).iter().any(|label| label.contains("NaN") || label.contains("inf ")));

@@ -3,7 +3,7 @@
 use eframe::egui::{Modifiers, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, PlaybackCommand, PointsCommand, SettingsCommand};
+use gamow::app::commands::{PlaybackCommand, PointsCommand, SettingsCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::pointer::Pick;
@@ -77,7 +77,7 @@ fn a_point_that_rests_keeps_its_colour_place_and_disparity() {
     let before = numbers(&window);
     assert_eq!(before[..2], [1.0, 550.0]);
     assert!(before[2] < 0.0);
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(TIME + 4.0)));
+    window.state_mut().run(PlaybackCommand::GoTo(TIME + 4.0));
     window.run_steps(2);
     assert_eq!(numbers(&window), before);
     let slider = slider(&window, "Speed β");
@@ -95,10 +95,9 @@ fn a_point_that_rests_or_comes_is_not_fitted_and_why_is_said() {
         let mut window = window(groups());
         let clicked = place(&window, body);
         click(&mut window, clicked, Modifiers::NONE);
-        window.state_mut().run(Command::Settings(SettingsCommand::Plots(PlotSettings {
-            plot: PlotTab::Fit,
-            ..PlotSettings::default()
-        })));
+        window
+            .state_mut()
+            .run(SettingsCommand::Plots(PlotSettings { plot: PlotTab::Fit, ..PlotSettings::default() }));
         while !window.state().fitting().is_up_to_date() {
             window.step();
         }
@@ -113,7 +112,7 @@ fn markers_lie_where_the_reference_shows_their_points() {
     for body in [RESTING, ONCOMING] {
         for time in [TIME, TIME + 1.0] {
             let mut state = groups();
-            state.run(Command::Playback(PlaybackCommand::GoTo(time)));
+            state.run(PlaybackCommand::GoTo(time));
             for eye in Eye::BOTH {
                 let pixels = pixels(&state, eye, size, body);
                 assert!(pixels.len() > 50, "body {body}, T = {time}: {} pixels", pixels.len());
@@ -121,13 +120,7 @@ fn markers_lie_where_the_reference_shows_their_points() {
                 let camera = state.view(eye, size).camera;
                 for &pixel in pixels.iter().step_by(pixels.len() / 40) {
                     let mut state = state.clone();
-                    state.run(Command::Points(PointsCommand::Pick(Pick {
-                        eye,
-                        is_second: false,
-                        pixel,
-                        size,
-                        add: false,
-                    })));
+                    state.run(PointsCommand::Pick(Pick { eye, is_second: false, pixel, size, add: false }));
                     let point = state.document.points.selected();
                     let direction = state.direction(point, eye).expect("in the domain");
                     let [u, v] = camera.pixel(direction).expect("in front");

@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Rect, pos2, vec2};
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::{Harness, SnapshotOptions};
-use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::lesson::LessonCommand;
@@ -101,7 +101,7 @@ fn tiny_windows_do_no_harm() {
         state.begin_lesson(&lesson).expect("it can be shown");
         let mut window = window_of_size(state, size, 1.0);
         window.run();
-        window.state_mut().run(Command::Lesson(LessonCommand::ToggleFolded));
+        window.state_mut().run(LessonCommand::ToggleFolded);
         window.run();
     }
 }
@@ -116,13 +116,13 @@ fn extremes_show_numbers_or_dashes() {
     for (parameter, value) in speeds {
         let mut window = window_without_pictures(extreme(parameter, value), [1024.0, 600.0]);
         for plot in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
-            window.state_mut().run(Command::Settings(SettingsCommand::Plots(PlotSettings {
+            window.state_mut().run(SettingsCommand::Plots(PlotSettings {
                 plot,
                 published: true,
                 ..PlotSettings::default()
-            })));
+            }));
             for time in [0.0, -1e12, 1e12] {
-                window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(time)));
+                window.state_mut().run(PlaybackCommand::GoTo(time));
                 window.run();
                 assert_no_broken_numbers(&window);
             }
@@ -140,7 +140,7 @@ fn extreme(parameter: SpeedParameter, value: f64) -> State {
     motion.d = 0.0;
     motion.depth_shift = -3.0;
     motion.height_shift = -2.0;
-    state.run(Command::Settings(SettingsCommand::Motion(motion)));
+    state.run(SettingsCommand::Motion(motion));
     state
 }
 

@@ -271,7 +271,7 @@ fn digits_answer_a_lesson_that_has_choices_and_change_no_picture() {
     for is_presented in [false, true] {
         let mut window = window(&lesson(), [1280.0, 800.0]);
         if is_presented {
-            window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
+            window.state_mut().run(WindowCommand::TogglePresenting);
             window.run_steps(4);
             // Cards that are held up have letters.
             assert!(["A", "B"].iter().all(|letter| labels(&window).iter().any(|label| label == letter)));
@@ -298,7 +298,7 @@ fn hands_in_a_lesson_are_typed_as_numbers() {
     for is_presented in [false, true] {
         let mut window = window(&lesson(), [1280.0, 800.0]);
         if is_presented {
-            window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
+            window.state_mut().run(WindowCommand::TogglePresenting);
         }
         ask(&mut window, LessonCommand::ToggleClass);
         let geometry = window.state().state().document.settings.geometry();
@@ -357,7 +357,7 @@ fn what_was_explored_in_a_lesson_is_set_up_again_and_undone() {
         press(&mut window, "Next");
     }
     assert_eq!(course(&window).place(), place(1, Phase::Ask));
-    window.state_mut().run(Command::Settings(SettingsCommand::NudgeSpeed(3)));
+    window.state_mut().run(SettingsCommand::NudgeSpeed(3));
     window.state_mut().run(Command::Undo);
     window.run_steps(2);
     assert_eq!(course(&window).place(), place(1, Phase::Ask));
@@ -387,7 +387,7 @@ fn a_lesson_that_is_closed_keeps_its_answers() {
     assert_eq!(window.state().state().course(), None);
     // Another one is begun and left for the first.
     ask(&mut window, LessonCommand::Open("rods".to_owned()));
-    window.state_mut().run(Command::Lesson(LessonCommand::Skip));
+    window.state_mut().run(LessonCommand::Skip);
     let begin = |window: &mut Harness<'_, App>| {
         let mut state = window.state().state().clone();
         state.begin_lesson(&lesson()).expect("it can be worked out");
@@ -406,9 +406,7 @@ fn a_lesson_that_is_closed_keeps_its_answers() {
     assert_eq!((asked.records()[0].outcome.as_ref(), asked.place()), (None, Place::START));
     // The start page goes on with the one that was left last.
     ask(&mut window, LessonCommand::Close);
-    window
-        .state_mut()
-        .run(Command::Window(WindowCommand::Toggle(gamow::app::state::overlay::Overlay::Start)));
+    window.state_mut().run(WindowCommand::Toggle(gamow::app::state::overlay::Overlay::Start));
     window.run_steps(2);
     press(&mut window, "Go on: Rods at 0.7 c");
     assert_eq!(course(&window).records()[0].outcome, Some(Outcome::Skipped));
@@ -433,7 +431,7 @@ fn a_lesson_that_is_written_anew_keeps_its_place() {
     press(&mut window, "Next");
     let records = course(&window).records().to_vec();
     std::fs::write(&path, LESSON.replace("Light is late.", "Light needs time.")).expect("it is writable");
-    window.state_mut().run(Command::File(FileCommand::Reload(path)));
+    window.state_mut().run(FileCommand::Reload(path));
     wait_for_file(&mut window);
     window.get_by_label("Light needs time.");
     assert_eq!(course(&window).place(), place(0, Phase::Explained));
@@ -447,7 +445,7 @@ fn key(window: &mut Harness<'_, App>, key: Key) {
 
 fn an_audience_is_led_through_a_lesson_with_two_keys() {
     let mut window = window(&lesson(), [800.0, 600.0]);
-    window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
+    window.state_mut().run(WindowCommand::TogglePresenting);
     window.run_steps(3);
     let text = |window: &Harness<'_, App>, text: &str| labels(window).iter().any(|label| label == text);
     assert!(text(&window, "How long do they look?") && text(&window, "long"));
@@ -633,7 +631,7 @@ fn every_step_of_every_lesson_fits_before_an_audience() {
     let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());
     for lesson in Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()) {
         let mut window = window(lesson, size);
-        window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
+        window.state_mut().run(WindowCommand::TogglePresenting);
         window.run_steps(3);
         walk(&mut window, lesson, |window, name| {
             let words = named(window, 0.0, 800.0);

@@ -6,9 +6,7 @@ use clap::ValueEnum as _;
 use eframe::egui::{Key, Modifiers, OutputCommand, Rect, Shape, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use gamow::app::commands::{
-    Command, PlaybackCommand, PointsCommand, SettingsCommand, ShowCommand, WindowCommand,
-};
+use gamow::app::commands::{PlaybackCommand, PointsCommand, SettingsCommand, ShowCommand, WindowCommand};
 use gamow::app::shell::App;
 use gamow::app::state::pointer::Pick;
 use gamow::flags::choices::GazeChoice;
@@ -72,7 +70,7 @@ fn a_message_of_any_length_stays_over_the_views() {
             for present in [false, true] {
                 let mut window = with_message(size, text);
                 if present {
-                    window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
+                    window.state_mut().run(WindowCommand::TogglePresenting);
                     window.run_ok();
                 }
                 let whole = Rect::from_min_size(pos2(0.0, 0.0), Vec2::from(size));
@@ -149,10 +147,10 @@ fn no_control_leaves_the_window_or_covers_another() {
         for (units, scene) in [("scene", "cyclist"), ("metres", "street")] {
             let mut state = cyclist(0.9);
             if units == "metres" {
-                state.run(Command::Show(ShowCommand::Scene("street")));
+                state.run(ShowCommand::Scene("street"));
                 let units = gamow::units::Units::Metric;
                 let shown = gamow::settings::WindowSettings { units, ..state.document.settings.window };
-                state.run(Command::Settings(SettingsCommand::Window(shown)));
+                state.run(SettingsCommand::Window(shown));
             }
             let window = window_of_size(state, size, 1.0);
             let whole = Rect::from_min_size(pos2(0.0, 0.0), Vec2::from(size));
@@ -197,9 +195,7 @@ fn a_click_beside_everything_says_so() {
 
 fn what_is_under_the_pointer_is_outlined() {
     let mut window = window(cyclist(0.9));
-    window
-        .state_mut()
-        .run(Command::Settings(SettingsCommand::Geometry(relativity_render::Geometry::Contracted)));
+    window.state_mut().run(SettingsCommand::Geometry(relativity_render::Geometry::Contracted));
     window.run_ok();
     let bare = window.render().expect("a picture");
     let pane = pane(&window, 0);
@@ -228,7 +224,7 @@ fn points_are_numbered_only_where_two_have_one_name() {
     assert!(readout(&window) > 0);
     let track = window.state().state().document.scene.track_on(FRONT_TYRE).expect("a body");
     let select = gamow::app::state::pointer::Select { track, body: FRONT_TYRE, add: true };
-    window.state_mut().run(Command::Points(PointsCommand::Choose(select)));
+    window.state_mut().run(PointsCommand::Choose(select));
     window.run_ok();
     assert_eq!(readout(&window), 0);
     window.get_by_label("front tyre (1)");
@@ -257,7 +253,7 @@ fn the_palette_finds_what_to_do_by_its_words() {
     window.key_press(Key::ArrowDown);
     window.run_ok();
     let mut expected = window.state().state().clone();
-    expected.run(Command::Playback(PlaybackCommand::Step(-10)));
+    expected.run(PlaybackCommand::Step(-10));
     window.key_press(Key::Enter);
     window.run_ok();
     assert_eq!(window.state().state().document.time, expected.document.time);
@@ -403,15 +399,15 @@ fn no_writing_in_the_window_is_smaller_than_eleven_points() {
     for size in [[800.0, 600.0], [1280.0, 800.0]] {
         for present in [false, true] {
             let mut window = window_of_size(cyclist(0.9), size, 1.0);
-            window.state_mut().run(Command::Show(ShowCommand::Preset(&gamow::settings::Preset::all()[0])));
+            window.state_mut().run(ShowCommand::Preset(&gamow::settings::Preset::all()[0]));
             if present {
-                window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
+                window.state_mut().run(WindowCommand::TogglePresenting);
             }
             window.run_ok();
             for &plot in PlotTab::value_variants() {
                 let plots =
                     gamow::settings::PlotSettings { plot, ..window.state().state().document.settings.plots };
-                window.state_mut().run(Command::Settings(SettingsCommand::Plots(plots)));
+                window.state_mut().run(SettingsCommand::Plots(plots));
                 window.run_ok();
                 let mut sizes = Vec::new();
                 for clipped in &window.output().shapes {
@@ -446,7 +442,7 @@ fn a_newcomer_is_told_to_click_until_the_first_click() {
     let mut window = window(state);
     let count = |window: &Harness<'_, App>| labels(window).iter().filter(|label| *label == hint).count();
     assert_eq!(count(&window), 2);
-    window.state_mut().run(Command::Show(ShowCommand::Scene("street")));
+    window.state_mut().run(ShowCommand::Scene("street"));
     window.run_ok();
     assert_eq!(count(&window), 2, "another scene is as new");
     let pane = pane(&window, 0);
@@ -473,13 +469,7 @@ fn a_click_near_something_means_it() {
         let beside = [first[0] - off, first[1]];
         assert!(is_free(beside));
         let mut picked = state.clone();
-        picked.run(Command::Points(PointsCommand::Pick(Pick {
-            eye,
-            is_second: false,
-            pixel: beside,
-            size,
-            add: false,
-        })));
+        picked.run(PointsCommand::Pick(Pick { eye, is_second: false, pixel: beside, size, add: false }));
         assert_eq!(picked.document.points != state.document.points, is_meant, "{off}");
         assert_eq!(picked.scratch.missed.is_none(), is_meant, "{off}");
     }

@@ -3,7 +3,7 @@
 use eframe::egui::{Key, Modifiers, Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
@@ -49,7 +49,7 @@ fn point(picture: &str) -> String {
 
 /// Goes to `time`.
 fn go_to(window: &mut Harness<'_, App>, time: f64) {
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(time)));
+    window.state_mut().run(PlaybackCommand::GoTo(time));
     window.run();
 }
 
@@ -115,10 +115,9 @@ fn assert_marks(window: &Harness<'_, App>, chart: &str, up: usize, found: &Found
 
 fn the_bicycle_rests_in_its_own_frame_and_the_eyes_ride_past() {
     let mut window = map_window(cyclist(0.9));
-    window.state_mut().run(Command::Settings(SettingsCommand::Map(MapSettings {
-        frame: MapFrame::Bicycle,
-        ..MapSettings::default()
-    })));
+    window
+        .state_mut()
+        .run(SettingsCommand::Map(MapSettings { frame: MapFrame::Bicycle, ..MapSettings::default() }));
     let gamma = Speed::from_beta(0.9).expect("a speed").gamma();
     let name = format!("Map, from above: {}", point("measured now"));
     let mut at = |time| {
@@ -341,10 +340,7 @@ fn no_speed_distance_or_time_breaks_the_map() {
             state.document.settings.window.views = false;
             let mut window = map_window(state);
             for frame in [MapFrame::Ground, MapFrame::Bicycle] {
-                window.state_mut().run(Command::Settings(SettingsCommand::Map(MapSettings {
-                    frame,
-                    ..MapSettings::default()
-                })));
+                window.state_mut().run(SettingsCommand::Map(MapSettings { frame, ..MapSettings::default() }));
                 for time in [0.0, 3.6, -1e12, 1e12] {
                     go_to(&mut window, time);
                     assert_no_broken_numbers(&window);

@@ -3,7 +3,7 @@
 use eframe::egui::{Key, Modifiers, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::measuring::stopwatch::Stopwatch;
@@ -35,7 +35,7 @@ fn globe() -> State {
     let mut state = State::open(settings).expect("a preset");
     let mut motion = state.document.settings.motion;
     motion.speed = gamow::flags::SpeedSetting::new(gamow::flags::SpeedParameter::Beta, 0.8).expect("a speed");
-    state.run(Command::Settings(SettingsCommand::Motion(motion)));
+    state.run(SettingsCommand::Motion(motion));
     state
 }
 
@@ -101,7 +101,7 @@ fn a_ruler_across_the_globe_shows_its_angle() {
 fn a_ruler_stays_where_it_was_laid_until_it_is_taken_away() {
     let mut state = cyclist(0.9);
     let look = LookSettings { fov: FieldOfView(Some(80.0)), ..state.look() };
-    state.run(Command::Settings(SettingsCommand::Look(look)));
+    state.run(SettingsCommand::Look(look));
     let mut window = window(state);
     let rect = pane(&window, 0);
     let rulers = |window: &Harness<'_, App>| {
@@ -116,23 +116,22 @@ fn a_ruler_stays_where_it_was_laid_until_it_is_taken_away() {
     assert_eq!(rulers(&window), 1);
     // T, another projection and a gaze that is turned by a drag leave it its angle.
     let gaze = window.state().state().document.settings.look.gaze;
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(1.0)));
+    window.state_mut().run(PlaybackCommand::GoTo(1.0));
     drag(&mut window, rect.center(), rect.center() + vec2(25.0, 10.0));
     assert_ne!(window.state().state().document.settings.look.gaze, gaze, "drags look around again");
     assert_eq!(told(&window, "Ruler, Left eye: "), before);
     let look =
         LookSettings { projection: ProjectionChoice::Gaze, ..window.state().state().document.settings.look };
-    window.state_mut().run(Command::Settings(SettingsCommand::Look(look)));
+    window.state_mut().run(SettingsCommand::Look(look));
     window.run();
     assert_eq!(told(&window, "Ruler, Left eye: "), before);
     // Behind the back it is nowhere.
-    window.state_mut().run(Command::Settings(SettingsCommand::Look(LookSettings {
-        gaze: GazeChoice::Fixed([-90.0, 0.0]),
-        ..look
-    })));
+    window
+        .state_mut()
+        .run(SettingsCommand::Look(LookSettings { gaze: GazeChoice::Fixed([-90.0, 0.0]), ..look }));
     window.run();
     assert_eq!(rulers(&window), 0);
-    window.state_mut().run(Command::Settings(SettingsCommand::Look(look)));
+    window.state_mut().run(SettingsCommand::Look(look));
     window.run();
     assert_eq!(rulers(&window), 1);
     window.key_press(Key::Escape);
@@ -144,7 +143,7 @@ fn a_ruler_in_the_second_picture_measures_that() {
     let mut state = cyclist(0.9);
     let look =
         LookSettings { compare: Compare::Rest, fov: FieldOfView(Some(80.0)), ..state.document.settings.look };
-    state.run(Command::Settings(SettingsCommand::Look(look)));
+    state.run(SettingsCommand::Look(look));
     let mut window = window(state);
     let rect: Rect = window.get_by_label("Left eye view: at rest").rect();
     window.key_press(Key::R);
@@ -176,10 +175,10 @@ fn timed(window: &Harness<'_, App>, name: &str) -> [f64; 2] {
 
 fn a_stopwatch_shows_t_and_the_clock_that_is_seen() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 800.0], 1.0);
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(-2.0)));
+    window.state_mut().run(PlaybackCommand::GoTo(-2.0));
     window.key_press(Key::T);
     window.run();
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(4.5)));
+    window.state_mut().run(PlaybackCommand::GoTo(4.5));
     window.key_press(Key::T);
     window.run();
     assert_eq!(timed(&window, "T"), [6.5, 0.0]);
@@ -191,21 +190,21 @@ fn a_stopwatch_shows_t_and_the_clock_that_is_seen() {
     let mean = format!("mean D = {:.3}", expected / 6.5);
     assert!(labels(&window).iter().any(|label| label.ends_with(&mean)), "{mean}");
     // Stopped, it keeps its time; a press begins anew, and Clear has nothing.
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(9.0)));
+    window.state_mut().run(PlaybackCommand::GoTo(9.0));
     window.run();
     assert_eq!(timed(&window, "T"), [6.5, 0.0]);
     window.get_by_label("Start").click();
     window.run();
     assert_eq!(timed(&window, "T"), [0.0, 0.0]);
     // Where T begins its range again meanwhile, the time from the earlier to the later is told.
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(2.5)));
+    window.state_mut().run(PlaybackCommand::GoTo(2.5));
     window.run();
     assert_eq!(timed(&window, "T"), [6.5, 0.0]);
     window.get_by_label("Clear").click();
     window.run();
     assert!(labels(&window).iter().any(|label| label == "Stopwatch: T: –"));
     // What is not seen by light has no clock.
-    window.state_mut().run(Command::Settings(SettingsCommand::Geometry(Geometry::Contracted)));
+    window.state_mut().run(SettingsCommand::Geometry(Geometry::Contracted));
     window.key_press(Key::T);
     window.run();
     assert!(!labels(&window).iter().any(|label| label.starts_with("Stopwatch: clock of ")));
@@ -213,14 +212,14 @@ fn a_stopwatch_shows_t_and_the_clock_that_is_seen() {
 
 fn a_stopwatch_of_running_t_is_right_within_its_error() {
     let mut window = window(cyclist(0.9));
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(0.0)));
-    window.state_mut().run(Command::Playback(PlaybackCommand::Toggle));
+    window.state_mut().run(PlaybackCommand::GoTo(0.0));
+    window.state_mut().run(PlaybackCommand::Toggle);
     window.run_steps(3);
     window.key_press(Key::T);
     window.run_steps(40);
     window.key_press(Key::T);
     window.step();
-    window.state_mut().run(Command::Playback(PlaybackCommand::Toggle));
+    window.state_mut().run(PlaybackCommand::Toggle);
     window.run();
     let Stopwatch::Stopped(marks) = &window.state().state().scratch.stopwatch else {
         panic!("it was stopped")

@@ -5,7 +5,7 @@ use std::process::Command as Program;
 
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, SettingsCommand, ShowCommand};
+use gamow::app::commands::{SettingsCommand, ShowCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::settings::{FitSettings, MotionSettings, PlotSettings, PlotTab, Presence};
@@ -64,11 +64,8 @@ fn measured(folder: &Path, columns: &[&str]) -> PathBuf {
 fn fit_window(setup: FitSettings) -> Harness<'static, App> {
     let mut state = cyclist(0.9);
     state.document.settings.window.map = Presence::Off;
-    state.run(Command::Settings(SettingsCommand::Fit(setup)));
-    state.run(Command::Settings(SettingsCommand::Plots(PlotSettings {
-        plot: PlotTab::Fit,
-        ..PlotSettings::default()
-    })));
+    state.run(SettingsCommand::Fit(setup));
+    state.run(SettingsCommand::Plots(PlotSettings { plot: PlotTab::Fit, ..PlotSettings::default() }));
     window(state)
 }
 
@@ -101,10 +98,7 @@ fn own_data_are_fitted_and_shown() {
     assert_eq!(outcome.data.map(|data| data.len()), [120, 120]);
     window.render().expect("a picture");
     // Another model fits them, too, and badly.
-    window.state_mut().run(Command::Settings(SettingsCommand::Fit(FitSettings {
-        model: APPENDIX_A,
-        ..FitSettings::default()
-    })));
+    window.state_mut().run(SettingsCommand::Fit(FitSettings { model: APPENDIX_A, ..FitSettings::default() }));
     settle(&mut window);
     assert!((shown(&window, "Fitted β") - 0.7).abs() > 0.01);
     window.get_by_label("Simulated").click();
@@ -182,7 +176,7 @@ fn a_dropped_csv_file_is_data() {
     assert_eq!(document.scene, before.document.scene);
     label_starting_with(&window, "Fitted β");
     // They stay while scenes come and go.
-    window.state_mut().run(Command::Show(ShowCommand::Scene("cube")));
+    window.state_mut().run(ShowCommand::Scene("cube"));
     window.run_ok();
     assert!(window.state().state().session.data.is_some());
 }
@@ -252,7 +246,7 @@ fn what_own_data_do_not_tell_is_told() {
     }
     // As far apart as the eyes really were, they tell the distance.
     let motion = MotionSettings { d: 0.2, ..window.state().state().document.settings.motion };
-    window.state_mut().run(Command::Settings(SettingsCommand::Motion(motion)));
+    window.state_mut().run(SettingsCommand::Motion(motion));
     settle(&mut window);
     let (value, uncertainty) = (shown(&window, "Fitted y"), shown(&window, "Uncertainty of y"));
     assert!((value - 4.0).abs() < 5.0 * uncertainty, "y = {value} +- {uncertainty}");
@@ -279,9 +273,7 @@ fn the_papers_own_fit_is_repeated() {
     assert!(!labels(&window).iter().any(|label| label.contains("biases it")));
     // And the exact model has parallax that these data leave out.
     let setup = window.state().state().document.settings.fit;
-    window
-        .state_mut()
-        .run(Command::Settings(SettingsCommand::Fit(FitSettings { model: Model::Exact, ..setup })));
+    window.state_mut().run(SettingsCommand::Fit(FitSettings { model: Model::Exact, ..setup }));
     settle(&mut window);
     window.get_by_label("No fit");
     label_starting_with(&window, "It has parallax where the data leave it out. Even without noise: ");

@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, WindowCommand};
+use gamow::app::commands::WindowCommand;
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::overlay::Overlay;
@@ -28,7 +28,7 @@ fn phone(state: State) -> Harness<'static, App> {
 
 fn a_newcomer_makes_the_first_prediction_on_a_phone() {
     let mut window = phone(State::open(Settings::default()).expect("usual settings"));
-    window.state_mut().run(Command::Window(WindowCommand::Toggle(Overlay::Start)));
+    window.state_mut().run(WindowCommand::Toggle(Overlay::Start));
     window.run_steps(2);
     let first = Library::own().all().iter().find(|lesson| !lesson.is_a_preset()).cloned();
     let first = first.expect("there are lessons");

@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use gamow::app::commands::{Command, PlaybackCommand, PointsCommand, SettingsCommand};
+use gamow::app::commands::{PlaybackCommand, PointsCommand, SettingsCommand};
 use gamow::app::shell::App;
 use gamow::app::state::pointer::Pick;
 use gamow::eye::Eye;
@@ -210,11 +210,11 @@ fn marker_and_drawn_surface_agree_within_half_a_pixel() {
                 // At rest the eyes are gamma d apart; like this the scene stays between them.
                 motion.d /= gamma;
             }
-            state.run(Command::Settings(SettingsCommand::Motion(motion)));
-            state.run(Command::Settings(SettingsCommand::Geometry(geometry)));
+            state.run(SettingsCommand::Motion(motion));
+            state.run(SettingsCommand::Geometry(geometry));
             // Where each geometry has the scene in front of the eyes.
             let is_seen = matches!(geometry, Geometry::Seen | Geometry::OneCone);
-            state.run(Command::Playback(PlaybackCommand::GoTo(if is_seen { 0.4 } else { 0.0 })));
+            state.run(PlaybackCommand::GoTo(if is_seen { 0.4 } else { 0.0 }));
             let mut worst = 0.0f64;
             let mut checked = 0;
             for eye in Eye::BOTH {
@@ -230,13 +230,13 @@ fn marker_and_drawn_surface_agree_within_half_a_pixel() {
                         continue; // An edge runs through this pixel.
                     }
                     let mut picked = state.clone();
-                    picked.run(Command::Points(PointsCommand::Pick(Pick {
+                    picked.run(PointsCommand::Pick(Pick {
                         eye,
                         is_second: false,
                         pixel: centre,
                         size,
                         add: false,
-                    })));
+                    }));
                     let mut drawn = *picked.document.points.selected();
                     for rest in [drawn.track.rest, hit.rest_position.to_array()] {
                         drawn.track.rest = rest;

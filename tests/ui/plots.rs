@@ -6,7 +6,7 @@ use eframe::egui::{
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, SettingsCommand};
+use gamow::app::commands::SettingsCommand;
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::plots::curves::PUBLISHED;
@@ -45,7 +45,7 @@ const DPHI: &str = "Plot of Δφ of front tyre against T";
 fn at_speed(state: &mut State, beta: f64) {
     let mut motion = state.document.settings.motion;
     motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
-    state.run(Command::Settings(SettingsCommand::Motion(motion)));
+    state.run(SettingsCommand::Motion(motion));
 }
 
 /// What the core says of the tracked point.
@@ -163,14 +163,14 @@ fn the_plots_as_files_are_whole_at_the_extremes() {
         let mut state = cyclist(beta);
         state.document.settings.motion.d = d;
         state.document.settings.look.geometry = geometry;
-        state.run(Command::Plots(PlotCommand::Pin));
-        state.run(Command::Plots(PlotCommand::Cursor(None)));
+        state.run(PlotCommand::Pin);
+        state.run(PlotCommand::Cursor(None));
         let mut window = window(state);
         let tabs = [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo];
         let tabs = tabs.map(|plot| PlotSettings { plot, published: true, ..PlotSettings::default() });
         let conformal = PlotSettings { coordinates: Coordinates::Conformal, ..tabs[0] };
         for plots in tabs.into_iter().chain([conformal]) {
-            window.state_mut().run(Command::Settings(SettingsCommand::Plots(plots)));
+            window.state_mut().run(SettingsCommand::Plots(plots));
             window.run();
             let texts = [window.state_mut().plots_svg(), window.state_mut().plots_csv()];
             for text in texts.into_iter().chain(labels(&window)) {
@@ -406,7 +406,7 @@ fn pinned_curves_stay_while_the_speed_changes() {
         window.run();
         let mut motion = window.state().state().document.settings.motion;
         motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
-        window.state_mut().run(Command::Settings(SettingsCommand::Motion(motion)));
+        window.state_mut().run(SettingsCommand::Motion(motion));
         window.run();
     }
     let legend = label_starting_with(&window, "Legend of Δφ: ");
@@ -424,10 +424,7 @@ fn pinned_curves_stay_while_the_speed_changes() {
     }
     assert!(window.state_mut().plots_svg().contains(">β 0.7<"));
     for tab in [PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
-        window.state_mut().run(Command::Settings(SettingsCommand::Plots(PlotSettings {
-            plot: tab,
-            ..PlotSettings::default()
-        })));
+        window.state_mut().run(SettingsCommand::Plots(PlotSettings { plot: tab, ..PlotSettings::default() }));
         window.run();
         assert!(window.state_mut().plots_csv().contains("β 0.9"), "{tab:?}");
     }
@@ -441,7 +438,7 @@ fn as_many_curves_are_pinned_as_there_are_dashes() {
     let mut state = cyclist(0.9);
     for beta in [0.1, 0.2, 0.3, 0.3, 0.4, 0.5, 0.6] {
         at_speed(&mut state, beta);
-        state.run(Command::Plots(PlotCommand::Pin));
+        state.run(PlotCommand::Pin);
     }
     let pins = state.scratch.plotting.pins();
     let speeds: Vec<f64> = pins.iter().map(|pin| pin.seen.velocity.speed.beta()).collect();

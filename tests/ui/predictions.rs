@@ -259,7 +259,7 @@ fn a_drawn_curve_is_compared_with_the_core() {
     difference(&window);
     // Before an audience the words of the reveal tell it.
     ask(&mut window, LessonCommand::Back);
-    window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
+    window.state_mut().run(WindowCommand::TogglePresenting);
     window.run_ok();
     let number = text.split(' ').nth(2).expect("a number");
     let is_told = |label: &String| label.contains(&format!("rms difference {number}"));
@@ -268,7 +268,7 @@ fn a_drawn_curve_is_compared_with_the_core() {
 
 fn a_curve_is_drawn_before_an_audience_too() {
     let mut window = at_lesson(0.9);
-    window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
+    window.state_mut().run(WindowCommand::TogglePresenting);
     window.run_ok();
     let frame = frame(&window);
     drag(&mut window, place(frame, [-8.05, 3.5]), place(frame, [8.05, 1.5]));
@@ -362,7 +362,7 @@ fn a_place_on_the_body_or_near_it_is_right() {
         let outcome = Outcome::Made { answer, confidence: None };
         let record = Record { outcome: Some(outcome), observed: None };
         let mut shown = state.clone();
-        shown.run(Command::Playback(PlaybackCommand::GoTo(3.0)));
+        shown.run(PlaybackCommand::GoTo(3.0));
         verdict(&course.lesson().steps[1], &record, &shown.sight()).expect("predicted").right
     };
     let seen = direction(3.0, 0);
@@ -375,7 +375,7 @@ fn a_place_on_the_body_or_near_it_is_right() {
     let view = state.clone();
     let on_tyre = (-400..400).map(|tenth| turned(0.1 * f64::from(tenth))).find(|direction| {
         let mut shown = view.clone();
-        shown.run(Command::Playback(PlaybackCommand::GoTo(3.0)));
+        shown.run(PlaybackCommand::GoTo(3.0));
         let hit = shown.document.prepared.first_hit(&shown.view(Eye::Left, [400, 300]), *direction);
         let far = direction.angle_between(seen).to_degrees() > 3.0;
         far && hit.is_some_and(|hit| shown.document.scene.name_of(hit.body) == "front tyre")

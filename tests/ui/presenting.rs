@@ -3,7 +3,7 @@
 use eframe::egui::{Event, Key, Modifiers, Rect, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand, WindowCommand};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand, WindowCommand};
 use gamow::app::shell::App;
 use gamow::flags::choices::Layout;
 use gamow::settings::{MotionSettings, Preset, ScreenSettings, WindowSettings};
@@ -45,7 +45,7 @@ fn an_audience_has_views_a_plot_and_words_and_all_comes_back() {
     window.key_press(Key::Space);
     window.step();
     assert!(window.state().state().scratch.playing);
-    window.state_mut().run(Command::Playback(PlaybackCommand::Toggle));
+    window.state_mut().run(PlaybackCommand::Toggle);
     window.key_press(Key::Escape);
     window.run();
     assert!(!window.state().state().session.stage.full_screen);
@@ -78,7 +78,7 @@ fn presenting_works_at_every_size_and_preset() {
         ([1920.0, 1080.0], 0.5, 2.0),
     ] {
         let mut window = window_of_size(cyclist(0.9), size, few);
-        window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
+        window.state_mut().run(WindowCommand::TogglePresenting);
         for _ in Preset::all() {
             window.key_press(Key::PageDown);
             window.run();
@@ -175,7 +175,7 @@ fn meter(window: &Harness<'_, App>) -> String {
 fn the_comfortable_button_narrows_d_and_says_so() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 1600.0], 1.0);
     let wide = MotionSettings { d: 1.5, ..window.state().state().document.settings.motion };
-    window.state_mut().run(Command::Settings(SettingsCommand::Motion(wide)));
+    window.state_mut().run(SettingsCommand::Motion(wide));
     window.run();
     assert!(meter(&window).starts_with("Fusing: too much: "), "{}", meter(&window));
     window.get_by_label("Comfortable").click();
@@ -192,7 +192,7 @@ fn the_comfortable_button_narrows_d_and_says_so() {
 fn a_layout_to_be_fused_offers_to_narrow_d_where_it_is_hard_to() {
     let mut window = window_of_size(cyclist(0.9), [1280.0, 800.0], 1.0);
     let wide = MotionSettings { d: 1.5, ..window.state().state().document.settings.motion };
-    window.state_mut().run(Command::Settings(SettingsCommand::Motion(wide)));
+    window.state_mut().run(SettingsCommand::Motion(wide));
     window.run();
     let offer = "too much to fuse: narrow d";
     assert!(window.query_by_label(offer).is_none(), "nobody fuses pictures side by side");
@@ -214,10 +214,10 @@ fn the_meter_knows_the_distance_and_costs_nothing_unseen() {
         number.parse().unwrap_or_else(|_| panic!("{text}"))
     };
     let near = across(&window);
-    window.state_mut().run(Command::Settings(SettingsCommand::Screen(ScreenSettings {
+    window.state_mut().run(SettingsCommand::Screen(ScreenSettings {
         viewing_distance: 240.0,
         ..ScreenSettings::default()
-    })));
+    }));
     window.run();
     assert!((4.0 * across(&window) - near).abs() < 0.03, "{near} {}", across(&window));
     window.get_by_label("Views").click();

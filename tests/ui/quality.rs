@@ -6,7 +6,7 @@ use std::time::Duration;
 use eframe::egui::ViewportId;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::views::examination::Examination;
@@ -31,10 +31,7 @@ pub const TESTS: &[Test] = trials![
 /// The default scene at this beta, with the Accuracy tab in view.
 fn examined(beta: f64) -> State {
     let mut state = cyclist(beta);
-    state.run(Command::Settings(SettingsCommand::Plots(PlotSettings {
-        plot: PlotTab::Accuracy,
-        ..PlotSettings::default()
-    })));
+    state.run(SettingsCommand::Plots(PlotSettings { plot: PlotTab::Accuracy, ..PlotSettings::default() }));
     state
 }
 
@@ -87,7 +84,7 @@ fn the_reference_draws_the_views_if_chosen() {
     let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
     assert_eq!(repaint, Duration::MAX, "a window at rest uses no processor");
     // While something moves, the rays stand in.
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(2.0)));
+    window.state_mut().run(PlaybackCommand::GoTo(2.0));
     window.step();
     assert!(!window.state().is_settled());
     let stand_in = share_in_pane(&mut window, any);
@@ -215,7 +212,7 @@ fn clicking_a_renderer_in_the_table_or_the_plot_chooses_it() {
     );
     let mut quality = window.state().state().document.settings.quality;
     quality.bound_px = 0.25;
-    window.state_mut().run(Command::Settings(SettingsCommand::Quality(quality)));
+    window.state_mut().run(SettingsCommand::Quality(quality));
     settle(&mut window);
     assert!(figure(&labels(&window), "mesh 0.25 px", "outlines / px") <= 0.25);
     let plot = window.get_by_label("Plot of error against cost").rect();

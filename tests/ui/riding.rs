@@ -28,7 +28,7 @@ pub const TESTS: &[Test] = trials![
 
 fn street() -> State {
     let mut state = State::open(Settings::default()).expect("a preset");
-    state.run(Command::Playback(PlaybackCommand::GoTo(0.0)));
+    state.run(PlaybackCommand::GoTo(0.0));
     state
 }
 
@@ -88,7 +88,7 @@ fn pedals_and_brakes_are_recorded_as_they_are_pushed() {
 
     // Each push is a step: the last is taken back, and with it where it led.
     window.state_mut().run(Command::Undo);
-    window.state_mut().run(Command::Playback(PlaybackCommand::Toggle));
+    window.state_mut().run(PlaybackCommand::Toggle);
     assert!(state(&window).rider().velocity.rapidity().abs() < 1e-12);
     window.state_mut().run(Command::Undo);
     assert!(state(&window).rider().velocity.rapidity() > 0.1);
@@ -145,7 +145,7 @@ fn who_walks_goes_where_they_look_and_leaves_the_bicycle() {
     window.run_steps(3);
     assert!((state(&window).rider().observer().place[1] - place[1]).abs() < 1e-10);
     hold(&mut window, &[Key::A], 20);
-    window.state_mut().run(Command::Ride(RideCommand::Face));
+    window.state_mut().run(RideCommand::Face);
     window.run_steps(2);
     let velocity = state(&window).rider().observer().velocity.direction();
     let camera = state(&window).view(gamow::eye::Eye::Left, [400, 300]).camera;
@@ -154,10 +154,10 @@ fn who_walks_goes_where_they_look_and_leaves_the_bicycle() {
     assert!(gaze.forward.x * velocity[0] + gaze.forward.y * velocity[1] > 0.9);
     assert!((camera.off_middle.normalize() + gaze.right).length() < 1e-9, "both eyes are abreast");
     hold(&mut window, &[Key::ArrowDown], 90);
-    window.state_mut().run(Command::Ride(RideCommand::Face));
+    window.state_mut().run(RideCommand::Face);
     window.step();
     // A head that turns on has pushes in steps of 5 degrees.
-    window.state_mut().run(Command::Gaze(GazeCommand::Aside([-0.11, 0.0])));
+    window.state_mut().run(GazeCommand::Aside([-0.11, 0.0]));
     window.step();
     hold(&mut window, &[Key::W], 10);
     let [ahead, left, _] = last_leg(&window).acceleration;
@@ -167,7 +167,7 @@ fn who_walks_goes_where_they_look_and_leaves_the_bicycle() {
     assert!(degrees > 4.0, "{degrees}");
     assert_sane(state(&window));
 
-    window.state_mut().run(Command::Playback(PlaybackCommand::Toggle));
+    window.state_mut().run(PlaybackCommand::Toggle);
     for _ in 0..12 {
         if !state(&window).document.settings.ride.is_straight() {
             window.state_mut().run(Command::Undo);
@@ -179,7 +179,7 @@ fn who_walks_goes_where_they_look_and_leaves_the_bicycle() {
 
 fn a_rider_reads_what_the_core_says() {
     let mut window = window(preset("ride-lamps"));
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(9.0)));
+    window.state_mut().run(PlaybackCommand::GoTo(9.0));
     window.run_steps(2);
     let speed = Speed::from_beta(0.9).expect("a speed");
     let gamma = speed.gamma();
@@ -213,11 +213,11 @@ fn a_rider_reads_what_the_core_says() {
 
 fn a_ride_off_the_street_has_the_cores_numbers_and_a_map() {
     let mut window = window(preset("ride-lamps"));
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(8.0)));
+    window.state_mut().run(PlaybackCommand::GoTo(8.0));
     let bodies = state(&window).document.scene.bodies.len();
     let along = state(&window).document.settings.ride.clone();
     let aslant = Riding { ride_azimuth: 60.0, ..along.clone() };
-    window.state_mut().run(Command::Ride(RideCommand::Set(aslant)));
+    window.state_mut().run(RideCommand::Set(aslant));
     window.run_steps(2);
     // A bicycle faces along the street.
     assert!(state(&window).document.scene.bodies.len() < bodies);
@@ -234,7 +234,7 @@ fn a_ride_off_the_street_has_the_cores_numbers_and_a_map() {
     assert!((shown(&window, "Disparity Δφ") - both.dphi).abs() < 6e-6);
     assert_sane(state(&window));
 
-    window.state_mut().run(Command::Ride(RideCommand::Set(along)));
+    window.state_mut().run(RideCommand::Set(along));
     window.run_steps(2);
     assert_eq!(state(&window).document.scene.bodies.len(), bodies);
 }
@@ -264,8 +264,8 @@ fn assert_on_map(window: &Harness<'_, App>, marks: &[(&str, [f64; 2])]) {
 fn the_map_follows_a_ride_aslant() {
     let mut state = preset("ride-lamps");
     let ride = Riding { ride_azimuth: 60.0, ..state.document.settings.ride.clone() };
-    state.run(Command::Ride(RideCommand::Set(ride)));
-    state.run(Command::Playback(PlaybackCommand::GoTo(8.0)));
+    state.run(RideCommand::Set(ride));
+    state.run(PlaybackCommand::GoTo(8.0));
     let mut window = wide_window(state);
     window.run_steps(2);
     let gamma = 1.0 / (1.0_f64 - 0.81).sqrt();
@@ -285,8 +285,8 @@ fn the_map_follows_a_ride_aslant() {
         &[(&measured, [x, y]), ("Left eye", eyes_of_a_turned_head(eye, gamma, [cos, sin]))],
     );
 
-    window.state_mut().run(Command::Settings(SettingsCommand::Switch(Switch::Frame)));
-    window.state_mut().run(Command::Settings(SettingsCommand::Switch(Switch::Frame)));
+    window.state_mut().run(SettingsCommand::Switch(Switch::Frame));
+    window.state_mut().run(SettingsCommand::Switch(Switch::Frame));
     window.run_steps(2);
     assert_eq!(self::state(&window).document.settings.map_frame(), MapFrame::Rider);
     let ahead = cos * x + sin * y;
@@ -316,14 +316,14 @@ fn eyes_of_a_turned_head(aside: f64, gamma: f64, ahead: [f64; 2]) -> [f64; 2] {
 fn a_typed_speed_is_reached_by_pedalling() {
     let mut state = street();
     state.run(Command::Ride(gamow::app::state::riding::saddle::RideCommand::Toggle));
-    state.run(Command::Playback(PlaybackCommand::Toggle));
+    state.run(PlaybackCommand::Toggle);
     let mut window = window(state);
     type_into(&mut window, "My speed β, typed", "0.6");
     assert!(
         (self::state(&window).rider().velocity.beta() - 0.6).abs() < 1e-12,
         "at the start it is had at once"
     );
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(2.0)));
+    window.state_mut().run(PlaybackCommand::GoTo(2.0));
     type_into(&mut window, "My speed β, typed", "gamma:-1.25");
     let ride = &self::state(&window).document.settings.ride;
     let needed = 2.0 * 0.6_f64.atanh() / ride.push;

@@ -8,7 +8,7 @@ use std::time::Duration;
 use eframe::egui::{Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand, WindowCommand};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand, WindowCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::eye::Eye;
@@ -88,12 +88,12 @@ fn copy(window: &mut Harness<'_, App>, entry: &str) -> String {
 /// A state that differs from the usual in several ways.
 fn special() -> State {
     let mut state = cyclist(0.8);
-    state.run(Command::Settings(SettingsCommand::Motion(MotionSettings {
+    state.run(SettingsCommand::Motion(MotionSettings {
         d: 0.3,
         height_shift: -0.5,
         ..state.document.settings.motion
-    })));
-    state.run(Command::Playback(PlaybackCommand::GoTo(5.25)));
+    }));
+    state.run(PlaybackCommand::GoTo(5.25));
     state
 }
 
@@ -152,7 +152,7 @@ fn a_saved_picture_has_the_pixels_of_the_views() {
     assert_eq!(PngFile::read(&path).expect("a picture").picture().size, size);
     // Another size is typed.
     choose(&mut window, "Save picture…");
-    window.state_mut().run(Command::Window(WindowCommand::Close));
+    window.state_mut().run(WindowCommand::Close);
     window.run_ok();
     choose(&mut window, "Save picture…");
     let field = "Size of a picture";
@@ -253,11 +253,11 @@ fn nothing_is_saved_to_a_pipe_that_nobody_reads() {
 fn short_loop() -> State {
     let mut state = cyclist(0.9);
     state.run(in_layout(Layout::Left));
-    state.run(Command::Settings(SettingsCommand::Playback(PlaybackSettings {
+    state.run(SettingsCommand::Playback(PlaybackSettings {
         rate: 10.0,
         range: TimeRange(Some([2.0, 6.0])),
         ..state.document.settings.playback
-    })));
+    }));
     state
 }
 
@@ -329,15 +329,12 @@ fn films_have_the_frames_of_the_loop() {
 fn a_stopped_film_leaves_no_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut state = short_loop();
-    state.run(Command::Settings(SettingsCommand::Playback(PlaybackSettings {
-        rate: 0.05,
-        ..state.document.settings.playback
-    })));
+    state.run(SettingsCommand::Playback(PlaybackSettings { rate: 0.05, ..state.document.settings.playback }));
     // Its frames take long: the window is seen before their size is known.
-    state.run(Command::Settings(SettingsCommand::Quality(QualitySettings {
+    state.run(SettingsCommand::Quality(QualitySettings {
         renderer: RendererChoice::Reference,
         ..state.document.settings.quality
-    })));
+    }));
     let mut window = window(state);
     choose(&mut window, "Save film…");
     type_into(&mut window, "Path", folder.path().join("ride.gif").to_str().expect("a plain path"));
@@ -388,10 +385,7 @@ fn table(csv: &str) -> (Vec<String>, Vec<Vec<f64>>) {
 
 fn the_copied_curve_command_gives_the_plotted_numbers() {
     let mut tilted = special();
-    tilted.run(Command::Settings(SettingsCommand::Motion(MotionSettings {
-        roll: 30.0,
-        ..tilted.document.settings.motion
-    })));
+    tilted.run(SettingsCommand::Motion(MotionSettings { roll: 30.0, ..tilted.document.settings.motion }));
     for state in [special(), tilted, on_a_wheel()] {
         let mut window = window(state);
         let command = copy(&mut window, "Copy curve command");
@@ -407,7 +401,7 @@ fn the_copied_curve_command_gives_the_plotted_numbers() {
         assert_eq!([rows[0][column("T")], rows[rows.len() - 1][column("T")]], [from, to]);
         for row in rows {
             let mut then = state.clone();
-            then.run(Command::Playback(PlaybackCommand::GoTo(row[column("T")])));
+            then.run(PlaybackCommand::GoTo(row[column("T")]));
             let both = then.disparity(point).expect("in the domain");
             assert_eq!([row[column("dphi")], row[column("dtheta")]], [both.dphi, both.dtheta]);
             assert_eq!(row[column("doppler_left")], both.primary.doppler_factor);
@@ -476,7 +470,7 @@ fn saved_plots_hold_the_numbers_of_the_core() {
     let state = window.state().state();
     for row in rows {
         let mut then = state.clone();
-        then.run(Command::Playback(PlaybackCommand::GoTo(row[0])));
+        then.run(PlaybackCommand::GoTo(row[0]));
         let both = then.disparity(state.document.points.selected()).expect("in the domain");
         assert_eq!(row[1..3], [both.dphi, both.dtheta]);
         // What `gamow fit` reads: T, the separation, and both disparities.
@@ -506,10 +500,10 @@ fn a_file_is_opened_by_its_path() {
 
 fn opening_and_saving_can_be_left() {
     let mut state = special();
-    state.run(Command::Settings(SettingsCommand::Plots(PlotSettings {
+    state.run(SettingsCommand::Plots(PlotSettings {
         plot: PlotTab::Disparity,
         ..state.document.settings.plots
-    })));
+    }));
     let mut window = window(state);
     for entry in ["Open…", "Own data…", "Save picture…", "Save film…", "Save state…"] {
         choose(&mut window, entry);

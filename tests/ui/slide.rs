@@ -2,7 +2,7 @@
 
 use eframe::egui::Key;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, SettingsCommand};
+use gamow::app::commands::SettingsCommand;
 use gamow::settings::MotionSettings;
 
 use super::Test;
@@ -27,9 +27,7 @@ fn the_ruler_is_there_while_motion_is_a_slide() {
     assert!(!is_there(&labels(&window)));
     window.key_press(Key::V);
     let motion = window.state().state().document.settings.motion;
-    window
-        .state_mut()
-        .run(Command::Settings(SettingsCommand::Motion(MotionSettings { roll: 10.0, ..motion })));
+    window.state_mut().run(SettingsCommand::Motion(MotionSettings { roll: 10.0, ..motion }));
     window.run();
     assert!(!is_there(&labels(&window)));
 }

@@ -4,7 +4,7 @@
 use eframe::egui::{Modifiers, Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand, Switch};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand, Switch};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
@@ -51,7 +51,7 @@ fn mark(window: &Harness<'_, App>, name: &str) -> Pos2 {
 }
 
 fn go_to(window: &mut Harness<'_, App>, time: f64) {
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(time)));
+    window.state_mut().run(PlaybackCommand::GoTo(time));
     window.run();
 }
 
@@ -138,7 +138,7 @@ fn light_runs_at_45_degrees_in_every_unit() {
     for units in [Units::Natural, Units::Metric, Units::Town] {
         let mut window = spacetime(0.9, MapFrame::Ground, [1280.0, 800.0]);
         let settings = WindowSettings { units, ..window.state().state().document.settings.window };
-        window.state_mut().run(Command::Settings(SettingsCommand::Window(settings)));
+        window.state_mut().run(SettingsCommand::Window(settings));
         window.run();
         let found = Found::new(&mut window, 0.9, MapFrame::Ground);
         let [first, last] = [1.5, 4.0].map(|time| {
@@ -199,7 +199,7 @@ fn an_event_tells_its_three_times_by_their_names() {
 
 fn the_way_of_the_light_on_the_plan_tells_when_it_left() {
     let mut window = spacetime(0.9, MapFrame::Ground, [1280.0, 800.0]);
-    window.state_mut().run(Command::Settings(SettingsCommand::Map(MapSettings::default())));
+    window.state_mut().run(SettingsCommand::Map(MapSettings::default()));
     go_to(&mut window, 5.0);
     let place = |name: &str| window.get_by_label(&format!("Map, from above: {name}")).rect().center();
     let [from, to] = ["front tyre, as the left eye sees it", "Left eye"].map(place);
@@ -243,14 +243,13 @@ fn spacetime_that_is_not_shown_is_not_there() {
     let mut window = spacetime(0.9, MapFrame::Ground, [1280.0, 800.0]);
     let is_there = |window: &Harness<'_, App>| labels(window).iter().any(|label| label.starts_with(NAME));
     assert!(is_there(&window));
-    window.state_mut().run(Command::Settings(SettingsCommand::Map(MapSettings::default())));
+    window.state_mut().run(SettingsCommand::Map(MapSettings::default()));
     window.run();
     assert!(!is_there(&window));
-    window.state_mut().run(Command::Settings(SettingsCommand::Map(MapSettings {
-        face: MapFace::Spacetime,
-        ..MapSettings::default()
-    })));
-    window.state_mut().run(Command::Settings(SettingsCommand::Switch(Switch::Map)));
+    window
+        .state_mut()
+        .run(SettingsCommand::Map(MapSettings { face: MapFace::Spacetime, ..MapSettings::default() }));
+    window.state_mut().run(SettingsCommand::Switch(Switch::Map));
     window.run();
     assert!(!is_there(&window));
 }
@@ -260,21 +259,21 @@ fn no_speed_time_or_size_breaks_spacetime() {
         for theme in [Theme::Dark, Theme::Light] {
             let mut window = spacetime(0.9, MapFrame::Ground, size);
             let parts = WindowSettings { theme, ..window.state().state().document.settings.window };
-            window.state_mut().run(Command::Settings(SettingsCommand::Window(parts)));
+            window.state_mut().run(SettingsCommand::Window(parts));
             for (parameter, value) in
                 [(SpeedParameter::Beta, 0.0), (SpeedParameter::Beta, 1e-9), (SpeedParameter::Gamma, 1e9)]
             {
                 let mut motion = window.state().state().document.settings.motion;
                 motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
-                window.state_mut().run(Command::Settings(SettingsCommand::Motion(motion)));
+                window.state_mut().run(SettingsCommand::Motion(motion));
                 for (time, frame) in
                     [(-1e6, MapFrame::Ground), (0.0, MapFrame::Bicycle), (3.6, MapFrame::Bicycle)]
                 {
-                    window.state_mut().run(Command::Settings(SettingsCommand::Map(MapSettings {
+                    window.state_mut().run(SettingsCommand::Map(MapSettings {
                         face: MapFace::Spacetime,
                         frame,
                         ..MapSettings::default()
-                    })));
+                    }));
                     go_to(&mut window, time);
                     assert_no_broken_numbers(&window);
                     let room = window.get_by_label(NAME).rect();

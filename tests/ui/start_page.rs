@@ -280,7 +280,7 @@ fn the_start_page_fits_every_window() {
         let mut state = newcomers();
         state.document.settings.window.theme = Theme::Light;
         if present {
-            state.run(Command::Window(WindowCommand::TogglePresenting));
+            state.run(WindowCommand::TogglePresenting);
         }
         let window = window_of_size(state, size, 1.0);
         let whole = Rect::from_min_size(pos2(0.0, 0.0), Vec2::from(size));

@@ -1,7 +1,7 @@
 //! The plot tab "Stereo": where two eyes take the selected point to be, held against the core.
 
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand};
 use gamow::settings::PlotTab;
 use gamow::units::Units;
 use relativity_core::{Aperture, Baseline, Model, SourcePoint, Speed};
@@ -48,7 +48,7 @@ fn the_stereo_tab_gives_the_gain_and_four_distances() {
     label_starting_with(&window, "Plot of stereo gain of front tyre against T");
     label_starting_with(&window, "Plot of distance of front tyre against T");
     for time in [-2.0, 1.1, 3.6, 7.0] {
-        window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(time)));
+        window.state_mut().run(PlaybackCommand::GoTo(time));
         window.run();
         let (gain, distances) = distances(Model::Exact, time);
         assert!((shown(&window, "stereo gain at T") - gain).abs() < 6e-5, "{time}");
@@ -63,7 +63,7 @@ fn the_stereo_tab_gives_distances_in_the_chosen_unit() {
     state.document.settings.window.units = Units::Metric;
     state.document.settings.plots.plot = PlotTab::Stereo;
     let mut window = window(state);
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(1.1)));
+    window.state_mut().run(PlaybackCommand::GoTo(1.1));
     window.run();
     assert!(labels(&window).contains(&"distance / m".to_owned()));
     let (_, distances) = distances(Model::Exact, 1.1);
@@ -77,7 +77,7 @@ fn with_one_light_cone_the_stereo_tab_has_gain_1_and_the_seen_distance() {
     state.document.settings.look.geometry = Geometry::OneCone;
     state.document.settings.plots.plot = PlotTab::Stereo;
     let mut window = window(state);
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(1.1)));
+    window.state_mut().run(PlaybackCommand::GoTo(1.1));
     window.run();
     let (gain, [distance, ..]) = distances(Model::OneCone, 1.1);
     assert_eq!((gain, shown(&window, "stereo gain at T")), (1.0, 1.0));
@@ -104,7 +104,7 @@ fn the_stereo_of_eyes_above_and_behind_each_other_is_told() {
     // Nearly level with the eyes.
     state.document.settings.motion.height_shift = -1.8;
     let mut window = window_of_size(state, [1280.0, 1300.0], 1.0);
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(0.5)));
+    window.state_mut().run(PlaybackCommand::GoTo(0.5));
     window.get_by_label("Above").click();
     window.run();
     let motion = window.state().state().document.settings.motion;
@@ -135,9 +135,9 @@ fn the_stereo_of_a_turned_head_and_no_separation_leave_the_window_whole() {
                 let mut settings = default.clone();
                 (settings.motion.roll, settings.motion.turn, settings.motion.d) = (roll, turn, d);
                 (settings.look.geometry, settings.plots.plot) = (geometry, plot);
-                window.state_mut().run(Command::Settings(SettingsCommand::Motion(settings.motion)));
-                window.state_mut().run(Command::Settings(SettingsCommand::Look(settings.look)));
-                window.state_mut().run(Command::Settings(SettingsCommand::Plots(settings.plots)));
+                window.state_mut().run(SettingsCommand::Motion(settings.motion));
+                window.state_mut().run(SettingsCommand::Look(settings.look));
+                window.state_mut().run(SettingsCommand::Plots(settings.plots));
                 window.run();
                 assert!(
                     labels(&window).iter().all(|label| !label.contains("NaN") && !label.contains("inf "))

@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Rect, ViewportId, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, SettingsCommand, WindowCommand};
+use gamow::app::commands::{SettingsCommand, WindowCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::settings::{ScreenSettings, Settings};
@@ -36,7 +36,7 @@ fn phone(width_cm: Option<f64>) -> Harness<'static, App> {
     let mut window = window_of_size(State::open(settings).expect("usual settings"), PHONE, 1.0);
     let viewport = window.input_mut().viewports.entry(ViewportId::ROOT).or_default();
     viewport.monitor_size = Some(vec2(PHONE[0], PHONE[1]));
-    window.state_mut().run(Command::Window(WindowCommand::ToggleStereoscope));
+    window.state_mut().run(WindowCommand::ToggleStereoscope);
     window.run_steps(3);
     window
 }
@@ -54,10 +54,9 @@ fn the_pictures_of_a_stereoscope_are_as_far_apart_as_its_lenses() {
     let mut window = phone(Some(0.1 * f64::from(PHONE_MM)));
     for apart_mm in [55.0, 60.0, 75.0] {
         let screen = window.state().state().document.settings.screen;
-        window.state_mut().run(Command::Settings(SettingsCommand::Screen(ScreenSettings {
-            picture_distance: apart_mm,
-            ..screen
-        })));
+        window
+            .state_mut()
+            .run(SettingsCommand::Screen(ScreenSettings { picture_distance: apart_mm, ..screen }));
         window.run_steps(3);
         let [left, right] = [0, 1].map(|eye| lens(&window, eye));
         let points_per_mm = PHONE[0] / PHONE_MM;
@@ -140,7 +139,7 @@ fn a_bank_card_measures_the_screen() {
 fn a_stereoscope_in_a_window_of_any_size_breaks_nothing() {
     for size in [[360.0, 740.0], [200.0, 100.0], [2400.0, 1300.0]] {
         let mut window = window_of_size(State::open(Settings::default()).expect("usual"), size, 1.0);
-        window.state_mut().run(Command::Window(WindowCommand::ToggleStereoscope));
+        window.state_mut().run(WindowCommand::ToggleStereoscope);
         window.run_steps(3);
         for eye in 0..2 {
             let rect = lens(&window, eye);

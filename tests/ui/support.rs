@@ -153,7 +153,7 @@ pub fn drag(harness: &mut Harness<'_, App>, from: Pos2, to: Pos2) {
 
 /// Has the window open the file at `path`, and waits until it is read.
 pub fn open(harness: &mut Harness<'_, App>, path: &std::path::Path) {
-    harness.state_mut().run(Command::File(FileCommand::Open(path.to_owned())));
+    harness.state_mut().run(FileCommand::Open(path.to_owned()));
     wait_for_file(harness);
 }
 

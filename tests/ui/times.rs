@@ -4,7 +4,7 @@
 use eframe::egui::{Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand, ShowCommand};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand, ShowCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::flags::TimeRange;
@@ -52,7 +52,7 @@ fn an_event_has_its_numbers_in_three_units() {
     for units in ALL {
         let [length, time] = factors(units);
         let mut window = window(in_units(units));
-        window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(1.1)));
+        window.state_mut().run(PlaybackCommand::GoTo(1.1));
         window.run();
         for (eye, name) in ["Left eye", "Right eye"].into_iter().enumerate() {
             let seen = seen(0.9, 1.1, eye);
@@ -112,7 +112,7 @@ fn units_are_chosen_in_the_bar_and_only_where_there_are_metres() {
     choose(&mut window, "c = 30 km/h");
     assert_eq!(window.state().state().measures().units, Units::Town);
     assert!(labels(&window).iter().any(|label| label == "27.0 km/h"));
-    window.state_mut().run(Command::Show(ShowCommand::Scene("two-balls")));
+    window.state_mut().run(ShowCommand::Scene("two-balls"));
     window.run();
     assert_eq!(window.state().state().measures().units, Units::Natural);
     window.get_by_label("Units").click();
@@ -122,7 +122,7 @@ fn units_are_chosen_in_the_bar_and_only_where_there_are_metres() {
     window.run();
     assert_eq!(window.state().state().measures().units, Units::Natural);
     // What was chosen comes back with a scene that can have it.
-    window.state_mut().run(Command::Show(ShowCommand::Scene("street")));
+    window.state_mut().run(ShowCommand::Scene("street"));
     window.run();
     assert_eq!(window.state().state().measures().units, Units::Town);
 }
@@ -223,7 +223,7 @@ fn nothing_is_told_of_what_no_ray_leads_to() {
         assert_eq!(told(&mut window, 1, part), None);
     }
     // Nor while T runs too fast to read it.
-    window.state_mut().run(Command::Playback(PlaybackCommand::Toggle));
+    window.state_mut().run(PlaybackCommand::Toggle);
     window.run_steps(1);
     for part in [[0.5, 0.5], [0.55, 0.6]] {
         assert_eq!(told(&mut window, 0, part), None);
@@ -233,7 +233,7 @@ fn nothing_is_told_of_what_no_ray_leads_to() {
 fn clocks_show_proper_time_and_can_be_switched_off() {
     let mut window = window(cyclist(0.9));
     for time in [-3.0, 1.1, 12.0] {
-        window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(time)));
+        window.state_mut().run(PlaybackCommand::GoTo(time));
         window.run();
         for (eye, name) in ["Left eye", "Right eye"].into_iter().enumerate() {
             let clock = format!("Clock of front tyre, {name}");
@@ -245,9 +245,7 @@ fn clocks_show_proper_time_and_can_be_switched_off() {
         }
     }
     let settings = window.state().state().document.settings.window;
-    window
-        .state_mut()
-        .run(Command::Settings(SettingsCommand::Window(WindowSettings { dials: false, ..settings })));
+    window.state_mut().run(SettingsCommand::Window(WindowSettings { dials: false, ..settings }));
     window.run();
     assert!(window.query_by_label_contains("Clock of").is_none());
 }
@@ -269,7 +267,7 @@ fn a_lesson_counts_the_turns_of_its_clocks() {
             assert_eq!(turns(&window, &format!("{clock}, {eye}")), 0.0, "{clock}");
         }
     }
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(0.0)));
+    window.state_mut().run(PlaybackCommand::GoTo(0.0));
     window.run_steps(2);
     // At 0.8 c, where the hub rests; a turn is 2 units.
     let gamma = 1.0 / 0.6;

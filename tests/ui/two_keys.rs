@@ -3,7 +3,7 @@
 use eframe::egui::{FontId, Key, Pos2, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::NodeT as _;
-use gamow::app::commands::{Command, WindowCommand};
+use gamow::app::commands::WindowCommand;
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::lesson::LessonCommand;
@@ -29,7 +29,7 @@ const READINGS: f32 = 0.125;
 /// A window that is presented.
 fn presented(state: State, size: [f32; 2]) -> Harness<'static, App> {
     let mut window = window_without_pictures(state, size);
-    window.state_mut().run(Command::Window(WindowCommand::TogglePresenting));
+    window.state_mut().run(WindowCommand::TogglePresenting);
     window.run_steps(4);
     window
 }
@@ -88,7 +88,7 @@ fn an_audience_reads_every_word_of_every_lesson() {
             }
             window.key_press(Key::PageDown);
             window.run_steps(2);
-            window.state_mut().run(Command::Lesson(LessonCommand::Observe(1)));
+            window.state_mut().run(LessonCommand::Observe(1));
             window.run_steps(6);
         }
     }

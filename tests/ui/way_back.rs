@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use gamow::app::commands::{Command, PlaybackCommand, PointsCommand, SettingsCommand, ShowCommand};
+use gamow::app::commands::{PlaybackCommand, PointsCommand, SettingsCommand, ShowCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::flags::choices::{GazeChoice, Layout};
@@ -106,7 +106,7 @@ fn a_pick_and_a_removal_can_be_undone() {
     click(&mut window, middle, Modifiers::SHIFT);
     let picked = window.state().state().document.points.clone();
     assert_eq!(picked.all().len(), 2, "the frame is in the middle");
-    window.state_mut().run(Command::Points(PointsCommand::Remove(1)));
+    window.state_mut().run(PointsCommand::Remove(1));
     window.run();
     for expected in [2, 1] {
         press(&mut window, Modifiers::COMMAND, Key::Z);
@@ -120,9 +120,9 @@ fn undoing_another_scene_brings_it_back_with_its_points() {
     let mut window = window(cyclist(0.9));
     let middle = super::support::pane(&window, 0).center();
     click(&mut window, middle, Modifiers::NONE);
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(2.25)));
+    window.state_mut().run(PlaybackCommand::GoTo(2.25));
     let before = window.state().state().clone();
-    window.state_mut().run(Command::Show(ShowCommand::Scene("globe")));
+    window.state_mut().run(ShowCommand::Scene("globe"));
     window.run();
     let globe = window.state().state().clone();
     assert_ne!(globe.document.scene, before.document.scene);
@@ -239,7 +239,7 @@ fn a_double_click_on_a_slider_or_its_name_restores_it() {
 fn usual_is_what_the_shown_preset_says() {
     let mut window = window(cyclist(0.9));
     let preset = gamow::settings::Preset::named("abreast-0.6").expect("a preset");
-    window.state_mut().run(Command::Show(ShowCommand::Preset(preset)));
+    window.state_mut().run(ShowCommand::Preset(preset));
     window.run();
     assert!(!is_enabled(&window, "Reset"));
     window.get_by_label("Set β to 0.99").click();
@@ -248,7 +248,7 @@ fn usual_is_what_the_shown_preset_says() {
     window.run();
     assert_eq!(settings(&window).motion, preset.settings.motion);
     window.get_by_label("Set β to 0.99").click();
-    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(-3.0)));
+    window.state_mut().run(PlaybackCommand::GoTo(-3.0));
     window.run();
     window.get_by_label("Reset").click();
     window.run();
@@ -268,7 +268,7 @@ fn shifts_belong_to_their_scene() {
         roll: 10.0,
         ..cyclist(0.5).document.settings.motion
     };
-    window.state_mut().run(Command::Settings(SettingsCommand::Motion(motion)));
+    window.state_mut().run(SettingsCommand::Motion(motion));
     window.state_mut().run(in_layout(Layout::Anaglyph));
     window.get_by_label("Fixed").click();
     window.run();
@@ -278,7 +278,7 @@ fn shifts_belong_to_their_scene() {
     assert_eq!(again.document.settings.motion, motion);
     // Another scene passes where it says, and the eyes look at it.
     let mut window = super::support::window(again);
-    window.state_mut().run(Command::Show(ShowCommand::Scene("street")));
+    window.state_mut().run(ShowCommand::Scene("street"));
     window.run();
     let Settings { motion, look, picture, .. } = settings(&window);
     assert_eq!((motion.depth_shift, motion.height_shift, look.gaze), (0.0, 0.0, GazeChoice::Whole));

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use eframe::egui::{Key, Modifiers, vec2};
 use egui_kittest::Harness;
-use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::points::Point;
@@ -111,15 +111,15 @@ fn a_clicked_point_of_a_wheel_is_followed_round_with_its_body() {
             let start = state.sighting(&point, Eye::Left).expect("in the domain").proper_time;
             let mut seen = 0;
             for geometry in [Geometry::Seen, Geometry::OneCone, Geometry::Contracted, Geometry::Rest] {
-                state.run(Command::Settings(SettingsCommand::Geometry(geometry)));
+                state.run(SettingsCommand::Geometry(geometry));
                 for step in -10..=10 {
-                    state.run(Command::Playback(PlaybackCommand::GoTo(3.0 + 0.4 * f64::from(step))));
+                    state.run(PlaybackCommand::GoTo(3.0 + 0.4 * f64::from(step)));
                     seen += in_sight(&state, &point);
                 }
             }
             assert!(seen > 30, "beta = {beta}, {word}: in sight {seen} times");
             // Meanwhile it has turned.
-            state.run(Command::Settings(SettingsCommand::Geometry(Geometry::Seen)));
+            state.run(SettingsCommand::Geometry(Geometry::Seen));
             let end = state.sighting(&point, Eye::Left).expect("in the domain").proper_time;
             assert!(beta / RADIUS * (end - start) > 1.0);
         }
@@ -181,7 +181,7 @@ fn curves_of_a_point_of_a_wheel_are_those_of_the_core() {
         let name = window.state().state().name_of(window.state().state().document.points.selected());
         for tab in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
             let plots = PlotSettings { plot: tab, ..window.state().state().document.settings.plots };
-            window.state_mut().run(Command::Settings(SettingsCommand::Plots(plots)));
+            window.state_mut().run(SettingsCommand::Plots(plots));
             window.run();
             let csv = window.state_mut().plots_csv();
             let mut lines = csv.lines();
@@ -273,9 +273,9 @@ fn a_point_of_a_wheel_has_numbers_at_every_speed() {
         for tab in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
             let plots =
                 PlotSettings { plot: tab, published: true, ..window.state().state().document.settings.plots };
-            window.state_mut().run(Command::Settings(SettingsCommand::Plots(plots)));
+            window.state_mut().run(SettingsCommand::Plots(plots));
             for part in [0.0, 0.31, 1.0] {
-                window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(from + part * (to - from))));
+                window.state_mut().run(PlaybackCommand::GoTo(from + part * (to - from)));
                 window.run_ok();
                 let said = labels(&window);
                 let is_broken = |label: &&String| label.contains("NaN") || label.contains("inf ");
@@ -299,14 +299,8 @@ fn the_fit_of_a_point_of_a_wheel_finds_its_hub() {
             .expect("a spoke");
         let track = state.document.scene.track_on(spoke).expect("a body");
         state.document.points.choose(track, spoke, false);
-        state.run(Command::Settings(SettingsCommand::Fit(FitSettings {
-            noise_percent,
-            ..FitSettings::default()
-        })));
-        state.run(Command::Settings(SettingsCommand::Plots(PlotSettings {
-            plot: PlotTab::Fit,
-            ..PlotSettings::default()
-        })));
+        state.run(SettingsCommand::Fit(FitSettings { noise_percent, ..FitSettings::default() }));
+        state.run(SettingsCommand::Plots(PlotSettings { plot: PlotTab::Fit, ..PlotSettings::default() }));
         let mut window = window(state);
         settle(&mut window);
         // The spoke's end is in the plane of the rim or beside it; the hub it is told of is the axle there.
@@ -336,12 +330,8 @@ fn the_pointer_tells_where_on_the_wheel_it_is() {
         (Geometry::Rest, "seen from its frame at"),
     ] {
         let mut state = street(SpeedParameter::Beta, 0.6);
-        state.run(Command::Settings(SettingsCommand::Geometry(geometry)));
-        state.run(Command::Playback(PlaybackCommand::GoTo(if geometry == Geometry::Seen {
-            4.5
-        } else {
-            0.0
-        })));
+        state.run(SettingsCommand::Geometry(geometry));
+        state.run(PlaybackCommand::GoTo(if geometry == Geometry::Seen { 4.5 } else { 0.0 }));
         let size = [480, 360];
         let pixel = pixel_of(&state, Eye::Left, size, "tyre");
         let under = state.hovered(Eye::Left, pixel, size).expect("something is there");

@@ -4,7 +4,7 @@ use clap::ValueEnum as _;
 use eframe::egui::{Rect, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand};
 use gamow::app::shell::App;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::Theme;
@@ -33,7 +33,7 @@ const ARRIVING: &str = "Light received now";
 fn the_sentence_has_the_numbers_of_the_core() {
     let mut window = window(cyclist(0.9));
     for time in [0.3, 1.1, 3.0, 9.0] {
-        window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(time)));
+        window.state_mut().run(PlaybackCommand::GoTo(time));
         window.run();
         let sentence = label_starting_with(&window, ARRIVING);
         let [left, right] = [0, 1].map(|eye| seen(0.9, time, eye));
@@ -67,7 +67,7 @@ fn ticks_lie_where_the_wavelengths_do() {
     let mut window = window(cyclist(0.9));
     // At the last the light is redshifted off the scale: by 4.4 to 3,051 nm.
     for time in [0.0, 1.1, 2.5, 4.0, 1e6] {
-        window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(time)));
+        window.state_mut().run(PlaybackCommand::GoTo(time));
         window.run();
         assert!((f64::from(tick(&window, "at rest").center().x) - place(&window, REST_NM)).abs() < 0.1);
         for (eye, name) in ["Left eye", "Right eye"].into_iter().enumerate() {
@@ -111,8 +111,8 @@ fn words_are_numbers_at_the_ends_of_every_range() {
             let mut window = window_without_pictures(state, [800.0, 600.0]);
             for &geometry in Geometry::value_variants() {
                 for time in [-1e12, 0.0, 3.0, 1e12] {
-                    window.state_mut().run(Command::Settings(SettingsCommand::Geometry(geometry)));
-                    window.state_mut().run(Command::Playback(PlaybackCommand::GoTo(time)));
+                    window.state_mut().run(SettingsCommand::Geometry(geometry));
+                    window.state_mut().run(PlaybackCommand::GoTo(time));
                     window.run();
                     for label in labels(&window) {
                         let plain = label.replace("infrared", "");

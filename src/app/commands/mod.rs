@@ -73,6 +73,32 @@ pub enum Command {
     Redo,
 }
 
+/// Makes a command of that of each owner.
+macro_rules! commands_of {
+    ($($owner:ident: $command:ty,)*) => {
+        $(impl From<$command> for Command {
+            fn from(command: $command) -> Self {
+                Self::$owner(command)
+            }
+        })*
+    };
+}
+
+commands_of! {
+    Settings: SettingsCommand,
+    Gaze: GazeCommand,
+    Playback: PlaybackCommand,
+    Points: PointsCommand,
+    Ride: RideCommand,
+    Ruler: RulerCommand,
+    Stopwatch: StopwatchCommand,
+    Plots: PlotCommand,
+    Lesson: LessonCommand,
+    Show: ShowCommand,
+    File: FileCommand,
+    Window: WindowCommand,
+}
+
 impl Command {
     /// Whether the command sets T or the speed, which a lesson may be playing.
     const fn sets_what_runs(&self) -> bool {

@@ -18,9 +18,9 @@ impl State {
     }
 
     /// Runs a command, so that it can be undone.
-    pub fn run(&mut self, command: Command) {
+    pub fn run(&mut self, command: impl Into<Command>) {
         let before = self.course().cloned();
-        match command {
+        match command.into() {
             Command::Undo => self.travel(UndoDirection::Back),
             Command::Redo => self.travel(UndoDirection::Forwards),
             // A scene that is written anew is no setting: who writes it has a way back of their own.

@@ -126,7 +126,7 @@ fn scene(ui: &mut Ui, state: &State, commands: &mut Commands) {
             for (preset, scene) in PRESETS.into_iter().filter_map(|name| Some((name, Scene::preset(name)?))) {
                 let shown = scene.name == state.document.scene.name;
                 if ui.selectable_label(shown, scene.name).clicked() {
-                    commands.push(Command::Show(ShowCommand::Scene(preset)));
+                    commands.push(ShowCommand::Scene(preset).into());
                 }
             }
             files(ui, state, commands);
@@ -146,13 +146,13 @@ fn files(ui: &mut Ui, state: &State, commands: &mut Commands) {
     for path in state.session.recent.all() {
         let choice = ui.selectable_label(shown.contains(path), file_name(path));
         if choice.on_hover_text(files::shown(path)).clicked() {
-            commands.push(Command::File(FileCommand::Open(path.clone())));
+            commands.push(FileCommand::Open(path.clone()).into());
         }
     }
     let tip = "Opens a scene, a model, a state, data, or a picture with the state that it records.";
     let tip = with_keys(tip, &[Command::File(FileCommand::Choose(Purpose::Open))]);
     if ui.button("Open…").on_hover_text(tip).clicked() {
-        commands.push(Command::File(FileCommand::Choose(Purpose::Open)));
+        commands.push(FileCommand::Choose(Purpose::Open).into());
     }
 }
 
@@ -174,8 +174,7 @@ fn units_to_choose(ui: &mut Ui, state: &State, commands: &mut Commands) {
         let is_there = has_metres || choice == Units::Natural;
         let response = ui.add_enabled(is_there, Button::selectable(shown == choice, name));
         if explained_lazily(response, || meaning(&choice)).on_disabled_hover_text(NO_METRES).clicked() {
-            commands
-                .push(Command::Settings(SettingsCommand::Window(WindowSettings { units: choice, ..window })));
+            commands.push(SettingsCommand::Window(WindowSettings { units: choice, ..window }).into());
         }
     }
     if !has_metres {
@@ -237,7 +236,7 @@ fn more_on_a_phone(ui: &mut Ui, state: &State, commands: &mut Commands) {
 /// The way into the stereoscope.
 fn stereoscope(ui: &mut Ui, commands: &mut Commands) {
     if ui.button("Stereoscope").on_hover_text(STEREOSCOPE_TIP).clicked() {
-        commands.push(Command::Window(WindowCommand::ToggleStereoscope));
+        commands.push(WindowCommand::ToggleStereoscope.into());
     }
 }
 
@@ -262,10 +261,9 @@ fn theme(ui: &mut Ui, state: &State, commands: &mut Commands) {
         .on_hover_text("Switches between a light and a dark window")
         .clicked()
     {
-        commands.push(Command::Settings(SettingsCommand::Window(WindowSettings {
-            theme: other,
-            ..state.document.settings.window
-        })));
+        commands.push(
+            SettingsCommand::Window(WindowSettings { theme: other, ..state.document.settings.window }).into(),
+        );
     }
 }
 
@@ -280,10 +278,10 @@ fn parts(ui: &mut Ui, state: &State, commands: &mut Commands) {
         .on_hover_text(with_keys(about("map"), &[Command::Settings(SettingsCommand::Switch(Switch::Map))]))
         .changed()
     {
-        commands.push(Command::Settings(SettingsCommand::Switch(Switch::Map)));
+        commands.push(SettingsCommand::Switch(Switch::Map).into());
     }
     ui.toggle_value(&mut window.views, "Views").on_hover_text(about("views"));
     if window != state.document.settings.window {
-        commands.push(Command::Settings(SettingsCommand::Window(window)));
+        commands.push(SettingsCommand::Window(window).into());
     }
 }

@@ -5,7 +5,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{self, CursorIcon, Sense, Stroke, Ui, Vec2, vec2};
 
 use super::Commands;
-use crate::app::commands::{Command, SettingsCommand, WindowCommand};
+use crate::app::commands::{SettingsCommand, WindowCommand};
 use crate::app::state::State;
 use crate::app::state::stage::WindowPart;
 use crate::app::views::window_layout::border::Border;
@@ -35,7 +35,7 @@ pub fn show(ui: &Ui, state: &State, border: Border, commands: &mut Commands) {
     response.on_hover_cursor(cursor).on_hover_text(TIP);
     let changed = share.map_or(window, |share| split.with(window, share));
     if changed != window {
-        commands.push(Command::Settings(SettingsCommand::Window(changed)));
+        commands.push(SettingsCommand::Window(changed).into());
     }
 }
 
@@ -49,7 +49,7 @@ pub fn title(ui: &Ui, part: WindowPart, commands: &mut Commands) {
     let response = ui.interact(ui.max_rect(), ui.scope_id().with(part), Sense::click());
     response.widget_info(|| egui::WidgetInfo::labeled(Role::TitleBar, true, &name));
     if response.double_clicked() {
-        commands.push(Command::Window(WindowCommand::ToggleMaximised(part)));
+        commands.push(WindowCommand::ToggleMaximised(part).into());
     }
     response.on_hover_text("Double-click to show this part alone, or all parts again.");
 }

@@ -4,8 +4,8 @@ use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{Align2, Context, Key, RichText, TextEdit, Ui, Window};
 
 use super::Commands;
+use crate::app::commands::WindowCommand;
 use crate::app::commands::file_dialog::Chooser;
-use crate::app::commands::{Command, WindowCommand};
 use crate::app::state::State;
 use crate::app::state::files::purpose::{Product, Purpose};
 use crate::studio::film::FRAMES_PER_SECOND;
@@ -118,7 +118,7 @@ fn buttons(ui: &mut Ui, purpose: Purpose, chooser: &mut Chooser, is_entered: boo
             }
         });
         if ui.button("Cancel").clicked() {
-            commands.push(Command::Window(WindowCommand::Close));
+            commands.push(WindowCommand::Close.into());
         }
     });
 }
@@ -137,7 +137,7 @@ fn replace(ui: &mut Ui, chooser: &mut Chooser, commands: &mut Commands) {
             commands.extend(chooser.confirmed(Some(&path)));
         }
         if ui.button("Cancel").clicked() {
-            commands.push(Command::Window(WindowCommand::Close));
+            commands.push(WindowCommand::Close.into());
         }
     });
 }

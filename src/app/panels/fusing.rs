@@ -3,7 +3,7 @@
 use eframe::egui::{Align, Rect, Ui};
 
 use super::Commands;
-use crate::app::commands::{Command, SettingsCommand};
+use crate::app::commands::SettingsCommand;
 use crate::app::state::State;
 use crate::app::widgets::strip_button;
 use crate::comfort::ComfortVerdict;
@@ -27,6 +27,6 @@ pub fn offer(ui: &mut Ui, state: &State, strip: Rect, commands: &mut Commands) {
         comfort.words()
     );
     if strip_button(ui, strip, Align::Max, &text).on_hover_text(tip).clicked() {
-        commands.push(Command::Settings(SettingsCommand::Narrow));
+        commands.push(SettingsCommand::Narrow.into());
     }
 }

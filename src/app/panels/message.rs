@@ -65,7 +65,7 @@ fn text(ui: &mut Ui, notice: &Notice, height: f32) {
 fn buttons(ui: &mut Ui, notice: &Notice, commands: &mut Commands) {
     let close = icons::button(ui, Icon::Remove, "Close message", vec2(22.0, 22.0), false);
     if close.on_hover_text(with_keys("Close.", &[Command::Window(WindowCommand::Close)])).clicked() {
-        commands.push(Command::Window(WindowCommand::CloseNotice));
+        commands.push(WindowCommand::CloseNotice.into());
     }
     if ui.button("Copy").on_hover_text("Copies the message").accessible_name("Copy message").clicked() {
         ui.ctx().copy_text(notice.text.clone());

@@ -79,7 +79,7 @@ pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
         // The first time it is only measured.
         ctx.request_repaint();
     } else if shown.response.clicked_elsewhere() {
-        commands.push(Command::Window(WindowCommand::Toggle(Overlay::Palette)));
+        commands.push(WindowCommand::Toggle(Overlay::Palette).into());
     }
     if let Some(entry) = asked {
         commands.extend([Command::Window(WindowCommand::Toggle(Overlay::Palette)), entry.command]);

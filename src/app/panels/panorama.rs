@@ -45,6 +45,6 @@ pub fn offer(ui: &mut Ui, state: &State, strip: Rect, commands: &mut Commands) {
         .on_hover_text(with_keys(tip, &[Command::Settings(SettingsCommand::Switch(Switch::Panorama))]))
         .clicked()
     {
-        commands.push(Command::Settings(SettingsCommand::Switch(Switch::Panorama)));
+        commands.push(SettingsCommand::Switch(Switch::Panorama).into());
     }
 }

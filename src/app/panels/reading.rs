@@ -4,7 +4,7 @@ use eframe::egui::{Align2, Context, Spinner, Window};
 use gamow_platform::files;
 
 use super::Commands;
-use crate::app::commands::{Command, FileCommand};
+use crate::app::commands::FileCommand;
 use crate::app::state::files::reader::Reader;
 
 /// Above the lower edge of the window, points: above what is being saved.
@@ -22,7 +22,7 @@ pub fn show(ctx: &Context, reader: &Reader, commands: &mut Commands) {
                 ui.add(Spinner::new());
                 ui.label(format!("Reading {}", files::shown(path)));
                 if ui.button("Stop").clicked() {
-                    commands.push(Command::File(FileCommand::StopReading));
+                    commands.push(FileCommand::StopReading.into());
                 }
             });
         });

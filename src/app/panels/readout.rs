@@ -7,7 +7,7 @@ use relativity_core::{
 use relativity_render::{Velocity, colour};
 
 use super::Commands;
-use crate::app::commands::{Command, SettingsCommand};
+use crate::app::commands::SettingsCommand;
 use crate::app::state::State;
 use crate::app::state::points::Point;
 use crate::app::state::queries::on_wheel::{OnWheel, angle_text};
@@ -202,7 +202,7 @@ fn fold(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let title = egui::Button::new(RichText::new(format!("{sign} {name}")).strong()).frame(false);
     if ui.add(title).on_hover_text(tip).accessible_name("Readout").clicked() {
         window.readout = !window.readout;
-        commands.push(Command::Settings(SettingsCommand::Window(window)));
+        commands.push(SettingsCommand::Window(window).into());
     }
 }
 

@@ -3,8 +3,8 @@
 use eframe::egui::{Align2, Context, Label, ProgressBar, Window};
 
 use super::Commands;
+use crate::app::commands::FileCommand;
 use crate::app::commands::saving::{Progress, Saver};
-use crate::app::commands::{Command, FileCommand};
 use crate::number_text;
 
 const WIDTH: f32 = 300.0;
@@ -34,7 +34,7 @@ pub fn show(ctx: &Context, saver: &Saver, commands: &mut Commands) {
                     .desired_width(WIDTH - 70.0);
                 ui.add(bar.text(format!("{} of {frames}", written.frames)));
                 if ui.button("Stop").clicked() {
-                    commands.push(Command::File(FileCommand::StopSaving));
+                    commands.push(FileCommand::StopSaving.into());
                 }
             });
         });

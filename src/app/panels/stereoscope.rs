@@ -2,7 +2,7 @@
 
 use eframe::egui::{Align2, Area, Context, Frame, Id, Order, Slider, Ui, vec2};
 
-use crate::app::commands::{Command, SettingsCommand, WindowCommand};
+use crate::app::commands::{SettingsCommand, WindowCommand};
 use crate::app::panels::Commands;
 use crate::settings::{LENS_MM, PICTURE_MM, ScreenSettings, about};
 
@@ -99,7 +99,7 @@ fn measures(ui: &mut Ui, screen: ScreenSettings, known: Known, commands: &mut Co
         ui.weak("The size of the screen was set.");
     }
     if changed != screen {
-        commands.push(Command::Settings(SettingsCommand::Screen(changed)));
+        commands.push(SettingsCommand::Screen(changed).into());
     }
 }
 
@@ -113,7 +113,7 @@ fn buttons(ui: &mut Ui, known: Known, commands: &mut Commands) -> MenuChoice {
             choice = MenuChoice::Card;
         }
         if ui.button("Leave").clicked() {
-            commands.push(Command::Window(WindowCommand::ToggleStereoscope));
+            commands.push(WindowCommand::ToggleStereoscope.into());
         }
     });
     choice

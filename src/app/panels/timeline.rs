@@ -129,7 +129,7 @@ fn time(ui: &mut Ui, state: &State, commands: &mut Commands) {
         .max_decimals(unit.decimals(most).into());
     let response = ui.add_sized([time_width(state), ui.spacing().interact_size.y], number);
     if widgets::explained(response, tip).accessible_name("T, typed").changed() {
-        commands.push(Command::Playback(PlaybackCommand::GoTo(time)));
+        commands.push(PlaybackCommand::GoTo(time).into());
     }
 }
 
@@ -175,7 +175,7 @@ fn playback(ui: &mut Ui, state: &State, shown: PlaybackControls, commands: &mut 
         rate(ui, state, &mut playback);
     }
     if playback != state.document.settings.playback {
-        commands.push(Command::Settings(SettingsCommand::Playback(playback)));
+        commands.push(SettingsCommand::Playback(playback).into());
     }
 }
 
@@ -228,7 +228,7 @@ fn scrubber(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let slider = Slider::new(&mut time, from..=to).show_value(false).clamping(SliderClamping::Never);
     let response = widgets::explained(ui.add(slider), time_tip(state)).accessible_name("Observation time T");
     if response.changed() {
-        commands.push(Command::Playback(PlaybackCommand::GoTo(time)));
+        commands.push(PlaybackCommand::GoTo(time).into());
     }
     marks(ui, state, response.rect, commands);
 }
@@ -326,7 +326,7 @@ fn marks(ui: &mut Ui, state: &State, slider: Rect, commands: &mut Commands) {
             tick(ui, slider, span.middle, place, mark.colour);
         }
         if name(ui, mark, place, galley).clicked() {
-            commands.push(Command::Playback(PlaybackCommand::GoTo(mark.time)));
+            commands.push(PlaybackCommand::GoTo(mark.time).into());
         }
     }
 }

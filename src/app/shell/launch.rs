@@ -178,7 +178,6 @@ fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::commands::Command;
     use crate::app::state::lesson::LessonCommand;
     use crate::app::state::overlay::Overlay;
     use crate::lesson::{Library, Record};
@@ -226,7 +225,7 @@ mod tests {
         let lesson = Library::own().open("turned").expect("it is there");
         let mut state = started(&keeper, false);
         state.begin_lesson(&lesson).expect("it can be shown");
-        state.run(Command::Lesson(LessonCommand::Skip));
+        state.run(LessonCommand::Skip);
         let left = state.course().expect("a lesson").clone();
         assert_ne!(left.records()[0], Record::default());
         keeper.keep(&state).expect("it is written");

@@ -196,7 +196,8 @@ impl App {
     }
 
     /// Runs `command` as if the user had given it; a file that it needs is read first, in the background.
-    pub fn run(&mut self, command: Command) {
+    pub fn run(&mut self, command: impl Into<Command>) {
+        let command = command.into();
         if let Command::File(file) = &command {
             if *file == FileCommand::StopReading {
                 return self.reader.stop();
@@ -221,7 +222,7 @@ impl App {
             self.state.document.settings.ride.is_on().then(gamow_platform::controller::sticks).flatten();
         let Some(sticks) = sticks else { return held };
         if let Some(turned) = controller::looked(&sticks, step) {
-            self.run(Command::Gaze(GazeCommand::Aside(turned)));
+            self.run(GazeCommand::Aside(turned));
         }
         held.or_else(|| controller::pushed(&sticks))
     }
@@ -264,7 +265,7 @@ impl eframe::App for App {
         let pushed = self.pushed(ctx, step);
         self.state.advance(step, pushed.is_some());
         if let Some(direction) = pushed {
-            self.run(Command::Ride(RideCommand::Push(direction, self.state.frame.step)));
+            self.run(RideCommand::Push(direction, self.state.frame.step));
         }
         if self.state.follow_for_comfort(step) {
             ctx.request_repaint();

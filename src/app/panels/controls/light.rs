@@ -6,7 +6,7 @@ use relativity_core::doppler::{
 };
 use relativity_render::{Colour, Shading, StreetColours};
 
-use crate::app::commands::{Command, SettingsCommand};
+use crate::app::commands::SettingsCommand;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, choice_of, row};
@@ -46,7 +46,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         });
     }
     if light != before {
-        commands.push(Command::Settings(SettingsCommand::Light(light)));
+        commands.push(SettingsCommand::Light(light).into());
     }
 }
 

@@ -24,12 +24,12 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             .on_hover_text(with_keys(RULER, &[Command::Ruler(RulerCommand::Toggle)]))
             .clicked()
         {
-            commands.push(Command::Ruler(RulerCommand::Toggle));
+            commands.push(RulerCommand::Toggle.into());
         }
         let is_on = state.scratch.stopwatch != Stopwatch::Hidden;
         let keys = [StopwatchCommand::Press, StopwatchCommand::Toggle].map(Command::Stopwatch);
         if ui.selectable_label(is_on, "Stopwatch").on_hover_text(with_keys(TIP, &keys)).clicked() {
-            commands.push(Command::Stopwatch(StopwatchCommand::Toggle));
+            commands.push(StopwatchCommand::Toggle.into());
         }
         let mut window = state.document.settings.window;
         let clock = Checkbox::new(&mut window.resting_clock, "clock");
@@ -39,7 +39,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             .on_hover_text(about("resting-clock"))
             .on_disabled_hover_text(reason);
         if response.accessible_name("clock beside you").changed() {
-            commands.push(Command::Settings(SettingsCommand::Window(window)));
+            commands.push(SettingsCommand::Window(window).into());
         }
     });
 }

@@ -56,7 +56,7 @@ pub fn show_speed(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let motion = state.document.settings.motion;
     if let Some(speed) = speed::show(ui, motion.speed, state.defaults().motion.speed, &state.measures(), &[])
     {
-        commands.push(Command::Settings(SettingsCommand::Motion(MotionSettings { speed, ..motion })));
+        commands.push(SettingsCommand::Motion(MotionSettings { speed, ..motion }).into());
     }
 }
 
@@ -71,7 +71,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             let tip = format!("Resets this section to its defaults, {}.", state.defaults_source());
             let reset = (!state.is_default_in(part)).then_some(tip.as_str());
             if section(ui, part.title(), reset, |ui| rows(ui, state, commands)) {
-                commands.push(Command::Settings(SettingsCommand::ResetSection(part)));
+                commands.push(SettingsCommand::ResetSection(part).into());
             }
         }
     });
@@ -85,7 +85,7 @@ fn few(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let tip = "Shows all controls (path, look, light, quality) and all plots. The palette (Ctrl+P) leads \
         back.";
     if ui.button("More controls").on_hover_text(tip).clicked() {
-        commands.push(Command::Settings(SettingsCommand::Switch(Switch::Simple)));
+        commands.push(SettingsCommand::Switch(Switch::Simple).into());
     }
 }
 
@@ -103,7 +103,7 @@ fn motion(ui: &mut Ui, state: &State, commands: &mut Commands) {
         path_rows(ui, measures.length, state.document.scene.tracked, &mut motion, default);
     }
     if motion != state.document.settings.motion {
-        commands.push(Command::Settings(SettingsCommand::Motion(motion)));
+        commands.push(SettingsCommand::Motion(motion).into());
     }
 }
 
@@ -169,7 +169,7 @@ fn look(ui: &mut Ui, state: &State, commands: &mut Commands) {
     quality::show(ui, state, commands);
     measuring::show(ui, state, commands);
     if look != state.document.settings.look {
-        commands.push(Command::Settings(SettingsCommand::Look(look)));
+        commands.push(SettingsCommand::Look(look).into());
     }
 }
 
@@ -185,10 +185,7 @@ fn layout_row(ui: &mut Ui, picture: PictureSettings, commands: &mut Commands) {
                 for (layout, name) in LAYOUTS {
                     let choice = ui.selectable_label(layout == picture.layout, name);
                     if explained_lazily(choice, || meaning(&layout)).clicked() {
-                        commands.push(Command::Settings(SettingsCommand::Picture(PictureSettings {
-                            layout,
-                            ..picture
-                        })));
+                        commands.push(SettingsCommand::Picture(PictureSettings { layout, ..picture }).into());
                     }
                 }
             })
@@ -200,7 +197,7 @@ fn layout_row(ui: &mut Ui, picture: PictureSettings, commands: &mut Commands) {
         let response = ui.add_enabled(picture.layout.has_both(), swap);
         let tip = with_keys(about("swapped"), &[Command::Settings(SettingsCommand::Switch(Switch::Eyes))]);
         if response.on_hover_text(tip).on_disabled_hover_text("This layout shows one eye.").changed() {
-            commands.push(Command::Settings(SettingsCommand::Switch(Switch::Eyes)));
+            commands.push(SettingsCommand::Switch(Switch::Eyes).into());
         }
     });
 }
@@ -261,7 +258,7 @@ fn more_rows(ui: &mut Ui, before: WindowSettings, unit: Unit, commands: &mut Com
         ui.checkbox(&mut window.ruler, "ruler").on_hover_text(about("ruler"));
     });
     if window != before {
-        commands.push(Command::Settings(SettingsCommand::Window(window)));
+        commands.push(SettingsCommand::Window(window).into());
     }
 }
 
@@ -344,7 +341,7 @@ fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut LookSettings, comma
         let tip = "Holds the whole scene in the views, with an automatic field of view, as a double click in a view does.";
         let tip = with_keys(tip, &[Command::Gaze(GazeCommand::Whole)]);
         if ui.button("Frame").on_hover_text(tip).clicked() {
-            commands.push(Command::Gaze(GazeCommand::Whole));
+            commands.push(GazeCommand::Whole.into());
         }
     });
 }

@@ -3,7 +3,7 @@
 use eframe::egui::{Checkbox, RichText, Ui};
 use gamow_platform::threads;
 
-use crate::app::commands::{Command, SettingsCommand};
+use crate::app::commands::SettingsCommand;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, named_text, row};
@@ -30,7 +30,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         );
     });
     if quality != before {
-        commands.push(Command::Settings(SettingsCommand::Quality(quality)));
+        commands.push(SettingsCommand::Quality(quality).into());
     }
 }
 

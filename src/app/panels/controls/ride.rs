@@ -41,11 +41,11 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             .on_hover_text(about("vignette"))
             .changed()
         {
-            commands.push(Command::Settings(SettingsCommand::Window(window)));
+            commands.push(SettingsCommand::Window(window).into());
         }
     });
     if ride != state.document.settings.ride {
-        commands.push(Command::Ride(RideCommand::Set(ride)));
+        commands.push(RideCommand::Set(ride).into());
     }
 }
 
@@ -77,7 +77,7 @@ fn speed_row(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let shown = format!("{sign}{}", number_text::beta(&velocity.speed));
     let typed = checked(ui, "My speed β", SPEED_TIP, &shown, str::parse::<StreetVelocity>);
     if let Some(velocity) = typed {
-        commands.push(Command::Ride(RideCommand::Reach(velocity)));
+        commands.push(RideCommand::Reach(velocity).into());
     }
 }
 

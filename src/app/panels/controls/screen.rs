@@ -57,12 +57,12 @@ fn narrow(ui: &mut Ui, state: &State, commands: &mut Commands) {
         let is_pair = !state.document.settings.is_comparing();
         let button = ui.add_enabled(is_pair, Button::new("Comfortable"));
         if button.on_hover_text(tip).on_disabled_hover_text(NO_PAIR).clicked() {
-            commands.push(Command::Settings(SettingsCommand::Narrow));
+            commands.push(SettingsCommand::Narrow.into());
         }
         if let Some([wide, _]) = narrowed
             && ui.button("As before").on_hover_text("Restores the eye separation.").clicked()
         {
-            commands.push(Command::Settings(SettingsCommand::Motion(MotionSettings { d: wide, ..motion })));
+            commands.push(SettingsCommand::Motion(MotionSettings { d: wide, ..motion }).into());
         }
     });
     if let Some([wide, d]) = narrowed {
@@ -95,21 +95,21 @@ fn place(ui: &mut Ui, state: &State, commands: &mut Commands) {
         let tip = "Fills the screen with the views, one plot and words, all large. Esc leaves.";
         let tip = with_keys(tip, &[Command::Window(WindowCommand::TogglePresenting)]);
         if ui.button("Present").on_hover_text(tip).clicked() {
-            commands.push(Command::Window(WindowCommand::TogglePresenting));
+            commands.push(WindowCommand::TogglePresenting.into());
         }
         let mut is_open = state.session.stage.projector;
         let tip = with_keys(PROJECTOR_TIP, &[Command::Window(WindowCommand::ToggleProjector)]);
         if ui.checkbox(&mut is_open, "second window").on_hover_text(tip).changed() {
-            commands.push(Command::Window(WindowCommand::ToggleProjector));
+            commands.push(WindowCommand::ToggleProjector.into());
         }
     });
     row(ui, "Lenses", STEREOSCOPE_TIP, |ui| {
         if ui.button("Stereoscope").on_hover_text(STEREOSCOPE_TIP).clicked() {
-            commands.push(Command::Window(WindowCommand::ToggleStereoscope));
+            commands.push(WindowCommand::ToggleStereoscope.into());
         }
     });
     if screen != state.document.settings.screen {
-        commands.push(Command::Settings(SettingsCommand::Screen(screen)));
+        commands.push(SettingsCommand::Screen(screen).into());
     }
 }
 

@@ -4,7 +4,7 @@
 use eframe::egui::Ui;
 
 use super::{projection, screen};
-use crate::app::commands::{Command, SettingsCommand};
+use crate::app::commands::SettingsCommand;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::widgets::{NumberRow, choice_of, row};
@@ -18,10 +18,10 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     projection::show(ui, state, &mut look);
     screen::show(ui, state, commands);
     if motion != state.document.settings.motion {
-        commands.push(Command::Settings(SettingsCommand::Motion(motion)));
+        commands.push(SettingsCommand::Motion(motion).into());
     }
     if look != state.document.settings.look {
-        commands.push(Command::Settings(SettingsCommand::Look(look)));
+        commands.push(SettingsCommand::Look(look).into());
     }
 }
 

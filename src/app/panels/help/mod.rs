@@ -101,7 +101,7 @@ pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
         });
     ctx.data_mut(|data| data.insert_temp(id, shown));
     if !open {
-        commands.push(Command::Window(WindowCommand::Toggle(Overlay::Help)));
+        commands.push(WindowCommand::Toggle(Overlay::Help).into());
     }
 }
 

@@ -4,7 +4,7 @@ use eframe::egui::{TextStyle, Ui};
 
 use super::asked::ask;
 use super::cards;
-use crate::app::commands::{Command, FileCommand, WindowCommand};
+use crate::app::commands::{FileCommand, WindowCommand};
 use crate::app::panels::Commands;
 use crate::app::state::files::purpose::{Product, Purpose};
 use crate::app::state::lesson::{LessonCommand, Running};
@@ -48,11 +48,11 @@ pub fn show(ui: &mut Ui, running: &Running, commands: &mut Commands) {
         for (name, product) in PAGES {
             let is_there = product != Product::LabSheet || course.lesson().lab.is_some();
             if is_there && ui.button(name).on_hover_text(product.tip()).clicked() {
-                commands.push(Command::File(FileCommand::Choose(Purpose::Save(product))));
+                commands.push(FileCommand::Choose(Purpose::Save(product)).into());
             }
         }
         if ui.button("All lessons").clicked() {
-            commands.push(Command::Window(WindowCommand::Toggle(Overlay::Start)));
+            commands.push(WindowCommand::Toggle(Overlay::Start).into());
         }
     });
 }

@@ -79,7 +79,7 @@ fn lead_on(ui: &mut Ui, state: &State, running: &Running, commands: &mut Command
     }
     let is_a_state_alone = course.step().is_some() && !can_go_on;
     if is_a_state_alone && ui.button("All lessons").clicked() {
-        commands.push(Command::Window(WindowCommand::Toggle(Overlay::Start)));
+        commands.push(WindowCommand::Toggle(Overlay::Start).into());
     }
 }
 

@@ -11,7 +11,7 @@ mod times;
 use eframe::egui::{Rect, RichText, Ui, UiBuilder, vec2};
 
 use super::Commands;
-use crate::app::commands::{Command, SettingsCommand};
+use crate::app::commands::SettingsCommand;
 use crate::app::state::State;
 use crate::app::widgets::{choice, explained_lazily};
 use crate::caption::capitalised;
@@ -69,6 +69,6 @@ fn strip(ui: &mut Ui, state: &State, commands: &mut Commands) {
         map.framing = if is_close_up { MapFraming::CloseUp } else { MapFraming::Passage };
     });
     if map != state.document.settings.map {
-        commands.push(Command::Settings(SettingsCommand::Map(map)));
+        commands.push(SettingsCommand::Map(map).into());
     }
 }

@@ -47,10 +47,10 @@ pub(super) fn read(
     } else if let Some(time) = time_at_pointer(response) {
         if modifiers.shift {
             if mouse.clicked() {
-                commands.push(Command::Plots(PlotCommand::Cursor(Some(time))));
+                commands.push(PlotCommand::Cursor(Some(time)).into());
             }
         } else if !modifiers.command {
-            commands.push(Command::Playback(PlaybackCommand::GoTo(time)));
+            commands.push(PlaybackCommand::GoTo(time).into());
         }
     }
     let Some(pointer) = mouse.hover_pos().filter(|_| mouse.contains_pointer()) else { return };

@@ -27,7 +27,7 @@ use self::chart::TimePlot;
 pub use self::export::{csv, svg};
 pub use self::plotted::Plotted;
 use self::traces::chart;
-use crate::app::commands::{Command, SettingsCommand};
+use crate::app::commands::SettingsCommand;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::plots::curves::QuantityCurves;
@@ -128,7 +128,7 @@ fn tabs(ui: &mut Ui, state: &State, commands: &mut Commands) {
         coordinates(ui, &mut plots.coordinates);
     }
     if plots != state.document.settings.plots {
-        commands.push(Command::Settings(SettingsCommand::Plots(plots)));
+        commands.push(SettingsCommand::Plots(plots).into());
     }
 }
 

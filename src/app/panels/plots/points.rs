@@ -35,13 +35,13 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         };
         let tip = format!("{is}\nClick in a view to move it, shift-click to add one.");
         if ui.selectable_label(chosen, &name).on_hover_text(tip).clicked() {
-            commands.push(Command::Points(PointsCommand::Select(index)));
+            commands.push(PointsCommand::Select(index).into());
         }
         if points.is_removable(index) {
             let name = format!("Remove {name}");
             if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
             {
-                commands.push(Command::Points(PointsCommand::Remove(index)));
+                commands.push(PointsCommand::Remove(index).into());
             }
         }
         ui.add_space(6.0);

@@ -10,7 +10,6 @@ use super::axes::{Ruler, Y_AXIS_WIDTH, annotate, axis_label, label_places, plot_
 use super::chart::RIGHT_DASHES;
 use super::drawn::style;
 use super::legend::{self, LegendEntry};
-use crate::app::commands::Command;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::lesson::LessonCommand;
@@ -54,7 +53,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands:
             // It is always there: the plot stays where it is while something is drawn.
             let clear = ui.add_enabled(!sketched.points.is_empty(), Button::new("Clear"));
             if clear.on_hover_text("Clears the curve.").clicked() {
-                commands.push(Command::Lesson(LessonCommand::Draft(None)));
+                commands.push(LessonCommand::Draft(None).into());
             }
         }
     });
@@ -68,7 +67,7 @@ pub(super) fn switch(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.selectable_value(&mut plots, false, "Your curve").on_hover_text("Your curve and the true one.");
     ui.selectable_value(&mut plots, true, "All plots").on_hover_text("The whole of every plot.");
     if plots != now {
-        commands.push(Command::Lesson(LessonCommand::ShowPlots(plots)));
+        commands.push(LessonCommand::ShowPlots(plots).into());
     }
 }
 
@@ -173,6 +172,6 @@ fn read(
     });
     let points = sketch::drawn(sketched.points, area, stroke);
     if points != sketched.points {
-        commands.push(Command::Lesson(LessonCommand::Draft(Some(Answer::Curve(points)))));
+        commands.push(LessonCommand::Draft(Some(Answer::Curve(points))).into());
     }
 }

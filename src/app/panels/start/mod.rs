@@ -148,7 +148,7 @@ fn introduction(ui: &mut Ui, state: &State, lessons: &[&Arc<Lesson>], commands: 
             &[Command::Window(WindowCommand::Toggle(Overlay::Start))],
         );
         if ui.add(around).on_hover_text(tip).clicked() {
-            commands.push(Command::Window(WindowCommand::Toggle(Overlay::Start)));
+            commands.push(WindowCommand::Toggle(Overlay::Start).into());
         }
     });
 }

@@ -21,19 +21,14 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, name: &str, commands:
     let describe = |node: &mut egui::accesskit::Node| node.set_description(state.moment().sentence());
     ui.ctx().accesskit_node_builder(response.id, describe);
     if response.double_clicked() {
-        commands.push(Command::Gaze(GazeCommand::WholeAgain));
+        commands.push(GazeCommand::WholeAgain.into());
     } else if response.triple_clicked() {
         // It is a double click that went on.
     } else if let (true, Some(place)) = (response.clicked(), response.interact_pointer_pos()) {
         let add = ui.input(|input| input.modifiers.shift);
         let EyePane { eye, is_second, size, .. } = pane;
-        commands.push(Command::Points(PointsCommand::Pick(Pick {
-            eye,
-            is_second,
-            pixel: pane.pixel(place),
-            size,
-            add,
-        })));
+        commands
+            .push(PointsCommand::Pick(Pick { eye, is_second, pixel: pane.pixel(place), size, add }).into());
     }
     if response.has_focus() {
         keys(ui, &response, commands);
@@ -49,13 +44,16 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, name: &str, commands:
         let factor = math::exp(-scroll * ZOOM_PER_SCROLL) / pinch;
         if factor != 1.0 && factor.is_finite() {
             let place = response.hover_pos().unwrap_or(pane.rect.center());
-            commands.push(Command::Gaze(GazeCommand::Zoom(Zoom {
-                eye: pane.eye,
-                is_second: pane.is_second,
-                pixel: pane.pixel(place),
-                size: pane.size,
-                factor,
-            })));
+            commands.push(
+                GazeCommand::Zoom(Zoom {
+                    eye: pane.eye,
+                    is_second: pane.is_second,
+                    pixel: pane.pixel(place),
+                    size: pane.size,
+                    factor,
+                })
+                .into(),
+            );
         }
     }
 }
@@ -90,7 +88,7 @@ fn turn(response: &Response, pane: EyePane, commands: &mut Commands) {
     if moved != egui::Vec2::ZERO {
         let [from, to] = [place - moved, place].map(|place| pane.pixel(place));
         let EyePane { eye, is_second, size, .. } = pane;
-        commands.push(Command::Gaze(GazeCommand::Turn(Turn { eye, is_second, from, to, size })));
+        commands.push(GazeCommand::Turn(Turn { eye, is_second, from, to, size }).into());
     }
 }
 
@@ -101,9 +99,9 @@ fn measure(ui: &Ui, response: &Response, pane: EyePane, commands: &mut Commands)
     if let Some((from, to)) = from.zip(to).filter(|_| response.dragged()) {
         let EyePane { eye, is_second, size, .. } = pane;
         let ends = [from, to].map(|place| pane.pixel(place));
-        commands.push(Command::Ruler(RulerCommand::Lay(Lay { eye, is_second, ends, size })));
+        commands.push(RulerCommand::Lay(Lay { eye, is_second, ends, size }).into());
     }
     if response.drag_stopped() {
-        commands.push(Command::Ruler(RulerCommand::Settle));
+        commands.push(RulerCommand::Settle.into());
     }
 }

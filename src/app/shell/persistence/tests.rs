@@ -104,11 +104,11 @@ fn what_cannot_be_written_is_told_at_the_start_when_it_fails_and_at_the_end() {
         assert!(text.contains(&*within.to_string_lossy()) && text.contains(what), "{text}");
     };
     told(&window, "Free some space, or make the folder writable");
-    window.run(Command::Window(WindowCommand::CloseNotice));
+    window.run(WindowCommand::CloseNotice);
     ask(&mut window, LessonCommand::Skip);
     told(&window, "The answers in lessons are not saved: ");
     // It is said once.
-    window.run(Command::Window(WindowCommand::CloseNotice));
+    window.run(WindowCommand::CloseNotice);
     ask(&mut window, LessonCommand::Forward);
     assert_eq!(notice(&window), "");
     let keeper = Keeper::in_folder(&within);

@@ -9,7 +9,7 @@ use gamow_platform::web::{page, tasks};
 
 use super::address::Fragment;
 use super::webgpu::{self, FirstPicture};
-use crate::app::commands::{Command, FileCommand, WindowCommand};
+use crate::app::commands::{FileCommand, WindowCommand};
 use crate::app::shell::App;
 use crate::app::state::document::Document;
 use crate::app::state::lesson::LessonCommand;
@@ -57,16 +57,16 @@ impl PageApp {
     /// Shows what another `fragment` of the address asks for.
     pub fn follow(&mut self, fragment: &Fragment) {
         if let Some(link) = fragment.link() {
-            self.app.run(Command::File(FileCommand::Open(link)));
+            self.app.run(FileCommand::Open(link));
         }
         if let Some(lesson) = &fragment.lesson {
-            self.app.run(Command::Lesson(LessonCommand::Open(lesson.clone())));
+            self.app.run(LessonCommand::Open(lesson.clone()));
         }
         if fragment.presents != self.app.state().session.stage.is_presented() {
-            self.app.run(Command::Window(WindowCommand::TogglePresenting));
+            self.app.run(WindowCommand::TogglePresenting);
         }
         if fragment.stereoscope != self.app.state().session.stage.stereoscope {
-            self.app.run(Command::Window(WindowCommand::ToggleStereoscope));
+            self.app.run(WindowCommand::ToggleStereoscope);
         }
     }
 
@@ -81,7 +81,7 @@ impl PageApp {
     /// Leaves the stereoscope, whose whole screen the viewer has left.
     pub fn leave_stereoscope(&mut self) {
         if self.app.state().session.stage.stereoscope {
-            self.app.run(Command::Window(WindowCommand::ToggleStereoscope));
+            self.app.run(WindowCommand::ToggleStereoscope);
             self.ctx.request_repaint();
         }
     }

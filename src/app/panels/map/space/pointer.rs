@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::light::ChartLight;
 use super::sheet::{SpaceSheet, colour};
-use crate::app::commands::{Command, PointsCommand};
+use crate::app::commands::PointsCommand;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::pointer::Select;
@@ -43,7 +43,7 @@ pub(super) fn read(
     let Some(track) = state.document.scene.track_at(nearest.surface.to_array(), body) else { return };
     if response.clicked() {
         let add = ui.input(|input| input.modifiers.shift);
-        commands.push(Command::Points(PointsCommand::Choose(Select { track, body, add })));
+        commands.push(PointsCommand::Choose(Select { track, body, add }).into());
     }
     response.clone().on_hover_text_at_pointer(text(state, &nearest, &track));
 }

@@ -17,7 +17,7 @@ use self::sheet::{DiagramSheet, HANDLE, NEAR};
 use super::axes::{self, AxisQuantity};
 use super::canvas;
 use super::labels::MapLabels;
-use crate::app::commands::{Command, PlaybackCommand};
+use crate::app::commands::PlaybackCommand;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::points::Point;
@@ -148,7 +148,7 @@ fn point_at(
     if let Some(aimed) = aimed {
         response.clone().on_hover_cursor(CursorIcon::PointingHand);
         if response.clicked() {
-            commands.push(Command::Playback(PlaybackCommand::GoTo(aimed.time)));
+            commands.push(PlaybackCommand::GoTo(aimed.time).into());
         }
     }
     if let Some(text) = text {
@@ -193,9 +193,9 @@ fn handle(sheet: &DiagramSheet<'_>, commands: &mut Commands) {
     if response.dragged() && moved != Vec2::ZERO {
         let [x, t] = [f64::from(moved.x), -f64::from(moved.y)].map(|points| points / sheet.chart.scale);
         let Event { x: dx, t: dt } = sheet.diagram.eyes()[0].step;
-        commands.push(Command::Playback(PlaybackCommand::GoTo(
-            sheet.diagram.clock + (x * dx + t * dt) / (dx * dx + dt * dt),
-        )));
+        commands.push(
+            PlaybackCommand::GoTo(sheet.diagram.clock + (x * dx + t * dt) / (dx * dx + dt * dt)).into(),
+        );
     }
     response.on_hover_text(words::of_eyes(sheet, sheet.diagram.clock));
 }

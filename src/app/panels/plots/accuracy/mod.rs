@@ -11,7 +11,7 @@ use eframe::egui::{Checkbox, Label, Rect, RichText, ScrollArea, Sense, Ui, pos2,
 use gamow_platform::threads;
 
 use super::split::{part, table_and_plots};
-use crate::app::commands::{Command, SettingsCommand};
+use crate::app::commands::SettingsCommand;
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::views::examination::Examination;
@@ -55,7 +55,7 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, comma
         part(ui, "frontier", plot, |ui| frontier::show(ui, plot.size(), examination, chosen, &mut quality));
     }
     if quality != before {
-        commands.push(Command::Settings(SettingsCommand::Quality(quality)));
+        commands.push(SettingsCommand::Quality(quality).into());
     }
 }
 
@@ -74,7 +74,7 @@ fn automatic(ui: &mut Ui, state: &State, quality: &mut QualitySettings) {
 pub fn caption(ui: &mut Ui, state: &State, examination: &Examination, commands: &mut Commands) {
     let mut plots = state.document.settings.plots;
     if ui.add(Checkbox::new(&mut plots.heat_map, "Heat map")).on_hover_text(about("heat-map")).changed() {
-        commands.push(Command::Settings(SettingsCommand::Plots(plots)));
+        commands.push(SettingsCommand::Plots(plots).into());
     }
     if plots.heat_map {
         scale(ui);

@@ -9,7 +9,7 @@ use relativity_core::{Curves, Model, PublishedVariant};
 
 pub(super) use self::export::{csv, panels};
 use super::split::{part, table_and_plots};
-use crate::app::commands::{Command, FileCommand, SettingsCommand};
+use crate::app::commands::{FileCommand, SettingsCommand};
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::files::purpose::{Product, Purpose};
@@ -57,7 +57,7 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, commands: &mut Comman
         part(ui, "fit plots", plots, |ui| plots::show(ui, state, fitting, commands));
     }
     if setup != state.document.settings.fit {
-        commands.push(Command::Settings(SettingsCommand::Fit(setup)));
+        commands.push(SettingsCommand::Fit(setup).into());
     }
 }
 
@@ -103,7 +103,7 @@ fn data(ui: &mut Ui, state: &State, setup: &mut FitSettings, commands: &mut Comm
     ui.label(RichText::new("data").weak());
     if state.session.data.is_some() {
         if ui.button("Simulated").on_hover_text("Simulates samples of the selected point again.").clicked() {
-            commands.push(Command::File(FileCommand::Simulate));
+            commands.push(FileCommand::Simulate.into());
         }
     } else {
         let shown = DATA_FROM.iter().find(|(from, _)| *from == setup.data_from);
@@ -123,11 +123,11 @@ fn data(ui: &mut Ui, state: &State, setup: &mut FitSettings, commands: &mut Comm
     let tip = "Fits measured disparities: a CSV file with the columns T, dphi or dtheta or both, optionally sigma_dphi, sigma_dtheta and d.\n\
         Such a file can be dropped onto the window, too.";
     if ui.button("Own data…").on_hover_text(tip).clicked() {
-        commands.push(Command::File(FileCommand::Choose(Purpose::OpenData)));
+        commands.push(FileCommand::Choose(Purpose::OpenData).into());
     }
     let tip = "Saves the numbers, with their uncertainties, as `gamow fit --json` does.";
     if ui.button("Save…").on_hover_text(tip).clicked() {
-        commands.push(Command::File(FileCommand::Choose(Purpose::Save(Product::Fit))));
+        commands.push(FileCommand::Choose(Purpose::Save(Product::Fit)).into());
     }
 }
 

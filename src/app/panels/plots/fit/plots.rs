@@ -3,7 +3,7 @@
 use eframe::egui::{self, Align, Align2, Color32, Layout, RichText, TextStyle, Ui, Vec2, Visuals, vec2};
 use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
 
-use crate::app::commands::{Command, PlaybackCommand};
+use crate::app::commands::PlaybackCommand;
 use crate::app::panels::Commands;
 use crate::app::panels::plots::axes::{
     Ruler, annotate, bounds, column_label, label_places, plot_over_time, time_at_pointer,
@@ -186,7 +186,7 @@ impl FitPlot<'_> {
         let info = || egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &self.name);
         response.response.widget_info(info);
         if let Some(time) = time_at_pointer(&response) {
-            commands.push(Command::Playback(PlaybackCommand::GoTo(time)));
+            commands.push(PlaybackCommand::GoTo(time).into());
         }
     }
 }
