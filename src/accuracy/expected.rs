@@ -65,7 +65,7 @@ pub fn expected_error(
         if is_cancelled() {
             return Ok(None);
         }
-        let strips = |strip: &View| renderers.hits_in_part(method, scene, view, strip);
+        let strips = |strip: &View| renderers.hits(method, scene, strip);
         displacements.push(displacement_px(scene, view, &place, strips)?);
     }
     let is_reference = method == Method::Reference;

@@ -27,7 +27,6 @@ const NEEDS: [Need; 2] = [
 pub fn advice(report: &AccuracyReport) -> Vec<String> {
     let mut advice: Vec<_> = NEEDS.iter().map(|need| for_pictures(need, &report.renderers)).collect();
     advice.extend(for_comparison(&report.renderers));
-    advice.extend(on_bounds(&report.renderers));
     advice.push(for_points(&report.formulas));
     advice.push(on_the_published_model(&report.published));
     advice.push(on_effects(&report.effects));
@@ -80,22 +79,6 @@ fn first_failure(need: &Need, renderer: &RendererReport) -> Option<String> {
     let (view, excess) = renderer.views.iter().find_map(failure)?;
     let (method, place) = (&renderer.method, view.place.name());
     Some(format!(" {method} is cheaper but fails, first at gamma = {:.4} ({place}): {excess}.", view.gamma))
-}
-
-/// Whether meshes keep their bounds.
-fn on_bounds(renderers: &[RendererReport]) -> Option<String> {
-    let meshes = || renderers.iter().filter_map(|renderer| Some((renderer, renderer.bound_px?)));
-    let worst =
-        |renderer: &RendererReport| renderer.worst_view.outlines_px.map_or(0.0, |spread| spread.worst);
-    let broken = meshes().filter(|(renderer, bound_px)| worst(renderer) > *bound_px);
-    let broken: Vec<_> =
-        broken.map(|(renderer, _)| format!("{} ({:.2} px)", renderer.method, worst(renderer))).collect();
-    meshes().next()?;
-    Some(if broken.is_empty() {
-        "Every mesh keeps its bound on outlines in every view.".to_owned()
-    } else {
-        format!("Not every mesh keeps its bound on outlines in every view: {}.", broken.join(", "))
-    })
 }
 
 /// Returns the cost of certainty: the reference against the rays, which are as exact as f32 is.
@@ -202,7 +185,6 @@ mod tests {
         RendererReport {
             method: method.to_owned(),
             is_reference: false,
-            bound_px: None,
             frame_ms,
             worst_view: errors.clone(),
             views: vec![PictureRow { view: at(2.0), frame_ms, errors, rounds: None }],
@@ -211,11 +193,9 @@ mod tests {
 
     fn made_up() -> Vec<RendererReport> {
         let reference = RendererReport { is_reference: true, ..renderer("reference", 30.0, 0.0, 0.0) };
-        let mesh = RendererReport { bound_px: Some(2.0), ..renderer("mesh", 1.0, 1.5, 142.53) };
-        vec![reference, renderer("rays", 10.0, 0.001, 0.07), mesh]
+        vec![reference, renderer("rays", 10.0, 0.001, 0.07), renderer("coarse", 1.0, 1.5, 142.53)]
     }
 
-    /// The cheapest renderer is a mesh, whose error is not that of f32.
     #[test]
     fn what_f32_limits_is_the_error_of_the_rays() {
         let sentence = for_comparison(&made_up()).expect("all were measured");
@@ -233,25 +213,13 @@ mod tests {
         assert_eq!(
             sentence,
             "To look (outlines 0.5 px at 99 %, D 1e-3, wrong bodies 1 %): rays, 10.00 ms per eye; outlines 0.0010 px in its \
-             worst view. mesh is cheaper but fails, first at gamma = 2.0000 (abreast): outlines 1.50 px."
+             worst view. coarse is cheaper but fails, first at gamma = 2.0000 (abreast): outlines 1.50 px."
         );
         let mut coarse = made_up();
         coarse[1].views[0].errors.doppler_relative = Some(all(1e-4));
         let sentence = for_pictures(&NEEDS[1], &coarse);
         assert!(sentence.contains("0.1 %): reference, 30.00 ms per eye"), "{sentence}");
         assert!(sentence.contains("rays is cheaper but fails, first at gamma = 2.0000 (abreast): D 1e-4"));
-    }
-
-    #[test]
-    fn a_mesh_that_breaks_its_bound_is_named_with_its_error() {
-        let mut renderers = made_up();
-        assert_eq!(
-            on_bounds(&renderers).as_deref(),
-            Some("Every mesh keeps its bound on outlines in every view.")
-        );
-        renderers[2].worst_view.outlines_px = Some(all(2.25));
-        let sentence = on_bounds(&renderers).expect("there is a mesh");
-        assert_eq!(sentence, "Not every mesh keeps its bound on outlines in every view: mesh (2.25 px).");
     }
 
     /// A form is recommended only as far as it was measured.

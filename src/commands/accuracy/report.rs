@@ -87,8 +87,6 @@ pub struct RendererReport {
     pub method: String,
     /// Whether this is the renderer that the others are compared with; then its errors are 0 by definition.
     pub is_reference: bool,
-    /// Greatest promised distance of any point from where it is seen, pixels, if there is a promise.
-    pub bound_px: Option<f64>,
     /// Median over the views of the milliseconds per picture of one eye.
     pub frame_ms: f64,
     /// Largest of each figure in all views.
@@ -98,10 +96,10 @@ pub struct RendererReport {
 }
 
 impl RendererReport {
-    /// Whether the renderer tests rays in f32: it is neither the reference nor made of triangles.
+    /// Whether the renderer tests rays in f32: it is not the reference.
     #[must_use]
     pub const fn is_rays(&self) -> bool {
-        !self.is_reference && self.bound_px.is_none()
+        !self.is_reference
     }
 }
 
