@@ -9,14 +9,11 @@ pub const REFERENCE_SAMPLES: u32 = 2;
 const FRAMES: u32 = 3;
 /// Frames that take longer are timed singly, reading back included, which then matters little.
 const SLOW_MS: f64 = 100.0;
-/// Bounds at which meshes are measured: a fine one, the default, a coarse one.
-pub const MESH_BOUNDS_PX: [f64; 3] = [0.1, Method::DEFAULT_BOUND_PX, 2.0];
 
 /// The methods that can be measured with these `renderers`.
 #[must_use]
 pub fn methods(renderers: &Renderers) -> Vec<Method> {
-    let meshes = MESH_BOUNDS_PX.map(|bound_px| Method::Mesh { bound_px });
-    let on_gpu = renderers.gpu().into_iter().flat_map(|_| [Method::Rays].into_iter().chain(meshes));
+    let on_gpu = renderers.gpu().map(|_| Method::Rays);
     [Method::Reference, Method::Packets].into_iter().chain(on_gpu).collect()
 }
 

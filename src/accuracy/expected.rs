@@ -70,7 +70,7 @@ pub fn expected_error(
         if is_cancelled() {
             return Ok(None);
         }
-        let strips = |strip: &View| renderers.hits_in_part(method, scene, view, strip);
+        let strips = |strip: &View| renderers.hits(method, scene, strip);
         displacements.push(displacement_px(scene, view, &place, strips)?);
     }
     let frame_ms = frame_ms(renderers, method, scene, view, appearance, effort.rounds)?;

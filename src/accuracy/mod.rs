@@ -11,7 +11,7 @@ mod spread;
 mod views;
 
 pub use automatic::{Automatic, Choice, Machine, MethodViews, method_name};
-pub use cost::{MESH_BOUNDS_PX, REFERENCE_SAMPLES, frame_ms, methods};
+pub use cost::{REFERENCE_SAMPLES, frame_ms, methods};
 pub use difference::{ARCSECONDS, Difference, DifferenceFigures, PixelDifference};
 pub use expected::{Effort, ExpectedError, expected_error, total_error_px};
 pub use outline::{LARGEST_PX, RESOLUTION_PX};

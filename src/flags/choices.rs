@@ -24,7 +24,7 @@ pub enum RendererChoice {
     Rays,
     /// A ray test per pixel on the CPU, in 32-bit floats, eight pixels at a time.
     Packets,
-    /// Triangles on the GPU, as many as keep the bound (`--bound-px`).
+    /// Triangles on the GPU. Only these draw the geometry published, and one-cone there.
     Mesh,
     /// A ray test per pixel on the CPU, in 64-bit floats: the truth that the others are compared with. In the window it draws in the background
     /// when nothing moves; until it is done, the rays do.

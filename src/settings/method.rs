@@ -6,14 +6,14 @@ use super::QualitySettings;
 use crate::flags::choices::RendererChoice;
 
 impl QualitySettings {
-    /// The renderer that is chosen, with its bound; `None` where that is automatic.
+    /// The renderer that is chosen; `None` where that is automatic.
     #[must_use]
     pub const fn method(&self) -> Option<Method> {
         match self.renderer {
             RendererChoice::Auto => None,
             RendererChoice::Rays => Some(Method::Rays),
             RendererChoice::Packets => Some(Method::Packets),
-            RendererChoice::Mesh => Some(Method::Mesh { bound_px: self.bound_px }),
+            RendererChoice::Mesh => Some(Method::Mesh),
             RendererChoice::Reference => Some(Method::Reference),
         }
     }
@@ -24,7 +24,7 @@ impl QualitySettings {
         match method {
             Method::Rays => Self { renderer: RendererChoice::Rays, ..self },
             Method::Packets => Self { renderer: RendererChoice::Packets, ..self },
-            Method::Mesh { bound_px } => Self { renderer: RendererChoice::Mesh, bound_px, ..self },
+            Method::Mesh => Self { renderer: RendererChoice::Mesh, ..self },
             Method::Reference => Self { renderer: RendererChoice::Reference, ..self },
         }
     }

@@ -39,10 +39,10 @@ pub use presets::Preset;
 pub use ride::{AZIMUTH, ELEVATION, ON_A_RIDE, PUSH, Riding};
 pub use rider::Rider;
 pub use sections::{
-    BOUND_PX, Coordinates, DataFrom, Daylight, FIT_SAMPLES, FitSettings, LENS_MM, LightSettings,
-    LookSettings, MAX_LENGTH, MAX_SEED, MapFace, MapFrame, MapFraming, MapSettings, MotionSettings,
-    NOISE_PERCENT, PICTURE_MM, PictureSettings, PlaybackSettings, PlotSettings, PlotTab, Presence,
-    QualitySettings, RATE, ScreenSettings, Theme, USUAL_FOV, VIEWING_CM, WindowSettings,
+    Coordinates, DataFrom, Daylight, FIT_SAMPLES, FitSettings, LENS_MM, LightSettings, LookSettings,
+    MAX_LENGTH, MAX_SEED, MapFace, MapFrame, MapFraming, MapSettings, MotionSettings, NOISE_PERCENT,
+    PICTURE_MM, PictureSettings, PlaybackSettings, PlotSettings, PlotTab, Presence, QualitySettings, RATE,
+    ScreenSettings, Theme, USUAL_FOV, VIEWING_CM, WindowSettings,
 };
 pub use start::StartArgs;
 pub use views::Subject;

@@ -220,8 +220,8 @@ fn screen() -> impl Strategy<Value = ScreenSettings> {
 
 fn quality_picture_and_screen() -> impl Strategy<Value = (QualitySettings, PictureSettings, ScreenSettings)> {
     let goal = prop_oneof![number(ERROR_PX).prop_map(Goal::Error), number(BUDGET_MS).prop_map(Goal::Budget)];
-    let quality = (choice::<RendererChoice>(), number(BOUND_PX), goal, any::<bool>())
-        .prop_map(|(renderer, bound_px, goal, refine)| QualitySettings { renderer, bound_px, goal, refine });
+    let quality = (choice::<RendererChoice>(), goal, any::<bool>())
+        .prop_map(|(renderer, goal, refine)| QualitySettings { renderer, goal, refine });
     let size = (1..=16_384u32, 1..=16_384u32).prop_map(|(width, height)| Size([width, height]));
     let pairs: Vec<_> = Layout::value_variants().iter().copied().filter(|layout| layout.has_both()).collect();
     let swapped = proptest::sample::subsequence(pairs.clone(), 0..=pairs.len())
@@ -384,8 +384,6 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
             "[look]\ngeometry = \"sen\"",
             "state.toml:2: geometry = sen: must be one of seen, contracted, rest, published, one-cone",
         ),
-        ("[quality]\nbound-px = 0", "state.toml:2: bound-px = 0: must be between 0.01 and 100"),
-        ("[quality]\nbound-px = nan", "state.toml:2: bound-px = nan: not a finite number"),
         ("[quality]\nerror = 0", "state.toml:2: error = 0: must be between 1e-6 and 100"),
         ("[quality]\nerror = -0.1", "state.toml:2: error = -0.1: must be between 1e-6 and 100"),
         ("[quality]\nbudget = nan", "state.toml:2: budget = nan: not a finite number"),

@@ -49,10 +49,7 @@ impl Painter {
         }
         let (method, gpu) = match settings.quality.renderer {
             RendererChoice::Auto => return Self::automatic(settings),
-            RendererChoice::Mesh => {
-                let mesh = Method::Mesh { bound_px: settings.quality.bound_px };
-                (mesh, Some(Gpu::headless().context("the mesh renderer")?))
-            }
+            RendererChoice::Mesh => (Method::Mesh, Some(Gpu::headless().context("the mesh renderer")?)),
             _ if is_published => anyhow::bail!(
                 "--geometry published is defined point by point: only `--renderer mesh` draws it"
             ),
@@ -174,7 +171,7 @@ impl Painter {
             }
             Method::Rays => format!("rays, f32 on {device}"),
             Method::Packets => format!("packets, f32 on {} threads", threads::count()),
-            Method::Mesh { bound_px } => format!("mesh within {bound_px} px, f32 on {device}"),
+            Method::Mesh => format!("mesh within {} px, f32 on {device}", Method::MESH_ERROR_PX),
         };
         match self.automatic.as_ref().and_then(|choosing| choosing.choice) {
             Some(choice) => format!("{method}; automatic: {choice}"),

@@ -49,7 +49,7 @@ fn a_screenshot_has_the_size_asked_for_and_shows_the_state() {
         &["--beta", "0.9", "--time", "1", "--plot", "fit"],
         &["--beta", "0.9", "--time", "1", "--corrected"],
         &["--beta", "0.9", "--time", "1", "--renderer", "reference"],
-        &["--beta", "0.9", "--time", "1", "--renderer", "mesh", "--bound-px", "4"],
+        &["--beta", "0.9", "--time", "1", "--renderer", "mesh"],
         &["--beta", "0.9", "--time", "1", "--geometry", "published"],
     ];
     for arguments in others {

@@ -29,9 +29,7 @@ fn main() -> Result<(), GpuError> {
     if std::env::args().any(|argument| argument == "projections") {
         return compare_all_projections(&gpu);
     }
-    println!(
-        "bodies  no bodies   rays  packets: no bodies   packets  brute force        mesh 0.5 px       mesh 0.05 px"
-    );
+    println!("bodies  no bodies   rays  packets: no bodies   packets  brute force        mesh");
     for count in [0, 64, 640, 6400, 100_000] {
         compare(&gpu, &crowd(count))?;
     }
@@ -57,8 +55,8 @@ fn compare_all_projections(gpu: &Gpu) -> Result<(), GpuError> {
         (0, Method::Packets),
         (64, Method::Packets),
         (640, Method::Packets),
-        (64, Method::Mesh { bound_px: 0.5 }),
-        (640, Method::Mesh { bound_px: 0.5 }),
+        (64, Method::Mesh),
+        (640, Method::Mesh),
         (64, Method::Reference),
     ] {
         compare_projections(gpu, &crowd(count), method)?;
@@ -161,7 +159,7 @@ fn compare(gpu: &Gpu, bodies: &[Body]) -> Result<(), GpuError> {
     let (scene, empty) = (PreparedScene::moving(bodies), PreparedScene::moving(&[]));
     let appearance = Appearance { ground_z: Some(-2.5), ..Appearance::default() };
     let mut targets = [EyeTarget::new(gpu, SIZE), EyeTarget::new(gpu, SIZE)];
-    let mut times = [const { Vec::new() }; 7];
+    let mut times = [const { Vec::new() }; 6];
     for round in 0..=ROUNDS {
         let mut timed = |times: &mut Vec<f64>, renderers: &mut Renderers, method, scene| {
             let start = Instant::now();
@@ -177,28 +175,26 @@ fn compare(gpu: &Gpu, bodies: &[Body]) -> Result<(), GpuError> {
         };
         timed(&mut times[0], &mut renderers, Method::Rays, &empty)?;
         timed(&mut times[1], &mut renderers, Method::Rays, &scene)?;
-        timed(&mut times[5], &mut renderers, Method::Packets, &empty)?;
-        timed(&mut times[6], &mut renderers, Method::Packets, &scene)?;
+        timed(&mut times[4], &mut renderers, Method::Packets, &empty)?;
+        timed(&mut times[5], &mut renderers, Method::Packets, &scene)?;
         if bodies.len() <= MOST_FOR_BRUTE_FORCE {
             timed(&mut times[2], &mut brute, Method::Rays, &scene)?;
         }
-        let bounds = [0.5, 0.05].into_iter().filter(|_| bodies.len() <= MOST_FOR_MESH);
-        for (bound_px, times) in bounds.zip(&mut times[3..5]) {
-            timed(times, &mut renderers, Method::Mesh { bound_px }, &scene)?;
+        if bodies.len() <= MOST_FOR_MESH {
+            timed(&mut times[3], &mut renderers, Method::Mesh, &scene)?;
         }
     }
-    let [none, rays, brute, coarse, fine, no_packets, packets] = times.map(median);
+    let [none, rays, brute, mesh, no_packets, packets] = times.map(median);
     let ratio = |time: f64| {
         let text = if time.is_nan() { "-".to_owned() } else { format!("{time:.1} ({:5.2} x)", time / rays) };
         format!("{text:>18}")
     };
     println!(
-        "{:6}  {none:9.1}  {rays:5.1}  {no_packets:18.1}  {}  {}  {}  {}",
+        "{:6}  {none:9.1}  {rays:5.1}  {no_packets:18.1}  {}  {}  {}",
         bodies.len(),
         ratio(packets),
         ratio(brute),
-        ratio(coarse),
-        ratio(fine)
+        ratio(mesh)
     );
     Ok(())
 }

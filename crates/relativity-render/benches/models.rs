@@ -61,7 +61,7 @@ fn compare(name: &str, scene: &PreparedScene, view: &View) {
     println!("  packets: {:.0} ms", 1e3 * packets_s);
     let Some(gpu) = renderers.gpu().cloned() else { return };
     let mut target = EyeTarget::new(&gpu, SIZE);
-    for method in [Method::Rays, Method::Mesh { bound_px: Method::DEFAULT_BOUND_PX }] {
+    for method in [Method::Rays, Method::Mesh] {
         let mut draw = || {
             renderers.draw(method, scene, view, &appearance, &mut target).expect("device works");
             gpu.wait().expect("device works");

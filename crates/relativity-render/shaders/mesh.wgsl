@@ -24,8 +24,8 @@ struct MeshInstance {
     // The `Spin`.
     @location(8) spin: vec4f,
     @location(9) rim: vec2f,
-    // As `copies.rs` says: the axis that v counts from, its v, and whether this draws the other side of it alone.
-    @location(10) copy: vec4f,
+    // As `BodyCopy`: the angle by which this copy is turned, and whether it draws only the triangles across the cut.
+    @location(10) copy: vec2f,
 }
 
 struct Fragment {
@@ -44,8 +44,8 @@ struct Fragment {
     @location(9) @interpolate(flat) pattern: vec3f,
     @location(10) @interpolate(flat) spin: vec4f,
     @location(11) @interpolate(flat) rim: vec2f,
-    // How much of the corners is far to the left of the body's axis, and to the right, seen along the baseline; and which copy
-    // this is.
+    // How much of the corners is behind the baseline and below, and how much behind it and above; and whether this copy is of triangles
+    // across the cut.
     @location(12) ends: vec3f,
     // Half the width that the corners are drawn with: that of a pixel at least, if the body may be thinner.
     @location(13) drawn_half_width: f32,
@@ -108,6 +108,37 @@ fn mapped_along_x(c: vec3f) -> Sighting {
             return Sighting(seen.position - frame.eye.xyz, seen.doppler);
         }
     }
+}
+
+// The camera's event from the middle of `body`, along the body's own axes.
+fn camera_from_body(body: Body) -> vec3f {
+    return body_from_rest(-(frame.middle.xyz + (frame.middle_fine.xyz + middle(body))), body);
+}
+
+// Beyond this many halves of a body's length it is divided evenly; and nearer than this the camera counts as no nearer.
+const FAR_OFF = 30.0;
+const NEAREST = 1e-3;
+
+// Where the grid's corner `t` is along a body, from -1 at one end to 1 at the other: at even angles as they are seen at rest, since the
+// image is a smooth function of these. The camera is `along` from the middle and `off` the body, in halves of the body's length.
+fn spaced(t: f32, along: f32, off: f32) -> f32 {
+    if abs(t) == 1.0 || max(abs(along), off) > FAR_OFF {
+        return t;
+    }
+    let scale = max(off, NEAREST);
+    let ends = atan((vec2f(-1.0, 1.0) - along) / scale);
+    return along + scale * tan(mix(ends.x, ends.y, 0.5 + 0.5 * t));
+}
+
+// The same along each own axis of a body with these `halves`.
+fn all_spaced(place: vec3f, halves: vec3f, body: Body) -> vec3f {
+    let camera = camera_from_body(body);
+    let off = length(max(abs(camera) - halves, vec3f(0.0)));
+    return halves * vec3f(
+        spaced(place.x, camera.x / halves.x, off / halves.x),
+        spaced(place.y, camera.y / halves.y, off / halves.y),
+        spaced(place.z, camera.z / halves.z, off / halves.z),
+    );
 }
 
 // A corner of `body` from the group's middle, when it is shown.
@@ -206,32 +237,29 @@ fn flat_place(position: vec3f) -> Place {
 }
 
 // The same in a conformal picture, for this copy of the body.
-fn conformal_place(position: vec3f, copy: vec4f) -> Place {
+fn conformal_place(position: vec3f, copy: vec2f) -> Place {
     let largest = max(max(abs(position.x), abs(position.y)), max(abs(position.z), 1e-30));
     let scaled = position / largest;
     let aside = dot(scaled, frame.clip_right.xyz);
     let off = vec2f(dot(scaled, frame.forward.xyz), dot(scaled, frame.clip_up.xyz));
     let rho = max(length(off), 1e-30);
     let u = sign_of(aside) * log((abs(aside) + sqrt(aside * aside + rho * rho)) / rho);
-    let axis = copy.xy;
-    let along = dot(off, axis);
-    let across = off.y * axis.x - off.x * axis.y;
-    var from_axis = angle_of(vec2f(along, across));
-    if copy.w > 0.0 && from_axis < 0.0 {
-        from_axis += 6.2831853;
+    var v = angle_of(off);
+    if copy.y > 0.0 && v < 0.0 {
+        v += 6.2831853;
     }
-    let v = copy.z + from_axis;
+    v += copy.x;
     let clip = vec4f((u - frame.forward.w) * frame.clip_right.w, v * frame.clip_up.w, 0.5, 1.0);
-    let is_far = along < 0.0;
-    let ends = vec2f(select(0.0, 1.0, is_far && across < 0.0), select(0.0, 1.0, is_far && across >= 0.0));
-    return Place(clip, vec3f(ends, copy.w));
+    let is_behind = off.x < 0.0;
+    let ends = vec2f(select(0.0, 1.0, is_behind && off.y < 0.0), select(0.0, 1.0, is_behind && off.y >= 0.0));
+    return Place(clip, vec3f(ends, copy.y));
 }
 
-// Whether another copy of the body draws this fragment: of a triangle with corners at both ends of what counts from the axis, that
-// which draws the other side.
+// Whether another copy of the body draws this fragment: those across the cut draw the triangles with corners behind the baseline both
+// below and above.
 fn is_of_other_copy(fragment: Fragment) -> bool {
-    let is_on_other_side = fragment.ends.x > 0.0 && fragment.ends.y > 0.0;
-    return CONFORMAL && is_on_other_side != (fragment.ends.z > 0.5);
+    let is_across = fragment.ends.x > 0.0 && fragment.ends.y > 0.0;
+    return CONFORMAL && is_across != (fragment.ends.z > 0.5);
 }
 
 // The angle from the first axis to `place`, radians from -pi to pi. WGSL leaves 12 bits of `atan2` to whoever computes it; this

@@ -9,5 +9,5 @@ struct Shape {
 fn corner_place(corner: Corner, body: Body) -> Shape {
     let axis = vec3f(vec3i(0, 1, 2) == vec3i(i32(corner.profile.w)));
     let place = corner.profile.xyz;
-    return Shape(rest_from_body(place * halves(body), body), rest_from_body(place * axis, body));
+    return Shape(rest_from_body(all_spaced(place, halves(body), body), body), rest_from_body(place * axis, body));
 }

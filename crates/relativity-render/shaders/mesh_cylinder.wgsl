@@ -8,7 +8,8 @@ struct Shape {
 // profile: place along the axis in units of half its length, and off it in radii; then the unit normal along the axis
 // and off it.
 fn corner_place(corner: Corner, body: Body) -> Shape {
-    let place = vec3f(corner.turn * corner.profile.y, corner.profile.x) * halves(body);
+    let along = all_spaced(vec3f(0.0, 0.0, corner.profile.x), halves(body), body).z;
+    let place = vec3f(corner.turn * corner.profile.y * halves(body).xy, along);
     let normal = vec3f(corner.turn * corner.profile.w, corner.profile.z);
     return Shape(rest_from_body(place, body), rest_from_body(normal, body));
 }

@@ -9,5 +9,9 @@ struct Shape {
 fn corner_place(corner: Corner, body: Body) -> Shape {
     let half = 0.5 * (body.form.xyz - body.place);
     let normal = rest_from_body(vec3f(corner.turn * corner.profile.z, corner.profile.y), body);
-    return Shape(half * corner.profile.x + normal * body.radius, normal);
+    let camera = camera_from_body(body);
+    let extent = max(sqrt(dot(half, half)), 1e-30);
+    let off = max(sqrt(dot(camera.xy, camera.xy)) - body.radius, 0.0);
+    let along = spaced(corner.profile.x, camera.z / extent, off / extent);
+    return Shape(half * along + normal * body.radius, normal);
 }

@@ -67,28 +67,28 @@ pub enum Method {
     ///
     /// On a processor that has not even registers of four numbers, the rays or the reference draw instead.
     Packets,
-    /// Triangles on the GPU that keep a bound on the picture.
+    /// Triangles on the GPU: a fixed grid over each body.
     ///
     /// # Accuracy
     ///
-    /// `tests/gpu_mesh.rs`, against the reference from rest to gamma = 1e30, for bounds of 0.5 px and 2 px: each pixel
-    /// shows what is seen no further off than the bound. `tests/gpu_pictures.rs`: within 0.1 px, colours away from
-    /// outlines are within 6 of 255 levels. Before a camera that moves in any direction it keeps the bound up to gamma = 1e6 for the camera
+    /// `tests/gpu_mesh.rs`, against the reference from rest to gamma = 1e30: each pixel shows what is seen no further off than
+    /// [`Self::MESH_ERROR_PX`]; 0.1 px were found, and 0.4 px of bodies many times as long as they are far. `tests/gpu_pictures.rs`: colours away from outlines are within 6 of 255 levels. Before a camera that moves in any direction it keeps the bound up to gamma = 1e6 for the camera
     /// and for what it passes. Groups are told apart as by the rays. With one light cone for
     /// both eyes, alone or among groups, the bound is kept, too. A conformal picture has no bound where the line through the
     /// eyes meets a body, infinitely far aside: of a wheel around that line at most 1 % of the pixels show another body than
     /// is seen within the bound, up to 0.99 c and as seen (`tests/gpu_wheels.rs`); contracted at 0.9999 c up to 12 % did.
     ///
-    /// Models keep the bound (`tests/gpu_models.rs`) unless that takes more than two million triangles; and the background shows nowhere between triangles.
-    Mesh {
-        /// Greatest distance at which any point may be drawn from where it is seen, pixels, above 0.
-        bound_px: f64,
-    },
+    /// Models keep the bound (`tests/gpu_models.rs`), but for those much longer than they are far; and the background shows nowhere between triangles.
+    Mesh,
 }
 
 impl Method {
-    /// The bound of a mesh unless another is chosen, pixels.
-    pub const DEFAULT_BOUND_PX: f64 = 0.5;
+    /// Greatest distance at which the mesh draws a point from where it is seen, pixels, in pictures with up to
+    /// [`Self::MESH_PX_PER_RADIAN`]: its triangles are as fine in every picture, and in a finer one it is off by as much more.
+    pub const MESH_ERROR_PX: f64 = 0.5;
+
+    /// Pixels per radian up to which the mesh keeps [`Self::MESH_ERROR_PX`].
+    pub const MESH_PX_PER_RADIAN: f64 = 1000.0;
 
     /// Whether it draws on the CPU, and so needs no GPU.
     #[must_use]
@@ -106,9 +106,7 @@ impl Method {
         }
         match (view.geometry, self) {
             (Geometry::Published, Self::Reference | Self::Rays | Self::Packets)
-            | (Geometry::OneCone, Self::Rays | Self::Packets) => {
-                Self::Mesh { bound_px: Self::DEFAULT_BOUND_PX }
-            }
+            | (Geometry::OneCone, Self::Rays | Self::Packets) => Self::Mesh,
             _ => self,
         }
     }
@@ -151,7 +149,7 @@ impl fmt::Display for Method {
             Self::Reference => f.write_str("reference f64"),
             Self::Rays => f.write_str("rays f32"),
             Self::Packets => f.write_str("packets f32"),
-            Self::Mesh { bound_px } => write!(f, "mesh {bound_px} px"),
+            Self::Mesh => f.write_str("mesh f32"),
         }
     }
 }
@@ -306,34 +304,19 @@ impl Renderers {
     ///
     /// As [`Self::picture`].
     pub fn hits(&mut self, method: Method, scene: &PreparedScene, view: &View) -> Result<HitImage, GpuError> {
-        self.hits_in_part(method, scene, view, view)
-    }
-
-    /// Returns the hits of `part`, a magnified view of a small part of `whole`, by the method that `method` draws `whole` with.
-    ///
-    /// # Errors
-    ///
-    /// As [`Self::picture`].
-    pub fn hits_in_part(
-        &mut self,
-        method: Method,
-        scene: &PreparedScene,
-        whole: &View,
-        part: &View,
-    ) -> Result<HitImage, GpuError> {
-        part.drawn()?;
-        let method = self.with_room_for_models(method.of_view(part), scene, part)?;
+        view.drawn()?;
+        let method = self.with_room_for_models(method.of_view(view), scene, view)?;
         if method == Method::Reference {
-            return Ok(scene.hit_image(part));
+            return Ok(scene.hit_image(view));
         }
         if method == Method::Packets {
             let packets = self.packets.as_ref();
-            return Ok(packets.map_or_else(|| scene.hit_image(part), |packets| packets.hits(scene, part)));
+            return Ok(packets.map_or_else(|| scene.hit_image(view), |packets| packets.hits(scene, view)));
         }
-        self.check_size(part.camera.size)?;
+        self.check_size(view.camera.size)?;
         let scopes = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?.error_scopes();
         let (gpu, canvas, drawing) = self.drawing(method)?;
-        let hits = canvas.hits(gpu, drawing, scene, whole, part);
+        let hits = canvas.hits(gpu, drawing, scene, view);
         scopes.close().and(hits)
     }
 
@@ -345,9 +328,7 @@ impl Renderers {
             Method::Reference | Method::Rays | Method::Packets => {
                 self.rays.get_or_insert_with(|| RayRenderer::new(gpu, canvas, self.bounds))
             }
-            Method::Mesh { bound_px } => {
-                self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu, canvas)).within(bound_px)
-            }
+            Method::Mesh => self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu, canvas)),
         };
         Ok((gpu, canvas, drawing))
     }

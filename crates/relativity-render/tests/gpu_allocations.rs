@@ -20,7 +20,7 @@ fn frames_of_rays_allocate_nothing_per_body() {
 }
 
 fn mesh_frames_allocate_nothing_per_body() {
-    allocate_nothing_per_body(Method::Mesh { bound_px: 2.0 });
+    allocate_nothing_per_body(Method::Mesh);
 }
 
 fn allocate_nothing_per_body(method: Method) {

@@ -19,9 +19,8 @@ pub const TESTS: &[Test] = &[
 
 const RENDERERS: &str = include_str!("../src/renderers.rs");
 
-/// The bounds for the rays and for meshes, px.
-const BOUNDS: [(Method, f64); 3] =
-    [(Method::Rays, 0.03), (Method::Mesh { bound_px: 0.5 }, 0.5), (Method::Mesh { bound_px: 0.1 }, 0.1)];
+/// The bounds for the rays and for the mesh, px.
+const BOUNDS: [(Method, f64); 2] = [(Method::Rays, 0.03), (Method::Mesh, Method::MESH_ERROR_PX)];
 
 fn u_and_v_are_linear_in_column_and_row(renderers: &mut Renderers) {
     for (method, bound_px) in BOUNDS {
@@ -68,7 +67,7 @@ fn pictures_go_all_around(renderers: &mut Renderers) {
                 View { camera, speed: mercator::beta(of), observation_time: 1.0, geometry: Geometry::Seen };
             let truth = scene.hit_image(&view);
             let methods =
-                [(Method::Rays, 0.05), (Method::Packets, 0.05), (Method::Mesh { bound_px: 0.5 }, 0.5)];
+                [(Method::Rays, 0.05), (Method::Packets, 0.05), (Method::Mesh, Method::MESH_ERROR_PX)];
             for (method, reach_px) in methods {
                 let image = renderers.hits(method, &scene, &view).expect("device works");
                 let mut wrong = 0;

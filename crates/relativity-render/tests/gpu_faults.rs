@@ -27,7 +27,7 @@ pub const TESTS: &[OwnDeviceTest] = &[
 ];
 
 const SIZE: [u32; 2] = [64, 48];
-const MESH: Method = Method::Mesh { bound_px: Method::DEFAULT_BOUND_PX };
+const MESH: Method = Method::Mesh;
 
 fn scene() -> PreparedScene {
     PreparedScene::moving(&[Body::new(Shape::Sphere { center: [0.0, 3.0, 1.6], radius: 0.5 }, 600.0)])

@@ -18,6 +18,7 @@ pub const TESTS: &[Test] = &[
     ("the_picture_keeps_the_bound", the_picture_keeps_the_bound),
     ("groups_keep_the_bound", groups_keep_the_bound),
     ("oblique_rides_keep_the_bound", oblique_rides_keep_the_bound),
+    ("long_bodies_keep_the_bound", long_bodies_keep_the_bound),
     ("bodies_that_nearly_touch_are_told_apart", bodies_that_nearly_touch_are_told_apart),
     ("where_surfaces_coincide_the_first_body_is_seen", where_surfaces_coincide_the_first_body_is_seen),
     ("hits_appear_where_the_light_cone_says", hits_appear_where_the_light_cone_says),
@@ -26,8 +27,6 @@ pub const TESTS: &[Test] = &[
 ];
 
 const FOLLOWED: [f64; 3] = [-0.4, 3.0, 0.7];
-const BOUNDS_PX: [f64; 2] = [0.5, 2.0];
-const DEFAULT: Method = Method::Mesh { bound_px: Method::DEFAULT_BOUND_PX };
 
 /// Approaching, abreast and receding, up to beta = 0.9999 and at the greatest gamma.
 fn views() -> impl Iterator<Item = View> {
@@ -52,7 +51,7 @@ fn views_of_all_geometries() -> impl Iterator<Item = View> {
 fn the_picture_keeps_the_bound(renderers: &mut Renderers) {
     let scene = PreparedScene::moving(&still_life());
     for view in sweep(0, 12, views_of_all_geometries()) {
-        keep_bounds(renderers, &BOUNDS_PX, &scene, &still_life(), &view);
+        keep_bound(renderers, &scene, &still_life(), &view);
     }
 }
 
@@ -70,7 +69,7 @@ fn groups() -> (PreparedScene, Vec<Body>) {
 fn groups_keep_the_bound(renderers: &mut Renderers) {
     let (scene, bodies) = groups();
     for view in sweep(0, 18, views_of_all_geometries()) {
-        keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
+        keep_bound(renderers, &scene, &bodies, &view);
     }
 }
 
@@ -80,7 +79,27 @@ fn oblique_rides_keep_the_bound(renderers: &mut Renderers) {
     let geometries = [Geometry::Seen, Geometry::Contracted, Geometry::OneCone];
     let views = oblique_views(FOLLOWED).into_iter();
     for view in sweep(0, 5, views.flat_map(|view| geometries.map(|geometry| View { geometry, ..view }))) {
-        keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &still_life(), &view);
+        keep_bound(renderers, &scene, &still_life(), &view);
+    }
+}
+
+/// Bodies many times as long as they are far.
+fn long_bodies_keep_the_bound(renderers: &mut Renderers) {
+    let hedge = Shape::Box { center: [20.0, 1.6, -0.5], half: [45.0, 0.35, 0.5], turn: [0.0, 0.0, 0.0, 1.0] };
+    let rail = Shape::Tube { from: [-40.0, 2.1, 1.1], to: [40.0, 2.1, 1.1], radius: 0.05 };
+    let rod = Shape::Cylinder { from: [-13.0, 3.0, 0.3], to: [9.0, 3.0, 0.5], radius: 0.1 };
+    let bodies = [hedge, rail, rod].map(|shape| Body::new(shape, 600.0));
+    let (scene, nearest) = (PreparedScene::moving(&bodies), [0.5, 1.6, 0.2]);
+    let speeds = [0.0, 0.5, 0.9, 0.99].map(|beta| Speed::from_beta(beta).expect("below 1"));
+    let across = speeds.into_iter().flat_map(|speed| {
+        [-3.0, 0.0, 1.0]
+            .map(|along| view_following(nearest, speed, time_seen_at(nearest, &speed, along), 80.0))
+    });
+    let views: Vec<_> = across.chain(conformal_views(speeds, nearest)).collect();
+    let geometries = [Geometry::Seen, Geometry::OneCone];
+    let views = views.into_iter().flat_map(|view| geometries.map(|geometry| View { geometry, ..view }));
+    for view in sweep(0, 4, views) {
+        keep_bound(renderers, &scene, &bodies, &view);
     }
 }
 
@@ -96,7 +115,7 @@ fn bodies_that_nearly_touch_are_told_apart(renderers: &mut Renderers) {
         let bodies: Vec<_> = pair.iter().map(|&shape| Body::new(shape, 600.0)).collect();
         let scene = PreparedScene::moving(&bodies);
         for view in sweep(seed, 8, views()) {
-            keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
+            keep_bound(renderers, &scene, &bodies, &view);
         }
     }
 }
@@ -106,51 +125,31 @@ fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
     for seed in 0..2 {
         let scene = PreparedScene::moving(&bodies);
         for view in sweep(seed, 8, views()) {
-            keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
+            keep_bound(renderers, &scene, &bodies, &view);
         }
         bodies.reverse();
     }
 }
 
-/// Checks that the drawing of `scene`, which consists of `bodies`, keeps each of the bounds.
-fn keep_bounds(
-    renderers: &mut Renderers,
-    bounds_px: &[f64],
-    scene: &PreparedScene,
-    bodies: &[Body],
-    view: &View,
-) {
-    let truth = scene.hit_image(view);
-    for &bound_px in bounds_px {
-        let image = renderers.hits(Method::Mesh { bound_px }, scene, view).expect("device works");
-        keeps_bound(&image, &truth, bound_px, scene, bodies, view);
-    }
-}
-
-/// Every pixel shows the body that the reference shows there, and the same side of it, or an outline is within the bound
-/// of there, or a place where f32 cannot tell which of two is nearer.
-fn keeps_bound(
-    image: &HitImage,
-    truth: &HitImage,
-    bound_px: f64,
-    scene: &PreparedScene,
-    bodies: &[Body],
-    view: &View,
-) {
+/// Checks that the drawing of `scene`, which consists of `bodies`, keeps the bound: every pixel shows the body that the reference shows
+/// there, and the same side of it, or an outline is within the bound of there, or a place where f32 cannot tell which of two is nearer.
+fn keep_bound(renderers: &mut Renderers, scene: &PreparedScene, bodies: &[Body], view: &View) {
+    let (truth, bound_px) = (scene.hit_image(view), Method::MESH_ERROR_PX);
+    let image = renderers.hits(Method::Mesh, scene, view).expect("device works");
     for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
         if !is_across_an_outline(*hit, *true_hit) {
             continue;
         }
-        let mut nearby = around(pixel(image, i), bound_px)
+        let mut nearby = around(pixel(&image, i), bound_px)
             .map(|place| scene.first_hit(view, view.camera.line_of_sight(place.to_array())));
         assert!(
             nearby.any(|found| is_across_an_outline(found, *true_hit))
-                || is_a_toss_up(*hit, *true_hit, scene, bodies, view, pixel(image, i)),
+                || is_a_toss_up(*hit, *true_hit, scene, bodies, view, pixel(&image, i)),
             "{:?} beta {} T {}: {hit:?} at {} is further off than {bound_px} px",
             view.geometry,
             view.speed.beta(),
             view.observation_time,
-            pixel(image, i)
+            pixel(&image, i)
         );
     }
 }
@@ -181,18 +180,15 @@ fn is_a_toss_up(
 }
 
 fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
+    let scene = PreparedScene::moving(&still_life());
     for view in sweep(0, 9, views()) {
-        for bound_px in BOUNDS_PX {
-            let image = renderers
-                .hits(Method::Mesh { bound_px }, &PreparedScene::moving(&still_life()), &view)
-                .expect("device works");
-            for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
-                let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
-                let seen = sighting(&view.speed, point, view.camera.aperture, view.observation_time);
-                let place = place(&view, seen.expect("inside the domain").position);
-                let off = place.distance(pixel(&image, i));
-                assert!(off < bound_px, "beta {}: {off} px off, bound {bound_px}", view.speed.beta());
-            }
+        let image = renderers.hits(Method::Mesh, &scene, &view).expect("device works");
+        for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
+            let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
+            let seen = sighting(&view.speed, point, view.camera.aperture, view.observation_time);
+            let place = place(&view, seen.expect("inside the domain").position);
+            let off = place.distance(pixel(&image, i));
+            assert!(off < Method::MESH_ERROR_PX, "beta {}: {off} px off", view.speed.beta());
         }
     }
 }
@@ -208,7 +204,7 @@ fn with_one_light_cone_pictures_keep_the_bound(renderers: &mut Renderers) {
             let mut view = View { camera, geometry: Geometry::OneCone, ..view };
             let followed = view.apparent_position(FOLLOWED).expect("inside the domain");
             view.camera.gaze = Gaze::along(followed.to_array());
-            keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
+            keep_bound(renderers, &scene, &bodies, &view);
         }
     }
 }
@@ -222,7 +218,7 @@ fn the_published_right_eye_is_the_cores(renderers: &mut Renderers) {
     for mut view in sweep(0, 4, views()) {
         view.camera.aperture = left;
         let published = View { geometry: Geometry::Published, ..view };
-        let image = renderers.hits(DEFAULT, &scene, &published).expect("device works");
+        let image = renderers.hits(Method::Mesh, &scene, &published).expect("device works");
         for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
             let apparent = match scene.motion_of(hit.body) {
                 Motion::Own(Velocity::REST) => hit.rest_position - DVec3::new(left.x, left.y, left.z),
@@ -233,7 +229,7 @@ fn the_published_right_eye_is_the_cores(renderers: &mut Renderers) {
             let off = place(&view, apparent.to_array()).distance(pixel(&image, i));
             let group = scene.group_of(hit.body);
             let context = format!("beta {}, group {group}", view.speed.beta());
-            assert!(off < Method::DEFAULT_BOUND_PX, "{context}: {off} px off");
+            assert!(off < Method::MESH_ERROR_PX, "{context}: {off} px off");
             seen[group] += 1;
         }
     }

@@ -183,14 +183,15 @@ fn colours_agree_with_the_reference(renderers: &mut Renderers) {
 
 fn a_mesh_has_the_colours_of_the_reference(renderers: &mut Renderers) {
     let levels = documented(RENDERERS, "colours away from outlines are within ");
-    assert_colours(renderers, Method::Mesh { bound_px: 0.1 }, levels);
+    assert_colours(renderers, Method::Mesh, levels);
 }
 
 /// Every pixel shows the triangle that the reference shows there or within the bound of there, and what it shows is seen there.
 fn a_mesh_keeps_its_bound(renderers: &mut Renderers) {
     let geometries = [Geometry::Seen, Geometry::Contracted, Geometry::OneCone, Geometry::Rest];
-    let models = [(box_model(), 2.0), (painted_ball(), 0.5), (soup(true), 0.5)];
-    for (view, (geometry, (model, bound_px))) in views()
+    let bound_px = Method::MESH_ERROR_PX;
+    let models = [box_model(), painted_ball(), soup(true)];
+    for (view, (geometry, model)) in views()
         .step_by(2)
         .zip(geometries.iter().zip(models.iter().cycle().flat_map(|model| [model; 3])).cycle())
     {
@@ -199,13 +200,12 @@ fn a_mesh_keeps_its_bound(renderers: &mut Renderers) {
             (view.camera.aperture.x, view.camera.off_middle.x) = (0.3, 0.3);
         }
         let truth = scene.hit_image(&view).hits;
-        let drawn =
-            renderers.hits(Method::Mesh { bound_px: *bound_px }, &scene, &view).expect("device works").hits;
+        let drawn = renderers.hits(Method::Mesh, &scene, &view).expect("device works").hits;
         let triangle = |hit: &Option<Hit>| hit.and_then(|hit| hit.triangle).map(|point| point.triangle);
         for (i, (truth, drawn)) in truth.iter().zip(&drawn).enumerate() {
             let is_off = triangle(truth) != triangle(drawn);
             assert!(
-                !is_off || is_nearby(&scene, &view, i, drawn.as_ref(), *bound_px),
+                !is_off || is_nearby(&scene, &view, i, drawn.as_ref(), bound_px),
                 "pixel {i}, {geometry:?}, gamma {}: {drawn:?} for {truth:?}",
                 view.speed.gamma()
             );
@@ -216,7 +216,7 @@ fn a_mesh_keeps_its_bound(renderers: &mut Renderers) {
             let [u, v] = place.expect("it is in front");
             let width = view.camera.size[0] as usize;
             let off = (u - (i % width) as f64 - 0.5).hypot(v - (i / width) as f64 - 0.5);
-            assert!(off < *bound_px, "pixel {i}, {geometry:?}, gamma {}: {off} px off", view.speed.gamma());
+            assert!(off < bound_px, "pixel {i}, {geometry:?}, gamma {}: {off} px off", view.speed.gamma());
         }
     }
 }
@@ -227,7 +227,7 @@ fn a_mesh_has_no_gaps(renderers: &mut Renderers) {
     for beta in [0.0, 0.9, 0.999] {
         let view = view(beta, Geometry::Seen, [240, 180]);
         let truth = scene.hit_image(&view).hits;
-        let drawn = renderers.hits(Method::Mesh { bound_px: 0.5 }, &scene, &view).expect("device works").hits;
+        let drawn = renderers.hits(Method::Mesh, &scene, &view).expect("device works").hits;
         let is_within = |i: usize| {
             let around =
                 [0, 1, 239, 240, 241].iter().flat_map(|step| [i.checked_sub(*step), i.checked_add(*step)]);

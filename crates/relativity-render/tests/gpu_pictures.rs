@@ -131,7 +131,7 @@ fn contact_shadows_are_the_references(renderers: &mut Renderers) {
         let bare = PreparedScene::new([]).picture(&view, &road, 1).rgba;
         let dark = levels_off(&bare, &truth, |i| is_free(&hits, i));
         assert!(dark > 10, "{:?}: shadows are {dark} levels dark", view.geometry);
-        for method in [Method::Rays, Method::Packets, Method::Mesh { bound_px: 0.5 }] {
+        for method in [Method::Rays, Method::Packets, Method::Mesh] {
             let method = method.of_view(&view);
             let drawn = renderers.picture(method, &scene, &view, &road, 1).expect("device works").rgba;
             let off = levels_off(&drawn, &truth, |i| is_free(&hits, i));
@@ -171,7 +171,6 @@ fn agree_with_the_reference(
     (first_seed, share): (u32, usize),
 ) {
     let rays_levels = documented(RENDERERS, "away from outlines colours are within ");
-    let bound_px = documented(RENDERERS, "`tests/gpu_pictures.rs`: within ");
     let mesh_levels = documented(RENDERERS, "colours away from outlines are within ");
     let geometries = [Geometry::Seen, Geometry::OneCone, Geometry::Contracted, Geometry::Rest];
     let parallel = parallel_views([fast_speed()], FOLLOWED).skip(3);
@@ -188,11 +187,8 @@ fn agree_with_the_reference(
         for appearance in sweep(seed, share, appearances) {
             let truth = reference.picture(&view, appearance, 1).rgba;
             // A mesh's normals are interpolated between corners.
-            let methods = [
-                (Method::Rays, rays_levels),
-                (Method::Packets, rays_levels),
-                (Method::Mesh { bound_px }, mesh_levels),
-            ];
+            let methods =
+                [(Method::Rays, rays_levels), (Method::Packets, rays_levels), (Method::Mesh, mesh_levels)];
             for (method, levels) in methods.into_iter().filter(|(method, _)| method.of_view(&view) == *method)
             {
                 let drawn = renderers.picture(method, reference, &view, appearance, 1).expect("device works");
@@ -283,7 +279,7 @@ fn long_bodies_narrow_into_the_distance(renderers: &mut Renderers) {
             light_in_squares(&renderers.picture(method, &scene, &view, &look, rays).expect("device works"))
         };
         let truth = squares(Method::Reference, 4);
-        for method in [Method::Rays, Method::Packets, Method::Mesh { bound_px: 0.5 }] {
+        for method in [Method::Rays, Method::Packets, Method::Mesh] {
             let drawn = squares(method, 1);
             let off =
                 drawn.iter().zip(&truth).map(|(drawn, truth)| (drawn - truth).abs()).fold(0.0, f64::max);
@@ -324,8 +320,7 @@ fn every_speed_gives_a_picture(renderers: &mut Renderers) {
         let conformal = conformal_views([speed], FOLLOWED);
         let flat = [-10.0, 0.0, 5.0].map(|observation_time| View { observation_time, ..view(speed) });
         for view in flat.into_iter().chain(conformal) {
-            for method in [Method::Rays, Method::Packets, Method::Mesh { bound_px: Method::DEFAULT_BOUND_PX }]
-            {
+            for method in [Method::Rays, Method::Packets, Method::Mesh] {
                 let image = renderers.hits(method, &scene, &view).expect("device works");
                 for hit in image.hits.into_iter().flatten() {
                     assert!(
@@ -438,7 +433,7 @@ fn rides_are_the_references(renderers: &mut Renderers) {
         );
         for (look, street_levels) in sweep(seed, 3, &looks) {
             let truth = scene.picture(&view, look, 1).rgba;
-            for method in [Method::Rays, Method::Packets, Method::Mesh { bound_px: 0.5 }] {
+            for method in [Method::Rays, Method::Packets, Method::Mesh] {
                 let drawn = renderers.picture(method, &scene, &view, look, 1).expect("device works").rgba;
                 let named =
                     format!("{method}, {geometry:?} at {beta} along {:?}, {look:?}", heading.direction());

@@ -49,7 +49,7 @@ fn wheel() -> RawModel {
 }
 
 fn a_mesh_of_a_rolling_model_keeps_its_bound(renderers: &mut Renderers) {
-    let (scene, bound_px) = (rolling(wheel(), 0.57), 1.0);
+    let (scene, bound_px) = (rolling(wheel(), 0.57), Method::MESH_ERROR_PX);
     let mut seen = 0;
     for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::OneCone, Geometry::Rest] {
         for beta in [0.0, 0.6, 0.93, 0.99] {
@@ -58,7 +58,7 @@ fn a_mesh_of_a_rolling_model_keeps_its_bound(renderers: &mut Renderers) {
                 (view.camera.aperture.x, view.camera.off_middle.x) = (0.1, 0.1);
             }
             let truth = scene.hit_image(&view).hits;
-            let drawn = renderers.hits(Method::Mesh { bound_px }, &scene, &view).expect("device works").hits;
+            let drawn = renderers.hits(Method::Mesh, &scene, &view).expect("device works").hits;
             for (i, (truth, drawn)) in truth.iter().zip(&drawn).enumerate() {
                 let is_off = triangle(truth.as_ref()) != triangle(drawn.as_ref());
                 assert!(
@@ -97,7 +97,7 @@ fn a_mesh_of_a_rolling_model_has_the_colours_of_the_reference(renderers: &mut Re
             };
             // A pixel of the packets has four samples, one of the mesh has one inside of triangles.
             let pairs = [
-                (picture(Method::Mesh { bound_px: 0.1 }, 1), picture(Method::Reference, 1)),
+                (picture(Method::Mesh, 1), picture(Method::Reference, 1)),
                 (picture(Method::Packets, 1), picture(Method::Reference, 4)),
             ];
             let (mut count, mut worst) = (0, [0; 2]);

@@ -70,7 +70,7 @@ fn textures_are_the_references(renderers: &mut Renderers) {
             let middle = view.apparent_position([0.0, 4.0, 0.5]).expect("inside the domain");
             view.camera.gaze = Gaze::along(middle.to_array());
             let hits = scene.hit_image(&view);
-            for (method, samples, most) in [(Method::Rays, 2, 3), (Method::Mesh { bound_px: 0.1 }, 1, 6)] {
+            for (method, samples, most) in [(Method::Rays, 2, 3), (Method::Mesh, 1, 6)] {
                 if method.of_view(&view) != method {
                     continue;
                 }

@@ -26,12 +26,12 @@ pub struct Choice {
 
 /// Returns the name of a method.
 #[must_use]
-pub fn method_name(method: Method) -> String {
+pub const fn method_name(method: Method) -> &'static str {
     match method {
-        Method::Rays => "rays".to_owned(),
-        Method::Packets => "packets".to_owned(),
-        Method::Mesh { bound_px } => format!("mesh {} px", number_text::trimmed(bound_px, 3)),
-        Method::Reference => "reference".to_owned(),
+        Method::Rays => "rays",
+        Method::Packets => "packets",
+        Method::Mesh => "mesh",
+        Method::Reference => "reference",
     }
 }
 
@@ -43,11 +43,7 @@ fn short(number: f64) -> String {
 /// Formats a choice like `packets, 4 ms, within 0.002 px`.
 impl fmt::Display for Choice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = match self.method {
-            Method::Mesh { .. } => "mesh".to_owned(),
-            method => method_name(method),
-        };
-        f.write_str(&name)?;
+        f.write_str(method_name(self.method))?;
         if self.is_measured {
             let ms = if self.ms < 99.5 {
                 number_text::significant(self.ms, 2)

@@ -165,9 +165,12 @@ fn usual_ms(machine: Machine, samples: u32, method: Method) -> f64 {
                 45.0
             }
         }
-        Method::Mesh { bound_px } => {
-            let at_one_px = if is_real { 1.0 } else { 100.0 };
-            at_one_px / bound_px.sqrt()
+        Method::Mesh => {
+            if is_real {
+                2.0
+            } else {
+                200.0
+            }
         }
     }
 }

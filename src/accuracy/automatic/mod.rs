@@ -82,7 +82,7 @@ impl Automatic {
     }
 
     /// The methods that there are for `sight`, and what each is known or expected to cost.
-    fn offers(&self, goal: Goal, sight: MethodViews<'_>) -> Vec<Offer> {
+    fn offers(&self, sight: MethodViews<'_>) -> Vec<Offer> {
         let MethodViews { scene, view, pixels } = sight;
         let has_gpu = self.costs.machine() != Machine::Cpu;
         let offer = |StatedMethod { method, error_px }| {
@@ -90,7 +90,7 @@ impl Automatic {
             Offer { method, error_px, ms }
         };
         let is_drawn = |candidate: &StatedMethod| self.has_rays || candidate.method != Method::Rays;
-        candidates(goal, has_gpu, scene, view).into_iter().filter(is_drawn).map(offer).collect()
+        candidates(has_gpu, scene, view).into_iter().filter(is_drawn).map(offer).collect()
     }
 
     /// Returns the method that draws `sight`; `None` if none does.
@@ -104,7 +104,7 @@ impl Automatic {
         let geometry = sight.view.geometry;
         let place = self.kept.iter().position(|(of, _)| *of == geometry);
         let kept = place.map(|place| self.kept.swap_remove(place).1);
-        let Offer { method, error_px, ms } = best(goal, &self.offers(goal, sight), kept)?;
+        let Offer { method, error_px, ms } = best(goal, &self.offers(sight), kept)?;
         self.kept.push((geometry, method));
         let is_measured = self.costs.measured_at(method, geometry).is_some();
         let holds = match goal {
@@ -123,7 +123,7 @@ impl Automatic {
         if now_ms < next_ms {
             return None;
         }
-        let offers = self.offers(chosen.goal, sight);
+        let offers = self.offers(sight);
         let is_worth_it = |offer: &Offer| {
             let at_ms = self.costs.measured_at(offer.method, geometry);
             let most = if at_ms.is_some() { FAR_WORSE } else { EXPECTED_FAR_WORSE };

@@ -2,10 +2,6 @@
 
 use relativity_render::{Method, Motion, PreparedScene, View};
 
-use crate::accuracy::cost::MESH_BOUNDS_PX;
-use crate::flags::Goal;
-use crate::settings::BOUND_PX;
-
 /// Error in f32 up to [`MEASURED_GAMMA`], pixels (docs/accuracy.md).
 const F32_ERROR_PX: f64 = 0.002;
 /// Error in f32 as an angle, radians: it counts where a pixel is small.
@@ -16,6 +12,9 @@ const MEASURED_GAMMA: f64 = 1000.0;
 const F32_FAST_ERROR_PX: f64 = 0.05;
 /// Greatest gamma up to which f32 distinguishes groups that fly apart.
 const GROUPS_GAMMA: f64 = 1e5;
+
+/// Number of triangles from which a model is large: a million of them, near, take the rays longer than the mesh (docs/accuracy.md).
+const LARGE_MODEL: usize = 500_000;
 
 /// A method, and what is stated of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,23 +27,28 @@ pub struct StatedMethod {
 
 /// The methods that draw `view` of `scene`, the most accurate first, with a GPU if it `has_gpu`.
 ///
-/// For a budget there are some meshes. For an error there is that of the error, and only where no rays are drawn: they cost
-/// about as much or less, and are far more accurate.
+/// There is a mesh where no rays are drawn, and of large models: else rays cost less, and are far more accurate.
 #[must_use]
-pub fn candidates(goal: Goal, has_gpu: bool, scene: &PreparedScene, view: &View) -> Vec<StatedMethod> {
+pub fn candidates(has_gpu: bool, scene: &PreparedScene, view: &View) -> Vec<StatedMethod> {
     let f32_error_px = f32_error_px(scene, view);
+    let is_mesh_of_use = Method::Rays.of_view(view) != Method::Rays || has_large_model(scene);
+    let finer = (view.camera.px_per_radian() / Method::MESH_PX_PER_RADIAN).max(1.0);
+    let mesh_error_px = f32_error_px.max(finer * Method::MESH_ERROR_PX);
+    let mesh = is_mesh_of_use.then_some((Method::Mesh, mesh_error_px));
     let exact = [Method::Packets, Method::Rays].map(|method| (method, f32_error_px));
-    let mesh = |bound_px: f64| (Method::Mesh { bound_px }, bound_px.max(f32_error_px));
-    let meshes: Vec<_> = match goal {
-        Goal::Error(_) if Method::Rays.of_view(view) == Method::Rays => Vec::new(),
-        Goal::Error(px) => vec![mesh(px.clamp(*BOUND_PX.start(), *BOUND_PX.end()))],
-        Goal::Budget(_) => MESH_BOUNDS_PX.map(mesh).into(),
-    };
-    let all = [(Method::Reference, 0.0)].into_iter().chain(exact).chain(meshes);
+    let all = [(Method::Reference, 0.0)].into_iter().chain(exact).chain(mesh);
     let is_drawn = |method: Method| (has_gpu || method.is_on_cpu()) && method.of_view(view) == method;
     all.filter(|(method, _)| is_drawn(*method))
         .map(|(method, error_px)| StatedMethod { method, error_px })
         .collect()
+}
+
+/// Whether `scene` has a model that does not turn, of so many triangles that a GPU may draw them sooner than rays find them.
+fn has_large_model(scene: &PreparedScene) -> bool {
+    scene.bodies().iter().any(|body| {
+        let is_large = body.triangles.as_ref().is_some_and(|triangles| triangles.count() >= LARGE_MODEL);
+        is_large && body.spin.is_none()
+    })
 }
 
 /// Returns the stated error in f32, pixels; infinity where bodies may be mistaken for others.

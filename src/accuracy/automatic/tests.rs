@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 use relativity_core::Speed;
+use relativity_render::{Body, RawModel};
 
 use super::best::GAIN;
 use super::*;
@@ -12,15 +13,13 @@ fn offer(method: Method, error_px: f64, ms: f64) -> Offer {
     Offer { method, error_px, ms }
 }
 
-const COARSE: Method = Method::Mesh { bound_px: 2.0 };
-
 fn methods() -> impl Strategy<Value = Vec<Offer>> {
-    let all = [Method::Reference, Method::Rays, Method::Packets, Method::Mesh { bound_px: 0.5 }, COARSE];
+    let all = [Method::Reference, Method::Rays, Method::Packets, Method::Mesh];
     let numbers = (0..5usize, 0..5usize).prop_map(|(error, ms)| {
         // Few values, so that there are ties.
         ([0.0, 0.002, 0.05, 0.5, f64::INFINITY][error], [1.0, 4.0, 5.0, 16.0, 100.0][ms])
     });
-    proptest::collection::vec(numbers, 5).prop_map(move |numbers| {
+    proptest::collection::vec(numbers, 4).prop_map(move |numbers| {
         all.into_iter().zip(numbers).map(|(method, (error_px, ms))| offer(method, error_px, ms)).collect()
     })
 }
@@ -32,7 +31,7 @@ proptest! {
     #[test]
     fn an_error_is_never_exceeded_where_something_keeps_it(
         offers in methods(), px in prop_oneof![Just(0.001), Just(0.002), Just(0.1), Just(1.0)],
-        kept in proptest::option::of(0..5usize),
+        kept in proptest::option::of(0..4usize),
     ) {
         let kept = kept.map(|kept| offers[kept].method);
         let found = best(Goal::Error(px), &offers, kept).expect("there are some");
@@ -51,7 +50,7 @@ proptest! {
     #[test]
     fn a_budget_is_kept_where_something_keeps_it(
         offers in methods(), ms in prop_oneof![Just(0.5), Just(5.0), Just(20.0), Just(1000.0)],
-        kept in proptest::option::of(0..5usize),
+        kept in proptest::option::of(0..4usize),
     ) {
         let kept = kept.map(|kept| offers[kept].method);
         let found = best(Goal::Budget(ms), &offers, kept).expect("there are some");
@@ -68,7 +67,7 @@ proptest! {
     /// Costs that go up and down by a tenth about the same change nothing once something draws.
     #[test]
     fn nothing_flaps(
-        offers in methods(), jitter in proptest::collection::vec(proptest::collection::vec(0.9..1.1, 5), 20),
+        offers in methods(), jitter in proptest::collection::vec(proptest::collection::vec(0.9..1.1, 4), 20),
         is_budget in any::<bool>(),
     ) {
         let goal = if is_budget { Goal::Budget(10.0) } else { Goal::Error(0.1) };
@@ -101,13 +100,13 @@ fn a_budget_has_the_most_accurate_that_keeps_it() {
         offer(Method::Reference, 0.0, 60.0),
         offer(Method::Rays, 0.002, 17.0),
         offer(Method::Packets, 0.002, 10.0),
-        offer(COARSE, 2.0, 3.0),
+        offer(Method::Mesh, 2.0, 3.0),
     ];
     let at = |ms| best(Goal::Budget(ms), &offers, None).map(|offer| offer.method);
     assert_eq!(at(100.0), Some(Method::Reference));
     assert_eq!(at(20.0), Some(Method::Packets));
-    assert_eq!(at(5.0), Some(COARSE));
-    assert_eq!(at(1.0), Some(COARSE));
+    assert_eq!(at(5.0), Some(Method::Mesh));
+    assert_eq!(at(1.0), Some(Method::Mesh));
     // What draws gives way to what is more accurate only where that has room to spare.
     let kept = |ms| best(Goal::Budget(ms), &offers, Some(Method::Packets)).map(|offer| offer.method);
     assert_eq!([kept(61.0), kept(80.0)], [Some(Method::Packets), Some(Method::Reference)]);
@@ -191,13 +190,43 @@ fn what_draws_a_geometry_alone_is_chosen_for_it() {
         let sight = MethodViews { scene: &scene, view: &view, pixels: 1e6 };
         Automatic::new(Machine::Gpu).choose(goal, sight).map(|choice| choice.method)
     };
-    let mesh = |bound_px| Some(Method::Mesh { bound_px });
-    assert_eq!(chosen(Geometry::Published, Goal::Error(0.25)), mesh(0.25));
-    assert_eq!(chosen(Geometry::OneCone, Goal::Error(0.25)), mesh(0.25));
-    assert_ne!(chosen(Geometry::Seen, Goal::Error(100.0)), mesh(100.0));
-    // No finer mesh is made.
-    assert_eq!(chosen(Geometry::Published, Goal::Error(1e-4)), mesh(0.01));
+    let mesh = Some(Method::Mesh);
+    assert_eq!(chosen(Geometry::Published, Goal::Error(1.0)), mesh);
+    assert_eq!(chosen(Geometry::OneCone, Goal::Error(1.0)), mesh);
+    assert_ne!(chosen(Geometry::Seen, Goal::Error(100.0)), mesh);
+    // Nothing draws it nearer.
+    assert_eq!(chosen(Geometry::Published, Goal::Error(1e-4)), mesh);
     assert_eq!(chosen(Geometry::OneCone, Goal::Error(1e-4)), Some(Method::Reference));
+}
+
+/// A bumpy sheet of this many squares each way.
+fn sheet(squares: u32) -> RawModel {
+    let row = squares + 1;
+    let place = |i: u32| [f64::from(i % row), 3.0 + f64::from(i % 2), f64::from(i / row)];
+    let lows = (0..squares).flat_map(|j| (0..squares).map(move |i| j * row + i));
+    RawModel {
+        corners: (0..row * row).map(place).collect(),
+        triangles: lows
+            .flat_map(|low| [[low, low + 1, low + row], [low + row, low + 1, low + row + 1]])
+            .collect(),
+        ..RawModel::default()
+    }
+}
+
+/// Only where a picture may be as far off, and only on a device.
+#[test]
+fn a_large_model_may_be_drawn_as_a_mesh() {
+    let (_, view) = start(2.0);
+    for (squares, is_large) in [(20, false), (500, true)] {
+        let body = Body::of_triangles(sheet(squares).prepared().expect("a model"));
+        let scene = PreparedScene::moving(&[body]);
+        let offered = |has_gpu| {
+            let methods = candidates(has_gpu, &scene, &view);
+            methods.into_iter().find(|stated| stated.method == Method::Mesh).map(|stated| stated.error_px)
+        };
+        assert_eq!(offered(true), is_large.then_some(Method::MESH_ERROR_PX));
+        assert_eq!(offered(false), None);
+    }
 }
 
 /// A simulated minute of 60 frames a second: the method of each frame, each measured as it costs.
@@ -227,7 +256,7 @@ fn what_turns_out_cheaper_is_found_and_the_search_costs_little() {
         Method::Rays => 30.0,
         Method::Packets => 8.0,
         Method::Reference => 100.0,
-        Method::Mesh { .. } => 20.0,
+        Method::Mesh => 20.0,
     };
     let (drawn, tried_ms) = play(Machine::SoftwareGpu, Goal::Error(2.0), |method| match method {
         Method::Rays => 5.0,

@@ -6,8 +6,7 @@ use relativity_render::{Appearance, Gpu, GpuError, Method, PreparedScene, Render
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::{
-    DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, Spread, expected_error, method_name,
-    total_error_px,
+    DifferenceFigures, Effort, ExpectedError, Spread, expected_error, method_name, total_error_px,
 };
 use crate::app::tools::debounce::Debounce;
 use crate::app::tools::worker::{BackgroundWork, StepOutcome, Wanted, Work};
@@ -155,7 +154,7 @@ impl<'a> ExaminedMethod<'a> {
 
     /// Returns the name of the method.
     #[must_use]
-    pub fn name(&self) -> String {
+    pub const fn name(&self) -> &'static str {
         method_name(self.method)
     }
 }
@@ -254,7 +253,7 @@ impl Examination {
         self.sight.as_ref().is_none_or(|sight| sight.views.is_empty())
     }
 
-    /// Returns the rows of all methods: rays, packets, meshes from fine to coarse, reference.
+    /// Returns the rows of all methods: rays, packets, the mesh where it draws the views, reference.
     pub fn rows(&self) -> impl Iterator<Item = ExaminedMethod<'_>> {
         self.methods.iter().map(|&method| {
             let outcome = self.outcome(method);
@@ -298,20 +297,13 @@ fn methods(has_gpu: bool, chosen: Method, sight: &ExaminedViews) -> Vec<Method> 
     if !has_gpu {
         return vec![Method::Packets, Method::Reference];
     }
-    let mut bounds = MESH_BOUNDS_PX.to_vec();
-    if let Method::Mesh { bound_px } = chosen {
-        bounds.push(bound_px);
-    }
-    bounds.sort_by(f64::total_cmp);
-    bounds.dedup();
-    let meshes = bounds.into_iter().map(|bound_px| Method::Mesh { bound_px });
     let draws = |method: &Method| {
         let is_known = |(_, view): &(Eye, View)| method.of_view(view) == *method;
         sight.views.iter().all(is_known)
     };
     [Method::Rays, Method::Packets]
         .into_iter()
-        .chain(meshes)
+        .chain(Some(chosen).filter(|method| *method == Method::Mesh))
         .chain([Method::Reference])
         .filter(draws)
         .collect()

@@ -36,7 +36,7 @@ pub fn report(
     quick: bool,
 ) -> anyhow::Result<AccuracyReport> {
     let mut missing = Vec::new();
-    let gpu = Gpu::headless().map_err(|error| missing.push(format!("rays and mesh: {error}"))).ok();
+    let gpu = Gpu::headless().map_err(|error| missing.push(format!("rays: {error}"))).ok();
     let mut renderers = Renderers::new(gpu);
     let setting = MeasuredSetup {
         program: SOFTWARE,
@@ -133,7 +133,6 @@ fn renderer_report(method: Method, views: Vec<PictureRow>) -> RendererReport {
     RendererReport {
         method: method.to_string(),
         is_reference: method == Method::Reference,
-        bound_px: if let Method::Mesh { bound_px } = method { Some(bound_px) } else { None },
         frame_ms: costs.map_or(0.0, |spread| spread.median),
         worst_view: PictureErrors {
             outlines_px: spread(|errors| errors.outlines_px),

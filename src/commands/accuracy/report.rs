@@ -69,8 +69,6 @@ pub struct RendererReport {
     pub method: String,
     /// Whether this is the renderer that the others are compared with; then its errors are 0 by definition.
     pub is_reference: bool,
-    /// Greatest promised distance of any point from where it is seen, pixels, if there is a promise.
-    pub bound_px: Option<f64>,
     /// Median over the views of the milliseconds per picture of one eye.
     pub frame_ms: f64,
     /// Largest of each figure in all views.

@@ -62,7 +62,7 @@ Examples:
   gamow render --renderer reference --out hits.exr
   gamow render --geometry published --time 1.5 --layout overlay --out published.png
   gamow render --projection vr180 --time 2 --out street.png   (street_180x180_LR.png, for headsets)
-  gamow render --renderer mesh --bound-px 0.1 --timings --repeat 20";
+  gamow render --renderer rays --timings --repeat 20";
 
 /// Runs the command `gamow render`.
 pub fn run(args: &RenderArgs) -> anyhow::Result<()> {

@@ -20,6 +20,6 @@ pub use motion::{MAX_LENGTH, MotionSettings};
 pub use picture::PictureSettings;
 pub use playback::{PlaybackSettings, RATE};
 pub use plots::{Coordinates, PlotSettings, PlotTab};
-pub use quality::{BOUND_PX, QualitySettings};
+pub use quality::QualitySettings;
 pub use screen::{LENS_MM, PICTURE_MM, ScreenSettings, VIEWING_CM};
 pub use window::{Presence, Theme, WindowSettings};

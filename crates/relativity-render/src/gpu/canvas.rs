@@ -76,7 +76,7 @@ impl Canvas {
     ) {
         let views = scene.group_views(&view.with_size(target.size()));
         let models = &self.models;
-        let shot = Shot { scene, models, views: &views, divided_for: &views, appearance: Some(appearance) };
+        let shot = Shot { scene, models, views: &views, appearance: Some(appearance) };
         drawing.load(gpu, &mut target.vertices, &shot);
         let frames = FrameUniform::of_groups(scene, &views, appearance);
         fill_frame_buffer(gpu, &mut target.frames, &frames);
@@ -109,26 +109,24 @@ impl Canvas {
         gpu.queue.submit([encoder.finish()]);
     }
 
-    /// Returns the hits at the centre of every pixel of `part`, which is a magnified view of a small part of `whole` or `whole` itself, of
-    /// `scene`, its bodies drawn as `drawing` does for `whole`; without anti-aliasing.
+    /// Returns the hits at the centre of every pixel of `view` of `scene`, its bodies drawn as `drawing` does; without anti-aliasing.
     pub fn hits(
         &self,
         gpu: &Gpu,
         drawing: &mut dyn Drawing,
         scene: &PreparedScene,
-        whole: &View,
-        part: &View,
+        view: &View,
     ) -> Result<HitImage, GpuError> {
-        let (views, divided_for) = (scene.group_views(part), scene.group_views(whole));
+        let views = scene.group_views(view);
         let mut vertices = vertex_buffer(gpu, 0);
         let models = &self.models;
-        let shot = Shot { scene, models, views: &views, divided_for: &divided_for, appearance: None };
+        let shot = Shot { scene, models, views: &views, appearance: None };
         drawing.load(gpu, &mut vertices, &shot);
         let frames = FrameUniform::of_groups(scene, &views, &Appearance::default());
-        let measures = self.measure(gpu, part.camera.size, &frames, |pass, frames| {
+        let measures = self.measure(gpu, view.camera.size, &frames, |pass, frames| {
             drawing.record(pass, &vertices, frames);
         })?;
-        Ok(measures.hit_image(scene, part))
+        Ok(measures.hit_image(scene, view))
     }
 
     fn measure(

@@ -27,8 +27,6 @@ pub struct Shot<'a> {
     pub models: &'a Models,
     /// Views of the scene's groups, one each.
     pub views: &'a [GroupView],
-    /// The views that triangles are made for: `views`, unless these show a magnified part of a picture.
-    pub divided_for: &'a [GroupView],
     /// The looks of a picture; `None` asks for what the centre of each pixel shows, in numbers.
     pub appearance: Option<&'a Appearance>,
 }

@@ -53,7 +53,7 @@ pub struct PreparedBody {
     /// Whether it is drawn by a pipeline that knows patterns.
     pub(crate) is_patterned: bool,
     /// Triangles in the box that is its shape.
-    pub(crate) triangles: Option<Arc<Triangles>>,
+    pub triangles: Option<Arc<Triangles>>,
 }
 
 /// The placement of a body, for the shaders.

@@ -154,9 +154,9 @@ pub fn is_nearby(scene: &PreparedScene, view: &View, i: usize, hit: Option<&Hit>
 pub fn assert_published_alike(renderers: &mut Renderers, scenes: &[PreparedScene; 2], betas: [f64; 3]) {
     for beta in betas {
         let view = view(beta, Geometry::Published, [96, 72]);
-        let [expected, found] = scenes.each_ref().map(|scene| {
-            renderers.hits(Method::Mesh { bound_px: 0.1 }, scene, &view).expect("device works").hits
-        });
+        let [expected, found] = scenes
+            .each_ref()
+            .map(|scene| renderers.hits(Method::Mesh, scene, &view).expect("device works").hits);
         let (mut both, mut either) = (0, 0);
         for pair in expected.iter().zip(&found) {
             either += usize::from(pair.0.is_some() || pair.1.is_some());

@@ -9,7 +9,7 @@ use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, named_text, row};
 use crate::flags::choices::RendererChoice;
 use crate::flags::{BUDGET_MS, ERROR_PX, Goal};
-use crate::settings::{BOUND_PX, QualitySettings, about};
+use crate::settings::{QualitySettings, about};
 
 /// Shows the controls of the quality.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -18,10 +18,8 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let tip = format!("{} The Accuracy tab shows the cost and the error of each.", about("renderer"));
     row(ui, "Quality", &tip, |ui| _ = choice(ui, &mut quality.renderer, &RENDERERS[..2]));
     row(ui, "", "", |ui| _ = choice(ui, &mut quality.renderer, &RENDERERS[2..]));
-    match quality.renderer {
-        RendererChoice::Auto => goal_rows(ui, state, &mut quality, default),
-        RendererChoice::Mesh => _ = bound().show(ui, &mut quality.bound_px, default.bound_px),
-        RendererChoice::Rays | RendererChoice::Packets | RendererChoice::Reference => {}
+    if quality.renderer == RendererChoice::Auto {
+        goal_rows(ui, state, &mut quality, default);
     }
     row(ui, "", "", |ui| {
         let checkbox = Checkbox::new(&mut quality.refine, "smoother when still");
@@ -68,17 +66,6 @@ const RENDERERS: [(RendererChoice, &str); 5] = [
     (RendererChoice::Mesh, "Mesh"),
     (RendererChoice::Reference, "Reference"),
 ];
-
-fn bound() -> NumberRow<'static> {
-    NumberRow {
-        name: "Bound",
-        tip: about("bound-px"),
-        slider: 0.05..=4.0,
-        typed: BOUND_PX,
-        decimals: 3,
-        suffix: " px",
-    }
-}
 
 fn error() -> NumberRow<'static> {
     NumberRow {

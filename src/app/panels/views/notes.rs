@@ -84,7 +84,7 @@ fn drawn_by(state: &State, eye: Eye, drawn: Method) -> Option<String> {
         Method::Rays if set == Method::Rays => None,
         Method::Rays => Some("rays, until the reference is done".to_owned()),
         Method::Packets => Some("packets".to_owned()),
-        Method::Mesh { bound_px } => Some(format!("mesh within {} px", number_text::trimmed(bound_px, 3))),
+        Method::Mesh => Some(format!("mesh within {} px", number_text::trimmed(Method::MESH_ERROR_PX, 3))),
         Method::Reference => Some("reference".to_owned()),
     }
 }
@@ -113,9 +113,8 @@ mod tests {
     #[test]
     fn a_view_says_what_automatic_quality_costs_it() {
         let mut state = State::new(Settings::default(), Scene::default());
-        let mesh = Method::Mesh { bound_px: 0.5 };
         let (goal, is_measured) = (Goal::Budget(16.0), true);
-        let choice = Choice { method: mesh, error_px: 0.5, ms: 4.0, is_measured, goal, holds: true };
+        let choice = Choice { method: Method::Mesh, error_px: 0.5, ms: 4.0, is_measured, goal, holds: true };
         let said = |state: &mut State, choice: Choice| {
             state.frame.choices = vec![(Geometry::Seen, choice)];
             drawn_by(state, Eye::Left, choice.method)

@@ -2,10 +2,9 @@
 
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use relativity_core::math;
-use relativity_core::math::sin_cos;
 
 use super::flat::{LEVEL, between_planes, block_distance};
-use super::questions::{CentredShape, Foot, LocalRay, PackedForm, PackedShape, PlacedShape, SegmentsNeeded};
+use super::questions::{CentredShape, Foot, LocalRay, PackedForm, PackedShape, PlacedShape};
 use super::round::Arc;
 use super::strokes::Stroke;
 use crate::geometry::block::Block;
@@ -181,52 +180,38 @@ impl CentredShape for BoxForm {
         };
         (0..8).map(corner).for_each(visit);
     }
-
-    /// Along each of its own axes.
-    fn segments(&self, needed: &SegmentsNeeded<'_>) -> [(f64, u32); 3] {
-        [0, 1, 2].map(|axis| {
-            let along = DVec3::AXES[axis];
-            let [first, second] = [DVec3::AXES[(axis + 1) % 3], DVec3::AXES[(axis + 2) % 3]];
-            // In the middle of the faces, and along the edges between them.
-            let lines = |aside: f64| {
-                needed(&|t, angle, h| {
-                    let (sine, cosine) = sin_cos(angle);
-                    let line = first * (cosine - aside * sine) + second * (sine + aside * cosine);
-                    (line + along * (t + h)) * self.half
-                })
-            };
-            (2.0 * lines(0.0).max(lines(1.0)), 1)
-        })
-    }
 }
 
-/// Corners and triangles of a box with these segments along its axes: the six faces of the cube from -1 to 1, each a grid.
-pub(super) fn template(along: [u32; 3]) -> Template {
+/// Segments of the grid along each axis.
+const SEGMENTS: u32 = 48;
+
+/// Corners and triangles of a box: the six faces of the cube from -1 to 1, each a grid.
+pub(super) fn template() -> Template {
     let mut template = Template::default();
     for axis in 0..3 {
         for side in [-1.0, 1.0] {
-            add_face(&mut template, along, axis, side);
+            add_face(&mut template, axis, side);
         }
     }
     template
 }
 
 /// The face across an axis, on one `side`.
-fn add_face(template: &mut Template, along: [u32; 3], axis: usize, side: f32) {
+fn add_face(template: &mut Template, axis: usize, side: f32) {
     // As seen from outside, the second axis is a quarter turn from the first.
     let (first, second) = ((axis + 1) % 3, (axis + 2) % 3);
     let (u, v) = if side > 0.0 { (first, second) } else { (second, first) };
     let start = template.corners.len() as u32;
-    let share = |i: u32, axis: usize| (2.0 * f64::from(i) / f64::from(along[axis]) - 1.0) as f32;
-    for j in 0..=along[v] {
-        for i in 0..=along[u] {
+    let share = |i: u32| (2.0 * f64::from(i) / f64::from(SEGMENTS) - 1.0) as f32;
+    for j in 0..=SEGMENTS {
+        for i in 0..=SEGMENTS {
             let mut profile = [0.0, 0.0, 0.0, axis as f32];
-            (profile[axis], profile[u], profile[v]) = (side, share(i, u), share(j, v));
+            (profile[axis], profile[u], profile[v]) = (side, share(i), share(j));
             template.corners.push(Corner { profile, turn: [0.0; 2] });
         }
     }
-    let row = along[u] + 1;
-    let lows = (0..along[v]).flat_map(|j| (0..along[u]).map(move |i| start + j * row + i));
+    let row = SEGMENTS + 1;
+    let lows = (0..SEGMENTS).flat_map(|j| (0..SEGMENTS).map(move |i| start + j * row + i));
     template
         .triangles
         .extend(lows.flat_map(|low| [low, low + 1, low + row, low + row, low + 1, low + row + 1]));

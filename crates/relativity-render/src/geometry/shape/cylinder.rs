@@ -1,12 +1,10 @@
 //! A cylinder with flat ends.
 
-use std::f64::consts::TAU;
-
 use glam::{DQuat, DVec2, DVec3};
 use relativity_core::math;
 
 use super::flat::{LEVEL, between_planes, block_distance};
-use super::questions::{CentredShape, LocalRay, PackedForm, PackedShape, PlacedShape, SegmentsNeeded};
+use super::questions::{CentredShape, LocalRay, PackedForm, PackedShape, PlacedShape};
 use super::round::{Arc, circle, closing, disc, grid, outward};
 use super::strokes::{Path, Stroke};
 use crate::geometry::block::Block;
@@ -215,18 +213,14 @@ impl CentredShape for CylinderForm {
     fn visit_farthest(&self, visit: &mut dyn FnMut(DVec3)) {
         [-1.0, 1.0].map(|t| self.at(t, 0.0, 0.0)).into_iter().for_each(visit);
     }
-
-    /// Around, from the middle of each end to its rim, and along the side.
-    fn segments(&self, needed: &SegmentsNeeded<'_>) -> [(f64, u32); 3] {
-        let around = needed(&|t, angle, h| self.at(t, 1.0, angle + h));
-        let end = |side: f64| needed(&|t, angle, h| self.at(side, 0.5 * (t + 1.0) + h, angle));
-        let side = needed(&|t, angle, h| self.at(t + h, 1.0, angle));
-        [(TAU * around, 8), (end(-1.0).max(end(1.0)), 1), (2.0 * side, 1)]
-    }
 }
 
-/// Corners and triangles of a cylinder with these segments around, along each end and along the side.
-pub(super) fn template([around, end, side]: [u32; 3]) -> Template {
+/// Segments of the grid around a cylinder, along each end and along its side.
+const SEGMENTS: [u32; 3] = [64, 16, 64];
+
+/// Corners and triangles of a cylinder.
+pub(super) fn template() -> Template {
+    let [around, end, side] = SEGMENTS;
     grid(&profile(end, side), around)
 }
 

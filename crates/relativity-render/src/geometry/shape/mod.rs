@@ -284,13 +284,13 @@ impl PreparedShape {
     }
 }
 
-/// Corners and triangles of the shape of this `kind`, with these numbers of segments each way; none of a model, which has its own.
-pub(crate) fn template(kind: Kind, segments: [u32; 3]) -> Template {
+/// Corners and triangles of the shape of this `kind`; none of a model, which has its own.
+pub(crate) fn template(kind: Kind) -> Template {
     match kind {
-        Kind::Tube => tube::template(segments),
-        Kind::Ring => ring::template(segments),
-        Kind::Box => cuboid::template(segments),
-        Kind::Cylinder => cylinder::template(segments),
+        Kind::Tube => tube::template(),
+        Kind::Ring => ring::template(),
+        Kind::Box => cuboid::template(),
+        Kind::Cylinder => cylinder::template(),
         Kind::Model => Template::default(),
     }
 }

@@ -146,15 +146,7 @@ pub(crate) trait CentredShape {
     /// Visits places in the shape's own axes of which one is about as far away as the farthest of the surface. Nothing is allocated, since
     /// it is asked in each frame.
     fn visit_farthest(&self, visit: &mut dyn FnMut(DVec3));
-
-    /// The numbers of segments that triangles need each way, and the least numbers that look round, by the most that a surface
-    /// needs per unit of its parameter.
-    fn segments(&self, needed: &SegmentsNeeded<'_>) -> [(f64, u32); 3];
 }
-
-/// The most segments per unit that any place of a surface needs. The surface is in the shape's own axes: its arguments are a
-/// place along in [-1, 1], an angle, and the step of the parameter in question.
-pub(crate) type SegmentsNeeded<'a> = dyn Fn(&dyn Fn(f64, f64, f64) -> DVec3) -> f64 + 'a;
 
 /// A ray from a start near the body's centre, which lies at the origin.
 #[derive(Debug, Clone, Copy)]

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use glam::{DQuat, DVec2, DVec3};
 use relativity_core::math::{cos, hypot, sin, sin_cos};
 
-use super::questions::{CentredShape, Foot, LocalRay, PackedForm, PackedShape, PlacedShape, SegmentsNeeded};
+use super::questions::{CentredShape, Foot, LocalRay, PackedForm, PackedShape, PlacedShape};
 use super::round::{Arc, arc, circle, closing, disc, grid, outward, turn_to};
 use super::strokes::{Path, Stroke};
 use crate::geometry::capsule::Capsule;
@@ -235,17 +235,14 @@ impl CentredShape for RingForm {
     fn visit_farthest(&self, visit: &mut dyn FnMut(DVec3)) {
         (0..4).for_each(|i| visit(self.at(FRAC_PI_2 * f64::from(i), 0.0)));
     }
-
-    /// Around the axis, and around the tube.
-    fn segments(&self, needed: &SegmentsNeeded<'_>) -> [(f64, u32); 3] {
-        let around = needed(&|t, angle, h| self.at(PI * t + h, angle));
-        let tube = needed(&|t, angle, h| self.at(PI * t, angle + h));
-        [(TAU * around, 8), (TAU * tube, 6), (0.0, 0)]
-    }
 }
 
-/// Corners and triangles of a ring with these segments around the axis and around the tube.
-pub(super) fn template([around, tube, _]: [u32; 3]) -> Template {
+/// Segments of the grid around the axis, and around the tube.
+const SEGMENTS: [u32; 2] = [256, 24];
+
+/// Corners and triangles of a ring.
+pub(super) fn template() -> Template {
+    let [around, tube] = SEGMENTS;
     let profile = (0..=tube).map(|i| {
         let (sine, cosine) = sin_cos(TAU * f64::from(i) / f64::from(tube));
         [cosine as f32, sine as f32, 0.0, 0.0]

@@ -2,10 +2,10 @@
 
 use glam::{DQuat, DVec2, DVec3};
 
-use super::questions::{CentredShape, Foot, LocalRay, PackedForm, PackedShape, PlacedShape, SegmentsNeeded};
+use super::questions::{CentredShape, Foot, LocalRay, PackedForm, PackedShape, PlacedShape};
 use super::round::{Arc, ball_entry, closing};
 use super::strokes::{Onlooker, Path, Stroke};
-use super::tube::{along_tube, segments_of_tube};
+use super::tube::along_tube;
 use crate::geometry::capsule::Capsule;
 use crate::geometry::kind::Kind;
 use crate::kinematics::spin::Spin;
@@ -138,9 +138,5 @@ impl CentredShape for SphereForm {
     /// Visits one place, which stands for all of the surface.
     fn visit_farthest(&self, visit: &mut dyn FnMut(DVec3)) {
         visit(DVec3::X * self.radius);
-    }
-
-    fn segments(&self, needed: &SegmentsNeeded<'_>) -> [(f64, u32); 3] {
-        segments_of_tube(0.0, self.radius, needed)
     }
 }

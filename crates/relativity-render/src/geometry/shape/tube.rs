@@ -1,11 +1,11 @@
 //! A cylinder with rounded ends (a capsule).
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 
 use glam::{DQuat, DVec3};
 use relativity_core::math::sin_cos;
 
-use super::questions::{CentredShape, LocalRay, PackedForm, PackedShape, PlacedShape, SegmentsNeeded};
+use super::questions::{CentredShape, LocalRay, PackedForm, PackedShape, PlacedShape};
 use super::round::{Arc, arc, ball_entry, closing, grid, outward, turn_to};
 use super::strokes::{Path, Stroke};
 use crate::geometry::capsule::Capsule;
@@ -158,10 +158,6 @@ impl CentredShape for TubeForm {
         let rim = |t: f64| DVec3::Z * (t * self.half_length) + outward(0.0) * self.radius;
         [-1.0, 1.0].map(rim).into_iter().for_each(visit);
     }
-
-    fn segments(&self, needed: &SegmentsNeeded<'_>) -> [(f64, u32); 3] {
-        segments_of_tube(self.half_length, self.radius, needed)
-    }
 }
 
 /// The arc along a tube, or a ball, which is one without a length.
@@ -171,29 +167,12 @@ pub(super) fn along_tube(half_length: f64, radius: f64, off_axis: f64, outward: 
     (half_length + (z - beyond) + arc, gradient)
 }
 
-/// Segments around a tube, along each of its rounded ends, and along the side; none there of a ball.
-pub(super) fn segments_of_tube(
-    half_length: f64,
-    radius: f64,
-    needed: &SegmentsNeeded<'_>,
-) -> [(f64, u32); 3] {
-    // On the side, `t` half lengths along the axis from the middle.
-    let side = |t: f64, angle: f64| DVec3::Z * (t * half_length) + outward(angle) * radius;
-    // On the circle of the tube's radius through the axis, turned by `turn`.
-    let meridian = |t: f64, turn: f64, angle: f64| {
-        let (sine, cosine) = sin_cos(angle);
-        DVec3::Z * (t * half_length) + (DVec3::Z * cosine + outward(turn) * sine) * radius
-    };
-    let around = needed(&|t, angle, h| side(t, angle + h));
-    let meridians = [0.0, FRAC_PI_2].map(|turn| needed(&|t, angle, h| meridian(t.signum(), turn, angle + h)));
-    let arc = meridians.into_iter().fold(around, f64::max);
-    let along =
-        if half_length == 0.0 { (0.0, 0) } else { (2.0 * needed(&|t, angle, h| side(t + h, angle)), 1) };
-    [(TAU * arc, 6), (FRAC_PI_2 * arc, 2), along]
-}
+/// Segments of the grid around a tube, along each of its rounded ends, and along its side.
+const SEGMENTS: [u32; 3] = [64, 16, 64];
 
-/// Corners and triangles of a tube with these segments around, along each end and along the side.
-pub(super) fn template([around, end, side]: [u32; 3]) -> Template {
+/// Corners and triangles of a tube; of a ball, whose sides have no length.
+pub(super) fn template() -> Template {
+    let [around, end, side] = SEGMENTS;
     grid(&profile(end, side), around)
 }
 
@@ -205,7 +184,6 @@ fn profile(end: u32, side: u32) -> Vec<[f32; 4]> {
     };
     let near = (0..=end).map(|i| cap(i, -1.0));
     let along = (1..side).map(|i| [(2.0 * f64::from(i) / f64::from(side) - 1.0) as f32, 0.0, 1.0, 0.0]);
-    // A ball has no sides: its ends share their last circle.
-    let far = (0..=end).rev().map(|i| cap(i, 1.0)).skip(usize::from(side == 0));
+    let far = (0..=end).rev().map(|i| cap(i, 1.0));
     near.chain(along).chain(far).collect()
 }

@@ -57,8 +57,6 @@ pub struct Triangles {
     middle: DVec3,
     half: DVec3,
     fingerprint: u64,
-    /// Length of the longest edge, in the measure of `relative_length`.
-    longest_edge: f64,
     edges: OnceLock<Edges>,
 }
 
@@ -104,26 +102,14 @@ impl Triangles {
             middle,
             half: half.max(DVec3::splat(LEAST_SIDE * largest)),
             fingerprint: 0,
-            longest_edge: 0.0,
             edges: OnceLock::new(),
         };
-        prepared.find_order();
+        prepared.hierarchy = Hierarchy::new(prepared.pieces(), DVec3::ZERO);
         if prepared.hierarchy.is_empty() {
             return Err(TrianglesError::NoArea);
         }
         prepared.fingerprint = prepared.hashed();
         Ok(prepared)
-    }
-
-    /// Finds what follows from the corners: the hierarchy, and the longest edge.
-    fn find_order(&mut self) {
-        self.hierarchy = Hierarchy::new(self.pieces(), DVec3::ZERO);
-        let longest = |triangle: u32| {
-            let [a, b, c] = self.corners_of(triangle);
-            [b - a, c - b, a - c].map(|edge| self.relative_length(edge)).into_iter().fold(0.0, f64::max)
-        };
-        self.longest_edge =
-            (0..self.faces.len() as u32).into_par_iter().map(longest).reduce(|| 0.0, f64::max);
     }
 
     /// The middle of the box around them, in the rest frame of the group.
@@ -215,11 +201,6 @@ impl Triangles {
     /// Length of an edge in sides of the box: the sum of what it is along each axis.
     pub(crate) fn relative_length(&self, edge: DVec3) -> f64 {
         (edge.abs() / (2.0 * self.half)).element_sum()
-    }
-
-    /// Returns the greatest number of segments of a whole side of the box that no edge is longer than; 1 if one is.
-    pub(crate) fn least_segments(&self) -> u32 {
-        (1.0 / self.longest_edge).clamp(1.0, 512.0) as u32
     }
 
     /// The hierarchy of the triangles' boxes, from the middle of the box around all.

@@ -74,9 +74,8 @@ pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<
         middle: saved.middle,
         half: saved.half,
         fingerprint: saved.fingerprint,
-        longest_edge: 0.0,
         edges: OnceLock::new(),
     };
-    read.find_order();
+    read.hierarchy = Hierarchy::new(read.pieces(), DVec3::ZERO);
     Ok(Some(Arc::new(read)))
 }

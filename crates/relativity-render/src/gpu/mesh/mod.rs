@@ -1,15 +1,12 @@
 //! The mesh renderer: triangles whose corners go through the apparent position.
 //!
-//! Each body is an instance of a grid over its unit shape, divided as finely as the bound asks for
-//! (`division`). Corners lie exactly where the light cone says; between them pictures are off by no more
-//! than the bound. Unlike the rays it can draw any map of points, and so the published
-//! binocular model, which is defined point by point and has no lines of sight.
+//! It draws any map of points, and so what has no straight lines of sight: the published binocular model, which is defined point by point,
+//! and one light cone for both eyes. Each body is an instance of a fixed grid over its unit shape ([`template`]). Corners lie exactly where the
+//! light cone says; between them the picture is off by what [`Method::MESH_ERROR_PX`](crate::renderers::Method::MESH_ERROR_PX) states.
 //!
 //! Which of two bodies is nearer is decided by the pixel's ray where there is one, as by the rays:
 //! bodies that nearly touch are nearer to each other than triangles are to their surfaces.
 
-mod copies;
-mod division;
 mod model;
 mod parts;
 mod template;
@@ -25,22 +22,16 @@ use crate::gpu::drawing::{Batches, Drawing, Shot};
 use crate::gpu::pipelines::{Pipelines, Technique};
 pub use parts::MeshInstance;
 use parts::Parts;
-use template::Division;
+use template::Grid;
 
-/// Draws triangles that keep a bound on the picture.
+/// Draws triangles over each body.
 #[derive(Debug)]
 pub struct MeshRenderer {
-    /// Greatest distance at which any point may be drawn from where it is seen, pixels, above 0.
-    bound_px: f64,
     parts: Parts,
-    templates: HashMap<Division, LoadedTemplate>,
-    /// The divisions of models among these, the last that was drawn last.
-    of_models: Vec<Division>,
-    batches: Batches<MeshInstance, Division>,
+    /// The grids on the device: of models those of the scene drawn last.
+    templates: HashMap<Grid, LoadedTemplate>,
+    batches: Batches<MeshInstance, Grid>,
 }
-
-/// Greatest number of divided models that are kept, unless more are drawn at once.
-const MOST_KEPT: usize = 4;
 
 /// A template on the device.
 #[derive(Debug)]
@@ -61,37 +52,27 @@ pub const TECHNIQUE: Technique = Technique {
 };
 
 impl MeshRenderer {
-    /// A renderer on `gpu`; its bound is set before each use.
+    /// A renderer on `gpu`.
     pub fn new(gpu: &Gpu, canvas: &Canvas) -> Self {
         let pipelines = Pipelines::new(TECHNIQUE, canvas.body_layout(gpu));
-        Self {
-            bound_px: f64::INFINITY,
-            parts: Parts::default(),
-            templates: HashMap::new(),
-            of_models: Vec::new(),
-            batches: Batches::new(pipelines),
-        }
-    }
-
-    /// Sets the bound to keep from now on, pixels, above 0.
-    pub const fn within(&mut self, bound_px: f64) -> &mut Self {
-        self.bound_px = bound_px;
-        self
+        Self { parts: Parts::default(), templates: HashMap::new(), batches: Batches::new(pipelines) }
     }
 }
 
 impl Drawing for MeshRenderer {
     fn load(&mut self, gpu: &Gpu, vertices: &mut wgpu::Buffer, shot: &Shot<'_>) {
-        self.parts.refill(shot, self.bound_px);
+        self.parts.refill(shot);
         self.batches.refill(gpu, vertices, shot, self.parts.runs());
+        self.templates.retain(|grid, _| match grid {
+            Grid::Shape(_) => true,
+            Grid::Model(fingerprint) => shot.scene.models().any(|model| model.fingerprint() == *fingerprint),
+        });
         for batch in self.batches.iter() {
-            let division = batch.template;
-            self.templates.entry(division).or_insert_with(|| {
-                let template = division.template(shot.scene.models());
-                LoadedTemplate::new(gpu, &template)
-            });
+            let grid = batch.template;
+            self.templates
+                .entry(grid)
+                .or_insert_with(|| LoadedTemplate::new(gpu, &grid.template(shot.scene.models())));
         }
-        self.forget_models();
     }
 
     fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
@@ -102,21 +83,6 @@ impl Drawing for MeshRenderer {
             pass.set_vertex_buffer(1, vertices.slice(..));
             pass.set_index_buffer(template.triangles.slice(..), wgpu::IndexFormat::Uint32);
             pass.draw_indexed(0..template.count, 0, batch.instances.clone());
-        }
-    }
-}
-
-impl MeshRenderer {
-    /// Forgets the triangles of models that were not drawn for some time: those of two eyes are kept.
-    fn forget_models(&mut self) {
-        let divisions = self.batches.iter().map(|batch| batch.template);
-        let drawn: Vec<_> = divisions.filter(|division| matches!(division, Division::Model { .. })).collect();
-        self.of_models.retain(|division| !drawn.contains(division));
-        self.of_models.extend(&drawn);
-        let most = MOST_KEPT.max(2 * drawn.len());
-        let too_many = self.of_models.len().saturating_sub(most);
-        for division in self.of_models.drain(..too_many) {
-            self.templates.remove(&division);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Models as triangles that keep a bound: each is halved until its edges are short enough.
+//! Models as triangles with edges so short that lines may bend between their ends: longer ones are halved.
 //!
 //! Whether an edge is halved follows from the edge alone, and both triangles at it agree on its middle: so no gap opens between them.
 
@@ -7,11 +7,13 @@ use glam::DVec3;
 use crate::geometry::corners::{Corner, Template};
 use crate::geometry::triangles::Triangles;
 
-/// Greatest number of triangles that a model is divided into, unless it has more itself: beyond it the bound is not kept.
+/// Number of edges that make a whole side of the model's box, at least.
+const SEGMENTS: f64 = 96.0;
+/// Greatest number of triangles that a model is divided into, unless it has more itself: beyond it edges stay longer.
 const MOST_TRIANGLES: usize = 2_000_000;
 
 /// Edges that are too long.
-struct Longest<'a> {
+struct LongEdges<'a> {
     model: &'a Triangles,
     /// Number of segments along a whole side of the model's box.
     segments: f64,
@@ -20,18 +22,18 @@ struct Longest<'a> {
 }
 
 impl Triangles {
-    /// Returns the triangles of the model, with edges so short that as many of them as `segments` make the whole side of the box along any
-    /// axis, and no more of them than a model may be divided into.
-    pub(super) fn template(&self, segments: u32) -> Template {
+    /// Returns the triangles of the model, divided where they are large: their edges are at most 1/[`SEGMENTS`] of the box's side along any
+    /// axis, or longer where that would be too many triangles.
+    pub(super) fn template(&self) -> Template {
         let (first, order) = self.packed_order();
         let room = MOST_TRIANGLES.saturating_sub(order.len());
-        let mut segments = f64::from(segments);
+        let mut segments = SEGMENTS;
         loop {
             let mut template = Template { corners: Vec::new(), triangles: Vec::new() };
-            let mut longest = Longest { model: self, segments, room };
+            let mut edges = LongEdges { model: self, segments, room };
             let whole = (first..)
                 .zip(&order)
-                .all(|(record, &triangle)| longest.add(self.corners_of(triangle), record, &mut template));
+                .all(|(record, &triangle)| edges.add(self.corners_of(triangle), record, &mut template));
             if whole {
                 template.triangles = (0..template.corners.len() as u32).collect();
                 return template;
@@ -41,7 +43,7 @@ impl Triangles {
     }
 }
 
-impl Longest<'_> {
+impl LongEdges<'_> {
     /// Adds a triangle, divided; whether there was room for it.
     fn add(&mut self, corners: [DVec3; 3], record: u32, template: &mut Template) -> bool {
         let mut waiting = vec![corners];

@@ -1,13 +1,14 @@
-//! The bodies of a view as they are drawn: how finely each is divided, and in which order.
+//! The bodies of a view as they are drawn: the grid and the copies of each, and their order.
+
+use std::f32::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 use relativity_core::math::hypot;
 use relativity_core::threads::prelude::*;
 
-use super::copies::{Around, Copy, FLAT};
-use super::division::division;
-use super::template::Division;
+use super::template::Grid;
 use crate::geometry::capsule::Capsule;
 use crate::geometry::intersect::Solid;
 use crate::gpu::drawing::{Shot, Trait};
@@ -30,13 +31,25 @@ pub struct MeshInstance {
     pub pattern: [f32; 3],
     pub spin: [f32; 4],
     pub rim: [f32; 2],
-    pub copy: Copy,
+    pub copy: BodyCopy,
 }
+
+/// A copy of a body in a conformal picture, a strip around the baseline that is cut open behind the camera: the angle by which it is turned
+/// about the baseline, and whether it draws only the triangles across the cut, 1 or 0.
+type BodyCopy = [f32; 2];
+
+/// The only copy in a flat picture, and the first in a conformal one.
+const WHOLE: BodyCopy = [0.0, 0.0];
+
+/// The copies in a conformal picture, each with the half height, radians, from which a picture shows anything of it: triangles across the
+/// cut are drawn beside both ends of the strip, and pictures that go farther round show bodies again.
+const COPIES: [(f64, BodyCopy); 5] =
+    [(0.0, WHOLE), (FRAC_PI_2, [0.0, 1.0]), (FRAC_PI_2, [-TAU, 1.0]), (PI, [TAU, 0.0]), (PI, [-TAU, 0.0])];
 
 /// A body as it is drawn.
 #[derive(Debug, Clone, Copy)]
 struct DrawnBody {
-    division: Division,
+    grid: Grid,
     instance: MeshInstance,
     /// The number of its group.
     group: usize,
@@ -45,8 +58,6 @@ struct DrawnBody {
     is_thin: bool,
     is_patterned: bool,
     turns: Turns,
-    /// In a conformal picture.
-    around: Option<Around>,
 }
 
 /// The parts of a view. Kept from view to view, for their memory.
@@ -59,12 +70,10 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// Replaces all by the bodies that `shot` can show, divided to keep `bound_px`. In pictures thin ones are drawn
-    /// wider, and faded.
-    pub fn refill(&mut self, shot: &Shot<'_>, bound_px: f64) {
-        let Shot { scene, views, divided_for, appearance, .. } = *shot;
+    /// Replaces all by the bodies that `shot` can show. In pictures thin ones are drawn wider, and faded.
+    pub fn refill(&mut self, shot: &Shot<'_>) {
+        let Shot { scene, views, appearance, .. } = *shot;
         let projections: Vec<_> = views.iter().map(FootprintMap::new).collect();
-        let maps: Vec<_> = views.iter().map(|view| view.camera.mercator()).collect();
         let ball = |body: &PreparedBody| {
             if body.is_turned {
                 return *scene.ball_around(body);
@@ -81,11 +90,11 @@ impl Parts {
                 || !projections[body.group].hides(middle, radius)
         };
         let part = |body: &PreparedBody| {
-            let view = &divided_for[body.group];
+            let view = &views[body.group];
             // What numbers show is drawn as wide as it is.
             let half_width = appearance.map(|_| half_width(body, scene.solid(body.number), view));
             DrawnBody {
-                division: division(body, scene.solid(body.number), view, bound_px),
+                grid: Grid::of(body),
                 instance: MeshInstance::new(body, half_width.unwrap_or_default(), shot),
                 group: body.group,
                 joint: body.joint,
@@ -96,14 +105,6 @@ impl Parts {
                     }),
                 is_patterned: body.is_patterned,
                 turns: view.turns(body),
-                around: maps[body.group].map(|mercator| {
-                    let (view, projection) = (&views[body.group], &projections[body.group]);
-                    let middle = MaterialPoint { rest: scene.solid(body.number).center(), spin: body.spin };
-                    let ball = ball(body);
-                    let whole = [ball];
-                    let pieces = if body.is_turned { &whole } else { scene.around(body) };
-                    Around::new(&mercator, view, projection, view.apparent_position(middle), &ball, pieces)
-                }),
             }
         };
         scene
@@ -112,42 +113,43 @@ impl Parts {
             .map(|body| is_seen(body).then(|| part(body)))
             .collect_into_vec(&mut self.found);
         self.sorted.clear();
+        let camera = &views[0].camera;
+        let half_height =
+            camera.mercator().map_or(0.0, |mercator| 0.5 * f64::from(camera.size[1]) / mercator.px_per_unit);
         for part in self.found.iter().flatten() {
-            match part.around {
-                None => self.sorted.push(*part),
-                Some(around) => self.sorted.extend(around.copies().map(|copy| part.copied(copy))),
-            }
+            let shown = COPIES.iter().filter(|(least, _)| *least <= half_height);
+            self.sorted.extend(shown.map(|&(_, copy)| part.copied(copy)));
         }
         self.sorted.sort_unstable_by_key(DrawnBody::rank);
     }
 
     /// Returns the runs of parts that one draw draws, in order.
-    pub fn runs(&self) -> impl Iterator<Item = (Trait<Division>, impl Iterator<Item = &MeshInstance>)> {
+    pub fn runs(&self) -> impl Iterator<Item = (Trait<Grid>, impl Iterator<Item = &MeshInstance>)> {
         let chunks = self.sorted.chunk_by(|a, b| a.common() == b.common());
         chunks.map(|run| (run[0].common(), run.iter().map(|part| &part.instance)))
     }
 }
 
 impl DrawnBody {
-    fn copied(&self, copy: Copy) -> Self {
+    fn copied(&self, copy: BodyCopy) -> Self {
         Self { instance: MeshInstance { copy, ..self.instance }, ..*self }
     }
 
     /// Returns the properties that a part shares with those drawn by the same draw.
-    fn common(&self) -> Trait<Division> {
-        let Self { division, group, is_thin, is_patterned, turns, .. } = *self;
-        Trait { group, kind: division.kind(), template: division, is_thin, is_patterned, turns }
+    fn common(&self) -> Trait<Grid> {
+        let Self { grid, group, is_thin, is_patterned, turns, .. } = *self;
+        Trait { group, kind: grid.kind(), template: grid, is_thin, is_patterned, turns }
     }
 
     /// Returns the place of a part in the order: faded ones last; group by group; in the bodies' order where surfaces may coincide, so
-    /// that the first of them stays, and else those of one division together, which saves a draw for each.
-    fn rank(&self) -> (bool, usize, Option<(bool, Turns, Division)>, u32) {
+    /// that the first of them stays, and else those of one grid together, which saves a draw for each.
+    fn rank(&self) -> (bool, usize, Option<(bool, Turns, Grid)>, u32) {
         let is_joined = if self.is_thin { self.joint.widened } else { self.joint.as_it_is };
         let [_, _, index] = self.instance.width_brightness_index;
         (
             self.is_thin,
             self.group,
-            (!is_joined).then_some((self.is_patterned, self.turns, self.division)),
+            (!is_joined).then_some((self.is_patterned, self.turns, self.grid)),
             index as u32,
         )
     }
@@ -160,7 +162,7 @@ impl MeshInstance {
         step_mode: wgpu::VertexStepMode::Instance,
         attributes: &wgpu::vertex_attr_array![
             2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3,
-            7 => Float32x3, 8 => Float32x4, 9 => Float32x2, 10 => Float32x4
+            7 => Float32x3, 8 => Float32x4, 9 => Float32x2, 10 => Float32x2
         ],
     };
 
@@ -175,7 +177,7 @@ impl MeshInstance {
             pattern: shot.pattern(body),
             spin,
             rim,
-            copy: FLAT,
+            copy: WHOLE,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The divisions of bodies: which grid of corners over a unit shape each is placed on.
+//! The grids of triangles that bodies are drawn as: one over each kind of unit shape, and one of each model.
 
 use std::sync::Arc;
 
@@ -6,32 +6,38 @@ use crate::geometry::corners::Template;
 use crate::geometry::kind::Kind;
 use crate::geometry::shape;
 use crate::geometry::triangles::Triangles;
+use crate::scene::prepared_body::PreparedBody;
 
-/// The division of a body.
+/// The grid that a body is drawn as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Division {
-    /// A shape of this kind: its numbers of segments each way, in the order of the shape's file.
-    Shape { kind: Kind, segments: [u32; 3] },
-    /// The model with this fingerprint: segments along any side of its box, if they were as long as edges may be.
-    Model { fingerprint: u64, segments: u32 },
+pub enum Grid {
+    /// That over a shape of this kind.
+    Shape(Kind),
+    /// That of the model with this fingerprint.
+    Model(u64),
 }
 
-impl Division {
-    /// The kind of shape that it divides.
+impl Grid {
+    /// Returns the grid of `body`.
+    pub fn of(body: &PreparedBody) -> Self {
+        body.triangles.as_ref().map_or(Self::Shape(body.kind), |model| Self::Model(model.fingerprint()))
+    }
+
+    /// The kind of shape that it is of.
     pub fn kind(self) -> Kind {
         match self {
-            Self::Shape { kind, .. } => kind,
-            Self::Model { .. } => Kind::Model,
+            Self::Shape(kind) => kind,
+            Self::Model(_) => Kind::Model,
         }
     }
 
-    /// Returns corners and triangles; of a model those of the one among `models` that it divides.
+    /// Returns corners and triangles; of a model those of the one among `models` that it is of.
     pub fn template<'a>(self, mut models: impl Iterator<Item = &'a Arc<Triangles>>) -> Template {
         match self {
-            Self::Shape { kind, segments } => shape::template(kind, segments),
-            Self::Model { fingerprint, segments } => {
+            Self::Shape(kind) => shape::template(kind),
+            Self::Model(fingerprint) => {
                 let model = models.find(|model| model.fingerprint() == fingerprint);
-                model.map_or_else(Template::default, |model| model.template(segments))
+                model.map_or_else(Template::default, |model| model.template())
             }
         }
     }

@@ -18,7 +18,7 @@ pub fn sentence(examination: &Examination) -> Option<String> {
     let [(cheapest, cost), others @ ..] = worth.as_slice() else { return None };
     let first = format!(
         "{}: error {}, cheapest here ({} ms)",
-        capitalised(&cheapest.name()),
+        capitalised(cheapest.name()),
         if cheapest.method == Method::Reference { "none".to_owned() } else { px(cost.error_px) },
         number_text::significant(cost.frame_ms, 2)
     );
@@ -29,13 +29,11 @@ pub fn sentence(examination: &Examination) -> Option<String> {
         }
         format!("{}: error {}, in {times} times the time", row.name(), px(other.error_px))
     });
-    let lost = |is_it: fn(Method) -> bool| {
-        measured.iter().any(|(row, _)| is_it(row.method)) && !worth.iter().any(|(row, _)| is_it(row.method))
+    let lost = |method| {
+        measured.iter().any(|(row, _)| row.method == method)
+            && !worth.iter().any(|(row, _)| row.method == method)
     };
-    let nothing = [
-        (lost(|method| matches!(method, Method::Mesh { .. })), "a mesh gains nothing"),
-        (lost(|method| method == Method::Rays), "rays gain nothing"),
-    ];
+    let nothing = [(lost(Method::Mesh), "the mesh gains nothing"), (lost(Method::Rays), "rays gain nothing")];
     let nothing = nothing.into_iter().filter(|(is_lost, _)| *is_lost).map(|(_, text)| text.to_owned());
     let parts: Vec<String> = [first].into_iter().chain(nothing).chain(more).collect();
     let end = if examination.is_pending() { " (so far)." } else { "." };

@@ -36,7 +36,7 @@ impl MethodMark {
         let colour = if is_chosen { theme::point_colour(1, visuals) } else { visuals.text_color() };
         let mark = Self {
             method: row.method,
-            name: row.name(),
+            name: row.name().to_owned(),
             place,
             colour: if row.is_current && is_worth { colour } else { colour.gamma_multiply(0.4) },
             radius: if is_chosen { 5.5 } else { 4.0 },

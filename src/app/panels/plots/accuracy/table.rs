@@ -49,7 +49,7 @@ fn table_row(
 ) {
     let name = row.name();
     let is_chosen = chosen == row.method;
-    let text = RichText::new(&name);
+    let text = RichText::new(name);
     let text = if better.is_some() && !is_chosen { text.weak() } else { text };
     let label = ui.selectable_label(is_chosen, text);
     let lost = better.map_or_else(String::new, |better| {
