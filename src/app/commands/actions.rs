@@ -48,6 +48,26 @@ const fn with_control_and_shift(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key)
 }
 
+const fn switch(switch: Switch) -> Command {
+    Command::Settings(SettingsCommand::Switch(switch))
+}
+
+const fn nudge_speed(steps: i32) -> Command {
+    Command::Settings(SettingsCommand::NudgeSpeed(steps))
+}
+
+const fn geometry(geometry: Geometry) -> Command {
+    Command::Settings(SettingsCommand::Geometry(geometry))
+}
+
+const fn step(steps: i32) -> Command {
+    Command::Playback(PlaybackCommand::Step(steps))
+}
+
+const fn window(command: WindowCommand) -> Command {
+    Command::Window(command)
+}
+
 const fn save(product: Product) -> Command {
     Command::File(FileCommand::Choose(Purpose::Save(product)))
 }
@@ -66,58 +86,26 @@ pub static ACTIONS: &[Action] = &[
     action("reset to the defaults", &[], Command::Settings(SettingsCommand::Reset)),
     action("open a file", &[with_control(Key::O)], Command::File(FileCommand::Choose(Purpose::Open))),
     action("play or pause", &[key(Key::Space)], Command::Playback(PlaybackCommand::Toggle)),
-    action(
-        "go a step forwards in time",
-        &[key(Key::ArrowRight)],
-        Command::Playback(PlaybackCommand::Step(1)),
-    ),
-    action("go a step back in time", &[key(Key::ArrowLeft)], Command::Playback(PlaybackCommand::Step(-1))),
-    action(
-        "go ten steps forwards in time",
-        &[with_shift(Key::ArrowRight)],
-        Command::Playback(PlaybackCommand::Step(10)),
-    ),
-    action(
-        "go ten steps back in time",
-        &[with_shift(Key::ArrowLeft)],
-        Command::Playback(PlaybackCommand::Step(-10)),
-    ),
+    action("go a step forwards in time", &[key(Key::ArrowRight)], step(1)),
+    action("go a step back in time", &[key(Key::ArrowLeft)], step(-1)),
+    action("go ten steps forwards in time", &[with_shift(Key::ArrowRight)], step(10)),
+    action("go ten steps back in time", &[with_shift(Key::ArrowLeft)], step(-10)),
     action("go to the start", &[key(Key::Home)], Command::Playback(PlaybackCommand::GoToPart(0.0))),
     action("go to the end", &[key(Key::End)], Command::Playback(PlaybackCommand::GoToPart(1.0))),
-    action("go faster", &[key(Key::ArrowUp)], Command::Settings(SettingsCommand::NudgeSpeed(1))),
-    action("go slower", &[key(Key::ArrowDown)], Command::Settings(SettingsCommand::NudgeSpeed(-1))),
-    action("go much faster", &[with_shift(Key::ArrowUp)], Command::Settings(SettingsCommand::NudgeSpeed(10))),
-    action(
-        "go much slower",
-        &[with_shift(Key::ArrowDown)],
-        Command::Settings(SettingsCommand::NudgeSpeed(-10)),
-    ),
+    action("go faster", &[key(Key::ArrowUp)], nudge_speed(1)),
+    action("go slower", &[key(Key::ArrowDown)], nudge_speed(-1)),
+    action("go much faster", &[with_shift(Key::ArrowUp)], nudge_speed(10)),
+    action("go much slower", &[with_shift(Key::ArrowDown)], nudge_speed(-10)),
     action("get on the bicycle and ride, or get off", &[key(Key::I)], Command::Ride(RideCommand::Toggle)),
     action("face where you ride", &[with_shift(Key::I)], Command::Ride(RideCommand::Face)),
-    action(
-        "show the scene as seen",
-        &[key(Key::Num1)],
-        Command::Settings(SettingsCommand::Geometry(Geometry::Seen)),
-    ),
-    action(
-        "show the scene contracted only",
-        &[key(Key::Num2)],
-        Command::Settings(SettingsCommand::Geometry(Geometry::Contracted)),
-    ),
-    action(
-        "show the scene at rest",
-        &[key(Key::Num3)],
-        Command::Settings(SettingsCommand::Geometry(Geometry::Rest)),
-    ),
-    action(
-        "give both eyes one light cone",
-        &[key(Key::Num4)],
-        Command::Settings(SettingsCommand::Geometry(Geometry::OneCone)),
-    ),
+    action("show the scene as seen", &[key(Key::Num1)], geometry(Geometry::Seen)),
+    action("show the scene contracted only", &[key(Key::Num2)], geometry(Geometry::Contracted)),
+    action("show the scene at rest", &[key(Key::Num3)], geometry(Geometry::Rest)),
+    action("give both eyes one light cone", &[key(Key::Num4)], geometry(Geometry::OneCone)),
     action(
         "compare two pictures of one eye: as seen, contracted, at rest, D²",
         &[key(Key::B)],
-        Command::Settings(SettingsCommand::Switch(Switch::Comparison)),
+        switch(Switch::Comparison),
     ),
     action("frame the whole scene in the views", &[key(Key::F)], Command::Gaze(GazeCommand::Whole)),
     action("follow the next body", &[key(Key::N)], Command::Points(PointsCommand::FollowNext(1))),
@@ -139,39 +127,15 @@ pub static ACTIONS: &[Action] = &[
         Command::Stopwatch(StopwatchCommand::Press),
     ),
     action("show or hide the stopwatch", &[with_shift(Key::T)], Command::Stopwatch(StopwatchCommand::Toggle)),
-    action(
-        "choose the next layout of the two pictures",
-        &[key(Key::L)],
-        Command::Settings(SettingsCommand::Switch(Switch::Layout(1))),
-    ),
-    action(
-        "choose the layout before",
-        &[with_shift(Key::L)],
-        Command::Settings(SettingsCommand::Switch(Switch::Layout(-1))),
-    ),
-    action(
-        "change between conformal and camera pictures",
-        &[key(Key::V)],
-        Command::Settings(SettingsCommand::Switch(Switch::Projection)),
-    ),
-    action(
-        "show the panorama of the whole passage, or two views",
-        &[key(Key::U)],
-        Command::Settings(SettingsCommand::Switch(Switch::Panorama)),
-    ),
-    action("show few controls, or all", &[], Command::Settings(SettingsCommand::Switch(Switch::Simple))),
-    action(
-        "show or hide the resting outline in conformal views",
-        &[key(Key::O)],
-        Command::Settings(SettingsCommand::Switch(Switch::Resting)),
-    ),
-    action("swap the eyes", &[key(Key::X)], Command::Settings(SettingsCommand::Switch(Switch::Eyes))),
-    action("show or hide the map", &[key(Key::M)], Command::Settings(SettingsCommand::Switch(Switch::Map))),
-    action(
-        "draw the map in the ground's or the bicycle's frame",
-        &[key(Key::G)],
-        Command::Settings(SettingsCommand::Switch(Switch::Frame)),
-    ),
+    action("choose the next layout of the two pictures", &[key(Key::L)], switch(Switch::Layout(1))),
+    action("choose the layout before", &[with_shift(Key::L)], switch(Switch::Layout(-1))),
+    action("change between conformal and camera pictures", &[key(Key::V)], switch(Switch::Projection)),
+    action("show the panorama of the whole passage, or two views", &[key(Key::U)], switch(Switch::Panorama)),
+    action("show few controls, or all", &[], switch(Switch::Simple)),
+    action("show or hide the resting outline in conformal views", &[key(Key::O)], switch(Switch::Resting)),
+    action("swap the eyes", &[key(Key::X)], switch(Switch::Eyes)),
+    action("show or hide the map", &[key(Key::M)], switch(Switch::Map)),
+    action("draw the map in the ground's or the bicycle's frame", &[key(Key::G)], switch(Switch::Frame)),
     action(
         "set a cursor in the plots at T: the first, the second, none",
         &[key(Key::C)],
@@ -184,25 +148,21 @@ pub static ACTIONS: &[Action] = &[
     ),
     action("unpin all curves", &[with_shift(Key::K)], Command::Plots(PlotCommand::Unpin)),
     action("show the whole of every plot", &[], Command::Plots(PlotCommand::Whole)),
-    action(
-        "take the whole screen, or leave it",
-        &[key(Key::F11)],
-        Command::Window(WindowCommand::ToggleFullScreen),
-    ),
+    action("take the whole screen, or leave it", &[key(Key::F11)], window(WindowCommand::ToggleFullScreen)),
     action(
         "present: large writing, and no controls",
         &[key(Key::P)],
-        Command::Window(WindowCommand::TogglePresenting),
+        window(WindowCommand::TogglePresenting),
     ),
     action(
         "open or close a window for a projector: the views and a lesson's words",
         &[key(Key::W)],
-        Command::Window(WindowCommand::ToggleProjector),
+        window(WindowCommand::ToggleProjector),
     ),
     action(
         "make the window a stereoscope: a phone in a viewer with two lenses",
         &[],
-        Command::Window(WindowCommand::ToggleStereoscope),
+        window(WindowCommand::ToggleStereoscope),
     ),
     action(
         "go back in the lesson or to the preset before",
@@ -222,12 +182,12 @@ pub static ACTIONS: &[Action] = &[
     action(
         "open or close the start page: lessons and presets",
         &[key(Key::S)],
-        Command::Window(WindowCommand::Toggle(Overlay::Start)),
+        window(WindowCommand::Toggle(Overlay::Start)),
     ),
     action(
         "find an action by its name",
         &[with_control(Key::P)],
-        Command::Window(WindowCommand::Toggle(Overlay::Palette)),
+        window(WindowCommand::Toggle(Overlay::Palette)),
     ),
     action("fit own data", &[], Command::File(FileCommand::Choose(Purpose::OpenData))),
     action("fit simulated data", &[], Command::File(FileCommand::Simulate)),
@@ -255,9 +215,9 @@ pub static ACTIONS: &[Action] = &[
     action(
         "show this help",
         &[key(Key::Questionmark), key(Key::F1)],
-        Command::Window(WindowCommand::Toggle(Overlay::Help)),
+        window(WindowCommand::Toggle(Overlay::Help)),
     ),
-    action("close what is on top, or leave", &[key(Key::Escape)], Command::Window(WindowCommand::Close)),
+    action("close what is on top, or leave", &[key(Key::Escape)], window(WindowCommand::Close)),
 ];
 
 impl Action {

@@ -5,7 +5,7 @@ use crate::app::state::notice::Notice;
 use crate::app::state::pointer::{Pick, Select};
 
 /// A command about the followed points.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PointsCommand {
     /// Selects the point of the scene at a pixel of an eye's picture.
     Pick(Pick),

@@ -139,7 +139,7 @@ impl App {
         let plots = layout.plots.map(|rect| (WindowPart::Plots, strip(rect)));
         for (part, title) in panes.chain(map).chain(plots).collect::<Vec<_>>() {
             self.show_panel(ui, "titles", title, |ui, _, commands| {
-                panels::borders::title(ui, part, commands)
+                panels::borders::title(ui, part, commands);
             });
         }
     }

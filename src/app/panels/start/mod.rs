@@ -45,12 +45,13 @@ const LINE: f32 = 60.0;
 pub const fn lets_through(command: &Command) -> bool {
     matches!(
         command,
-        Command::Window(WindowCommand::Toggle(_))
-            | Command::Window(WindowCommand::Close)
-            | Command::File(FileCommand::Choose(_))
-            | Command::Window(WindowCommand::ToggleFullScreen)
-            | Command::Window(WindowCommand::TogglePresenting)
-            | Command::Window(WindowCommand::ToggleProjector)
+        Command::Window(
+            WindowCommand::Toggle(_)
+                | WindowCommand::Close
+                | WindowCommand::ToggleFullScreen
+                | WindowCommand::TogglePresenting
+                | WindowCommand::ToggleProjector
+        ) | Command::File(FileCommand::Choose(_))
     )
 }
 
