@@ -82,7 +82,7 @@ test('a newcomer makes the first prediction on a phone, by touch', () => inWindo
     });
     const [begin, choice, predict] = PHONE;
     await tapped('the lesson', [begin], async () => (await window.settings()).get('lesson') === 'rods');
-    const answers = await tapped('an answer', [choice, predict], () => window.stored('gamow/answers.json'));
+    const answers = await tapped('an answer', [choice, predict], () => window.stored('gamow/answers/rods.json'));
     assert.match(answers, /Choice|choice/);
 }));
 
@@ -177,7 +177,7 @@ test('a lesson is predicted, revealed and remembered', () => inWindow('#lesson=r
     await window.rest(1500);
     await window.press('3');
     await window.press('PageDown');
-    const answers = await eventually('an answer', () => window.stored('gamow/answers.json'));
+    const answers = await eventually('an answer', () => window.stored('gamow/answers/rods.json'));
     assert.match(answers, /rods/);
     await window.rest(6000);
     await window.press('1');
@@ -185,7 +185,7 @@ test('a lesson is predicted, revealed and remembered', () => inWindow('#lesson=r
     await window.page.reload();
     await window.shown();
     assert.equal((await window.settings()).get('lesson'), 'rods');
-    assert.match(await window.stored('gamow/answers.json'), /rods/);
+    assert.match(await window.stored('gamow/answers/rods.json'), /rods/);
 }));
 
 test('a link leads to the same state', () => inWindow('#beta=0.99&scene=wheel&colour=glowing', async window => {
