@@ -31,10 +31,7 @@ impl AnswersFiles {
 
     /// Whether `answers` has an answer that nobody has tried to write.
     pub fn lacks_an_answer(&self, answers: &Answers) -> bool {
-        let is_tried = |way: &LessonProgress| {
-            self.attempted.of(way.key()).is_some_and(|attempted| attempted.is_as_far_as(way))
-        };
-        !answers.all().all(is_tried)
+        answers.all().any(|way| way.is_further_than(self.attempted.of(way.key())))
     }
 
     /// Whether `answers` has an entry that nobody has tried to write, be it half entered.
@@ -79,7 +76,7 @@ impl AnswersFiles {
             let new = || KeptFile::new(self.folder.join(file_name(way.key())));
             let file = self.files.entry(way.key().to_owned()).or_insert_with(new);
             let text = serde_json::to_string(way).unwrap_or_default() + "\n";
-            if !file.holds(&text) && file.was_replaced() {
+            if !file.holds(&text) && file.was_changed(&text) {
                 let begin = "Another window has written answers in this lesson since; those of this window replace them.";
                 replaced.push(format!("{begin} {}", file.set_aside()));
             }

@@ -74,9 +74,10 @@ impl KeptFile {
         self.known.as_deref() == Some(text)
     }
 
-    /// Returns whether another window or program has written it since this window read or wrote it.
-    pub fn was_replaced(&self) -> bool {
-        files::is_there(&self.path) && files::read_to_string(&self.path).ok() != self.known
+    /// Returns whether another window or program has written something else than `text` there since this window read or wrote it.
+    pub fn was_changed(&self, text: &str) -> bool {
+        let there = files::read_to_string(&self.path).ok();
+        files::is_there(&self.path) && there != self.known && there.as_deref() != Some(text)
     }
 
     /// Writes `text`, unless this window has left it there already.

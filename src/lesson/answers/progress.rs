@@ -52,8 +52,18 @@ impl LessonProgress {
     /// Returns whether anything was done in the lesson.
     #[must_use]
     pub fn is_begun(&self) -> bool {
-        let is_answered = self.steps.iter().any(|step| step.record != Record::default());
-        self.place != Place::START || self.draft.is_some() || is_answered
+        self.draft.is_some() || self.is_further_than(None)
+    }
+
+    /// Returns whether the answers or the place are others than those `known`, whatever is being entered.
+    #[must_use]
+    pub fn is_further_than(&self, known: Option<&Self>) -> bool {
+        match known {
+            Some(known) => (self.place, &self.steps) != (known.place, &known.steps),
+            None => {
+                self.place != Place::START || self.steps.iter().any(|step| step.record != Record::default())
+            }
+        }
     }
 
     /// Returns the place that was reached.
@@ -76,12 +86,6 @@ impl LessonProgress {
         let step = lesson.steps.get(place.step).filter(|_| place == self.place);
         let Some(asked) = step.and_then(|step| step.prediction.as_ref()) else { return (None, None) };
         (self.draft.clone().filter(|answer| answer.fits(&asked.kind)), self.confidence)
-    }
-
-    /// Returns whether the answers and the place are those of `other`, whatever is being entered.
-    #[must_use]
-    pub fn is_as_far_as(&self, other: &Self) -> bool {
-        (self.place, &self.steps) == (other.place, &other.steps)
     }
 }
 
