@@ -65,7 +65,7 @@ use eframe::egui::{self, Ui};
 use eframe::egui_wgpu::RenderState;
 use relativity_render::Geometry;
 
-use command::{Command, GazeCommand};
+use command::Command;
 use file_dialog::Chooser;
 use files::reader::Reader;
 #[cfg(feature = "desktop")]
@@ -75,7 +75,7 @@ use gpu_errors::GpuErrors;
 use panels::plots::Plotted;
 use persistence::Keeper;
 use plots::curves::QuantityCurves;
-use riding::saddle::{PushDirection, RideCommand};
+use riding::saddle::RideCommand;
 use saving::Saver;
 use screens::full_screen::FullScreen;
 use screens::other_screen::Screen;
@@ -247,19 +247,6 @@ impl App {
         }
     }
 
-    /// The direction in which keys or a game controller push whoever rides; a controller looks around in this `step` of the wall clock,
-    /// seconds, too.
-    fn pushed(&mut self, ctx: &egui::Context, step: f64) -> Option<PushDirection> {
-        let held = riding::keys::held(ctx, &self.state);
-        let sticks =
-            self.state.document.settings.ride.is_on().then(gamow_platform::controller::sticks).flatten();
-        let Some(sticks) = sticks else { return held };
-        if let Some(turned) = riding::controller::looked(&sticks, step) {
-            self.ask(Command::Gaze(GazeCommand::Aside(turned)));
-        }
-        held.or_else(|| riding::controller::pushed(&sticks))
-    }
-
     /// Brings the curves up to date; those that still hold are kept.
     fn update_curves(&mut self) {
         self.curves = self
@@ -295,7 +282,7 @@ impl eframe::App for App {
             keeper.keep_on(&mut self.state, ctx);
         }
         let step = f64::from(ctx.input(|input| input.stable_dt));
-        let pushed = self.pushed(ctx, step);
+        let pushed = riding::keys::held(ctx, &self.state);
         self.state.advance(step, pushed.is_some());
         if let Some(direction) = pushed {
             self.ask(Command::Ride(RideCommand::Push(direction, self.state.frame.step)));

@@ -129,19 +129,6 @@ const table = text => {
     return rows.map(row => Object.fromEntries(head.map((name, i) => [name, row[i]])));
 };
 
-test('a game controller pedals, and looks around', () => inWindow('#scene=street', async window => {
-    await window.press('i');
-    await eventually('a ride', async () => (await window.settings()).get('ride') === 'coast');
-    const gaze = (await window.settings()).get('gaze');
-    // A controller in hand, with the left stick ahead and the right one to the right.
-    await window.page.evaluate(() => {
-        const held = Object.create(Gamepad.prototype, { connected: { value: true }, axes: { value: [0, -1, 0.8, 0] } });
-        navigator.getGamepads = () => [null, held];
-    });
-    await eventually('a push', async () => /@0\.25$/.test((await window.settings()).get('ride')));
-    await eventually('another gaze', async () => (await window.settings()).get('gaze') !== gaze);
-}));
-
 test('keys walk, each its own way', () => inWindow('#scene=street&refine=off', async window => {
     await window.press('i');
     await eventually('a ride', async () => (await window.settings()).get('ride') === 'coast');

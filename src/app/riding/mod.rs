@@ -1,7 +1,6 @@
 //! Riding in the window: getting on and off, pedals and brakes, and the instruments.
 
 pub mod comfort;
-pub mod controller;
 pub mod keys;
 pub mod saddle;
 

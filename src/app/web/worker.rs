@@ -1,5 +1,4 @@
 //! Work in the background of a page, by the names that it has on the desktop.
 
 pub use super::background_work::BackgroundWork;
-pub use super::page_worker::Worker;
 pub use crate::app::steps::{StepOutcome, Wanted, Work};
