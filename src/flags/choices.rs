@@ -13,6 +13,14 @@ pub use super::compare::Compare;
 pub use super::layout::{Form, Layout, Swapped};
 use super::within;
 
+/// Returns the choice `steps` further than `choice` in the list of all, or back; after the last comes the first.
+#[must_use]
+pub fn further<C: ValueEnum + PartialEq>(choice: &C, steps: isize) -> C {
+    let all = C::value_variants();
+    let place = all.iter().position(|one| one == choice).unwrap_or_default();
+    all[(place.cast_signed() + steps).rem_euclid(all.len().cast_signed()).cast_unsigned()].clone()
+}
+
 /// The choice of a renderer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]

@@ -90,13 +90,6 @@ impl Layout {
         }
     }
 
-    /// Returns the layout `steps` further in the list, or back; after the last comes the first.
-    #[must_use]
-    pub fn further(self, steps: isize) -> Self {
-        let all = Self::value_variants();
-        all[(self as isize + steps).rem_euclid(all.len().cast_signed()).cast_unsigned()]
-    }
-
     /// Whether the layout shows both eyes.
     #[must_use]
     pub const fn has_both(self) -> bool {

@@ -58,74 +58,44 @@ pub fn field_of_view(text: &str) -> Result<f64, String> {
     within(FIELD_OF_VIEW)(text).map_err(|reason| reason + " degrees")
 }
 
-/// A horizontal field of view, degrees, or `auto`.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct FieldOfView(pub Option<f64>);
-
-impl FromStr for FieldOfView {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        if text == "auto" { Ok(Self(None)) } else { field_of_view(text).map(|degrees| Self(Some(degrees))) }
-    }
-}
-
-impl Serialize for FieldOfView {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        number_or_auto(self.0, serializer)
-    }
-}
-
-/// A number, or the word for none.
-fn number_or_auto<S: Serializer>(value: Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
-    match value {
-        Some(value) => serializer.serialize_f64(value),
-        None => serializer.serialize_str("auto"),
-    }
-}
-
-/// `auto`, or a number inside `range`.
-fn auto_or_within(text: &str, range: RangeInclusive<f64>) -> Result<Option<f64>, String> {
-    if text == "auto" { Ok(None) } else { within(range)(text).map(Some) }
-}
-
-/// The width of a screen, cm, or `auto`.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct ScreenWidth(pub Option<f64>);
-
 /// Narrowest and widest screen, cm.
 pub const SCREEN_CM: RangeInclusive<f64> = 1.0..=100_000.0;
 
-impl FromStr for ScreenWidth {
-    type Err = String;
+/// Defines numbers that may be left open, each with its parser.
+macro_rules! numbers_or_auto {
+    ($($(#[$doc:meta])* $name:ident: $parser:expr;)*) => {$(
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Default)]
+        pub struct $name(pub Option<f64>);
 
-    fn from_str(text: &str) -> Result<Self, String> {
-        auto_or_within(text, SCREEN_CM).map(Self)
-    }
+        impl FromStr for $name {
+            type Err = String;
+
+            fn from_str(text: &str) -> Result<Self, String> {
+                if text == "auto" { Ok(Self(None)) } else { $parser(text).map(|number| Self(Some(number))) }
+            }
+        }
+
+        impl Serialize for $name {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                match self.0 {
+                    Some(number) => serializer.serialize_f64(number),
+                    None => serializer.serialize_str("auto"),
+                }
+            }
+        }
+    )*};
 }
 
-impl Serialize for ScreenWidth {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        number_or_auto(self.0, serializer)
-    }
-}
-
-/// A part of a whole, from 0 to 1, or `auto`.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Share(pub Option<f64>);
-
-impl FromStr for Share {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        auto_or_within(text, 0.0..=1.0).map(Self)
-    }
-}
-
-impl Serialize for Share {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        number_or_auto(self.0, serializer)
-    }
+numbers_or_auto! {
+    /// A horizontal field of view, degrees, or `auto`.
+    FieldOfView: field_of_view;
+    /// The width of a screen, cm, or `auto`.
+    ScreenWidth: within(SCREEN_CM);
+    /// A part of a whole, from 0 to 1, or `auto`.
+    Share: within(0.0..=1.0);
+    /// An exposure, factors of 2, or `auto`.
+    Exposure: within(EXPOSURE_EV);
 }
 
 /// Coordinates of a place: no body of a scene reaches further.
@@ -204,26 +174,8 @@ impl Serialize for IntensityExponent {
     }
 }
 
-/// An exposure, factors of 2, or `auto`.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Exposure(pub Option<f64>);
-
 /// Dimmest and brightest exposure, factors of 2.
 pub const EXPOSURE_EV: RangeInclusive<f64> = -100.0..=100.0;
-
-impl FromStr for Exposure {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        auto_or_within(text, EXPOSURE_EV).map(Self)
-    }
-}
-
-impl Serialize for Exposure {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        number_or_auto(self.0, serializer)
-    }
-}
 
 /// Lowest and highest temperature of what glows, K.
 pub const TEMPERATURE_K: RangeInclusive<f64> = 300.0..=100_000.0;

@@ -73,8 +73,7 @@ impl FontFace {
         Some(f32::from(font.metrics(Size::unscaled(), LocationRef::default()).units_per_em))
     }
 
-    /// Returns the advance of a character, em.
-    #[cfg(test)]
+    /// Returns the advance of a character, em; `None` if the font lacks it.
     pub(super) fn advance(self, character: char) -> Option<f32> {
         let font = self.font()?;
         let location = LocationRef::default();

@@ -5,6 +5,7 @@
 
 mod faces;
 pub mod markdown;
+pub mod outlines;
 mod svg;
 #[cfg(test)]
 mod tests;

@@ -23,7 +23,7 @@ mod verdict;
 pub mod worksheet;
 
 pub use answer::{Answer, Confidence, Outcome, Record};
-pub use answers::{Answers, LessonProgress, Timestamp};
+pub use answers::{Answers, LessonProgress};
 pub use course::Course;
 pub use error::LessonError;
 pub use library::{Library, Refused};

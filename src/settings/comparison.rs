@@ -9,7 +9,7 @@ use thiserror::Error;
 use super::all::Settings;
 use super::sections::{LightSettings, LookSettings};
 use super::views::Subject;
-use crate::flags::choices::{Compare, Layout, ProjectionChoice};
+use crate::flags::choices::{Compare, Layout, ProjectionChoice, further};
 use crate::flags::{Exposure, IntensityExponent};
 use crate::number_text;
 use crate::scene::Scene;
@@ -99,9 +99,9 @@ impl Settings {
         if self.check_two_pictures().is_err() {
             self.picture.layout = Layout::SideBySide;
         }
-        self.look.compare = self.look.compare.further(1);
+        self.look.compare = further(&self.look.compare, 1);
         while self.check_comparison().is_err() {
-            self.look.compare = self.look.compare.further(1);
+            self.look.compare = further(&self.look.compare, 1);
         }
     }
 

@@ -2,7 +2,6 @@
 
 pub mod film;
 mod layout;
-mod letters;
 mod painter;
 mod sheet;
 mod timings;

@@ -3,7 +3,7 @@
 
 use relativity_render::Picture;
 
-use super::{letters, writing};
+use super::writing;
 use crate::eye_colours;
 use crate::flags::choices::Form;
 use crate::settings::PictureSettings as Settings;
@@ -149,14 +149,13 @@ impl Sheet {
         let half = 0.5 * f64::from(self.strip);
         let middle = [f64::from(x) + 0.5 * f64::from(self.eye_size[0]), f64::from(y) - half];
         let height = LETTER * f64::from(self.strip);
-        match (&labels.compared, labels.ink) {
-            _ if self.strip == 0 => {}
-            (None, ink) => letters::draw(sheet, &letters::OF_EYES[eye], middle, height, ink.letters[eye]),
-            // Both are the left eye's.
-            (Some(names), ink) => {
-                let room = f64::from(self.eye_size[0]);
-                writing::draw(sheet, &names[eye], middle, [room, height], ink.letters[0]);
-            }
+        // Both pictures that are compared are the left eye's.
+        let (text, colour) = match &labels.compared {
+            None => (["L", "R"][eye], labels.ink.letters[eye]),
+            Some(names) => (&*names[eye], labels.ink.letters[0]),
+        };
+        if self.strip > 0 {
+            writing::draw(sheet, text, middle, [f64::from(self.eye_size[0]), height], colour);
         }
     }
 

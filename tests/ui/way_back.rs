@@ -7,7 +7,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::commands::{PlaybackCommand, PointsCommand, SettingsCommand, ShowCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
-use gamow::flags::choices::{GazeChoice, Layout};
+use gamow::flags::choices::{GazeChoice, Layout, further};
 use gamow::settings::{MotionSettings, Settings};
 
 use super::Test;
@@ -76,10 +76,10 @@ fn a_run_of_nudges_is_one_step() {
     }
     press(&mut window, Modifiers::NONE, Key::L);
     press(&mut window, Modifiers::NONE, Key::L);
-    assert_eq!(settings(&window).picture.layout, Layout::SideBySide.further(2));
+    assert_eq!(settings(&window).picture.layout, further(&Layout::SideBySide, 2));
     for steps in [1, 0] {
         press(&mut window, Modifiers::COMMAND, Key::Z);
-        assert_eq!(settings(&window).picture.layout, Layout::SideBySide.further(steps));
+        assert_eq!(settings(&window).picture.layout, further(&Layout::SideBySide, steps));
     }
     assert!(settings(&window).speed().beta() > 0.9);
     press(&mut window, Modifiers::COMMAND, Key::Z);

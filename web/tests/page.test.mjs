@@ -82,7 +82,7 @@ test('a newcomer makes the first prediction on a phone, by touch', () => inWindo
     });
     const [begin, choice, predict] = PHONE;
     await tapped('the lesson', [begin], async () => (await window.settings()).get('lesson') === 'rods');
-    const answers = await tapped('an answer', [choice, predict], () => window.stored('gamow/answers.json'));
+    const answers = await tapped('an answer', [choice, predict], () => window.stored('gamow/answers/rods.json'));
     assert.match(answers, /Choice|choice/);
 }));
 
@@ -129,19 +129,6 @@ const table = text => {
     return rows.map(row => Object.fromEntries(head.map((name, i) => [name, row[i]])));
 };
 
-test('a game controller pedals, and looks around', () => inWindow('#scene=street', async window => {
-    await window.press('i');
-    await eventually('a ride', async () => (await window.settings()).get('ride') === 'coast');
-    const gaze = (await window.settings()).get('gaze');
-    // A controller in hand, with the left stick ahead and the right one to the right.
-    await window.page.evaluate(() => {
-        const held = Object.create(Gamepad.prototype, { connected: { value: true }, axes: { value: [0, -1, 0.8, 0] } });
-        navigator.getGamepads = () => [null, held];
-    });
-    await eventually('a push', async () => /@0\.25$/.test((await window.settings()).get('ride')));
-    await eventually('another gaze', async () => (await window.settings()).get('gaze') !== gaze);
-}));
-
 test('keys walk, each its own way', () => inWindow('#scene=street&refine=off', async window => {
     await window.press('i');
     await eventually('a ride', async () => (await window.settings()).get('ride') === 'coast');
@@ -177,7 +164,7 @@ test('a lesson is predicted, revealed and remembered', () => inWindow('#lesson=r
     await window.rest(1500);
     await window.press('3');
     await window.press('PageDown');
-    const answers = await eventually('an answer', () => window.stored('gamow/answers.json'));
+    const answers = await eventually('an answer', () => window.stored('gamow/answers/rods.json'));
     assert.match(answers, /rods/);
     await window.rest(6000);
     await window.press('1');
@@ -185,7 +172,7 @@ test('a lesson is predicted, revealed and remembered', () => inWindow('#lesson=r
     await window.page.reload();
     await window.shown();
     assert.equal((await window.settings()).get('lesson'), 'rods');
-    assert.match(await window.stored('gamow/answers.json'), /rods/);
+    assert.match(await window.stored('gamow/answers/rods.json'), /rods/);
 }));
 
 test('a link leads to the same state', () => inWindow('#beta=0.99&scene=wheel&colour=glowing', async window => {

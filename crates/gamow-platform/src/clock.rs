@@ -8,13 +8,6 @@ use std::time as source;
 #[cfg(not(feature = "desktop"))]
 use web_time as source;
 
-/// Returns the date, milliseconds since 1970.
-#[must_use]
-pub fn since_1970_ms() -> u64 {
-    let passed = source::SystemTime::now().duration_since(source::SystemTime::UNIX_EPOCH);
-    passed.map_or(0, |passed| passed.as_millis() as u64)
-}
-
 /// A moment of the wall clock, from which elapsed time is measured.
 #[derive(Debug, Clone, Copy)]
 pub struct Instant(source::Instant);

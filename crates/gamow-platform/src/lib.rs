@@ -1,5 +1,5 @@
 //! The platform: everything that the system provides, each thing in one module, which decides what a platform lacks: the clock, files,
-//! locks, threads, interrupts, being ended, limits, what names of files mean, a game controller, the environment, the standard streams, a
+//! locks, threads, interrupts, being ended, limits, what names of files mean, the environment, the standard streams, a
 //! terminal, how much memory a file may ask for, and messages to another instance of the program.
 //!
 //! With the feature `desktop` it is an operating system's, without it a browser's; both have the same names.
@@ -16,8 +16,6 @@ compile_error!(
 pub mod clock;
 #[cfg(feature = "desktop")]
 pub mod closed;
-#[cfg(feature = "desktop")]
-pub mod controller;
 pub mod environment;
 pub mod files;
 #[cfg(feature = "desktop")]
@@ -34,14 +32,13 @@ pub mod names;
 pub mod progress;
 pub mod shared;
 pub mod sizes;
-pub mod sticks;
 #[cfg(feature = "desktop")]
 pub mod threads;
 #[cfg(not(feature = "desktop"))]
 pub mod web;
 
 #[cfg(not(feature = "desktop"))]
-pub use web::{controller, instances::note, locks, threads};
+pub use web::{instances::note, locks, threads};
 
 /// Sends a note on the job under way to another instance of the program; a desktop has one.
 #[cfg(feature = "desktop")]

@@ -5,17 +5,10 @@
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io;
 use std::path::Path;
-use std::time::Duration;
-
-use super::clock::Instant;
-use super::threads;
 
 /// A lock that is held until it is dropped.
 #[derive(Debug)]
 pub struct Lock(#[expect(dead_code, reason = "the system ties the lock to the open file")] File);
-
-/// Time between two attempts at a lock that another program holds.
-const PAUSE: Duration = Duration::from_millis(5);
 
 /// Takes the lock on the file at `path`, which is created if it is missing; `None` if another program holds it. The file system may
 /// have no locks: then everybody gets one.
@@ -30,23 +23,6 @@ pub fn try_lock(path: &Path) -> io::Result<Option<Lock>> {
     }
 }
 
-/// Takes the lock on the file at `path`, and waits for another program to give it back, but no longer than `longest`.
-///
-/// # Errors
-/// A file that cannot be opened, or a lock that is held all the time.
-pub fn lock(path: &Path, longest: Duration) -> io::Result<Lock> {
-    let begin = Instant::now();
-    loop {
-        if let Some(lock) = try_lock(path)? {
-            return Ok(lock);
-        }
-        if begin.elapsed() >= longest {
-            return Err(io::Error::new(io::ErrorKind::WouldBlock, "another program holds it"));
-        }
-        threads::sleep(PAUSE);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -57,10 +33,8 @@ mod tests {
         let path = folder.path().join("a.lock");
         let first = try_lock(&path).expect("it can be opened").expect("nobody holds it");
         assert!(try_lock(&path).expect("it can be opened").is_none());
-        let refused = lock(&path, Duration::from_millis(20)).expect_err("it is held");
-        assert_eq!(refused.kind(), io::ErrorKind::WouldBlock);
         drop(first);
-        assert!(lock(&path, Duration::ZERO).is_ok());
+        assert!(try_lock(&path).expect("it can be opened").is_some());
         assert!(try_lock(&folder.path().join("missing/a.lock")).is_err());
     }
 }

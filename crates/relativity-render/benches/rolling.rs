@@ -98,8 +98,8 @@ fn wheel(hub: [f64; 3]) -> impl Iterator<Item = Body> {
         tube(place(0.447, 0.2, 0.0), place(0.37, 0.2, 0.0), 0.007),
     ];
     let spin = Spin { hub, radius: 0.525, turning: Turning::Rolling };
-    let tyre =
-        Body::new(ring(0.493, 0.032), 650.0).with_pattern(Pattern::Stripes { step: TAU * 0.493 / 31.0 });
+    let pattern = Pattern::Stripes { step: TAU * 0.493 / 31.0 };
+    let tyre = Body { pattern, ..Body::new(ring(0.493, 0.032), 650.0) };
     let others = parts.into_iter().chain((0..SPOKES).map(spoke)).map(|shape| Body::new(shape, 650.0));
     [tyre].into_iter().chain(others).map(move |body| body.turning(spin))
 }

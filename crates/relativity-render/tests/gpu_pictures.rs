@@ -80,7 +80,7 @@ fn patterns_are_the_references(renderers: &mut Renderers) {
     let emission = Appearance { shading: Shading::Emission, sky: false, ..Appearance::default() };
     let appearances = [emission, Appearance { intensity_exponent: None, doppler_shift: false, ..emission }];
     for (seed, pattern) in (0..).step_by(100).zip(PATTERNS) {
-        let marked = patterned_life().into_iter().map(|body| body.with_pattern(pattern));
+        let marked = patterned_life().into_iter().map(|body| Body { pattern, ..body });
         let scene = PreparedScene::moving(&marked.collect::<Vec<_>>());
         agree_with_the_reference(renderers, &scene, &appearances, (seed, 2));
     }

@@ -48,8 +48,8 @@ fn picture(body: Body, view: &View) -> Picture {
 }
 
 fn globe() -> Body {
-    Body::white(Shape::Sphere { center: [0.0, FAR, 0.0], radius: 1.0 })
-        .with_pattern(Pattern::Graticule { step_degrees: 15.0 })
+    let pattern = Pattern::Graticule { step_degrees: 15.0 };
+    Body { pattern, ..Body::white(Shape::Sphere { center: [0.0, FAR, 0.0], radius: 1.0 }) }
 }
 
 /// Sum of the differences of two pictures, levels.
@@ -88,7 +88,7 @@ fn the_middle_of_a_globe_abeam_at_0_8_c_lies_53_1_degrees_from_what_faces_the_ey
 
 fn die() -> Body {
     let shape = Shape::Box { center: [0.0, FAR, 0.0], half: [0.5; 3], turn: [0.0, 0.0, 0.0, 1.0] };
-    Body::white(shape).with_pattern(Pattern::Faces)
+    Body { pattern: Pattern::Faces, ..Body::white(shape) }
 }
 
 /// Returns the number of spots the size of a pip that are dark and surrounded by light.
@@ -152,7 +152,7 @@ fn stripes_stand_at_their_spacing() {
     view.camera.horizontal_fov = 0.8;
     view.camera.size = [601, 3];
     for shape in [Shape::Tube { from, to, radius }, Shape::Cylinder { from, to, radius }, cuboid] {
-        let body = Body::white(shape).with_pattern(Pattern::Stripes { step: spacing });
+        let body = Body { pattern: Pattern::Stripes { step: spacing }, ..Body::white(shape) };
         let picture = picture(body, &view);
         for k in 1..16 {
             let edge = DVec3::new(-1.0 + spacing * f64::from(k), 2.95, 0.0);

@@ -25,7 +25,7 @@ fn wheel() -> PreparedScene {
         let to = HUB + 0.45 * DVec3::new(cosine, 0.0, sine);
         Body::new(Shape::Tube { from: HUB.to_array(), to: to.to_array(), radius: 0.02 }, 560.0)
     };
-    let tyre = Body::new(tyre, 600.0).with_pattern(Pattern::Chequer { step: 0.1 });
+    let tyre = Body { pattern: Pattern::Chequer { step: 0.1 }, ..Body::new(tyre, 600.0) };
     let bodies: Vec<_> =
         [tyre].into_iter().chain((0..10).map(spoke)).map(|body| body.turning(spin)).collect();
     PreparedScene::moving(&bodies)

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use gamow_platform::clock as wall_clock;
 use relativity_render::Gaze;
 
 use crate::app::state::State;
@@ -93,7 +92,6 @@ impl State {
             LessonCommand::SetUp => self.set_up(),
             LessonCommand::BeginAnew => {
                 course.begin_anew();
-                self.session.answers.clear(course.lesson(), wall_clock::since_1970_ms());
                 self.set_up();
             }
             LessonCommand::Close => self.close_lesson(),
@@ -112,14 +110,14 @@ impl State {
     /// Notes what was entered in the open lesson since it was as `before`.
     pub(in crate::app) fn note_answers(&mut self, before: &Course) {
         if let Some(running) = &self.session.lesson {
-            self.session.answers.note(before, &running.course, wall_clock::since_1970_ms());
+            self.session.answers.note(before, &running.course);
         }
     }
 
-    /// Adds the `answers` that were kept, by an earlier window or by another one. Some may be of the lesson that is open: it
-    /// takes them up if nothing has been done in it yet.
+    /// Takes the `answers` that an earlier window has kept. Some may be of the lesson that is open: it takes them up if
+    /// nothing has been done in it yet.
     pub fn recall_answers(&mut self, answers: &Answers) {
-        self.session.answers.merge(answers);
+        self.session.answers.clone_from(answers);
         let Some(running) = &mut self.session.lesson else { return };
         let way = self.session.answers.progress(running.course.lesson());
         if let Some(way) = way.filter(|_| running.course.is_untouched()) {

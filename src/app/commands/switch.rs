@@ -1,6 +1,7 @@
 //! Settings that a key or a button gives their next value.
 
 use crate::app::state::State;
+use crate::flags::choices::further;
 use crate::settings::{MapFrame, MapSettings, Presence};
 
 /// A setting that is given its next value.
@@ -42,7 +43,7 @@ impl State {
                 picture.swapped = picture.swapped.toggled(picture.layout);
             }
             Switch::Comparison => settings.compare_next(),
-            Switch::Layout(steps) => settings.picture.layout = settings.picture.layout.further(steps),
+            Switch::Layout(steps) => settings.picture.layout = further(&settings.picture.layout, steps),
             Switch::Map => {
                 let is_shown = self.frame.shows_map;
                 settings.window.map = if is_shown { Presence::Off } else { Presence::On };

@@ -29,9 +29,9 @@ use eframe::egui_wgpu::RenderState;
 use relativity_render::Geometry;
 
 use crate::app::commands::file_dialog::Chooser;
-use crate::app::commands::riding::{controller, keys};
+use crate::app::commands::riding::keys;
 use crate::app::commands::saving::Saver;
-use crate::app::commands::{Command, FileCommand, GazeCommand};
+use crate::app::commands::{Command, FileCommand};
 use crate::app::panels;
 use crate::app::panels::plots::Plotted;
 use crate::app::shell::full_screen::FullScreen;
@@ -42,7 +42,7 @@ use crate::app::state::State;
 use crate::app::state::files::reader::Reader;
 use crate::app::state::fitting::Fitting;
 use crate::app::state::plots::curves::QuantityCurves;
-use crate::app::state::riding::saddle::{PushDirection, RideCommand};
+use crate::app::state::riding::saddle::RideCommand;
 use crate::app::tools::aids;
 use crate::app::tools::gpu_errors::GpuErrors;
 use crate::app::tools::watch::Watch;
@@ -214,19 +214,6 @@ impl App {
         }
     }
 
-    /// The direction in which keys or a game controller push whoever rides; a controller looks around in this `step` of the wall clock,
-    /// seconds, too.
-    fn pushed(&mut self, ctx: &egui::Context, step: f64) -> Option<PushDirection> {
-        let held = keys::held(ctx, &self.state);
-        let sticks =
-            self.state.document.settings.ride.is_on().then(gamow_platform::controller::sticks).flatten();
-        let Some(sticks) = sticks else { return held };
-        if let Some(turned) = controller::looked(&sticks, step) {
-            self.run(GazeCommand::Aside(turned));
-        }
-        held.or_else(|| controller::pushed(&sticks))
-    }
-
     /// Brings the curves up to date; those that still hold are kept.
     fn update_curves(&mut self) {
         self.curves = self
@@ -262,7 +249,7 @@ impl eframe::App for App {
             self.state.keep_in(keeper, ctx);
         }
         let step = f64::from(ctx.input(|input| input.stable_dt));
-        let pushed = self.pushed(ctx, step);
+        let pushed = keys::held(ctx, &self.state);
         self.state.advance(step, pushed.is_some());
         if let Some(direction) = pushed {
             self.run(RideCommand::Push(direction, self.state.frame.step));

@@ -5,18 +5,26 @@ use std::time::Duration;
 use eframe::egui::Context;
 use gamow_platform::clock::Instant;
 
-/// Time without a change after which something counts as still.
+/// Time without a change after which something counts as still by default.
 const REST: Duration = Duration::from_millis(150);
 
 /// When something last changed.
 #[derive(Debug)]
 pub struct Debounce<K> {
+    rest: Duration,
     last: Option<(K, Instant)>,
 }
 
 impl<K> Default for Debounce<K> {
     fn default() -> Self {
-        Self { last: None }
+        Self::after(REST)
+    }
+}
+
+impl<K> Debounce<K> {
+    /// Counts something as still after this time without a change.
+    pub const fn after(rest: Duration) -> Self {
+        Self { rest, last: None }
     }
 }
 
@@ -28,7 +36,7 @@ impl<K: Clone + PartialEq> Debounce<K> {
             Some((last, since)) if last == key => *since,
             _ => self.last.insert((key.clone(), Instant::now())).1,
         };
-        let rest = REST.saturating_sub(since.elapsed());
+        let rest = self.rest.saturating_sub(since.elapsed());
         if !rest.is_zero() {
             ctx.request_repaint_after(rest);
         }

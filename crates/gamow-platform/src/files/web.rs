@@ -124,7 +124,11 @@ pub const fn create_folder(_: &Path) -> io::Result<()> {
 
 /// Returns the paths in the folder `path`, in alphabetical order.
 pub fn list_folder(path: &Path) -> io::Result<Vec<PathBuf>> {
-    Ok(GIVEN.with_borrow(|given| given.keys().filter(|file| file.parent() == Some(path)).cloned().collect()))
+    let mut files: Vec<_> = GIVEN.with_borrow(|given| given.keys().cloned().collect());
+    files.extend(storage::names().into_iter().map(PathBuf::from).filter(|file| file.starts_with(KEPT)));
+    files.retain(|file| file.parent() == Some(path));
+    files.sort();
+    Ok(files)
 }
 
 /// Whether there is a folder at `path`: never.

@@ -2,7 +2,6 @@
 
 use std::io;
 use std::path::Path;
-use std::time::Duration;
 
 /// A lock that is held until it is dropped.
 #[derive(Debug)]
@@ -14,12 +13,4 @@ pub struct Lock(());
 /// None.
 pub fn try_lock(_: &Path) -> io::Result<Option<Lock>> {
     Ok(Some(Lock(())))
-}
-
-/// Takes a lock at once, since nobody else can hold it.
-///
-/// # Errors
-/// None.
-pub fn lock(_: &Path, _: Duration) -> io::Result<Lock> {
-    Ok(Lock(()))
 }

@@ -1,6 +1,5 @@
 //! The browser in place of an operating system: the page, its storage, downloads, and time between two frames.
 
-pub mod controller;
 pub mod download;
 pub mod instances;
 pub mod locks;

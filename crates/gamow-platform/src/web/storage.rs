@@ -17,6 +17,14 @@ pub fn write(name: &str, text: &str) -> io::Result<()> {
     storage().ok_or_else(refused)?.set_item(name, text).map_err(|_| refused())
 }
 
+/// Returns the names of all texts.
+#[must_use]
+pub fn names() -> Vec<String> {
+    let Some(storage) = storage() else { return Vec::new() };
+    let count = storage.length().unwrap_or_default();
+    (0..count).filter_map(|number| storage.key(number).ok()?).collect()
+}
+
 /// Removes the text called `name`.
 pub fn remove(name: &str) {
     if let Some(storage) = storage() {

@@ -36,12 +36,6 @@ pub struct Broad {
 }
 
 impl Broad {
-    /// log2 of the luminance, in those units.
-    #[must_use]
-    pub fn log2_luminance(&self) -> f64 {
-        self.log2_level + log2(luminance(self.hue))
-    }
-
     /// Returns the stimulus of a spectrum whose natural logarithm at a wavelength (nm) is `ln_power`: summed relative to the largest, so that
     /// nothing overflows or is lost.
     fn new(ln_power: impl Fn(f64) -> f64) -> Self {

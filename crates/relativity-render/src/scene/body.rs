@@ -109,12 +109,6 @@ impl Body {
         Self { triangles: Some(triangles), ..Self::white(shape) }
     }
 
-    /// The body with this `pattern`.
-    #[must_use]
-    pub fn with_pattern(self, pattern: Pattern) -> Self {
-        Self { pattern, ..self }
-    }
-
     /// The body, turning so.
     #[must_use]
     pub fn turning(self, spin: Spin) -> Self {

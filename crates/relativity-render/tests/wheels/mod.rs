@@ -42,10 +42,10 @@ pub fn wheel() -> Vec<Body> {
         ring(0.46, 0.008),
         Shape::Tube { from: place(0.0, 0.0, -0.05), to: place(0.0, 0.0, 0.05), radius: 0.02 },
     ];
-    let tyre = Pattern::Stripes { step: TAU * 0.48 / 24.0 };
+    let pattern = Pattern::Stripes { step: TAU * 0.48 / 24.0 };
     let shapes = round.into_iter().chain([valve]).chain((0..SPOKES).map(spoke));
     let bodies = shapes.map(|shape| Body::new(shape, 600.0).turning(SPIN));
-    bodies.enumerate().map(|(i, body)| if i == 0 { body.with_pattern(tyre) } else { body }).collect()
+    bodies.enumerate().map(|(i, body)| if i == 0 { Body { pattern, ..body } } else { body }).collect()
 }
 
 /// The place of a camera, in the wheel's rest frame.

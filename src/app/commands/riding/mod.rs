@@ -1,6 +1,5 @@
 //! Riding in the window: getting on and off, pedals and brakes.
 
-pub mod controller;
 pub mod keys;
 
 use relativity_core::math;

@@ -1,105 +1,97 @@
-//! The file of the answers that were given in lessons. Each answer is written when it is given, after what another window has
-//! written meanwhile has been merged with it.
+//! The files of the answers that were given in lessons, one for each lesson. Each answer is written when it is given; of two windows in
+//! one lesson the later one's answers count, and it says so.
 
+use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
-use gamow_platform::{files, locks};
+use gamow_platform::files;
 
 use super::kept_file::KeptFile;
-use crate::lesson::{Answers, Timestamp};
+use crate::lesson::{Answers, LessonProgress};
 
-/// The name of the file of answers.
-pub const NAME: &str = "answers.json";
-/// The file that is locked while it is read and written. It is another one, since each writing replaces the first.
-const LOCK: &str = "answers.lock";
-/// The longest wait for another window, which takes milliseconds to write.
-const LONGEST: Duration = Duration::from_secs(2);
+/// The name of the folder of these files.
+pub const FOLDER: &str = "answers";
 
-/// The file, and how much of it is written.
+/// The files of a folder, and how much of the answers is in them.
 #[derive(Debug)]
-pub struct AnswersFile {
-    file: KeptFile,
-    lock: PathBuf,
-    /// The date of the latest entry that was written.
-    written: Timestamp,
-    /// The dates of the latest answer and of the latest entry that there was an attempt to write.
-    attempted: [Timestamp; 2],
+pub struct AnswersFiles {
+    folder: PathBuf,
+    /// By the keys of their lessons.
+    files: BTreeMap<String, KeptFile>,
+    /// The answers that there was an attempt to write.
+    attempted: Answers,
 }
 
-impl AnswersFile {
-    /// The one in `folder`.
+impl AnswersFiles {
+    /// Those in `folder`.
     pub fn new(folder: &Path) -> Self {
-        Self { file: KeptFile::new(folder, NAME), lock: folder.join(LOCK), written: 0, attempted: [0; 2] }
+        Self { folder: folder.join(FOLDER), files: BTreeMap::new(), attempted: Answers::default() }
     }
 
     /// Whether `answers` has an answer that nobody has tried to write.
     pub fn lacks_an_answer(&self, answers: &Answers) -> bool {
-        answers.latest_answer() > self.attempted[0]
+        answers.all().any(|way| way.is_further_than(self.attempted.of(way.key())))
     }
 
     /// Whether `answers` has an entry that nobody has tried to write, be it half entered.
     pub fn lacks_an_entry(&self, answers: &Answers) -> bool {
-        answers.latest() > self.attempted[1]
+        self.attempted != *answers
     }
 
-    /// Whether `answers` has anything that is not written.
-    pub fn lacks_anything(&self, answers: &Answers) -> bool {
-        answers.latest() > self.written
-    }
-
-    /// Reads the answers that the last window has left, and a message if they cannot be read.
-    pub fn load(&mut self) -> (Answers, Option<String>) {
-        let (answers, message) = self.read();
-        self.written = answers.latest();
-        self.attempted = [answers.latest_answer(), self.written];
-        (answers, message)
-    }
-
-    fn read(&mut self) -> (Answers, Option<String>) {
-        let read = self.file.read().and_then(|text| match text {
-            Some(text) => {
-                Answers::of_text(&text).map_err(|problem| format!("it holds no answers ({problem})"))
-            }
-            None => Ok(Answers::default()),
-        });
-        match read {
-            Ok(answers) => (answers, None),
-            Err(problem) => {
-                let where_it_is = self.file.set_aside();
-                let text = format!(
-                    "This window starts without the answers in lessons: {}: {problem}. {where_it_is}",
-                    self.file.shown()
-                );
-                (Answers::default(), Some(text))
+    /// Reads the answers that the last window has left, and adds a message to `problems` for each file that holds none.
+    pub fn load(&mut self, problems: &mut Vec<String>) -> Answers {
+        let mut paths = files::list_folder(&self.folder).unwrap_or_default();
+        paths.retain(|path| path.extension().is_some_and(|ending| ending == "json"));
+        // Builds before the first release had one file for all lessons, which is moved aside.
+        paths.extend(Some(self.folder.with_extension("json")).filter(|old| files::is_there(old)));
+        for path in paths {
+            let mut file = KeptFile::new(path);
+            let read = file.read().and_then(|text| {
+                serde_json::from_str::<LessonProgress>(&text.unwrap_or_default())
+                    .map_err(|problem| format!("it holds no answers ({problem})"))
+            });
+            match read {
+                Ok(way) => {
+                    self.files.insert(way.key().to_owned(), file);
+                    self.attempted.set(way);
+                }
+                Err(problem) => {
+                    let begin = "This window starts without the answers in";
+                    problems.push(format!("{begin} {}: {problem}. {}", file.shown(), file.set_aside()));
+                }
             }
         }
+        self.attempted.clone()
     }
 
-    /// Merges `answers` with those in the file, and writes both. Also gives a message if the file could not be read.
+    /// Writes `answers`, and adds a message to `replaced` for each file that another window has written since.
     ///
     /// # Errors
-    /// The path and the reason why they are not written; the file is then as it was.
-    pub fn merge(&mut self, answers: &mut Answers) -> Result<Option<String>, String> {
-        self.attempted = [answers.latest_answer(), answers.latest()];
-        // A folder that is not there is made when the file is written, which also says why it cannot be.
-        let _ = files::create_folder(files::folder_of(&self.lock));
-        let lock = match locks::lock(&self.lock, LONGEST) {
-            Err(error) if error.kind() == std::io::ErrorKind::WouldBlock => {
-                return Err(format!("{}: {error}", files::shown(&self.lock)));
+    /// The path and the reason why some are not written; that file is then as it was.
+    pub fn write(&mut self, answers: &Answers, replaced: &mut Vec<String>) -> Result<(), String> {
+        self.attempted = answers.clone();
+        let mut failure = None;
+        for way in answers.all() {
+            let new = || KeptFile::new(self.folder.join(file_name(way.key())));
+            let file = self.files.entry(way.key().to_owned()).or_insert_with(new);
+            let text = serde_json::to_string(way).unwrap_or_default() + "\n";
+            if !file.holds(&text) && file.was_changed(&text) {
+                let begin = "Another window has written answers in this lesson since; those of this window replace them.";
+                replaced.push(format!("{begin} {}", file.set_aside()));
             }
-            // Where there can be no lock, writing shows whether anything can be written.
-            lock => lock.ok(),
-        };
-        let (kept, message) = self.read();
-        answers.merge(&kept);
-        if !(answers.is_empty() && kept.is_empty()) {
-            self.file.write(&answers.to_text())?;
+            failure = file.write(&text).err().or(failure);
         }
-        drop(lock);
-        // Those of other windows, too, which are in the file already.
-        self.written = answers.latest();
-        self.attempted = [answers.latest_answer(), self.written];
-        Ok(message)
+        failure.map_or(Ok(()), Err)
     }
+}
+
+/// Returns the name of the file of the lesson with this `key`: a name of ours, or the path of somebody's own lesson.
+fn file_name(key: &str) -> String {
+    if key.chars().all(|letter| letter.is_ascii_lowercase() || letter == '-') {
+        return format!("{key}.json");
+    }
+    let mut hasher = DefaultHasher::new();
+    key.hash(&mut hasher);
+    format!("{:016x}.json", hasher.finish())
 }

@@ -2,7 +2,7 @@
 //! be read.
 
 use std::io::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use gamow_platform::files;
 
@@ -22,9 +22,9 @@ pub struct KeptFile {
 }
 
 impl KeptFile {
-    /// The file called `name` in `folder`.
-    pub fn new(folder: &Path, name: &str) -> Self {
-        Self { path: folder.join(name), known: None, untouchable: None }
+    /// The file at `path`.
+    pub const fn new(path: PathBuf) -> Self {
+        Self { path, known: None, untouchable: None }
     }
 
     /// Returns the path of the file, as messages show it.
@@ -69,6 +69,17 @@ impl KeptFile {
         (1..MOST_ASIDE).map(named).find(|path| !files::is_there(path)).unwrap_or_else(|| named(MOST_ASIDE))
     }
 
+    /// Returns whether `text` is in it, as far as this window knows.
+    pub fn holds(&self, text: &str) -> bool {
+        self.known.as_deref() == Some(text)
+    }
+
+    /// Returns whether another window or program has written something else than `text` there since this window read or wrote it.
+    pub fn was_changed(&self, text: &str) -> bool {
+        let there = files::read_to_string(&self.path).ok();
+        files::is_there(&self.path) && there != self.known && there.as_deref() != Some(text)
+    }
+
     /// Writes `text`, unless this window has left it there already.
     ///
     /// # Errors
@@ -77,7 +88,7 @@ impl KeptFile {
         if let Some(reason) = &self.untouchable {
             return Err(format!("{}: {reason}", self.shown()));
         }
-        if self.known.as_deref() == Some(text) {
+        if self.holds(text) {
             return Ok(());
         }
         let folder = files::folder_of(&self.path);

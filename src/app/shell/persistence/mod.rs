@@ -1,5 +1,5 @@
 //! Everything that outlasts the window, in a folder of the user's data: the settings, what the window remembers beside them, and the
-//! answers that were given in lessons, each in a file of its own. Files are written whole or not at all, and a failure is told: in the
+//! answers that were given in lessons, in a file for each lesson. Files are written whole or not at all, and a failure is told: in the
 //! window, and again when it is closed.
 
 mod answers_file;
@@ -23,9 +23,10 @@ use gamow_platform::locks::{self, Lock};
 use crate::app::state::State;
 use crate::app::state::notice::Notice;
 use crate::app::state::overlay::Overlay;
-use crate::lesson::{Answers, Timestamp};
+use crate::app::tools::debounce::Debounce;
+use crate::lesson::Answers;
 use crate::settings::{Settings, WindowSettings};
-use answers_file::AnswersFile;
+use answers_file::AnswersFiles;
 use kept_file::KeptFile;
 
 pub use memory::Memory;
@@ -34,8 +35,6 @@ pub use memory::Memory;
 pub const SETTINGS: &str = "settings.toml";
 /// The name of the file of what is remembered beside them.
 pub const MEMORY: &str = "window.toml";
-/// The name of the file of the answers in lessons.
-pub const ANSWERS: &str = answers_file::NAME;
 /// The file that is locked as long as a window is open.
 const WINDOW_LOCK: &str = "window.lock";
 
@@ -67,7 +66,7 @@ pub struct Keeper(Rc<RefCell<Files>>);
 struct Files {
     settings: KeptFile,
     memory_file: KeptFile,
-    answers: AnswersFile,
+    answers: AnswersFiles,
     memory: Memory,
     /// Whether the window has the place and size that it is to have again.
     is_usual_place: bool,
@@ -78,8 +77,7 @@ struct Files {
     failures: [Option<String>; 3],
     /// The failure that was shown.
     shown: Option<String>,
-    /// The date of the last entry that is not written, and when it was noticed.
-    entering: Option<(Timestamp, Instant)>,
+    entering: Debounce<Answers>,
     folder: PathBuf,
     window_lock: Option<Lock>,
 }
@@ -101,16 +99,16 @@ impl Keeper {
     #[must_use]
     pub fn in_folder(folder: &Path) -> Self {
         Self(Rc::new(RefCell::new(Files {
-            settings: KeptFile::new(folder, SETTINGS),
-            memory_file: KeptFile::new(folder, MEMORY),
-            answers: AnswersFile::new(folder),
+            settings: KeptFile::new(folder.join(SETTINGS)),
+            memory_file: KeptFile::new(folder.join(MEMORY)),
+            answers: AnswersFiles::new(folder),
             memory: Memory::default(),
             is_usual_place: true,
             saved: Instant::now(),
             is_changed: false,
             failures: [None, None, None],
             shown: None,
-            entering: None,
+            entering: Debounce::after(REST),
             folder: folder.to_owned(),
             window_lock: None,
         })))
@@ -122,9 +120,9 @@ impl Keeper {
         let mut files = self.0.borrow_mut();
         let (settings, bad_settings) = files.read_settings();
         let bad_memory = files.read_memory();
-        let (answers, unread) = files.answers.load();
+        let mut problems: Vec<_> = bad_settings.into_iter().chain(bad_memory).collect();
+        let answers = files.answers.load(&mut problems);
         let greeting = files.greeting();
-        let problems: Vec<_> = [bad_settings, bad_memory, unread].into_iter().flatten().collect();
         let problems = (!problems.is_empty()).then(|| Notice::error(problems.join(" ")));
         Loaded { settings, memory: files.memory.clone(), answers, notice: problems.or(greeting) }
     }
@@ -146,35 +144,35 @@ impl Keeper {
         self.0.borrow().memory.placed(window)
     }
 
-    /// Notes that something was done in `state`. If an answer was given, the answers are written at once, and those of other windows
-    /// are added to them.
+    /// Notes that something was done in `state`. An answer that was given is written at once.
     pub fn note(&self, state: &mut State) {
         let mut files = self.0.borrow_mut();
         files.is_changed = true;
         if files.answers.lacks_an_answer(&state.session.answers) {
-            files.merge_answers(state);
-            files.show_failure(state);
+            let replaced = files.write_answers(state);
+            files.show(replaced, state);
         }
     }
 
     /// Writes what is due: now and then everything, and what is half entered once nobody goes on with it.
     pub fn keep_on(&self, state: &mut State, ctx: &Context) {
-        let mut files = self.0.borrow_mut();
+        let files = &mut *self.0.borrow_mut();
         let is_default = files.is_usual_place;
         files.memory.note_window(ctx, is_default);
-        let is_rested = files.is_entry_rested(&state.session.answers, ctx);
-        if files.saved.elapsed() >= INTERVAL {
-            files.keep(state);
+        let answers = &state.session.answers;
+        let is_rested = files.answers.lacks_an_entry(answers) && files.entering.is_still(ctx, answers);
+        let replaced = if files.saved.elapsed() >= INTERVAL {
+            files.keep(state)
         } else if is_rested {
-            files.merge_answers(state);
+            files.write_answers(state)
         } else {
             if files.is_changed {
                 // A frame in which it is due, even if nothing else happens.
                 ctx.request_repaint_after(INTERVAL.saturating_sub(files.saved.elapsed()));
             }
             return;
-        }
-        files.show_failure(state);
+        };
+        files.show(replaced, state);
     }
 
     /// Writes all files of the window.
@@ -182,7 +180,9 @@ impl Keeper {
     /// # Errors
     /// What could not be written, and why.
     pub fn keep(&self, state: &State) -> anyhow::Result<()> {
-        self.0.borrow_mut().keep(&mut state.clone());
+        for replaced in self.0.borrow_mut().keep(state) {
+            log::warn!("{replaced}");
+        }
         self.end()
     }
 
@@ -240,34 +240,28 @@ impl Files {
                 None
             }
             Ok(None) => Some(Notice::done(
-                "Another window of Gamow is open. The answers in lessons of both are kept; of the \
-                    settings, those that were changed last.",
+                "Another window of Gamow is open. Of each lesson's answers, and of the settings, those \
+                    that are changed last are kept.",
             )),
             Err(error) => Some(Notice::error(advice(&format!("{}: {error}", files::shown(&self.folder))))),
         }
     }
 
-    /// Writes everything, each file also where another one fails.
-    fn keep(&mut self, state: &mut State) {
+    /// Writes everything, each file also where another one fails. Returns messages for the answers of another window that
+    /// are replaced.
+    fn keep(&mut self, state: &State) -> Vec<String> {
         (self.saved, self.is_changed) = (Instant::now(), false);
         self.memory.note(state);
         self.failures[0] = self.settings.write(&left(state).to_toml()).err();
         self.failures[1] = self.memory_file.write(&self.memory.to_text()).err();
-        if self.answers.lacks_anything(&state.session.answers) {
-            self.merge_answers(state);
-        }
+        self.write_answers(state)
     }
 
-    fn merge_answers(&mut self, state: &mut State) {
-        match self.answers.merge(&mut state.session.answers) {
-            Ok(message) => {
-                self.failures[2] = None;
-                if let Some(message) = message {
-                    state.tell(Notice::error(message));
-                }
-            }
-            Err(failure) => self.failures[2] = Some(failure),
-        }
+    /// Writes the answers, and returns the same messages.
+    fn write_answers(&mut self, state: &State) -> Vec<String> {
+        let mut replaced = Vec::new();
+        self.failures[2] = self.answers.write(&state.session.answers, &mut replaced).err();
+        replaced
     }
 
     /// Returns the files that could not be written the last time, and why.
@@ -283,31 +277,16 @@ impl Files {
         (!failures.is_empty()).then(|| format!("{what}: {}", failures.join("; ")))
     }
 
-    /// Shows a failure in the window, once.
-    fn show_failure(&mut self, state: &mut State) {
+    /// Shows that answers of another window were `replaced`, and a failure, once.
+    fn show(&mut self, replaced: Vec<String>, state: &mut State) {
+        if !replaced.is_empty() {
+            state.tell(Notice::error(replaced.join(" ")));
+        }
         let failure = self.failure();
         if let Some(failure) = failure.as_ref().filter(|_| failure != self.shown) {
             state.tell(Notice::error(advice(failure)));
         }
         self.shown = failure;
-    }
-
-    /// Returns whether an unwritten entry has rested for a while. Requests a frame if it may rest soon.
-    fn is_entry_rested(&mut self, answers: &Answers, ctx: &Context) -> bool {
-        if !self.answers.lacks_an_entry(answers) {
-            self.entering = None;
-            return false;
-        }
-        let latest = answers.latest();
-        let (_, since) = match self.entering {
-            Some(entering) if entering.0 == latest => entering,
-            _ => *self.entering.insert((latest, Instant::now())),
-        };
-        let rest = REST.saturating_sub(since.elapsed());
-        if !rest.is_zero() {
-            ctx.request_repaint_after(rest);
-        }
-        rest.is_zero()
     }
 }
 

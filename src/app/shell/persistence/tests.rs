@@ -1,4 +1,4 @@
-//! An answer is on the disc when it is given; two windows lose nothing; failures to read and to write are reported.
+//! An answer is on the disc when it is given; two windows know of each other; failures to read and to write are reported.
 
 use std::path::Path;
 
@@ -37,6 +37,15 @@ fn outcomes(folder: &Path) -> Vec<Option<Outcome>> {
     window.state().course().expect("a lesson").records().iter().map(|record| record.outcome.clone()).collect()
 }
 
+/// The path of the file of the lesson's answers in the folder of all.
+const ANSWERS: &str = "answers/turned.json";
+
+/// Has another program write `bytes` in the place of the lesson's answers.
+fn with_answers(folder: &Path, bytes: &[u8]) {
+    std::fs::create_dir_all(folder.join(answers_file::FOLDER)).expect("it is writable");
+    std::fs::write(folder.join(ANSWERS), bytes).expect("it is writable");
+}
+
 fn notice(window: &App) -> &str {
     window.state().scratch.notice.as_ref().map_or("", |notice| &notice.text)
 }
@@ -45,7 +54,7 @@ fn notice(window: &App) -> &str {
 fn an_answer_is_on_the_disc_as_soon_as_it_is_given() {
     let folder = folder();
     let mut window = window(folder.path());
-    assert!(!folder.path().join(ANSWERS).exists());
+    assert!(!folder.path().join(answers_file::FOLDER).exists());
     ask(&mut window, LessonCommand::Skip);
     assert_eq!(outcomes(folder.path())[0], Some(Outcome::Skipped));
     ask(&mut window, LessonCommand::BeginAnew);
@@ -78,11 +87,28 @@ fn two_windows_keep_the_answers_of_both() {
 }
 
 #[test]
+fn of_two_windows_in_one_lesson_the_later_answers_count_and_the_window_says_so() {
+    let folder = folder();
+    let (mut first, mut second) = (window(folder.path()), window(folder.path()));
+    ask(&mut first, LessonCommand::Skip);
+    let earlier = std::fs::read(folder.path().join(ANSWERS)).expect("it is written");
+    ask(&mut second, LessonCommand::Draft(Some(Answer::Choice(1))));
+    ask(&mut second, LessonCommand::Predict);
+    let told = "Another window has written answers in this lesson since; those of this window replace them.";
+    assert!(notice(&second).starts_with(told), "{}", notice(&second));
+    assert!(notice(&second).contains("turned.json.old1") && notice(&first).is_empty());
+    assert_eq!(std::fs::read(folder.path().join(ANSWERS.to_owned() + ".old1")).expect("it is kept"), earlier);
+    drop((first, second));
+    let made = Outcome::Made { answer: Answer::Choice(1), confidence: None };
+    assert_eq!(outcomes(folder.path())[0], Some(made));
+}
+
+#[test]
 fn what_is_half_entered_is_kept_when_the_window_is_closed() {
     let folder = folder();
     let mut window = window(folder.path());
     ask(&mut window, LessonCommand::Draft(Some(Answer::Choice(1))));
-    assert!(!folder.path().join(ANSWERS).exists(), "it is no answer yet");
+    assert!(!folder.path().join(answers_file::FOLDER).exists(), "it is no answer yet");
     eframe::App::on_exit(&mut window);
     drop(window);
     assert_eq!(
@@ -162,7 +188,8 @@ fn a_file_that_cannot_be_read_is_kept_aside_whole() {
     let deep = "[".repeat(100_000);
     for bytes in [&b"\xff\xfe\x00garbage"[..], b"{\"turned\": 3}", b"[1, 2", deep.as_bytes(), &long] {
         let folder = folder();
-        for name in [SETTINGS, MEMORY, ANSWERS] {
+        with_answers(folder.path(), bytes);
+        for name in [SETTINGS, MEMORY] {
             std::fs::write(folder.path().join(name), bytes).expect("it is writable");
         }
         let mut window = window(folder.path());
@@ -182,10 +209,13 @@ fn a_file_that_cannot_be_read_is_kept_aside_whole() {
 fn an_answer_does_not_replace_a_file_that_has_become_unreadable() {
     let folder = folder();
     let mut window = window(folder.path());
-    std::fs::write(folder.path().join(ANSWERS), "precious").expect("it is writable");
+    with_answers(folder.path(), b"precious");
     ask(&mut window, LessonCommand::Skip);
-    assert!(notice(&window).contains("answers.json.old1"), "{}", notice(&window));
-    assert_eq!(std::fs::read(folder.path().join("answers.json.old1")).expect("it is kept"), b"precious");
+    assert!(notice(&window).contains("turned.json.old1"), "{}", notice(&window));
+    assert_eq!(
+        std::fs::read(folder.path().join(ANSWERS.to_owned() + ".old1")).expect("it is kept"),
+        b"precious"
+    );
     assert_eq!(outcomes(folder.path())[0], Some(Outcome::Skipped));
 }
 
@@ -193,13 +223,14 @@ fn an_answer_does_not_replace_a_file_that_has_become_unreadable() {
 fn many_old_files_are_kept_and_not_without_end() {
     let folder = folder();
     for number in 0..20 {
-        std::fs::write(folder.path().join(ANSWERS), format!("garbage {number}")).expect("it is writable");
+        with_answers(folder.path(), format!("garbage {number}").as_bytes());
         assert!(Keeper::in_folder(folder.path()).load().notice.is_some());
     }
-    let names = std::fs::read_dir(folder.path()).expect("a folder").flatten().map(|entry| entry.file_name());
+    let answers = folder.path().join(answers_file::FOLDER);
+    let names = std::fs::read_dir(&answers).expect("a folder").flatten().map(|entry| entry.file_name());
     let old = names.filter(|name| name.to_string_lossy().contains(".old")).count();
     assert_eq!(old, 9);
-    let first = std::fs::read_to_string(folder.path().join("answers.json.old1")).expect("it is kept");
+    let first = std::fs::read_to_string(answers.join("turned.json.old1")).expect("it is kept");
     assert_eq!(first, "garbage 0");
 }
 

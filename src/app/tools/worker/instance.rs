@@ -11,8 +11,7 @@ use gamow_platform::web::page;
 use super::page::Worker;
 use super::steps::{Message, StepOutcome, Wanted, Work};
 
-/// Work of one kind in an instance of its own, which is started for the first job; the label of a job comes back with its result. Where
-/// the browser has no workers that load modules, the work is done in steps between the frames of the page.
+/// Work of one kind in an instance of its own, which is started for the first job; the label of a job comes back with its result.
 pub struct BackgroundWork<W: Work, L>(Rc<WorkExchange<W, L>>);
 
 struct WorkExchange<W: Work, L> {
@@ -37,8 +36,6 @@ enum Workplace<W: Work> {
     Starting(Instance, Option<Numbered<W>>),
     /// An instance, and what jobs had in common when it was last sent.
     Apart(Instance, Option<W::Base>),
-    /// The page itself, between two frames.
-    Page(Worker<Numbered<W>, (u64, W::Result)>),
 }
 
 impl<W: Work, L: 'static> BackgroundWork<W, L> {
@@ -78,7 +75,6 @@ impl<W: Work, L: 'static> BackgroundWork<W, L> {
             Workplace::Open => {}
             Workplace::Starting(_, waiting) => *waiting = None,
             Workplace::Apart(instance, _) => instance.stop(shared.newest.get()),
-            Workplace::Page(worker) => worker.stop(),
         }
     }
 
@@ -93,9 +89,6 @@ impl<W: Work, L: 'static> BackgroundWork<W, L> {
     /// Returns the newest result since the last call, with the label of its job.
     pub fn result(&self) -> Option<(L, W::Result)> {
         let shared = &self.0;
-        if let Workplace::Page(worker) = &*shared.place.borrow() {
-            shared.results.borrow_mut().extend(worker.result());
-        }
         let (number, result) = shared.results.borrow_mut().drain(..).last()?;
         shared.received.set(number);
         let mut labels = shared.labels.borrow_mut();
@@ -110,15 +103,10 @@ impl<W: Work, L: 'static> BackgroundWork<W, L> {
     pub fn is_pending(&self) -> bool {
         self.0.newest.get() > self.0.received.get().max(self.0.stopped.get())
     }
-
-    /// Whether the window goes on while it works.
-    pub fn is_apart(&self) -> bool {
-        !matches!(*self.0.place.borrow(), Workplace::Page(_))
-    }
 }
 
 impl<W: Work, L: 'static> WorkExchange<W, L> {
-    /// The place of the work: an instance if the browser has one.
+    /// The place of the work: an instance, unless the browser refuses one.
     fn begun(shared: &Rc<Self>) -> Workplace<W> {
         let shared = Rc::downgrade(shared);
         let hear = move |heard| {
@@ -126,10 +114,12 @@ impl<W: Work, L: 'static> WorkExchange<W, L> {
                 shared.hear(heard);
             }
         };
-        match Instance::start(W::NAME, hear) {
-            Some(instance) => Workplace::Starting(instance, None),
-            None => Workplace::on_page(),
-        }
+        let Some(instance) = Instance::start(W::NAME, hear) else {
+            log::error!("the browser starts no worker for {}", W::NAME);
+            page::show_defect();
+            return Workplace::Open;
+        };
+        Workplace::Starting(instance, None)
     }
 
     /// Takes in a message of the instance.
@@ -141,10 +131,6 @@ impl<W: Work, L: 'static> WorkExchange<W, L> {
         let (mut place, waiting) = match (heard, place) {
             (Heard::Ready, Workplace::Starting(instance, waiting)) => {
                 (Workplace::Apart(instance, None), waiting)
-            }
-            (Heard::Failed(problem), Workplace::Starting(_, waiting)) => {
-                log::warn!("{problem}");
-                (Workplace::on_page(), waiting)
             }
             (Heard::Failed(problem), place) => {
                 log::error!("{problem}");
@@ -169,25 +155,11 @@ impl<W: Work, L: 'static> WorkExchange<W, L> {
 }
 
 impl<W: Work> Workplace<W> {
-    /// Work in steps between the frames of the page.
-    fn on_page() -> Self {
-        let begin = |(number, base, job)| (number, W::begin(base, job));
-        let mut tools = W::Tools::default();
-        Self::Page(Worker::in_steps(
-            Context::default(),
-            begin,
-            move |(number, work): &mut (u64, W), wanted| {
-                work.step(&mut tools, wanted).map(|result| (*number, result))
-            },
-        ))
-    }
-
     /// Has the job done next.
     fn send(&mut self, (number, base, job): Numbered<W>) {
         match self {
             Self::Open => {}
             Self::Starting(_, waiting) => *waiting = Some((number, base, job)),
-            Self::Page(worker) => worker.request((number, base, job)),
             Self::Apart(instance, sent) => {
                 let is_known = sent.as_ref() == Some(&base);
                 let common = (!is_known).then(|| encoded(&base));
@@ -207,9 +179,9 @@ pub fn serve<W: Work>() {
     let step = move |(number, work): &mut (u64, W), wanted: &Wanted| {
         let StepOutcome::Last(result) = work.step(&mut tools, wanted) else { return StepOutcome::More };
         result.iter().for_each(|result| answer(*number, &encoded(result)));
-        StepOutcome::<()>::Last(None)
+        StepOutcome::Last(None)
     };
-    let worker = Worker::in_steps(Context::default(), begin, step);
+    let worker = Worker::new(begin, step);
     let mut known = None;
     listen(move |asked| match asked {
         Asked::Stop => worker.stop(),

@@ -1,107 +1,69 @@
-//! Work that would stop the window, done on the page's one thread between two frames: of several jobs the newest.
+//! The jobs of an instance beside the page, done in steps between which it takes messages: of several jobs the newest.
 
 use std::cell::{Cell, RefCell};
-use std::collections::VecDeque;
 use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
-use eframe::egui::Context;
 use gamow_platform::clock::Instant;
 use gamow_platform::web::tasks;
 
 use super::steps::{StepOutcome, Wanted};
 
-/// Time for the steps of a job between two frames.
+/// Time for the steps of a job between two looks at messages.
 const SLICE: Duration = Duration::from_millis(12);
 
-/// A worker that does its jobs in steps between the frames of the page; dropping it ends them.
-pub struct Worker<J, R> {
-    shared: Rc<WorkerState<J, R>>,
-    received: Cell<u64>,
-}
+/// A worker that does its jobs in steps.
+pub struct Worker<J>(Rc<WorkerState<J>>);
 
-struct WorkerState<J, R> {
+struct WorkerState<J> {
     waiting: RefCell<Option<(u64, J)>>,
-    results: RefCell<VecDeque<(u64, R)>>,
     newest: Arc<AtomicU64>,
     stopped: Arc<AtomicU64>,
-    run: RefCell<Box<dyn FnMut(J) -> StepByStep<R>>>,
+    run: RefCell<Box<dyn FnMut(J) -> StepByStep>>,
     is_running: Cell<bool>,
-    ctx: Context,
 }
 
 /// A job that was begun: its next step.
-type StepByStep<R> = Box<dyn FnMut(&Wanted) -> StepOutcome<R>>;
+type StepByStep = Box<dyn FnMut(&Wanted) -> StepOutcome<()>>;
 
-impl<J: 'static, R: 'static> Worker<J, R> {
-    /// Does each job by `work` in one step.
-    pub fn new(ctx: Context, mut work: impl FnMut(J, &Wanted) -> Option<R> + 'static) -> Self {
-        let work = Rc::new(RefCell::new(move |job, wanted: &Wanted| work(job, wanted)));
-        Self::running(ctx, move |job| {
-            let (work, mut job) = (Rc::clone(&work), Some(job));
-            Box::new(move |wanted| {
-                StepOutcome::Last(job.take().and_then(|job| (work.borrow_mut())(job, wanted)))
-            })
-        })
-    }
-
-    /// Begins jobs by `begin` and does them in steps, between which the page draws frames and takes events.
-    pub fn in_steps<S: 'static>(
-        ctx: Context,
+impl<J: 'static> Worker<J> {
+    /// Begins jobs by `begin` and does them in steps, between which the instance takes messages.
+    pub fn new<S: 'static>(
         mut begin: impl FnMut(J) -> S + 'static,
-        step: impl FnMut(&mut S, &Wanted) -> StepOutcome<R> + 'static,
+        step: impl FnMut(&mut S, &Wanted) -> StepOutcome<()> + 'static,
     ) -> Self {
         let step = Rc::new(RefCell::new(step));
-        Self::running(ctx, move |job| {
+        let run = move |job| -> StepByStep {
             let (step, mut begun) = (Rc::clone(&step), begin(job));
             Box::new(move |wanted| (step.borrow_mut())(&mut begun, wanted))
-        })
-    }
-
-    fn running(ctx: Context, run: impl FnMut(J) -> StepByStep<R> + 'static) -> Self {
-        let shared = WorkerState {
+        };
+        Self(Rc::new(WorkerState {
             waiting: RefCell::new(None),
-            results: RefCell::default(),
             newest: Arc::default(),
             stopped: Arc::default(),
             run: RefCell::new(Box::new(run)),
             is_running: Cell::new(false),
-            ctx,
-        };
-        Self { shared: Rc::new(shared), received: Cell::new(0) }
+        }))
     }
 
     /// Does `job` next, instead of what still waits.
     pub fn request(&self, job: J) {
-        let number = self.shared.newest.fetch_add(1, Ordering::Relaxed) + 1;
-        self.shared.waiting.replace(Some((number, job)));
-        if !self.shared.is_running.replace(true) {
-            tasks::spawn(Rc::clone(&self.shared).work_off());
+        let number = self.0.newest.fetch_add(1, Ordering::Relaxed) + 1;
+        self.0.waiting.replace(Some((number, job)));
+        if !self.0.is_running.replace(true) {
+            tasks::spawn(Rc::clone(&self.0).work_off());
         }
     }
 
     /// Gives up what is running or waiting.
     pub fn stop(&self) {
-        self.shared.stopped.store(self.shared.newest.load(Ordering::Relaxed), Ordering::Relaxed);
-    }
-
-    /// Returns the newest result since the last call.
-    pub fn result(&self) -> Option<R> {
-        let (number, result) = self.shared.results.borrow_mut().drain(..).last()?;
-        self.received.set(number);
-        Some(result)
-    }
-
-    /// Whether the newest job's result has yet to be received.
-    pub fn is_pending(&self) -> bool {
-        let stopped = self.shared.stopped.load(Ordering::Relaxed);
-        self.shared.newest.load(Ordering::Relaxed) > self.received.get().max(stopped)
+        self.0.stopped.store(self.0.newest.load(Ordering::Relaxed), Ordering::Relaxed);
     }
 }
 
-impl<J, R> WorkerState<J, R> {
+impl<J> WorkerState<J> {
     /// Does what waits, until nothing does.
     async fn work_off(self: Rc<Self>) {
         loop {
@@ -111,33 +73,19 @@ impl<J, R> WorkerState<J, R> {
             let wanted = Wanted::new(number, Arc::clone(&self.newest), Arc::clone(&self.stopped));
             if wanted.holds() {
                 let begun = (self.run.borrow_mut())(job);
-                self.do_job(begun, number, &wanted).await;
+                Self::do_job(begun, &wanted).await;
             }
         }
         self.is_running.set(false);
     }
 
-    async fn do_job(&self, mut step: StepByStep<R>, number: u64, wanted: &Wanted) {
+    async fn do_job(mut step: StepByStep, wanted: &Wanted) {
         let mut slice = Instant::now();
-        while wanted.holds() {
-            if let StepOutcome::Last(result) = step(wanted) {
-                if let Some(result) = result {
-                    self.results.borrow_mut().push_back((number, result));
-                    self.ctx.request_repaint();
-                }
-                return;
-            }
+        while wanted.holds() && matches!(step(wanted), StepOutcome::More) {
             if slice.elapsed() >= SLICE {
                 tasks::pause().await;
                 slice = Instant::now();
             }
         }
-    }
-}
-
-impl<J, R> Drop for Worker<J, R> {
-    fn drop(&mut self) {
-        self.shared.stopped.store(u64::MAX, Ordering::Relaxed);
-        self.shared.waiting.take();
     }
 }

@@ -140,12 +140,6 @@ impl<W: Work<Tools: Send>, L: Clone + Send + 'static> BackgroundWork<W, L> {
     pub fn is_pending(&self) -> bool {
         self.0.is_pending()
     }
-
-    /// Whether the window goes on while it works: always, as it has a thread.
-    #[expect(clippy::unused_self, reason = "a page's work may have to be done by its one thread")]
-    pub const fn is_apart(&self) -> bool {
-        true
-    }
 }
 
 #[cfg(test)]

@@ -65,9 +65,6 @@ impl Background {
 
     /// A smoother picture than the one of `request` that another method has drawn, if it may be and once there is one.
     pub fn smoother(&mut self, ctx: &Context, request: &Request) -> Option<&FinishedPicture> {
-        if !self.worker.is_apart() {
-            return None;
-        }
         let is_still = self.stillness.is_still(ctx, request);
         self.update(request, STEPS[1], is_still);
         let is_made = !std::mem::take(&mut self.is_awaited);
@@ -88,8 +85,7 @@ impl Background {
         }
         let made = self.done.as_ref().filter(|made| made.of == *request).map_or(0, |made| made.samples);
         self.is_awaited = made < first;
-        let may_refine = request.refine && self.worker.is_apart();
-        let is_wanted = |step: &u32| *step > made && *step >= first && (*step == first || may_refine);
+        let is_wanted = |step: &u32| *step > made && *step >= first && (*step == first || request.refine);
         let next = STEPS.into_iter().find(is_wanted);
         self.is_refining = !self.is_awaited && next.is_some();
         self.requested.take_if(|(of, samples)| {

@@ -3,6 +3,7 @@
 use relativity_render::Method;
 
 use crate::app::views::examination::{Examination, ExaminedMethod, Figures};
+use crate::caption::capitalised;
 use crate::number_text;
 
 /// The sentence; `None` before there is something to compare.
@@ -63,11 +64,6 @@ fn with_commas(whole: f64) -> String {
     let digits: Vec<char> = format!("{whole:.0}").chars().collect();
     let groups: Vec<String> = digits.rchunks(3).rev().map(|group| group.iter().collect()).collect();
     groups.join(",")
-}
-
-fn capitalised(name: &str) -> String {
-    let mut letters = name.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 #[cfg(test)]
