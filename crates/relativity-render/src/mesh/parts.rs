@@ -1,6 +1,6 @@
 //! The bodies of a view as they are drawn: the grid and the copies of each, and their order.
 
-use std::f32;
+use std::f32::consts::TAU;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use bytemuck::{Pod, Zeroable};
@@ -43,13 +43,8 @@ const WHOLE: BodyCopy = [0.0, 0.0];
 
 /// The copies in a conformal picture, each with the half height, radians, from which a picture shows anything of it: triangles across the
 /// cut are drawn beside both ends of the strip, and pictures that go farther round show bodies again.
-const COPIES: [(f64, BodyCopy); 5] = [
-    (0.0, WHOLE),
-    (FRAC_PI_2, [0.0, 1.0]),
-    (FRAC_PI_2, [-f32::consts::TAU, 1.0]),
-    (PI, [f32::consts::TAU, 0.0]),
-    (PI, [-f32::consts::TAU, 0.0]),
-];
+const COPIES: [(f64, BodyCopy); 5] =
+    [(0.0, WHOLE), (FRAC_PI_2, [0.0, 1.0]), (FRAC_PI_2, [-TAU, 1.0]), (PI, [TAU, 0.0]), (PI, [-TAU, 0.0])];
 
 /// A body as it is drawn.
 #[derive(Debug, Clone, Copy)]

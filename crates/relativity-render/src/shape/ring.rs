@@ -238,7 +238,7 @@ impl CentredShape for RingForm {
 }
 
 /// Segments of the grid around the axis, and around the tube.
-const SEGMENTS: [u32; 2] = [128, 32];
+const SEGMENTS: [u32; 2] = [256, 24];
 
 /// Corners and triangles of a ring.
 pub(super) fn template() -> Template {
