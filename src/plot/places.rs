@@ -81,8 +81,12 @@ impl Area {
     /// The distance of a place; 0 inside.
     fn distance(self, place: [f32; 2]) -> f32 {
         let off = |axis: usize| (self.min[axis] - place[axis]).max(place[axis] - self.max[axis]).max(0.0);
-        off(0).hypot(off(1))
+        length([off(0), off(1)])
     }
+}
+
+fn length([x, y]: [f32; 2]) -> f32 {
+    (x * x + y * y).sqrt()
 }
 
 /// The places of labels, and what they should avoid.
@@ -117,7 +121,7 @@ impl LabelPlaces {
         for to in places.into_iter().map(Into::into) {
             let from = before.unwrap_or(to);
             let way = [to[0] - from[0], to[1] - from[1]];
-            let length = way[0].hypot(way[1]);
+            let length = length(way);
             // Of a line that is densely sampled not each place is noted.
             if before.is_some() && length < STEP {
                 continue;
