@@ -102,7 +102,7 @@ impl CurveSampling {
             is_bent.then_some(middle)
         });
         let width = self.times.last().zip(self.times.first()).map_or(0.0, |(last, first)| last - first);
-        thinned(samples, &tolerances, width * TOLERANCE)
+        thinned(&samples, &tolerances, width * TOLERANCE)
     }
 
     /// The parts of the range in which there are `values`.
@@ -140,20 +140,22 @@ pub fn even_times(range: [f64; 2], parts: u32) -> impl Iterator<Item = f64> {
     (0..=parts).map(move |part| time_within(range, f64::from(part) / f64::from(parts)))
 }
 
-/// Without the samples that lie on the one before, as drawn: a line through them would be drawn uneven.
+/// Without the samples that lie on the one before, as drawn, and on the way to the next: a line through them would be drawn uneven.
 fn thinned<const N: usize>(
-    samples: Vec<CurveSample<N>>,
+    samples: &[CurveSample<N>],
     tolerances: &[f64; N],
     time_tolerance: f64,
 ) -> Vec<CurveSample<N>> {
+    let tolerances = tolerances.map(|tolerance| LEFT_OUT * tolerance);
     let mut kept: Vec<CurveSample<N>> = Vec::with_capacity(samples.len());
-    for sample in samples {
-        let same = kept.last().is_some_and(|last| {
+    for (sample, next) in samples.iter().zip(samples.iter().skip(1).map(Some).chain([None])) {
+        let is_left_out = kept.last().zip(next).is_some_and(|(last, next)| {
             sample.time - last.time < time_tolerance
-                && (0..N).all(|i| (sample.values[i] - last.values[i]).abs() <= LEFT_OUT * tolerances[i])
+                && (0..N).all(|i| (sample.values[i] - last.values[i]).abs() <= tolerances[i])
+                && !is_off(sample, [*last, *next], &tolerances)
         });
-        if !same {
-            kept.push(sample);
+        if !is_left_out {
+            kept.push(*sample);
         }
     }
     kept
@@ -209,6 +211,33 @@ mod tests {
         let widths = || samples.windows(2).map(|pair| pair[1] - pair[0]);
         assert_eq!(samples.len(), 100);
         assert!(widths().fold(0.0, f64::max) <= 4.0 * widths().fold(1.0, f64::min));
+    }
+
+    /// Curves of one bend each are drawn within the greatest distance of a chord and of what is left out, also where they are steep.
+    #[test]
+    fn a_drawn_curve_is_near_the_curve() {
+        let curves: [fn(f64) -> f64; 4] = [
+            |time| (20.0 * (time - 0.3)).tanh(),
+            |time| (2000.0 * (time - 0.3)).tanh(),
+            |time| 1.0 / (1.0 + (30.0 * (time - 0.301)).powi(2)),
+            |time| 1e-3f64.atan2(time),
+        ];
+        for (number, curve) in curves.into_iter().enumerate() {
+            let samples = CurveSampling::even([-5.0, 5.0], 128).samples(|time| Some([curve(time)]));
+            let [low, high] = [curve(-5.0), curve(5.0), curve(0.301)]
+                .into_iter()
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+                    [low.min(value), high.max(value)]
+                });
+            for pair in samples.windows(2) {
+                for part in [0.2, 0.4, 0.6, 0.8] {
+                    let time = time_within([pair[0].time, pair[1].time], part);
+                    let drawn = time_within([pair[0].values[0], pair[1].values[0]], part);
+                    let off = (drawn - curve(time)).abs() / (high - low);
+                    assert!(off <= (1.0 + LEFT_OUT) * TOLERANCE, "curve {number}, T = {time}: {off}");
+                }
+            }
+        }
     }
 
     #[test]

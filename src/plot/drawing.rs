@@ -4,7 +4,9 @@ use std::fmt::Write as _;
 
 use relativity_core::math;
 
-use super::{Area, Axis, Dash, LabelPlaces, Line, LineStroke, Panel, Tick, at_least, ticks_along};
+use super::axis::{Axis, Tick, at_least, ticks_along};
+use super::panel::{Dash, Line, LineStroke, Panel};
+use super::places::{Area, LabelPlaces};
 use crate::markup::escaped;
 
 const MARGIN: Margin = Margin { left: 72.0, right: 16.0, top: 44.0, bottom: 52.0 };
@@ -156,7 +158,9 @@ impl<'a> PanelAxes<'a> {
         for piece in marks.flat_map(|line| &line.pieces) {
             let piece = piece.iter().map(|&point| self.place(point).map(|at| at as f32));
             places.avoid(piece.clone(), 1.0);
-            piece.take(1).for_each(|mark| places.keep_clear_of(mark, MARK));
+            for mark in piece.take(1) {
+                places.keep_clear_of(mark, MARK);
+            }
         }
         places
     }
@@ -271,7 +275,7 @@ fn draw_piece(line: &Line, places: &[[f64; 2]], svg: &mut String) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plot::BLUE;
+    use crate::plot::panel::BLUE;
 
     #[test]
     fn points_inside_the_axes_are_drawn_inside_the_picture() {

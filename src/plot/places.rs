@@ -44,14 +44,19 @@ impl Area {
         })
     }
 
-    /// The same, and after them those that are further off by the height of a label.
+    /// The same, and after them those a line or two higher or lower.
     pub fn near(
         place: impl Into<[f32; 2]>,
         radius: f32,
         size: impl Into<[f32; 2]>,
     ) -> impl Iterator<Item = Self> {
         let (place, size) = (place.into(), size.into());
-        [0.0, size[1]].into_iter().flat_map(move |off| Self::beside(place, radius + off, size))
+        [0.0, 1.0, 2.0].into_iter().flat_map(move |rows| {
+            SIDES.into_iter().zip(Self::beside(place, radius, size)).map(move |(side, area)| {
+                let moved = |[x, y]: [f32; 2]| [x, y + side[1] * rows * (size[1] + 1.0)];
+                Self { min: moved(area.min), max: moved(area.max) }
+            })
+        })
     }
 
     /// The places for something of this `size` along the edges inside: the upper and the lower corners, and the middles.
@@ -81,8 +86,12 @@ impl Area {
     /// The distance of a place; 0 inside.
     fn distance(self, place: [f32; 2]) -> f32 {
         let off = |axis: usize| (self.min[axis] - place[axis]).max(place[axis] - self.max[axis]).max(0.0);
-        off(0).hypot(off(1))
+        length([off(0), off(1)])
     }
+}
+
+fn length([x, y]: [f32; 2]) -> f32 {
+    (x * x + y * y).sqrt()
 }
 
 /// The places of labels, and what they should avoid.
@@ -117,7 +126,7 @@ impl LabelPlaces {
         for to in places.into_iter().map(Into::into) {
             let from = before.unwrap_or(to);
             let way = [to[0] - from[0], to[1] - from[1]];
-            let length = way[0].hypot(way[1]);
+            let length = length(way);
             // Of a line that is densely sampled not each place is noted.
             if before.is_some() && length < STEP {
                 continue;
@@ -224,5 +233,16 @@ mod tests {
             labels.cost(Area { min: [0.0, 90.0], max: [200.0, 110.0] })
         };
         assert!((cost(1) - cost(3000)).abs() <= 2.0, "{} {}", cost(1), cost(3000));
+    }
+    #[test]
+    fn names_of_marks_in_one_row_stand_above_each_other() {
+        let mut labels = LabelPlaces::new(ROOM, 0.0);
+        let marks = [120.0, 150.0, 180.0].map(|x| [x, 190.0]);
+        for mark in marks {
+            labels.keep_clear_of(mark, 5.0);
+        }
+        for mark in marks {
+            assert!(labels.take_free(Area::near(mark, 5.0, [90.0, 14.0])).is_some(), "{mark:?}");
+        }
     }
 }

@@ -76,7 +76,7 @@ fn street(on: &mut SheetPainter<'_>) {
             level.push((pos2(room.max.x - 5.0, y - 1.0), name));
         } else if let Some(ends) = across_chart(sheet, [from, to]) {
             painter.line_segment(ends, stroke);
-            labels.places.avoid(&ends, 1.0);
+            labels.places.avoid(ends, 1.0);
             labels.write(painter, (ends[0].lerp(ends[1], NAMED_AT), 1.0), name, font.clone(), colour);
         }
     }

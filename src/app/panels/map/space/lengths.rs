@@ -37,7 +37,7 @@ pub(super) fn show(on: &mut SheetPainter<'_>) {
     });
     let pictures: Vec<_> = pictures.collect();
     for (_, _, ends) in &pictures {
-        labels.places.avoid(&ends.map(|end| sheet.on_screen(end)), 1.0);
+        labels.places.avoid(ends.map(|end| sheet.on_screen(end)), 1.0);
     }
     let length = state.measures().length;
     for (picture, name, [from, to]) in pictures {

@@ -39,13 +39,13 @@ fn shown(sheet: &DiagramSheet<'_>, line: StraightLine) -> Option<[Pos2; 2]> {
 fn draw(sheet: &DiagramSheet<'_>, labels: &mut MapLabels, line: StraightLine, stroke: Stroke) {
     if let Some(ends) = shown(sheet, line) {
         sheet.painter.line_segment(ends, stroke);
-        labels.places.avoid(&ends, 1.0);
+        labels.places.avoid(ends, 1.0);
     }
 }
 
 fn dashed(sheet: &DiagramSheet<'_>, labels: &mut MapLabels, ends: [Pos2; 2], stroke: Stroke) {
     sheet.painter.extend(Shape::dashed_line(&ends, stroke, DASH, SPACE));
-    labels.places.avoid(&ends, 1.0);
+    labels.places.avoid(ends, 1.0);
 }
 
 /// Draws the present: of the frame that is drawn, solid; of the other one, dashed.

@@ -94,7 +94,9 @@ fn name_marks(ui: &Ui, response: &PlotResponse<()>, marks: &[MethodMark], axes: 
     let small = TextStyle::Small.resolve(ui.style());
     let middle = |mark: &MethodMark| response.transform.position_from_point(&PlotPoint::from(mark.place));
     let mut labels = LabelPlaces::new(frame, 0.0);
-    axes.into_iter().for_each(|name| labels.keep_free(name));
+    for name in axes {
+        labels.keep_free(name);
+    }
     for mark in marks {
         labels.keep_clear_of(middle(mark), mark.radius);
     }

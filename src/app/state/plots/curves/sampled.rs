@@ -7,9 +7,9 @@ use crate::plot::{CurveSampling, even_times};
 const FIRST_INTERVALS: u32 = 64;
 /// Halvings of the distance to each point of interest: features narrower than 2^-40 of the range show
 /// as steps.
-const RUNGS: usize = 40;
+const RUNGS: i32 = 40;
 /// All ladders together have at most this many rungs on each side.
-const MOST_RUNGS: usize = 2000;
+const MOST_RUNGS: f64 = 2000.0;
 
 impl Bends {
     /// Returns the way that a curve with these bends is sampled over a range of T.
@@ -28,11 +28,11 @@ impl Bends {
 
     /// A ladder towards each bend but turns, from both sides, in a range so wide. Very many are short, and reach to each other only.
     fn ladders(&self, width: f64) -> impl Iterator<Item = f64> {
-        let count = self.passage.len().max(1);
-        let rungs = (MOST_RUNGS / count).min(RUNGS);
-        let width = if rungs < RUNGS { width / count as f64 } else { width };
+        let count = self.passage.len().max(1) as f64;
+        let rungs = RUNGS.min((MOST_RUNGS / count) as i32);
+        let width = if rungs < RUNGS { width / count } else { width };
         self.passage.iter().flat_map(move |anchor| {
-            let rungs = (1..=rungs as i32).map(move |k| width * 0.5f64.powi(k));
+            let rungs = (1..=rungs).map(move |k| width * 0.5f64.powi(k));
             [*anchor].into_iter().chain(rungs.flat_map(move |rung| [anchor - rung, anchor + rung]))
         })
     }
