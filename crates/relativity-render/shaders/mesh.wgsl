@@ -119,15 +119,20 @@ fn camera_from_body(body: Body) -> vec3f {
 const FAR_OFF = 30.0;
 const NEAREST = 1e-3;
 
-// Where the grid's corner `t` is along a body, from -1 at one end to 1 at the other: at even angles as they are seen at rest, since the
-// image is a smooth function of these. The camera is `along` from the middle and `off` the body, in halves of the body's length.
+fn inverse_sinh(x: f32) -> f32 {
+    return sign_of(x) * log(abs(x) + sqrt(x * x + 1.0));
+}
+
+// Where the grid's corner `t` is along a body, from -1 at one end to 1 at the other: at even steps of the rapidity of the line of sight
+// along the body, which motion along it only shifts, so that the image bends as little between corners at every speed. The camera is
+// `along` from the middle and `off` the body, in halves of the body's length.
 fn spaced(t: f32, along: f32, off: f32) -> f32 {
     if abs(t) == 1.0 || max(abs(along), off) > FAR_OFF {
         return t;
     }
     let scale = max(off, NEAREST);
-    let ends = atan((vec2f(-1.0, 1.0) - along) / scale);
-    return along + scale * tan(mix(ends.x, ends.y, 0.5 + 0.5 * t));
+    let rapidity = mix(inverse_sinh((-1.0 - along) / scale), inverse_sinh((1.0 - along) / scale), 0.5 + 0.5 * t);
+    return along + 0.5 * scale * (exp(rapidity) - exp(-rapidity));
 }
 
 // The same along each own axis of a body with these `halves`.

@@ -72,7 +72,7 @@ pub enum Method {
     /// # Accuracy
     ///
     /// `tests/gpu_mesh.rs`, against the reference from rest to gamma = 1e30: each pixel shows what is seen no further off than
-    /// [`Self::MESH_ERROR_PX`]; 0.1 px were found, and 0.4 px of bodies many times as long as they are far. `tests/gpu_pictures.rs`: colours away from outlines are within 6 of 255 levels. Before a camera that moves in any direction it keeps the bound up to gamma = 1e6 for the camera
+    /// [`Self::MESH_ERROR_PX`], bodies many times as long as they are far among it. `tests/gpu_pictures.rs`: colours away from outlines are within 6 of 255 levels. Before a camera that moves in any direction it keeps the bound up to gamma = 1e6 for the camera
     /// and for what it passes. Groups are told apart as by the rays. With one light cone for
     /// both eyes, alone or among groups, the bound is kept, too. A conformal picture has no bound where the line through the
     /// eyes meets a body, infinitely far aside: of a wheel around that line at most 1 % of the pixels show another body than

@@ -183,7 +183,7 @@ impl CentredShape for BoxForm {
 }
 
 /// Segments of the grid along each axis.
-const SEGMENTS: u32 = 48;
+const SEGMENTS: u32 = 128;
 
 /// Corners and triangles of a box: the six faces of the cube from -1 to 1, each a grid.
 pub(super) fn template() -> Template {

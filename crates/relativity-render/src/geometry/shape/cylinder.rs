@@ -216,7 +216,7 @@ impl CentredShape for CylinderForm {
 }
 
 /// Segments of the grid around a cylinder, along each end and along its side.
-const SEGMENTS: [u32; 3] = [64, 16, 64];
+const SEGMENTS: [u32; 3] = [64, 16, 128];
 
 /// Corners and triangles of a cylinder.
 pub(super) fn template() -> Template {

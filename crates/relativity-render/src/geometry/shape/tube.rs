@@ -168,7 +168,7 @@ pub(super) fn along_tube(half_length: f64, radius: f64, off_axis: f64, outward: 
 }
 
 /// Segments of the grid around a tube, along each of its rounded ends, and along its side.
-const SEGMENTS: [u32; 3] = [64, 16, 64];
+const SEGMENTS: [u32; 3] = [64, 16, 128];
 
 /// Corners and triangles of a tube; of a ball, whose sides have no length.
 pub(super) fn template() -> Template {
