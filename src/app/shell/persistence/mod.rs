@@ -150,7 +150,7 @@ impl Keeper {
         files.is_changed = true;
         if files.answers.lacks_an_answer(&state.session.answers) {
             let replaced = files.write_answers(state);
-            files.show(replaced, state);
+            files.show(&replaced, state);
         }
     }
 
@@ -172,7 +172,7 @@ impl Keeper {
             }
             return;
         };
-        files.show(replaced, state);
+        files.show(&replaced, state);
     }
 
     /// Writes all files of the window.
@@ -278,7 +278,7 @@ impl Files {
     }
 
     /// Shows that answers of another window were `replaced`, and a failure, once.
-    fn show(&mut self, replaced: Vec<String>, state: &mut State) {
+    fn show(&mut self, replaced: &[String], state: &mut State) {
         if !replaced.is_empty() {
             state.tell(Notice::error(replaced.join(" ")));
         }
