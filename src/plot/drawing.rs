@@ -2,11 +2,8 @@
 
 use std::fmt::Write as _;
 
-use relativity_core::math;
-
 use super::axis::{Axis, Tick, at_least, ticks_along};
 use super::panel::{Dash, Line, LineStroke, Panel};
-use super::places::{Area, LabelPlaces};
 use crate::markup::escaped;
 
 const MARGIN: Margin = Margin { left: 72.0, right: 16.0, top: 44.0, bottom: 52.0 };
@@ -19,14 +16,6 @@ struct Margin {
     top: f64,
     bottom: f64,
 }
-
-/// About how wide a letter is and how high a line, pixels, and from the bottom of a letter to that of its line.
-const LETTER: f32 = 7.0;
-const TEXT_LINE: f32 = 15.0;
-const DESCENT: f32 = 4.0;
-/// Radius of a mark, and of the room around it.
-const MARK: f32 = 5.0;
-const AROUND_MARK: f32 = 6.0;
 
 /// The panels beside each other.
 #[must_use]
@@ -85,7 +74,7 @@ const ROOM: [f64; 2] = [0.0, 0.06];
 
 impl<'a> PanelAxes<'a> {
     fn new(panel: &'a Panel, left: f64) -> Self {
-        let legend = LEGEND_ROW * panel.legend().count() as f64;
+        let legend = LEGEND_ROW * panel.lines.len() as f64;
         let frame = [
             left + MARGIN.left,
             left + panel.width - MARGIN.right,
@@ -103,8 +92,8 @@ impl<'a> PanelAxes<'a> {
                 return Axis::within(false, at_least(needed[axis], coarsest * size[axis]), wanted);
             }
             match panel.ranges[axis] {
-                Some(range) => Axis::within(panel.logarithmic[axis], range, wanted),
-                None => Axis::fitted(panel.logarithmic[axis], needed[axis], wanted),
+                Some(range) => Axis::within(panel.is_logarithmic(axis), range, wanted),
+                None => Axis::fitted(panel.is_logarithmic(axis), needed[axis], wanted),
             }
         });
         Self { panel, frame, both }
@@ -112,13 +101,11 @@ impl<'a> PanelAxes<'a> {
 
     fn place(&self, point: [f64; 2]) -> [f64; 2] {
         let [left, right, top, bottom] = self.frame;
-        let [x, y] = [0, 1]
-            .map(|axis| if self.panel.logarithmic[axis] { math::log10(point[axis]) } else { point[axis] });
-        let along = |value: f64, axis: usize| {
+        let [x, y] = [0, 1].map(|axis| {
             let [low, high] = self.both[axis].range;
-            (value - low) / (high - low)
-        };
-        [left + along(x, 0) * (right - left), bottom - along(y, 1) * (bottom - top)]
+            (self.panel.along(axis, point[axis]) - low) / (high - low)
+        });
+        [left + x * (right - left), bottom - y * (bottom - top)]
     }
 
     fn draw(&self, svg: &mut String) {
@@ -134,44 +121,21 @@ impl<'a> PanelAxes<'a> {
                  <g clip-path=\"url(#frame{left}-{top})\">"
             );
         }
-        let mut labels = self.label_places();
         for line in &self.panel.lines {
-            self.draw_line(line, &mut labels, svg);
+            for piece in &line.pieces {
+                let places: Vec<_> = piece.iter().map(|&point| self.place(point)).collect();
+                draw_piece(line, &places, svg);
+            }
         }
         if is_clipped {
             svg.push_str("</g>\n");
         }
-        for (row, line) in self.panel.legend().enumerate() {
+        for (row, line) in self.panel.lines.iter().enumerate() {
             let y = MARGIN.top + LEGEND_ROW * (row as f64 + 0.4);
             let (end, text) = (left + 30.0, left + 36.0);
             let sample = [[left, y - 4.0], [end, y - 4.0]];
             draw_piece(line, &sample, svg);
             let _ = writeln!(svg, "<text x=\"{text}\" y=\"{y:.1}\">{}</text>", escaped(&line.name));
-        }
-    }
-
-    /// The room for the names of marks, which they cover neither marks nor lines in.
-    fn label_places(&self) -> LabelPlaces {
-        let [left, right, top, bottom] = self.frame.map(|end| end as f32);
-        let mut places = LabelPlaces::new(Area { min: [left, top], max: [right, bottom] }, 0.0);
-        let marks = self.panel.lines.iter().filter(|line| line.stroke == LineStroke::Mark);
-        for piece in marks.flat_map(|line| &line.pieces) {
-            let piece = piece.iter().map(|&point| self.place(point).map(|at| at as f32));
-            places.avoid(piece.clone(), 1.0);
-            for mark in piece.take(1) {
-                places.keep_clear_of(mark, MARK);
-            }
-        }
-        places
-    }
-
-    fn draw_line(&self, line: &Line, labels: &mut LabelPlaces, svg: &mut String) {
-        for piece in &line.pieces {
-            let places: Vec<_> = piece.iter().map(|&point| self.place(point)).collect();
-            draw_piece(line, &places, svg);
-            if line.stroke == LineStroke::Mark {
-                draw_name(&line.name, places[0], labels, svg);
-            }
         }
     }
 
@@ -231,22 +195,6 @@ impl<'a> PanelAxes<'a> {
     }
 }
 
-/// Writes the `name` of a mark beside it, on the side where it covers least.
-fn draw_name(name: &str, mark: [f64; 2], labels: &mut LabelPlaces, svg: &mut String) {
-    let mark = mark.map(|at| at as f32);
-    let size = [LETTER * name.chars().count() as f32, TEXT_LINE];
-    let Some(Area { min, max }) = labels.take(Area::near(mark, AROUND_MARK, size)) else { return };
-    let (anchor, x) = if min[0] > mark[0] {
-        ("start", min[0])
-    } else if max[0] < mark[0] {
-        ("end", max[0])
-    } else {
-        ("middle", mark[0])
-    };
-    let (y, name) = (max[1] - DESCENT, escaped(name));
-    let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{name}</text>");
-}
-
 fn draw_piece(line: &Line, places: &[[f64; 2]], svg: &mut String) {
     let colour = &line.colour;
     if line.stroke == LineStroke::Dots {
@@ -255,15 +203,12 @@ fn draw_piece(line: &Line, places: &[[f64; 2]], svg: &mut String) {
         }
         return;
     }
-    if let (LineStroke::Mark, [[x, y], ..]) = (line.stroke, places) {
-        let _ = writeln!(svg, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{MARK}\" fill=\"{colour}\"/>");
-    }
     let dashes = match line.stroke {
         LineStroke::Line(Dash::Dashed(length)) => {
             format!(" stroke-dasharray=\"{length} {:.1}\"", 0.6 * f64::from(length))
         }
         LineStroke::Line(Dash::Dotted) => " stroke-dasharray=\"1.6 3\"".to_owned(),
-        LineStroke::Line(Dash::Solid) | LineStroke::Dots | LineStroke::Mark => String::new(),
+        LineStroke::Line(Dash::Solid) | LineStroke::Dots => String::new(),
     };
     let _ = write!(svg, "<polyline fill=\"none\" stroke-width=\"1.6\" stroke=\"{colour}\"{dashes} points=\"");
     for [x, y] in places {

@@ -18,8 +18,6 @@ pub const VERMILION: &str = "#D55E00";
 
 /// Height of a panel unless it has another, pixels.
 const HEIGHT: f64 = 380.0;
-/// Part of two logarithmic axes that stays free at each end.
-const FREE: f64 = 0.05;
 
 /// The dashes of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,8 +37,6 @@ pub enum LineStroke {
     Line(Dash),
     /// Dots at the points instead of a line.
     Dots,
-    /// A disc at the first point with a line to the last. Its name is beside it, not in the legend.
-    Mark,
 }
 
 /// A line through points; several pieces share one entry of the legend.
@@ -97,9 +93,9 @@ pub struct Panel {
     pub marks: Vec<(f64, String)>,
     /// Whether a unit is as long on both axes.
     pub equal_scales: bool,
-    /// Logarithmic axes: all coordinates along these are above 0, and `equal_scales` has no effect.
-    pub logarithmic: [bool; 2],
-    /// Ends of the axes, logarithms of a logarithmic one; else the lines decide.
+    /// Whether the vertical axis is logarithmic: all values are above 0 then, and `equal_scales` has no effect.
+    pub is_logarithmic: bool,
+    /// Ends of the axes, logarithms of a logarithmic one; `None` lets the lines decide.
     pub ranges: [Option<[f64; 2]>; 2],
     /// Width of the picture, pixels.
     pub width: f64,
@@ -117,32 +113,28 @@ impl Panel {
             shown_x: None,
             marks: Vec::new(),
             equal_scales: false,
-            logarithmic: [false; 2],
+            is_logarithmic: false,
             ranges: [None; 2],
             width: 480.0,
             height: HEIGHT,
         }
     }
 
-    /// Returns the range that the lines need of an axis (logarithms of a logarithmic one), with this share of it more at both ends; whole
-    /// decades where both axes are logarithmic, and so much more that nothing is drawn on the frame.
+    /// Returns the range that the lines need of an axis (logarithms of a logarithmic one), with this share of it more at both ends.
     pub(super) fn needed(&self, axis: usize, room: f64) -> [f64; 2] {
         let values = self.lines.iter().flat_map(|line| &line.pieces).flatten().map(|point| point[axis]);
         let values = values.chain(self.shown_x.filter(|_| axis == 0).into_iter().flatten());
-        if !self.logarithmic[axis] {
-            return with_margin(extent(values).unwrap_or_default(), room);
-        }
-        let [low, high] = extent(values.map(math::log10)).unwrap_or_default();
-        if self.logarithmic == [true; 2] {
-            let [from, to] = [low.floor(), high.ceil().max(low.floor() + 1.0)];
-            let free = FREE * (to - from);
-            return [from.min(low - free), to.max(high + free)];
-        }
-        with_margin([low, high], room)
+        let range = extent(values.map(|value| self.along(axis, value)));
+        with_margin(range.unwrap_or_default(), room)
     }
 
-    /// The lines that are named in the legend.
-    pub(super) fn legend(&self) -> impl Iterator<Item = &Line> {
-        self.lines.iter().filter(|line| line.stroke != LineStroke::Mark)
+    /// Whether this axis is logarithmic.
+    pub(super) fn is_logarithmic(&self, axis: usize) -> bool {
+        axis == 1 && self.is_logarithmic
+    }
+
+    /// Returns the place of `value` along an axis: its logarithm on a logarithmic one.
+    pub(super) fn along(&self, axis: usize, value: f64) -> f64 {
+        if self.is_logarithmic(axis) { math::log10(value) } else { value }
     }
 }

@@ -71,7 +71,7 @@ fn panel(state: &State, chart: &TimePlot<'_>) -> Panel {
     Panel {
         ranges: [Some(chart.range.map(shown)), Some(values)],
         marks: seen.into_iter().chain(cursors).chain([now]).collect(),
-        logarithmic: [false, chart.quantity.row().is_logarithmic],
+        is_logarithmic: chart.quantity.row().is_logarithmic,
         ..Panel::new(title, labels, lines.collect())
     }
 }
