@@ -1,7 +1,9 @@
-//! What effects of light cost: the cyclist abreast at 0.9 c by rays, with one effect after the other left out.
+//! What effects of light cost: the cyclist abreast at 0.9 c by rays, with one effect after the other left
+//! out.
 //!
-//! `cargo bench --bench effects` prints milliseconds per picture of one eye and ratios to the picture with everything on. The
-//! pictures are timed in turns, so that all meet the same disturbances, and the first once more: smaller differences are noise.
+//! `cargo bench --bench effects` prints milliseconds per picture of one eye and ratios to the picture with
+//! everything on. The pictures are timed in turns, so that all meet the same disturbances, and the first once
+//! more: smaller differences are noise.
 
 use std::slice;
 

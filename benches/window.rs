@@ -1,6 +1,7 @@
-//! What the views, the map, a ride, and the window's own way to paint itself cost: frames of a 1200x760 window while it plays, with
-//! and without each, in one run. Prints medians of whole frames, each drawn on the device before the next begins and not read
-//! back, and of what the program itself does of them: all but waiting for the device.
+//! What the views, the map, a ride, and the window's own way to paint itself cost: frames of a 1200x760
+//! window while it plays, with and without each, in one run. Prints medians of whole frames, each drawn on
+//! the device before the next begins and not read back, and of what the program itself does of them: all but
+//! waiting for the device.
 //!
 //! `cargo bench --bench window`
 
@@ -119,7 +120,8 @@ impl Shown {
         shown
     }
 
-    /// Runs and draws frames, each finished before the next begins: how long each took, and the program's own part.
+    /// Runs and draws frames, each finished before the next begins: how long each took, and the program's own
+    /// part.
     fn frames(&mut self, [frames, own]: &mut [Vec<Duration>; 2]) {
         for _ in 0..FRAMES {
             let start = Instant::now();

@@ -1,5 +1,5 @@
-//! Every preset on one sheet, to look at: a row for each in a dark and in a light window, in it for each speed what the
-//! left eye sees before the selected point passes, abreast of it, and after.
+//! Every preset on one sheet, to look at: a row for each in a dark and in a light window, in it for each
+//! speed what the left eye sees before the selected point passes, abreast of it, and after.
 //!
 //! `cargo run --release --example contact_sheet -- sheet.png [PRESET ...]`
 

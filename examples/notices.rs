@@ -1,10 +1,12 @@
-//! Writes `LICENSES-THIRD-PARTY.txt`: the licences of all that Gamow is made of, from the sources in cargo's registry.
+//! Writes `LICENSES-THIRD-PARTY.txt`: the licences of all that Gamow is made of, from the sources in cargo's
+//! registry.
 //!
 //! ```text
 //! cargo fetch --locked && cargo run --example notices
 //! ```
 //!
-//! Where a library offers a choice, Apache-2.0 is taken, whose text is the same for all; of the others each has its own.
+//! Where a library offers a choice, Apache-2.0 is taken, whose text is the same for all; of the others each
+//! has its own.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -76,7 +78,8 @@ fn registry() -> anyhow::Result<PathBuf> {
     Ok(folders.next().context("run `cargo fetch --locked` first")??.path())
 }
 
-/// Adds the licences and notices in `folder` and in its fonts to `found`; `notices` alone, if that is all that is needed.
+/// Adds the licences and notices in `folder` and in its fonts to `found`; `notices` alone, if that is all
+/// that is needed.
 fn texts_in(folder: &Path, notices: bool, found: &mut Vec<String>) -> anyhow::Result<()> {
     let mut paths: Vec<_> =
         fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<anyhow::Result<_>>()?;

@@ -1,5 +1,6 @@
-//! Gamow's street from the saddle, to look at: a row each for looking ahead, aside and behind, a column each for being at rest,
-//! at 0.5 c, at 0.9 c and at a Lorentz factor of 10. The rider is at the same place in all of them.
+//! Gamow's street from the saddle, to look at: a row each for looking ahead, aside and behind, a column each
+//! for being at rest, at 0.5 c, at 0.9 c and at a Lorentz factor of 10. The rider is at the same place in all
+//! of them.
 //!
 //! `cargo run --release --example ride_sheet -- sheet.png [dusk]`
 

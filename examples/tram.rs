@@ -1,5 +1,5 @@
-//! A tram of 1,302 triangles with eight named wheels and a board on its roof, as Wavefront OBJ with colours and a texture:
-//! `tram.obj`, `tram.mtl` and `tram.png` in `assets/scenes`.
+//! A tram of 1,302 triangles with eight named wheels and a board on its roof, as Wavefront OBJ with colours
+//! and a texture: `tram.obj`, `tram.mtl` and `tram.png` in `assets/scenes`.
 //!
 //! `cargo run --example tram` writes them.
 

@@ -74,8 +74,8 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
     }
 }
 
-/// Says what `error` has in place of a command: help on standard output, or what is wrong with the command line. Gives the
-/// exit status.
+/// Says what `error` has in place of a command: help on standard output, or what is wrong with the command
+/// line. Gives the exit status.
 ///
 /// # Errors
 ///
@@ -96,8 +96,8 @@ pub fn explain(error: &clap::Error) -> anyhow::Result<ExitCode> {
 /// Exit status of a command line that makes no sense.
 const USAGE: u8 = 2;
 
-/// Returns the error in the command line of these `words`, if any of them would have to be quoted: then without colours, since
-/// these are what a terminal obeys too.
+/// Returns the error in the command line of these `words`, if any of them would have to be quoted: then
+/// without colours, since these are what a terminal obeys too.
 fn quoted(words: Vec<String>) -> Option<String> {
     let mut odd = words.clone();
     odd.retain(|word| messages::shown(word) != *word);

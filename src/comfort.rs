@@ -1,13 +1,15 @@
 //! Comfort of fusing a pair of pictures: the disparities on the screen, as angles at the viewer.
 //!
-//! Of the places of all bodies ([`Shape::samples`](relativity_render::Shape::samples)) those count that lie in both pictures. The difference of where one is in the
-//! left and in the right picture is `u_left - u_right` across and `v_left - v_right` down; seen from a distance L a
-//! difference p is the angle `2 atan(p / 2L)`. The horizontal range is that of the greatest difference across less the
-//! least, so that shifting a picture does not change it; the vertical disparity is that of the largest difference down.
-//! What lies behind something else counts too; the ground and the sky do not.
+//! Of the places of all bodies ([`Shape::samples`](relativity_render::Shape::samples)) those count that lie
+//! in both pictures. The difference of where one is in the left and in the right picture is
+//! `u_left - u_right` across and `v_left - v_right` down; seen from a distance L a difference p is the angle
+//! `2 atan(p / 2L)`. The horizontal range is that of the greatest difference across less the least, so that
+//! shifting a picture does not change it; the vertical disparity is that of the largest difference down. What
+//! lies behind something else counts too; the ground and the sky do not.
 //!
-//! About 1 degree across is comfortable (M. Lambooij et al., *Visual discomfort and visual fatigue of stereoscopic displays*,
-//! J. Imaging Sci. Technol. 53, 030201, 2009), 2 can be fused at most, and 20 arcmin down.
+//! About 1 degree across is comfortable (M. Lambooij et al., *Visual discomfort and visual fatigue of
+//! stereoscopic displays*, J. Imaging Sci. Technol. 53, 030201, 2009), 2 can be fused at most, and 20 arcmin
+//! down.
 
 use std::f64::consts::PI;
 
@@ -46,8 +48,8 @@ pub enum ComfortVerdict {
 }
 
 impl Comfort {
-    /// Returns the comfort of the `views` (left, right) of `scene`, seen from a distance of this number of their pixels, above 0.
-    /// `None` where no body lies in both pictures.
+    /// Returns the comfort of the `views` (left, right) of `scene`, seen from a distance of this number of
+    /// their pixels, above 0. `None` where no body lies in both pictures.
     #[must_use]
     pub fn new(scene: &Scene, views: &[View; 2], distance_px: f64) -> Option<Self> {
         let stride = scene.bodies.len().div_ceil(MOST_BODIES).max(1);
@@ -113,8 +115,8 @@ impl ComfortVerdict {
 /// Times that a distance is halved in search of a comfortable one.
 const HALVINGS: usize = 40;
 
-/// The widest separation of the eyes, at most `separation` and of two digits, with which the pair is comfortable, where
-/// `comfort` tells how a separation is. `None` if none is narrow enough.
+/// The widest separation of the eyes, at most `separation` and of two digits, with which the pair is
+/// comfortable, where `comfort` tells how a separation is. `None` if none is narrow enough.
 pub fn comfortable_separation(separation: f64, comfort: impl Fn(f64) -> Option<Comfort>) -> Option<f64> {
     let suits = |d: f64| comfort(d).is_none_or(|comfort| comfort.verdict() == ComfortVerdict::Comfortable);
     if suits(separation) {
@@ -154,8 +156,8 @@ mod tests {
 
     const ARCMIN: f64 = PI / 10_800.0;
 
-    /// The cyclist at this beta, in pictures whose plane is parallel to its motion, with the tracked point in their middle:
-    /// so wide that all of it is in them.
+    /// The cyclist at this beta, in pictures whose plane is parallel to its motion, with the tracked point in
+    /// their middle: so wide that all of it is in them.
     fn wide(beta: f64) -> Settings {
         let mut settings = Settings { scene: "cyclist".to_owned(), ..Settings::default() };
         settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
@@ -174,7 +176,8 @@ mod tests {
         Comfort::new(&scene, &views, views[0].camera.focal_length_px())
     }
 
-    /// Returns x where an eye at (`eye`, 0, 0) sees a place at rest along x, by the light cone's quadratic equation.
+    /// Returns x where an eye at (`eye`, 0, 0) sees a place at rest along x, by the light cone's quadratic
+    /// equation.
     fn seen_x([x, y, z]: [f64; 3], eye: f64, beta: f64, time: f64) -> f64 {
         let rest = (1.0 - beta * beta).sqrt();
         let present = x * rest - eye + beta * time;
@@ -182,7 +185,8 @@ mod tests {
         present - beta * ((b * b + a * c).sqrt() - b) / a
     }
 
-    /// The range across of the cyclist's middle lines, 40 places on each, in a picture plane across (0, 3, 2), arcmin.
+    /// The range across of the cyclist's middle lines, 40 places on each, in a picture plane across (0, 3,
+    /// 2), arcmin.
     fn range_by_hand(beta: f64, time: f64) -> f64 {
         let scene = wide(beta).opened_scene().expect("a preset");
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];

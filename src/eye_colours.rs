@@ -1,5 +1,5 @@
-//! Colours of the eyes: left is blue and right is orange wherever colour distinguishes them, a pair that stays distinct for colour-blind
-//! eyes, from M. Okabe and K. Ito, *Color universal design* (2008).
+//! Colours of the eyes: left is blue and right is orange wherever colour distinguishes them, a pair that
+//! stays distinct for colour-blind eyes, from M. Okabe and K. Ito, *Color universal design* (2008).
 
 /// The colours of the left and the right eye on a dark background, sRGB-encoded.
 pub const ON_DARK: [[u8; 3]; 2] = [[0x56, 0xB4, 0xE9], [0xE6, 0x9F, 0x00]];

@@ -1,6 +1,7 @@
 //! Text in SVG and HTML.
 
-/// Escapes `text` for an element or an attribute between double quotes. Characters that XML does not allow become U+FFFD.
+/// Escapes `text` for an element or an attribute between double quotes. Characters that XML does not allow
+/// become U+FFFD.
 #[must_use]
 pub fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());

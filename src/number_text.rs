@@ -112,7 +112,8 @@ pub fn decimals_of(uncertainty: f64) -> usize {
     }
 }
 
-/// Writes a number of bytes with this many significant `digits`, in the largest unit that leaves a number above 1.
+/// Writes a number of bytes with this many significant `digits`, in the largest unit that leaves a number
+/// above 1.
 #[must_use]
 pub fn bytes(count: u64, digits: i32) -> String {
     let (mut value, mut unit) = (count as f64, "bytes");
@@ -137,7 +138,8 @@ pub fn power_of_ten(exponent: f64) -> String {
     with_minus(&format!("{value:.0e}"))
 }
 
-/// The number a user typed: surrounding space, groups of digits, a true minus sign and a decimal comma are all right.
+/// The number a user typed: surrounding space, groups of digits, a true minus sign and a decimal comma are
+/// all right.
 pub fn parsed(text: &str) -> Result<f64, String> {
     let plain: String = text.chars().filter(|c| !c.is_whitespace()).collect::<String>().replace('−', "-");
     let plain = with_point(&plain);
@@ -147,7 +149,8 @@ pub fn parsed(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A number with a decimal point in place of a decimal comma. What has a point already, or more commas, is left as it is.
+/// A number with a decimal point in place of a decimal comma. What has a point already, or more commas, is
+/// left as it is.
 #[must_use]
 pub fn with_point(number: &str) -> Cow<'_, str> {
     if number.matches(',').count() == 1 && !number.contains('.') {

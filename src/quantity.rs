@@ -1,5 +1,5 @@
-//! The quantities of a point that is seen, a row each. Plots, the readout and lessons take names, units and values from here; the columns
-//! of tables are named by the same identifiers.
+//! The quantities of a point that is seen, a row each. Plots, the readout and lessons take names, units and
+//! values from here; the columns of tables are named by the same identifiers.
 
 use relativity_core::{Conformal, ConformalDisparity, Disparity, Sighting, Stereo};
 use serde::{Deserialize, Serialize};
@@ -161,7 +161,8 @@ impl Quantity {
         }
     }
 
-    /// Returns the quantity of what is `seen`: of one that each eye has, the left eye's. `None` of one that needs more than the disparity.
+    /// Returns the quantity of what is `seen`: of one that each eye has, the left eye's. `None` of one that
+    /// needs more than the disparity.
     #[must_use]
     pub fn seen(self, seen: &Disparity) -> Option<f64> {
         match self.row().of {

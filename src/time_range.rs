@@ -3,8 +3,8 @@
 use relativity_core::math;
 use relativity_core::{Aperture, DomainError, SourcePoint, Speed, observation_time_when_seen_at};
 
-/// The observation time at which `point` is seen at x = `ratio` R by the `pair`, R being its distance from the eyes as it
-/// passes x = 0; `None` at rest.
+/// The observation time at which `point` is seen at x = `ratio` R by the `pair`, R being its distance from
+/// the eyes as it passes x = 0; `None` at rest.
 ///
 /// # Errors
 ///
@@ -29,7 +29,8 @@ pub fn time_within([from, to]: [f64; 2], fraction: f64) -> f64 {
     from * (1.0 - fraction) + to * fraction
 }
 
-/// The observation times from which to which `point` is seen to pass: at x = -2 R and at x = +2 R; `None` at rest.
+/// The observation times from which to which `point` is seen to pass: at x = -2 R and at x = +2 R; `None` at
+/// rest.
 ///
 /// # Errors
 ///
@@ -43,8 +44,8 @@ pub fn passage_times(
     Ok(time(-2.0)?.zip(time(2.0)?).map(|(first, last)| [first, last]))
 }
 
-/// When `point` is seen 45 degrees before it is abreast: near enough to look at, and still approaching. Slow passages
-/// take so long that it lies before the [`fitted_range`]; then it is the first T of that. 0 at rest.
+/// When `point` is seen 45 degrees before it is abreast: near enough to look at, and still approaching. Slow
+/// passages take so long that it lies before the [`fitted_range`]; then it is the first T of that. 0 at rest.
 ///
 /// # Errors
 ///
@@ -62,8 +63,8 @@ const SLOWEST_FITTED_BETA: f64 = 0.2;
 /// Smallest passing distance that the fitted range makes room for.
 const NEAREST_FITTED_DISTANCE: f64 = 0.05;
 
-/// First and last T of a range that shows `point` approaching, abreast and receding, to the middle between the `pair` and to both
-/// of them.
+/// First and last T of a range that shows `point` approaching, abreast and receding, to the middle between
+/// the `pair` and to both of them.
 #[must_use]
 pub fn fitted_range(speed: &Speed, point: SourcePoint, pair: [Aperture; 2]) -> [f64; 2] {
     let slowest = Speed::from_beta(SLOWEST_FITTED_BETA).expect("it is below 1");
@@ -85,8 +86,9 @@ fn range_of(speed: &Speed, point: SourcePoint, eye: Aperture, distances: [f64; 2
     distances.map(|distances| abreast + distances * nearest / speed.beta())
 }
 
-/// Returns the first time within `range` at which something `has_come`, to the last digit, by bisection: before that time it never has, and
-/// from then on it always has. The end of the range, if it has not come until then.
+/// Returns the first time within `range` at which something `has_come`, to the last digit, by bisection:
+/// before that time it never has, and from then on it always has. The end of the range, if it has not come
+/// until then.
 #[must_use]
 pub fn first_time([mut before, mut after]: [f64; 2], has_come: impl Fn(f64) -> bool) -> f64 {
     loop {

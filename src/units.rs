@@ -1,5 +1,5 @@
-//! Units in which the window shows lengths and times, and in which they are typed. Files, CSV and flags always use the scene's own, in
-//! which c = 1.
+//! Units in which the window shows lengths and times, and in which they are typed. Files, CSV and flags
+//! always use the scene's own, in which c = 1.
 
 use clap::ValueEnum;
 use relativity_core::{Speed, math};
@@ -19,13 +19,15 @@ const MOST_SPEED_DECIMALS: f64 = 6.0;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Units {
-    /// The scene's own unit for lengths and times, c = 1: light travels one unit of length in one unit of time.
+    /// The scene's own unit for lengths and times, c = 1: light travels one unit of length in one unit of
+    /// time.
     #[default]
     Natural,
-    /// Metres and nanoseconds: light takes 3.34 ns for a metre. The scene must say how many metres its unit is.
+    /// Metres and nanoseconds: light takes 3.34 ns for a metre. The scene must say how many metres its unit
+    /// is.
     Metric,
-    /// Metres and seconds in Gamow's town, where c is 30 km/h and light takes 0.12 s for a metre. Nothing looks different: all that counts is v/c.
-    /// The scene must say how many metres its unit is.
+    /// Metres and seconds in Gamow's town, where c is 30 km/h and light takes 0.12 s for a metre. Nothing
+    /// looks different: all that counts is v/c. The scene must say how many metres its unit is.
     Town,
 }
 
@@ -105,8 +107,8 @@ impl Unit {
         (f64::from(decimals) - math::log10(self.factor).round()).clamp(0.0, 9.0) as u8
     }
 
-    /// The digits of `value`, which is in units of the scene, as many as `decimals` are of that; a dash if it is not a
-    /// number.
+    /// The digits of `value`, which is in units of the scene, as many as `decimals` are of that; a dash if it
+    /// is not a number.
     #[must_use]
     pub fn number(self, value: f64, decimals: u8) -> String {
         number_text::fixed(self.shown(value), self.decimals(decimals))

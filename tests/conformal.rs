@@ -1,4 +1,5 @@
-//! The conformal picture of the paper's cyclist in motion: that of the cyclist at rest, moved back by the rapidity.
+//! The conformal picture of the paper's cyclist in motion: that of the cyclist at rest, moved back by the
+//! rapidity.
 
 use gamow::scene::Scene;
 use gamow::settings::{Settings, Subject};
@@ -9,12 +10,14 @@ use relativity_render::{Camera, Gaze, Geometry, HitImage, Projection, View};
 /// Width and height, px, and how many columns the rapidity is.
 const SIZE: [u32; 2] = [1600, 500];
 const COLUMNS: usize = 600;
-/// The least distance from the centre of a pixel at which rounding does not decide on which side of an outline it is, px.
+/// The least distance from the centre of a pixel at which rounding does not decide on which side of an
+/// outline it is, px.
 const ROUNDING_PX: f64 = 1e-6;
 
-/// Each pixel shows the point of the body that the pixel so many columns further to the right shows to a camera that moves along, at the
-/// same event: frame, rider, and wheels as they stand at their own time. Pixels on which an outline lies to 1e-6 px do not count;
-/// of outlines some 10,000 px long at most one is to be expected.
+/// Each pixel shows the point of the body that the pixel so many columns further to the right shows to a
+/// camera that moves along, at the same event: frame, rider, and wheels as they stand at their own time.
+/// Pixels on which an outline lies to 1e-6 px do not count; of outlines some 10,000 px long at most one is to
+/// be expected.
 #[test]
 fn the_cyclist_slides_by_the_rapidity() {
     let scene = Scene::preset("cyclist").expect("a preset");

@@ -1,5 +1,5 @@
-//! No default view crops what it is about: points all over the surfaces of what moves with the scene, each by its own
-//! light cone, lie inside the picture.
+//! No default view crops what it is about: points all over the surfaces of what moves with the scene, each by
+//! its own light cone, lie inside the picture.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -79,8 +79,8 @@ fn directions(view: &View, points: &[MaterialPoint]) -> Vec<DVec3> {
     points.iter().filter_map(|&point| view.apparent_position(point)).collect()
 }
 
-/// The smallest part of the picture between an edge and a place where something is seen along `directions`; below 0
-/// where it is cropped.
+/// The smallest part of the picture between an edge and a place where something is seen along `directions`;
+/// below 0 where it is cropped.
 fn margin(camera: &Camera, directions: &[DVec3]) -> f64 {
     let [width, height] = camera.size.map(f64::from);
     let place = |&direction: &DVec3| {
@@ -96,8 +96,8 @@ fn views(state: &State, time: f64, size: [u32; 2]) -> [View; 2] {
     state.document.settings.views(subject, time, size)
 }
 
-/// Checks that no picture of `state` in this `geometry`, over the loop and all sizes, crops what moves: at one of each `share` times, drawn
-/// from `seed` on.
+/// Checks that no picture of `state` in this `geometry`, over the loop and all sizes, crops what moves: at
+/// one of each `share` times, drawn from `seed` on.
 fn assert_whole(state: &State, geometry: Geometry, (seed, share): (u32, usize)) {
     let mut state = state.clone();
     state.document.settings.look.geometry = geometry;
@@ -132,7 +132,8 @@ fn no_other_geometry_crops_it_either() {
     }
 }
 
-/// Returns where an eye at (`eye`, 0, 0) sees a place of a group that moves at `beta` along x, by the light cone's quadratic equation.
+/// Returns where an eye at (`eye`, 0, 0) sees a place of a group that moves at `beta` along x, by the light
+/// cone's quadratic equation.
 fn seen([x, y, z]: [f64; 3], beta: f64, eye: f64, time: f64) -> DVec3 {
     let rest = 1.0 - beta * beta;
     let present = x * rest.sqrt() - eye + beta * time;

@@ -1,5 +1,5 @@
-//! The light of the paper's cyclist in pictures: nothing clipped, exponents that can be told apart, and an exposure that
-//! stays the same while time runs.
+//! The light of the paper's cyclist in pictures: nothing clipped, exponents that can be told apart, and an
+//! exposure that stays the same while time runs.
 
 use gamow::flags::{Exposure, IntensityExponent};
 use gamow::scene::Scene;
@@ -19,8 +19,8 @@ fn settings(exponent: f64) -> Settings {
     settings
 }
 
-/// What the left eye receives at `time`, nm, and the largest component of its picture there, level by level, where a
-/// body in colour fills the pixel.
+/// What the left eye receives at `time`, nm, and the largest component of its picture there, level by level,
+/// where a body in colour fills the pixel.
 fn coloured_levels(
     settings: &Settings,
     prepared: &PreparedScene,

@@ -183,7 +183,8 @@ fn every_body_of_a_preset_has_a_name_of_its_own() {
 #[allow(clippy::allow_attributes, reason = "an expectation would fail in the example itself")]
 mod tram;
 
-/// The tram of the program equals what its example writes, and in its scene it stands upright on wheels that roll on the ground.
+/// The tram of the program equals what its example writes, and in its scene it stands upright on wheels that
+/// roll on the ground.
 #[test]
 fn the_tram_is_what_its_example_writes() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/scenes");

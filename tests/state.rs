@@ -68,8 +68,8 @@ fn the_window_at_its_start_shows_what_is_rendered_to_the_last_digit() {
     }
 }
 
-/// Whatever is selected: with the zero parallax at the point it is at one place in both pictures, and everything is as
-/// high in one as in the other.
+/// Whatever is selected: with the zero parallax at the point it is at one place in both pictures, and
+/// everything is as high in one as in the other.
 #[test]
 fn in_parallel_pictures_the_selected_point_is_at_one_place_and_nothing_has_vertical_parallax() {
     let mut settings = Settings { scene: "cyclist".to_owned(), ..Settings::default() };
@@ -92,8 +92,8 @@ fn in_parallel_pictures_the_selected_point_is_at_one_place_and_nothing_has_verti
     assert!(compared > 300, "{compared} pictures");
 }
 
-/// Whether the selected point is in front of both eyes of `state`; and that it is then at one place, unless its lines of
-/// sight diverge, as in the paper's model.
+/// Whether the selected point is in front of both eyes of `state`; and that it is then at one place, unless
+/// its lines of sight diverge, as in the paper's model.
 fn assert_fusible(state: &State) -> usize {
     let views = Eye::BOTH.map(|eye| state.view(eye, SIZE));
     let place = |rest: [f64; 3]| {

@@ -48,7 +48,8 @@ pub fn frame_ms(
     })
 }
 
-/// Returns milliseconds per frame of `draw`, which draws the number of frames that it is given and waits for them.
+/// Returns milliseconds per frame of `draw`, which draws the number of frames that it is given and waits for
+/// them.
 fn fastest_frame_ms(rounds: u32, mut draw: impl FnMut(u32) -> Result<(), GpuError>) -> Result<f64, GpuError> {
     draw(1)?; // makes pipelines and target
     let mut run = |frames| {

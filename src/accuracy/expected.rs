@@ -35,8 +35,8 @@ pub struct ExpectedError {
     pub difference: Difference,
 }
 
-/// The total error of a picture, pixels: the displacement of outlines or the error of directions, whichever is larger.
-/// Outlines that are nearer than can be distinguished count as exact.
+/// The total error of a picture, pixels: the displacement of outlines or the error of directions, whichever
+/// is larger. Outlines that are nearer than can be distinguished count as exact.
 #[must_use]
 pub fn total_error_px(outlines_px: Option<f64>, arcseconds: Option<f64>, px_per_radian: f64) -> f64 {
     let resolved_px = outlines_px.filter(|&px| px > RESOLUTION_PX).unwrap_or(0.0);

@@ -1,9 +1,9 @@
 //! Displacement of outlines: how far from the reference's a renderer draws them, in pixels.
 //!
 //! Places on outlines are found in the reference's picture by bisection in f64. At each, the renderer draws a
-//! strip of the view across the outline, one pixel high and magnified until the displacement shows; where in it
-//! the depth jumps is compared with where the reference does, perpendicular to the outline, which is taken as
-//! straight between the two.
+//! strip of the view across the outline, one pixel high and magnified until the displacement shows; where in
+//! it the depth jumps is compared with where the reference does, perpendicular to the outline, which is taken
+//! as straight between the two.
 
 use glam::DVec2;
 use relativity_render::{Camera, Hit, HitImage, PreparedScene, View};
@@ -61,7 +61,8 @@ pub struct OutlinePoint {
     pub pixel: DVec2,
     /// Unit vector out of the body, across the outline; right and down.
     pub outward: DVec2,
-    /// Distance that divides body and background: what is nearer lies inside the outline, what is farther behind it.
+    /// Distance that divides body and background: what is nearer lies inside the outline, what is farther
+    /// behind it.
     pub divide: f64,
 }
 
@@ -158,8 +159,8 @@ impl Strip {
         strip
     }
 
-    /// Returns the end of the body along the strip as the renderer draws it, strip pixels outwards from the middle; `None`
-    /// beyond the strip.
+    /// Returns the end of the body along the strip as the renderer draws it, strip pixels outwards from the
+    /// middle; `None` beyond the strip.
     ///
     /// A body that is lost counts as displaced by its width, a gap that is closed by the gap's.
     fn end(&self, reference: &HitImage, shown: &HitImage) -> Option<f64> {
@@ -193,8 +194,8 @@ impl Strip {
         if end == 0.0 { 0.0 } else { self.outward_px(camera, end).abs() }
     }
 
-    /// Returns the distance outwards from the body, in pixels of `camera`, of the place that lies `along` strip pixels from the
-    /// middle.
+    /// Returns the distance outwards from the body, in pixels of `camera`, of the place that lies `along`
+    /// strip pixels from the middle.
     fn outward_px(&self, camera: &Camera, along: f64) -> f64 {
         let mut place = [0.5, 0.5];
         place[self.axis] = 0.5 * f64::from(STRIP) + along;

@@ -32,8 +32,8 @@ impl TrackedPlace {
         }
     }
 
-    /// The observation time at which `point` is seen there from the origin; 0 at rest, where it never moves, and outside
-    /// the domain of the core.
+    /// The observation time at which `point` is seen there from the origin; 0 at rest, where it never moves,
+    /// and outside the domain of the core.
     #[must_use]
     pub fn observation_time(self, speed: &Speed, point: SourcePoint) -> f64 {
         let ratio = match self {
@@ -45,7 +45,8 @@ impl TrackedPlace {
     }
 }
 
-/// Returns the view of the left eye of a pair, `separation` apart, that looks at the rest-frame point `tracked`.
+/// Returns the view of the left eye of a pair, `separation` apart, that looks at the rest-frame point
+/// `tracked`.
 ///
 /// # Errors
 ///

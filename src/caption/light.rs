@@ -34,8 +34,8 @@ impl RestLight {
         }
     }
 
-    /// Describes the light as received with these `doppler_factors`, of the left and the right eye or of one; `None` where they are
-    /// no numbers.
+    /// Describes the light as received with these `doppler_factors`, of the left and the right eye or of one;
+    /// `None` where they are no numbers.
     pub(super) fn described(self, doppler_factors: &[f64]) -> Option<String> {
         let are_numbers = doppler_factors.iter().all(|factor| factor.is_finite() && *factor > 0.0);
         let times = |value: f64| doppler_factors.iter().map(|factor| value * factor).collect::<Vec<_>>();
@@ -79,7 +79,8 @@ fn glow(kelvin: f64, received: &[f64]) -> String {
     format!("a glow of {kelvin} K, received as of {received} K{unseen}")
 }
 
-/// Returns which eye sees nothing of light that arrives in these bands at the left and the right eye, or at both.
+/// Returns which eye sees nothing of light that arrives in these bands at the left and the right eye, or at
+/// both.
 fn unseen(bands: impl Iterator<Item = Band>) -> &'static str {
     match bands.map(|band| band == Band::Visible).collect::<Vec<_>>()[..] {
         [false] | [false, false] => ": eyes see nothing",

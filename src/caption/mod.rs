@@ -1,9 +1,9 @@
-//! The moment in words: what arrives of one point at one T, as a sentence, as marks on a wavelength scale, and as the
-//! reason why a part of a picture is dark.
+//! The moment in words: what arrives of one point at one T, as a sentence, as marks on a wavelength scale,
+//! and as the reason why a part of a picture is dark.
 //!
-//! Two rules hold for every sentence. What no eye receives is not said to be seen: a contracted picture is *measured*.
-//! And three times are kept apart by name ([`times`]): T, when light is received; t, when what is seen happened; τ, what
-//! its own clock showed then.
+//! Two rules hold for every sentence. What no eye receives is not said to be seen: a contracted picture is
+//! *measured*. And three times are kept apart by name ([`times`]): T, when light is received; t, when what is
+//! seen happened; τ, what its own clock showed then.
 
 mod light;
 mod numbers;
@@ -63,7 +63,8 @@ enum ShownPoint {
     Unknown,
 }
 
-/// The clock that τ is read from: the point's, unless that goes like those on the ground, or turns about an axle.
+/// The clock that τ is read from: the point's, unless that goes like those on the ground, or turns about an
+/// axle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Clock {
     Own,
@@ -91,8 +92,8 @@ enum EyePlaces {
 }
 
 impl Moment {
-    /// Returns the moment of the point at `track`, called `name`, at `time` with these `settings`. Its sentence has the
-    /// scene's own units.
+    /// Returns the moment of the point at `track`, called `name`, at `time` with these `settings`. Its
+    /// sentence has the scene's own units.
     #[must_use]
     pub fn new(settings: &Settings, track: &Track, name: String, emission: Emission, time: f64) -> Self {
         let shown = ShownPoint::new(settings, track, time).unwrap_or(ShownPoint::Unknown);
@@ -113,8 +114,8 @@ impl Moment {
         Self { measures, ..self }
     }
 
-    /// Doppler factors of the light that arrives at the left and the right eye, or at cameras in their places, in the
-    /// picture that is shown; none where it shows no light that arrives.
+    /// Doppler factors of the light that arrives at the left and the right eye, or at cameras in their
+    /// places, in the picture that is shown; none where it shows no light that arrives.
     #[must_use]
     pub fn doppler_factors(&self) -> [Option<f64>; 2] {
         match self.shown {
@@ -226,7 +227,8 @@ fn departure(seen: &[Sighting; 2], eyes: EyePlaces, unit: Unit, is_riding: bool)
     }
 }
 
-/// Returns the time that `clock` showed then: nothing for those on the ground, whose time is in the sentence already.
+/// Returns the time that `clock` showed then: nothing for those on the ground, whose time is in the sentence
+/// already.
 fn proper_time(clock: Clock, seen: &[Sighting; 2], unit: Unit) -> String {
     let whose = match clock {
         Clock::Own => "own",

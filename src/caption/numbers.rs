@@ -19,7 +19,8 @@ pub fn decimal(value: f64, decimals: u8) -> String {
     }
 }
 
-/// `values` with `decimals`, or with as many as it takes until two of them differ; a single text where nothing does.
+/// `values` with `decimals`, or with as many as it takes until two of them differ; a single text where
+/// nothing does.
 pub fn distinct_texts(values: &[f64], decimals: u8) -> Vec<String> {
     let texts = |decimals| values.iter().map(|&value| decimal(value, decimals)).collect::<Vec<_>>();
     let differ = |texts: &Vec<String>| texts.iter().any(|text| *text != texts[0]);

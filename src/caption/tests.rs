@@ -23,8 +23,8 @@ fn moment(settings: &Settings, time: f64) -> Moment {
     Moment::new(settings, &POINT, "the front tyre".to_owned(), Emission::Wavelength(700.0), time)
 }
 
-/// Returns t and wavelength for each eye by the core, and the time of a clock at the event: that of its own frame, as
-/// Lorentz has it.
+/// Returns t and wavelength for each eye by the core, and the time of a clock at the event: that of its own
+/// frame, as Lorentz has it.
 fn core(beta: f64, d: f64, time: f64) -> [[f64; 3]; 2] {
     let speed = Speed::from_beta(beta).expect("a speed");
     let source = SourcePoint::from_rest(POINT.rest, &speed);

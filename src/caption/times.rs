@@ -1,5 +1,5 @@
-//! The three times of what is seen, by the names they have everywhere in the window. Both eyes belong to one frame, the
-//! ground's; they receive different events at one T.
+//! The three times of what is seen, by the names they have everywhere in the window. Both eyes belong to one
+//! frame, the ground's; they receive different events at one T.
 
 use crate::quantity::Quantity;
 use crate::units::Unit;
@@ -58,8 +58,8 @@ impl ObserverClock {
         [self.received.name, Quantity::EmissionTime.row().name, Quantity::ProperTime.row().name]
     }
 
-    /// When light is received, when it left, and what the own clock showed then, units of the scene, each by its name in this
-    /// `unit` with as much as `decimals` are of the scene's.
+    /// When light is received, when it left, and what the own clock showed then, units of the scene, each by
+    /// its name in this `unit` with as much as `decimals` are of the scene's.
     #[must_use]
     pub fn texts(&self, times: [f64; 3], unit: Unit, decimals: u8) -> [String; 3] {
         let names = self.names();

@@ -8,8 +8,8 @@ const SUBSTANTIAL: f64 = 0.03;
 /// From this part on it is all of it.
 const ALL: f64 = 0.97;
 
-/// Returns the note on light outside the visible, drawn hatched or else black, from the shares of a picture's groups; `None`
-/// where there is little.
+/// Returns the note on light outside the visible, drawn hatched or else black, from the shares of a picture's
+/// groups; `None` where there is little.
 #[must_use]
 pub fn notice(groups: &[Shares], is_hatched: bool) -> Option<String> {
     let shown: Vec<&Shares> =

@@ -99,7 +99,8 @@ impl WantedColumns {
 }
 
 impl Batch<'_> {
-    /// Fills the `wanted` columns into `out`, each of as many rows. The numbers are those of [`ModelArgs::values`], bit for bit.
+    /// Fills the `wanted` columns into `out`, each of as many rows. The numbers are those of
+    /// [`ModelArgs::values`], bit for bit.
     ///
     /// # Errors
     ///
@@ -153,8 +154,8 @@ impl Batch<'_> {
         self.header.observation_with(|place| self.inputs[place].at(row))
     }
 
-    /// Fills the disparities by the batch form of the core where nothing but T differs between the observations; false where there is
-    /// none, or where a row is out of range.
+    /// Fills the disparities by the batch form of the core where nothing but T differs between the
+    /// observations; false where there is none, or where a row is out of range.
     fn is_filled_over_time(&self, model: &ModelArgs, out: DisparityColumns<'_, f64>) -> bool {
         let given = self.header.given();
         let time = self.header.time_place();
@@ -200,7 +201,8 @@ mod tests {
         Ok([dphi, dtheta])
     }
 
-    /// The batch form of the core, and one observation after the other, which a column of equal numbers leads to.
+    /// The batch form of the core, and one observation after the other, which a column of equal numbers leads
+    /// to.
     #[test]
     fn both_ways_to_fill_have_the_same_bits() {
         let header = header(&["beta", "d", "y", "z", "T", "x0", "roll"]);

@@ -151,7 +151,8 @@ impl ModelArgs {
     /// The gain, the place and the miss that two eyes find; NaN where their lines of sight do not meet.
     fn found(&self, observation: &Observation, given: GivenInputs) -> Result<[f64; 5], ObservationError> {
         let &Observation { ref speed, source, baseline, ref observer, clock } = observation;
-        // What two eyes in one place make of a point is a limit, which depends on their direction and on the motion.
+        // What two eyes in one place make of a point is a limit, which depends on their direction and on the
+        // motion.
         let pair = baseline.stereo_apertures(given.is_riding);
         match observer.stereo(self.model, speed, source, pair, clock) {
             Ok(Stereo { gain, position: [x, y, z], miss }) => Ok([gain, x, y, z, miss]),

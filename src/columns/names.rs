@@ -2,8 +2,9 @@
 
 use crate::flags::SpeedParameter;
 
-/// Every column but those of `--conformal`, in order, the last five with `--stereo` only, and the very last of a head that is tilted or turned or a
-/// point that turns; [`TURNED`] come before those. Left and right are the primary and the secondary aperture.
+/// Every column but those of `--conformal`, in order, the last five with `--stereo` only, and the very last
+/// of a head that is tilted or turned or a point that turns; [`TURNED`] come before those. Left and right are
+/// the primary and the secondary aperture.
 pub(super) const COLUMNS: [&str; 21] = [
     "x_left",
     "x_right",

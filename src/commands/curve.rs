@@ -21,13 +21,13 @@ const CYCLIST_BETA: f64 = 0.9;
 
 /// Writes what two eyes see of one point over a range of observation times, as CSV.
 ///
-/// Without flags: the tracked point of the paper's cyclist. The first columns are the inputs, under the names that
-/// `gamow eval` reads; roll and turn, in radians, are among them where the head is tilted or turned, and `wheel_radius`, rho and
-/// angle where the point is on a wheel.
+/// Without flags: the tracked point of the paper's cyclist. The first columns are the inputs, under the names
+/// that `gamow eval` reads; roll and turn, in radians, are among them where the head is tilted or turned, and
+/// `wheel_radius`, rho and angle where the point is on a wheel.
 ///
-/// With a moving observer (--observer-beta and others) the range is one of the observer's clock, the column `clock`,
-/// which shows 0 at --observer-x, --observer-y and --observer-z at T = 0; each row has the observer's place, and T
-/// there.
+/// With a moving observer (--observer-beta and others) the range is one of the observer's clock, the column
+/// `clock`, which shows 0 at --observer-x, --observer-y and --observer-z at T = 0; each row has the
+/// observer's place, and T there.
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES, after_long_help = HELP)]
 pub struct CurveArgs {
@@ -51,7 +51,8 @@ pub struct CurveArgs {
     wheel: WheelArgs,
     #[command(flatten)]
     observer: ObserverArgs,
-    /// First observation time [default: when the point, or the hub of its wheel, is seen at x = -2 R, R being its distance at x = 0]
+    /// First observation time [default: when the point, or the hub of its wheel, is seen at x = -2 R, R being
+    /// its distance at x = 0]
     #[arg(long, value_name = "T", value_parser = within(COORDINATES), allow_hyphen_values = true)]
     from: Option<f64>,
     /// Last observation time [default: when it is seen at x = +2 R]

@@ -18,10 +18,11 @@ use crate::number_text;
 
 /// Fits speed and distance of a point to the disparities that two eyes measured.
 ///
-/// The header names the columns, in any order: T (when the light arrives); dphi, dtheta or both (left minus right,
-/// radians); optionally `sigma_dphi` and `sigma_dtheta` (their standard deviations); d (eye separation) unless --d
-/// gives it; roll and turn (radians) where the head was tilted or turned, unless --roll and --turn (degrees) say so.
-/// Other columns are ignored. A disparity that was not measured is left empty.
+/// The header names the columns, in any order: T (when the light arrives); dphi, dtheta or both (left minus
+/// right, radians); optionally `sigma_dphi` and `sigma_dtheta` (their standard deviations); d (eye
+/// separation) unless --d gives it; roll and turn (radians) where the head was tilted or turned, unless
+/// --roll and --turn (degrees) say so. Other columns are ignored. A disparity that was not measured is left
+/// empty.
 ///
 /// Data that do not determine the result are refused in one line, with exit status 2.
 #[derive(Debug, Args)]
@@ -41,7 +42,8 @@ pub struct FitArgs {
     /// Curves to fit [default: those that the file has]
     #[arg(long = "use", value_enum)]
     curves: Option<Curves>,
-    /// Number of bootstrap replicates, up to 10 million; 0 for none. Ctrl-C ends with the report of those that were drawn
+    /// Number of bootstrap replicates, up to 10 million; 0 for none. Ctrl-C ends with the report of those
+    /// that were drawn
     #[arg(long, value_name = "N", default_value_t = DEFAULT_REPLICATES, value_parser = replicates)]
     bootstrap: usize,
     /// Seed of the bootstrap.
@@ -53,8 +55,9 @@ pub struct FitArgs {
     /// Fit x0 too: the time of passage is unknown.
     #[arg(long, conflicts_with = "x0")]
     fit_x0: bool,
-    /// The eyes rode past a point at rest, along x: the times are those of the rider's own clock, the file's column
-    /// clock; beta is the rider's speed, and x0 how far behind the point is when the clock shows 0, contracted.
+    /// The eyes rode past a point at rest, along x: the times are those of the rider's own clock, the file's
+    /// column clock; beta is the rider's speed, and x0 how far behind the point is when the clock shows 0,
+    /// contracted.
     #[arg(long, conflicts_with = "wheel_radius")]
     riding: bool,
     #[command(flatten, next_help_heading = "A point on a wheel that rolls")]
@@ -88,7 +91,8 @@ fn separation(text: &str) -> Result<f64, String> {
 
 /// The most replicates: each takes 40 bytes, in each of three fits.
 const MOST_REPLICATES: usize = 10_000_000;
-/// Duration, seconds, from which on that of the bootstrap is remarked on, and after which it can be estimated.
+/// Duration, seconds, from which on that of the bootstrap is remarked on, and after which it can be
+/// estimated.
 const LONG: f64 = 10.0;
 const TOLD_AFTER: f64 = 1.0;
 
@@ -106,8 +110,8 @@ pub fn run(args: &FitArgs) -> anyhow::Result<()> {
 }
 
 impl FitArgs {
-    /// The fit of the readings in `input`, a CSV file called `name` in errors, with the replicates that are drawn until
-    /// `is_wanted`, which is called with their number, becomes false.
+    /// The fit of the readings in `input`, a CSV file called `name` in errors, with the replicates that are
+    /// drawn until `is_wanted`, which is called with their number, becomes false.
     ///
     /// # Errors
     ///

@@ -1,4 +1,5 @@
-//! `gamow rectify`: a picture taken from one eye, as a camera moving along with the bodies would have taken it.
+//! `gamow rectify`: a picture taken from one eye, as a camera moving along with the bodies would have taken
+//! it.
 
 use std::path::{Path, PathBuf};
 
@@ -20,13 +21,13 @@ use crate::studio::Sheet;
 
 /// Corrects a picture taken from one eye to the frame of the bodies in it.
 ///
-/// Computes the picture that a camera moving along with them would have taken at the same event: lines of sight
-/// turned back by aberration, wavelengths multiplied by the Doppler factor D, intensities divided by D^n. Works on
-/// any PNG picture with a known field of view, and on the EXR files of `gamow render`. A wheel that rolls becomes one
-/// that turns, with the Doppler effect of its turning.
+/// Computes the picture that a camera moving along with them would have taken at the same event: lines of
+/// sight turned back by aberration, wavelengths multiplied by the Doppler factor D, intensities divided by
+/// D^n. Works on any PNG picture with a known field of view, and on the EXR files of `gamow render`. A wheel
+/// that rolls becomes one that turns, with the Doppler effect of its turning.
 ///
-/// The colours of a PNG picture tell wavelengths by their hue only: the part of a colour that is not grey counts as
-/// monochromatic. What the Doppler effect shifted out of sight stays dark.
+/// The colours of a PNG picture tell wavelengths by their hue only: the part of a colour that is not grey
+/// counts as monochromatic. What the Doppler effect shifted out of sight stays dark.
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES)]
 pub struct RectifyArgs {
@@ -49,8 +50,8 @@ pub struct RectifyArgs {
     /// Whether wavelengths are corrected too.
     #[arg(long, default_value = "on", value_name = "on|off", value_parser = switch)]
     doppler_shift: OnOff,
-    /// Exponent n of the received intensity D^n to divide by, as of `gamow render` [default: as the file records it, else
-    /// surface]
+    /// Exponent n of the received intensity D^n to divide by, as of `gamow render` [default: as the file
+    /// records it, else surface]
     #[arg(long, value_name = "surface|photons|paper|N|off", allow_hyphen_values = true)]
     intensity_exponent: Option<IntensityExponent>,
     /// Output: a file of the same kind, written whole or not at all.
@@ -110,7 +111,8 @@ impl RectifyArgs {
         write_whole(&self.out, |file| png::write(&corrected, &provenance.texts(), file))
     }
 
-    /// Returns the part of `file` that is corrected: the picture of an eye (0 left, 1 right) in it, and whose it is.
+    /// Returns the part of `file` that is corrected: the picture of an eye (0 left, 1 right) in it, and whose
+    /// it is.
     fn of_an_eye(&self, mut file: PngFile, settings: &Settings) -> anyhow::Result<(Picture, usize)> {
         let picture = &settings.picture;
         if let [eye] = *picture.eyes() {

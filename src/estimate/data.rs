@@ -47,7 +47,8 @@ pub struct Eyes {
 }
 
 impl Eyes {
-    /// Returns the eyes of all samples where given, else those of the columns d, roll and turn; of the last two 0 where there are none.
+    /// Returns the eyes of all samples where given, else those of the columns d, roll and turn; of the last
+    /// two 0 where there are none.
     #[must_use]
     pub const fn given(separation: Option<f64>, [roll, turn]: [Option<f64>; 2]) -> Self {
         Self { given: [separation, roll, turn], default: [None, Some(0.0), Some(0.0)], ride: false }
@@ -165,9 +166,9 @@ impl DataHeader {
 
     /// The sample that `row` describes; its pair is a place in `baselines`.
     ///
-    /// Eyes that ride towards +x past a point at rest see what resting eyes see of a point that moves towards -x: in a mirror
-    /// across x, where left and right are exchanged and the head is held the other way, it moves towards +x. There dphi is the
-    /// same, and dtheta has the other sign.
+    /// Eyes that ride towards +x past a point at rest see what resting eyes see of a point that moves towards
+    /// -x: in a mirror across x, where left and right are exchanged and the head is held the other way, it
+    /// moves towards +x. There dphi is the same, and dtheta has the other sign.
     fn sample(&self, row: &ByteRecord, baselines: &mut Vec<Baseline>) -> Result<Sample, RowError> {
         self.names.check_length(row)?;
         let number = |source| match source {

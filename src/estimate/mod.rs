@@ -1,5 +1,5 @@
-//! The report of `gamow fit`: one structure, written as JSON or as a table; and its data, [`data`] from files and [`samples`] of
-//! a point.
+//! The report of `gamow fit`: one structure, written as JSON or as a table; and its data, [`data`] from files
+//! and [`samples`] of a point.
 
 pub mod data;
 pub mod other_side;
@@ -22,8 +22,8 @@ pub struct FitReport {
     pub model: &'static str,
     /// Always true: what did not converge is an error.
     pub converged: bool,
-    /// Whether the eyes rode past a point at rest: beta is their own speed, and x0 by how much the point is behind them when
-    /// their clock shows 0, contracted.
+    /// Whether the eyes rode past a point at rest: beta is their own speed, and x0 by how much the point is
+    /// behind them when their clock shows 0, contracted.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub riding: bool,
     /// Place of the point on its wheel, if it is on one: y, z and x0 are its hub's.
@@ -172,8 +172,8 @@ impl From<Combined> for Mean {
     }
 }
 
-/// Number of samples drawn in a round of replicates, before it is checked whether more are wanted: some tenths of a
-/// second. But no less replicates than keep all threads busy.
+/// Number of samples drawn in a round of replicates, before it is checked whether more are wanted: some
+/// tenths of a second. But no less replicates than keep all threads busy.
 const ROUND_SAMPLES: usize = 1_000_000;
 const LEAST_ROUND: usize = 16;
 const MOST_ROUND: usize = 4096;

@@ -9,7 +9,8 @@ const WITHIN_NOISE: f64 = 9.0;
 
 /// Returns a sentence if the readings fit a point above and one below the eyes' level within their noise.
 ///
-/// Delta-phi alone tells these apart only for a point on a wheel, and there only by its wiggle about the hub's curve.
+/// Delta-phi alone tells these apart only for a point on a wheel, and there only by its wiggle about the
+/// hub's curve.
 #[must_use]
 pub fn remark(fit: &Fit) -> Option<String> {
     let OtherSide { values, excess } = fit.other_side.filter(|other| other.excess < WITHIN_NOISE)?;

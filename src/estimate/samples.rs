@@ -123,8 +123,8 @@ impl SamplesWithTruth {
     }
 }
 
-/// A ride off the street that coasts on the level, and a point at rest before it, turned about the vertical where the ride starts: for
-/// the eyes it is a ride along the street. `None` of any other ride or point.
+/// A ride off the street that coasts on the level, and a point at rest before it, turned about the vertical
+/// where the ride starts: for the eyes it is a ride along the street. `None` of any other ride or point.
 fn along_street(settings: &Settings, point: &Track) -> Option<(Settings, Track)> {
     let ride = &settings.ride;
     let is_level = ride.leaves_street() && ride.coasts() && ride.ride_elevation == 0.0;
@@ -302,7 +302,8 @@ impl Simulated {
             _ if !is_across && velocity.is_backward => Some(ObstacleOfRide::EyesAcross),
             _ => None,
         };
-        // Turned or mirrored so that it passes towards +x in front of the eyes: those across the street exchange their sides at most.
+        // Turned or mirrored so that it passes towards +x in front of the eyes: those across the street
+        // exchange their sides at most.
         let (velocity, source, pair) = match source {
             Source::Point(place) if settings.ride.is_on() => {
                 let side = if place.y < 0.0 { -1.0 } else { 1.0 };

@@ -1,10 +1,10 @@
 //! CSV rows in: which column is which, the numbers in them, and where in the file a fault is.
 //!
-//! Comma-separated as in RFC 4180, with any line ending; a byte order mark and blank lines are skipped. Where the header has
-//! semicolons or tabs instead, as spreadsheets write in half of Europe, these separate, and numbers may have decimal commas.
-//! There are no comments: a line that starts with `#` is a row. Numbers may be quoted or padded
-//! with blanks. Columns that mean nothing here may hold any bytes. A row is refused once it is longer than
-//! [`sizes::ROW_BYTES`], so that a file takes no more memory than that, whatever is in it.
+//! Comma-separated as in RFC 4180, with any line ending; a byte order mark and blank lines are skipped. Where
+//! the header has semicolons or tabs instead, as spreadsheets write in half of Europe, these separate, and
+//! numbers may have decimal commas. There are no comments: a line that starts with `#` is a row. Numbers may
+//! be quoted or padded with blanks. Columns that mean nothing here may hold any bytes. A row is refused once
+//! it is longer than [`sizes::ROW_BYTES`], so that a file takes no more memory than that, whatever is in it.
 
 use std::io::{self, Chain, Cursor, Read};
 use std::path::Path;
@@ -89,8 +89,8 @@ impl<R: Read> CsvReader<R> {
 
     /// Whether the file ends inside the quotes of `row`, the last one read.
     ///
-    /// csv closes them without a word. Only then has a row with no line end after it line ends in its last field,
-    /// and no quote at its end.
+    /// csv closes them without a word. Only then has a row with no line end after it line ends in its last
+    /// field, and no quote at its end.
     fn is_unclosed(&self, row: &ByteRecord) -> bool {
         let file = self.csv.get_ref();
         let has_break = |field: &[u8]| field.iter().any(|byte| matches!(byte, b'\r' | b'\n'));
@@ -104,7 +104,8 @@ impl<R: Read> CsvReader<R> {
     }
 }
 
-/// The beginning of what `reader` gives: as much as has its first line that is not blank, or all that can be in one row.
+/// The beginning of what `reader` gives: as much as has its first line that is not blank, or all that can be
+/// in one row.
 fn header_in(reader: &mut impl Read) -> io::Result<Vec<u8>> {
     let mut begin = Vec::new();
     let mut chunk = vec![0; BUFFER_BYTES];
@@ -130,7 +131,8 @@ fn header_of(text: &[u8]) -> (&[u8], bool) {
     (&header[..end.unwrap_or(header.len())], end.is_some())
 }
 
-/// The byte that separates the fields of the first line in `text`: the one of comma, semicolon and tab that is there most.
+/// The byte that separates the fields of the first line in `text`: the one of comma, semicolon and tab that
+/// is there most.
 fn separator(text: &[u8]) -> u8 {
     let header = header_of(text).0;
     let count = |separator: u8| header.split(|&byte| byte == separator).count();

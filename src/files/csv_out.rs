@@ -17,8 +17,8 @@ impl<W: Write> CsvWriter<W> {
         Self { csv: csv::Writer::from_writer(writer), decimals: zmij::Buffer::new() }
     }
 
-    /// Writes the fields of `row`, quoted where necessary, and then `numbers`, which must be finite; NaN leaves its field empty. `row` keeps
-    /// all of them.
+    /// Writes the fields of `row`, quoted where necessary, and then `numbers`, which must be finite; NaN
+    /// leaves its field empty. `row` keeps all of them.
     pub fn write(&mut self, row: &mut ByteRecord, numbers: &[f64]) -> io::Result<()> {
         for &number in numbers {
             if number.is_nan() {

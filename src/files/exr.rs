@@ -46,15 +46,15 @@ pub enum Channel {
     EmissionTime,
     /// When that was by the clocks of the group that the body moves with.
     ProperTime,
-    /// Point of a wheel that emitted the light: its angle about the axle at t' = 0 by those clocks, radians from +x towards +z; -10
-    /// for bodies that turn about no axle.
+    /// Point of a wheel that emitted the light: its angle about the axle at t' = 0 by those clocks, radians
+    /// from +x towards +z; -10 for bodies that turn about no axle.
     MaterialAngle,
     /// Received over rest frequency.
     Doppler,
     /// Received wavelength, nm; 0 where the light is white.
     WavelengthNm,
-    /// Received over rest intensity, before any exposure: D^n of one wavelength, the luminance of what has many; 3.4e38 where
-    /// it is more.
+    /// Received over rest intensity, before any exposure: D^n of one wavelength, the luminance of what has
+    /// many; 3.4e38 where it is more.
     Intensity,
     /// Place where the light left, in the rest frame of the body's group, along the motion.
     RestX,
@@ -62,9 +62,11 @@ pub enum Channel {
     RestY,
     /// Height of that place.
     RestZ,
-    /// Number of the triangle in its model, -1 where none is seen. Numbers up to 2^24 are exact in f32, which is more than a model has.
+    /// Number of the triangle in its model, -1 where none is seen. Numbers up to 2^24 are exact in f32, which
+    /// is more than a model has.
     Triangle,
-    /// Barycentric coordinates of that place: the weight of the triangle's second corner; 0 where none is seen.
+    /// Barycentric coordinates of that place: the weight of the triangle's second corner; 0 where none is
+    /// seen.
     TriangleB,
     /// The weight of its third corner; 0 where none is seen.
     TriangleC,
@@ -145,8 +147,8 @@ impl Channel {
         self.definition().name
     }
 
-    /// The channel that is called `name` in a file, whichever layer it is in. Colours, as other programs write
-    /// them, are intensities.
+    /// The channel that is called `name` in a file, whichever layer it is in. Colours, as other programs
+    /// write them, are intensities.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
         match name.rsplit('.').next()? {
@@ -161,7 +163,8 @@ impl Channel {
         self.definition().nothing
     }
 
-    /// Returns the factor of the value when light with the Doppler factor `doppler` is corrected to the frame of the bodies.
+    /// Returns the factor of the value when light with the Doppler factor `doppler` is corrected to the frame
+    /// of the bodies.
     #[must_use]
     pub fn factor(self, doppler: f64, correction: LightCorrection) -> f64 {
         (self.definition().factor)(doppler, correction)
@@ -278,7 +281,8 @@ impl Measurements {
             AnyChannel::new(Text::from(name.as_str()), FlatSamples::F32(values))
         };
         let channels: SmallVec<[_; 4]> = self.channels.into_iter().map(channel).collect();
-        // Blocks are compressed side by side: in the order in which they come out, no two files would be alike.
+        // Blocks are compressed side by side: in the order in which they come out, no two files would be
+        // alike.
         let line_order = LineOrder::Increasing;
         let encoding = Encoding { compression: Compression::ZIP16, line_order, ..Encoding::default() };
         let layer = Layer::new((width, height), self.attributes, encoding, AnyChannels::sort(channels));
@@ -322,7 +326,8 @@ fn first_layer(input: impl Read + Seek) -> anyhow::Result<Layer<AnyChannels<Flat
     Ok(layers.all_attributes().from_chunks(opened(input)?)?.layer_data)
 }
 
-/// The file whose bytes `input` gives, of which the headers were read and found to promise no more than is read.
+/// The file whose bytes `input` gives, of which the headers were read and found to promise no more than is
+/// read.
 fn opened<R: Read + Seek>(input: R) -> anyhow::Result<Reader<R>> {
     let reader = exr::block::read(input, false)?;
     for header in reader.headers() {
@@ -359,7 +364,8 @@ pub fn command(path: &Path) -> anyhow::Result<String> {
     Ok(command_in_comments(&said(&first.own_attributes)).to_owned())
 }
 
-/// Returns whether `path` is a whole EXR file with just these `comments`: all of its blocks are there and can be decompressed.
+/// Returns whether `path` is a whole EXR file with just these `comments`: all of its blocks are there and can
+/// be decompressed.
 #[must_use]
 pub fn is_made(path: &Path, comments: &str) -> bool {
     let says = |header: &Header| said(&header.own_attributes) == comments;

@@ -21,7 +21,8 @@ pub struct GifWriter<W: Write> {
 }
 
 impl<W: Write> GifWriter<W> {
-    /// Begins a file of frames of this `size`, pixels, each of which is shown for this number of `hundredths` of a second.
+    /// Begins a file of frames of this `size`, pixels, each of which is shown for this number of `hundredths`
+    /// of a second.
     ///
     /// # Errors
     ///

@@ -98,9 +98,9 @@ impl HtmlPage {
         Self { text }
     }
 
-    /// Adds Markdown, in which each picture is replaced by what `picture` gives for its file, as a figure with its
-    /// caption. Formulas are drawn; HTML is shown as the text that it is, and so is
-    /// a link to anything but the web, mail or a place in the page.
+    /// Adds Markdown, in which each picture is replaced by what `picture` gives for its file, as a figure
+    /// with its caption. Formulas are drawn; HTML is shown as the text that it is, and so is a link to
+    /// anything but the web, mail or a place in the page.
     ///
     /// # Errors
     ///
@@ -122,7 +122,8 @@ impl HtmlPage {
         self.add(events(text), no_picture)
     }
 
-    /// Adds Markdown that holds no pictures; its first paragraph begins with `lead`, which is Markdown of one paragraph.
+    /// Adds Markdown that holds no pictures; its first paragraph begins with `lead`, which is Markdown of one
+    /// paragraph.
     ///
     /// # Errors
     ///

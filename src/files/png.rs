@@ -12,8 +12,9 @@ use super::provenance::{SOFTWARE, command_in_texts};
 /// Keyword of the text that names the program.
 const SOFTWARE_KEYWORD: &str = "Software";
 
-/// Time for which a frame of an animated file is shown, seconds as a fraction: two of them alternate three times a second, which
-/// is no more often than flashes may be shown to everybody (W3C, *Web Content Accessibility Guidelines* 2.2, 2.3.1).
+/// Time for which a frame of an animated file is shown, seconds as a fraction: two of them alternate three
+/// times a second, which is no more often than flashes may be shown to everybody (W3C, *Web Content
+/// Accessibility Guidelines* 2.2, 2.3.1).
 pub const FRAME_SECONDS: [u16; 2] = [1, 6];
 
 /// The contents of a PNG file.
@@ -89,8 +90,8 @@ pub struct PngWriter<W: Write> {
 }
 
 impl<W: Write> PngWriter<W> {
-    /// A file of frames of this `size`, pixels, one alone unless there is an `animation`, with `texts`, keywords first, and
-    /// one that names this program.
+    /// A file of frames of this `size`, pixels, one alone unless there is an `animation`, with `texts`,
+    /// keywords first, and one that names this program.
     ///
     /// # Errors
     ///
@@ -221,7 +222,8 @@ fn picture(frame: &png::OutputInfo, bytes: &[u8]) -> Picture {
     Picture { size: [frame.width, frame.height], rgba: rgba.collect() }
 }
 
-/// Keywords and texts: those in UTF-8, and in Latin-1 as other programs write them, be they compressed or not.
+/// Keywords and texts: those in UTF-8, and in Latin-1 as other programs write them, be they compressed or
+/// not.
 fn texts(info: &png::Info<'_>) -> Vec<(String, String)> {
     // What says too much when it is decompressed says nothing.
     let utf8 = info.utf8_text.iter().map(|chunk| {

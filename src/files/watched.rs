@@ -1,4 +1,5 @@
-//! Writers that remember how they failed, so that a failure is named once, whatever a library on the way made of it.
+//! Writers that remember how they failed, so that a failure is named once, whatever a library on the way made
+//! of it.
 
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 

@@ -13,7 +13,8 @@ pub use super::compare::Compare;
 pub use super::layout::{Form, Layout, Swapped};
 use super::within;
 
-/// Returns the choice `steps` further than `choice` in the list of all, or back; after the last comes the first.
+/// Returns the choice `steps` further than `choice` in the list of all, or back; after the last comes the
+/// first.
 #[must_use]
 pub fn further<C: ValueEnum + PartialEq>(choice: &C, steps: isize) -> C {
     let all = C::value_variants();
@@ -25,7 +26,8 @@ pub fn further<C: ValueEnum + PartialEq>(choice: &C, steps: isize) -> C {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum RendererChoice {
-    /// The cheapest method that keeps a bound of the error (`--error`), or the most accurate that keeps a frame's budget of time (`--budget`).
+    /// The cheapest method that keeps a bound of the error (`--error`), or the most accurate that keeps a
+    /// frame's budget of time (`--budget`).
     #[default]
     Auto,
     /// A ray test per pixel on the GPU, in 32-bit floats.
@@ -34,8 +36,8 @@ pub enum RendererChoice {
     Packets,
     /// Triangles on the GPU. Only these draw the geometry published, and one-cone there.
     Mesh,
-    /// A ray test per pixel on the CPU, in 64-bit floats: the truth that the others are compared with. In the window it draws in the background
-    /// when nothing moves; until it is done, the rays do.
+    /// A ray test per pixel on the CPU, in 64-bit floats: the truth that the others are compared with. In the
+    /// window it draws in the background when nothing moves; until it is done, the rays do.
     Reference,
 }
 
@@ -116,7 +118,8 @@ pub enum GazeChoice {
     Point,
     /// Straight ahead, along +y.
     Ahead,
-    /// Abreast, as high as all that moves: in conformal pictures the whole passage, from far left to far right.
+    /// Abreast, as high as all that moves: in conformal pictures the whole passage, from far left to far
+    /// right.
     Passage,
     /// Fixed: azimuth and elevation, degrees.
     Fixed([f64; 2]),
@@ -126,18 +129,20 @@ pub enum GazeChoice {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ProjectionChoice {
-    /// Conformal: Mercator's projection with its poles at the ends of the line between the eyes. Small things keep their shape everywhere: a globe
-    /// stays round. Motion along that line only slides the picture, by the rapidity, and two eyes can fuse it. Things far aside are enlarged.
+    /// Conformal: Mercator's projection with its poles at the ends of the line between the eyes. Small things
+    /// keep their shape everywhere: a globe stays round. Motion along that line only slides the picture, by
+    /// the rapidity, and two eyes can fuse it. Things far aside are enlarged.
     #[default]
     Mercator,
-    /// Camera: a flat picture across the gaze, as a photograph and in the paper. Straight lines stay straight, and what is far from the middle is
-    /// stretched. A point then has two heights in the two pictures, which differ by more than eyes can fuse.
+    /// Camera: a flat picture across the gaze, as a photograph and in the paper. Straight lines stay
+    /// straight, and what is far from the middle is stretched. A point then has two heights in the two
+    /// pictures, which differ by more than eyes can fuse.
     Gaze,
-    /// Flat screens: both pictures on planes along the line between the eyes, as two screens side by side would show them. Two eyes can fuse
-    /// them; what is aside is stretched.
+    /// Flat screens: both pictures on planes along the line between the eyes, as two screens side by side
+    /// would show them. Two eyes can fuse them; what is aside is stretched.
     Parallel,
-    /// Everything ahead, 180 x 180 degrees, for headsets. Drawn by the reference renderer; the field of view and
-    /// the gaze's elevation are not used.
+    /// Everything ahead, 180 x 180 degrees, for headsets. Drawn by the reference renderer; the field of view
+    /// and the gaze's elevation are not used.
     Vr180,
 }
 
@@ -171,8 +176,9 @@ impl ProjectionChoice {
 }
 
 impl ZeroParallax {
-    /// The distance at which a point would lie that is in these columns of the left and the right eye's unshifted picture,
-    /// focal lengths to the right along the line between two eyes `separation` apart; infinity where that is not in front.
+    /// The distance at which a point would lie that is in these columns of the left and the right eye's
+    /// unshifted picture, focal lengths to the right along the line between two eyes `separation` apart;
+    /// infinity where that is not in front.
     #[must_use]
     pub fn of_columns(separation: f64, [left, right]: [f64; 2]) -> Self {
         let distance = separation / (left - right);
@@ -184,8 +190,8 @@ impl ZeroParallax {
         }
     }
 
-    /// Returns the difference of columns in the pictures of two eyes `separation` apart at that distance, focal
-    /// lengths; `None` where the distance is not known yet.
+    /// Returns the difference of columns in the pictures of two eyes `separation` apart at that distance,
+    /// focal lengths; `None` where the distance is not known yet.
     #[must_use]
     pub fn shift(self, separation: f64) -> f64 {
         match self {

@@ -16,8 +16,9 @@ pub enum Compare {
     Contracted,
     /// The left eye's picture at rest: what a camera that rides along photographs.
     Rest,
-    /// The left eye's picture with the received intensity D², the paper's; both pictures have the exposure of the first. White bodies follow
-    /// Planck's law, and so look alike in both while the Doppler effect shifts.
+    /// The left eye's picture with the received intensity D², the paper's; both pictures have the exposure of
+    /// the first. White bodies follow Planck's law, and so look alike in both while the Doppler effect
+    /// shifts.
     Paper,
 }
 

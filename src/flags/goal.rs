@@ -38,11 +38,12 @@ impl Default for Goal {
 #[derive(Debug, Args)]
 #[group(multiple = false)]
 struct GoalArgs {
-    /// With the automatic renderer: how far anything may be drawn from where it is seen, pixels. The cheapest method within this bound draws.
+    /// With the automatic renderer: how far anything may be drawn from where it is seen, pixels. The cheapest
+    /// method within this bound draws.
     #[arg(long, value_name = "PX", value_parser = within(ERROR_PX), allow_hyphen_values = true)]
     error: Option<f64>,
-    /// With the automatic renderer: how long the pictures of a frame may take, milliseconds. The most accurate method
-    /// within this budget draws; if there is none, the cheapest.
+    /// With the automatic renderer: how long the pictures of a frame may take, milliseconds. The most
+    /// accurate method within this budget draws; if there is none, the cheapest.
     #[arg(long, value_name = "MS", value_parser = within(BUDGET_MS), allow_hyphen_values = true)]
     budget: Option<f64>,
 }

@@ -16,8 +16,9 @@ pub enum Layout {
     /// The left eye's picture on the left, the right eye's on the right.
     #[default]
     SideBySide,
-    /// Side by side for eyes that look in parallel, through the screen: no further apart than pupils are (--picture-distance), as far as the
-    /// screen's density is known (--screen-width). A file records how large it has to be shown for that.
+    /// Side by side for eyes that look in parallel, through the screen: no further apart than pupils are
+    /// (--picture-distance), as far as the screen's density is known (--screen-width). A file records how
+    /// large it has to be shown for that.
     FreeViewing,
     /// The other way round, for eyes that look at a point in front of the screen.
     CrossEyed,
@@ -27,7 +28,8 @@ pub enum Layout {
     Right,
     /// For red-cyan glasses: the left eye's brightness in red, the right eye's in cyan. No colour is lost.
     Anaglyph,
-    /// For red-cyan glasses: colours as faithful as they allow, by Dubois' least squares. Pure red is dark to the right eye.
+    /// For red-cyan glasses: colours as faithful as they allow, by Dubois' least squares. Pure red is dark to
+    /// the right eye.
     Dubois,
     /// The left eye in blue and the right eye in orange, added.
     Overlay,
@@ -35,11 +37,14 @@ pub enum Layout {
     OverUnder,
     /// Side by side, each picture at half its width, as 3-D televisions and projectors take it.
     HalfSideBySide,
-    /// The left eye's picture above the right eye's, each at half its height, as 3-D televisions and projectors take it.
+    /// The left eye's picture above the right eye's, each at half its height, as 3-D televisions and
+    /// projectors take it.
     HalfOverUnder,
-    /// Rows of the left and the right eye's picture in turn, the topmost the left eye's, for screens whose rows are polarised in turn.
+    /// Rows of the left and the right eye's picture in turn, the topmost the left eye's, for screens whose
+    /// rows are polarised in turn.
     Rows,
-    /// The left eye's picture and the right eye's in turn, three times a second: depth shows without glasses. A file is animated.
+    /// The left eye's picture and the right eye's in turn, three times a second: depth shows without glasses.
+    /// A file is animated.
     Flicker,
 }
 
@@ -77,8 +82,8 @@ impl Layout {
         }
     }
 
-    /// The eyes it shows (0 left, 1 right): the first is on the left, above, in red, in the topmost row, or before the
-    /// other. `is_swapped` changes them.
+    /// The eyes it shows (0 left, 1 right): the first is on the left, above, in red, in the topmost row, or
+    /// before the other. `is_swapped` changes them.
     #[must_use]
     pub const fn eyes(self, is_swapped: bool) -> &'static [usize] {
         match (self, is_swapped) {
@@ -96,7 +101,8 @@ impl Layout {
         !matches!(self.form(), Form::One(_))
     }
 
-    /// Whether the layout is made for two eyes that fuse its pictures, with glasses, crossed or on a screen of their own.
+    /// Whether the layout is made for two eyes that fuse its pictures, with glasses, crossed or on a screen
+    /// of their own.
     #[must_use]
     pub const fn is_fused(self) -> bool {
         match self {

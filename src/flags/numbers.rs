@@ -12,7 +12,8 @@ use serde::{Serialize, Serializer};
 
 use crate::number_text;
 
-/// Parses a number, which may have a decimal comma: f64's own parser also takes "nan" and "inf", which nobody means.
+/// Parses a number, which may have a decimal comma: f64's own parser also takes "nan" and "inf", which nobody
+/// means.
 pub fn finite_number(text: &str) -> Result<f64, String> {
     match number_text::with_point(text.trim()).parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
@@ -132,8 +133,8 @@ fn named_exponent(name: &str) -> Option<f64> {
     }
 }
 
-/// Parses the exponent of a column of intensities: a name, or any finite number. A row in which the power overflows is refused later,
-/// with its number.
+/// Parses the exponent of a column of intensities: a name, or any finite number. A row in which the power
+/// overflows is refused later, with its number.
 pub fn column_exponent(text: &str) -> Result<f64, String> {
     let explained = |reason| format!("{reason}; or write surface, photons or paper");
     named_exponent(text).map_or_else(|| finite_number(text).map_err(explained), Ok)

@@ -16,8 +16,8 @@ const MAX_RIDER_RAPIDITY: f64 = 14.6;
 /// Longest leg, and greatest proper acceleration.
 const MOST_OF_A_LEG: f64 = 1e6;
 
-/// The legs of a ride, written `DURATION@ACCELERATION,...`; `coast` has none, and `off` is no ride: the eyes rest. An acceleration is
-/// a number, ahead, or up to three, `AHEAD:LEFT:UP`, along the axes of the head.
+/// The legs of a ride, written `DURATION@ACCELERATION,...`; `coast` has none, and `off` is no ride: the eyes
+/// rest. An acceleration is a number, ahead, or up to three, `AHEAD:LEFT:UP`, along the axes of the head.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RideLegs(pub Option<Arc<[Leg]>>);
 
@@ -77,7 +77,8 @@ fn write_acceleration(f: &mut fmt::Formatter<'_>, acceleration: [f64; 3]) -> fmt
     }
 }
 
-/// Whether the rapidity that `legs` add stays within bounds all along: during a leg it is nowhere greater than at both ends.
+/// Whether the rapidity that `legs` add stays within bounds all along: during a leg it is nowhere greater
+/// than at both ends.
 fn check_rapidities(legs: &[Leg]) -> Result<(), String> {
     let mut moment = RideMoment::AT_REST;
     for Leg { duration, acceleration } in legs {
@@ -129,7 +130,8 @@ impl Serialize for RideLegs {
     }
 }
 
-/// A velocity along the street in the parameter that it was given in, below 0 towards -x: written `0.9`, `gamma:10` or `rapidity:-2`.
+/// A velocity along the street in the parameter that it was given in, below 0 towards -x: written `0.9`,
+/// `gamma:10` or `rapidity:-2`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StreetVelocity {
     parameter: SpeedParameter,

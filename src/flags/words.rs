@@ -21,8 +21,8 @@ impl Shell {
         if cfg!(windows) { Self::Cmd } else { Self::Posix }
     }
 
-    /// `value` as one word, in which the shell finds nothing to obey. Control characters never stand in it as they are, so
-    /// that it can be pasted into a terminal.
+    /// `value` as one word, in which the shell finds nothing to obey. Control characters never stand in it as
+    /// they are, so that it can be pasted into a terminal.
     #[must_use]
     pub fn quoted(self, value: &str) -> String {
         let plain = |c: char| c.is_alphanumeric() || "-+_.,/:".contains(c) || (self, c) == (Self::Cmd, '\\');
@@ -36,7 +36,8 @@ impl Shell {
         }
     }
 
-    /// The name of a file as one word, which no program takes for a flag, for a protocol or for its standard input.
+    /// The name of a file as one word, which no program takes for a flag, for a protocol or for its standard
+    /// input.
     #[must_use]
     pub fn file(self, name: &str) -> String {
         let is_drive = self == Self::Cmd && name.chars().nth(1) == Some(':');
@@ -49,7 +50,8 @@ impl Shell {
     }
 }
 
-/// `value` in the quotes of POSIX (since 2024) in which characters can be written as the octal numbers of their bytes.
+/// `value` in the quotes of POSIX (since 2024) in which characters can be written as the octal numbers of
+/// their bytes.
 fn escaped(value: &str) -> String {
     let mut word = "$'".to_owned();
     for letter in value.chars() {
@@ -64,8 +66,9 @@ fn escaped(value: &str) -> String {
     word + "'"
 }
 
-/// `value` in the quotes of `cmd.exe`, as programs read them: there `&`, `|`, `<`, `>` and `^` are characters like others.
-/// What `%` and a quote would do there is prevented outside of the quotes. Characters that no prompt takes are replaced.
+/// `value` in the quotes of `cmd.exe`, as programs read them: there `&`, `|`, `<`, `>` and `^` are characters
+/// like others. What `%` and a quote would do there is prevented outside of the quotes. Characters that no
+/// prompt takes are replaced.
 fn quoted_for_cmd(value: &str) -> String {
     let mut word = "\"".to_owned();
     // Programs take backslashes as they are, unless a quote follows.
@@ -88,8 +91,8 @@ fn quoted_for_cmd(value: &str) -> String {
     word + "\""
 }
 
-/// The words of `line`: apart where there is space that is neither quoted nor escaped. What a shell would expand stays
-/// as it is.
+/// The words of `line`: apart where there is space that is neither quoted nor escaped. What a shell would
+/// expand stays as it is.
 #[must_use]
 pub fn words(line: &str) -> Vec<String> {
     let mut words = Vec::new();
@@ -178,8 +181,8 @@ mod tests {
         }
     }
 
-    /// The line that `cmd.exe` passes to a program, given that no variable of an odd name is set: `%` of a pair is
-    /// an error here, and so is what would end the command.
+    /// The line that `cmd.exe` passes to a program, given that no variable of an odd name is set: `%` of a
+    /// pair is an error here, and so is what would end the command.
     fn handed_over_by_cmd(line: &str) -> String {
         let (mut handed, mut is_quoted) = (String::new(), false);
         let names: Vec<&str> = line.split('%').collect();

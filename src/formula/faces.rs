@@ -65,7 +65,8 @@ impl FontFace {
         FontRef::new(self.file()).ok()
     }
 
-    /// Draws a character with `pen`, y up, and returns how many of its units are an em; `None` if the font lacks it.
+    /// Draws a character with `pen`, y up, and returns how many of its units are an em; `None` if the font
+    /// lacks it.
     pub(super) fn draw(self, character: char, pen: &mut impl OutlinePen) -> Option<f32> {
         let font = self.font()?;
         let glyph = font.outline_glyphs().get(font.charmap().map(character)?)?;

@@ -1,5 +1,5 @@
-//! Markdown as this program takes it: `CommonMark` with tables and formulas, `$..$` in a line and `$$..$$` on lines of
-//! their own. What a file may not do is kept out here, for the window and for pages alike.
+//! Markdown as this program takes it: `CommonMark` with tables and formulas, `$..$` in a line and `$$..$$` on
+//! lines of their own. What a file may not do is kept out here, for the window and for pages alike.
 
 use std::fmt;
 use std::ops::Range;
@@ -14,8 +14,9 @@ use super::{Formula, FormulaError, Style};
 /// The extensions of Markdown.
 const OPTIONS: Options = Options::ENABLE_TABLES.union(Options::ENABLE_MATH);
 
-/// A text in Markdown. The first call of [`Self::events`] parses it; what checks it, shows it in the window or
-/// writes it to a page goes over the same events. Texts are equal if their sources are; only these are stored.
+/// A text in Markdown. The first call of [`Self::events`] parses it; what checks it, shows it in the window
+/// or writes it to a page goes over the same events. Texts are equal if their sources are; only these are
+/// stored.
 #[derive(Clone, Default, Serialize, Deserialize)]
 #[serde(from = "String", into = "String")]
 pub struct Markdown {
@@ -44,8 +45,8 @@ impl Markdown {
         &self.source
     }
 
-    /// Returns the events with their places in the source. Links to other addresses than [`is_link`] permits are left out, and so
-    /// is what is nested deeper than [`sizes::NESTED`]: their words stay.
+    /// Returns the events with their places in the source. Links to other addresses than [`is_link`] permits
+    /// are left out, and so is what is nested deeper than [`sizes::NESTED`]: their words stay.
     #[must_use]
     pub fn events(&self) -> &[(Event<'static>, Range<usize>)] {
         &self.parsed().events
@@ -221,7 +222,8 @@ fn with_scheme(tag: Tag<'_>) -> Tag<'_> {
     }
 }
 
-/// Whether a text may link to `address`: to a page of the web, to somebody's mail, or to a place in the same text.
+/// Whether a text may link to `address`: to a page of the web, to somebody's mail, or to a place in the same
+/// text.
 #[must_use]
 pub fn is_link(address: &str) -> bool {
     let begins =

@@ -1,7 +1,7 @@
 //! Formulas in TeX: what they are made of, as window and page draw them, and what is wrong with them.
 //!
-//! `RaTeX`, a port of `KaTeX`, reads and lays out. Lengths are in em of the formula; x is to the right, y down, from the
-//! start of the baseline.
+//! `RaTeX`, a port of `KaTeX`, reads and lays out. Lengths are in em of the formula; x is to the right, y
+//! down, from the start of the baseline.
 
 mod faces;
 pub mod markdown;
@@ -91,8 +91,8 @@ impl Formula {
         Self::from_nodes(&nodes, tex, style).map_err(|reason| FormulaError::new(tex, &reason))
     }
 
-    /// Returns the formulas between the wide spaces (`\quad`, `\qquad`) in `tex`, which are put below each other if there is no room
-    /// for all of them beside each other.
+    /// Returns the formulas between the wide spaces (`\quad`, `\qquad`) in `tex`, which are put below each
+    /// other if there is no room for all of them beside each other.
     ///
     /// # Errors
     ///

@@ -10,8 +10,8 @@ pub const CAPITALS: f64 = 0.686;
 /// The size of a raised digit, em, and how far its baseline is raised, em.
 const RAISED: (f64, f64) = (0.7, 0.3);
 
-/// Returns the outlines of `text` in bold letters, and its width: closed polygons, around which the winding is not zero, in em from
-/// the start of the baseline, y down. Characters that the font lacks are left out.
+/// Returns the outlines of `text` in bold letters, and its width: closed polygons, around which the winding
+/// is not zero, in em from the start of the baseline, y down. Characters that the font lacks are left out.
 #[must_use]
 pub fn outlines(text: &str) -> (Vec<Vec<[f64; 2]>>, f64) {
     let (mut outlines, mut end) = (Vec::new(), 0.0);

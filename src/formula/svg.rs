@@ -11,7 +11,8 @@ use crate::markup::escaped;
 const UNITS: f32 = 1000.0;
 
 impl Formula {
-    /// Returns the formula as an element of a page: as large as the text around, its baseline on that of the text, named by its words.
+    /// Returns the formula as an element of a page: as large as the text around, its baseline on that of the
+    /// text, named by its words.
     #[must_use]
     pub fn svg(&self) -> String {
         let units = |em: f32| (em * UNITS).round();

@@ -47,8 +47,8 @@ impl Course {
         })
     }
 
-    /// Returns the same course through a rewritten `lesson`: at the present place, if it still exists, with the
-    /// records of the steps that are as they were.
+    /// Returns the same course through a rewritten `lesson`: at the present place, if it still exists, with
+    /// the records of the steps that are as they were.
     ///
     /// # Errors
     /// As [`Self::new`].
@@ -65,7 +65,8 @@ impl Course {
         Ok(renewed)
     }
 
-    /// Restores the `kept` way: the answers to questions that the lesson still has, and the place, if it still exists.
+    /// Restores the `kept` way: the answers to questions that the lesson still has, and the place, if it
+    /// still exists.
     pub fn take_up(&mut self, kept: &LessonProgress) {
         for (number, record) in self.records.iter_mut().enumerate() {
             *record = kept.record(&self.lesson, number);
@@ -129,8 +130,8 @@ impl Course {
         self.records.get(self.place.step)
     }
 
-    /// Returns the open prediction: that of the present step, before its reveal. Whoever comes back to it finds it
-    /// open: skipped, it can be made; made, it can be changed.
+    /// Returns the open prediction: that of the present step, before its reveal. Whoever comes back to it
+    /// finds it open: skipped, it can be made; made, it can be changed.
     #[must_use]
     pub fn asked(&self) -> Option<&Prediction> {
         self.step()?.prediction.as_ref().filter(|_| self.place.phase == Phase::Ask)
@@ -159,8 +160,8 @@ impl Course {
         !matches!(self.place.phase, Phase::Ask)
     }
 
-    /// Returns whether the truth is shown beside the prediction: after the reveal, once the question of what was
-    /// seen is answered or passed over.
+    /// Returns whether the truth is shown beside the prediction: after the reveal, once the question of what
+    /// was seen is answered or passed over.
     #[must_use]
     pub fn shows_truth(&self) -> bool {
         self.is_revealed() && !self.waits_for_observation()
@@ -174,7 +175,8 @@ impl Course {
         is_asked && !is_answered && !self.is_passed_over && self.place.phase == Phase::Shown
     }
 
-    /// Returns whether the reveal of the step of this number has been opened, or the step has been left behind.
+    /// Returns whether the reveal of the step of this number has been opened, or the step has been left
+    /// behind.
     #[must_use]
     pub fn is_done(&self, number: usize) -> bool {
         let is_asked_for = self.records.get(number).is_some_and(|record| record.outcome.is_some());
@@ -302,7 +304,8 @@ impl Course {
         }
     }
 
-    /// Returns whether the open prediction is answered by counting votes. An earlier answer keeps its own form.
+    /// Returns whether the open prediction is answered by counting votes. An earlier answer keeps its own
+    /// form.
     #[must_use]
     pub fn counts_hands(&self) -> bool {
         let counts = match &self.draft {

@@ -7,8 +7,8 @@ use crate::units::{Measures, Unit};
 /// Width and height, pixels.
 const SIZE: [f64; 2] = [640.0, 300.0];
 
-/// The plot that `curve` is drawn into, over `times` (first and last T, in the scene's unit), which are shown in `unit`; with
-/// these lines of T and value.
+/// The plot that `curve` is drawn into, over `times` (first and last T, in the scene's unit), which are shown
+/// in `unit`; with these lines of T and value.
 #[must_use]
 pub fn svg(curve: &CurveAnswer, times: [f64; 2], unit: Unit, mut lines: Vec<Line>) -> String {
     for [time, _] in lines.iter_mut().flat_map(|line| &mut line.pieces).flatten() {

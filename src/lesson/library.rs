@@ -1,4 +1,5 @@
-//! The library of lessons: the program's own, those in a folder of the user's, and the presets, which are lessons of one step.
+//! The library of lessons: the program's own, those in a folder of the user's, and the presets, which are
+//! lessons of one step.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
@@ -132,7 +133,8 @@ impl Library {
     }
 }
 
-/// The Markdown files in `folder` that begin as lessons do, but for a README, by name; and those that cannot be read.
+/// The Markdown files in `folder` that begin as lessons do, but for a README, by name; and those that cannot
+/// be read.
 fn files_in(folder: &Path) -> Result<Vec<PathBuf>, LessonError> {
     let listed = files::list_folder(folder).map_err(|reason| LessonError::Read {
         source_name: files::shown(folder),

@@ -1,8 +1,8 @@
 //! Lessons: predict, see, compare, explain. What a lesson consists of, how it is read from a Markdown file
 //! (`assets/lessons/README.md` describes it), and how somebody goes through it. No window is known here.
 //!
-//! A lesson is read ([`Lesson::read`]), then worked out ([`Lesson::worked_out`]): the values that its texts ask for are put
-//! in their places. A [`Course`] is somebody's way through it.
+//! A lesson is read ([`Lesson::read`]), then worked out ([`Lesson::worked_out`]): the values that its texts
+//! ask for are put in their places. A [`Course`] is somebody's way through it.
 
 mod answer;
 mod answers;

@@ -11,8 +11,8 @@ pub const SIZE: [u32; 2] = [480, 360];
 /// Rays per pixel, each way.
 const SAMPLES: u32 = 2;
 
-/// Returns the picture of both eyes with these `settings`, side by side and by day, as an element of a page; `what` describes it to
-/// readers who do not see it.
+/// Returns the picture of both eyes with these `settings`, side by side and by day, as an element of a page;
+/// `what` describes it to readers who do not see it.
 ///
 /// # Errors
 /// Those of the studio.

@@ -11,8 +11,8 @@ use crate::formula::markdown::Markdown;
 use crate::quantity::Quantity;
 use crate::settings::{Preset, Settings};
 
-/// A text in Markdown, with formulas in TeX, and where it begins in its file. Working a lesson out makes new texts with the values in
-/// their places; the check, the window and all pages share the events of these.
+/// A text in Markdown, with formulas in TeX, and where it begins in its file. Working a lesson out makes new
+/// texts with the values in their places; the check, the window and all pages share the events of these.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Text {
     /// The Markdown; before a lesson is worked out, with places for values such as `{gain:.2}`.
@@ -66,7 +66,8 @@ pub struct Lesson {
     pub title: String,
     /// Place among the lessons.
     pub order: u32,
-    /// The concept of the Relativity Concept Inventory that it serves; empty for a state that only shows something.
+    /// The concept of the Relativity Concept Inventory that it serves; empty for a state that only shows
+    /// something.
     pub concept: String,
     /// Minutes that it takes in front of a class.
     pub minutes: u32,
@@ -170,7 +171,8 @@ pub struct PointAt {
 /// A curve over T that is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct CurveAnswer {
-    /// Quantity that is drawn, for the selected point: one of [`Quantity::DRAWN`], linearly; of those that each eye has, the left eye's.
+    /// Quantity that is drawn, for the selected point: one of [`Quantity::DRAWN`], linearly; of those that
+    /// each eye has, the left eye's.
     pub quantity: Quantity,
     /// The least and the greatest value that can be drawn.
     pub range: [f64; 2],
@@ -250,8 +252,8 @@ impl Lesson {
         self.order == u32::MAX
     }
 
-    /// Returns the settings of the step of this number, after its reveal if it `is_revealed`, on top of `base`: default settings in a
-    /// user's window.
+    /// Returns the settings of the step of this number, after its reveal if it `is_revealed`, on top of
+    /// `base`: default settings in a user's window.
     ///
     /// # Errors
     /// A setting that cannot be.
@@ -285,7 +287,8 @@ impl Lesson {
         self.with(last, self.lab.as_ref().and_then(|lab| lab.state.as_ref()))
     }
 
-    /// Returns `settings` with those in `told` on top. Settings that belong to a scene do not go over to another.
+    /// Returns `settings` with those in `told` on top. Settings that belong to a scene do not go over to
+    /// another.
     pub(super) fn with(
         &self,
         settings: Settings,

@@ -16,13 +16,14 @@ pub struct Score {
     pub right: usize,
     /// Number of predictions that were skipped.
     pub skipped: usize,
-    /// Remarks, a sentence each, on predictions for which right or wrong is not enough: curves, clicked places, votes.
+    /// Remarks, a sentence each, on predictions for which right or wrong is not enough: curves, clicked
+    /// places, votes.
     pub others: Vec<String>,
 }
 
 impl Course {
-    /// Sums up the predictions so far; each step's state falls back on `base`. Drawn curves and counted votes are
-    /// neither right nor wrong.
+    /// Sums up the predictions so far; each step's state falls back on `base`. Drawn curves and counted votes
+    /// are neither right nor wrong.
     #[must_use]
     pub fn score(&self, base: &Settings) -> Score {
         let mut score = Score::default();

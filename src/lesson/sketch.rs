@@ -1,4 +1,5 @@
-//! A curve over T as somebody draws it: stroke by stroke, and what is drawn again takes the place of what was there.
+//! A curve over T as somebody draws it: stroke by stroke, and what is drawn again takes the place of what was
+//! there.
 
 /// Number of equal parts in which a range of T is drawn.
 const PARTS: u32 = 120;
@@ -8,8 +9,8 @@ fn samples([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
     (0..=PARTS).map(move |part| from + (to - from) * f64::from(part) / f64::from(PARTS))
 }
 
-/// The curve of these `points` (T and value, T rising) after a straight stroke from one place to another, in a plot over
-/// `times` (first and last T) of these `values` (lowest and highest).
+/// The curve of these `points` (T and value, T rising) after a straight stroke from one place to another, in
+/// a plot over `times` (first and last T) of these `values` (lowest and highest).
 #[must_use]
 pub fn drawn(
     points: &[[f64; 2]],

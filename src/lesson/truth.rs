@@ -64,7 +64,8 @@ fn curve(times: [f64; 2], value: impl Fn(f64) -> Option<f64>) -> Vec<Vec<[f64; 2
 }
 
 impl CurveAnswer {
-    /// Returns the value of the curve for the point at `track` at `time`; `None` outside the domain of the core. Radians, or a ratio.
+    /// Returns the value of the curve for the point at `track` at `time`; `None` outside the domain of the
+    /// core. Radians, or a ratio.
     #[must_use]
     pub fn at(&self, settings: &Settings, track: &Track, time: f64) -> Option<f64> {
         self.quantity.seen(&settings.disparity(track, time).ok()?)
@@ -83,7 +84,8 @@ pub fn angle_between(a: Gaze, b: Gaze) -> f64 {
     a.axes().forward.angle_between(b.axes().forward)
 }
 
-/// The root mean square by which the drawn `points` (T and value) differ from `truth` over T; none where no truth is.
+/// The root mean square by which the drawn `points` (T and value) differ from `truth` over T; none where no
+/// truth is.
 #[must_use]
 pub fn rms(points: &[[f64; 2]], truth: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     let squares: Vec<f64> =

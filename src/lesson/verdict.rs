@@ -20,8 +20,8 @@ pub struct Verdict {
     pub is: String,
 }
 
-/// Returns the verdict on the prediction of `step` in its `record`, by what is shown after its reveal; `None` before that was
-/// opened, and where nothing is predicted.
+/// Returns the verdict on the prediction of `step` in its `record`, by what is shown after its reveal; `None`
+/// before that was opened, and where nothing is predicted.
 #[must_use]
 pub fn verdict(step: &Step, record: &Record, sight: &Sight<'_>) -> Option<Verdict> {
     let kind = &step.prediction.as_ref()?.kind;
@@ -100,7 +100,8 @@ impl Number {
     }
 }
 
-/// Describes the difference of the drawn `points` from the true `curve`, and the range of T; `None` where the curve does not exist.
+/// Describes the difference of the drawn `points` from the true `curve`, and the range of T; `None` where the
+/// curve does not exist.
 #[must_use]
 pub fn difference(curve: &CurveAnswer, points: &[[f64; 2]], sight: &Sight<'_>) -> Option<String> {
     let ([first, ..], [.., last]) = (points, points) else { return None };

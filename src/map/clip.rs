@@ -3,8 +3,8 @@
 use super::chart::Chart;
 
 impl Chart {
-    /// The parts of the line through `places` of the world that come within `margin` points of the chart, on screen:
-    /// `draw` is called with each.
+    /// The parts of the line through `places` of the world that come within `margin` points of the chart, on
+    /// screen: `draw` is called with each.
     pub fn clipped(
         &self,
         places: impl IntoIterator<Item = [f64; 2]>,
@@ -27,7 +27,8 @@ impl Chart {
         flush(&mut run, &mut draw);
     }
 
-    /// The part of the line between two places on screen that is within `margin` of the chart (Liang and Barsky 1984).
+    /// The part of the line between two places on screen that is within `margin` of the chart (Liang and
+    /// Barsky 1984).
     fn inside(&self, [a, b]: [[f64; 2]; 2], margin: f64) -> Option<[[f64; 2]; 2]> {
         let (mut first, mut last) = (0.0f64, 1.0f64);
         for axis in 0..2 {

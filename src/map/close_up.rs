@@ -1,5 +1,5 @@
-//! The close-up framing: a box around a body where it is seen, or around events of points in spacetime. It moves with
-//! T, as what it frames does.
+//! The close-up framing: a box around a body where it is seen, or around events of points in spacetime. It
+//! moves with T, as what it frames does.
 
 use glam::DVec3;
 use relativity_core::Event;
@@ -15,12 +15,13 @@ use crate::settings::MapFrame;
 const MARGIN: f64 = 0.12;
 /// At most this many bodies of a group are sampled; larger groups are strided.
 const MOST_BODIES: usize = 150;
-/// The stereo position is followed this many sizes of what is seen away: lines of sight that are nearly parallel cross
-/// arbitrarily far off.
+/// The stereo position is followed this many sizes of what is seen away: lines of sight that are nearly
+/// parallel cross arbitrarily far off.
 const STEREO_REACH: f64 = 1.5;
 /// Space left free around events, as a share of their span.
 const EVENT_MARGIN: f64 = 0.6;
-/// Least span of the events, in the distance at which the nearest point passes: a single point may span nothing.
+/// Least span of the events, in the distance at which the nearest point passes: a single point may span
+/// nothing.
 const LEAST_SPAN: f64 = 0.25;
 
 /// A box, grown point by point.
@@ -51,8 +52,9 @@ impl PointBox {
 }
 
 impl WorldBox {
-    /// The box around what moves at `motion`, or around all that moves if that rests on the ground: on the ground where
-    /// both eyes see it and where two eyes place it, in its own frame where it is. `None` where it is nowhere.
+    /// The box around what moves at `motion`, or around all that moves if that rests on the ground: on the
+    /// ground where both eyes see it and where two eyes place it, in its own frame where it is. `None` where
+    /// it is nowhere.
     #[must_use]
     pub fn close_up(instant: &MapInstant, scene: &Scene, motion: Motion) -> Option<Self> {
         let bounds = |picture: BodyPicture, into: PointBox| {
@@ -83,8 +85,8 @@ impl WorldBox {
     }
 }
 
-/// The lowest and highest x and t around the events of the points of `diagrams` that are now on the clocks of the ground
-/// and on those of the scene. `None` where there is no finite such box.
+/// The lowest and highest x and t around the events of the points of `diagrams` that are now on the clocks of
+/// the ground and on those of the scene. `None` where there is no finite such box.
 #[must_use]
 pub fn around_now(diagrams: &[Diagram]) -> Option<[Event; 2]> {
     let events = diagrams.iter().flat_map(|diagram| {

@@ -1,7 +1,8 @@
 //! The spacetime face: x against t, with c = 1, of the selected point and both eyes.
 //!
-//! The point passes beside the eyes, not through them. So what is drawn of an eye's past light cone is its cut by the
-//! point's own plane, in which y and z are the point's: a hyperbola, whose asymptotes are light that runs along x.
+//! The point passes beside the eyes, not through them. So what is drawn of an eye's past light cone is its
+//! cut by the point's own plane, in which y and z are the point's: a hyperbola, whose asymptotes are light
+//! that runs along x.
 
 use glam::DVec3;
 use relativity_core::{Aperture, Event, Observer, ObserverError, ObserverVelocity, SourcePoint, math};
@@ -72,7 +73,8 @@ impl PastCone {
 pub struct Diagram {
     /// The frame it is drawn in, by its velocity on the ground.
     pub frame: ObserverVelocity,
-    /// The velocity of the other frame beside the ground's: that in which the scene rests, or whoever rides does at this moment.
+    /// The velocity of the other frame beside the ground's: that in which the scene rests, or whoever rides
+    /// does at this moment.
     pub other: ObserverVelocity,
     /// Worldline of the point.
     pub point: PointWorldline,
@@ -89,7 +91,8 @@ pub struct Diagram {
 }
 
 impl Diagram {
-    /// Returns the diagram of `point` when the eyes receive light at `time`, in the frame that moves at `frame`.
+    /// Returns the diagram of `point` when the eyes receive light at `time`, in the frame that moves at
+    /// `frame`.
     ///
     /// # Errors
     ///
@@ -123,16 +126,16 @@ impl Diagram {
         self.point.at(self.time)
     }
 
-    /// The ground's time at which the point is, when on the clocks of the other frame it is as late there as it is
-    /// between the eyes at T.
+    /// The ground's time at which the point is, when on the clocks of the other frame it is as late there as
+    /// it is between the eyes at T.
     #[must_use]
     pub fn other_now(&self) -> f64 {
         // All of that frame's now has the t' of the eyes' event.
         self.point.ground_time_at(&Observer { velocity: self.other, ..self.observer })
     }
 
-    /// The ground's times at which the point's worldline is to be drawn between these corners, later and later; none where it
-    /// passes them by.
+    /// The ground's times at which the point's worldline is to be drawn between these corners, later and
+    /// later; none where it passes them by.
     #[must_use]
     pub fn times_within(&self, low: Event, high: Event) -> Vec<f64> {
         let reach = self.point.reach();
@@ -147,7 +150,8 @@ impl Diagram {
         self.point.straight(self.time)
     }
 
-    /// The worldlines of the eyes, a step for each unit of their clock; of eyes that accelerate, as they would coast on.
+    /// The worldlines of the eyes, a step for each unit of their clock; of eyes that accelerate, as they
+    /// would coast on.
     #[must_use]
     pub fn eyes(&self) -> [StraightLine; 2] {
         let own = Event { x: 0.0, t: 1.0 };
@@ -167,8 +171,9 @@ impl Diagram {
         Some(Velocity::along_street(&self.frame)?.seen_from(Velocity::along_street(of)?))
     }
 
-    /// Returns the present by the ground's clocks, and that by the clocks of the other frame. That of one who moves aslant of the
-    /// street is cut by the plane in which the point moves, and so need not pass the eyes.
+    /// Returns the present by the ground's clocks, and that by the clocks of the other frame. That of one who
+    /// moves aslant of the street is cut by the plane in which the point moves, and so need not pass the
+    /// eyes.
     #[must_use]
     pub fn nows(&self) -> [StraightLine; 2] {
         [(ObserverVelocity::REST, self.time), (self.other, self.other_now())].map(|(of, then)| {
@@ -190,22 +195,24 @@ impl Diagram {
         })
     }
 
-    /// The past light cones of the eyes at T; `None` in the frame of one who moves aslant of the street, in which the point
-    /// changes its y and z.
+    /// The past light cones of the eyes at T; `None` in the frame of one who moves aslant of the street, in
+    /// which the point changes its y and z.
     #[must_use]
     pub fn cones(&self) -> Option<[PastCone; 2]> {
         let cones = self.rays.map(|ray| PastCone { apex: ray.apex, distance: ray.aside });
         self.frame.is_along_street().then_some(cones)
     }
 
-    /// Whether the other frame moves aslant of the street, so that its present passes the point's plane elsewhere than the eyes.
+    /// Whether the other frame moves aslant of the street, so that its present passes the point's plane
+    /// elsewhere than the eyes.
     #[must_use]
     pub fn is_aslant(&self) -> bool {
         !self.other.is_along_street()
     }
 }
 
-/// The places of the left (0) or the right (1) eye in the frame that moves at `frame`, at evenly spread times of the clock in this range.
+/// The places of the left (0) or the right (1) eye in the frame that moves at `frame`, at evenly spread times
+/// of the clock in this range.
 #[must_use]
 pub fn worldline_of_eye(
     settings: &Settings,
@@ -222,8 +229,8 @@ pub fn worldline_of_eye(
     (0..=PastCone::PIECES).map(event).collect()
 }
 
-/// A part of a passage: from where to where the point is seen to pass, in distances at which it does; and, of slow
-/// passages, how long before and after it is seen abreast, in the same.
+/// A part of a passage: from where to where the point is seen to pass, in distances at which it does; and, of
+/// slow passages, how long before and after it is seen abreast, in the same.
 type PassagePart = ([f64; 2], f64);
 /// Part shown at first, and the largest.
 const AT_FIRST: PassagePart = ([-1.2, 0.2], 1.0);
@@ -231,8 +238,8 @@ const AT_MOST: PassagePart = ([-2.5, 2.2], 3.0);
 /// The smallest distance that is made room for.
 const NEAREST: f64 = 0.05;
 
-/// Lowest and highest x and t to show of `point` at `time`, in the frame that moves at `frame`: its passage. That stays as
-/// it is while T is in the middle of it, grows where T is not, and follows the eyes in the end.
+/// Lowest and highest x and t to show of `point` at `time`, in the frame that moves at `frame`: its passage.
+/// That stays as it is while T is in the middle of it, grows where T is not, and follows the eyes in the end.
 ///
 /// # Errors
 ///
@@ -268,8 +275,8 @@ pub fn home(
 /// Margins for labels at the left, at the right, above and below, points.
 const MARGINS: [f64; 4] = [44.0, 16.0, 22.0, 26.0];
 
-/// The chart in a rectangle (left, top, width, height, points) that holds all from `low` to `high`, as the user looks at
-/// it. One scale serves both axes, so that light runs at 45 degrees.
+/// The chart in a rectangle (left, top, width, height, points) that holds all from `low` to `high`, as the
+/// user looks at it. One scale serves both axes, so that light runs at 45 degrees.
 #[must_use]
 pub fn chart([left, top, width, height]: [f64; 4], [low, high]: [Event; 2], viewpoint: &Viewpoint) -> Chart {
     let [before, behind, above, below] = MARGINS;

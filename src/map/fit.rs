@@ -1,5 +1,5 @@
-//! The fitted part of the world in a map. It depends on the scene and on how far from the eyes it passes, not on T, and on the speed
-//! only in steps: nothing jumps while time runs.
+//! The fitted part of the world in a map. It depends on the scene and on how far from the eyes it passes, not
+//! on T, and on the speed only in steps: nothing jumps while time runs.
 
 use glam::DVec3;
 use relativity_core::math;
@@ -23,7 +23,8 @@ const WIDEST: f64 = 1.5;
 const MARGIN: f64 = 0.7;
 /// Part of the street around who rides, behind and ahead, units.
 const AROUND_RIDER: [f64; 2] = [-8.0, 16.0];
-/// Half the part of the world around who does not ride along the street, units, and how far it is shifted at the speed of light.
+/// Half the part of the world around who does not ride along the street, units, and how far it is shifted at
+/// the speed of light.
 const AROUND_ASLANT: [f64; 3] = [6.0, 6.0, 3.0];
 const AHEAD_ASLANT: f64 = 4.0;
 /// Greatest distance of what such a rider sees that is fitted.
@@ -61,8 +62,8 @@ impl WorldBox {
 }
 
 impl WorldBox {
-    /// Returns the part around who does not ride along the street: more of it ahead of `here` than behind, by `velocity`, and
-    /// all of `seen` that is not too far off.
+    /// Returns the part around who does not ride along the street: more of it ahead of `here` than behind, by
+    /// `velocity`, and all of `seen` that is not too far off.
     #[must_use]
     pub fn of_ride_aslant(here: DVec3, velocity: DVec3, seen: impl Iterator<Item = DVec3>) -> Self {
         let (middle, half) =
@@ -79,8 +80,8 @@ impl WorldBox {
     }
 }
 
-/// Returns the factor by which a map is wider that holds eyes which ride past: from T = 0 on they are gamma beta T away. In steps,
-/// and at most so much that the bicycle stays large enough to be seen.
+/// Returns the factor by which a map is wider that holds eyes which ride past: from T = 0 on they are gamma
+/// beta T away. In steps, and at most so much that the bicycle stays large enough to be seen.
 fn widening(settings: &Settings) -> f64 {
     match settings.map_frame() {
         MapFrame::Ground | MapFrame::Rider => 1.0,
@@ -106,8 +107,8 @@ fn joined(around: [[f64; 2]; 3], (center, radius): ([f64; 3], f64)) -> [[f64; 2]
         .map(|axis| [around[axis][0].min(center[axis] - radius), around[axis][1].max(center[axis] + radius)])
 }
 
-/// The plan (x, y) above and the view from the side (x, z) below, in a rectangle (left, top, width, height, points) that
-/// holds `extent` as the user looks at it. They have one scale and share x.
+/// The plan (x, y) above and the view from the side (x, z) below, in a rectangle (left, top, width, height,
+/// points) that holds `extent` as the user looks at it. They have one scale and share x.
 #[must_use]
 pub fn plan_and_side(
     [left, top, width, height]: [f64; 4],

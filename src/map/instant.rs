@@ -141,7 +141,8 @@ impl<'a> MapInstant<'a> {
         }
     }
 
-    /// Returns the place of the point in `picture`; `None` where there is none, or outside the domain of the core.
+    /// Returns the place of the point in `picture`; `None` where there is none, or outside the domain of the
+    /// core.
     #[must_use]
     pub fn place(&self, point: &Track, picture: BodyPicture) -> Option<DVec3> {
         self.places(point.motion).place(picture, point.point())
@@ -171,7 +172,8 @@ pub struct Places {
 }
 
 impl Places {
-    /// Returns the place of the scene's `point` in `picture`; `None` where there is none, or outside the domain of the core.
+    /// Returns the place of the scene's `point` in `picture`; `None` where there is none, or outside the
+    /// domain of the core.
     #[must_use]
     pub fn place(&self, picture: BodyPicture, point: impl Into<MaterialPoint>) -> Option<DVec3> {
         let point = point.into();
@@ -192,8 +194,8 @@ impl Places {
         place.is_finite().then_some(place)
     }
 
-    /// Returns the image of a ball of this `radius` around the `point`: its radii along x, y and z, from the place of the
-    /// point.
+    /// Returns the image of a ball of this `radius` around the `point`: its radii along x, y and z, from the
+    /// place of the point.
     #[must_use]
     pub fn ball(
         &self,

@@ -1,5 +1,5 @@
-//! Light that leaves the selected point: the events at which it left for each eye, the ray from there, and its wave
-//! fronts.
+//! Light that leaves the selected point: the events at which it left for each eye, the ray from there, and
+//! its wave fronts.
 
 use glam::DVec3;
 use relativity_core::{Aperture, Event, Model, ObserverError, ObserverVelocity, math};
@@ -17,7 +17,8 @@ pub struct ReceivedRay {
     pub across: [f64; 2],
     /// Event where the eye receives the ray.
     pub received: Event,
-    /// The event in whose past light cone it left: of reception, or where one cone serves both eyes, that between them.
+    /// The event in whose past light cone it left: of reception, or where one cone serves both eyes, that
+    /// between them.
     pub apex: Event,
     /// Distance from the point there to the line along x through that event.
     pub aside: f64,
@@ -88,7 +89,8 @@ pub struct Front {
 }
 
 impl Front {
-    /// Radius of the circle in which it meets a plane that passes the point at this `distance`; `None` until it does.
+    /// Radius of the circle in which it meets a plane that passes the point at this `distance`; `None` until
+    /// it does.
     ///
     /// In the plane of the eyes this circle reaches an eye exactly when the eye receives the light.
     #[must_use]
@@ -110,8 +112,8 @@ impl ReceivedRay {
 /// Greatest number of wave fronts.
 const MOST_FRONTS: i32 = 10;
 
-/// The fronts of light that left the point at the multiples of `period` of the time of the worldline's frame, as they are
-/// at its time `now`; the last ones first.
+/// The fronts of light that left the point at the multiples of `period` of the time of the worldline's frame,
+/// as they are at its time `now`; the last ones first.
 pub fn fronts(worldline: &PointWorldline, now: f64, period: f64) -> impl Iterator<Item = Front> {
     let last = (now / period).floor();
     let number = if last.is_finite() { MOST_FRONTS } else { 0 };

@@ -1,4 +1,5 @@
-//! The outlines of a scene's bodies as the map draws them: bent as they are seen, in as many pieces as it takes.
+//! The outlines of a scene's bodies as the map draws them: bent as they are seen, in as many pieces as it
+//! takes.
 
 use std::ops::Range;
 
@@ -42,7 +43,8 @@ pub struct OutlineLine {
     pub rests: bool,
     /// Picture that the line belongs to.
     pub picture: BodyPicture,
-    /// Ball around the place: the radii along x, y and z of one as thick as the body, at rest and on the map. `None` for an edge.
+    /// Ball around the place: the radii along x, y and z of one as thick as the body, at rest and on the map.
+    /// `None` for an edge.
     pub ball: Option<BallOutline>,
     /// The only projection that it is drawn in, if not in both: of a ball, whose outline in each is another.
     pub only: Option<MapProjection>,
@@ -113,7 +115,8 @@ impl OutlineLines {
         lines
     }
 
-    /// Adds the outlines of a group's bodies, leaving out those too small to be seen and more than can be distinguished.
+    /// Adds the outlines of a group's bodies, leaving out those too small to be seen and more than can be
+    /// distinguished.
     fn add_group(&mut self, sampler: &Sampler, scene: &Scene, group: &SceneGroup) {
         for body in group.bodies().step_by(group.count.div_ceil(MOST_BODIES).max(1)) {
             let reach = scene.bodies[body].shape.ball_around().1;
@@ -151,9 +154,9 @@ impl OutlineLines {
     }
 }
 
-/// The pictures of a body in `frame`, in the order in which they are drawn: a thin line on top, where two eyes place it,
-/// which lies on what one eye sees when the head is tilted. On board of the bicycle nothing is seen elsewhere: the light
-/// left where it rests.
+/// The pictures of a body in `frame`, in the order in which they are drawn: a thin line on top, where two
+/// eyes place it, which lies on what one eye sees when the head is tilted. On board of the bicycle nothing is
+/// seen elsewhere: the light left where it rests.
 const fn pictures(frame: MapFrame) -> &'static [BodyPicture] {
     match frame {
         MapFrame::Ground | MapFrame::Rider => {
@@ -206,13 +209,15 @@ impl<'a> Sampler<'a> {
         Some(Vertex { rest, place: self.places.place(self.picture, point)? })
     }
 
-    /// Returns the point that the thickness of a `path` of `body` is taken from: a body that turns in itself is as thick as if it did not.
+    /// Returns the point that the thickness of a `path` of `body` is taken from: a body that turns in itself
+    /// is as thick as if it did not.
     fn thickest(&self, path: &Path, body: &Body) -> MaterialPoint {
         let spin = self.spin.and(body.displacing_spin());
         MaterialPoint { rest: path.at(0.5), spin }
     }
 
-    /// Whether the line from one of `ends` to the other is off the `middle` of a curve where that can be seen.
+    /// Whether the line from one of `ends` to the other is off the `middle` of a curve where that can be
+    /// seen.
     fn is_bent(&self, ends: [Vertex; 2], middle: &Vertex) -> bool {
         let off = (middle.place - 0.5 * (ends[0].place + ends[1].place)).length();
         off * self.charts[0].scale > TOLERANCE && self.is_near(ends, off)

@@ -1,8 +1,9 @@
-//! The map, as lines and marks in scene units: places of things at the observer's present T, beside those where
-//! they are seen. It knows nothing of the window, and asks the same functions as the views.
+//! The map, as lines and marks in scene units: places of things at the observer's present T, beside those
+//! where they are seen. It knows nothing of the window, and asks the same functions as the views.
 //!
-//! Coordinates are from between resting eyes: x along the motion, y away from the eyes, z up; those of the bicycle's frame
-//! have their origin where the eyes' has it at t = 0, and those of the frame of who rides have it between the eyes.
+//! Coordinates are from between resting eyes: x along the motion, y away from the eyes, z up; those of the
+//! bicycle's frame have their origin where the eyes' has it at t = 0, and those of the frame of who rides
+//! have it between the eyes.
 
 mod chart;
 mod clip;

@@ -12,14 +12,14 @@ pub struct Nearest<'a> {
     pub line: &'a OutlineLine,
     /// Nearest place on it: in the middle of its thickness.
     pub vertex: Vertex,
-    /// Place on the body's surface, in front of that on the side of the eyes; in the scene's coordinates, at rest, or
-    /// at t' = 0 if it turns.
+    /// Place on the body's surface, in front of that on the side of the eyes; in the scene's coordinates, at
+    /// rest, or at t' = 0 if it turns.
     pub surface: DVec3,
 }
 
 impl OutlineLines {
-    /// The point of the outlines nearest to `pointer`, a place on screen, unless it is further than `reach` points from
-    /// all of them; of equally near ones that drawn last.
+    /// The point of the outlines nearest to `pointer`, a place on screen, unless it is further than `reach`
+    /// points from all of them; of equally near ones that drawn last.
     #[must_use]
     pub fn nearest(
         &self,

@@ -6,8 +6,8 @@ use relativity_render::geometry::shape::strokes::{Onlooker, Stroke};
 
 use super::MapProjection;
 
-/// The outline of `body`, with the only projection that each part is drawn in, if not in both; `line_of_sight` is the
-/// direction of the body at a place, at rest, that a projection looks along.
+/// The outline of `body`, with the only projection that each part is drawn in, if not in both;
+/// `line_of_sight` is the direction of the body at a place, at rest, that a projection looks along.
 pub(super) fn outline(
     body: &Body,
     line_of_sight: impl Fn(DVec3, MapProjection) -> DVec3,

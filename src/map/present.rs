@@ -1,4 +1,5 @@
-//! Places of points at one time of a frame: those that rest in the frame of their group, and those that turn there.
+//! Places of points at one time of a frame: those that rest in the frame of their group, and those that turn
+//! there.
 
 use glam::DVec3;
 use relativity_core::wheel::measured_later;
@@ -34,7 +35,8 @@ impl Present {
     }
 }
 
-/// The view of all that is at one time of the `observer`, from `place`, where the middle between the eyes is; the scene's speed is `speed`.
+/// The view of all that is at one time of the `observer`, from `place`, where the middle between the eyes is;
+/// the scene's speed is `speed`.
 pub(super) fn measured_by(observer: &Observer, place: DVec3, speed: Speed) -> View {
     let DVec3 { x, y, z } = place;
     let camera = Camera::new(Aperture { x, y, z }, Gaze::STRAIGHT_AHEAD, 1.0, [1, 1]);

@@ -5,8 +5,8 @@ use relativity_render::Camera;
 
 use super::MapProjection;
 
-/// The directions of both edges of what `camera` shows, in `projection`: unit vectors right and up, the left edge first.
-/// `None` where it looks so steeply out of the plane that there is no edge.
+/// The directions of both edges of what `camera` shows, in `projection`: unit vectors right and up, the left
+/// edge first. `None` where it looks so steeply out of the plane that there is no edge.
 #[must_use]
 pub fn field_of_view(camera: &Camera, projection: MapProjection) -> Option<[[f64; 2]; 2]> {
     let [width, height] = camera.size.map(f64::from);
@@ -15,7 +15,8 @@ pub fn field_of_view(camera: &Camera, projection: MapProjection) -> Option<[[f64
     for (sight, place) in sights.iter_mut().zip(places) {
         *sight = flat(camera.line_of_sight(place), projection)?;
     }
-    // An edge has all the others on its one side. (A sheared picture may reach further than 90 degrees from its middle.)
+    // An edge has all the others on its one side. (A sheared picture may reach further than 90 degrees from
+    // its middle.)
     let edge = |side: f64| {
         let is_outermost = |at: &[f64; 2]| sights.iter().all(|&other| side * cross(*at, other) >= -ALIKE);
         sights.into_iter().find(is_outermost)

@@ -12,7 +12,8 @@ pub struct StraightLine {
 }
 
 impl StraightLine {
-    /// From how many to how many steps it lies in the rectangle from `low` to `high`; `None` if it passes that by.
+    /// From how many to how many steps it lies in the rectangle from `low` to `high`; `None` if it passes
+    /// that by.
     #[must_use]
     pub fn part_within(&self, low: Event, high: Event) -> Option<[f64; 2]> {
         let sides =

@@ -16,8 +16,8 @@ const PIECES: i32 = 128;
 /// A straight line of the street on a chart: two places on it, right and up, and its name.
 type StreetLine = ([[f64; 2]; 2], &'static str);
 
-/// Returns the kerbs and the foot of the house fronts from above, and the ground from the side, as `instant` measures them: of a ground
-/// that leans towards the eyes or away from them, where it is straight below them.
+/// Returns the kerbs and the foot of the house fronts from above, and the ground from the side, as `instant`
+/// measures them: of a ground that leans towards the eyes or away from them, where it is straight below them.
 #[must_use]
 pub fn street_lines(instant: &MapInstant, scene: &Scene, projection: MapProjection) -> Vec<StreetLine> {
     let places = instant.places(Motion::Own(Velocity::REST));
@@ -44,8 +44,8 @@ pub fn street_lines(instant: &MapInstant, scene: &Scene, projection: MapProjecti
     }
 }
 
-/// Returns the places of the middle between the eyes at evenly spread times of the clock in this range, on the map of `settings` at `time`; none
-/// in the frame of whoever rides, and none of who keeps to the street.
+/// Returns the places of the middle between the eyes at evenly spread times of the clock in this range, on
+/// the map of `settings` at `time`; none in the frame of whoever rides, and none of who keeps to the street.
 #[must_use]
 pub fn way_of_rider(settings: &Settings, time: f64, range: [f64; 2]) -> Vec<DVec3> {
     if !settings.ride.leaves_street() || settings.map_frame() == MapFrame::Rider {

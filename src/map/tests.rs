@@ -144,7 +144,8 @@ fn lines_are_as_smooth_as_they_promise() {
         let places = instant.places(Motion::Scene);
         for line in &lines.all {
             for pair in lines.vertices(line).windows(2) {
-                // Between two vertices of a straight tube: the body's own chord, where its image bends the most.
+                // Between two vertices of a straight tube: the body's own chord, where its image bends the
+                // most.
                 let rest = pair[0].rest.lerp(pair[1].rest, 0.5);
                 let curve = places.place(line.picture, rest).expect("in the domain");
                 let chord = 0.5 * (pair[0].place + pair[1].place);
@@ -286,7 +287,8 @@ fn a_close_up_holds_what_is_seen_and_has_little_room_around_it() {
         for (beta, time) in [(0.0, 0.0), (0.5, -3.0), (0.8, 6.78), (0.99, 4.0)] {
             let settings = settings(beta, MapFrame::Ground);
             let WorldBox(extent) = close_up(&settings, &scene, time).expect("it is somewhere");
-            // The outlines that the map draws, each bent as finely as it takes, not the samples that were framed.
+            // The outlines that the map draws, each bent as finely as it takes, not the samples that were
+            // framed.
             let (lines, _) = lines(&settings, &scene, time);
             let seen = lines.all.iter().filter(|line| matches!(line.picture, BodyPicture::Seen(_)));
             let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);

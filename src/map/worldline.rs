@@ -58,7 +58,8 @@ impl PointWorldline {
         self.now(t).place(self.point)
     }
 
-    /// Returns the time of a clock at the point at the ground's time `t`, all clocks of its group's frame being set alike there.
+    /// Returns the time of a clock at the point at the ground's time `t`, all clocks of its group's frame
+    /// being set alike there.
     #[must_use]
     pub fn proper_time(&self, t: f64) -> f64 {
         self.now(t).proper_time(self.place(t))
@@ -112,8 +113,8 @@ impl PointWorldline {
         Worldline::at_rest(self.velocity, place.x)
     }
 
-    /// When light that leaves it at the ground's time `t` is received between the eyes, by the clock of whoever rides if they are on
-    /// this `ride`.
+    /// When light that leaves it at the ground's time `t` is received between the eyes, by the clock of
+    /// whoever rides if they are on this `ride`.
     #[must_use]
     pub fn received(&self, ride: &Riding, t: f64) -> f64 {
         let place = self.place(t);
@@ -124,8 +125,8 @@ impl PointWorldline {
         clock.reception(t, math::hypot(place.y, place.z))
     }
 
-    /// The worldline of the axle that it turns about, from the ground's time `time` on, a step for each unit of that; its own, if
-    /// it does not turn.
+    /// The worldline of the axle that it turns about, from the ground's time `time` on, a step for each unit
+    /// of that; its own, if it does not turn.
     #[must_use]
     pub fn straight(&self, time: f64) -> StraightLine {
         let axle = MaterialPoint { rest: self.axle, spin: None };
@@ -140,7 +141,8 @@ impl PointWorldline {
         Boost::from(self.velocity).unit_step_in(frame)
     }
 
-    /// The ground's times at which it is drawn between two of them, those included: as close together as its bends ask for.
+    /// The ground's times at which it is drawn between two of them, those included: as close together as its
+    /// bends ask for.
     #[must_use]
     pub fn times(&self, [first, last]: [f64; 2]) -> Vec<f64> {
         let Some(spin) = self.point.spin else { return vec![first, last] };

@@ -16,7 +16,8 @@ const NARROWEST: f64 = 1e-9;
 /// Weight of a gap of the axis' whole length without a tick, in ticks too many or too few.
 const GAP_WEIGHT: f64 = 8.0;
 
-/// More ticks than this are not spaced evenly, nor such as are closer together than this part of their numbers.
+/// More ticks than this are not spaced evenly, nor such as are closer together than this part of their
+/// numbers.
 const MOST_SPACED: i64 = 1000;
 const FINEST: f64 = 1e15;
 
@@ -74,8 +75,8 @@ pub fn with_margin([low, high]: [f64; 2], share: f64) -> [f64; 2] {
 }
 
 impl Axis {
-    /// An axis over at least `range`, of logarithms if it is `logarithmic`: widened where there would not be four to seven
-    /// ticks, and with about as many as are `wanted`.
+    /// An axis over at least `range`, of logarithms if it is `logarithmic`: widened where there would not be
+    /// four to seven ticks, and with about as many as are `wanted`.
     #[must_use]
     pub fn fitted(logarithmic: bool, range: [f64; 2], wanted: usize) -> Self {
         let range = widened(logarithmic, range, TICKS[1]);
@@ -99,8 +100,8 @@ impl Axis {
         best.map_or(Self::without_ticks(range), |(_, grid)| Self::on(&grid, range, grid.numbers(range)))
     }
 
-    /// A linear axis over this `range` and no more, with all ticks that have at least so much between them; with none where these cannot
-    /// be counted.
+    /// A linear axis over this `range` and no more, with all ticks that have at least so much between them;
+    /// with none where these cannot be counted.
     #[must_use]
     pub fn spaced(range: [f64; 2], least: f64) -> Self {
         let [low, high] = range;
@@ -113,7 +114,8 @@ impl Axis {
         Self::on(&grid, range, grid.first_numbers(range, MOST_SPACED))
     }
 
-    /// Returns `words`, the name of what is along the axis and its unit, with the power of ten that the numbers have in common.
+    /// Returns `words`, the name of what is along the axis and its unit, with the power of ten that the
+    /// numbers have in common.
     #[must_use]
     pub fn label(&self, words: &str) -> String {
         with_factor(words, self.exponent)

@@ -1,5 +1,5 @@
-//! Sampling of curves, densely where they bend: intervals are halved where their chords are off, all of them once before any
-//! of them twice, until there are too many samples.
+//! Sampling of curves, densely where they bend: intervals are halved where their chords are off, all of them
+//! once before any of them twice, until there are too many samples.
 
 use crate::time_range::time_within;
 
@@ -8,11 +8,11 @@ use crate::time_range::time_within;
 const TOLERANCE: f64 = 1.0 / 1800.0;
 /// The bounds of a curve over T. A jump (phi of a point at y = 0) ends at the deepest interval.
 const OF_CURVES: RefinementLimits = RefinementLimits { depth: 16, samples: 10_000 };
-/// The greatest distance of a sample that is left out from the one before, as a part of a chord's greatest distance from the curve: a
-/// drawn curve is off by both together at most.
+/// The greatest distance of a sample that is left out from the one before, as a part of a chord's greatest
+/// distance from the curve: a drawn curve is off by both together at most.
 const LEFT_OUT: f64 = 0.5;
-/// The fraction of an interval where the chord of a curve that oscillates is held against it besides in the middle, since halfway to the
-/// other side of a peak it is on the chord.
+/// The fraction of an interval where the chord of a curve that oscillates is held against it besides in the
+/// middle, since halfway to the other side of a peak it is on the chord.
 const BESIDE_MIDDLE: f64 = 0.3;
 /// Halvings of an interval in which values begin or cease.
 const GAP_DEPTH: u32 = 6;
@@ -26,8 +26,9 @@ pub struct RefinementLimits {
     pub samples: usize,
 }
 
-/// The `first` samples, and between neighbours those that `halfway` returns: the sample in the middle of two, or `None` where the chord
-/// between them is near enough to the curve. Every part of the curve has its share of the samples.
+/// The `first` samples, and between neighbours those that `halfway` returns: the sample in the middle of two,
+/// or `None` where the chord between them is near enough to the curve. Every part of the curve has its share
+/// of the samples.
 pub fn refined<S: Copy>(
     first: Vec<S>,
     limits: RefinementLimits,
@@ -140,7 +141,8 @@ pub fn even_times(range: [f64; 2], parts: u32) -> impl Iterator<Item = f64> {
     (0..=parts).map(move |part| time_within(range, f64::from(part) / f64::from(parts)))
 }
 
-/// Without the samples that lie on the one before, as drawn, and on the way to the next: a line through them would be drawn uneven.
+/// Without the samples that lie on the one before, as drawn, and on the way to the next: a line through them
+/// would be drawn uneven.
 fn thinned<const N: usize>(
     samples: &[CurveSample<N>],
     tolerances: &[f64; N],
@@ -213,7 +215,8 @@ mod tests {
         assert!(widths().fold(0.0, f64::max) <= 4.0 * widths().fold(1.0, f64::min));
     }
 
-    /// Curves of one bend each are drawn within the greatest distance of a chord and of what is left out, also where they are steep.
+    /// Curves of one bend each are drawn within the greatest distance of a chord and of what is left out,
+    /// also where they are steep.
     #[test]
     fn a_drawn_curve_is_near_the_curve() {
         let curves: [fn(f64) -> f64; 4] = [

@@ -183,7 +183,8 @@ impl<'a> PanelAxes<'a> {
         );
     }
 
-    /// A dotted line at `x` with its `name` beside it, one above the other where there are several, on the side that has room.
+    /// A dotted line at `x` with its `name` beside it, one above the other where there are several, on the
+    /// side that has room.
     fn draw_mark(&self, x: f64, name: &str, row: usize, svg: &mut String) {
         let [left, right, top, bottom] = self.frame;
         let (text, anchor) = if 2.0 * x < left + right { (x + 4.0, "start") } else { (x - 4.0, "end") };

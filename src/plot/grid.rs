@@ -1,5 +1,5 @@
-//! Round places along an axis: multiples of 1, 2 or 5 times a power of ten; along a logarithm also 1, 2 and 5 of each decade,
-//! and decades.
+//! Round places along an axis: multiples of 1, 2 or 5 times a power of ten; along a logarithm also 1, 2 and 5
+//! of each decade, and decades.
 
 use std::ops::Range;
 

@@ -1,5 +1,5 @@
-//! Plots without the toolkit: what is in a panel, its axes and ticks, how curves are sampled, where labels stand; and panels
-//! as SVG.
+//! Plots without the toolkit: what is in a panel, its axes and ticks, how curves are sampled, where labels
+//! stand; and panels as SVG.
 
 mod axis;
 mod curve;

@@ -93,7 +93,8 @@ pub struct Panel {
     pub marks: Vec<(f64, String)>,
     /// Whether a unit is as long on both axes.
     pub equal_scales: bool,
-    /// Whether the vertical axis is logarithmic: all values are above 0 then, and `equal_scales` has no effect.
+    /// Whether the vertical axis is logarithmic: all values are above 0 then, and `equal_scales` has no
+    /// effect.
     pub is_logarithmic: bool,
     /// Ends of the axes, logarithms of a logarithmic one; `None` lets the lines decide.
     pub ranges: [Option<[f64; 2]>; 2],
@@ -120,7 +121,8 @@ impl Panel {
         }
     }
 
-    /// Returns the range that the lines need of an axis (logarithms of a logarithmic one), with this share of it more at both ends.
+    /// Returns the range that the lines need of an axis (logarithms of a logarithmic one), with this share of
+    /// it more at both ends.
     pub(super) fn needed(&self, axis: usize, room: f64) -> [f64; 2] {
         let values = self.lines.iter().flat_map(|line| &line.pieces).flatten().map(|point| point[axis]);
         let values = values.chain(self.shown_x.filter(|_| axis == 0).into_iter().flatten());

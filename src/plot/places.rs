@@ -1,4 +1,5 @@
-//! Places of labels: rectangles that cover neither each other nor marks, and as little as can be of what else is drawn.
+//! Places of labels: rectangles that cover neither each other nor marks, and as little as can be of what else
+//! is drawn.
 //!
 //! Lengths are pixels or points, y points down.
 
@@ -59,7 +60,8 @@ impl Area {
         })
     }
 
-    /// The places for something of this `size` along the edges inside: the upper and the lower corners, and the middles.
+    /// The places for something of this `size` along the edges inside: the upper and the lower corners, and
+    /// the middles.
     pub fn along_edges(self, size: impl Into<[f32; 2]>) -> [Self; 8] {
         let size = size.into();
         let mut sides = SIDES;
@@ -120,7 +122,8 @@ impl LabelPlaces {
         self.marks.push((place.into(), radius));
     }
 
-    /// Labels stand beside the line through `places`, or a single place, where they can; that of the greatest `weight` is covered last.
+    /// Labels stand beside the line through `places`, or a single place, where they can; that of the greatest
+    /// `weight` is covered last.
     pub fn avoid(&mut self, places: impl IntoIterator<Item: Into<[f32; 2]>>, weight: f32) {
         let mut before: Option<[f32; 2]> = None;
         for to in places.into_iter().map(Into::into) {

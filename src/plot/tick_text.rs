@@ -1,10 +1,12 @@
-//! The numbers at ticks: as many digits as distinguish neighbours, in units of a power of ten that stands in the axis' label.
+//! The numbers at ticks: as many digits as distinguish neighbours, in units of a power of ten that stands in
+//! the axis' label.
 
 use relativity_core::math;
 
 use super::grid::{Grid, power_of_ten, scaled};
 
-/// Returns the power of ten in which values up to `largest` are written: 0 for short ones, else a multiple of three.
+/// Returns the power of ten in which values up to `largest` are written: 0 for short ones, else a multiple of
+/// three.
 pub fn common_exponent(largest: f64) -> i32 {
     if largest == 0.0 {
         return 0;
@@ -70,7 +72,8 @@ fn power_text(exponent: i32) -> String {
     format!("10{}", exponent.to_string().chars().map(superscript).collect::<String>())
 }
 
-/// Returns the label of an axis, `symbol / unit`, whose numbers are in units of 10 to the power of `exponent`.
+/// Returns the label of an axis, `symbol / unit`, whose numbers are in units of 10 to the power of
+/// `exponent`.
 pub fn with_factor(label: &str, exponent: i32) -> String {
     if exponent == 0 {
         return label.to_owned();

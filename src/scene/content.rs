@@ -10,20 +10,22 @@ use serde::{Deserialize, Serialize};
 use super::similar::{NEAREST, nearest};
 use super::table::coincide;
 
-/// Distance from a body's surface up to which a point is taken to be on it: coordinates may be rounded to three decimals.
+/// Distance from a body's surface up to which a point is taken to be on it: coordinates may be rounded to
+/// three decimals.
 const ON_BODY: f64 = 1e-3;
 /// Number of ambiguous names that an error message lists.
 const CHOICES: usize = 4;
 
-/// A scene: groups of bodies, each at rest in a frame of its own, and the ground they pass over. Lengths in the scene's
-/// unit, rest-frame coordinates `[x, y, z]` with x along the motion.
+/// A scene: groups of bodies, each at rest in a frame of its own, and the ground they pass over. Lengths in
+/// the scene's unit, rest-frame coordinates `[x, y, z]` with x along the motion.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Scene {
     /// Name of the scene, as shown.
     pub name: String,
     /// The bodies of all groups, numbered from 0; at least one.
     pub bodies: Vec<Body>,
-    /// The name of each body, such as `front tyre`: it follows "the" in a sentence. A file's names mean one body each.
+    /// The name of each body, such as `front tyre`: it follows "the" in a sentence. A file's names mean one
+    /// body each.
     pub names: Vec<String>,
     /// Groups of bodies that move alike: one after the other, without gaps.
     pub groups: Vec<SceneGroup>,
@@ -36,8 +38,8 @@ pub struct Scene {
     pub metres: Option<f64>,
     /// Height of the resting ground, if there is one.
     pub ground_z: Option<f64>,
-    /// The street on it, along x, in place of a grid: y of the near and of the far kerb of its road, and of the house
-    /// fronts beyond.
+    /// The street on it, along x, in place of a grid: y of the near and of the far kerb of its road, and of
+    /// the house fronts beyond.
     pub street: Option<[f64; 3]>,
 }
 
@@ -95,8 +97,8 @@ impl Track {
 }
 
 impl Scene {
-    /// The scene's own tracked point, which belongs to its first group; another `point` of that group in its place, if
-    /// there is one. It turns with the body that it is on.
+    /// The scene's own tracked point, which belongs to its first group; another `point` of that group in its
+    /// place, if there is one. It turns with the body that it is on.
     #[must_use]
     pub fn track(&self, point: Option<[f64; 3]>) -> Track {
         let rest = point.unwrap_or(self.tracked);
@@ -104,8 +106,8 @@ impl Scene {
         on_body.unwrap_or(Track { rest, motion: self.groups[0].motion, spin: None })
     }
 
-    /// The number of the body of the first group that the `place` at rest lies on or in, if there is one: of several the one
-    /// whose surface is nearest.
+    /// The number of the body of the first group that the `place` at rest lies on or in, if there is one: of
+    /// several the one whose surface is nearest.
     #[must_use]
     pub fn body_at(&self, place: [f64; 3]) -> Option<usize> {
         let off = |body: &usize| self.bodies[*body].shape.distance(place.into());
@@ -114,8 +116,8 @@ impl Scene {
         here.min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs())).map(|(body, _)| body)
     }
 
-    /// Returns the number of the body that `name` means: the one called so, else the one called so but for capitals, else
-    /// the one that has it as its number.
+    /// Returns the number of the body that `name` means: the one called so, else the one called so but for
+    /// capitals, else the one that has it as its number.
     ///
     /// # Errors
     /// A name of none, with the most similar ones; a name that several could be meant by, with theirs.
@@ -162,7 +164,8 @@ impl Scene {
         self.names.iter().map(String::as_str).collect()
     }
 
-    /// Returns the error for a `name` that no body has: it suggests the most similar names, and how to list them all.
+    /// Returns the error for a `name` that no body has: it suggests the most similar names, and how to list
+    /// them all.
     fn no_body_named(&self, name: &str) -> String {
         let known = self.body_names();
         let nearest = nearest(known.iter().copied(), name);
@@ -182,8 +185,8 @@ impl Scene {
         self.track_at(self.bodies.get(body)?.forward_most().into(), body)
     }
 
-    /// The point that rests at this place of the body of this number, if there is one that can be followed; or that turns with it, and is there
-    /// at t' = 0.
+    /// The point that rests at this place of the body of this number, if there is one that can be followed;
+    /// or that turns with it, and is there at t' = 0.
     #[must_use]
     pub fn track_at(&self, rest: [f64; 3], body: usize) -> Option<Track> {
         // What is on the axle stays there.
@@ -236,8 +239,8 @@ impl Scene {
         &self.names[body]
     }
 
-    /// The number of what is in this version of the scene what `body` is in the version `old`: of the same name, and moving
-    /// alike. Of several the one of the same shape.
+    /// The number of what is in this version of the scene what `body` is in the version `old`: of the same
+    /// name, and moving alike. Of several the one of the same shape.
     #[must_use]
     pub fn counterpart(&self, old: &Self, body: usize) -> Option<usize> {
         let (name, motion) = (old.names.get(body)?, old.motion_of(body)?);

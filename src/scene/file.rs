@@ -104,7 +104,8 @@ fn forward_most(bodies: &[Body]) -> Option<[f64; 3]> {
     points.max_by(|a, b| a.x.total_cmp(&b.x)).map(|point| point.to_array())
 }
 
-/// Returns all objects, and the groups they belong to: the scene's own, which moves at its speed, comes first.
+/// Returns all objects, and the groups they belong to: the scene's own, which moves at its speed, comes
+/// first.
 fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec<SceneGroup>), Located> {
     let mut all = objects(top, changes)?;
     let mut groups =
@@ -156,7 +157,8 @@ fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
     Ok(objects)
 }
 
-/// Returns the name of the preset in the include of this `number`, numbered if another of `includes` has the same.
+/// Returns the name of the preset in the include of this `number`, numbered if another of `includes` has the
+/// same.
 fn label(includes: &[Table], number: usize) -> Rc<str> {
     let scene = |include: &Table| include.string("scene").ok().flatten().unwrap_or_default().to_owned();
     let own = scene(&includes[number]);
@@ -167,8 +169,8 @@ fn label(includes: &[Table], number: usize) -> Rc<str> {
     }
 }
 
-/// Returns the objects of a preset, moved; they move like the group that includes them, and are distinguished from others of the
-/// same name by `label`.
+/// Returns the objects of a preset, moved; they move like the group that includes them, and are distinguished
+/// from others of the same name by `label`.
 fn included(include: &Table, label: &Rc<str>, changes: Changes) -> Result<Vec<Object>, Located> {
     include.check_keys(&["scene", "offset", "wheels"])?;
     let name = include.needed_string("scene")?;
@@ -193,7 +195,8 @@ fn included(include: &Table, label: &Rc<str>, changes: Changes) -> Result<Vec<Ob
     Ok(objects.map(moved).collect())
 }
 
-/// Returns an object, and its repetitions if it has such a table, a step from each to the next, with numbers in their names.
+/// Returns an object, and its repetitions if it has such a table, a step from each to the next, with numbers
+/// in their names.
 fn repeated(table: Table) -> Result<Vec<Object>, Located> {
     let (count, step) = (table.count("repeat")?, table.point("step")?);
     let first = object(table)?;

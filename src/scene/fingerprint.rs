@@ -7,17 +7,18 @@ use super::content::{Scene, SceneGroup};
 use crate::files::provenance::Provenance;
 
 impl Scene {
-    /// The fingerprint of its content, 16 hexadecimal digits: equal for equal scenes, and as good as never equal
-    /// for others.
+    /// The fingerprint of its content, 16 hexadecimal digits: equal for equal scenes, and as good as never
+    /// equal for others.
     ///
-    /// The FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo) of, in this order: the name, the tracked point, the height of
-    /// the ground, its street if there is one, and of each group its name, its own beta, and its bodies; of a body its shape
-    /// by the name in a scene file, the numbers of that in the order of the scene format (of a box half its size, and its
-    /// turn as a quaternion), its wavelength and, if it is below 1, its brightness after that word, and if it has one its
-    /// pattern by name, with its spacing; and if it turns after "rolls" or "turns" its axle, the radius on which it rolls
-    /// and, if it does not roll, the speed of its rim; and of a model, whose shape is
-    /// the box around it, after "triangles" the same hash of these, word by word. Names end in a zero byte; numbers go in bit by bit, big end first, those that
-    /// are not there as infinity.
+    /// The FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo) of, in this order: the name, the tracked point, the
+    /// height of the ground, its street if there is one, and of each group its name, its own beta, and its
+    /// bodies; of a body its shape by the name in a scene file, the numbers of that in the order of the scene
+    /// format (of a box half its size, and its turn as a quaternion), its wavelength and, if it is below 1,
+    /// its brightness after that word, and if it has one its pattern by name, with its spacing; and if it
+    /// turns after "rolls" or "turns" its axle, the radius on which it rolls and, if it does not roll, the
+    /// speed of its rim; and of a model, whose shape is the box around it, after "triangles" the same hash of
+    /// these, word by word. Names end in a zero byte; numbers go in bit by bit, big end first, those that are
+    /// not there as infinity.
     #[must_use]
     pub fn fingerprint(&self) -> String {
         let mut hash = Hash::default();

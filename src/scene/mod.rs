@@ -67,7 +67,8 @@ impl Scene {
         }
     }
 
-    /// The scene that `text` describes; errors call it `source_name`. It has no folder, and so no models from files.
+    /// The scene that `text` describes; errors call it `source_name`. It has no folder, and so no models from
+    /// files.
     pub fn parse(text: &str, source_name: &str) -> Result<Self, SceneError> {
         file::scene(text).map_err(|located| located.in_source(text, source_name))
     }

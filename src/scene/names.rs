@@ -6,9 +6,9 @@ use super::content::SceneGroup;
 use super::error::{Located, SceneProblem};
 use super::object::Object;
 
-/// Names the bodies of `groups`: like their file, with a distinction behind a name that two of them have. In a group with
-/// several of one name that is what each was included with; of several groups it is the group, or the `rider` for the
-/// scene's own, which comes first.
+/// Names the bodies of `groups`: like their file, with a distinction behind a name that two of them have. In
+/// a group with several of one name that is what each was included with; of several groups it is the group,
+/// or the `rider` for the scene's own, which comes first.
 ///
 /// # Errors
 /// Two bodies of one name that nothing tells apart.

@@ -45,7 +45,8 @@ impl Changes {
         Ok(Self { motion: motion(table)?, tread: table.size("tread")?, valve: table.truth("valve")? })
     }
 
-    /// Returns the turning of the wheels in a table that gives their motion alone, if any turns: this one by default.
+    /// Returns the turning of the wheels in a table that gives their motion alone, if any turns: this one by
+    /// default.
     pub fn turning_of(self, table: &Table, default: Turning) -> Result<Option<Turning>, Located> {
         Ok(match self.motion.or(motion(table)?) {
             Some(WheelMotion::Turns(turning)) => Some(turning),
@@ -96,7 +97,8 @@ struct Wheel {
     flanges: f64,
     spokes: usize,
     spoke_radius: f64,
-    /// Crossing of spokes: the angle by which the start is behind and ahead of the end, in turn, and where the first ends; radians.
+    /// Crossing of spokes: the angle by which the start is behind and ahead of the end, in turn, and where
+    /// the first ends; radians.
     crossing: f64,
     angle: f64,
 }
@@ -138,7 +140,8 @@ pub(super) fn wheel(table: &Table, changes: Changes) -> Result<Vec<Object>, Loca
     Ok(objects)
 }
 
-/// Returns the name of a part of the wheel called `wheel`: the "tyre" of the "front wheel" is the "front tyre".
+/// Returns the name of a part of the wheel called `wheel`: the "tyre" of the "front wheel" is the "front
+/// tyre".
 fn part_name(wheel: &str, part: &str) -> String {
     format!("{} {part}", wheel.strip_suffix(WHEEL).unwrap_or(wheel).trim_end()).trim_start().to_owned()
 }
@@ -232,7 +235,8 @@ impl Wheel {
         Shape::Tube { from: end(-0.5 * self.axle), to: end(0.5 * self.axle), radius: self.hub_radius }
     }
 
-    /// The spoke of this number, from 0: from the right and the left flange in turn, behind and ahead of its end.
+    /// The spoke of this number, from 0: from the right and the left flange in turn, behind and ahead of its
+    /// end.
     fn spoke(&self, number: usize) -> Shape {
         let end = self.angle + TAU * number as f64 / self.spokes as f64;
         let side = if number.is_multiple_of(2) { -1.0 } else { 1.0 };

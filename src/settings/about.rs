@@ -1,5 +1,5 @@
-//! The sentences about settings and their values, in one place: their doc comments. They are the help of the flags, the tooltips of the window, the
-//! help's page of settings and the entries of the palette.
+//! The sentences about settings and their values, in one place: their doc comments. They are the help of the
+//! flags, the tooltips of the window, the help's page of settings and the entries of the palette.
 
 use std::sync::LazyLock;
 
@@ -65,7 +65,8 @@ impl About {
             name: value.get_name().to_owned(),
             sentence: sentence(&value.get_help().map(ToString::to_string).unwrap_or_default()),
         });
-        // What a flag takes is told by its value's name: words as they are typed, all else with capitals. Its own name stands for numbers.
+        // What a flag takes is told by its value's name: words as they are typed, all else with capitals. Its
+        // own name stands for numbers.
         let taken = flag.get_value_names().unwrap_or_default().iter().flat_map(|name| name.split('|'));
         let (typed, others): (Vec<_>, Vec<_>) =
             taken.partition(|name| name.chars().all(|letter| letter.is_ascii_lowercase()));
@@ -92,7 +93,8 @@ impl Settings {
     }
 }
 
-/// A help's text as a sentence: with its full stop, and without the marks of code and what the flag's default is.
+/// A help's text as a sentence: with its full stop, and without the marks of code and what the flag's default
+/// is.
 fn sentence(help: &str) -> String {
     let mut text = help.split(" [default").next().unwrap_or_default().replace('`', "");
     if text.ends_with(|end: char| end.is_alphanumeric() || end == ')') {

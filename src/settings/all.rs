@@ -28,13 +28,15 @@ pub struct Settings {
     /// Name or path of the scene.
     #[arg(long, help = SCENE_HELP, value_name = "PRESET|FILE", value_parser = OsStringValueParser::new().try_map(scene_name))]
     pub scene: String,
-    /// Observation time T, -1e12 to 1e12 [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]
+    /// Observation time T, -1e12 to 1e12 [default: when the tracked point is seen 45 degrees before it is
+    /// abreast; 0 at rest]
     #[arg(long, value_name = "T", value_parser = time, allow_hyphen_values = true)]
     pub time: Option<f64>,
     /// The point that is tracked, at rest [default: the scene's own]
     #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]
     pub point: Option<[f64; 3]>,
-    /// The points that are followed beside the scene's own, each as its place at rest and the number of its body [default: none]
+    /// The points that are followed beside the scene's own, each as its place at rest and the number of its
+    /// body [default: none]
     #[arg(long, value_name = "X,Y,Z@BODY;...", allow_hyphen_values = true)]
     pub points: Option<Followed>,
     /// Motion of the scene, and separation of the eyes.
@@ -120,8 +122,9 @@ impl Settings {
         Ok(self.with_scene(scene))
     }
 
-    /// Returns these settings with another scene, a preset or a file. Settings that belong to a scene become defaults: where it passes, where the
-    /// eyes look and ride, T, and what is done over a range of T. Speed, eyes, geometry and light stay.
+    /// Returns these settings with another scene, a preset or a file. Settings that belong to a scene become
+    /// defaults: where it passes, where the eyes look and ride, T, and what is done over a range of T. Speed,
+    /// eyes, geometry and light stay.
     #[must_use]
     pub fn with_scene(self, scene: String) -> Self {
         let default = Self::default();
@@ -148,8 +151,8 @@ impl Settings {
         }
     }
 
-    /// Returns these settings with the window, the screen and the layout of `other`, which belong to whoever looks
-    /// and not to what is shown. Only a panorama brings its layout along, and takes it away again.
+    /// Returns these settings with the window, the screen and the layout of `other`, which belong to whoever
+    /// looks and not to what is shown. Only a panorama brings its layout along, and takes it away again.
     #[must_use]
     pub fn in_place_of(self, other: &Self) -> Self {
         let layout = match (self.is_panorama(), other.is_panorama()) {

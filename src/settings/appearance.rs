@@ -58,8 +58,8 @@ impl Settings {
         automatic_ev(lights, self.geometry(), &self.unexposed(scene, false))
     }
 
-    /// Returns these settings with a number for the automatic exposure of `scene` at their time; where two pictures
-    /// are compared, each has its own.
+    /// Returns these settings with a number for the automatic exposure of `scene` at their time; where two
+    /// pictures are compared, each has its own.
     #[must_use]
     pub fn exposed_for(self, scene: &Scene) -> Self {
         if self.is_comparing() {
@@ -71,7 +71,8 @@ impl Settings {
         Self { light: LightSettings { exposure, ..self.light }, ..self }
     }
 
-    /// Returns these settings with a number in place of everything automatic: all that decides the picture that `self` makes of this `subject`.
+    /// Returns these settings with a number in place of everything automatic: all that decides the picture
+    /// that `self` makes of this `subject`.
     #[must_use]
     pub fn resolved(&self, subject: Subject) -> Self {
         let time = self.time.unwrap_or_else(|| self.time_of_approach(&subject.tracked));

@@ -94,7 +94,8 @@ impl Settings {
         if self.geometry().has_doppler_effect() { Ok(()) } else { Err(ComparisonError::NoDoppler) }
     }
 
-    /// Has the next choice of what a picture is compared with; in a layout that shows no two pictures apart, side by side.
+    /// Has the next choice of what a picture is compared with; in a layout that shows no two pictures apart,
+    /// side by side.
     pub(crate) fn compare_next(&mut self) {
         if self.check_two_pictures().is_err() {
             self.picture.layout = Layout::SideBySide;
@@ -105,8 +106,8 @@ impl Settings {
         }
     }
 
-    /// The settings of the second picture of one eye, as if it were alone but for what both have in common: `None` where
-    /// there is no such picture.
+    /// The settings of the second picture of one eye, as if it were alone but for what both have in common:
+    /// `None` where there is no such picture.
     pub(super) fn second(&self) -> Option<Self> {
         self.is_comparing().then(|| self.compared_with(self.look.compare))
     }
@@ -130,9 +131,9 @@ impl Settings {
         Self { look, light, ..self.clone() }
     }
 
-    /// Returns the settings of the second picture with the field of view that both pictures of this `subject` share
-    /// at `time`, `size` in pixels; and with the exposure of the first in `scene`, where the two differ in
-    /// brightness.
+    /// Returns the settings of the second picture with the field of view that both pictures of this `subject`
+    /// share at `time`, `size` in pixels; and with the exposure of the first in `scene`, where the two differ
+    /// in brightness.
     #[must_use]
     pub fn second_of(&self, subject: Subject, scene: &Scene, time: f64, size: [u32; 2]) -> Option<Self> {
         let mut second = self.second()?;
@@ -144,8 +145,8 @@ impl Settings {
         Some(second)
     }
 
-    /// Returns the views of both pictures at `time`, and the appearance of each: those of the left and the right eye, or
-    /// two of the left one.
+    /// Returns the views of both pictures at `time`, and the appearance of each: those of the left and the
+    /// right eye, or two of the left one.
     #[must_use]
     pub fn pictures(&self, subject: Subject, scene: &Scene, time: f64) -> [(View, Appearance); 2] {
         let size = self.picture.size.0;

@@ -58,8 +58,8 @@ impl Settings {
         names().filter_map(entry).collect()
     }
 
-    /// The command that draws a picture with these settings: all that decide what it shows, and of the others those
-    /// that are not as usual.
+    /// The command that draws a picture with these settings: all that decide what it shows, and of the others
+    /// those that are not as usual.
     #[must_use]
     pub fn command(&self, shell: Shell) -> String {
         self.command_line(shell, RENDER, |section| OF_VIEWS.contains(&section) || section == OF_PICTURES)
@@ -88,8 +88,8 @@ impl Settings {
         self.with_command_of(&[RENDER, WINDOW], command, place)
     }
 
-    /// The settings with which `gamow render` made what is at `place`, where this `command` was recorded, with the scene by the
-    /// name that is recorded.
+    /// The settings with which `gamow render` made what is at `place`, where this `command` was recorded,
+    /// with the scene by the name that is recorded.
     ///
     /// # Errors
     /// As [`Self::with_command`].
@@ -97,8 +97,8 @@ impl Settings {
         Self::default().with_command_of(&[RENDER], command, place)
     }
 
-    /// Returns the settings that the file at `path` records in `command`, with the scene where it is; `None` where
-    /// `command` is not one of `gamow render`, as in a file without a record.
+    /// Returns the settings that the file at `path` records in `command`, with the scene where it is; `None`
+    /// where `command` is not one of `gamow render`, as in a file without a record.
     ///
     /// # Errors
     /// A flag that does not exist, or a value that it cannot have.

@@ -44,7 +44,8 @@ impl Settings {
         Ok(self)
     }
 
-    /// Returns the settings in `text` as far as they are valid, else defaults; and each invalid one in a line.
+    /// Returns the settings in `text` as far as they are valid, else defaults; and each invalid one in a
+    /// line.
     #[must_use]
     pub fn as_far_as_told(text: &str) -> (Self, Vec<String>) {
         let mut settings = Self::default();
@@ -57,9 +58,9 @@ impl Settings {
         (settings, problems)
     }
 
-    /// Returns these settings with those in the file at `path` on top: settings in TOML, or a picture (.png) or
-    /// measurements (.exr) by `gamow render`; a link is no file, and says itself what it opens. A relative path to a scene is looked for beside the file, then where the
-    /// program runs.
+    /// Returns these settings with those in the file at `path` on top: settings in TOML, or a picture (.png)
+    /// or measurements (.exr) by `gamow render`; a link is no file, and says itself what it opens. A relative
+    /// path to a scene is looked for beside the file, then where the program runs.
     ///
     /// # Errors
     /// One line that names the file and what is wrong with it.
@@ -100,8 +101,8 @@ impl Settings {
         Err(SceneError::UnknownPreset(self.scene.clone()).to_string())
     }
 
-    /// Has a scene that the file at `path` names by a relative path where it is: beside the file, else where the program
-    /// runs; beside the file as well if it is nowhere.
+    /// Has a scene that the file at `path` names by a relative path where it is: beside the file, else where
+    /// the program runs; beside the file as well if it is nowhere.
     ///
     /// # Errors
     /// A name, one of Windows, that must not be looked for because somebody else may have written it.
@@ -122,8 +123,8 @@ impl Settings {
         Ok(())
     }
 
-    /// Returns these settings as the file at `path` should contain them: with the name of their scene's file relative to it. They are
-    /// found again wherever both files go, and do not reveal where they lay.
+    /// Returns these settings as the file at `path` should contain them: with the name of their scene's file
+    /// relative to it. They are found again wherever both files go, and do not reveal where they lay.
     #[must_use]
     pub fn relative_to(&self, path: &Path) -> Self {
         let mut relative = self.clone();

@@ -1,5 +1,5 @@
-//! A head that is turned any way, as in front of a viewer's lenses: the line between the eyes turns with it, and both look across
-//! that line.
+//! A head that is turned any way, as in front of a viewer's lenses: the line between the eyes turns with it,
+//! and both look across that line.
 
 use glam::{DMat3, DVec3};
 use relativity_core::math::{asin, atan2, sin_cos};
@@ -43,8 +43,8 @@ impl Head {
 }
 
 impl Settings {
-    /// Returns these settings for the pictures of a stereoscope before this `head`: flat, in parallel, each as wide as `fov`
-    /// degrees.
+    /// Returns these settings for the pictures of a stereoscope before this `head`: flat, in parallel, each
+    /// as wide as `fov` degrees.
     #[must_use]
     pub(crate) fn before_head(&self, head: &Head, fov: f64) -> Self {
         let DVec3 { x, y, z } = head.right;

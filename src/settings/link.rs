@@ -1,5 +1,6 @@
-//! Settings as a link: one line of text that a message, a worksheet or, in a browser, an address can carry. It can be read:
-//! `gamow:?beta=0.99&scene=globe` names the settings that differ from the defaults, as flags have them.
+//! Settings as a link: one line of text that a message, a worksheet or, in a browser, an address can carry.
+//! It can be read: `gamow:?beta=0.99&scene=globe` names the settings that differ from the defaults, as flags
+//! have them.
 
 use std::path::Path;
 
@@ -74,7 +75,8 @@ impl Settings {
     /// Returns these settings, overridden by those in `link`.
     ///
     /// # Errors
-    /// One line: a setting that does not exist, a value that it cannot have, or a scene that does not come with the program.
+    /// One line: a setting that does not exist, a value that it cannot have, or a scene that does not come
+    /// with the program.
     pub(super) fn with_link(mut self, link: &str) -> Result<Self, SettingsError> {
         let wrong = |problem: String| SettingsError::Content { place: "the link".to_owned(), problem };
         let link = link.trim();

@@ -1,5 +1,5 @@
-//! The two eyes before a scene: places, velocities, times, and what they see of a point. One source for the window and for
-//! `gamow render`.
+//! The two eyes before a scene: places, velocities, times, and what they see of a point. One source for the
+//! window and for `gamow render`.
 
 use glam::DVec3;
 use relativity_core::{
@@ -16,7 +16,8 @@ use crate::scene::{Scene, SceneError, Track};
 use crate::time_range;
 
 impl Settings {
-    /// The scene that they name, with or without what rests around what moves; with a bicycle below eyes that ride along the street.
+    /// The scene that they name, with or without what rests around what moves; with a bicycle below eyes that
+    /// ride along the street.
     ///
     /// # Errors
     /// A scene that cannot be had.
@@ -48,8 +49,8 @@ impl Settings {
         self.ride.rider(time)
     }
 
-    /// Returns the places of the left and the right eye, in the scene's coordinates: it passes further away or higher where they
-    /// stand back or lower.
+    /// Returns the places of the left and the right eye, in the scene's coordinates: it passes further away
+    /// or higher where they stand back or lower.
     #[must_use]
     pub fn apertures(&self) -> [Aperture; 2] {
         let sections::MotionSettings { depth_shift, height_shift, .. } = self.motion;
@@ -93,7 +94,8 @@ impl Settings {
         point.point().moved(self.rest_place([0.0; 3]))
     }
 
-    /// The velocity on the ground of what moves so; none of what rides along with the eyes, which has no point to follow.
+    /// The velocity on the ground of what moves so; none of what rides along with the eyes, which has no
+    /// point to follow.
     #[must_use]
     pub const fn velocity(&self, motion: Motion) -> Velocity {
         match motion {
@@ -135,8 +137,8 @@ impl Settings {
         self.source(point).place()
     }
 
-    /// Returns where `point` is at `time`, relative to the middle of the eyes. While riding: in the rider's rest frame, and for a
-    /// point on a wheel its hub.
+    /// Returns where `point` is at `time`, relative to the middle of the eyes. While riding: in the rider's
+    /// rest frame, and for a point on a wheel its hub.
     #[must_use]
     pub fn measured_place(&self, point: &Track, time: f64) -> [f64; 3] {
         let velocity = self.velocity(point.motion);
@@ -154,8 +156,8 @@ impl Settings {
         [if velocity.is_backward { -x } else { x }, there.y, there.z]
     }
 
-    /// The geometry that is shown: the one set, or as seen in place of the published one, which has both eyes at rest along the
-    /// motion, where they ride or the head is tilted or turned.
+    /// The geometry that is shown: the one set, or as seen in place of the published one, which has both eyes
+    /// at rest along the motion, where they ride or the head is tilted or turned.
     #[must_use]
     pub fn geometry(&self) -> Geometry {
         match self.look.geometry {
@@ -188,8 +190,8 @@ impl Settings {
         }
     }
 
-    /// Returns the binocular model that descriptions use: one light cone for both eyes where the views show that,
-    /// else the exact one. (The paper's has a right eye that is nowhere.)
+    /// Returns the binocular model that descriptions use: one light cone for both eyes where the views show
+    /// that, else the exact one. (The paper's has a right eye that is nowhere.)
     #[must_use]
     pub fn model(&self) -> Model {
         match self.geometry() {
@@ -233,8 +235,9 @@ impl Settings {
         self.velocity(point.motion).stereo_before(&rider.observer(), self.model(), place, pair)
     }
 
-    /// Returns the velocity at which `point`, or the hub that it turns about, passes the observer, and its place by the observer's
-    /// clock, reflected to move along +x. `None` where the observer's velocity changes, or is not along the street.
+    /// Returns the velocity at which `point`, or the hub that it turns about, passes the observer, and its
+    /// place by the observer's clock, reflected to move along +x. `None` where the observer's velocity
+    /// changes, or is not along the street.
     #[must_use]
     pub fn passage(&self, point: &Track) -> Option<(Velocity, SourcePoint)> {
         let velocity = self.velocity(point.motion);
@@ -250,8 +253,8 @@ impl Settings {
         Some((Velocity { speed, ..seen }, SourcePoint { y, z, ..there }))
     }
 
-    /// T0 of `point`, also of one that turns: when both eyes see it at the same distance. `None` at rest, and where that is always
-    /// or never so.
+    /// T0 of `point`, also of one that turns: when both eyes see it at the same distance. `None` at rest, and
+    /// where that is always or never so.
     #[must_use]
     pub fn equidistance_time(&self, point: &Track) -> Option<f64> {
         let (velocity, place) = self.passage(point)?;
@@ -270,8 +273,8 @@ impl Settings {
         self.source(point).time_at_origin(&self.velocity(point.motion).speed)
     }
 
-    /// First and last T of the scrubber and the plots: those that are set, else all legs of the ride, or else as `point`, or the hub
-    /// that it turns about, passes.
+    /// First and last T of the scrubber and the plots: those that are set, else all legs of the ride, or else
+    /// as `point`, or the hub that it turns about, passes.
     #[must_use]
     pub fn time_range(&self, point: &Track) -> [f64; 2] {
         let fitted = || {
@@ -298,8 +301,8 @@ impl Settings {
         time_range::fitted_range(&speed, place, pair).map(|time| time.clamp(-MAX_TIME, MAX_TIME))
     }
 
-    /// The T of a picture for which none is given: when `point`, or the hub that it turns about, is seen 45 degrees before it is
-    /// abreast.
+    /// The T of a picture for which none is given: when `point`, or the hub that it turns about, is seen 45
+    /// degrees before it is abreast.
     #[must_use]
     pub fn time_of_approach(&self, point: &Track) -> f64 {
         let Some((Velocity { speed, .. }, place)) = self.passage(point) else { return 0.0 };
@@ -308,7 +311,8 @@ impl Settings {
     }
 }
 
-/// The place in the axes of `observer`, when its clock shows 0, of what is at `place` in the frame that moves at `velocity`.
+/// The place in the axes of `observer`, when its clock shows 0, of what is at `place` in the frame that moves
+/// at `velocity`.
 fn past_aslant(velocity: Velocity, observer: &Observer, place: [f64; 3]) -> [f64; 3] {
     let Some((_, SourcePoint { x0, y, z })) = velocity.past(observer, place) else { return [f64::NAN; 3] };
     let axes = RelativeVelocity::new(velocity, &observer.velocity);

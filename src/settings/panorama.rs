@@ -15,7 +15,8 @@ impl Settings {
 
     /// Changes from any other pictures to the panorama, and from that to these `defaults`.
     ///
-    /// The strips are not shifted for what lies in the screen, so that a point's disparity is the difference of its columns.
+    /// The strips are not shifted for what lies in the screen, so that a point's disparity is the difference
+    /// of its columns.
     pub(crate) fn toggle_panorama(&mut self, defaults: &Self) {
         let (look, picture) = (self.look, self.picture);
         if self.is_panorama() {

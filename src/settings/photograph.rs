@@ -12,8 +12,8 @@ pub struct CameraArgs {
     /// Horizontal field of view of each eye's picture, degrees [default: as the file records it]
     #[arg(long, value_name = "DEG", value_parser = field_of_view)]
     fov: Option<f64>,
-    /// Gaze of the cameras: azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees [default: as
-    /// the file records it]
+    /// Gaze of the cameras: azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees
+    /// [default: as the file records it]
     #[arg(long, value_name = "AZ,EL", value_parser = fixed_gaze, allow_hyphen_values = true)]
     gaze: Option<GazeChoice>,
     /// Projection of the pictures [default: as the file records it, else gaze, which is what a camera
@@ -28,8 +28,8 @@ pub struct CameraArgs {
 }
 
 impl CameraArgs {
-    /// The settings of a picture in a file of `file_size`, pixels: as `recorded`, with what the flags say in their stead;
-    /// and the flags that are missing. Without a record the layout is the `default`.
+    /// The settings of a picture in a file of `file_size`, pixels: as `recorded`, with what the flags say in
+    /// their stead; and the flags that are missing. Without a record the layout is the `default`.
     #[must_use]
     pub fn settings(
         &self,

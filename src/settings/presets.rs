@@ -80,8 +80,8 @@ impl Preset {
         ALL.iter().find(|preset| preset.name == name)
     }
 
-    /// The one with these settings, whatever the parts of the window, the screen and the layout are. One that gives no T has
-    /// them at any.
+    /// The one with these settings, whatever the parts of the window, the screen and the layout are. One that
+    /// gives no T has them at any.
     #[must_use]
     pub fn matching(settings: &Settings) -> Option<&'static Self> {
         let with = |settings: &Settings| {

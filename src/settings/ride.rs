@@ -1,7 +1,7 @@
 //! The ride of the observer: a section of the settings.
 //!
-//! While one rides, the time of everything is the rider's clock. It shows 0 where the ride starts, and so does the street's
-//! clock there.
+//! While one rides, the time of everything is the rider's clock. It shows 0 where the ride starts, and so
+//! does the street's clock there.
 
 use clap::Args;
 use glam::{DMat3, DVec3};
@@ -25,31 +25,35 @@ pub const ON_A_RIDE: &str = "it was taken on a ride, and this needs pictures tak
 /// A shorter part of the time is rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// The ride of the observer: along a straight line, the street unless another is chosen, until a leg pushes aside.
+/// The ride of the observer: along a straight line, the street unless another is chosen, until a leg pushes
+/// aside.
 #[derive(Debug, Clone, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Ride")]
 pub struct Riding {
-    /// Ride of the eyes, along the street unless another direction is chosen, in place of resting beside it. Legs are durations by the rider's clock at proper accelerations, in c
-    /// per unit of that clock: `2@0.5,4@0,2@-0.5` speeds up for 2, coasts for 4 and brakes for 2; after the last, one coasts. `1@0.5:0.2` pushes to the
-    /// left as well, by the axes of the head, which is carried along without being turned, and `1@0:0:1` up. `coast` keeps its first speed. T is the rider's clock then.
+    /// Ride of the eyes, along the street unless another direction is chosen, in place of resting beside it.
+    /// Legs are durations by the rider's clock at proper accelerations, in c per unit of that clock:
+    /// `2@0.5,4@0,2@-0.5` speeds up for 2, coasts for 4 and brakes for 2; after the last, one coasts.
+    /// `1@0.5:0.2` pushes to the left as well, by the axes of the head, which is carried along without being
+    /// turned, and `1@0:0:1` up. `coast` keeps its first speed. T is the rider's clock then.
     #[arg(long, value_name = "off|coast|DURATION@ACCELERATION,...", allow_hyphen_values = true)]
     pub ride: RideLegs,
     /// Speed at which the ride starts: v/c, or like `gamma:10` and `rapidity:2`; below 0 towards -x.
     #[arg(long, value_name = "BETA|gamma:G|rapidity:R", allow_hyphen_values = true)]
     pub ride_speed: StreetVelocity,
-    /// Place x on the street where the ride starts, when the rider's clock and the street's clock there show 0.
+    /// Place x on the street where the ride starts, when the rider's clock and the street's clock there
+    /// show 0.
     #[arg(long, value_name = "X", value_parser = within(-MAX_LENGTH..=MAX_LENGTH), allow_hyphen_values = true)]
     pub ride_from: f64,
-    /// Direction of the ride, degrees from +x, along the street, towards +y, across it. Speeds and accelerations are along it; in any direction but 0 and
-    /// 180 there is no bicycle.
+    /// Direction of the ride, degrees from +x, along the street, towards +y, across it. Speeds and
+    /// accelerations are along it; in any direction but 0 and 180 there is no bicycle.
     #[arg(long, value_name = "DEGREES", value_parser = within(AZIMUTH), allow_hyphen_values = true)]
     pub ride_azimuth: f64,
     /// Direction of the ride, degrees above the street; 90 is straight up.
     #[arg(long, value_name = "DEGREES", value_parser = within(ELEVATION), allow_hyphen_values = true)]
     pub ride_elevation: f64,
-    /// Proper acceleration of a push on the pedals or the brakes in the window, c per unit of the rider's clock: what an accelerometer on the bicycle
-    /// shows.
+    /// Proper acceleration of a push on the pedals or the brakes in the window, c per unit of the rider's
+    /// clock: what an accelerometer on the bicycle shows.
     #[arg(long, value_name = "A", value_parser = within(PUSH), allow_hyphen_values = true)]
     pub push: f64,
 }
@@ -125,7 +129,8 @@ impl Riding {
         self.is_on() && !self.is_along_street()
     }
 
-    /// Whether the eyes ride on a bicycle: one faces along the street, and would be dragged aside on any other way.
+    /// Whether the eyes ride on a bicycle: one faces along the street, and would be dragged aside on any
+    /// other way.
     #[must_use]
     pub fn has_bicycle(&self) -> bool {
         self.is_on() && self.is_along_street()
@@ -144,14 +149,15 @@ impl Riding {
         self.coasts() && self.is_along_street()
     }
 
-    /// Two odometers of the rider when the clock of the ride shows `time`; `None` off its line, where nothing rolls.
+    /// Two odometers of the rider when the clock of the ride shows `time`; `None` off its line, where nothing
+    /// rolls.
     #[must_use]
     pub fn odometers(&self, time: f64) -> Option<Odometers> {
         self.is_straight().then(|| self.start().odometers(self.ride.0.as_deref().unwrap_or_default(), time))
     }
 
-    /// Returns this ride as it was until `time`, and from then on with a push of this proper `acceleration` along the axes of the head
-    /// for `duration`. A push that continues another is one leg with it.
+    /// Returns this ride as it was until `time`, and from then on with a push of this proper `acceleration`
+    /// along the axes of the head for `duration`. A push that continues another is one leg with it.
     ///
     /// # Errors
     /// A ride that is full, or would be too fast, in words.
@@ -165,7 +171,8 @@ impl Riding {
                 break;
             }
         }
-        // The clock of the window adds up its steps, and so do the legs: what rounding leaves between is no leg.
+        // The clock of the window adds up its steps, and so do the legs: what rounding leaves between is no
+        // leg.
         if left > ROUNDING * time.abs() {
             legs.push(Leg { duration: left, acceleration: [0.0; 3] });
         }

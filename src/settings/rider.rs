@@ -1,8 +1,9 @@
 //! Whoever rides, at a moment of the ride: place, velocity, clocks, and the head.
 //!
-//! The head is carried along without being turned, as a gyroscope would be. On a straight ride its axes are the observer's,
-//! which are the ground's, boosted without turning; who is pushed aside has a head that turns against these (the Wigner rotation). The
-//! line between the eyes and the gaze are set in the axes of the head, and what is seen is told in the observer's.
+//! The head is carried along without being turned, as a gyroscope would be. On a straight ride its axes are
+//! the observer's, which are the ground's, boosted without turning; who is pushed aside has a head that turns
+//! against these (the Wigner rotation). The line between the eyes and the gaze are set in the axes of the
+//! head, and what is seen is told in the observer's.
 
 use glam::{DQuat, DVec3};
 use relativity_core::{Aperture, Baseline, Boost, Event, Observer, ObserverVelocity, RideMoment, math};
@@ -42,8 +43,9 @@ impl Riding {
         if self.is_straight() { Rider::on_line(moment, self) } else { Rider::off_line(&moment, self) }
     }
 
-    /// Returns when the clock of the ride shows that light arrives between the eyes which left `place`, from between resting eyes, at the
-    /// ground's time `t`: to the last digit, by bisection, since legs have no formula for it.
+    /// Returns when the clock of the ride shows that light arrives between the eyes which left `place`, from
+    /// between resting eyes, at the ground's time `t`: to the last digit, by bisection, since legs have no
+    /// formula for it.
     #[must_use]
     pub fn received(&self, place: DVec3, t: f64) -> f64 {
         let has_arrived = |time: f64| {
@@ -110,8 +112,8 @@ impl Rider {
         }
     }
 
-    /// Direction in which the rider moves, in the axes of the head: a unit vector along the line of the ride, to its left and up, along the line
-    /// at rest. It is up to the sign of the velocity that it is ahead.
+    /// Direction in which the rider moves, in the axes of the head: a unit vector along the line of the ride,
+    /// to its left and up, along the line at rest. It is up to the sign of the velocity that it is ahead.
     #[must_use]
     pub const fn ahead(&self) -> [f64; 3] {
         self.ahead
@@ -173,8 +175,8 @@ impl Rider {
         Event { x: self.x, t: self.street_time }
     }
 
-    /// The event of an eye that is at `aperture` from the middle between the eyes, in the rider's frame: its place on the ground,
-    /// and the time of the street's clock there.
+    /// The event of an eye that is at `aperture` from the middle between the eyes, in the rider's frame: its
+    /// place on the ground, and the time of the street's clock there.
     #[must_use]
     pub fn event_of(&self, aperture: Aperture) -> (Aperture, f64) {
         let Some(velocity) = Velocity::along_street(&self.on_ground) else {
@@ -222,7 +224,8 @@ mod tests {
         assert_eq!(rider.observer(), Observer::at_rest(2.5));
     }
 
-    /// Rows 2 and 3 of the derivation's table: W. Rindler's uniform acceleration, then one to the left by the axes of the head.
+    /// Rows 2 and 3 of the derivation's table: W. Rindler's uniform acceleration, then one to the left by the
+    /// axes of the head.
     #[test]
     fn pushes_aside_turn_the_head() {
         for (legs, time, clock, place, proper, turned) in [
@@ -280,7 +283,8 @@ mod tests {
     /// An event, the velocity there, and three axes of a head that no torque turns.
     type Carried = [Four; 5];
 
-    /// Fermi and Walker's transport: the velocity changes by the push along the axes, and each axis by as much along the velocity.
+    /// Fermi and Walker's transport: the velocity changes by the push along the axes, and each axis by as
+    /// much along the velocity.
     fn rate(carried: &Carried, acceleration: [f64; 3]) -> Carried {
         let [_, u, axes @ ..] = *carried;
         let push = (0..3).fold([0.0; 4], |push, i| sum(push, acceleration[i], axes[i]));
@@ -303,8 +307,8 @@ mod tests {
         })
     }
 
-    /// The axes of a gyroscope along the ride, found by small steps, and light that arrives there from a lamp at rest: where each eye sees it
-    /// in the axes of the head.
+    /// The axes of a gyroscope along the ride, found by small steps, and light that arrives there from a lamp
+    /// at rest: where each eye sees it in the axes of the head.
     #[test]
     fn eyes_see_a_lamp_in_the_axes_of_a_gyroscope() {
         const STEPS: u32 = 2000;

@@ -40,8 +40,8 @@ impl StartArgs {
         self.given.get_one(SCENE)
     }
 
-    /// Returns `left`, or the settings of the preset or the file if one is given; and the flags on top. Settings that belong to a scene
-    /// do not go over to another that a flag gives.
+    /// Returns `left`, or the settings of the preset or the file if one is given; and the flags on top.
+    /// Settings that belong to a scene do not go over to another that a flag gives.
     pub fn settings(&self, left: Settings) -> anyhow::Result<Settings> {
         let base = match &self.state {
             Some(state) => named(state, &left)?,

@@ -564,7 +564,8 @@ fn eyes_one_behind_the_other_have_pictures_that_follow_the_gaze() {
     }
 }
 
-/// Whatever a setting is given by: a state file and a lesson's block, a flag, or the command that a picture records.
+/// Whatever a setting is given by: a state file and a lesson's block, a flag, or the command that a picture
+/// records.
 #[test]
 fn no_setting_takes_what_is_no_number_or_beyond_all_use() {
     let names: Vec<_> = super::entries::names().filter(|(_, name)| *name != "scene").collect();

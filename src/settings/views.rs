@@ -12,8 +12,8 @@ use crate::flags::FieldOfView;
 use crate::flags::choices::{GazeChoice, ProjectionChoice, ZeroParallax};
 use crate::scene::Track;
 
-/// The most that one eye can be ahead of the other, in parts of their separation, for pictures ruled by the line between them:
-/// further on, what is abreast would be seen along that line.
+/// The most that one eye can be ahead of the other, in parts of their separation, for pictures ruled by the
+/// line between them: further on, what is abreast would be seen along that line.
 const MOST_AHEAD: f64 = 0.87;
 
 /// The greatest part of a gaze along the line between the eyes that still counts as across it.
@@ -21,7 +21,8 @@ const ACROSS: f64 = 1e-3;
 
 /// The field of view of a whole passage at least, degrees: u from -2.5 to 2.5 in a conformal picture.
 const FOV_OF_PASSAGE: f64 = 161.23;
-/// The share of a strip's height that the outline of what moves has at most: the ruler takes some of the rest.
+/// The share of a strip's height that the outline of what moves has at most: the ruler takes some of the
+/// rest.
 const SHARE_OF_PASSAGE: f64 = 0.6;
 /// A resting picture that is further aside, as a rapidity, is left out of what is framed.
 const FARTHEST_RESTING: f64 = 4.0;
@@ -36,17 +37,19 @@ pub struct Subject<'a> {
 }
 
 impl Settings {
-    /// Returns the views of the left and the right eye at `observation_time`, `size` in pixels, as they look at `subject`.
+    /// Returns the views of the left and the right eye at `observation_time`, `size` in pixels, as they look
+    /// at `subject`.
     #[must_use]
     pub fn views(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> [View; 2] {
         self.views_with(&self.fixed_look(subject, observation_time, size), observation_time, size)
     }
 
-    /// Returns the look of both eyes at `subject` at `observation_time` in pictures of this `size`, as a gaze that stays there and
-    /// a field of view, in degrees, and a distance of zero parallax: the numbers from which a view is made, so that
-    /// recorded ones give the same view to the last digit.
+    /// Returns the look of both eyes at `subject` at `observation_time` in pictures of this `size`, as a gaze
+    /// that stays there and a field of view, in degrees, and a distance of zero parallax: the numbers from
+    /// which a view is made, so that recorded ones give the same view to the last digit.
     ///
-    /// Two pictures that are compared have the wider of their fields of view, and this is the gaze of the first.
+    /// Two pictures that are compared have the wider of their fields of view, and this is the gaze of the
+    /// first.
     #[must_use]
     pub fn fixed_look(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> LookSettings {
         let look = self.own_look(subject, observation_time, size);
@@ -108,8 +111,8 @@ impl Settings {
         Some(if is_outlined { framing.and_slid(rapidity) } else { framing })
     }
 
-    /// The field of view of the whole passage, degrees: u from -2.5 to 2.5, or as far as pictures of this `size` have to reach
-    /// for what moves to have room in their height, as the `framing` has it.
+    /// The field of view of the whole passage, degrees: u from -2.5 to 2.5, or as far as pictures of this
+    /// `size` have to reach for what moves to have room in their height, as the `framing` has it.
     fn passage_fov(&self, framing: Option<Framing>, size: [u32; 2]) -> f64 {
         if self.projection() != ProjectionChoice::Mercator {
             return FOV_AHEAD;
@@ -124,7 +127,8 @@ impl Settings {
         across.try_normalize().map_or(gaze, |across| Gaze::along(across.to_array()))
     }
 
-    /// Returns the zero parallax of eyes with this `look`, whose gaze is fixed: a distance instead of `point`.
+    /// Returns the zero parallax of eyes with this `look`, whose gaze is fixed: a distance instead of
+    /// `point`.
     fn zero_parallax(&self, look: &LookSettings, point: &Track, observation_time: f64) -> ZeroParallax {
         let is_followed = look.zero_parallax == ZeroParallax::Point;
         if !look.projection.is_fused() || !is_followed {
@@ -153,8 +157,8 @@ impl Settings {
         if self.projection() == ProjectionChoice::Gaze {
             return Gaze::towards(directions);
         }
-        // It is the columns that have a mean. Both directions are cut off equally far from the line through the eyes; then
-        // they are tangents, and of a conformal picture their arsinh.
+        // It is the columns that have a mean. Both directions are cut off equally far from the line through
+        // the eyes; then they are tangents, and of a conformal picture their arsinh.
         let baseline = self.baseline_direction();
         let [left, right] = directions.map(|direction| {
             let off_baseline = direction.reject_from_normalized(baseline);
@@ -208,7 +212,8 @@ impl Settings {
         })
     }
 
-    /// The projection of both pictures: none along the baseline suits both eyes where one is behind the other.
+    /// The projection of both pictures: none along the baseline suits both eyes where one is behind the
+    /// other.
     #[must_use]
     pub fn projection(&self) -> ProjectionChoice {
         // Who rides looks where that leads, and who stands across the street.
@@ -249,8 +254,8 @@ impl Settings {
         [camera(0, left, -1.0), camera(1, right, 1.0)]
     }
 
-    /// The image shifts of the left and the right eye's pictures with this `look`: what the left eye has further to
-    /// the right comes together with what the right eye has.
+    /// The image shifts of the left and the right eye's pictures with this `look`: what the left eye has
+    /// further to the right comes together with what the right eye has.
     fn shifts(&self, look: &LookSettings) -> [f64; 2] {
         let half = 0.5 * look.zero_parallax.shift(self.motion.d);
         [-half, half].map(|shift| shift * self.rows_along_baseline(look))

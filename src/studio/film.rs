@@ -21,7 +21,8 @@ use crate::time_range::time_within;
 
 /// Frames a second: a whole number of hundredths of a second each, as a GIF needs.
 pub const FRAMES_PER_SECOND: u16 = 25;
-/// Number of frames for which each of two alternating pictures is shown: no faster than flashes may be shown to everybody.
+/// Number of frames for which each of two alternating pictures is shown: no faster than flashes may be shown
+/// to everybody.
 const FRAMES_PER_TURN: usize = 5;
 
 /// The kind of a film.
@@ -45,7 +46,8 @@ pub struct Written {
 }
 
 impl Written {
-    /// The size of a film of so many `frames`, bytes, estimated from those that are written; none before the first.
+    /// The size of a film of so many `frames`, bytes, estimated from those that are written; none before the
+    /// first.
     #[must_use]
     pub fn expected_bytes(&self, frames: u32) -> Option<u64> {
         self.bytes.saturating_mul(frames.into()).checked_div(self.frames.into())
@@ -108,7 +110,8 @@ impl FilmKind {
     }
 }
 
-/// Returns the number of frames of a film in which T runs through `range` once, at `rate` units a second; 2 or more.
+/// Returns the number of frames of a film in which T runs through `range` once, at `rate` units a second; 2
+/// or more.
 #[must_use]
 pub fn frame_count([from, to]: [f64; 2], rate: f64) -> u32 {
     (f64::from(FRAMES_PER_SECOND) * (to - from) / rate).round().clamp(2.0, f64::from(u32::MAX)) as u32
@@ -164,8 +167,8 @@ impl<W: Write> AnimationFile<W> {
 }
 
 impl Studio {
-    /// Makes the film of the frames at these `times` at `path`, an animated file whole or not at all. Before each frame
-    /// `goes_on` is asked with what is written. Returns the size of all, bytes.
+    /// Makes the film of the frames at these `times` at `path`, an animated file whole or not at all. Before
+    /// each frame `goes_on` is asked with what is written. Returns the size of all, bytes.
     ///
     /// # Errors
     ///

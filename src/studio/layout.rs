@@ -7,8 +7,8 @@ use crate::files::png::Still;
 use crate::flags::choices::{Form, Layout};
 use crate::settings::PictureSettings;
 
-/// Returns the file that shows `eyes`, the pictures of `picture` in its order, with `labels` where these distinguish
-/// them. For free viewing the middles of pictures are `picture_mm` apart.
+/// Returns the file that shows `eyes`, the pictures of `picture` in its order, with `labels` where these
+/// distinguish them. For free viewing the middles of pictures are `picture_mm` apart.
 #[must_use]
 pub fn still(picture: &PictureSettings, eyes: Vec<Pixels>, labels: Option<Labels>, picture_mm: f64) -> Still {
     let (frames, pixels_per_metre) = match (picture.layout.form(), eyes.as_slice()) {

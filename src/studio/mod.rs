@@ -1,4 +1,5 @@
-//! The studio, where pictures are made for files: a scene, settings and a renderer, and the record in each file.
+//! The studio, where pictures are made for files: a scene, settings and a renderer, and the record in each
+//! file.
 
 pub mod film;
 mod layout;
@@ -45,8 +46,8 @@ impl Studio {
     ///
     /// # Errors
     ///
-    /// A scene or a renderer that cannot be had, the published geometry of a head that is tilted or turned, or a comparison that
-    /// there is not.
+    /// A scene or a renderer that cannot be had, the published geometry of a head that is tilted or turned,
+    /// or a comparison that there is not.
     pub fn new(settings: Settings) -> anyhow::Result<Self> {
         settings.check_geometry()?;
         settings.check_comparison()?;
@@ -55,7 +56,8 @@ impl Studio {
         Self::of_scene(settings, scene, tracked)
     }
 
-    /// Returns a studio for this `scene` with `settings`, with this point `tracked`, and the renderer that they choose.
+    /// Returns a studio for this `scene` with `settings`, with this point `tracked`, and the renderer that
+    /// they choose.
     ///
     /// # Errors
     ///
@@ -86,7 +88,8 @@ impl Studio {
         Subject { scene: &self.prepared, tracked: self.tracked }
     }
 
-    /// Has what draws views like this one chosen where that is automatic, and notes it, so that files record what drew them.
+    /// Has what draws views like this one chosen where that is automatic, and notes it, so that files record
+    /// what drew them.
     fn choose(&mut self, view: &View) {
         let Self { painter, prepared, settings, .. } = self;
         settings.quality = painter.choose(settings.quality, prepared, view, settings.picture.eyes().len());

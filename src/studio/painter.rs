@@ -35,8 +35,8 @@ struct Choosing {
 }
 
 impl Painter {
-    /// The one that `settings` choose. Where that is automatic, [`Self::choose`] decides; and where there is no graphics
-    /// adapter for it, it says so on standard error.
+    /// The one that `settings` choose. Where that is automatic, [`Self::choose`] decides; and where there is
+    /// no graphics adapter for it, it says so on standard error.
     ///
     /// # Errors
     ///
@@ -108,8 +108,9 @@ impl Painter {
         Ok(Self::of_method(settings, Method::Reference, None))
     }
 
-    /// Chooses the method for this number of pictures like that of `view` where the choice is automatic: by the methods' usual costs, and
-    /// once more when the first picture was measured. Returns the `quality` that leads to this method again.
+    /// Chooses the method for this number of pictures like that of `view` where the choice is automatic: by
+    /// the methods' usual costs, and once more when the first picture was measured. Returns the `quality`
+    /// that leads to this method again.
     #[must_use]
     pub fn choose(
         &mut self,

@@ -1,5 +1,6 @@
-//! Sheets: the places of the two eyes' pictures in a file. A letter above each and a bar between them, which distinguish them,
-//! lie outside of them, so that every pixel of theirs stays as it was drawn and can be measured.
+//! Sheets: the places of the two eyes' pictures in a file. A letter above each and a bar between them, which
+//! distinguish them, lie outside of them, so that every pixel of theirs stays as it was drawn and can be
+//! measured.
 
 use relativity_render::Picture;
 
@@ -76,8 +77,8 @@ struct SheetPicture {
 }
 
 impl Sheet {
-    /// The sheet of `picture` for pictures of `eye_size`; with `labels` where it shows them beside or above each other.
-    /// Where they are composed pixel by pixel none of them is in it.
+    /// The sheet of `picture` for pictures of `eye_size`; with `labels` where it shows them beside or above
+    /// each other. Where they are composed pixel by pixel none of them is in it.
     #[must_use]
     pub fn new(picture: &Settings, eye_size: [u32; 2], labels: bool) -> Self {
         let [width, height] = eye_size;
@@ -117,8 +118,8 @@ impl Sheet {
             .find(|sheet| sheet.size == size)
     }
 
-    /// Returns the pixels per metre at which the middles of pictures beside each other are `millimetres` (above 0)
-    /// apart, or hardly less.
+    /// Returns the pixels per metre at which the middles of pictures beside each other are `millimetres`
+    /// (above 0) apart, or hardly less.
     #[must_use]
     pub fn pixels_per_metre(&self, millimetres: f64) -> u32 {
         let apart = self.parts.last().map_or(0, |part| part.corner[0]);
@@ -159,7 +160,8 @@ impl Sheet {
         }
     }
 
-    /// The picture of `eye` (0 left, 1 right) in the `frames` of a file that has this sheet; `None` if it is not in it.
+    /// The picture of `eye` (0 left, 1 right) in the `frames` of a file that has this sheet; `None` if it is
+    /// not in it.
     #[must_use]
     pub fn picture_of(&self, eye: usize, frames: &[Picture]) -> Option<Picture> {
         let SheetPicture { frame, corner, .. } = *self.parts.iter().find(|part| part.eye == eye)?;

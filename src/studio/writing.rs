@@ -12,7 +12,8 @@ const SHARE: f64 = 0.94;
 /// Edges that reach less far to the side, pixels, count as upright.
 const UPRIGHT: f64 = 1e-6;
 
-/// Draws `text` about `middle` into `picture`, at most so wide and its capitals so high, pixels, in an sRGB-encoded `colour`.
+/// Draws `text` about `middle` into `picture`, at most so wide and its capitals so high, pixels, in an
+/// sRGB-encoded `colour`.
 pub fn draw(picture: &mut Picture, text: &str, middle: [f64; 2], [room, height]: [f64; 2], colour: [u8; 3]) {
     let (outlines, width) = outlines(&text.to_uppercase());
     let em = (height / CAPITALS).min(SHARE * room / width.max(f64::MIN_POSITIVE));
@@ -55,7 +56,8 @@ fn shares(outlines: &[Vec<DVec2>], row: u32, columns: &Range<u32>) -> Vec<f64> {
     shares.into_iter().map(|share| share.abs().min(1.0)).collect()
 }
 
-/// Returns the part of a pixel that lies to the right of an edge, which is at these x at its top and its bottom.
+/// Returns the part of a pixel that lies to the right of an edge, which is at these x at its top and its
+/// bottom.
 fn part_right_of(edge: [f64; 2], column: u32) -> f64 {
     let [from, to] = edge.map(|x| f64::from(column + 1) - x);
     // The integral of the part to the right of an upright edge, by the place of that.

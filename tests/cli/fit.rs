@@ -108,8 +108,8 @@ fn of_a_wheel(beta: f64, wheel: WheelPoint) -> String {
     csv
 }
 
-/// y and z are the hub's, with the sign of z by either curve: mirrored, the point would turn the other way. Taken for a fixed one,
-/// it has another speed.
+/// y and z are the hub's, with the sign of z by either curve: mirrored, the point would turn the other way.
+/// Taken for a fixed one, it has another speed.
 #[test]
 fn a_point_on_a_rolling_wheel_is_fitted_by_its_wheel() {
     let hub = SourcePoint { x0: 0.0, y: 3.0, z: -2.0 };
@@ -140,7 +140,8 @@ fn a_point_on_a_rolling_wheel_is_fitted_by_its_wheel() {
     assert!(incomplete.status == Some(2) && incomplete.stderr.contains("--wheel-radius"));
 }
 
-/// Delta-phi tells the sides of the eyes' level apart by the wheel's wiggle alone, which noise hides where the point is near the hub.
+/// Delta-phi tells the sides of the eyes' level apart by the wheel's wiggle alone, which noise hides where
+/// the point is near the hub.
 #[test]
 fn a_side_that_fits_within_the_noise_is_remarked_on() {
     let hub = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };
@@ -304,7 +305,8 @@ fn readings_that_were_not_made_are_left_out() {
     assert_eq!(report["fits"]["dtheta"]["readings"], 240);
 }
 
-/// Sigmas that are not those of the scatter are said to be: too large, too small, and not at all where they fit.
+/// Sigmas that are not those of the scatter are said to be: too large, too small, and not at all where they
+/// fit.
 #[test]
 fn sigmas_that_the_scatter_contradicts_are_named() {
     let csv = noisy_curve(&["T", "d", "dphi", "dtheta"], "exact");

@@ -1,4 +1,5 @@
-//! Whatever cannot be written: each way out names what it is about once and ends with status 2, and what was there stays.
+//! Whatever cannot be written: each way out names what it is about once and ends with status 2, and what was
+//! there stays.
 
 use std::fs::{self, File, OpenOptions};
 use std::path::Path;

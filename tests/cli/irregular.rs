@@ -1,5 +1,5 @@
-//! What is no regular file: a pipe without a writer, a device, a file of the system that waits. None of them is waited for,
-//! unless it is a pipe that was named to be read from.
+//! What is no regular file: a pipe without a writer, a device, a file of the system that waits. None of them
+//! is waited for, unless it is a pipe that was named to be read from.
 
 use std::fs;
 use std::path::Path;

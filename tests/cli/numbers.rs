@@ -299,7 +299,8 @@ fn stereo_columns_of_one_light_cone_are_what_the_middle_sees() {
     assert!(table.column("stereo_y").iter().all(|&y| y == 3.0));
 }
 
-/// The point is seen the rapidity behind where it would be seen at rest, at any speed; other columns stay as they are.
+/// The point is seen the rapidity behind where it would be seen at rest, at any speed; other columns stay as
+/// they are.
 #[test]
 fn conformal_columns_are_the_resting_ones_slid_by_the_rapidity() {
     for flags in

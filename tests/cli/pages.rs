@@ -1,4 +1,5 @@
-//! The documentation: commands print what is shown, flags exist, links lead somewhere, and the README stays short.
+//! The documentation: commands print what is shown, flags exist, links lead somewhere, and the README stays
+//! short.
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,4 +1,5 @@
-//! What files tell of the scene that they show: found again wherever both files go, and nothing of the folders they lay in.
+//! What files tell of the scene that they show: found again wherever both files go, and nothing of the
+//! folders they lay in.
 
 use std::fs;
 use std::path::Path;

@@ -5,7 +5,8 @@ use super::{Table, gamow, run, words};
 
 const HEAD: &str = "observer_beta,beta,d,x0,y,z,T";
 
-/// A row of the derivation, worked out in 60-digit arithmetic: a lamp 5 ahead, 3 aside and 2 up, from a bicycle at 0.9 c.
+/// A row of the derivation, worked out in 60-digit arithmetic: a lamp 5 ahead, 3 aside and 2 up, from a
+/// bicycle at 0.9 c.
 #[test]
 fn eval_tells_what_a_rider_sees_of_a_lamp() {
     let input = format!("{HEAD}\n0.9,0,0.1,5,3,2,0\n");

@@ -2,8 +2,8 @@
 
 use super::{Table, eval, gamow, run, words};
 
-/// The valve of the front wheel, by a root-finder in 40-digit arithmetic: beta, T, then X from the left eye, t, t', the angle in
-/// degrees and D.
+/// The valve of the front wheel, by a root-finder in 40-digit arithmetic: beta, T, then X from the left eye,
+/// t, t', the angle in degrees and D.
 const VALVE: [(f64, f64, [&str; 5]); 3] = [
     (0.5, 0.0, ["-3.224919516", "-4.773851210", "-3.621592898", "197.620941", "0.8844761986"]),
     (

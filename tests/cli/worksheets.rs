@@ -157,7 +157,8 @@ fn the_page_of_whoever_teaches_has_aim_minutes_answers_and_advice() {
     assert!(!read(&folder.path("sheet.html")).contains("Mind the gap."));
 }
 
-/// The data that a worksheet carries, as `gamow fit` reads them, tell the speed as well as the worksheet says.
+/// The data that a worksheet carries, as `gamow fit` reads them, tell the speed as well as the worksheet
+/// says.
 #[test]
 fn the_lab_of_a_worksheet_has_data_that_can_be_fitted() {
     let folder = Folder::with_lesson(LESSON);

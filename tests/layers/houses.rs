@@ -1,4 +1,5 @@
-//! The rules of each crate: its floors, what its folders may not import, and what they may not name of other crates.
+//! The rules of each crate: its floors, what its folders may not import, and what they may not name of other
+//! crates.
 
 /// A crate and the rules of its imports.
 pub struct House {
@@ -22,8 +23,8 @@ pub struct House {
 pub struct Table {
     /// The folder, with the slash at its end; empty for the crate.
     pub inside: &'static str,
-    /// The rooms, which are files and folders, from the top. A room imports from those below it and beside it, not
-    /// upwards, and not in a circle.
+    /// The rooms, which are files and folders, from the top. A room imports from those below it and beside
+    /// it, not upwards, and not in a circle.
     pub floors: &'static [&'static [&'static str]],
 }
 

@@ -97,7 +97,8 @@ pub fn circles(inside: &BTreeSet<(String, String)>) -> Vec<Vec<String>> {
     circles
 }
 
-/// Returns the imports from which every way goes on, in both directions: those in a circle or between circles.
+/// Returns the imports from which every way goes on, in both directions: those in a circle or between
+/// circles.
 fn without_ends(inside: &BTreeSet<(String, String)>) -> BTreeSet<(String, String)> {
     let mut left = inside.clone();
     loop {

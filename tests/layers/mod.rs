@@ -1,4 +1,5 @@
-//! The house keeps its layers: imports run down, never in a circle, each crate knows only what it should, and each test is run.
+//! The house keeps its layers: imports run down, never in a circle, each crate knows only what it should, and
+//! each test is run.
 
 mod houses;
 mod imports;

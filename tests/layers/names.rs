@@ -33,7 +33,8 @@ fn can_be_a_parameter(name: &str) -> bool {
         && !is_symbol
 }
 
-/// Returns the names in doc comments of functions of `source` that are no words of its code, and none of `also`, those of shaders.
+/// Returns the names in doc comments of functions of `source` that are no words of its code, and none of
+/// `also`, those of shaders.
 fn unknown_names(source: &str, also: &HashSet<&str>) -> Vec<String> {
     let words = code_words(source);
     let (mut unknown, mut comment) = (Vec::new(), String::new());

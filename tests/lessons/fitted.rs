@@ -21,7 +21,8 @@ fn dphi(model: Model, time: f64) -> f64 {
     model.disparity(&speed(), POINT, Aperture::pair(0.1), time).expect("seen").dphi
 }
 
-/// The fitted beta, its standard error, and by how many of these it is off: of so many samples with 1 % of noise.
+/// The fitted beta, its standard error, and by how many of these it is off: of so many samples with 1 % of
+/// noise.
 fn fitted(made: Model, fitted: Model, samples: usize, range: [f64; 2]) -> [f64; 3] {
     let [from, to] = range;
     let simulation = Simulation {

@@ -1,5 +1,5 @@
-//! Lessons 14 to 19, from the saddle: against aberration, the hyperbolic motion of constant proper acceleration, and light that runs
-//! straight on the ground.
+//! Lessons 14 to 19, from the saddle: against aberration, the hyperbolic motion of constant proper
+//! acceleration, and light that runs straight on the ground.
 
 use gamow::lesson::Lesson;
 
@@ -12,8 +12,8 @@ fn gamma(beta: f64) -> f64 {
     (1.0 - beta * beta).sqrt().recip()
 }
 
-/// Returns the angle from ahead, degrees, at which a rider at `beta` sees what an eye at rest sees at `degrees`:
-/// tan(theta'/2) = tan(theta/2) sqrt((1 - beta)/(1 + beta)).
+/// Returns the angle from ahead, degrees, at which a rider at `beta` sees what an eye at rest sees at
+/// `degrees`: tan(theta'/2) = tan(theta/2) sqrt((1 - beta)/(1 + beta)).
 fn aberrated(degrees: f64, beta: f64) -> f64 {
     let half = (0.5 * degrees.to_radians()).tan() * ((1.0 - beta) / (1.0 + beta)).sqrt();
     2.0 * half.atan().to_degrees()
@@ -34,7 +34,8 @@ fn lamps_crowd_ahead_by_the_law_of_aberration() {
     // Beside the post the left eye, 0.05 to the left of the middle, has the lamp at x = 0.
     says(&lesson, 0, "You see it at {}:", aberrated(90.0, BETA), 1);
     says(&lesson, 0, "sees the lamp {} degrees", 90.0, 0);
-    // Half of the sky: the mean over directions of those within arccos beta is (1 + beta)/2 of light, 1/2 of directions at rest.
+    // Half of the sky: the mean over directions of those within arccos beta is (1 + beta)/2 of light, 1/2 of
+    // directions at rest.
     let edge = BETA.acos().to_degrees();
     assert!((aberrated(90.0, BETA) - edge).abs() < 1e-12);
     says(&lesson, 1, "is within {} degrees", edge, 0);
@@ -138,7 +139,8 @@ fn in_the_gate_one_still_sees_it_ahead() {
     says(&lesson, 0, "You see the mouth {} degrees", aberrated(90.0, BETA), 1);
     says(&lesson, 1, "inside, {} units here", gamma(BETA) * BETA * 3.0, 2);
     says(&lesson, 1, "the mouth is {} behind you", BETA * 3.0, 1);
-    // Beside it is seen where the picture's middle is, in the reveal: at x = gamma beta 3 or a moment earlier.
+    // Beside it is seen where the picture's middle is, in the reveal: at x = gamma beta 3 or a moment
+    // earlier.
     let time = settings(&lesson, 1, true).time.expect("given");
     assert!((BETA * gamma(BETA) * time - gamma(BETA) * BETA * 3.0).abs() < 0.2);
     assert_eq!((right(&lesson, 1), observed(&lesson, 1)), ("6 units, twice its radius", "about 6"));

@@ -163,8 +163,8 @@ fn two_eyes_see_the_contraction() {
     says(&lesson, 0, "meet too near: {} away", seen.distance(), 2);
     says(&lesson, 0, "has come {}", distance, 2);
 
-    // The rod's ends, abreast: turned by about arctan beta and shortened to sqrt(1 - beta^4) along the motion, true to the
-    // measure with eyes above each other.
+    // The rod's ends, abreast: turned by about arctan beta and shortened to sqrt(1 - beta^4) along the
+    // motion, true to the measure with eyes above each other.
     let beta = 0.8_f64;
     let speed = speed(beta);
     let place = |pair, x| {
@@ -201,8 +201,8 @@ fn two_eyes_see_the_contraction() {
     says(&lesson, 2, "{} long: $1/\\gamma$", length, 2);
 }
 
-/// How high the ends of neighbouring spokes of a rolling wheel of radius 1 are, and how far apart, at t = 0 of the road:
-/// each from the Lorentz transformation of its path in the hub's frame.
+/// How high the ends of neighbouring spokes of a rolling wheel of radius 1 are, and how far apart, at t = 0
+/// of the road: each from the Lorentz transformation of its path in the hub's frame.
 fn gaps_between_spokes(beta: f64, spokes: u32) -> Vec<[f64; 2]> {
     let gamma = 1.0 / (1.0 - beta * beta).sqrt();
     let end = |spoke: u32| {

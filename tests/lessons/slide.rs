@@ -68,7 +68,8 @@ fn the_arrow_is_as_long_as_the_rapidity() {
     assert!((coordinates(seen(0.9, [0.0, 3.0, 0.0], 0.0).position)[0] + 0.9_f64.atanh()).abs() < 1e-12);
 }
 
-/// Width and height, in u and v, of what is seen at this speed and T of the globe: radius 1.5, passing 6 away.
+/// Width and height, in u and v, of what is seen at this speed and T of the globe: radius 1.5, passing 6
+/// away.
 fn outline(beta: f64, time: f64) -> [f64; 2] {
     let speed = Speed::from_beta(beta).expect("a speed");
     let centre = seen(beta, [-1.5, 6.0, 0.0], time);

@@ -26,8 +26,8 @@ fn doppler(beta: f64, rest: [f64; 3], time: f64) -> f64 {
     seen(beta, rest, time).doppler_factor
 }
 
-/// Azimuths of the four upright edges of a die of edge 2 whose front passes x = 0 at t = 0, by which of its ends it is (rear, front)
-/// and by its side (near, far), where its middle passes `y` away.
+/// Azimuths of the four upright edges of a die of edge 2 whose front passes x = 0 at t = 0, by which of its
+/// ends it is (rear, front) and by its side (near, far), where its middle passes `y` away.
 fn edges(beta: f64, y: f64, time: f64) -> [[f64; 2]; 2] {
     [-2.0, 0.0].map(|x| [y - 1.0, y + 1.0].map(|y| seen(beta, [x, y, 0.0], time).phi()))
 }
@@ -43,7 +43,8 @@ fn from_far_a_die_shows_its_rear_and_looks_turned_by_arcsin_beta() {
     assert!(rear_far - rear_near > rear_near - front_near);
     assert_eq!(observed(&l, 0), "the six");
 
-    // The limit of far away: faces of a cube turned by arcsin 0.8, which is 53.1 degrees (Commun. Phys. 8, 161).
+    // The limit of far away: faces of a cube turned by arcsin 0.8, which is 53.1 degrees (Commun. Phys. 8,
+    // 161).
     let [[near, far], [front, _]] = edges(0.8, 1e5, 1e5);
     let [six, five] = [far - near, near - front].map(|angle| angle * 1e5 / 2.0);
     assert!((six - 0.8).abs() < 1e-3 && (five - 0.6).abs() < 1e-3, "{six}, {five}");
@@ -77,7 +78,8 @@ fn from_nearby_upright_edges_of_a_die_are_bent() {
 fn a_globe_keeps_a_round_outline() {
     let l = lesson("turned");
     let speed = speed(0.999);
-    // As it is seen abreast, its outline in its own frame is a circle on the sky about the direction of its centre.
+    // As it is seen abreast, its outline in its own frame is a circle on the sky about the direction of its
+    // centre.
     let centre = seen(0.999, [-1.5, 22.0, 0.0], 22.07);
     let distance = centre.distance;
     let axis = rest_from_ground(centre.position.map(|x| x / distance), &speed);

@@ -10,7 +10,8 @@ use serde_json::Value;
 
 use super::{complaint_of, folder, gamow_output, render, run_gamow};
 
-/// A ball where the paper's tracked point is. (At small sizes a ball is easier to find than a spot on a tyre.)
+/// A ball where the paper's tracked point is. (At small sizes a ball is easier to find than a spot on a
+/// tyre.)
 const BALL: &str = "\
 name = \"A ball\"
 [[object]]
@@ -124,8 +125,8 @@ fn the_letters_of_a_picture_are_no_marker() {
     assert!(complaint.contains("none of 30 files shows the target"), "{complaint}");
 }
 
-/// What eyes measure does not depend on how their pictures are made: from parallel ones, shifted or not, come the
-/// disparities of the light cone, as from those across the gaze.
+/// What eyes measure does not depend on how their pictures are made: from parallel ones, shifted or not, come
+/// the disparities of the light cone, as from those across the gaze.
 #[test]
 fn every_projection_measures_the_same_disparities() {
     use relativity_core::{Aperture, SourcePoint, Speed, disparity};
@@ -192,7 +193,8 @@ fn assert_finds_a_mark(flags: &str) {
     }
 }
 
-/// Of every disparity measured in `ride.csv`, the error over its sigma, squared: the mean of dphi and of dtheta.
+/// Of every disparity measured in `ride.csv`, the error over its sigma, squared: the mean of dphi and of
+/// dtheta.
 fn chi_squared_per_sample(csv: &str, rest: [f64; 3]) -> [f64; 2] {
     use relativity_core::{Aperture, SourcePoint, Speed, disparity};
 
@@ -212,8 +214,8 @@ fn chi_squared_per_sample(csv: &str, rest: [f64; 3]) -> [f64; 2] {
     sums.map(|sum| sum / rows.len() as f64)
 }
 
-/// Both eyes have a point equally high, so that their errors of height are alike, and differences of elevation better than
-/// their sigmas.
+/// Both eyes have a point equally high, so that their errors of height are alike, and differences of
+/// elevation better than their sigmas.
 #[test]
 fn errors_of_disparities_are_as_large_as_their_sigmas_say() {
     // In a conformal picture a ball has one outline in both eyes, in the same rows: errors cancel in part.
@@ -339,7 +341,8 @@ fn ordinary_text_chunks_are_read() {
     }
 }
 
-/// A colour that is not one point is remarked on in one line that names file and eye, and measured all the same.
+/// A colour that is not one point is remarked on in one line that names file and eye, and measured all the
+/// same.
 #[test]
 fn a_colour_that_is_not_one_point_is_remarked_on() {
     let folder = folder();
@@ -383,7 +386,8 @@ fn a_colour_that_is_not_one_point_is_remarked_on() {
     assert_eq!(line.lines().count(), 1, "{line}");
 }
 
-/// A mark on the near side of a rolling wheel's tyre: followed round in measurements, which say what a fit has to know of it.
+/// A mark on the near side of a rolling wheel's tyre: followed round in measurements, which say what a fit
+/// has to know of it.
 #[test]
 fn a_mark_on_a_rolling_wheel_gives_the_speed_and_where_its_hub_passes() {
     let wheel = "name = \"A wheel\"\ntracked = [0.0, 3.0, 2.0]\n\n[[wheel]]\nhub = [0.0, 3.0, 2.0]\nradius = 0.525\ntyre = 0.1\n\

@@ -22,8 +22,8 @@ fn channels(path: &Path) -> BTreeMap<String, Vec<f32>> {
     channels.map(|channel| (channel.name.to_string(), values(channel.sample_data))).collect()
 }
 
-/// What the core says an aperture sees of a point at `rest` in the frame that has this `velocity`: where that points
-/// towards -x, by reflection.
+/// What the core says an aperture sees of a point at `rest` in the frame that has this `velocity`: where that
+/// points towards -x, by reflection.
 fn seen(velocity: Velocity, [x, y, z]: [f64; 3], aperture: Aperture, time: f64) -> Sighting {
     let sign = if velocity.is_backward { -1.0 } else { 1.0 };
     let source = SourcePoint::from_rest([sign * x, y, z], &velocity.speed);
@@ -57,8 +57,8 @@ impl Pictures {
     fn pixel(self, side: f64, gaze: Gaze, direction: DVec3) -> [f64; 2] {
         let camera = Camera::new(Aperture::default(), gaze, 80f64.to_radians(), [WIDTH, HEIGHT]);
         let Self::Parallel(distance) = self else { return camera.pixel(direction).expect("it is in front") };
-        // Where the lines of sight cross the plane one focal length from the eye that is perpendicular to the part of the
-        // gaze across x: the gaze there is in the middle.
+        // Where the lines of sight cross the plane one focal length from the eye that is perpendicular to the
+        // part of the gaze across x: the gaze there is in the middle.
         let ahead = gaze.axes().forward;
         let across = ahead.y.hypot(ahead.z);
         let [y, z] = [ahead.y / across, ahead.z / across];
@@ -70,9 +70,9 @@ impl Pictures {
     }
 }
 
-/// Holds what each pixel of `hits.exr` in `folder` tells at `time`, with d = 0.4, a field of view of 80 degrees and this
-/// gaze in these `pictures`, against the light cone of the point that it shows; how many pixels show each group of the `scene`, whose
-/// `velocities` are these.
+/// Holds what each pixel of `hits.exr` in `folder` tells at `time`, with d = 0.4, a field of view of 80
+/// degrees and this gaze in these `pictures`, against the light cone of the point that it shows; how many
+/// pixels show each group of the `scene`, whose `velocities` are these.
 fn assert_on_light_cone(
     folder: &Path,
     scene: &Scene,
@@ -258,8 +258,8 @@ fn each_point_of_a_rolling_wheel_is_measured_by_its_own_light_cone() {
     assert!(least > 1.0 / head_on && least < 0.8 && most < head_on && most > 1.2, "{least} to {most}");
 }
 
-/// A pixel of a model names a triangle, and the weights of its corners are those of the place that it shows; both stay when the file is
-/// corrected.
+/// A pixel of a model names a triangle, and the weights of its corners are those of the place that it shows;
+/// both stay when the file is corrected.
 #[test]
 fn a_pixel_of_a_model_names_a_point_of_a_triangle() {
     let folder = folder();

@@ -25,8 +25,8 @@ fn corrected_and_true(
     extension: &str,
     projection: &str,
 ) -> [std::path::PathBuf; 2] {
-    // One exposure for both, since each picture would find its own; and the paper's intensity, of which a picture in
-    // bytes holds all.
+    // One exposure for both, since each picture would find its own; and the paper's intensity, of which a
+    // picture in bytes holds all.
     let size = "--size 320x240 --fov 60 --ground off --sky off --shading emission --exposure 0 --intensity-exponent 2";
     let layout = if extension == "png" { "--layout left" } else { "" };
     let seen = format!("{scene} --beta {beta} --time {time} {size} {layout} --projection {projection}");

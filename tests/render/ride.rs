@@ -26,7 +26,8 @@ fn a_film_of_a_ride_follows_the_riders_clock() {
         );
         assert_eq!(film.rgb, Png::read(&folder.path().join("still.png")).rgb);
     }
-    // Who rides out of rest and brakes as hard is at rest, where it leads: as an eye that stands there at that time.
+    // Who rides out of rest and brakes as hard is at rest, where it leads: as an eye that stands there at
+    // that time.
     let (place, time) = (1.0 + 2.0 * (2.0_f64.cosh() - 1.0), 2.0 * 2.0_f64.sinh());
     let standing = RIDE.replace("--ride-from 1", &format!("--ride-from {place}"));
     run_gamow(
@@ -40,7 +41,8 @@ fn a_film_of_a_ride_follows_the_riders_clock() {
     assert!(differ < 60, "{differ} values differ");
 }
 
-/// Whoever rides across the street and upwards out of rest, and brakes as hard, sees what an eye at rest does that stands there.
+/// Whoever rides across the street and upwards out of rest, and brakes as hard, sees what an eye at rest does
+/// that stands there.
 #[test]
 fn a_ride_leads_off_the_street() {
     let folder = folder();

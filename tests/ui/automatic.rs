@@ -1,4 +1,5 @@
-//! Automatic quality in the window: what it says, what it is told, and pictures that get smoother while nothing changes.
+//! Automatic quality in the window: what it says, what it is told, and pictures that get smoother while
+//! nothing changes.
 
 use std::time::Duration;
 
@@ -44,8 +45,8 @@ fn refine(window: &mut Harness<'_, App>) {
 /// Height of the notes at the bottom of a pane, pixels.
 const NOTE: u32 = 40;
 
-/// The mean difference of a level in the left pane to the reference with `samples` times `samples` rays per pixel, and the
-/// share of pixels that differ by more than 2 levels.
+/// The mean difference of a level in the left pane to the reference with `samples` times `samples` rays per
+/// pixel, and the share of pixels that differ by more than 2 levels.
 fn differences(window: &mut Harness<'_, App>, samples: u32) -> [f64; 2] {
     let pane = pane(window, 0);
     let size = [pane.width() as u32, pane.height() as u32];

@@ -1,5 +1,5 @@
-//! Two pictures of one eye beside each other: the second is what its geometry shows by itself, and so is what is clicked and told
-//! in it; nothing claims that both make a pair.
+//! Two pictures of one eye beside each other: the second is what its geometry shows by itself, and so is what
+//! is clicked and told in it; nothing claims that both make a pair.
 
 use eframe::egui::{Key, Modifiers, Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
@@ -86,7 +86,8 @@ fn marker(window: &Harness<'_, App>, place: Rect) -> Vec2 {
     vec2(u as f32, v as f32)
 }
 
-/// Where a place on the tyre is measured to be at T by the left eye's camera: a third independent of what the views use, x0/gamma + beta T.
+/// Where a place on the tyre is measured to be at T by the left eye's camera: a third independent of what the
+/// views use, x0/gamma + beta T.
 fn measured(window: &Harness<'_, App>, rest: [f64; 3]) -> Pos2 {
     let state = window.state().state();
     let [beta, time] = [0.9, state.document.time];

@@ -151,8 +151,8 @@ fn the_readout_is_what_the_core_computes() {
     }
 }
 
-/// What a clock at rest at (0, 3, 2) of what moves shows as it sends what is seen: gamma (t - beta x), there gamma
-/// (1 - beta^2) t.
+/// What a clock at rest at (0, 3, 2) of what moves shows as it sends what is seen: gamma (t - beta x), there
+/// gamma (1 - beta^2) t.
 fn proper_time(beta: f64, seen: &Sighting) -> f64 {
     seen.retarded_time * (1.0 - beta * beta).sqrt()
 }

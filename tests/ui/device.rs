@@ -8,7 +8,8 @@ use egui_kittest::wgpu::{WgpuTestRenderer, default_wgpu_setup};
 use gamow::app::tools::graphics;
 use relativity_render::instance_flags;
 
-/// Made alone, before the first test, and kept: drivers set up for the process what two devices that begin at once would race for.
+/// Made alone, before the first test, and kept: drivers set up for the process what two devices that begin at
+/// once would race for.
 static SHARED: OnceLock<RenderState> = OnceLock::new();
 
 /// Makes the device that windows share.
@@ -21,8 +22,8 @@ pub fn share() -> Result<(), WgpuError> {
     Ok(())
 }
 
-/// Returns a renderer of a window on the shared device. Errors outside any scope, and a loss, are reported to the window that was opened
-/// last: a test of them takes a device of its own.
+/// Returns a renderer of a window on the shared device. Errors outside any scope, and a loss, are reported to
+/// the window that was opened last: a test of them takes a device of its own.
 pub fn renderer() -> WgpuTestRenderer {
     let shared = SHARED.get().expect("there is a device");
     let mut renderer = Renderer::new(&shared.device, shared.target_format, RendererOptions::PREDICTABLE);
@@ -40,7 +41,8 @@ pub fn renderer() -> WgpuTestRenderer {
     })
 }
 
-/// Returns a device of its own for a window without a display, with the instance and the adapters that the toolkit finds.
+/// Returns a device of its own for a window without a display, with the instance and the adapters that the
+/// toolkit finds.
 ///
 /// # Errors
 /// There is none.

@@ -1,4 +1,5 @@
-//! What the window does when its graphics device fails. Each test has a device of its own, which it may break.
+//! What the window does when its graphics device fails. Each test has a device of its own, which it may
+//! break.
 
 use std::sync::Arc;
 

@@ -1,5 +1,5 @@
-//! Settings that nobody would type: each start with them succeeds, with numbers that are numbers. `GAMOW_INSANE=5000` makes
-//! as many of them, else there are a few hundred; `GAMOW_SEED` makes other ones.
+//! Settings that nobody would type: each start with them succeeds, with numbers that are numbers.
+//! `GAMOW_INSANE=5000` makes as many of them, else there are a few hundred; `GAMOW_SEED` makes other ones.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -263,7 +263,8 @@ fn processor_time() -> Option<f64> {
 }
 
 fn insane_settings_are_drawn() {
-    // All that a frame waits for is done on this thread, so that its time does not depend on what else the machine does.
+    // All that a frame waits for is done on this thread, so that its time does not depend on what else the
+    // machine does.
     let here = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build().expect("a pool");
     here.install(|| {
         each(50, |state| {

@@ -109,7 +109,8 @@ fn lesson() -> Lesson {
     Lesson::read("test", LESSON, "test.md").expect("a lesson")
 }
 
-/// A window of this `size` in which `lesson` begins. Nothing is drawn in its views, which takes most of the time.
+/// A window of this `size` in which `lesson` begins. Nothing is drawn in its views, which takes most of the
+/// time.
 fn window(lesson: &Lesson, size: [f32; 2]) -> Harness<'static, App> {
     window_with(WindowSettings::default(), lesson, size)
 }

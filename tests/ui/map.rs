@@ -1,4 +1,5 @@
-//! The map: its marks are where the core says, whatever the size; the mouse in it; what it shows in each frame.
+//! The map: its marks are where the core says, whatever the size; the mouse in it; what it shows in each
+//! frame.
 
 use eframe::egui::{Key, Modifiers, Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;
@@ -60,7 +61,8 @@ struct Found {
 }
 
 impl Found {
-    /// From where the tracked point is measured at two times, at x = beta T, and an eye, which is at 0 in depth and height.
+    /// From where the tracked point is measured at two times, at x = beta T, and an eye, which is at 0 in
+    /// depth and height.
     fn new(window: &mut Harness<'_, App>, chart: &str, beta: f64, [first, last]: [f64; 2]) -> Self {
         let mut measured = |time| {
             go_to(window, time);
@@ -130,7 +132,8 @@ fn the_bicycle_rests_in_its_own_frame_and_the_eyes_ride_past() {
     };
     let ((rest, earlier, _), (still, later, right)) = (at(-1.0), at(1.0));
     assert_eq!(rest, still);
-    // Two units of T are 2 gamma on board; the eyes ride back by beta times that, d/gamma apart, 3 from the bicycle.
+    // Two units of T are 2 gamma on board; the eyes ride back by beta times that, d/gamma apart, 3 from the
+    // bicycle.
     let scale = (later.y - still.y) / 3.0;
     assert!((earlier.x - later.x - 2.0 * 0.9 * gamma as f32 * scale).abs() < 0.5, "{earlier:?} {later:?}");
     assert!((right.x - later.x - 0.1 / gamma as f32 * scale).abs() < 0.1, "{later:?} {right:?}");
@@ -237,8 +240,9 @@ fn scroll(window: &mut Harness<'_, App>, points: f32) {
 }
 
 fn a_close_up_tells_the_length_of_a_rod_to_one_eye_and_to_two() {
-    // Seen abreast and far away, a rod of length 2 is contracted to two eyes one above the other; to two eyes along the
-    // motion it is sqrt(1 - beta^4) of its length, and turned (physics.md). One eye sees its ends at one ground time.
+    // Seen abreast and far away, a rod of length 2 is contracted to two eyes one above the other; to two eyes
+    // along the motion it is sqrt(1 - beta^4) of its length, and turned (physics.md). One eye sees its ends
+    // at one ground time.
     const BETA: f64 = 0.8;
     const AWAY: f64 = 4000.0;
     let contracted = 2.0 * (1.0 - BETA * BETA).sqrt();

@@ -49,8 +49,8 @@ fn told(window: &Harness<'_, App>, name: &str) -> [f64; 2] {
     [angle, error].map(|text| (unit * number(text)).to_radians())
 }
 
-/// The directions in which the left eye sees both ends of the ball in the plane of the motion and its middle: tangents in the
-/// ball's own frame, where it rests.
+/// The directions in which the left eye sees both ends of the ball in the plane of the motion and its middle:
+/// tangents in the ball's own frame, where it rests.
 fn tangents(state: &State) -> [DVec3; 2] {
     let ball = state.document.scene.bodies.iter().find_map(|body| match body.shape {
         Shape::Sphere { center, radius } => Some((DVec3::from(center), radius)),

@@ -1,5 +1,5 @@
-//! The layouts of the two eyes' pictures: in each, what is clicked is selected, what is under the pointer is told, markers
-//! stand where the core sees the point, and only what is shown is drawn.
+//! The layouts of the two eyes' pictures: in each, what is clicked is selected, what is under the pointer is
+//! told, markers stand where the core sees the point, and only what is shown is drawn.
 
 use clap::ValueEnum as _;
 use eframe::egui::{Key, Modifiers, Pos2, Rect, vec2};
@@ -37,7 +37,8 @@ fn shown(layout: Layout) -> Harness<'static, App> {
     window(state)
 }
 
-/// Where the pictures of an eye are, and whether both share the place; `None` if it is not shown alone or with the other.
+/// Where the pictures of an eye are, and whether both share the place; `None` if it is not shown alone or
+/// with the other.
 fn picture_of(window: &Harness<'_, App>, eye: usize) -> Option<Rect> {
     let own = window.query_by_label(["Left eye view", "Right eye view"][eye]);
     own.or(window.query_by_label("Both eyes' view")).map(|node| node.rect())

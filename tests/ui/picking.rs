@@ -56,8 +56,8 @@ fn place(window: &Harness<'_, App>, rest: [f64; 3], eye: usize) -> Pos2 {
     pane.min + vec2(u as f32, v as f32)
 }
 
-/// The hover label has one line after a move, until three seconds at rest or a key press. After a click it has all,
-/// until a key press.
+/// The hover label has one line after a move, until three seconds at rest or a key press. After a click it
+/// has all, until a key press.
 fn a_pointer_that_was_forgotten_tells_nothing() {
     let mut window = window(cyclist(0.9));
     let tyre = place(&window, ON_THE_TYRE, 0);
@@ -135,7 +135,8 @@ fn clicking_the_wheel(beta: f64) {
         assert!(off < 1e-3, "{off} from where it was clicked");
         label_starting_with(&window, "Plot of Δφ of front tyre (2) against T");
         label_starting_with(&window, "Plot of Δθ of front tyre (2) against T");
-        // The scene's own point is one of the list all the same, and another click moves the one that was picked.
+        // The scene's own point is one of the list all the same, and another click moves the one that was
+        // picked.
         window.get_by_label("front tyre (1)");
         click(&mut window, place + vec2(3.0, 0.0), Modifiers::NONE);
         let points = &window.state().state().document.points;
@@ -311,7 +312,8 @@ fn dragging_looks_around_and_frame_comes_back() {
         panic!("a drag fixes the gaze");
     };
     let [azimuth, elevation] = degrees.map(f64::to_radians);
-    // The scene follows the pointer: right and down, so the gaze turns left and up, about the line between the eyes.
+    // The scene follows the pointer: right and down, so the gaze turns left and up, about the line between
+    // the eyes.
     let rise = |gaze: Gaze| atan2(gaze.axes().forward.z, gaze.axes().forward.y);
     assert!(azimuth > before.azimuth && rise(Gaze { azimuth, elevation }) > rise(before));
     let place = place_of_gaze(&window, before, pane(&window, 0));

@@ -1,4 +1,5 @@
-//! The plots against T: words and units, zoom, cursors, pinned curves, what is told at the pointer, and the same as files.
+//! The plots against T: words and units, zoom, cursors, pinned curves, what is told at the pointer, and the
+//! same as files.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{

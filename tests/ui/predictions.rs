@@ -1,4 +1,5 @@
-//! What is predicted with the mouse: curves that are drawn, places that are clicked; and the report of it all.
+//! What is predicted with the mouse: curves that are drawn, places that are clicked; and the report of it
+//! all.
 
 use eframe::egui::{Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;

@@ -1,4 +1,5 @@
-//! The whole screen, an audience, borders that are dragged, parts alone in the window, and the meter of comfort.
+//! The whole screen, an audience, borders that are dragged, parts alone in the window, and the meter of
+//! comfort.
 
 use eframe::egui::{Event, Key, Modifiers, Rect, Vec2, pos2, vec2};
 use egui_kittest::Harness;
@@ -69,7 +70,8 @@ fn a_clicker_steps_the_presets_in_front_of_an_audience() {
     assert_eq!(window.state().state().document.preset, Some(&Preset::all()[1]));
 }
 
-/// Checks the places of everything, in points, in every preset with few pixels; at the end the window is drawn with all pixels.
+/// Checks the places of everything, in points, in every preset with few pixels; at the end the window is
+/// drawn with all pixels.
 fn presenting_works_at_every_size_and_preset() {
     for (size, few, scale) in [
         ([64.0, 64.0], 1.0, 1.0),

@@ -43,8 +43,8 @@ fn small_window(state: State) -> Harness<'static, App> {
 /// Height of the note at the bottom of a pane, pixels.
 const NOTE: u32 = 32;
 
-/// Share of the pixels of the left eye's pane, above the note, for which `differs` is true of the red, green and blue
-/// in the window and in the reference's picture.
+/// Share of the pixels of the left eye's pane, above the note, for which `differs` is true of the red, green
+/// and blue in the window and in the reference's picture.
 fn share_in_pane(window: &mut Harness<'_, App>, differs: fn([u8; 3], [u8; 3]) -> bool) -> f64 {
     let pane = pane(window, 0);
     let size = [pane.width() as u32, pane.height() as u32];

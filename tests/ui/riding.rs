@@ -1,4 +1,5 @@
-//! Riding: keys pedal and brake, the instruments and all else on screen follow, and the ride is recorded as it was ridden.
+//! Riding: keys pedal and brake, the instruments and all else on screen follow, and the ride is recorded as
+//! it was ridden.
 
 use eframe::egui::Key;
 use egui_kittest::Harness;
@@ -260,7 +261,8 @@ fn assert_on_map(window: &Harness<'_, App>, marks: &[(&str, [f64; 2])]) {
     }
 }
 
-/// The marks of the map at 0.9 c in a direction of 60 degrees: on the ground where things are, and in my frame by the boost without turning.
+/// The marks of the map at 0.9 c in a direction of 60 degrees: on the ground where things are, and in my
+/// frame by the boost without turning.
 fn the_map_follows_a_ride_aslant() {
     let mut state = preset("ride-lamps");
     let ride = Riding { ride_azimuth: 60.0, ..state.document.settings.ride.clone() };
@@ -307,7 +309,8 @@ fn the_map_follows_a_ride_aslant() {
     assert_sane(self::state(&window));
 }
 
-/// The left eye on the ground, from the middle: of a head that faces along x, `aside`, and Gamma times as far along the motion.
+/// The left eye on the ground, from the middle: of a head that faces along x, `aside`, and Gamma times as far
+/// along the motion.
 fn eyes_of_a_turned_head(aside: f64, gamma: f64, ahead: [f64; 2]) -> [f64; 2] {
     let along = (gamma - 1.0) * aside * ahead[1];
     [along * ahead[0], aside + along * ahead[1]]

@@ -1,5 +1,5 @@
-//! What leaves the window, by the menu and by keys: each file is read back, each command is run. Dialogs of the system
-//! cannot be driven from here; paths are typed.
+//! What leaves the window, by the menu and by keys: each file is read back, each command is run. Dialogs of
+//! the system cannot be driven from here; paths are typed.
 
 use std::path::{Path, PathBuf};
 use std::process::Command as Program;

@@ -1,4 +1,5 @@
-//! The slide in the views: the rapidity ruler, the panorama, and what a resting outline needs to be in the picture.
+//! The slide in the views: the rapidity ruler, the panorama, and what a resting outline needs to be in the
+//! picture.
 
 use eframe::egui::Key;
 use egui_kittest::kittest::Queryable as _;

@@ -1,5 +1,5 @@
-//! The map's spacetime face: its marks are where the core says, in both frames; the present that is dragged; what is
-//! said of an event.
+//! The map's spacetime face: its marks are where the core says, in both frames; the present that is dragged;
+//! what is said of an event.
 
 use eframe::egui::{Modifiers, Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;

@@ -1,4 +1,5 @@
-//! The window as the screen of a stereoscope: pictures as far apart as the lenses, a head that turns, and a screen measured by a card.
+//! The window as the screen of a stereoscope: pictures as far apart as the lenses, a head that turns, and a
+//! screen measured by a card.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Rect, ViewportId, pos2, vec2};

@@ -19,8 +19,8 @@ use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
 
 use super::device;
 
-/// What is shown in `state` is what its file gives back: nothing the user did has set a value that the judges of settings
-/// refuse. All that follows from it is a number.
+/// What is shown in `state` is what its file gives back: nothing the user did has set a value that the judges
+/// of settings refuse. All that follows from it is a number.
 pub fn assert_sane(state: &State) {
     let shown = state.shown();
     let text = shown.to_toml();
@@ -73,14 +73,16 @@ pub fn builder(size: [f32; 2]) -> HarnessBuilder<App> {
         .with_render_cursor(false)
 }
 
-/// A window of this `size` whose views stay empty, for tests of the texts around them: pictures take most of the time of a frame.
+/// A window of this `size` whose views stay empty, for tests of the texts around them: pictures take most of
+/// the time of a frame.
 pub fn window_without_pictures(state: State, size: [f32; 2]) -> Harness<'static, App> {
     let mut harness = builder(size).build_eframe(|cc| App::new(&cc.egui_ctx, None, state));
     harness.run_steps(3);
     harness
 }
 
-/// Returns the number of cases that a sweep tries: `some` usually, `all` where the environment has `GAMOW_SWEEPS=full`, as in the nightly checks.
+/// Returns the number of cases that a sweep tries: `some` usually, `all` where the environment has
+/// `GAMOW_SWEEPS=full`, as in the nightly checks.
 pub fn sweep([some, all]: [usize; 2]) -> usize {
     if std::env::var_os("GAMOW_SWEEPS").is_some_and(|value| value == "full") { all } else { some }
 }
@@ -180,7 +182,8 @@ impl Wakes {
     }
 }
 
-/// Steps the window until `is_done`, and sleeps between the frames, which take the processor from the work that they wait for.
+/// Steps the window until `is_done`, and sleeps between the frames, which take the processor from the work
+/// that they wait for.
 pub fn wait_for(
     window: &mut Harness<'_, App>,
     what: &str,
@@ -195,8 +198,8 @@ pub fn wait_for(
     }
 }
 
-/// Steps the window until no work is left in the background: in three frames together, since some begins in the frame
-/// after other work has ended.
+/// Steps the window until no work is left in the background: in three frames together, since some begins in
+/// the frame after other work has ended.
 pub fn settle(window: &mut Harness<'_, App>) {
     let mut still = 0;
     wait_for(window, "all work is done", |window| {

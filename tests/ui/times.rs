@@ -1,5 +1,5 @@
-//! Three times, in three units: what the window shows and takes, its marks of two times, its clocks, and what is under the
-//! pointer.
+//! Three times, in three units: what the window shows and takes, its marks of two times, its clocks, and what
+//! is under the pointer.
 
 use eframe::egui::{Rect, vec2};
 use egui_kittest::Harness;

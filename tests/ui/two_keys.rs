@@ -123,7 +123,8 @@ fn expected(state: &State) -> &'static [&'static str] {
     }
 }
 
-/// The words that an audience must read at the present place of the lesson, each as its beginning without formulas.
+/// The words that an audience must read at the present place of the lesson, each as its beginning without
+/// formulas.
 fn texts(state: &State) -> Vec<String> {
     let Some(course) = state.course() else { return Vec::new() };
     let Some(step) = course.step() else {

@@ -81,7 +81,8 @@ fn with_clicked(state: State, eye: Eye, word: &str) -> Harness<'static, App> {
     window
 }
 
-/// Where the marker of `point` is, the same body is seen, at the same place of it; how many of the eyes see it there.
+/// Where the marker of `point` is, the same body is seen, at the same place of it; how many of the eyes see
+/// it there.
 fn in_sight(state: &State, point: &Point) -> usize {
     let size = [480, 360];
     let seen = Eye::BOTH.into_iter().filter(|&eye| {
@@ -94,7 +95,8 @@ fn in_sight(state: &State, point: &Point) -> usize {
         let pixel = view.camera.pixel(direction).expect("in front");
         let (track, body) = state.point_at(eye, pixel, size).expect("it is hit");
         let off = DVec3::from(track.rest).distance(DVec3::from(point.track.rest));
-        // A pixel of the picture is some hundredths; on a slope the place along the line of sight is known as well as that.
+        // A pixel of the picture is some hundredths; on a slope the place along the line of sight is known as
+        // well as that.
         assert!(off < 1e-5, "{:?}: {off:e}", state.document.scene.name_of(hit.body));
         assert_eq!((Some(body), track.spin), (point.body, point.track.spin));
         true

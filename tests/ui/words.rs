@@ -1,4 +1,5 @@
-//! What stands below the views and in them: the wavelengths that arrive, the moment in a sentence, and why it is dark.
+//! What stands below the views and in them: the wavelengths that arrive, the moment in a sentence, and why it
+//! is dark.
 
 use clap::ValueEnum as _;
 use eframe::egui::{Rect, pos2};

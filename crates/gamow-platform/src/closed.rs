@@ -1,14 +1,15 @@
 //! Whether standard output leads anywhere.
 //!
-//! The language opens `/dev/null`, for reading and writing, in place of a standard stream that is closed at the start, so that
-//! all that is written there seems to succeed. Some programs open it in the same way to throw away what another says; a
-//! shell opens it for writing alone. So one that leads nowhere is remarked on, and is no failure.
+//! The language opens `/dev/null`, for reading and writing, in place of a standard stream that is closed at
+//! the start, so that all that is written there seems to succeed. Some programs open it in the same way to
+//! throw away what another says; a shell opens it for writing alone. So one that leads nowhere is remarked
+//! on, and is no failure.
 #![expect(clippy::disallowed_methods, reason = "what the system tells of a process is in files")]
 
 use std::path::Path;
 
-/// Whether standard output was closed when the program started, or is thrown away in the same way. Where the system does not
-/// tell, it was not.
+/// Whether standard output was closed when the program started, or is thrown away in the same way. Where the
+/// system does not tell, it was not.
 #[must_use]
 pub fn is_stdout_closed() -> bool {
     /// Bits that describe what a file is open for, and those of both.

@@ -1,12 +1,13 @@
-//! The environment of the program: its variables, arguments and standard input, the session that graphics libraries see, and the
-//! folder of the user's data.
+//! The environment of the program: its variables, arguments and standard input, the session that graphics
+//! libraries see, and the folder of the user's data.
 #![expect(clippy::disallowed_methods, reason = "this is where the environment is read")]
 
 use std::ffi::OsString;
 use std::io::Read;
 use std::path::PathBuf;
 
-/// Returns the environment's variable called `name`; `None` where it is not set, or empty. A browser has none.
+/// Returns the environment's variable called `name`; `None` where it is not set, or empty. A browser has
+/// none.
 #[must_use]
 pub fn variable(name: &str) -> Option<OsString> {
     std::env::var_os(name).filter(|value| !value.is_empty())
@@ -23,8 +24,9 @@ pub fn standard_input() -> impl Read {
     std::io::stdin().lock()
 }
 
-/// Returns the folder in which the program called `name` keeps data of its user: in `$XDG_DATA_HOME`, else `~/.local/share`; on macOS
-/// in `~/Library/Application Support`, on Windows in `%APPDATA%`. `None` if the user has no home.
+/// Returns the folder in which the program called `name` keeps data of its user: in `$XDG_DATA_HOME`, else
+/// `~/.local/share`; on macOS in `~/Library/Application Support`, on Windows in `%APPDATA%`. `None` if the
+/// user has no home.
 #[must_use]
 pub fn data_folder(name: &str) -> Option<PathBuf> {
     let home = |inside: &str| std::env::home_dir().map(|home| home.join(inside));
@@ -46,10 +48,10 @@ const SESSION_FOLDER: &str = "XDG_RUNTIME_DIR";
 #[cfg(unix)]
 const NO_FOLDER: &str = "/dev/null";
 
-/// Has graphics libraries find no session where there is none, in place of complaining of it on standard error: one of
-/// theirs looks for a display even where nothing is to be shown. The program starts once more, in this process and with
-/// the same arguments, since an environment cannot be changed safely once there may be threads. Where it cannot be
-/// started, it goes on as it is.
+/// Has graphics libraries find no session where there is none, in place of complaining of it on standard
+/// error: one of theirs looks for a display even where nothing is to be shown. The program starts once more,
+/// in this process and with the same arguments, since an environment cannot be changed safely once there may
+/// be threads. Where it cannot be started, it goes on as it is.
 pub fn settle_without_session() {
     #[cfg(unix)]
     if !names_a_folder(std::env::var_os(SESSION_FOLDER).as_deref()) {

@@ -16,8 +16,8 @@ static STATE: AtomicU8 = AtomicU8::new(ENDS);
 type Before = Box<dyn Fn() -> Box<dyn Any> + Send + Sync>;
 static BEFORE: OnceLock<Before> = OnceLock::new();
 
-/// Ends the program when it is interrupted, after `before`; what that gives is held until the end. Only the first call has
-/// an effect; where interrupts cannot be caught, they end the program as ever.
+/// Ends the program when it is interrupted, after `before`; what that gives is held until the end. Only the
+/// first call has an effect; where interrupts cannot be caught, they end the program as ever.
 pub fn end_after<T: 'static>(before: impl Fn() -> T + Send + Sync + 'static) {
     BEFORE.get_or_init(|| Box::new(move || Box::new(before())));
     catch();
@@ -37,8 +37,8 @@ fn catch() {
     });
 }
 
-/// While it is there, the first interrupt is noted, so that work can be ended with what is known. The second ends the
-/// program.
+/// While it is there, the first interrupt is noted, so that work can be ended with what is known. The second
+/// ends the program.
 #[derive(Debug)]
 pub struct Noted(());
 

@@ -1,7 +1,8 @@
-//! The last word: a message where a system library ends the program, as that of X11 does: it calls `exit` where its display is gone.
+//! The last word: a message where a system library ends the program, as that of X11 does: it calls `exit`
+//! where its display is gone.
 //!
-//! The system's C library then drops what the calling thread alone has, and with that the last word. One that does not (musl)
-//! leaves it unsaid.
+//! The system's C library then drops what the calling thread alone has, and with that the last word. One that
+//! does not (musl) leaves it unsaid.
 
 use std::cell::Cell;
 use std::marker::PhantomData;

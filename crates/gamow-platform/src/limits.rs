@@ -1,7 +1,7 @@
 //! Limits that the system sets.
 
-/// Has a file that grows beyond what the system allows (`ulimit -f`) fail to be written, as on a full disk, in place of
-/// ending the program at once. To be called before there are threads, which take it over.
+/// Has a file that grows beyond what the system allows (`ulimit -f`) fail to be written, as on a full disk,
+/// in place of ending the program at once. To be called before there are threads, which take it over.
 pub fn fail_beyond_file_size() {
     #[cfg(unix)]
     {

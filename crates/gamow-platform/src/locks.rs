@@ -1,5 +1,5 @@
-//! Locks on files, by which copies of the program that run at the same time know of each other. The system gives a lock back when
-//! its program ends, however it ends.
+//! Locks on files, by which copies of the program that run at the same time know of each other. The system
+//! gives a lock back when its program ends, however it ends.
 #![expect(clippy::disallowed_methods, reason = "locks are on files")]
 
 use std::fs::{File, OpenOptions, TryLockError};
@@ -10,8 +10,8 @@ use std::path::Path;
 #[derive(Debug)]
 pub struct Lock(#[expect(dead_code, reason = "the system ties the lock to the open file")] File);
 
-/// Takes the lock on the file at `path`, which is created if it is missing; `None` if another program holds it. The file system may
-/// have no locks: then everybody gets one.
+/// Takes the lock on the file at `path`, which is created if it is missing; `None` if another program holds
+/// it. The file system may have no locks: then everybody gets one.
 ///
 /// # Errors
 /// A file that cannot be opened.

@@ -3,8 +3,8 @@
 use std::fmt;
 use std::io::{self, StdoutLock, Write as _};
 
-/// `text` as messages quote it: on one line, with nothing in it that a terminal would obey. What is not fit to be shown
-/// stands as its escape.
+/// `text` as messages quote it: on one line, with nothing in it that a terminal would obey. What is not fit
+/// to be shown stands as its escape.
 #[must_use]
 pub fn shown(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());

@@ -1,6 +1,8 @@
-//! File names with a special meaning on Windows: a name alone can reach another computer, and wait for a device.
+//! File names with a special meaning on Windows: a name alone can reach another computer, and wait for a
+//! device.
 
-/// Returns whether Windows takes `name` for a device, whatever its ending and its folder: `nul.toml`, `C:\x\COM1 `.
+/// Returns whether Windows takes `name` for a device, whatever its ending and its folder: `nul.toml`,
+/// `C:\x\COM1 `.
 #[must_use]
 pub fn is_device(name: &str) -> bool {
     let name = name.rsplit(['\\', '/']).next().unwrap_or_default();
@@ -15,8 +17,9 @@ pub fn is_device(name: &str) -> bool {
     matches!(stem.as_str(), "CON" | "PRN" | "AUX" | "NUL" | "CONIN$" | "CONOUT$") || numbered(&stem)
 }
 
-/// Returns whether Windows looks for `name` on another computer, which then knows the asker, or among the devices. Of the names that
-/// begin with two separators only those of a drive do not lead there: `\\?\C:\a.toml`.
+/// Returns whether Windows looks for `name` on another computer, which then knows the asker, or among the
+/// devices. Of the names that begin with two separators only those of a drive do not lead there:
+/// `\\?\C:\a.toml`.
 #[must_use]
 pub fn is_elsewhere(name: &str) -> bool {
     let name = name.replace('/', "\\");

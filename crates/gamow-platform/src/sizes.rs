@@ -12,8 +12,8 @@ pub const CHOICES: usize = 20;
 pub const PASSAGE_BYTES: usize = 8 << 10;
 /// Maximum size of all questions and choices in a lesson, bytes: they are stored with the answers.
 pub const QUESTION_BYTES: usize = 12 << 10;
-/// Maximum nesting depth of quotes, lists and emphasis in a lesson's Markdown. The parsers of TOML (80), formulas (32)
-/// and JSON (128) have limits of their own.
+/// Maximum nesting depth of quotes, lists and emphasis in a lesson's Markdown. The parsers of TOML (80),
+/// formulas (32) and JSON (128) have limits of their own.
 pub const NESTED: usize = 16;
 /// Maximum number of formulas in the text that a lesson shows at one time.
 pub const FORMULAS: usize = 100;
@@ -37,7 +37,8 @@ pub const ROW_BYTES: u64 = 1 << 20;
 pub const FITTED_ROWS: usize = 1_000_000;
 /// Greatest number of pixels of a picture that is read, as of 16384x16384. In memory each takes 8 bytes.
 pub const PICTURE_PIXELS: u64 = 1 << 28;
-/// Greatest number of values of measurements that are read, pixels times channels. In memory each takes 4 bytes.
+/// Greatest number of values of measurements that are read, pixels times channels. In memory each takes 4
+/// bytes.
 pub const MEASURED_VALUES: u64 = 1 << 29;
 
 /// Whether `name` is longer than [`NAME_LETTERS`], without counting all of it.

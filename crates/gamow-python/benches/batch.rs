@@ -1,9 +1,10 @@
-//! Time of a million points by the batch forms that the Python package calls, without Python: `batch.py` sets both beside each
-//! other.
+//! Time of a million points by the batch forms that the Python package calls, without Python: `batch.py` sets
+//! both beside each other.
 //!
-//! `cargo bench -p gamow-python --bench batch`. Prints milliseconds of processor time on all threads, the best of several: the
-//! disparities of one point at a million times by the core, the same by the columns of the program, and everything that both eyes see. Other programs on the machine change
-//! processor time least. It is Linux that tells it; elsewhere this needs a clock of its own.
+//! `cargo bench -p gamow-python --bench batch`. Prints milliseconds of processor time on all threads, the
+//! best of several: the disparities of one point at a million times by the core, the same by the columns of
+//! the program, and everything that both eyes see. Other programs on the machine change processor time least.
+//! It is Linux that tells it; elsewhere this needs a clock of its own.
 
 use std::fs;
 use std::hint::black_box;
@@ -49,7 +50,8 @@ fn disparities(times: &[f64]) -> impl FnMut() {
     let [mut dphi, mut dtheta] = [(); 2].map(|()| vec![0.0; ROWS]);
     move || {
         let out = DisparityColumns { dphi: &mut dphi, dtheta: &mut dtheta };
-        // Unknown to the compiler, as they are to the program: it would work out beforehand what constants decide.
+        // Unknown to the compiler, as they are to the program: it would work out beforehand what constants
+        // decide.
         let (speed, point, pair) = black_box((&speed, point, Aperture::pair(0.1)));
         disparities_over_time(speed, point, pair, times, out, Threads::All).expect("inside the domain");
         black_box((&dphi, &dtheta));

@@ -108,7 +108,8 @@ fn floats<'py>(
     Ok(array.cast_into::<PyArrayDyn<f64>>()?)
 }
 
-/// The shape to which all `arrays` are broadcast, by NumPy's rule: sides are aligned at their ends, and one of 1 goes with any.
+/// The shape to which all `arrays` are broadcast, by NumPy's rule: sides are aligned at their ends, and one
+/// of 1 goes with any.
 fn common_shape(names: &[String], arrays: &[Bound<'_, PyArrayDyn<f64>>]) -> PyResult<Vec<usize>> {
     let mut shape: Vec<usize> = Vec::new(); // from its end
     let mut owners: Vec<usize> = Vec::new();
@@ -177,7 +178,8 @@ pub fn results<'py>(
     names.iter().map(result).collect()
 }
 
-/// Returns a dictionary of the filled arrays by their names; of their numbers where the shape is that of a scalar.
+/// Returns a dictionary of the filled arrays by their names; of their numbers where the shape is that of a
+/// scalar.
 pub fn dictionary<'py>(
     py: Python<'py>,
     names: &[&'static str],

@@ -10,8 +10,8 @@ use pyo3::types::{PyBool, PyDict, PyInt, PyString};
 
 use crate::errors::value_error;
 
-/// Parses `keywords` as flags of the command whose flags are `A`, followed by `more` of its words. Flags that only a command line
-/// needs are `hidden`.
+/// Parses `keywords` as flags of the command whose flags are `A`, followed by `more` of its words. Flags that
+/// only a command line needs are `hidden`.
 ///
 /// # Errors
 ///
@@ -52,7 +52,8 @@ fn wrong(keyword: &str, right: &str) -> PyErr {
     value_error(format_args!("{keyword}: must be {right}"))
 }
 
-/// Writes a value in the spelling of a flag: a number by the shortest digits that read back to it, a list with commas.
+/// Writes a value in the spelling of a flag: a number by the shortest digits that read back to it, a list
+/// with commas.
 fn text(keyword: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
     if let Some(text) = word(keyword, value)? {
         return Ok(text);

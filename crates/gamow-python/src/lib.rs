@@ -1,7 +1,8 @@
 //! The Python package `gamow`: the numbers and pictures of the commands, in NumPy arrays.
 //!
-//! Functions are called by keywords that have the names of the commands' columns and flags, and give what the commands write: the
-//! same numbers, bit for bit. Whatever the commands refuse is a `ValueError` with the same line. The stubs in `python/gamow` are the reference.
+//! Functions are called by keywords that have the names of the commands' columns and flags, and give what the
+//! commands write: the same numbers, bit for bit. Whatever the commands refuse is a `ValueError` with the
+//! same line. The stubs in `python/gamow` are the reference.
 #![expect(
     clippy::doc_markdown,
     reason = "comments become texts of Python, where backticks mean something else"

@@ -19,10 +19,11 @@ use crate::state::State;
 
 /// The picture of a state, as `gamow render` draws it.
 ///
-/// state and the further keywords are those of `gamow.State`. Returns an array of shape (height, width, 3) of 8-bit sRGB: the
-/// pixels of the command's PNG file; of pictures that alternate, (count, height, width, 3). With channels=True, what every pixel shows,
-/// a dict of arrays of shape (height, width) of 32-bit floats by the names of the command's EXR channels: left.id, right.id,
-/// left.distance, left.emission_time, left.doppler and so on.
+/// state and the further keywords are those of `gamow.State`. Returns an array of shape (height, width, 3) of
+/// 8-bit sRGB: the pixels of the command's PNG file; of pictures that alternate, (count, height, width, 3).
+/// With channels=True, what every pixel shows, a dict of arrays of shape (height, width) of 32-bit floats by
+/// the names of the command's EXR channels: left.id, right.id, left.distance, left.emission_time,
+/// left.doppler and so on.
 ///
 /// The interpreter's lock is released. renderer='reference' draws the same on every machine.
 #[pyfunction]
@@ -39,11 +40,13 @@ pub fn render<'py>(
     state.call_method("render", (), Some(&keywords))
 }
 
-/// Angles of a point or a body, measured in pictures as `gamow measure` does: a dict of arrays that `gamow.fit` takes.
+/// Angles of a point or a body, measured in pictures as `gamow measure` does: a dict of arrays that
+/// `gamow.fit` takes.
 ///
-/// source is a file by `gamow render` (.exr; .png for a marker), a folder of such files, or a list of these; or a State, which is
-/// drawn at each T in times. The keywords are the command's flags: one of point=(x, y, z), object=name and marker='ff0000'; of
-/// photographs times, d, fov, gaze, projection, layout, roll and turn. Returns T, d, phi_left and so on, radians.
+/// source is a file by `gamow render` (.exr; .png for a marker), a folder of such files, or a list of these;
+/// or a State, which is drawn at each T in times. The keywords are the command's flags: one of point=(x, y,
+/// z), object=name and marker='ff0000'; of photographs times, d, fov, gaze, projection, layout, roll and
+/// turn. Returns T, d, phi_left and so on, radians.
 ///
 /// Remarks of the command are warnings.
 #[pyfunction]

@@ -15,17 +15,19 @@ use crate::flags::parsed;
 
 /// Computes what both eyes see of points: the columns of `gamow eval`.
 ///
-/// Every keyword is a number or an array; they are broadcast together as NumPy does. c = 1, lengths and times share one
-/// unit, angles are radians. Speeds: one of beta, gamma, rapidity. d: separation of the eyes. y, z: depth and height. T: when the
-/// light arrives. x0: the point's x at t = 0. roll, turn: tilt and turn of the head. wheel_radius, rho, angle: a point on a
-/// rolling wheel, whose hub x0, y and z then are. observer_beta (or observer_gamma, observer_rapidity), observer_azimuth,
-/// observer_elevation, observer_x, observer_y, observer_z: how the eyes move.
+/// Every keyword is a number or an array; they are broadcast together as NumPy does. c = 1, lengths and times
+/// share one unit, angles are radians. Speeds: one of beta, gamma, rapidity. d: separation of the eyes. y, z:
+/// depth and height. T: when the light arrives. x0: the point's x at t = 0. roll, turn: tilt and turn of the
+/// head. wheel_radius, rho, angle: a point on a rolling wheel, whose hub x0, y and z then are. observer_beta
+/// (or observer_gamma, observer_rapidity), observer_azimuth, observer_elevation, observer_x, observer_y,
+/// observer_z: how the eyes move.
 ///
-/// model is 'exact', 'one-cone', 'published' or 'published-text'; intensity_exponent a number, 'surface', 'photons' or
-/// 'paper'. conformal adds u and v. out is a dict of arrays to fill, such as an earlier result.
+/// model is 'exact', 'one-cone', 'published' or 'published-text'; intensity_exponent a number, 'surface',
+/// 'photons' or 'paper'. conformal adds u and v. out is a dict of arrays to fill, such as an earlier result.
 ///
-/// Returns a dict of arrays of the common shape: x_left, x_right, t_left and so on. A value out of range is a ValueError that
-/// names its column and its index. Source: docs/commands.md; the exact model is that of the crate relativity-core.
+/// Returns a dict of arrays of the common shape: x_left, x_right, t_left and so on. A value out of range is a
+/// ValueError that names its column and its index. Source: docs/commands.md; the exact model is that of the
+/// crate relativity-core.
 #[pyfunction]
 #[pyo3(signature = (*, model = "exact", intensity_exponent = None, conformal = false, out = None, **columns))]
 pub fn sightings<'py>(
@@ -42,7 +44,8 @@ pub fn sightings<'py>(
 
 /// Computes the disparities of points, left minus right: dphi and dtheta, radians.
 ///
-/// The keywords are those of `sightings`. Where nothing but T is an array, the batch form of the core is used.
+/// The keywords are those of `sightings`. Where nothing but T is an array, the batch form of the core is
+/// used.
 #[pyfunction]
 #[pyo3(signature = (*, model = "exact", out = None, **columns))]
 pub fn disparity<'py>(
@@ -54,10 +57,12 @@ pub fn disparity<'py>(
     filled(py, WantedColumns::Disparity, model_of(model, None)?, out, columns)
 }
 
-/// Computes where two eyes take points to be: the columns stereo_gain, stereo_x, stereo_y and stereo_z of `gamow eval --stereo`.
+/// Computes where two eyes take points to be: the columns stereo_gain, stereo_x, stereo_y and stereo_z of
+/// `gamow eval --stereo`.
 ///
-/// The keywords are those of `sightings`. A tilted or turned head, a wheel or a moving observer adds stereo_miss, the distance
-/// at which the lines of sight pass each other. Values are NaN where these do not meet in front of the eyes.
+/// The keywords are those of `sightings`. A tilted or turned head, a wheel or a moving observer adds
+/// stereo_miss, the distance at which the lines of sight pass each other. Values are NaN where these do not
+/// meet in front of the eyes.
 #[pyfunction]
 #[pyo3(signature = (*, model = "exact", out = None, **columns))]
 pub fn stereo<'py>(
@@ -69,10 +74,12 @@ pub fn stereo<'py>(
     filled(py, WantedColumns::Stereo, model_of(model, None)?, out, columns)
 }
 
-/// Computes what both eyes see of one point over a range of times: the columns of `gamow curve`, whose flags are the keywords.
+/// Computes what both eyes see of one point over a range of times: the columns of `gamow curve`, whose flags
+/// are the keywords.
 ///
-/// Such as beta, d, y, z, x0, from_, to, samples, stereo, conformal, model; wheel_radius, rho, angle; observer_beta. As on the
-/// command line roll, turn, observer_azimuth and observer_elevation are degrees here. Returns a dict of arrays.
+/// Such as beta, d, y, z, x0, from_, to, samples, stereo, conformal, model; wheel_radius, rho, angle;
+/// observer_beta. As on the command line roll, turn, observer_azimuth and observer_elevation are degrees
+/// here. Returns a dict of arrays.
 #[pyfunction]
 #[pyo3(signature = (**flags))]
 pub fn curve<'py>(py: Python<'py>, flags: Option<&Bound<'py, PyDict>>) -> PyResult<Bound<'py, PyDict>> {

@@ -16,14 +16,16 @@ use crate::arrays::Columns;
 use crate::errors::{of_command, value_error};
 use crate::flags::parsed;
 
-/// Fits speed and distance of a point to the disparities that two eyes measured: what `gamow fit --json` writes, as a dict.
+/// Fits speed and distance of a point to the disparities that two eyes measured: what `gamow fit --json`
+/// writes, as a dict.
 ///
-/// data is the path of a CSV file, or a dict (or a table such as a pandas DataFrame) of arrays with the columns of one: T; dphi,
-/// dtheta or both (left minus right, radians; NaN where there is no reading); optionally sigma_dphi, sigma_dtheta, d, roll, turn.
-/// The keywords are the command's flags: d, roll and turn (degrees), model, use, bootstrap (replicates), seed, x0, fit_x0, riding,
-/// wheel_radius, rho, angle.
+/// data is the path of a CSV file, or a dict (or a table such as a pandas DataFrame) of arrays with the
+/// columns of one: T; dphi, dtheta or both (left minus right, radians; NaN where there is no reading);
+/// optionally sigma_dphi, sigma_dtheta, d, roll, turn. The keywords are the command's flags: d, roll and turn
+/// (degrees), model, use, bootstrap (replicates), seed, x0, fit_x0, riding, wheel_radius, rho, angle.
 ///
-/// The interpreter's lock is released; Ctrl-C ends it with a KeyboardInterrupt. What the data cannot tell is a ValueError.
+/// The interpreter's lock is released; Ctrl-C ends it with a KeyboardInterrupt. What the data cannot tell is
+/// a ValueError.
 #[pyfunction]
 #[pyo3(signature = (data, /, **flags))]
 pub fn fit<'py>(
@@ -58,7 +60,8 @@ pub fn fit<'py>(
 /// The columns that a fit reads.
 const READ: [&str; 9] = ["T", "clock", "dphi", "dtheta", "sigma_dphi", "sigma_dtheta", "d", "roll", "turn"];
 
-/// The columns in `data` as a CSV file: its first row has the names, so that row n of an array, from 0, is line n + 2.
+/// The columns in `data` as a CSV file: its first row has the names, so that row n of an array, from 0, is
+/// line n + 2.
 fn csv_of(data: &Bound<'_, PyAny>) -> PyResult<Vec<u8>> {
     let no_table = |_| value_error("data: must be the path of a CSV file, or a dict of arrays by column");
     let names = data.call_method0("keys").and_then(|keys| keys.try_iter()).map_err(no_table)?;

@@ -15,9 +15,9 @@ use crate::tables;
 /// A scene: the bodies that ride past, their names, and the groups in which they move.
 ///
 /// source is the name of a preset ('cyclist'), the path of a scene file, TOML text, or a dict as in TOML:
-/// {'name': 'Ball', 'object': [{'shape': 'sphere', 'centre': (0, 3, 2), 'radius': 0.5}]}. Without it, the street. State(scene=scene)
-/// shows it; one from text or a dict must be saved before. Lengths are in the scene's unit, places in the rest frame of their
-/// group. assets/scenes/README.md describes the format.
+/// {'name': 'Ball', 'object': [{'shape': 'sphere', 'centre': (0, 3, 2), 'radius': 0.5}]}. Without it, the
+/// street. State(scene=scene) shows it; one from text or a dict must be saved before. Lengths are in the
+/// scene's unit, places in the rest frame of their group. assets/scenes/README.md describes the format.
 #[pyclass(frozen, eq, module = "gamow")]
 #[derive(PartialEq)]
 pub struct Scene {
@@ -65,15 +65,16 @@ impl Scene {
         self.scene.names.clone()
     }
 
-    /// The groups in the order of the channels left.group and right.group: the name of each, and the numbers of its bodies.
+    /// The groups in the order of the channels left.group and right.group: the name of each, and the numbers
+    /// of its bodies.
     #[getter]
     fn groups(&self) -> Vec<(String, Vec<usize>)> {
         let groups = self.scene.groups.iter();
         groups.map(|group| (group.name.clone(), group.bodies().collect())).collect()
     }
 
-    /// The place (x, y, z) of a point at rest in the frame of its group: the forward-most of the body of this name or number; the
-    /// point that is selected at first, without one. On the ground x0 is x/gamma.
+    /// The place (x, y, z) of a point at rest in the frame of its group: the forward-most of the body of this
+    /// name or number; the point that is selected at first, without one. On the ground x0 is x/gamma.
     #[pyo3(signature = (object = None, /))]
     fn place(&self, object: Option<&Bound<'_, PyAny>>) -> PyResult<[f64; 3]> {
         let Some(object) = object else { return Ok(self.scene.tracked) };
@@ -82,7 +83,8 @@ impl Scene {
         Ok(self.scene.bodies[body].shape.forward_most().into())
     }
 
-    /// Writes a scene from text or a dict as a scene file, whole or not at all, and returns the scene in that file.
+    /// Writes a scene from text or a dict as a scene file, whole or not at all, and returns the scene in that
+    /// file.
     fn save(&self, path: PathBuf) -> PyResult<Self> {
         let SceneSource::Text(text) = &self.source else {
             return Err(value_error(

@@ -11,12 +11,13 @@ use crate::errors::{of_command, value_error};
 use crate::flags::parsed;
 use crate::{drawing, tables};
 
-/// The state of the program: everything that decides what a picture shows. In a notebook it shows its picture.
+/// The state of the program: everything that decides what a picture shows. In a notebook it shows its
+/// picture.
 ///
-/// source is the name of a preset, the path of a state file (.toml) or of a picture (.png) or measurements (.exr) by `gamow
-/// render`, a link (gamow:?...), TOML text, a dict of settings as in TOML, or another State; without it, the defaults. The
-/// keywords are the flags of `gamow render`, on top: State('street', beta=0.6, size='640x480'). Lengths share one unit with times
-/// (c = 1), angles are degrees.
+/// source is the name of a preset, the path of a state file (.toml) or of a picture (.png) or measurements
+/// (.exr) by `gamow render`, a link (gamow:?...), TOML text, a dict of settings as in TOML, or another State;
+/// without it, the defaults. The keywords are the flags of `gamow render`, on top: State('street', beta=0.6,
+/// size='640x480'). Lengths share one unit with times (c = 1), angles are degrees.
 #[pyclass(frozen, eq, module = "gamow")]
 #[derive(Clone, PartialEq)]
 pub struct State {
@@ -60,7 +61,8 @@ impl State {
         self.settings.link().map_err(value_error)
     }
 
-    /// The picture, an array of shape (height, width, 3) of 8-bit sRGB; with channels, the measurements: see `gamow.render`.
+    /// The picture, an array of shape (height, width, 3) of 8-bit sRGB; with channels, the measurements: see
+    /// `gamow.render`.
     #[pyo3(signature = (*, channels = false))]
     fn render<'py>(&self, py: Python<'py>, channels: bool) -> PyResult<Bound<'py, PyAny>> {
         if channels {

@@ -6,8 +6,8 @@
 //!
 //! # Accuracy
 //!
-//! As [`crate::sighting`], for the direction of the vector given. Measured (`tests/oracle`, 15,000 directions,
-//! uniform and close to the axis): median 0.1, 99 % 2.2, worst 4.3 units.
+//! As [`crate::sighting`], for the direction of the vector given. Measured (`tests/oracle`, 15,000
+//! directions, uniform and close to the axis): median 0.1, 99 % 2.2, worst 4.3 units.
 
 use crate::speed::Speed;
 

@@ -25,10 +25,10 @@ pub struct Sighting {
     pub distance: f64,
     /// Retarded time t = T - R: when the light was emitted.
     pub retarded_time: f64,
-    /// tau = gamma (t - beta x) = t/gamma - beta gamma x0 of the event of emission, x from the ground's origin: what
-    /// the clock there shows that moves with the point, if all clocks of its rest frame are set alike in that frame
-    /// and the one at the origin shows 0 at t = 0. So two clocks that are not abreast differ at one ground time. As
-    /// seen, it runs at D.
+    /// tau = gamma (t - beta x) = t/gamma - beta gamma x0 of the event of emission, x from the ground's
+    /// origin: what the clock there shows that moves with the point, if all clocks of its rest frame are set
+    /// alike in that frame and the one at the origin shows 0 at t = 0. So two clocks that are not abreast
+    /// differ at one ground time. As seen, it runs at D.
     pub proper_time: f64,
     /// Doppler factor D = received / rest frequency.
     pub doppler_factor: f64,
@@ -61,8 +61,8 @@ impl Sighting {
 /// # Accuracy
 ///
 /// Every quantity is within [`crate::MAX_ERROR_UNITS`] units of `2^-53 (|f| + sum |x_i df/dx_i|)`, the `x_i`
-/// being the inputs. Measured (`tests/oracle`, 15,000 inputs drawn towards trouble): X, t, tau, R, D, phi and theta
-/// median 0.2, 99 % 1.5, worst 3 units.
+/// being the inputs. Measured (`tests/oracle`, 15,000 inputs drawn towards trouble): X, t, tau, R, D, phi and
+/// theta median 0.2, 99 % 1.5, worst 3 units.
 ///
 /// # Errors
 ///
@@ -179,8 +179,8 @@ impl<F: Float> LightCone<F> {
 
     /// In the rest frame the light arrives at gamma (T - beta a), from gamma q away.
     ///
-    /// For a point far past the aperture that cancels at high speed. There q = S + (rho/gamma)^2/(q + S) leaves 1 - beta
-    /// as a factor of what has come far, T + a.
+    /// For a point far past the aperture that cancels at high speed. There q = S + (rho/gamma)^2/(q + S)
+    /// leaves 1 - beta as a factor of what has come far, T + a.
     pub fn proper_time(&self, coefficients: &Coefficients<F>, x0: F, a: F, time: F) -> F {
         let &Coefficients { beta, gamma, one_minus_beta, inverse_gamma_squared, .. } = coefficients;
         let (s, q) = (self.s, self.solution.q);
@@ -213,9 +213,9 @@ impl<F: Float> Coefficients<F> {
     /// 1 - beta^2 c^2 = (1 + beta^2 rho^2/q^2)/gamma^2 gives D as a quotient of sums of positive terms.
     /// R = gamma q D in either case.
     ///
-    /// X = S - beta R is a sum of negative terms for S <= 0. For S > 0 it is (S^2 - beta^2 rho^2)/(S + beta q);
-    /// where that cancels, S^2 rounds by no more than the roundings of S and rho that X depends on there. The
-    /// squares are at hand, while factors of their difference would need the root of rho^2.
+    /// X = S - beta R is a sum of negative terms for S <= 0. For S > 0 it is (S^2 - beta^2 rho^2)/(S + beta
+    /// q); where that cancels, S^2 rounds by no more than the roundings of S and rho that X depends on there.
+    /// The squares are at hand, while factors of their difference would need the root of rho^2.
     #[inline(always)]
     #[expect(
         clippy::inline_always,

@@ -34,8 +34,8 @@ impl Baseline {
         Self { separation, roll: 0.0, turn: 0.0 }
     }
 
-    /// Returns the direction of the baseline, a unit vector: (cos roll cos turn, cos roll sin turn, sin roll). What rounding leaves of 0 at a
-    /// multiple of a quarter turn is 0.
+    /// Returns the direction of the baseline, a unit vector: (cos roll cos turn, cos roll sin turn, sin
+    /// roll). What rounding leaves of 0 at a multiple of a quarter turn is 0.
     #[must_use]
     pub fn direction(&self) -> [f64; 3] {
         let ([sin_roll, cos_roll], [sin_turn, cos_turn]) =
@@ -62,15 +62,15 @@ impl Baseline {
         [y, z] == [0.0; 2]
     }
 
-    /// The apertures, but those that are in one place a hair apart: what two eyes make of a point has a limit there, which
-    /// depends on the direction. (The pair along x stands for its limit itself.)
+    /// The apertures, but those that are in one place a hair apart: what two eyes make of a point has a limit
+    /// there, which depends on the direction. (The pair along x stands for its limit itself.)
     #[must_use]
     pub fn apertures_or_limit(&self) -> [Aperture; 2] {
         if self.is_along_motion() { self.apertures() } else { self.apart().apertures() }
     }
 
-    /// Returns the apertures of which a stereo position is found, for an observer who `moves` or rests. While the observer moves, no pair in
-    /// one place stands for its limit.
+    /// Returns the apertures of which a stereo position is found, for an observer who `moves` or rests. While
+    /// the observer moves, no pair in one place stands for its limit.
     #[must_use]
     pub fn stereo_apertures(&self, moves: bool) -> [Aperture; 2] {
         if moves { self.apart().apertures() } else { self.apertures_or_limit() }

@@ -1,7 +1,7 @@
 //! Sightings and disparities over slices: of many points at one time, and of one point at many times.
 //!
-//! They compute the same solution as the scalar functions, in f64 or f32, on one thread or on all. Plain loops
-//! without branches, which the compiler vectorises.
+//! They compute the same solution as the scalar functions, in f64 or f32, on one thread or on all. Plain
+//! loops without branches, which the compiler vectorises.
 
 use crate::aperture::Aperture;
 use crate::apparent::{LightCone, rounded};
@@ -142,8 +142,8 @@ pub fn sightings_of_points<F: Real>(
 ///
 /// # Accuracy
 ///
-/// As [`crate::disparity()`], with the unit of f32 (2^-24) for f32. The point and the apertures are rounded to
-/// `F` first.
+/// As [`crate::disparity()`], with the unit of f32 (2^-24) for f32. The point and the apertures are rounded
+/// to `F` first.
 ///
 /// # Errors
 ///
@@ -176,7 +176,8 @@ struct PointBatch<F> {
 }
 
 impl<F: Real> PointBatch<F> {
-    /// Fills the columns `[apparent_x, retarded_time, doppler_factor]`; whether all points are inside the domain.
+    /// Fills the columns `[apparent_x, retarded_time, doppler_factor]`; whether all points are inside the
+    /// domain.
     fn points(&self, time: F, inputs: [&[F]; 3], outputs: [&mut [F]; 3]) -> bool {
         pulp::Arch::new().dispatch(
             #[inline(always)]

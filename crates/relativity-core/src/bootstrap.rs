@@ -24,14 +24,15 @@ const TOLERANCE: f64 = 1e-2;
 /// Step, in units of the parameters themselves, below which a refit also ends: data without noise leave
 /// nothing but rounding to step towards.
 const SMALLEST_STEP: f64 = 1e-12;
-/// Evaluations of the whole curve that a replicate gets: far more than the few steps that lead there from near.
+/// Evaluations of the whole curve that a replicate gets: far more than the few steps that lead there from
+/// near.
 const MAX_EVALUATIONS: usize = 30;
-/// Damping of the first step after one that failed, in units of the diagonal that it adds to: little, as a minimum
-/// is near. And the damping at which no step can be told from none.
+/// Damping of the first step after one that failed, in units of the diagonal that it adds to: little, as a
+/// minimum is near. And the damping at which no step can be told from none.
 const FIRST_DAMPING: f64 = 1e-3;
 const LAST_DAMPING: f64 = 1e12;
-/// Share of replicates that may have no fit: as much as a 95 % interval leaves outside, so that its ends could be
-/// anywhere if more were missing.
+/// Share of replicates that may have no fit: as much as a 95 % interval leaves outside, so that its ends
+/// could be anywhere if more were missing.
 const MAX_FAILED_SHARE: f64 = 0.05;
 
 /// A bootstrap: refits of resampled data.
@@ -42,8 +43,8 @@ pub struct Bootstrap {
 }
 
 impl Bootstrap {
-    /// Draws `more` further replicates of `fit`, as [`bootstrap`] does. Drawing all at once or in parts with the same `seed` gives
-    /// the same replicates.
+    /// Draws `more` further replicates of `fit`, as [`bootstrap`] does. Drawing all at once or in parts with
+    /// the same `seed` gives the same replicates.
     pub fn extend(&mut self, fit: &Fit, more: usize, seed: u64) {
         self.estimates.extend(estimates(fit, self.estimates.len(), more, seed));
     }

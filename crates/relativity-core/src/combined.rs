@@ -1,8 +1,8 @@
 //! The azimuthal and the polar fit taken together: their weighted mean, with their correlation.
 //!
-//! The paper weighs each fit by the inverse square of its uncertainty. Both fits come from the same
-//! samples, so their errors are correlated; the covariance of the two estimates over common bootstrap replicates
-//! says how much. A joint fit ([`crate::fit::Curves::Both`]) uses the same data better.
+//! The paper weighs each fit by the inverse square of its uncertainty. Both fits come from the same samples,
+//! so their errors are correlated; the covariance of the two estimates over common bootstrap replicates says
+//! how much. A joint fit ([`crate::fit::Curves::Both`]) uses the same data better.
 
 use crate::bootstrap::{Bootstrap, covariance, percentiles_95};
 use crate::fit::{Fit, NOISE_FREE_ERROR, Parameter};
@@ -20,15 +20,15 @@ pub struct Combined {
     pub correlation: f64,
     /// Weight of the azimuthal estimate, 0 to 1.
     pub azimuth_weight: f64,
-    /// By how many of its own standard errors the difference of both estimates is off 0; 0 where it is no more than
-    /// the accuracy of a fit, [`NOISE_FREE_ERROR`].
+    /// By how many of its own standard errors the difference of both estimates is off 0; 0 where it is no
+    /// more than the accuracy of a fit, [`NOISE_FREE_ERROR`].
     pub disagreement: f64,
 }
 
 /// The weighted mean of two fits of `parameter`.
 ///
-/// Both bootstraps must have drawn the same samples: same observations, seed and number of replicates. Where the azimuthal fit knows
-/// z but for its sign, it takes that of the polar fit.
+/// Both bootstraps must have drawn the same samples: same observations, seed and number of replicates. Where
+/// the azimuthal fit knows z but for its sign, it takes that of the polar fit.
 ///
 /// # Examples
 ///

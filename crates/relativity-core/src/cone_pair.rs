@@ -1,8 +1,8 @@
 //! The differences between two light cones of one point, formed without subtracting one view from the other.
 //!
 //! Two things would spoil a plain difference. Small separations cancel; so the difference of the two X comes
-//! from a formula of its own. And where a disparity is extreme or zero, it does not depend on the time to first
-//! order, but each view alone does; so both views must carry the *same* rounding errors of S and X.
+//! from a formula of its own. And where a disparity is extreme or zero, it does not depend on the time to
+//! first order, but each view alone does; so both views must carry the *same* rounding errors of S and X.
 
 use crate::aperture::Aperture;
 use crate::apparent::{LightCone, rounded};
@@ -182,7 +182,8 @@ impl<F: Elementary> ConePair<F> {
         if self.gain().is_some() { half(self.apparent_xs().sum) } else { F::zero() }
     }
 
-    /// Both lines of sight, from apertures between which the point is at `y` and `z`; none for a point inside both apertures.
+    /// Both lines of sight, from apertures between which the point is at `y` and `z`; none for a point inside
+    /// both apertures.
     pub fn lines_of_sight(&self, y: F, z: F) -> Option<SightPair<F>> {
         let Self { left, right, offset, .. } = self;
         let sum_q = left.solution.q + right.solution.q;
@@ -206,8 +207,8 @@ impl<F: Elementary> ConePair<F> {
         })
     }
 
-    /// [`Self::cross_with_x`] from the means of u and v over both apertures, which come with them: where the point is
-    /// between the apertures the coordinates from each are known less well.
+    /// [`Self::cross_with_x`] from the means of u and v over both apertures, which come with them: where the
+    /// point is between the apertures the coordinates from each are known less well.
     fn mean_cross_with_x(
         &self,
         x: &ApparentXs<F>,
@@ -272,11 +273,12 @@ pub(crate) struct SightPair<F> {
     pub difference: [F; 3],
     /// `P_l` x `P_r`, across both.
     pub normal: [F; 3],
-    /// By how much more they differ than the apertures' places do, which is all that sets them apart from two lines to one
-    /// resting point: by how far the source moved between the two emissions.
+    /// By how much more they differ than the apertures' places do, which is all that sets them apart from two
+    /// lines to one resting point: by how far the source moved between the two emissions.
     ///
-    /// Of a point that does not turn that is -beta (`R_l` - `R_r`) along x. Since `R_l^2` - `R_r^2` is the product of the
-    /// sum of both lines with their difference, `R_l` - `R_r` is that of their sum with the baseline over `q_l` + `q_r`.
+    /// Of a point that does not turn that is -beta (`R_l` - `R_r`) along x. Since `R_l^2` - `R_r^2` is the
+    /// product of the sum of both lines with their difference, `R_l` - `R_r` is that of their sum with the
+    /// baseline over `q_l` + `q_r`.
     pub excess: [F; 3],
 }
 

@@ -1,4 +1,5 @@
-//! Conformal coordinates of lines of sight: Mercator's projection of the sky, with its poles at the ends of the baseline.
+//! Conformal coordinates of lines of sight: Mercator's projection of the sky, with its poles at the ends of
+//! the baseline.
 //!
 //! With the axes of the head ([`HeadAxes`]), X along the baseline, Y ahead and Z up, a line of sight has
 //!
@@ -7,13 +8,14 @@
 //! v = atan2(Z, Y)        up, radians
 //! ```
 //!
-//! u is the pseudorapidity of collider physics. Of a head along the motion, a point that moves at rapidity eta is seen at
-//! u = arsinh(xi/rho) - eta, where xi is its place along x in its own rest frame, from the event of the eye; v is that of the
-//! resting point. So motion slides the picture and keeps its shapes. The slide is common to both eyes and drops out of
-//! their disparity: du of a moving point is that of a resting one for eyes gamma d apart.
+//! u is the pseudorapidity of collider physics. Of a head along the motion, a point that moves at rapidity
+//! eta is seen at u = arsinh(xi/rho) - eta, where xi is its place along x in its own rest frame, from the
+//! event of the eye; v is that of the resting point. So motion slides the picture and keeps its shapes. The
+//! slide is common to both eyes and drops out of their disparity: du of a moving point is that of a resting
+//! one for eyes gamma d apart.
 //!
-//! References: J. Morava, arXiv:0804.4160; J. Baez, *Special Relativity and the Mercator Projection*, The n-Category Café,
-//! 3 March 2023. The disparity is derived here.
+//! References: J. Morava, arXiv:0804.4160; J. Baez, *Special Relativity and the Mercator Projection*, The
+//! n-Category Café, 3 March 2023. The disparity is derived here.
 
 use std::f64::consts::LN_2;
 
@@ -36,8 +38,8 @@ pub struct Conformal {
 }
 
 impl Conformal {
-    /// Returns the coordinates of what is seen at [X, Y, Z] along the axes of the head; `None` on the baseline, which is
-    /// infinitely far aside, and for a place that is not finite.
+    /// Returns the coordinates of what is seen at [X, Y, Z] along the axes of the head; `None` on the
+    /// baseline, which is infinitely far aside, and for a place that is not finite.
     ///
     /// # Examples
     ///
@@ -68,7 +70,8 @@ fn arsinh_of_ratio(x: f64, rho: f64) -> f64 {
 }
 
 impl HeadAxes {
-    /// Returns the conformal coordinates of what is seen at `position` from an aperture; `None` on the baseline.
+    /// Returns the conformal coordinates of what is seen at `position` from an aperture; `None` on the
+    /// baseline.
     #[must_use]
     pub fn conformal(&self, position: [f64; 3]) -> Option<Conformal> {
         Conformal::from_direction(self.along(position))
@@ -84,12 +87,14 @@ pub struct ConformalDisparity {
     pub secondary: Conformal,
     /// Delta-u: primary minus secondary.
     pub du: f64,
-    /// Delta-v: primary minus secondary, in [-pi, pi]; 0 for apertures along the motion, of a point that does not turn.
+    /// Delta-v: primary minus secondary, in [-pi, pi]; 0 for apertures along the motion, of a point that does
+    /// not turn.
     pub dv: f64,
 }
 
 impl ConformalDisparity {
-    /// Returns the disparity of two lines of sight, along the axes of the head; `None` where one is along the baseline.
+    /// Returns the disparity of two lines of sight, along the axes of the head; `None` where one is along the
+    /// baseline.
     ///
     /// `u_l` and `u_r` on one side are not subtracted. With small letters for the unit vectors,
     ///
@@ -131,13 +136,13 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 impl Model {
-    /// Returns the conformal disparity of `source` in this model for the `pair` of apertures of a head with these `axes`;
-    /// `None` where the point is on the baseline of either aperture.
+    /// Returns the conformal disparity of `source` in this model for the `pair` of apertures of a head with
+    /// these `axes`; `None` where the point is on the baseline of either aperture.
     ///
     /// # Accuracy
     ///
-    /// As [`crate::disparity()`], however close the apertures are. Measured for the paper's pair (`tests/oracle`, 4,000
-    /// inputs): median 0.3, 99 % 2, worst 4 units.
+    /// As [`crate::disparity()`], however close the apertures are. Measured for the paper's pair
+    /// (`tests/oracle`, 4,000 inputs): median 0.3, 99 % 2, worst 4 units.
     ///
     /// # Errors
     ///

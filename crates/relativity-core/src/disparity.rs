@@ -26,8 +26,8 @@ pub struct Disparity {
 ///
 /// As [`crate::sighting`], however close the apertures are: no difference of two sightings is formed. For the
 /// paper's pair the unit's inputs are d and not each aperture's place. Measured (`tests/oracle`, 15,000
-/// inputs): median 0.2, 99 % 1.5, worst 3 units. With y = 0, phi is 0 or pi by the sign of X; where rounding of the inputs decides
-/// it, so it does dphi.
+/// inputs): median 0.2, 99 % 1.5, worst 3 units. With y = 0, phi is 0 or pi by the sign of X; where rounding
+/// of the inputs decides it, so it does dphi.
 ///
 /// # Errors
 ///
@@ -69,8 +69,8 @@ pub fn disparity(
     Ok(Disparity { primary: seen_by(primary), secondary: seen_by(secondary), dphi, dtheta })
 }
 
-/// Disparities of `source` between the primary, first aperture of a slice and each of them (itself included); none of
-/// no apertures.
+/// Disparities of `source` between the primary, first aperture of a slice and each of them (itself included);
+/// none of no apertures.
 ///
 /// # Errors
 ///

@@ -22,8 +22,8 @@ pub const BOLOMETRIC_INTENSITY_EXPONENT: f64 = 4.0;
 ///
 /// # Accuracy
 ///
-/// As [`crate::sighting`], whose D it takes, with the factor n that its error gets. Measured up to the fourth power
-/// (`tests/oracle`, 15,000 inputs): median 0.2, 99 % 4, worst 5 units.
+/// As [`crate::sighting`], whose D it takes, with the factor n that its error gets. Measured up to the fourth
+/// power (`tests/oracle`, 15,000 inputs): median 0.2, 99 % 4, worst 5 units.
 ///
 /// # Examples
 ///

@@ -1,7 +1,8 @@
 //! Exact special-relativistic optics for any number of apertures.
 //!
-//! A point moves along +x at a constant speed, or turns on a wheel that does; apertures at rest on the ground, or of an
-//! [`observer`] who moves, each solve their own light cone for it. Pure numerics: no I/O, no logging, no graphics.
+//! A point moves along +x at a constant speed, or turns on a wheel that does; apertures at rest on the
+//! ground, or of an [`observer`] who moves, each solve their own light cone for it. Pure numerics: no I/O, no
+//! logging, no graphics.
 //!
 //! # Conventions
 //!
@@ -10,8 +11,8 @@
 //! - Rest frame: the moving object's own. Its origin passes the ground's origin at t = 0. A point at
 //!   rest coordinates (xr, y, z) is *objectively* at x0 = xr / gamma at t = 0 (contracted).
 //! - `T` (`observation_time`) is when light is received, `t` (`retarded_time`) when it was emitted.
-//! - tau (`proper_time`) is the time of emission on the point's own clock, gamma (t - beta x): all clocks of the rest frame are
-//!   set alike in that frame, and the one at its origin shows 0 at t = 0.
+//! - tau (`proper_time`) is the time of emission on the point's own clock, gamma (t - beta x): all clocks of
+//!   the rest frame are set alike in that frame, and the one at its origin shows 0 at t = 0.
 //! - phi is the azimuth from +x towards +y, theta the elevation from the x-y plane. (Much of the
 //!   literature measures a polar angle from +z; we follow the paper.)
 //! - Doppler factor D = received / rest frequency: above 1 is a blueshift. (Some authors call its
@@ -20,11 +21,11 @@
 //!
 //! # Domain
 //!
-//! Coordinates and times up to [`MAX_COORDINATE`] in magnitude, gamma up to [`MAX_GAMMA`]. Inside it
-//! every result is finite, but for powers of D. Functions of a coordinate or a time return an error outside it; those
-//! of a direction ([`aberration`]) or of D alone ([`doppler`]) have nothing to refuse. Lengths whose squares underflow
-//! (rho/gamma below 1e-150) count as zero. The batch forms in f32 have a smaller domain ([`batch::Real`]), and
-//! there lengths below 1e-19 count as zero.
+//! Coordinates and times up to [`MAX_COORDINATE`] in magnitude, gamma up to [`MAX_GAMMA`]. Inside it every
+//! result is finite, but for powers of D. Functions of a coordinate or a time return an error outside it;
+//! those of a direction ([`aberration`]) or of D alone ([`doppler`]) have nothing to refuse. Lengths whose
+//! squares underflow (rho/gamma below 1e-150) count as zero. The batch forms in f32 have a smaller domain
+//! ([`batch::Real`]), and there lengths below 1e-19 count as zero.
 //!
 //! # Examples
 //!
@@ -51,8 +52,8 @@
 //!
 //! # Out of scope
 //!
-//! Acceleration of the moving body (that of the observer is a [`ride`]), and its rotation but for wheels that turn evenly about an axle along y ([`wheel`]), gravity,
-//! apertures of finite size or exposure.
+//! Acceleration of the moving body (that of the observer is a [`ride`]), and its rotation but for wheels that
+//! turn evenly about an axle along y ([`wheel`]), gravity, apertures of finite size or exposure.
 //!
 //! # References
 //!
@@ -70,10 +71,10 @@
 /// `2^-53 (|f| + sum |x_i df/dx_i|)`, the `x_i` being the inputs; 2^-24 in f32. One unit is what rounding the
 /// result and the inputs once each can do.
 ///
-/// `tests/oracle` holds every public function to this, against 115-digit arithmetic that solves the light cone
-/// from its definition: beta from 1e-14 to 1 - 1e-15, gamma to 1e12, rapidity to 30, lengths to 1e6, times to
-/// 1e10, inputs drawn towards trouble. Next to a jump (phi at X = 0, close to the x-z plane) the derivatives are
-/// replaced by the chords over this many roundings of the inputs.
+/// `tests/oracle` holds every public function to this, against 115-digit arithmetic that solves the light
+/// cone from its definition: beta from 1e-14 to 1 - 1e-15, gamma to 1e12, rapidity to 30, lengths to 1e6,
+/// times to 1e10, inputs drawn towards trouble. Next to a jump (phi at X = 0, close to the x-z plane) the
+/// derivatives are replaced by the chords over this many roundings of the inputs.
 pub const MAX_ERROR_UNITS: f64 = 8.0;
 
 pub mod aberration;

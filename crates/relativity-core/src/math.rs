@@ -1,11 +1,11 @@
-//! Functions whose last digit IEEE 754 leaves to whoever computes them: the one module through which this project reaches
-//! them.
+//! Functions whose last digit IEEE 754 leaves to whoever computes them: the one module through which this
+//! project reaches them.
 //!
-//! `+ - * /`, `sqrt` and `mul_add` are the same on every platform and are used as the methods they are. These here each
-//! platform's C library rounds in its own way. So none of those is asked: all are computed by `libm`, a translation of
-//! musl's, which is the same everywhere. Its errors are below one unit in the last place for most, at most a few for
-//! the hyperbolic ones. It takes 0.6 times as long as glibc for `atan2` and `sin_cos`, 1.6 times for `exp` and `ln`, 3.4 times
-//! for `powf` (x86-64).
+//! `+ - * /`, `sqrt` and `mul_add` are the same on every platform and are used as the methods they are. These
+//! here each platform's C library rounds in its own way. So none of those is asked: all are computed by
+//! `libm`, a translation of musl's, which is the same everywhere. Its errors are below one unit in the last
+//! place for most, at most a few for the hyperbolic ones. It takes 0.6 times as long as glibc for `atan2` and
+//! `sin_cos`, 1.6 times for `exp` and `ln`, 3.4 times for `powf` (x86-64).
 
 use num_traits::Float;
 

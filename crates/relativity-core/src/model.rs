@@ -117,7 +117,8 @@ impl Model {
         })
     }
 
-    /// Returns the stereo position of `source` in this model for the `pair` of apertures, from the middle between them.
+    /// Returns the stereo position of `source` in this model for the `pair` of apertures, from the middle
+    /// between them.
     ///
     /// # Accuracy
     ///

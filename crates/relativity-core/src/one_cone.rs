@@ -1,7 +1,8 @@
-//! One light cone for both apertures: both receive the same events, those that the middle between them receives.
+//! One light cone for both apertures: both receive the same events, those that the middle between them
+//! receives.
 //!
-//! This is not what two apertures see ([`crate::disparity()`] is), but the part of it that is not due to their having two light
-//! cones: both see the point in one place, from two sides.
+//! This is not what two apertures see ([`crate::disparity()`] is), but the part of it that is not due to
+//! their having two light cones: both see the point in one place, from two sides.
 
 use crate::aperture::Aperture;
 use crate::apparent::{LightCone, Sighting, check_inputs};
@@ -12,16 +13,17 @@ use crate::source::Source;
 use crate::source::SourcePoint;
 use crate::speed::Speed;
 
-/// Disparity of `source` for the `pair` of apertures, if both received what the middle between them receives at
-/// `observation_time`.
+/// Disparity of `source` for the `pair` of apertures, if both received what the middle between them receives
+/// at `observation_time`.
 ///
-/// Both sightings have the same retarded time and Doppler factor, the middle's; position and distance are from each
-/// aperture to the one event.
+/// Both sightings have the same retarded time and Doppler factor, the middle's; position and distance are
+/// from each aperture to the one event.
 ///
 /// # Accuracy
 ///
-/// As [`crate::disparity()`], at any separation: the place that the middle sees is looked at by two apertures as a point
-/// at rest is. Measured for the paper's pair (`tests/oracle`, 15,000 inputs): median 0.2, 99 % 2, worst 4 units.
+/// As [`crate::disparity()`], at any separation: the place that the middle sees is looked at by two apertures
+/// as a point at rest is. Measured for the paper's pair (`tests/oracle`, 15,000 inputs): median 0.2, 99 % 2,
+/// worst 4 units.
 ///
 /// # Errors
 ///
@@ -67,7 +69,8 @@ pub fn one_cone_disparity(
     Ok(disparity_of_event(&cone_pair(&cone, pair), middle))
 }
 
-/// Disparity of the event of the `middle`'s sighting, which both apertures look at from two sides, through `cones`.
+/// Disparity of the event of the `middle`'s sighting, which both apertures look at from two sides, through
+/// `cones`.
 pub(crate) fn disparity_of_event(cones: &ConePair<f64>, middle: Sighting) -> Disparity {
     let (dphi, dtheta) = cones.angle_differences();
     let sighting = |cone: LightCone<f64>| Sighting {
@@ -78,7 +81,8 @@ pub(crate) fn disparity_of_event(cones: &ConePair<f64>, middle: Sighting) -> Dis
     Disparity { primary: sighting(cones.left), secondary: sighting(cones.right), dphi, dtheta }
 }
 
-/// Both apertures' views of the place that the middle between them sees: the light cones of a point at rest there.
+/// Both apertures' views of the place that the middle between them sees: the light cones of a point at rest
+/// there.
 pub(crate) fn cone_pair(middle: &LightCone<f64>, pair: [Aperture; 2]) -> ConePair<f64> {
     cones_to_place([middle.solution.x, middle.y, middle.z], pair)
 }

@@ -13,19 +13,20 @@ use crate::speed::Speed;
 /// From this many times the nearest distance on a point is far ahead: its distance nearly cancels x.
 const FAR_AHEAD: f64 = 2.0;
 
-/// The observation time at which `point` is seen at `x` by the `pair` of apertures, all from the middle between them:
-/// `(x - x0)/beta + sqrt(x^2 + y^2 + z^2 + d^2/4)`, d being the distance between the apertures.
+/// The observation time at which `point` is seen at `x` by the `pair` of apertures, all from the middle
+/// between them: `(x - x0)/beta + sqrt(x^2 + y^2 + z^2 + d^2/4)`, d being the distance between the apertures.
 ///
-/// That is when the point was at `x`, and the root mean square of the distances from there to both apertures. One
-/// aperture (a pair in one place) sees the point at `x` exactly then; of two, each does a little before or
-/// after, and where it is as far from both, both at once.
+/// That is when the point was at `x`, and the root mean square of the distances from there to both apertures.
+/// One aperture (a pair in one place) sees the point at `x` exactly then; of two, each does a little before
+/// or after, and where it is as far from both, both at once.
 ///
 /// At rest (beta = 0) a point is seen at `x` always or never, so there is no such time: `None`.
 /// Nor is there one if it is too far off for an f64, which takes an absurdly small beta.
 ///
 /// # Accuracy
 ///
-/// As [`crate::sighting`]. Measured for the paper's pair (`tests/oracle`, 15,000 inputs): median 0.2, 99 % 1.1, worst 4 units.
+/// As [`crate::sighting`]. Measured for the paper's pair (`tests/oracle`, 15,000 inputs): median 0.2, 99 %
+/// 1.1, worst 4 units.
 ///
 /// # Errors
 ///
@@ -78,17 +79,19 @@ fn baseline([primary, secondary]: [Aperture; 2]) -> [f64; 3] {
     [secondary.x - primary.x, secondary.y - primary.y, secondary.z - primary.z]
 }
 
-/// T0: the observation time at which `source` is seen equidistant from both apertures of a `pair`: the point itself, of one of
-/// a wheel as [`WheelPoint::place_when_passing`](crate::WheelPoint::place_when_passing).
+/// T0: the observation time at which `source` is seen equidistant from both apertures of a `pair`: the point
+/// itself, of one of a wheel as [`WheelPoint::place_when_passing`](crate::WheelPoint::place_when_passing).
 ///
-/// Both then receive one event, in the plane halfway between them: at x = -(`b_y` y + `b_z` z)/`b_x` from their middle, b being
-/// from one aperture to the other. For the paper's pair that is at x = 0 (eq. 6 of the paper, shifted by -x0/beta for a point
-/// not on x(0) = 0). Of a pair across the motion (`b_x` = 0) a point is as far from both always or never: `None`. Two apertures
-/// in one place stand for the limit of the paper's.
+/// Both then receive one event, in the plane halfway between them: at x = -(`b_y` y + `b_z` z)/`b_x` from
+/// their middle, b being from one aperture to the other. For the paper's pair that is at x = 0 (eq. 6 of the
+/// paper, shifted by -x0/beta for a point not on x(0) = 0). Of a pair across the motion (`b_x` = 0) a point
+/// is as far from both always or never: `None`. Two apertures in one place stand for the limit of the
+/// paper's.
 ///
 /// # Accuracy
 ///
-/// As [`observation_time_when_seen_at`]; of pairs of any direction and separation median 0.2, 99 % 1.3, worst 6.1 units.
+/// As [`observation_time_when_seen_at`]; of pairs of any direction and separation median 0.2, 99 % 1.3, worst
+/// 6.1 units.
 ///
 /// # Errors
 ///
@@ -134,7 +137,8 @@ pub fn equidistance_time(
     Ok(if exists { time_when_seen_at(speed, point, x, pair) } else { None })
 }
 
-/// sqrt(a^2 + b^2) of two lengths: the longer one times a factor, which is the same for the same ratio of the two.
+/// sqrt(a^2 + b^2) of two lengths: the longer one times a factor, which is the same for the same ratio of the
+/// two.
 fn diagonal(a: f64, b: f64) -> f64 {
     let (short, long) = if a < b { (a, b) } else { (b, a) };
     let ratio = if long > 0.0 { short / long } else { 0.0 };

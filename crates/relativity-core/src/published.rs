@@ -33,14 +33,14 @@ impl PublishedVariant {
 
 /// Disparity of `point` in the published model, for the paper's pair of apertures.
 ///
-/// The secondary sighting is the left aperture's at the shifted time, measured from the left
-/// aperture, as published, its proper time that of the event seen then. A point not on x(0) = 0 is brought there by a
+/// The secondary sighting is the left aperture's at the shifted time, measured from the left aperture, as
+/// published, its proper time that of the event seen then. A point not on x(0) = 0 is brought there by a
 /// shift of both times.
 ///
 /// # Accuracy
 ///
-/// As [`crate::disparity()`], towards the published formulas, at any separation. Measured (`tests/oracle`, 15,000
-/// inputs): median 0.2, 99 % 2.1, worst 6.3 units.
+/// As [`crate::disparity()`], towards the published formulas, at any separation. Measured (`tests/oracle`,
+/// 15,000 inputs): median 0.2, 99 % 2.1, worst 6.3 units.
 ///
 /// # Errors
 ///
@@ -111,7 +111,8 @@ pub(crate) fn cone_pair(
     (pair, shift)
 }
 
-/// Returns the model's shift of time: the right view shows a place this much later than the left view does, whose light cone is `left`.
+/// Returns the model's shift of time: the right view shows a place this much later than the left view does,
+/// whose light cone is `left`.
 pub(crate) fn shift(speed: &Speed, separation: f64, left: &LightCone<f64>, variant: PublishedVariant) -> f64 {
     variant.delay_sign() * delay(speed, left.s - separation / 2.0, separation, left).delay
 }
@@ -134,7 +135,8 @@ fn later_time(
     if sum_q == 0.0 { left_time } else { left_time + shift * (sum_r / sum_q) }
 }
 
-/// Returns the emission time that the right eye sees, for the text's sign and a point that the left aperture sees recede.
+/// Returns the emission time that the right eye sees, for the text's sign and a point that the left aperture
+/// sees recede.
 ///
 /// The shifted time is t + R'. With it the light cone's quadratic for `t_S` has the constant
 /// t^2/gamma^2 + 2 t (R' - beta (d - X)) - 2 d x0, each term as small at high speed as `t_S` becomes.
@@ -162,10 +164,12 @@ struct Delay {
     right_distance: f64,
 }
 
-/// Returns the delay between the eyes: the additional time that light from the event which the left eye sees takes to the right eye.
+/// Returns the delay between the eyes: the additional time that light from the event which the left eye sees
+/// takes to the right eye.
 ///
 /// The difference of the two distances is `-2 u d` over their sum, u being the event's x. That is X - d/2,
-/// sharing X's rounding; where this cancels, it comes from s0, the point's objective x at the observation time.
+/// sharing X's rounding; where this cancels, it comes from s0, the point's objective x at the observation
+/// time.
 fn delay(speed: &Speed, s0: f64, separation: f64, left: &LightCone<f64>) -> Delay {
     let (x, rho_squared) = (left.solution.x, left.y * left.y + left.z * left.z);
     let u = if x.abs() > separation.abs() {

@@ -2,9 +2,10 @@
 //!
 //! # Accuracy
 //!
-//! The event in the frame is as accurate as [`crate::sighting`] (`tests/oracle`). A time of emission is within
-//! [`crate::MAX_ERROR_UNITS`] roundings of gamma (|x| + |t|) + |x'| + |y| + |z|, with x and t of the reception on the ground, and x', y
-//! and z of the place in the frame. Long after a passage it is as accurate as [`crate::sighting`].
+//! The event in the frame is as accurate as [`crate::sighting`] (`tests/oracle`). A time of emission is
+//! within [`crate::MAX_ERROR_UNITS`] roundings of gamma (|x| + |t|) + |x'| + |y| + |z|, with x and t of the
+//! reception on the ground, and x', y and z of the place in the frame. Long after a passage it is as accurate
+//! as [`crate::sighting`].
 
 use crate::speed::Speed;
 use crate::stereo::dot;
@@ -57,10 +58,11 @@ impl Reception {
         self.event
     }
 
-    /// Returns the time in the frame at which the light that is received left a place at this `x`, its y and z being `aside` of those of
-    /// the reception: t - R.
+    /// Returns the time in the frame at which the light that is received left a place at this `x`, its y and
+    /// z being `aside` of those of the reception: t - R.
     ///
-    /// After t = 0 it is (t^2 - R^2)/(t + R): what is seen long after it has passed is about as far as that is long.
+    /// After t = 0 it is (t^2 - R^2)/(t + R): what is seen long after it has passed is about as far as that
+    /// is long.
     #[must_use]
     pub fn emission_time(&self, x: f64, aside: [f64; 2]) -> f64 {
         let Self { event, cone_times: [plus_x, minus_x] } = *self;

@@ -1,18 +1,19 @@
 //! A ride: an observer who accelerates, in legs of constant proper acceleration.
 //!
-//! Each leg is one closed step, so any moment of a ride is told without the moments before it, whatever the length of the steps in
-//! which it is played. Time is the rider's own: at a Lorentz factor of 1e12 one unit of it is 1e12 of the street's.
+//! Each leg is one closed step, so any moment of a ride is told without the moments before it, whatever the
+//! length of the steps in which it is played. Time is the rider's own: at a Lorentz factor of 1e12 one unit
+//! of it is 1e12 of the street's.
 //!
 //! # Conventions
 //!
-//! The proper acceleration a, what a balance on the bicycle shows, is along the axes of the head, constant during a leg. With
-//! alpha = |a|, n its direction and H = alpha ds the rapidity gained in the proper time ds, a rider at rest at first has moved by
-//! 2 sinh(H/2)^2/alpha along n when sinh(H)/alpha of the street's time is over. A rider who moves already does so in the frame
-//! of the start of the step.
+//! The proper acceleration a, what a balance on the bicycle shows, is along the axes of the head, constant
+//! during a leg. With alpha = |a|, n its direction and H = alpha ds the rapidity gained in the proper time
+//! ds, a rider at rest at first has moved by 2 sinh(H/2)^2/alpha along n when sinh(H)/alpha of the street's
+//! time is over. A rider who moves already does so in the frame of the start of the step.
 //!
-//! The head is carried without turning, as a gyroscope would be. Where the acceleration is not along the velocity, two pushes
-//! that do not turn it make up one that does (the Wigner rotation, for small steps the Thomas precession): the turn of the head
-//! against the observer's axes is kept as a unit quaternion.
+//! The head is carried without turning, as a gyroscope would be. Where the acceleration is not along the
+//! velocity, two pushes that do not turn it make up one that does (the Wigner rotation, for small steps the
+//! Thomas precession): the turn of the head against the observer's axes is kept as a unit quaternion.
 //!
 //! Reference: W. Rindler, *Introduction to Special Relativity* (1991), for constant proper acceleration.
 
@@ -25,13 +26,13 @@ use crate::speed::SpeedError;
 pub struct Leg {
     /// Duration by the rider's own clock, 0 or more.
     pub duration: f64,
-    /// Proper acceleration along the axes of the head, in units of c per unit of proper time: ahead when riding towards +x, to the
-    /// left, and up.
+    /// Proper acceleration along the axes of the head, in units of c per unit of proper time: ahead when
+    /// riding towards +x, to the left, and up.
     pub acceleration: [f64; 3],
 }
 
-/// The velocity of a rider. Along the street it is kept as the rapidity, in which pushes add up exactly: who brakes as long as
-/// they pedalled is at rest.
+/// The velocity of a rider. Along the street it is kept as the rapidity, in which pushes add up exactly: who
+/// brakes as long as they pedalled is at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RiderVelocity {
     /// Along the street, towards +x where the rapidity is above 0.
@@ -64,12 +65,13 @@ pub struct RideMoment {
 /// Two odometers of a rider, each right, which never count back; and how far the wheels have turned.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Odometers {
-    /// The street that the wheels rolled over, as the rider measures it, contracted: the integral of |V| over proper time.
+    /// The street that the wheels rolled over, as the rider measures it, contracted: the integral of |V| over
+    /// proper time.
     pub by_wheel: f64,
     /// The street as it measures itself, counted by its lamps: the integral of Gamma |V|.
     pub by_lamps: f64,
-    /// The signed count of `by_wheel`, which falls where one rides back: the integral of V. It is below 0 before the
-    /// start of who comes riding towards +x.
+    /// The signed count of `by_wheel`, which falls where one rides back: the integral of V. It is below 0
+    /// before the start of who comes riding towards +x.
     pub rolled: f64,
 }
 
@@ -134,7 +136,8 @@ impl RideMoment {
         }
     }
 
-    /// Returns the moment after `duration` of proper time with this proper `acceleration` along the axes of the head.
+    /// Returns the moment after `duration` of proper time with this proper `acceleration` along the axes of
+    /// the head.
     #[must_use]
     pub fn after(&self, duration: f64, acceleration: [f64; 3]) -> Self {
         match (self.velocity, acceleration) {
@@ -147,7 +150,8 @@ impl RideMoment {
         }
     }
 
-    /// Returns the moment when the rider's clock shows `proper_time`, of a ride with these `legs` that starts with this one.
+    /// Returns the moment when the rider's clock shows `proper_time`, of a ride with these `legs` that starts
+    /// with this one.
     #[must_use]
     pub fn along(&self, legs: &[Leg], proper_time: f64) -> Self {
         let mut moment = *self;
@@ -161,8 +165,8 @@ impl RideMoment {
         moment.after(proper_time - moment.proper_time, [0.0; 3])
     }
 
-    /// Returns the odometers when the rider's clock shows `proper_time`, of a ride along the street with these
-    /// `legs`, which starts with this moment and the odometers at 0.
+    /// Returns the odometers when the rider's clock shows `proper_time`, of a ride along the street with
+    /// these `legs`, which starts with this moment and the odometers at 0.
     #[must_use]
     pub fn odometers(&self, legs: &[Leg], proper_time: f64) -> Odometers {
         let RiderVelocity::AlongStreet { mut rapidity } = self.velocity else { return Odometers::default() };
@@ -194,7 +198,8 @@ impl RideMoment {
         total
     }
 
-    /// Along the street rapidities add up; T and x grow by sums of products, in which nothing cancels at any speed.
+    /// Along the street rapidities add up; T and x grow by sums of products, in which nothing cancels at any
+    /// speed.
     fn along_street(&self, rapidity: f64, duration: f64, acceleration: f64) -> Self {
         let gained = acceleration * duration;
         let mean = rapidity + 0.5 * gained;
@@ -242,7 +247,8 @@ impl RideMoment {
 }
 
 impl Odometers {
-    /// Returns the readings after a part of this `duration`, in which the rapidity grows from `slower`, 0 or more, by `gained`.
+    /// Returns the readings after a part of this `duration`, in which the rapidity grows from `slower`, 0 or
+    /// more, by `gained`.
     fn of_part(slower: f64, gained: f64, duration: f64) -> Self {
         let length = duration * sinh_over(0.5 * gained);
         let by_lamps = math::sinh(slower + 0.5 * gained) * length;

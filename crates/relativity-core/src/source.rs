@@ -49,13 +49,14 @@ pub enum Turning {
     /// Rolls without slipping: in its rest frame the ground passes its rim at the speed of the rim.
     #[default]
     Rolling,
-    /// Turns with this speed of the rim in its rest frame, in (-1, 1), above 0 like a wheel that rolls towards +x.
+    /// Turns with this speed of the rim in its rest frame, in (-1, 1), above 0 like a wheel that rolls
+    /// towards +x.
     RimSpeed(f64),
 }
 
 impl Turning {
-    /// The speed of the rim in the rest frame of a wheel that moves along x at `beta` in (-1, 1), above 0 as a wheel that
-    /// rolls towards +x.
+    /// The speed of the rim in the rest frame of a wheel that moves along x at `beta` in (-1, 1), above 0 as
+    /// a wheel that rolls towards +x.
     #[must_use]
     pub const fn rim_speed(self, beta: f64) -> f64 {
         match self {
@@ -88,7 +89,8 @@ impl WheelPoint {
         self.turning.rim_speed(speed.beta()) / self.radius
     }
 
-    /// Returns the angle of the point at `proper_time`, by the clocks of the rest frame (those of [`Sighting::proper_time`](crate::Sighting)).
+    /// Returns the angle of the point at `proper_time`, by the clocks of the rest frame (those of
+    /// [`Sighting::proper_time`](crate::Sighting)).
     #[must_use]
     pub fn angle_at(&self, speed: &Speed, proper_time: f64) -> f64 {
         self.angle - self.omega(speed) * proper_time

@@ -30,8 +30,8 @@ pub enum SpeedError {
 ///
 /// # Accuracy
 ///
-/// Each accessor is within [`crate::MAX_ERROR_UNITS`] units of `2^-53 (|f| + |x df/dx|)`, x being the parameter
-/// it was built from. Measured (`tests/oracle`, 15,000 speeds): median 0.1, 99 % 2, worst 3.
+/// Each accessor is within [`crate::MAX_ERROR_UNITS`] units of `2^-53 (|f| + |x df/dx|)`, x being the
+/// parameter it was built from. Measured (`tests/oracle`, 15,000 speeds): median 0.1, 99 % 2, worst 3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Speed {

@@ -1,13 +1,15 @@
-//! The stereo position: the place at which the lines of sight of two eyes meet, where a person with two eyes would place the point.
+//! The stereo position: the place at which the lines of sight of two eyes meet, where a person with two eyes
+//! would place the point.
 //!
-//! Derived here; not in the paper. The paper's pair of apertures lies along the motion, so both see the same y and z, and
-//! the lines from the left one at (-d/2, 0, 0) along (`X_l`, y, z) and from the right one at (d/2, 0, 0) along (`X_r`, y, z)
-//! meet: at lambda = d/(`X_l` - `X_r`) of either. Beside a resting point lambda would be 1.
+//! Derived here; not in the paper. The paper's pair of apertures lies along the motion, so both see the same
+//! y and z, and the lines from the left one at (-d/2, 0, 0) along (`X_l`, y, z) and from the right one at
+//! (d/2, 0, 0) along (`X_r`, y, z) meet: at lambda = d/(`X_l` - `X_r`) of either. Beside a resting point
+//! lambda would be 1.
 //!
 //! Any other pair, b from one to the other, has lines of sight `P_l` and `P_r` that differ by b + w, w being
-//! -beta (`R_l` - `R_r`) along x, and pass each other. With P their mean, the shortest connection of the two lies along
-//! n = `P_l` x `P_r` = (b + w) x P and is |w.n|/|n| long. It leaves the lines at the fractions
-//! (b x P).n/n^2 +- (w x b).n/(2 n^2) of their lengths.
+//! -beta (`R_l` - `R_r`) along x, and pass each other. With P their mean, the shortest connection of the two
+//! lies along n = `P_l` x `P_r` = (b + w) x P and is |w.n|/|n| long. It leaves the lines at the fractions (b
+//! x P).n/n^2 +- (w x b).n/(2 n^2) of their lengths.
 //!
 //! A point of a wheel is elsewhere when the other eye sees it, in height too: its w has a part in z.
 
@@ -37,26 +39,27 @@ pub enum StereoError {
 
 /// The stereo position of one point, and how its parallax differs from a resting point's.
 ///
-/// When the point is inside both apertures (distance 0, the apertures in one place) the gain is gamma^2 by definition, as the
-/// Doppler factor is gamma there.
+/// When the point is inside both apertures (distance 0, the apertures in one place) the gain is gamma^2 by
+/// definition, as the Doppler factor is gamma there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stereo {
-    /// Stereo gain, above 0: the factor by which the eyes would have to be further apart to see this parallax at a
-    /// resting point in the same place. It is the part of the parallax across the line of sight in the direction that
-    /// a resting point's has, over that. (The line of sight is the mean of both.) For eyes along x that is all of it,
-    /// (`X_left` - `X_right`)/d, and near gamma D as d -> 0. For eyes along x the gain is that quotient for a point
-    /// of a wheel too, although its lines of sight also differ in height.
+    /// Stereo gain, above 0: the factor by which the eyes would have to be further apart to see this parallax
+    /// at a resting point in the same place. It is the part of the parallax across the line of sight in the
+    /// direction that a resting point's has, over that. (The line of sight is the mean of both.) For eyes
+    /// along x that is all of it, (`X_left` - `X_right`)/d, and near gamma D as d -> 0. For eyes along x the
+    /// gain is that quotient for a point of a wheel too, although its lines of sight also differ in height.
     pub gain: f64,
-    /// The middle of the shortest connection of both lines of sight, from the middle between the eyes. Of eyes along x it is,
-    /// as d -> 0, the apparent position over gamma D.
+    /// The middle of the shortest connection of both lines of sight, from the middle between the eyes. Of
+    /// eyes along x it is, as d -> 0, the apparent position over gamma D.
     pub position: [f64; 3],
-    /// Length of that connection: the distance by which the lines of sight miss each other. 0 for eyes along x.
+    /// Length of that connection: the distance by which the lines of sight miss each other. 0 for eyes along
+    /// x.
     pub miss: f64,
 }
 
 impl Stereo {
-    /// The distance at which two eyes place the point, from the middle between them. Of eyes along x it is, as d ->
-    /// 0, the rest-frame distance over gamma.
+    /// The distance at which two eyes place the point, from the middle between them. Of eyes along x it is,
+    /// as d -> 0, the rest-frame distance over gamma.
     #[must_use]
     pub fn distance(&self) -> f64 {
         self.position.map(|along| along * along).iter().sum::<f64>().sqrt()
@@ -65,21 +68,22 @@ impl Stereo {
 
 /// Returns the stereo position of `source` for the `pair` of apertures at `observation_time`.
 ///
-/// Each aperture has a light cone of its own. Nothing changes where the apertures swap their places, and two in one place
-/// stand for the limit of those along x.
+/// Each aperture has a light cone of its own. Nothing changes where the apertures swap their places, and two
+/// in one place stand for the limit of those along x.
 ///
 /// # Accuracy
 ///
-/// As [`crate::sighting`], however close the apertures are: the gain of apertures along x is
-/// (`R_l` + `R_r`)/(`q_l` + `q_r`) with q = sqrt(S^2 + rho^2/gamma^2), in which there is nothing to subtract, and of others
-/// no difference of two sightings is formed either. For the paper's pair the unit's inputs are the speed, x0, y, z, T and d;
-/// for others each aperture's place stands for d, and what is as near as they are apart is known to the rounding of that. Measured for
-/// gain, position and miss (`tests/oracle`, 15,000 inputs each): median 0.2, 99 % 2.7, worst 5.5 units.
+/// As [`crate::sighting`], however close the apertures are: the gain of apertures along x is (`R_l` +
+/// `R_r`)/(`q_l` + `q_r`) with q = sqrt(S^2 + rho^2/gamma^2), in which there is nothing to subtract, and of
+/// others no difference of two sightings is formed either. For the paper's pair the unit's inputs are the
+/// speed, x0, y, z, T and d; for others each aperture's place stands for d, and what is as near as they are
+/// apart is known to the rounding of that. Measured for gain, position and miss (`tests/oracle`, 15,000
+/// inputs each): median 0.2, 99 % 2.7, worst 5.5 units.
 ///
 /// # Errors
 ///
-/// A coordinate or time outside the domain; lines of sight that do not meet in front of both apertures, which those of
-/// apertures along x always do.
+/// A coordinate or time outside the domain; lines of sight that do not meet in front of both apertures, which
+/// those of apertures along x always do.
 ///
 /// # Examples
 ///
@@ -142,7 +146,8 @@ fn checked(pair: [Aperture; 2], source: Source, observation_time: f64) -> Result
     Ok(pair)
 }
 
-/// Returns the closest approach of two lines of sight from apertures with this `baseline` from the left to the right; `None` if it is not in front of both.
+/// Returns the closest approach of two lines of sight from apertures with this `baseline` from the left to
+/// the right; `None` if it is not in front of both.
 pub(crate) fn meeting(lines: &SightPair<f64>, baseline: [f64; 3]) -> Option<Stereo> {
     let SightPair { mean, difference, excess, .. } = *lines;
     let at_rest = cross(baseline, mean);
@@ -159,8 +164,8 @@ pub(crate) fn meeting(lines: &SightPair<f64>, baseline: [f64; 3]) -> Option<Ster
         dot(direction_at_rest, normal) * (length / length_at_rest),
     );
     let connection = -dot(excess, normal);
-    // From where the connection leaves the shorter line of sight: of lines of very different lengths the mean is little but
-    // the longer one.
+    // From where the connection leaves the shorter line of sight: of lines of very different lengths the mean
+    // is little but the longer one.
     let [left, right] = lines.each;
     let is_left = dot(left, left) < dot(right, right);
     let (shorter, side) = if is_left { (left, -0.5) } else { (right, 0.5) };

@@ -1,12 +1,12 @@
 //! Events along x, frames that move along x, and the worldlines of clocks at rest in them.
 //!
-//! y and z are what they are in every such frame. A [`Boost`] moves either way; functions of a [`Speed`] alone are of what
-//! moves along +x.
+//! y and z are what they are in every such frame. A [`Boost`] moves either way; functions of a [`Speed`]
+//! alone are of what moves along +x.
 //!
 //! # Accuracy
 //!
-//! As [`crate::sighting`]: events in another frame, clocks, places and times of reception (`tests/oracle`, 15,000 inputs, both
-//! ways): median 0.2, 99 % 1.5, worst 2.9 units.
+//! As [`crate::sighting`]: events in another frame, clocks, places and times of reception (`tests/oracle`,
+//! 15,000 inputs, both ways): median 0.2, 99 % 1.5, worst 2.9 units.
 
 use crate::MAX_GAMMA;
 use crate::math;
@@ -45,8 +45,8 @@ pub struct Boost {
     pub is_backward: bool,
 }
 
-/// The worldline of a clock that rests in a frame which moves along x, by the ground's coordinates. All clocks of that frame are
-/// set alike there, and the one at its origin shows 0 at the ground's origin.
+/// The worldline of a clock that rests in a frame which moves along x, by the ground's coordinates. All
+/// clocks of that frame are set alike there, and the one at its origin shows 0 at the ground's origin.
 ///
 /// # Examples
 ///
@@ -68,8 +68,9 @@ pub struct Worldline {
 impl Event {
     /// Returns the event in the frame that moves at `frame`, its origin being the same event.
     ///
-    /// Of a fast frame t - x and t + x are scaled, by the head-on Doppler factor, so that what is on one light ray stays on one. A
-    /// slow one hardly mixes x and t, and there that would lose the digits of the smaller.
+    /// Of a fast frame t - x and t + x are scaled, by the head-on Doppler factor, so that what is on one
+    /// light ray stays on one. A slow one hardly mixes x and t, and there that would lose the digits of the
+    /// smaller.
     #[must_use]
     pub fn in_frame(self, frame: impl Into<Boost>) -> Self {
         let boost = frame.into();
@@ -90,7 +91,8 @@ impl Event {
         Self { x: self.x + step.x, t: self.t + step.t }
     }
 
-    /// Returns the event at `x` that is at the same time as this one by the clocks of the frame that moves at `frame`.
+    /// Returns the event at `x` that is at the same time as this one by the clocks of the frame that moves at
+    /// `frame`.
     #[must_use]
     pub fn simultaneous_at(self, x: f64, frame: impl Into<Boost>) -> Self {
         Self { x, t: self.t + frame.into().beta() * (x - self.x) }
@@ -136,14 +138,14 @@ impl Boost {
         Self::from_rapidity(self.rapidity() - frame.rapidity())
     }
 
-    /// Returns the step that a clock which moves so makes in a unit of the ground's time, in the frame that moves at `frame`: 1/gamma of
-    /// its own time there, which the frame's clocks have as gamma of the velocity between the two. A clock that rests in the frame has no
-    /// step along x, exactly.
+    /// Returns the step that a clock which moves so makes in a unit of the ground's time, in the frame that
+    /// moves at `frame`: 1/gamma of its own time there, which the frame's clocks have as gamma of the
+    /// velocity between the two. A clock that rests in the frame has no step along x, exactly.
     ///
     /// # Accuracy
     ///
-    /// Within (1 + H1 + H2) [`crate::MAX_ERROR_UNITS`], of the rapidities H1 of the clock and H2 of the frame: a rounding of a rapidity H
-    /// changes gamma by H roundings.
+    /// Within (1 + H1 + H2) [`crate::MAX_ERROR_UNITS`], of the rapidities H1 of the clock and H2 of the
+    /// frame: a rounding of a rapidity H changes gamma by H roundings.
     #[must_use]
     pub fn unit_step_in(self, frame: impl Into<Self>) -> Event {
         let relative = self.seen_from(frame);
@@ -151,14 +153,15 @@ impl Boost {
         Event { x: relative.beta() * t, t }
     }
 
-    /// Returns the reading, at the ground's time `t`, of the clock at `rest_x` in the frame that moves so: the proper time on
-    /// [`Worldline::at_rest`], with one rounding less.
+    /// Returns the reading, at the ground's time `t`, of the clock at `rest_x` in the frame that moves so:
+    /// the proper time on [`Worldline::at_rest`], with one rounding less.
     #[must_use]
     pub fn clock_reading(&self, rest_x: f64, t: f64) -> f64 {
         t / self.speed.gamma() - self.beta() * rest_x
     }
 
-    /// Returns the step on the ground between two events at one time of the frame, the second `length` further along +x there.
+    /// Returns the step on the ground between two events at one time of the frame, the second `length`
+    /// further along +x there.
     #[must_use]
     pub fn simultaneous_step(&self, length: f64) -> Event {
         let gamma = self.speed.gamma();
@@ -199,8 +202,8 @@ impl Worldline {
         t / gamma - gamma * self.boost.beta() * self.x0
     }
 
-    /// Returns how far along +x the clock is from an `event` on the ground, as measured in the frame in which it rests: gamma times as
-    /// far as it is on the ground then.
+    /// Returns how far along +x the clock is from an `event` on the ground, as measured in the frame in which
+    /// it rests: gamma times as far as it is on the ground then.
     #[must_use]
     pub fn rest_distance_from(&self, event: Event) -> f64 {
         self.boost.speed.gamma() * (self.at(event.t).x - event.x)
@@ -228,8 +231,8 @@ impl Worldline {
         Some((x - self.x0) / self.boost.beta()).filter(|time| time.is_finite())
     }
 
-    /// Returns the time of reception at the ground's origin of the light that leaves the clock at the ground's time `t`, the line
-    /// along which it moves being `aside` from there.
+    /// Returns the time of reception at the ground's origin of the light that leaves the clock at the
+    /// ground's time `t`, the line along which it moves being `aside` from there.
     #[must_use]
     pub fn reception(&self, t: f64, aside: f64) -> f64 {
         // Mirrored to move along +x.

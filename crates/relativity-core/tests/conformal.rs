@@ -1,4 +1,5 @@
-//! Conformal coordinates: motion is a slide by the rapidity, and the disparity is that of a resting point for wider eyes.
+//! Conformal coordinates: motion is a slide by the rapidity, and the disparity is that of a resting point for
+//! wider eyes.
 
 use relativity_core::{
     Aperture, Baseline, Conformal, HeadAxes, MAX_GAMMA, Model, PublishedVariant, SourcePoint, Speed, Turning,
@@ -43,7 +44,8 @@ fn motion_slides_a_point_back_by_its_rapidity() {
     }
 }
 
-/// The point that is objectively abreast is seen the rapidity behind: 1.4722 at 0.9 c, as read from a ruler on the picture.
+/// The point that is objectively abreast is seen the rapidity behind: 1.4722 at 0.9 c, as read from a ruler
+/// on the picture.
 #[test]
 fn what_is_abreast_is_seen_behind_by_the_rapidity() {
     let point = SourcePoint { x0: 0.0, ..POINT };

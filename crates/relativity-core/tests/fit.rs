@@ -299,7 +299,8 @@ fn the_combined_error_accounts_for_correlation() {
     }
 }
 
-/// The paper's object as the hub of a wheel: its point is fitted as one that does not turn, and as what it is.
+/// The paper's object as the hub of a wheel: its point is fitted as one that does not turn, and as what it
+/// is.
 #[test]
 fn a_point_on_a_rolling_wheel_gives_its_hub_back() {
     let rolling = Some(Rolling { radius: 0.525, rho: 1.0, angle: 0.4 });
@@ -380,8 +381,8 @@ fn noisy_curves_of_wheels_give_their_hubs_back() {
     assert!(tally.right as f64 >= 0.95 * tally.cases as f64, "{tally} {:?}", tally.complaints);
 }
 
-/// Delta-phi alone of a wheel's point with the passage unknown: only the wheel distinguishes the two sides of z = 0, and
-/// the search found a minimum on the wrong one.
+/// Delta-phi alone of a wheel's point with the passage unknown: only the wheel distinguishes the two sides of
+/// z = 0, and the search found a minimum on the wrong one.
 #[test]
 fn a_wheel_seen_in_azimuth_alone_is_looked_for_on_both_sides_of_the_level_of_the_eyes() {
     let rolling = Some(Rolling { radius: 0.215, rho: 0.98, angle: 0.060_813_601_790_062_68 });

@@ -107,7 +107,8 @@ fn a_point_is_equally_far_from_both_eyes_at_equidistance() {
     }
 }
 
-/// Returns the x at which an aperture at the origin sees the point at rest coordinates (`xr`, 0, 0) at time `time`.
+/// Returns the x at which an aperture at the origin sees the point at rest coordinates (`xr`, 0, 0) at time
+/// `time`.
 fn apparent_x(xr: f64, time: f64) -> f64 {
     let point = SourcePoint::from_rest([xr, 0.0, 0.0], &speed());
     sighting(&speed(), point, Aperture::default(), time).expect("inside the domain").position[0]

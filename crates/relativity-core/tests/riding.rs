@@ -7,9 +7,9 @@ use relativity_core::{
     RideMoment, RiderVelocity, SourcePoint, Speed, Turning, WheelPoint, disparity, sighting, stereo,
 };
 
-/// In a row: the point's gamma and x0, y, z; the observer's gamma, azimuth and elevation, place and T; roll and turn; then what
-/// the left eye sees, D, phi, theta and R', then dphi and dtheta, and t and tau, with ten significant digits; the stereo
-/// position with eight. A speed that is not above 1 is a beta.
+/// In a row: the point's gamma and x0, y, z; the observer's gamma, azimuth and elevation, place and T; roll
+/// and turn; then what the left eye sees, D, phi, theta and R', then dphi and dtheta, and t and tau, with ten
+/// significant digits; the stereo position with eight. A speed that is not above 1 is a beta.
 const ROWS: &str = "
 a | 0 0 3 2 | 0.9 0 0 0 0 0 0 | 0 0 | 2.359812302 0.3710152326 0.2371591889 8.512729049 -0.02450990186 -0.0142672226 -3.710612566 -3.710612566 | 1.4151767 0.57 0.38
 b | 0 5 3 2 | 0.9 0 0 0 0 0 0 | 0 0 | 3.981735471 0.1210853244 0.08035305334 24.91696013 -0.004595314193 -0.003019919708 -6.361051121 -6.361051121 | 2.6578164 0.32948869 0.21965913
@@ -159,7 +159,8 @@ fn the_light_that_arrives_is_that_which_an_eye_at_rest_receives() {
     }
 }
 
-/// The frame in which both velocities are given plays no part: seen from a frame that moves along x, a rider along x sees the same.
+/// The frame in which both velocities are given plays no part: seen from a frame that moves along x, a rider
+/// along x sees the same.
 #[test]
 fn any_frame_that_moves_along_the_street_tells_the_same() {
     let rapidity = |value: f64| Speed::from_rapidity(value).expect("in range");
@@ -253,7 +254,8 @@ fn what_cannot_be_told_is_an_error() {
     assert_eq!(told(row.observer, row.speed, published), ObserverError::Published(published));
 }
 
-/// The point of a tyre on the road rests there: a rider sees it where a lamp on the road would be, and as blue.
+/// The point of a tyre on the road rests there: a rider sees it where a lamp on the road would be, and as
+/// blue.
 #[test]
 fn where_a_wheel_meets_the_road_a_rider_sees_the_road() {
     let velocity = ObserverVelocity::new(speed(0.8), 0.3, 0.0);
@@ -343,7 +345,8 @@ fn whole_quarter() -> RideMoment {
     RideMoment::AT_REST.after(2.0, [1.0, 0.0, 0.0])
 }
 
-/// Nothing that is seen jumps: what home's clock is seen to run by, added up over the trip, is what it shows in the end.
+/// Nothing that is seen jumps: what home's clock is seen to run by, added up over the trip, is what it shows
+/// in the end.
 #[test]
 fn all_the_light_from_home_arrives_during_the_trip() {
     let (out, back) = ([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]);
@@ -382,7 +385,8 @@ fn all_the_light_from_home_arrives_during_the_trip() {
     assert!((seen(4.0).0 - 1.729_329_434).abs() < 1e-9);
 }
 
-/// A sign ahead seems to run away while one pedals: R' = R e^s grows until one sees it as it was when one started.
+/// A sign ahead seems to run away while one pedals: R' = R e^s grows until one sees it as it was when one
+/// started.
 #[test]
 fn a_sign_ahead_runs_away_at_first() {
     let ride = legs(&[(4.0, [1.0, 0.0, 0.0])]);
@@ -398,7 +402,8 @@ fn a_sign_ahead_runs_away_at_first() {
     assert!(distance(1.7).0 < farthest && distance(2.0).0 < farthest);
 }
 
-/// The odometers are integrals of the rider's speed: against Simpson's rule on rides that speed up, brake and turn round.
+/// The odometers are integrals of the rider's speed: against Simpson's rule on rides that speed up, brake and
+/// turn round.
 #[test]
 fn odometers_add_up_what_is_ridden() {
     let rides = [

@@ -1,4 +1,5 @@
-//! The stereo position of a moving body: each derived claim, against sightings and lines of sight crossed here.
+//! The stereo position of a moving body: each derived claim, against sightings and lines of sight crossed
+//! here.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use relativity_core::aberration::rest_from_ground;
@@ -13,7 +14,8 @@ type Vector = Vector3<f64>;
 const SMALL: f64 = 1e-4;
 /// Half the length of a small body.
 const STEP: f64 = 1e-3;
-/// Places of a body at t = 0 (in its rest frame), and times of reception: ahead, abreast, behind, aside, and high up.
+/// Places of a body at t = 0 (in its rest frame), and times of reception: ahead, abreast, behind, aside, and
+/// high up.
 const EVENTS: [([f64; 3], f64); 5] = [
     ([-4.0, 3.0, 2.0], -3.0),
     ([0.5, 3.0, 2.0], 3.5),
@@ -50,8 +52,8 @@ fn fused(speed: &Speed, rest: Vector, separation: f64, time: f64) -> Stereo {
     stereo(speed, source(speed, rest), Aperture::pair(separation), time).expect("inside the domain")
 }
 
-/// The middle of the shortest connection of the lines of sight of two eyes, `baseline` from one to the other; how far
-/// along the line from each it ends comes with it, below 0 where the lines diverge.
+/// The middle of the shortest connection of the lines of sight of two eyes, `baseline` from one to the other;
+/// how far along the line from each it ends comes with it, below 0 where the lines diverge.
 fn crossing(speed: &Speed, rest: Vector, baseline: Vector, time: f64) -> (Vector, [f64; 2]) {
     let places = [-0.5 * baseline, 0.5 * baseline];
     let [u, v] = places.map(|place| {
@@ -74,8 +76,8 @@ fn jacobian(rest: Vector, image: impl Fn(Vector) -> Vector) -> Matrix3<f64> {
     Matrix3::from_columns(&[column(0), column(1), column(2)])
 }
 
-/// The same in directions along and across the lines of sight: rows by the ground's, columns by the rest frame's, the
-/// first of each along the line, the second across it in the plane of the motion.
+/// The same in directions along and across the lines of sight: rows by the ground's, columns by the rest
+/// frame's, the first of each along the line, the second across it in the plane of the motion.
 fn along_and_across(speed: &Speed, rest: Vector, time: f64, jacobian: Matrix3<f64>) -> Matrix3<f64> {
     let ground = seen(speed, rest, time).normalize();
     let there = Vector::from(rest_from_ground(ground.into(), speed));
@@ -224,7 +226,8 @@ fn any_two_eyes_take_a_point_to_be_where_their_lines_of_sight_come_closest() {
                 continue;
             };
             assert!(along.iter().all(|&along| along > 0.0), "{along:?}");
-            // The lines crossed here are differences of sightings, which lose the separation over the distance.
+            // The lines crossed here are differences of sightings, which lose the separation over the
+            // distance.
             assert_alike(fused.position.into(), place, 1e-8 / separation, "place");
             let each = [-0.5, 0.5].map(|side| {
                 let [x, y, z] = (side * baseline).into();
@@ -356,8 +359,8 @@ fn lines_of_sight_of_eyes_one_behind_the_other_can_diverge() {
     }
 }
 
-/// The image of a short rod along the motion that is seen abreast, far away: its parts along the motion and in depth,
-/// over its length.
+/// The image of a short rod along the motion that is seen abreast, far away: its parts along the motion and
+/// in depth, over its length.
 fn rod_abreast(speed: &Speed, image: impl Fn(Vector) -> Vector) -> [f64; 2] {
     // At x = 0 at t = 0, which is seen at T = R.
     let along = Vector::new(STEP, 0.0, 0.0);
@@ -382,7 +385,8 @@ fn one_eye_sees_a_rod_abreast_as_if_it_were_turned_by_arcsin_beta() {
     for speed in speeds() {
         let middle = Vector::new(0.0, 10.0, 0.0);
         let jacobian = jacobian(middle, |rest| seen(&speed, rest, 10.0).normalize() * 10.0);
-        // A rod across the view and one in depth are seen as the same two on a body at rest turned by arcsin beta.
+        // A rod across the view and one in depth are seen as the same two on a body at rest turned by arcsin
+        // beta.
         let turned = Rotation3::from_axis_angle(&Vector::z_axis(), speed.beta().asin());
         let expected = Matrix3::new(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0) * turned.matrix();
         assert!((jacobian - expected).abs().max() < 1e-5, "{jacobian} {expected}");

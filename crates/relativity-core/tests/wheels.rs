@@ -96,8 +96,9 @@ fn a_point_on_the_road_keeps_its_colour_at_every_speed() {
             let time = f64::sqrt(x * x + y * y + z * z);
             let seen = seen(&speed, bottom, Aperture { x, y, z }, time);
             let error = (seen.doppler_factor - 1.0).abs();
-            // By so much D changes with the roundings of T, of the place and of the angle at t' = 0: dD/da = gamma n_z,
-            // da/dT = gamma omega, and the place where it is at an angle tells the time 1/(1 + v.n') times as well.
+            // By so much D changes with the roundings of T, of the place and of the angle at t' = 0: dD/da =
+            // gamma n_z, da/dT = gamma omega, and the place where it is at an angle tells the time 1/(1 +
+            // v.n') times as well.
             let slope = 1.0 / (speed.gamma() * speed.gamma() * (1.0 - beta * x / time));
             let of_angle = FRAC_PI_2 * (1.0 + beta / slope) + speed.gamma() * 2.0 * time / RADIUS;
             let of_inputs = 1.0 + speed.gamma() * z / time * of_angle;
@@ -127,7 +128,8 @@ fn a_hub_is_seen_as_any_point_that_does_not_turn() {
     }
 }
 
-/// The proper time of a point that moves at v is sqrt(1 - v^2) times that of the clocks at rest with its wheel.
+/// The proper time of a point that moves at v is sqrt(1 - v^2) times that of the clocks at rest with its
+/// wheel.
 #[test]
 fn the_doppler_factor_is_how_fast_its_own_clock_is_seen_to_run() {
     for beta in [0.1, 0.5, 0.9, 0.99] {

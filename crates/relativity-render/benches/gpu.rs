@@ -1,9 +1,9 @@
 //! The cost of rays, against a loop over all bodies per pixel, packets of rays on the CPU, and triangles.
 //!
-//! `cargo bench -p relativity-render --bench gpu` prints, for up to 100,000 bodies that ride past at
-//! beta = 0.9, milliseconds per frame of two eyes of 480 x 540 pixels (median of rounds taken in turns) and
-//! ratios to the rays'; then what it adds to compose the two pictures into one, and what pictures
-//! parallel to the baseline and conformal ones cost beside those across the gaze. With `-- projections` it prints that alone.
+//! `cargo bench -p relativity-render --bench gpu` prints, for up to 100,000 bodies that ride past at beta =
+//! 0.9, milliseconds per frame of two eyes of 480 x 540 pixels (median of rounds taken in turns) and ratios
+//! to the rays'; then what it adds to compose the two pictures into one, and what pictures parallel to the
+//! baseline and conformal ones cost beside those across the gaze. With `-- projections` it prints that alone.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -64,8 +64,8 @@ fn compare_all_projections(gpu: &Gpu) -> Result<(), GpuError> {
     Ok(())
 }
 
-/// Prints the times of the picture across the gaze, of the same as one parallel to its rows, of one that is sheared, and of a conformal one with
-/// as many pixels per radian in its middle.
+/// Prints the times of the picture across the gaze, of the same as one parallel to its rows, of one that is
+/// sheared, and of a conformal one with as many pixels per radian in its middle.
 fn compare_projections(gpu: &Gpu, bodies: &[Body], method: Method) -> Result<(), GpuError> {
     let mut renderers = Renderers::new(Some(gpu.clone()));
     let scene = PreparedScene::moving(bodies);

@@ -1,8 +1,9 @@
-//! The cost of a model of a million triangles beside that of our own shapes: how long it takes to be prepared, its memory, and the rays a second by
-//! the reference and by the packets; on a graphics device also by the rays and by the mesh.
+//! The cost of a model of a million triangles beside that of our own shapes: how long it takes to be
+//! prepared, its memory, and the rays a second by the reference and by the packets; on a graphics device also
+//! by the rays and by the mesh.
 //!
-//! `cargo bench -p relativity-render --bench models` prints them for a ball that rides past at beta = 0.9, from far and from near.
-//! Memory is read where the system tells it.
+//! `cargo bench -p relativity-render --bench models` prints them for a ball that rides past at beta = 0.9,
+//! from far and from near. Memory is read where the system tells it.
 
 #[path = "../tests/models/mod.rs"]
 mod models;

@@ -1,8 +1,8 @@
 //! The gain from boxes within boxes and tiles: the reference renderer against its own loop over all bodies.
 //!
 //! `cargo bench -p relativity-render --bench reference` prints, for 64, 640 and 6,400 bodies in a crowd that
-//! rides past at beta = 0.9, the time per image of both and their ratio, measured in turns in one run; then, for up to a million tubes, how long
-//! these take to be prepared and how many rays a second it traces.
+//! rides past at beta = 0.9, the time per image of both and their ratio, measured in turns in one run; then,
+//! for up to a million tubes, how long these take to be prepared and how many rays a second it traces.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -42,8 +42,8 @@ fn compare(bodies: &[Body]) {
     println!("{:6}  {covered:5.1} %  {looped_ms:7.1}  {image_ms:8.1}  {ratio:5.1}", bodies.len());
 }
 
-/// Prints how long tubes, as many as that, take to be prepared, and how many rays a second the reference traces among them;
-/// the thinner the more they are, so that they fill the same part of the picture.
+/// Prints how long tubes, as many as that, take to be prepared, and how many rays a second the reference
+/// traces among them; the thinner the more they are, so that they fill the same part of the picture.
 fn scale(count: u32) {
     let bodies = tubes(count);
     let start = Instant::now();

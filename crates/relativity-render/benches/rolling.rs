@@ -1,7 +1,7 @@
 //! The cost of rolling wheels: a street with the wheels of a bicycle, against wheels that only slide.
 //!
-//! `cargo bench -p relativity-render --bench rolling` prints, for several speeds and times, milliseconds per frame of two
-//! eyes of 480 x 540 pixels (median of rounds taken in turns) and their ratio.
+//! `cargo bench -p relativity-render --bench rolling` prints, for several speeds and times, milliseconds per
+//! frame of two eyes of 480 x 540 pixels (median of rounds taken in turns) and their ratio.
 
 use std::f64::consts::TAU;
 use std::time::Instant;

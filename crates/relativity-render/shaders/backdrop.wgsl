@@ -2,8 +2,8 @@
 //
 // Repeats `backdrop.rs`, which says what each line is for and gives these.
 
-// Whether this draws where the ground can be seen, with a road on it, and where house fronts can: of what lies behind,
-// each tile of the picture is drawn by one pipeline, with no more than what it shows.
+// Whether this draws where the ground can be seen, with a road on it, and where house fronts can: of what
+// lies behind, each tile of the picture is drawn by one pipeline, with no more than what it shows.
 override GROUND: bool;
 override ROAD: bool;
 override FRONTS: bool;
@@ -63,9 +63,10 @@ fn shows(number: vec2u) -> bool {
         line_near(vec2f(low.x, high.y), vec2f(-1.0, -1.0)),
         line_near(high, vec2f(1.0, -1.0)),
     );
-    // Of planes through the aperture: how far the corners are in front of the fronts' plane, above their foot, and below
-    // the highest and the lowest of the roofs. A tile is on one side of a plane if all of its corners are; in a conformal
-    // picture, whose rows may bulge between the corners, by the square of a tile's height.
+    // Of planes through the aperture: how far the corners are in front of the fronts' plane, above their
+    // foot, and below the highest and the lowest of the roofs. A tile is on one side of a plane if all of its
+    // corners are; in a conformal picture, whose rows may bulge between the corners, by the square of a
+    // tile's height.
     let rows = select(0.0, 2.0 / (f32(TILE_ROWS) * frame.clip_up.w) + 4.0 * frame.base.w, CONFORMAL);
     let bulge = rows * rows;
     let ground = frame.ground.z;
@@ -86,7 +87,8 @@ fn shows(number: vec2u) -> bool {
 // Heights below this stand for no ground.
 const NO_GROUND = -1e38;
 
-// The line of sight (unnormalised) two pixels to the right and down, or against that, of a place in clip coordinates.
+// The line of sight (unnormalised) two pixels to the right and down, or against that, of a place in clip
+// coordinates.
 fn line_near(place: vec2f, outwards: vec2f) -> vec3f {
     if CONFORMAL {
         let off = 2.0 * frame.base.w * outwards;
@@ -111,8 +113,8 @@ fn line_cover(off_line: vec2f, half_width: f32, pixel: vec2f) -> vec2f {
     return cover * (half_width / half);
 }
 
-// How the place where a line of sight meets the ground moves to the next pixel. A multiple of the line of sight in its `step` does
-// not move it.
+// How the place where a line of sight meets the ground moves to the next pixel. A multiple of the line of
+// sight in its `step` does not move it.
 fn shift(line: Line, step: vec3f, distance: f32) -> vec2f {
     return (step.xy - line.n.xy * (step.z / line.n.z)) * (line.scale * distance);
 }
@@ -164,7 +166,8 @@ fn line_on_oblique_ground(sight: vec4f, right: vec3f, down: vec3f) -> Line {
 
 const AT_REST = 2u;
 
-// What a `step` of the line of sight `n` of the camera is on the ground, whose line is (Gamma (n_x + V |n|), n_y, n_z).
+// What a `step` of the line of sight `n` of the camera is on the ground, whose line is (Gamma (n_x + V |n|),
+// n_y, n_z).
 fn step_on_ground(n: vec3f, step: vec3f) -> vec3f {
     let lag = select(0.0, frame.street_motion.x * frame.street_speed.x * dot(n, step), STREET_GEOMETRY == 0u);
     return vec3f(frame.street_speed.w * (step.x + lag), step.yz);
@@ -179,7 +182,8 @@ fn marks_cover(foot: vec2f, pixel: vec2f) -> f32 {
     return kerbs + lane * repeated_cover(foot.x, DASH_LENGTH, DASH_PERIOD, pixel.x);
 }
 
-// Share of a road's light that the shadows of what touches it leave at `foot` from the camera: see `contact.rs`.
+// Share of a road's light that the shadows of what touches it leave at `foot` from the camera: see
+// `contact.rs`.
 fn left_by_contacts(foot: vec2f, pixel: vec2f) -> f32 {
     var left = 1.0;
     let from_middle = vec3f(foot, frame.ground.z) + frame.contact_eye.xyz;

@@ -8,8 +8,8 @@ struct Body {
     place: vec3f,
     // Of a body with flat faces the least of its `halves`.
     radius: f32,
-    // The other end of a tube; a ring's unit axis and the radius of its middle circle; half the lengths of a body with
-    // flat faces along its own axes, and how far a model that turns reaches from its axle.
+    // The other end of a tube; a ring's unit axis and the radius of its middle circle; half the lengths of a
+    // body with flat faces along its own axes, and how far a model that turns reaches from its axle.
     form: vec4f,
     // Unit quaternion from the body's own axes to those of the rest frame.
     turn: vec4f,
@@ -27,8 +27,8 @@ struct Surface {
     clearance: f32,
     // Half the least width that the body is seen with.
     half_width: f32,
-    // From the body to the ray where they come closest, across the outline: how fast the clearance falls as the ray moves.
-    // A unit vector where the body stands still.
+    // From the body to the ray where they come closest, across the outline: how fast the clearance falls as
+    // the ray moves. A unit vector where the body stands still.
     outward: vec3f,
     // Rest-frame distance along the ray beyond the middle of its group.
     beyond: f32,
@@ -53,13 +53,14 @@ fn body_from_rest(v: vec3f, body: Body) -> vec3f {
     return turned(v, vec4f(-body.turn.xyz, body.turn.w));
 }
 
-// Half its lengths along its own axes, of a body with flat faces: at least `radius`, which is raised where it is drawn a
-// pixel wide.
+// Half its lengths along its own axes, of a body with flat faces: at least `radius`, which is raised where it
+// is drawn a pixel wide.
 fn halves(body: Body) -> vec3f {
     return max(body.form.xyz, vec3f(body.radius));
 }
 
-// A ray in the own axes of a body, from its `place`: the ray is nearest + s direction, and moment their cross product.
+// A ray in the own axes of a body, from its `place`: the ray is nearest + s direction, and moment their cross
+// product.
 struct OwnRay {
     direction: vec3f,
     moment: vec3f,
@@ -68,15 +69,16 @@ struct OwnRay {
 
 fn own_ray(body: Body, ray: Ray) -> OwnRay {
     let direction = body_from_rest(ray.direction, body);
-    // A ray that passes farther off than bodies are large misses: nearer, no product of its distances overflows.
+    // A ray that passes farther off than bodies are large misses: nearer, no product of its distances
+    // overflows.
     let far = vec3f(1e15);
     let moment = clamp(body_from_rest(ray.moment + cross(body.place, ray.direction), body), -far, far);
     return OwnRay(direction, moment, cross(moment, direction));
 }
 
-// How much of what a pixel shows of two faces is the other than that which its ray meets: the ray passes their common
-// edge at the distance `from_edge`, `across` is the unit vector across the edge and the ray, and `width` that of the
-// other face as it is seen.
+// How much of what a pixel shows of two faces is the other than that which its ray meets: the ray passes
+// their common edge at the distance `from_edge`, `across` is the unit vector across the edge and the ray, and
+// `width` that of the other face as it is seen.
 fn share_of_other(from_edge: f32, width: f32, across: vec3f, ray: Ray, beyond: f32) -> f32 {
     let pixel = max((ray.to_centre + beyond) * length(movement(ray, across)), 1e-30);
     let own = 0.5 + min(from_edge / pixel, 0.5);

@@ -16,8 +16,8 @@ fn surface(body: Body, ray: Ray) -> Surface {
     let n = own.direction;
     let half = halves(body);
     let steep = abs(n);
-    // Along the ray the box is a hexagon, inside three pairs of lines along the images of its axes. The image of an axis
-    // along the ray is a point, and its lines cut off less than f32 resolves.
+    // Along the ray the box is a hexagon, inside three pairs of lines along the images of its axes. The image
+    // of an axis along the ray is a point, and its lines cut off less than f32 resolves.
     let sines = sqrt(n.yzx * n.yzx + n.zxy * n.zxy);
     let is_point = sines < vec3f(1e-5);
     let divisors = max(sines, vec3f(1e-5));

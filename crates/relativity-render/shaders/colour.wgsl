@@ -1,6 +1,8 @@
-// Received light: from a Doppler factor to linear sRGB. The same as `screen_light.rs`, `tone.rs`, `hatch.rs` and `shade.rs`, by tables.
+// Received light: from a Doppler factor to linear sRGB. The same as `screen_light.rs`, `tone.rs`, `hatch.rs`
+// and `shade.rs`, by tables.
 
-// How colours are found: 0 as at rest, 1 by one place in a table, 2 daylight, 3 by the Doppler factor, 4 the street's daylight.
+// How colours are found: 0 as at rest, 1 by one place in a table, 2 daylight, 3 by the Doppler factor, 4 the
+// street's daylight.
 override SPECTRUM: u32;
 // Whether the Doppler factor shifts the wavelength.
 override DOPPLER_SHIFT: bool;
@@ -21,7 +23,8 @@ override BAND_PER_OCTAVE: f32;
 override DAYLIGHT_PLACE: f32;
 // log2 of the quanta of daylight at the beginning of the table of bands.
 override DAYLIGHT_QUANTA: f32;
-// Below this speed the parts of the street's daylight are weighted as at it; and the largest gamma beta that it lights.
+// Below this speed the parts of the street's daylight are weighted as at it; and the largest gamma beta that
+// it lights.
 override LEAST_BETA: f32;
 override MOST_RAPID: f32;
 
@@ -46,7 +49,8 @@ fn shown(light: vec3f, row: i32, place: f32) -> vec4f {
     return vec4f(colour, unseen);
 }
 
-// The grey of light with this unseen share, from -1 (ultraviolet) to 1 (infrared), in the pixel with this middle.
+// The grey of light with this unseen share, from -1 (ultraviolet) to 1 (infrared), in the pixel with this
+// middle.
 fn hatched(unseen: f32, pixel: vec2f) -> f32 {
     let periods = (pixel.x + select(-pixel.y, pixel.y, unseen > 0.0)) * frame.hatch[0].y;
     let from_line = abs(fract(periods) - 0.5) * frame.hatch[0].x;
@@ -54,8 +58,8 @@ fn hatched(unseen: f32, pixel: vec2f) -> f32 {
     return abs(unseen) * (frame.hatch[1].x + frame.hatch[1].y * cover);
 }
 
-// `light`: of one place in a table that place at rest, how far it moves per octave of the shift (back for light of one
-// wavelength, forth for a black body), the exponent n of D^n, and log2 of the exposure.
+// `light`: of one place in a table that place at rest, how far it moves per octave of the shift (back for
+// light of one wavelength, forth for a black body), the exponent n of D^n, and log2 of the exposure.
 fn of_one_place(light: vec4f, octaves: f32, shift: f32) -> vec4f {
     let row = select(GLOW_ROW, LINE_ROW, light.y < 0.0);
     let place = light.x + light.y * shift;
@@ -63,8 +67,8 @@ fn of_one_place(light: vec4f, octaves: f32, shift: f32) -> vec4f {
     return shown(entry.rgb * power_of_two(entry.a + light.z * octaves + light.w), row, place);
 }
 
-// `light`: of daylight the band's place at rest, log2 of the exposure for the band and for all wavelengths, and the
-// exponent with which the band becomes brighter.
+// `light`: of daylight the band's place at rest, log2 of the exposure for the band and for all wavelengths,
+// and the exponent with which the band becomes brighter.
 fn of_daylight(light: vec4f, octaves: f32, shift: f32) -> vec4f {
     let place = DAYLIGHT_PLACE + GLOW_PER_OCTAVE * shift;
     let white = looked_up(GLOW_ROW, place);
@@ -78,7 +82,8 @@ fn of_daylight(light: vec4f, octaves: f32, shift: f32) -> vec4f {
     return shown(sum, GLOW_ROW, place);
 }
 
-// The angle with this cosine, within 7e-5: M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, 4.4.45.
+// The angle with this cosine, within 7e-5: M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions,
+// 4.4.45.
 fn arc_cosine(cosine: f32) -> f32 {
     let x = abs(cosine);
     let sum = 1.5707288 + x * (-0.2121144 + x * (0.074261 - 0.0187293 * x));
@@ -166,8 +171,9 @@ fn colour_of(light: vec4f, doppler: f32, facing: Facing) -> vec4f {
     }
 }
 
-// Of a body with this `light`, which is rgb and the unseen share at rest, else as above, in the pixel with this middle. Form comes after the shoulder: so it shows in what is
-// very bright, and in what is all but black.
+// Of a body with this `light`, which is rgb and the unseen share at rest, else as above, in the pixel with
+// this middle. Form comes after the shoulder: so it shows in what is very bright, and in what is all but
+// black.
 fn received_colour(light: vec4f, doppler: f32, normal: vec3f, facing: Facing, pixel: vec2f) -> vec3f {
     let found = colour_of(light, doppler, facing);
     var colour = found.rgb;

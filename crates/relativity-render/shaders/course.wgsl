@@ -1,17 +1,19 @@
 // A ray as the curve that it is in the frame that turns with a body, and where it first enters a tube.
 //
-// Along a ray the times of what is shown pass evenly. So at s along it, it is turned back by an angle that grows by w per
-// length, |w| <= |omega|. With n the ray's direction, n_perp its part across the axle and rho the greatest distance
-// from that, the curve a(s) has
+// Along a ray the times of what is shown pass evenly. So at s along it, it is turned back by an angle that
+// grows by w per length, |w| <= |omega|. With n the ray's direction, n_perp its part across the axle and rho
+// the greatest distance from that, the curve a(s) has
 //
 // |a'| <= sqrt(n_y^2 + (n_perp + |w| rho)^2), |a''| <= 2 |w| n_perp + w^2 rho.
 //
-// Its distance from a straight axis bends towards that no faster. So a parabola lies below that distance, and stepping to
-// its first root never passes an entry: the one that is found is the first, however often the ray enters.
+// Its distance from a straight axis bends towards that no faster. So a parabola lies below that distance, and
+// stepping to its first root never passes an entry: the one that is found is the first, however often the ray
+// enters.
 
 // Most steps to an entry: of 58 million rays (`tests/spokes.rs`) none took more than half.
 const MOST_STEPS = 64;
-// What is no farther from a tube than this part of its radius, and this part of how far it reaches from the axle, is at it.
+// What is no farther from a tube than this part of its radius, and this part of how far it reaches from the
+// axle, is at it.
 const AT_TUBE = 1e-4;
 const ROUNDING = 1e-7;
 // Steps to where a ray passes that does not enter.
@@ -162,7 +164,8 @@ fn growth(at: Passing) -> f32 {
     return dot(at.velocity, at.velocity) + dot(at.off, at.acceleration);
 }
 
-// How far it is from here to where the ray is closest to the axis, by Newton's method; 0 where it is farthest there.
+// How far it is from here to where the ray is closest to the axis, by Newton's method; 0 where it is farthest
+// there.
 fn to_closest(at: Passing) -> f32 {
     let grows = growth(at);
     return select(0.0, -dot(at.off, at.velocity) / max(grows, 1e-30), grows > 0.0);

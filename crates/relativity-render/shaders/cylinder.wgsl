@@ -17,8 +17,8 @@ fn surface(body: Body, ray: Ray) -> Surface {
     let half = halves(body);
     let radius = half.x;
     let extent = half.z;
-    // Across the axis. A ray along it is treated as turned by a millionth: over the body's size it moves by less than
-    // f32 resolves.
+    // Across the axis. A ray along it is treated as turned by a millionth: over the body's size it moves by
+    // less than f32 resolves.
     let is_along = dot(n.xy, n.xy) < 1e-12;
     let sine = select(sqrt(dot(n.xy, n.xy)), 1e-6, is_along);
     let cosine = abs(n.z);
@@ -61,7 +61,8 @@ fn surface(body: Body, ray: Ray) -> Surface {
     let place = vec3f(reached.xy * shrunk, clamp(reached.z, -extent, extent));
     let beyond = dot(body.place, ray.direction) + dot(place, n);
 
-    // The rim of the end in sight, as an ellipse about that end's middle. Where it is no outline, the side adjoins.
+    // The rim of the end in sight, as an ellipse about that end's middle. Where it is no outline, the side
+    // adjoins.
     let from_end = y + rise * extent * sine;
     let rim = ellipse(x, from_end, radius, cosine);
     let across = rest_from_body(off_axis * rim.outward.x + along_axis * rim.outward.y, body);

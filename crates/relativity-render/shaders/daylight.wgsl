@@ -1,13 +1,14 @@
 // The street's daylight as surfaces receive it: see `daylight.rs`.
 
-// How a surface moves through the street's light: its gamma beta there; and the cosine, in its own frame, of the angle
-// between its normal and its motion.
+// How a surface moves through the street's light: its gamma beta there; and the cosine, in its own frame, of
+// the angle between its normal and its motion.
 struct Facing {
     rapid: f32,
     ahead: f32,
 }
 
-// How what is at `place`, from the body's middle, with this `normal` faces the street's light, where that is shown.
+// How what is at `place`, from the body's middle, with this `normal` faces the street's light, where that is
+// shown.
 fn facing_of(body: Body, place: vec3f, normal: vec3f, spin: Spin) -> Facing {
     if SPECTRUM != 4u {
         return Facing(0.0, 0.0);

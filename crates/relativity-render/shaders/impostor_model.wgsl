@@ -1,7 +1,7 @@
 // What the samples of a rectangle show of a model of triangles: each looks into the model for itself.
 //
-// Of a model `Piece.pattern` is the row that it begins with, whether it is seen from both sides, and whether of its paint only the
-// luminance is shown.
+// Of a model `Piece.pattern` is the row that it begins with, whether it is seen from both sides, and whether
+// of its paint only the luminance is shown.
 
 struct OfModel {
     triangle: u32,

@@ -24,7 +24,8 @@ struct MeshInstance {
     // The `Spin`.
     @location(8) spin: vec4f,
     @location(9) rim: vec2f,
-    // As `BodyCopy`: the angle by which this copy is turned, and whether it draws only the triangles across the cut.
+    // As `BodyCopy`: the angle by which this copy is turned, and whether it draws only the triangles across
+    // the cut.
     @location(10) copy: vec2f,
 }
 
@@ -44,8 +45,8 @@ struct Fragment {
     @location(9) @interpolate(flat) pattern: vec3f,
     @location(10) @interpolate(flat) spin: vec4f,
     @location(11) @interpolate(flat) rim: vec2f,
-    // How much of the corners is behind the baseline and below, and how much behind it and above; and whether this copy is of triangles
-    // across the cut.
+    // How much of the corners is behind the baseline and below, and how much behind it and above; and whether
+    // this copy is of triangles across the cut.
     @location(12) ends: vec3f,
     // Half the width that the corners are drawn with: that of a pixel at least, if the body may be thinner.
     @location(13) drawn_half_width: f32,
@@ -59,9 +60,9 @@ struct Sighting {
 // Beyond this apparent distance everything is drawn there.
 const FAR = 1e30;
 
-// What is seen of a point at rest at `c` from the camera's event: with S = c_x/gamma and q = hypot(S, rho/gamma),
-// R = gamma^2 (q - beta S) and X = S - beta R; for S > 0 as quotients of what does not cancel. No product of
-// these overflows at any gamma, as |c|^2 would.
+// What is seen of a point at rest at `c` from the camera's event: with S = c_x/gamma and q = hypot(S,
+// rho/gamma), R = gamma^2 (q - beta S) and X = S - beta R; for S > 0 as quotients of what does not cancel. No
+// product of these overflows at any gamma, as |c|^2 would.
 fn sighting(c: vec3f) -> Sighting {
     let beta = frame.speed.x;
     let gamma = frame.speed.w;
@@ -115,7 +116,8 @@ fn camera_from_body(body: Body) -> vec3f {
     return body_from_rest(-(frame.middle.xyz + (frame.middle_fine.xyz + middle(body))), body);
 }
 
-// Beyond this many halves of a body's length it is divided evenly; and nearer than this the camera counts as no nearer.
+// Beyond this many halves of a body's length it is divided evenly; and nearer than this the camera counts as
+// no nearer.
 const FAR_OFF = 30.0;
 const NEAREST = 1e-3;
 
@@ -123,9 +125,10 @@ fn inverse_sinh(x: f32) -> f32 {
     return sign_of(x) * log(abs(x) + sqrt(x * x + 1.0));
 }
 
-// Where the grid's corner `t` is along a body, from -1 at one end to 1 at the other: at even steps of the rapidity of the line of sight
-// along the body, which motion along it only shifts, so that the image bends as little between corners at every speed. The camera is
-// `along` from the middle and `off` the body, in halves of the body's length.
+// Where the grid's corner `t` is along a body, from -1 at one end to 1 at the other: at even steps of the
+// rapidity of the line of sight along the body, which motion along it only shifts, so that the image bends as
+// little between corners at every speed. The camera is `along` from the middle and `off` the body, in halves
+// of the body's length.
 fn spaced(t: f32, along: f32, off: f32) -> f32 {
     if abs(t) == 1.0 || max(abs(along), off) > FAR_OFF {
         return t;
@@ -156,8 +159,8 @@ fn sighting_from_middle(place: vec3f) -> Sighting {
     return mapped(frame.middle.xyz + (frame.middle_fine.xyz + place));
 }
 
-// Half the size of a pixel at what appears at `position`: away from the axis of a flat picture nothing is smaller than on
-// it, as deep; in a conformal one, as far from the baseline.
+// Half the size of a pixel at what appears at `position`: away from the axis of a flat picture nothing is
+// smaller than on it, as deep; in a conformal one, as far from the baseline.
 fn half_pixel_at(position: vec3f) -> f32 {
     let depth = dot(position, frame.forward.xyz);
     if CONFORMAL {
@@ -168,8 +171,8 @@ fn half_pixel_at(position: vec3f) -> f32 {
     return 0.5 * length(frame.right.xyz) * max(depth, 0.0);
 }
 
-// The body that has half this width where it is drawn wider than it is: a long one may be thinner than a pixel at one end
-// alone.
+// The body that has half this width where it is drawn wider than it is: a long one may be thinner than a
+// pixel at one end alone.
 fn widened(body: Body, half_width: f32, drawn_half_width: f32) -> Body {
     let radius = select(body.radius, drawn_half_width, half_width < drawn_half_width);
     return Body(body.place, radius, body.form, body.turn);
@@ -260,15 +263,15 @@ fn conformal_place(position: vec3f, copy: vec2f) -> Place {
     return Place(clip, vec3f(ends, copy.y));
 }
 
-// Whether another copy of the body draws this fragment: those across the cut draw the triangles with corners behind the baseline both
-// below and above.
+// Whether another copy of the body draws this fragment: those across the cut draw the triangles with corners
+// behind the baseline both below and above.
 fn is_of_other_copy(fragment: Fragment) -> bool {
     let is_across = fragment.ends.x > 0.0 && fragment.ends.y > 0.0;
     return CONFORMAL && is_across != (fragment.ends.z > 0.5);
 }
 
-// The angle from the first axis to `place`, radians from -pi to pi. WGSL leaves 12 bits of `atan2` to whoever computes it; this
-// is the series of the arctangent of a quarter of it.
+// The angle from the first axis to `place`, radians from -pi to pi. WGSL leaves 12 bits of `atan2` to whoever
+// computes it; this is the series of the arctangent of a quarter of it.
 fn angle_of(place: vec2f) -> f32 {
     let half = place.y / max(length(place) + abs(place.x), 1e-30);
     let quarter = half / (1.0 + sqrt(1.0 + half * half));
@@ -293,10 +296,10 @@ struct Measure {
 }
 
 // From the pixel's own ray, which is better than what is interpolated between corners: the Doppler factor
-// depends on the line of sight alone, in the rest frame depth is not contracted, and the body itself is nearer
-// or farther than the triangle by what may be more than the gap to the next body. Where two walls of a body lie
-// behind each other, as a ring's do, triangles of both have the depth of the nearer, and either may be drawn: so both
-// show the nearer. Where the ray misses the body, there is the triangle alone.
+// depends on the line of sight alone, in the rest frame depth is not contracted, and the body itself is
+// nearer or farther than the triangle by what may be more than the gap to the next body. Where two walls of a
+// body lie behind each other, as a ring's do, triangles of both have the depth of the nearer, and either may
+// be drawn: so both show the nearer. Where the ray misses the body, there is the triangle alone.
 fn measure(fragment: Fragment) -> Measure {
     let ray = rest_ray(fragment.position.xy);
     let normal = normal_in(fragment);
@@ -324,8 +327,9 @@ fn measure(fragment: Fragment) -> Measure {
     return Measure(depth, doppler, ray, fragment.place, normal, length(fragment.apparent));
 }
 
-// The same where both eyes have one light cone, from the ray that touches the curve of events where the fragment appears.
-// Depths are told along the ray's limit at great distances, which all fragments of a pixel share.
+// The same where both eyes have one light cone, from the ray that touches the curve of events where the
+// fragment appears. Depths are told along the ray's limit at great distances, which all fragments of a pixel
+// share.
 fn measure_in_one_cone(fragment: Fragment, straight: Ray, normal: vec3f) -> Measure {
     let body = body_of(fragment);
     let spin = spin_of(fragment.spin, fragment.rim);

@@ -1,4 +1,5 @@
-// Corners of a model's triangles, divided, and what their pixels show. `MeshInstance.pattern` is as `Piece.pattern`.
+// Corners of a model's triangles, divided, and what their pixels show. `MeshInstance.pattern` is as
+// `Piece.pattern`.
 
 // Corners have the record of their triangle in the place of a normal.
 const HAS_NORMALS = false;
@@ -8,14 +9,16 @@ struct Shape {
     normal: vec3f,
 }
 
-// profile: place from the middle of the model's box, along its axes; turn: the record of the triangle in thousands (of 4096) and ones,
-// which are small enough to come out of an interpolation as they are. They stand in the place of a normal.
+// profile: place from the middle of the model's box, along its axes; turn: the record of the triangle in
+// thousands (of 4096) and ones, which are small enough to come out of an interpolation as they are. They
+// stand in the place of a normal.
 fn corner_place(corner: Corner, body: Body) -> Shape {
     return Shape(rest_from_body(corner.profile.xyz, body), vec3f(corner.turn, 0.0));
 }
 
-// Of triangles that are seen from one side, those that show the other are not drawn: where the pixel has a straight ray that says which it
-// is, since the image of a triangle that is seen aslant may be turned by less than the bound.
+// Of triangles that are seen from one side, those that show the other are not drawn: where the pixel has a
+// straight ray that says which it is, since the image of a triangle that is seen aslant may be turned by less
+// than the bound.
 fn prepare(fragment: Fragment, is_front: bool) {
     let body = body_of(fragment);
     let spin = spin_of(fragment.spin, fragment.rim);

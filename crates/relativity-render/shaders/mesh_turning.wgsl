@@ -1,7 +1,7 @@
 // Corners of bodies that turn: each is shown where it is when it is shown.
 
-// Most steps of the root's search, and from which one on they halve what is left: near the speed of light Newton's
-// method may creep.
+// Most steps of the root's search, and from which one on they halve what is left: near the speed of light
+// Newton's method may creep.
 const MOST_NEWTON = 20;
 const MOST_HALVINGS = 44;
 
@@ -13,8 +13,8 @@ fn later_before(hub: vec3f, q: vec3f, spin: Spin) -> Later {
     return later_from(hub, q);
 }
 
-// By how much later than the hub what is at `q` from it then is shown itself: the one root between -|q| and |q|, to 1e-7 of
-// that over 1 + v.n' (f32).
+// By how much later than the hub what is at `q` from it then is shown itself: the one root between -|q|
+// and |q|, to 1e-7 of that over 1 + v.n' (f32).
 fn shown_later(hub: vec3f, q: vec3f, spin: Spin) -> f32 {
     let reach = sqrt(dot(q, q));
     var low = -reach;
@@ -56,8 +56,8 @@ fn corner_when_shown(place: vec3f, normal: vec3f, spin: Spin) -> Shape {
     return Shape(spin.hub + about_y(q, turn), select(normal, about_y(normal, turn), HAS_NORMALS));
 }
 
-// What the published model's right eye sees of a corner that turns and is shown at `place` to the left eye: as the left one
-// does Delta T earlier. From the group's middle.
+// What the published model's right eye sees of a corner that turns and is shown at `place` to the left eye:
+// as the left one does Delta T earlier. From the group's middle.
 struct Earlier {
     place: vec3f,
     from_camera: vec3f,

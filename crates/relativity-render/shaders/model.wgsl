@@ -1,10 +1,11 @@
-// A model of triangles in a box, one of whose triangles a pixel shows: that is the surface which a ray meets there.
+// A model of triangles in a box, one of whose triangles a pixel shows: that is the surface which a ray meets
+// there.
 
 // Whether `around` is all of it.
 const IS_TUBE = false;
 
-// The triangle of this pixel, its place there in the axes of the model, and its unit normal on the side that is seen; and that place from
-// the hub, as it is shown, of a model that turns.
+// The triangle of this pixel, its place there in the axes of the model, and its unit normal on the side that
+// is seen; and that place from the hub, as it is shown, of a model that turns.
 var<private> current: Triangle;
 var<private> current_place: vec3f;
 var<private> current_normal: vec3f;

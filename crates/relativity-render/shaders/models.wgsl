@@ -1,4 +1,5 @@
-// Models of triangles, and rays against them: the records of `triangles/packed.rs`, which says what is in them.
+// Models of triangles, and rays against them: the records of `triangles/packed.rs`, which says what is in
+// them.
 
 // Each model begins with a row of its own; rows are a power of two long.
 @group(0) @binding(2) var models: texture_2d<u32>;
@@ -28,7 +29,8 @@ struct Triangle {
     number: u32,
 }
 
-// A ray in the axes of a model, made ready for triangles: sheared to run along its greatest part, whose axis this is.
+// A ray in the axes of a model, made ready for triangles: sheared to run along its greatest part, whose axis
+// this is.
 struct Sheared {
     start: vec3f,
     direction: vec3f,
@@ -89,8 +91,9 @@ fn sheared_corner(corner: vec3f, ray: Sheared) -> vec3f {
     return vec3f(from_start.xy - ray.shear.xy * from_start.z, ray.shear.z * from_start.z);
 }
 
-// On which side of the edge between two corners the ray passes. Both triangles there work it out in the same order, so that however
-// products are rounded, or fused with the sum, it is for one what it is not for the other.
+// On which side of the edge between two corners the ray passes. Both triangles there work it out in the same
+// order, so that however products are rounded, or fused with the sum, it is for one what it is not for the
+// other.
 fn side(first: vec2f, second: vec2f) -> f32 {
     let is_swapped = first.x > second.x || (first.x == second.x && first.y > second.y);
     let p = select(first, second, is_swapped);
@@ -100,8 +103,8 @@ fn side(first: vec2f, second: vec2f) -> f32 {
     return select(turned, 0.0, all(first == second));
 }
 
-// Whether the ray meets the triangle: weights and distance, else a distance that is not above `behind`. Reference: Woop, Benthin, Wald,
-// Watertight ray/triangle intersection, as in `triangles/crossing.rs`.
+// Whether the ray meets the triangle: weights and distance, else a distance that is not above `behind`.
+// Reference: Woop, Benthin, Wald, Watertight ray/triangle intersection, as in `triangles/crossing.rs`.
 fn met_triangle(ray: Sheared, triangle: Triangle, is_two_sided: bool, behind: f32) -> vec4f {
     let a = sheared_corner(triangle.a, ray);
     let b = sheared_corner(triangle.b, ray);
@@ -133,14 +136,16 @@ fn reciprocal_of(direction: vec3f) -> vec3f {
     return 1.0 / steep;
 }
 
-// Those of the two boxes below a node that a ray enters: how many, the link to the nearer, and that to the other.
+// Those of the two boxes below a node that a ray enters: how many, the link to the nearer, and that to the
+// other.
 struct Entered {
     count: u32,
     nearer: u32,
     other: u32,
 }
 
-// The boxes below the node at `link`, larger by `room` on all sides, that a ray is in somewhere between `least` and `most` along it.
+// The boxes below the node at `link`, larger by `room` on all sides, that a ray is in somewhere between
+// `least` and `most` along it.
 fn entered(row: u32, link: u32, start: vec3f, reciprocal: vec3f, room: f32, least: f32, most: f32) -> Entered {
     let one = texel(row, link, 0u);
     let other = texel(row, link, 2u);
@@ -158,7 +163,8 @@ fn entered(row: u32, link: u32, start: vec3f, reciprocal: vec3f, room: f32, leas
     );
 }
 
-// The first triangle of the model in `row` that a ray meets further on than `behind`, of equally near ones that of the lowest number.
+// The first triangle of the model in `row` that a ray meets further on than `behind`, of equally near ones
+// that of the lowest number.
 fn first_met(row: u32, start: vec3f, direction: vec3f, behind: f32, is_two_sided: bool) -> Met {
     let ray = sheared(start, direction);
     let reciprocal = reciprocal_of(direction);
@@ -200,8 +206,8 @@ fn first_met(row: u32, start: vec3f, direction: vec3f, behind: f32, is_two_sided
     return first;
 }
 
-// The unit normal of a triangle, on the side from which its corners run counter-clockwise. Lengths are brought up to 1 before they are
-// squared.
+// The unit normal of a triangle, on the side from which its corners run counter-clockwise. Lengths are
+// brought up to 1 before they are squared.
 fn outward(triangle: Triangle) -> vec3f {
     let u = triangle.b - triangle.a;
     let v = triangle.c - triangle.a;

@@ -1,12 +1,15 @@
 // Rays against models of triangles that turn: arc by arc, as `wheel/model.rs` searches in f64.
 
-// Greatest distance of an arc from its chord, in parts of how far the model reaches from the axle, and greatest number of arcs.
+// Greatest distance of an arc from its chord, in parts of how far the model reaches from the axle, and
+// greatest number of arcs.
 const BULGE = 0.01;
 const MOST_ARCS = 100.0;
-// Most steps of Newton's method to a triangle's plane, and the step, in parts of the reach, after which it is there.
+// Most steps of Newton's method to a triangle's plane, and the step, in parts of the reach, after which it is
+// there.
 const MOST_ROOT_STEPS = 10;
 const ON_PLANE = 1e-6;
-// Weights of corners that are below 0 by no more than this are taken for 0, so that no ray passes between triangles.
+// Weights of corners that are below 0 by no more than this are taken for 0, so that no ray passes between
+// triangles.
 const EDGE = 1e-5;
 // Triangles with a smaller square of their area, of edges up to 1, have none to f32.
 const NO_AREA = 1e-12;
@@ -47,7 +50,8 @@ fn path_at(path: Path, s: f32) -> CoMoving {
     return CoMoving(body_from_rest(place, path.body), body_from_rest(at.tangent, path.body));
 }
 
-// Between which parameters the path is where the model may be at some angle; the first is the larger where it is nowhere.
+// Between which parameters the path is where the model may be at some angle; the first is the larger where it
+// is nowhere.
 fn passage_through(path: Path) -> vec2f {
     let body = path.body;
     let form = body.form;
@@ -75,8 +79,9 @@ fn passage_through(path: Path) -> vec2f {
     );
 }
 
-// Where an arc meets a triangle: weights, and the place along the ray, 1e30 where it does not. An arc that begins and ends on one side of the
-// triangle's plane meets that twice if it comes nearer at first and goes away at last.
+// Where an arc meets a triangle: weights, and the place along the ray, 1e30 where it does not. An arc that
+// begins and ends on one side of the triangle's plane meets that twice if it comes nearer at first and goes
+// away at last.
 fn met_by_arc(path: Path, arc: PathPart, triangle: Triangle, is_two_sided: bool, bulge: f32) -> vec4f {
     let normal = outward(triangle);
     let first = dot(normal, arc.begin - triangle.a);
@@ -97,8 +102,8 @@ fn met_by_arc(path: Path, arc: PathPart, triangle: Triangle, is_two_sided: bool,
     return met_near(mix(arc.low, arc.high, share), first, path, arc, triangle, normal, is_two_sided);
 }
 
-// The same from a place along the ray, by Newton's method. Where the arc begins on the side `first` of the plane, unless that is 0, and ends on
-// the other, what is left is halved where that method would leave it.
+// The same from a place along the ray, by Newton's method. Where the arc begins on the side `first` of the
+// plane, unless that is 0, and ends on the other, what is left is halved where that method would leave it.
 fn met_near(
     start: f32,
     first: f32,
@@ -205,7 +210,8 @@ fn first_met_by_arc(row: u32, path: Path, arc: PathPart, is_two_sided: bool) -> 
     return first;
 }
 
-// The first triangle that a path meets further on than `behind`; its distance counts from the path's place nearest to the hub.
+// The first triangle that a path meets further on than `behind`; its distance counts from the path's place
+// nearest to the hub.
 fn first_met_by_path(row: u32, path: Path, behind: f32, is_two_sided: bool) -> Met {
     var first = Met(0u, 1e30, vec3f(0.0));
     let ends = passage_through(path);

@@ -14,7 +14,8 @@ fn reflected(v: vec3f, sign: f32) -> vec3f {
     return vec3f(v.x * sign, v.yz);
 }
 
-// How the line of sight along the unit vector `sight` passes a group of this `speed`, with the `sign` of its motion.
+// How the line of sight along the unit vector `sight` passes a group of this `speed`, with the `sign` of its
+// motion.
 fn passage(sight: vec3f, geometry: u32, speed: vec4f, sign: f32) -> Passage {
     if geometry == 0u {
         // Aberration: n* = (n_x + beta, n_y/gamma, n_z/gamma)/(1 + beta n_x), D = 1/(gamma (1 + beta n_x)),

@@ -42,8 +42,8 @@ struct Chart {
     level_gradient: vec3f,
 }
 
-// The mark of `pattern` (its ruling, and its steps along and around) on `body` at `place` (from its middle), at this
-// ground distance along the ray.
+// The mark of `pattern` (its ruling, and its steps along and around) on `body` at `place` (from its middle),
+// at this ground distance along the ray.
 fn mark(body: Body, pattern: vec3f, place: vec3f, normal: vec3f, ray: Ray, distance: f32) -> f32 {
     if pattern.x == 0.0 {
         return 1.0;
@@ -77,8 +77,8 @@ fn shift_in_one_cone(ray: Ray, turn: vec3f, distance: f32) -> vec3f {
     return group_from_motion(vec3f(select(off.x, -dot(off.yz, n.yz) / n.x, abs(n.x) >= 0.5), off.yz));
 }
 
-// How far what is seen moves in the rest frame from pixel to pixel along `across`, per ground distance, but for what is
-// along the ray.
+// How far what is seen moves in the rest frame from pixel to pixel along `across`, per ground distance, but
+// for what is along the ray.
 fn shift(ray: Ray, across: vec3f, distance: f32) -> vec3f {
     let turn = (across - ray.sight * dot(ray.sight, across)) * ray.scale;
     if ONE_CONE {
@@ -136,7 +136,8 @@ fn arc_to(off: f32, outward: vec3f, z: f32, radius: f32) -> Arc {
     return Arc(radius * angle_to(z, off), gradient);
 }
 
-// atan2(y, x), within 1e-6. M. Abramowitz and I. A. Stegun, *Handbook of Mathematical Functions* (1964), 4.4.49.
+// atan2(y, x), within 1e-6. M. Abramowitz and I. A. Stegun, *Handbook of Mathematical Functions* (1964),
+// 4.4.49.
 fn angle_to(y: f32, x: f32) -> f32 {
     let width = abs(x);
     let height = abs(y);

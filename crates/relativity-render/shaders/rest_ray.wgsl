@@ -52,7 +52,8 @@ fn reference_sight(sight: vec3f) -> vec3f {
     return sight;
 }
 
-// The height on the ground, from the camera, of what is at this `height` in the group's frame, at `place` from its middle.
+// The height on the ground, from the camera, of what is at this `height` in the group's frame, at `place`
+// from its middle.
 fn height_on_ground(height: f32, place: vec3f) -> f32 {
     if OBLIQUE {
         let from_camera = frame.middle.xyz + place;
@@ -114,13 +115,14 @@ fn nearest_to(anchor: vec3f, ray: Ray) -> vec3f {
 
 // Depth of what lies `beyond` the group's middle along its ray: 1 is nearest, 0 is nothing.
 //
-// Measured from the middle, since distances from a camera far away in the rest frame (gamma times as far as on the
-// ground, abreast) differ by less than f32 resolves. That orders the bodies of one group at any speed, but counts for
-// it alone. Of several groups the fastest, which would lose most, keeps that order: it is the reference. All others
-// are told by ground distance, and placed where the reference would show a body of its own at that distance. f32
-// holds their distances to about 1e-7: two of their surfaces that are nearer to each other than this part of the way
-// to the camera in their own rest frame may come out in either order. For slow groups that is nothing; what it is for
-// a second fast one says `Method::Rays`, and `tests/gpu_rays.rs` measures it.
+// Measured from the middle, since distances from a camera far away in the rest frame (gamma times as far as
+// on the ground, abreast) differ by less than f32 resolves. That orders the bodies of one group at any speed,
+// but counts for it alone. Of several groups the fastest, which would lose most, keeps that order: it is the
+// reference. All others are told by ground distance, and placed where the reference would show a body of its
+// own at that distance. f32 holds their distances to about 1e-7: two of their surfaces that are nearer to
+// each other than this part of the way to the camera in their own rest frame may come out in either order.
+// For slow groups that is nothing; what it is for a second fast one says `Method::Rays`, and
+// `tests/gpu_rays.rs` measures it.
 fn depth(ray: Ray, beyond: f32) -> f32 {
     if !HAS_OTHERS {
         return 0.5 - beyond * frame.middle.w;
@@ -136,8 +138,9 @@ fn depth_in_reference(beyond: f32) -> f32 {
     return 0.5 - 0.5 * beyond * frame.reference_middle.w;
 }
 
-// Where one light cone for both eyes puts the line of sight at `distance`, from the straight one through the reference's
-// middle event: the limit's origin, as `GroupView::one_cone_ray` has it, and by what a curve is off its limit.
+// Where one light cone for both eyes puts the line of sight at `distance`, from the straight one through the
+// reference's middle event: the limit's origin, as `GroupView::one_cone_ray` has it, and by what a curve is
+// off its limit.
 fn reference_origin(sight: vec3f, distance: f32, doppler: f32) -> vec3f {
     let eye = frame.reference_eye.xyz;
     let n = reflected(reference_sight(sight), frame.motion.y);
@@ -147,9 +150,9 @@ fn reference_origin(sight: vec3f, distance: f32, doppler: f32) -> vec3f {
     return reflected(vec3f(eye.x / doppler + later, eye.yz), frame.motion.y);
 }
 
-// Depth of what is seen at `distance` (ground frame) along `sight`, among that of the reference group: the nearest by
-// light travel is seen. From 1 at the camera to 3/4 where the reference begins it falls evenly with distance, from 1/4
-// where that ends with the reciprocal.
+// Depth of what is seen at `distance` (ground frame) along `sight`, among that of the reference group: the
+// nearest by light travel is seen. From 1 at the camera to 3/4 where the reference begins it falls evenly
+// with distance, from 1/4 where that ends with the reciprocal.
 fn depth_of_distance(distance: f32, sight: vec3f) -> f32 {
     let reference = passage(reference_sight(sight), REFERENCE_GEOMETRY, frame.reference_speed, frame.motion.y);
     let origin = reference_origin(sight, distance, reference.doppler);

@@ -8,8 +8,9 @@
 
 // Reached only where the ray grazes within rounding; to pass a near miss before it enters takes about twenty.
 const MAX_STEPS = 32;
-// F'' is about 2 sin^2 of the angle between the ray and the tube where it passes. A search for the least F takes it for no less than
-// this, 6 degrees: so it stays near, and finds it in the second step wherever the tube is not seen almost end on.
+// F'' is about 2 sin^2 of the angle between the ray and the tube where it passes. A search for the least F
+// takes it for no less than this, 6 degrees: so it stays near, and finds it in the second step wherever the
+// tube is not seen almost end on.
 const LEAST_SECOND = 0.02;
 
 struct Course {
@@ -57,7 +58,8 @@ fn entry(body: Body, course: Course, curvature: f32, start: f32, end: f32, befor
             break;
         }
         let at = torus_at(course, body, s);
-        // F changes by 2 r across the surface, and rho is known to some 1e-7 R: on the surface as f32 sees it.
+        // F changes by 2 r across the surface, and rho is known to some 1e-7 R: on the surface as f32 sees
+        // it.
         if at.value <= 1e-6 * body.form.w * body.radius {
             return Search(true, s, at.value);
         }
@@ -90,8 +92,8 @@ fn surface(body: Body, ray: Ray) -> Surface {
     let slope = dot(n, body.form.xyz);
     let start = nearest - body.form.xyz * height;
     let flat_direction = n - body.form.xyz * slope;
-    // A ray along the axis, or one across it (below), is treated as turned by a millionth: its distances stay finite,
-    // and over the ring's size it moves by less than f32 resolves.
+    // A ray along the axis, or one across it (below), is treated as turned by a millionth: its distances stay
+    // finite, and over the ring's size it moves by less than f32 resolves.
     let a = max(dot(flat_direction, flat_direction), 1e-12);
     let course = Course(a, dot(start, flat_direction), dot(start, start), height, slope);
     let lateral = cross(start, flat_direction);
@@ -124,7 +126,8 @@ fn surface(body: Body, ray: Ray) -> Surface {
     if !search.found {
         search = nearer(search, level, torus_at(course, body, level).value);
     }
-    // How deep inside the outline: the least F of this passage, by Newton's method from where F was least so far.
+    // How deep inside the outline: the least F of this passage, by Newton's method from where F was least so
+    // far.
     var deepest = search;
     var s = search.s;
     for (var i = 0; i < 4; i++) {

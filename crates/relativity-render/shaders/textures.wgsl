@@ -1,11 +1,12 @@
-// The textures of models, by the steps of `triangles/texture.rs`; `triangles/packed.rs` says how they are stored.
+// The textures of models, by the steps of `triangles/texture.rs`; `triangles/packed.rs` says how they are
+// stored.
 
 // As `Wrap`; copies follow each other where it is neither.
 const MIRROR = 1u;
 const CLAMP = 2u;
 
-// The colour of a triangle's texture where its corners have these weights, on average over the `share` of a pixel that is met along `ray`,
-// at this ground distance, where the normal in the axes of the model is this.
+// The colour of a triangle's texture where its corners have these weights, on average over the `share` of a
+// pixel that is met along `ray`, at this ground distance, where the normal in the axes of the model is this.
 fn texture_at(
     row: u32,
     record: u32,
@@ -40,7 +41,8 @@ fn texture_at(
     return texture_colour(row, texel_at(row, rest.z), a + to_b * weights.y + to_c * weights.z, along * scale);
 }
 
-// The linear colour at a place of the texture with this `header`, on average over what is `covered` of it each way.
+// The linear colour at a place of the texture with this `header`, on average over what is `covered` of it
+// each way.
 fn texture_colour(row: u32, header: vec4u, place: vec2f, covered: vec2f) -> vec3f {
     let texels = covered * vec2f(header.xy);
     let last = f32(firstLeadingBit(max(header.x, header.y)));

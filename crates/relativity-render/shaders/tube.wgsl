@@ -1,4 +1,5 @@
-// Ray against a cylinder with rounded ends: `place` and `form` are their centres. A ball has both in one place.
+// Ray against a cylinder with rounded ends: `place` and `form` are their centres. A ball has both in one
+// place.
 
 // Whether `around` is all of it.
 const IS_TUBE = true;

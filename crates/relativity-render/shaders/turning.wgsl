@@ -1,17 +1,19 @@
 // Bodies that turn about an axle along y, as parts of a wheel, at one camera event.
 //
-// Such a body is given as it is when the hub is shown. What is shown at another place q, from the hub, is shown `later`
-// by the clocks of the rest frame, and has turned by omega times that. So a body of revolution about the axle stays
-// where it is. Any other is met in the frame that turns with it, where it stands still and the ray is a curve.
+// Such a body is given as it is when the hub is shown. What is shown at another place q, from the hub, is
+// shown `later` by the clocks of the rest frame, and has turned by omega times that. So a body of revolution
+// about the axle stays where it is. Any other is met in the frame that turns with it, where it stands still
+// and the ray is a curve.
 
 // 0 not at all, 1 bodies of revolution about the axle, 2 others.
 override TURNS: u32;
 
-// A tube is met where a course says (`course.wgsl`). What is none and turns by less than this angle (radians) while a ray
-// passes it is met in rounds from the middle; else the course is followed first, to the tube around it.
+// A tube is met where a course says (`course.wgsl`). What is none and turns by less than this angle (radians)
+// while a ray passes it is met in rounds from the middle; else the course is followed first, to the tube
+// around it.
 const SHORT = 0.4;
-// Most rounds, each along the tangent where the one before met the body, and when one is the last: what is off then is
-// this part of the body's radius.
+// Most rounds, each along the tangent where the one before met the body, and when one is the last: what is
+// off then is this part of the body's radius.
 const MOST_ROUNDS = 6;
 const SETTLED = 1e-4;
 
@@ -20,8 +22,8 @@ struct Spin {
     hub: vec3f,
     // About +y.
     omega: f32,
-    // By how much the speed of the rim is below 1, and that of a ring's outermost circle below the rim's, along the
-    // group's motion.
+    // By how much the speed of the rim is below 1, and that of a ring's outermost circle below the rim's,
+    // along the group's motion.
     below_light: f32,
     lag: f32,
 }
@@ -46,7 +48,8 @@ fn later(q: vec3f, spin: Spin) -> Later {
     return later_from(frame.middle.xyz + (frame.middle_fine.xyz + spin.hub), q);
 }
 
-// The same for the light to a camera event from which the hub is at `hub`. No product overflows, however far that is.
+// The same for the light to a camera event from which the hub is at `hub`. No product overflows, however far
+// that is.
 fn later_from(hub: vec3f, q: vec3f) -> Later {
     let largest = max(max(abs(hub.x), max(abs(hub.y), abs(hub.z))), 1e-12);
     let scaled = hub / largest;
@@ -58,8 +61,8 @@ fn later_from(hub: vec3f, q: vec3f) -> Later {
     return Later(-dot(q, towards + there) / (1.0 + distance), there / distance);
 }
 
-// Sine and cosine within 2e-7 for moderate angles; those of WGSL are less accurate. Polynomials of S. L. Moshier's
-// Cephes library (1989).
+// Sine and cosine within 2e-7 for moderate angles; those of WGSL are less accurate. Polynomials of S. L.
+// Moshier's Cephes library (1989).
 fn sine_cosine(angle: f32) -> vec2f {
     let quarters = round(angle * 0.6366197724);
     let x = (angle - quarters * 1.5703125) - quarters * 4.8382679e-4;
@@ -97,8 +100,8 @@ fn co_moving(q: vec3f, n: vec3f, spin: Spin) -> CoMoving {
     return CoMoving(about_y(q, turn), about_y(tangent, turn));
 }
 
-// Where a ray meets a body that turns, as one round after the other finds it, from `start` along the ray, counted from
-// its point nearest to the hub, and no farther from there than `reach`.
+// Where a ray meets a body that turns, as one round after the other finds it, from `start` along the ray,
+// counted from its point nearest to the hub, and no farther from there than `reach`.
 fn surface_near(body: Body, ray: Ray, spin: Spin, start: f32, reach: f32) -> Surface {
     let n = ray.direction;
     let nearest = nearest_to(spin.hub, ray);
@@ -142,8 +145,8 @@ fn surface_near(body: Body, ray: Ray, spin: Spin, start: f32, reach: f32) -> Sur
     );
 }
 
-// From the hub if it turns about it, as its middle does; else from the body's middle: `place`, which is from its middle as
-// it is given.
+// From the hub if it turns about it, as its middle does; else from the body's middle: `place`, which is from
+// its middle as it is given.
 fn place_of_hit(body: Body, place: vec3f, spin: Spin) -> vec3f {
     if TURNS == 2u {
         return (middle(body) - spin.hub) + place;
@@ -175,8 +178,8 @@ fn standing(body: Body, place: vec3f, spin: Spin) -> Standing {
     return Standing(Body(body.place, body.radius, body.form, turn), there);
 }
 
-// By which factor of that the own motion of what turns changes the Doppler factor: sqrt(1 - v^2)/(1 + v.n'), of light that is received
-// along `sight` in a picture of oblique motion.
+// By which factor of that the own motion of what turns changes the Doppler factor: sqrt(1 - v^2)/(1 + v.n'),
+// of light that is received along `sight` in a picture of oblique motion.
 fn own_doppler_of(body: Body, place: vec3f, normal: vec3f, sight: vec3f, spin: Spin) -> f32 {
     let n = own_passage(sight, GEOMETRY).direction;
     let q = (middle(body) - spin.hub) + place;
@@ -192,11 +195,12 @@ fn own_doppler_of(body: Body, place: vec3f, normal: vec3f, sight: vec3f, spin: S
     return sqrt(max(dilation_squared, 0.0)) / max(1.0 + dot(velocity_at(q, spin), n), 1e-30);
 }
 
-// The Doppler factor of what is at `place`, from the body's middle, with this `normal`: that of the light received along
-// the unit vector `sight`, in the camera's frame, if it stood still, or with its own motion.
+// The Doppler factor of what is at `place`, from the body's middle, with this `normal`: that of the light
+// received along the unit vector `sight`, in the camera's frame, if it stood still, or with its own motion.
 //
-// The speed is told by how much it is below that of the rim, v_x = lag - rim: where a wheel rolls, rim = beta and lag = 0
-// where it touches the road, and nothing cancels in D = sqrt(1 - v^2)/(gamma (1 + beta v_x + (beta + v_x) n_x + v_z n_z/gamma)).
+// The speed is told by how much it is below that of the rim, v_x = lag - rim: where a wheel rolls, rim = beta
+// and lag = 0 where it touches the road, and nothing cancels in D = sqrt(1 - v^2)/(gamma (1 + beta v_x +
+// (beta + v_x) n_x + v_z n_z/gamma)).
 fn doppler_of(body: Body, place: vec3f, normal: vec3f, sight: vec3f, doppler: f32, spin: Spin) -> f32 {
     if TURNS == 0u || GEOMETRY == 1u {
         return doppler;

@@ -1,19 +1,23 @@
-//! Draws groups of bodies that move past, each with a speed of its own along x, as one aperture sees them at one time.
+//! Draws groups of bodies that move past, each with a speed of its own along x, as one aperture sees them at
+//! one time.
 //!
-//! A group is ray-traced exactly in its rest frame: the camera's event and each line of sight are boosted there, where
-//! rays are straight and bodies stand still. [`PreparedScene`] holds what no view changes, [`View`] and [`Appearance`]
-//! say what is seen and how it looks, and [`Renderers`] draw that by any [`Method`]: the f64 reference on the CPU, a
-//! ray test per pixel on the GPU or, in f32, on the CPU, or triangles. Conventions are those of [`relativity_core`].
+//! A group is ray-traced exactly in its rest frame: the camera's event and each line of sight are boosted
+//! there, where rays are straight and bodies stand still. [`PreparedScene`] holds what no view changes,
+//! [`View`] and [`Appearance`] say what is seen and how it looks, and [`Renderers`] draw that by
+//! any [`Method`]: the f64 reference on the CPU, a ray test per pixel on the GPU or, in f32, on the CPU, or
+//! triangles. Conventions are those of [`relativity_core`].
 //!
 //! # Scope
 //!
-//! Bodies are balls, tubes, rings, boxes and cylinders that glow, each at one wavelength, alike in all directions in
-//! its rest frame; and models of [`Triangles`], painted in white light.
-//! They are opaque and do not light each other; the shading is a choice of looks, fixed to the rest frame. Motion is
-//! uniform and along x, but for bodies that turn evenly about an axle along y ([`Spin`]): nothing else accelerates, turns or
-//! deforms. The camera is a pinhole that rests on the ground, or moves evenly in any direction. The published binocular model, which has no lines of sight, is drawn by triangles alone.
+//! Bodies are balls, tubes, rings, boxes and cylinders that glow, each at one wavelength, alike in all
+//! directions in its rest frame; and models of [`Triangles`], painted in white light. They are opaque and do
+//! not light each other; the shading is a choice of looks, fixed to the rest frame. Motion is uniform and
+//! along x, but for bodies that turn evenly about an axle along y ([`Spin`]): nothing else accelerates, turns
+//! or deforms. The camera is a pinhole that rests on the ground, or moves evenly in any direction. The
+//! published binocular model, which has no lines of sight, is drawn by triangles alone.
 //!
-//! Out of scope are windows and files (it knows wgpu, but reads and writes nothing), and a medium: light travels at c.
+//! Out of scope are windows and files (it knows wgpu, but reads and writes nothing), and a medium: light
+//! travels at c.
 //!
 //! # Examples
 //!
@@ -49,7 +53,8 @@
     reason = "what runs on wide registers must be inlined into where they are chosen"
 )]
 
-// From the top: each imports from those below it, and none from one above, which `tests/layers` of the program holds.
+// From the top: each imports from those below it, and none from one above, which `tests/layers` of the
+// program holds.
 mod renderers;
 
 pub mod gpu;

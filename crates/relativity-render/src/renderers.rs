@@ -24,46 +24,53 @@ pub enum Method {
     ///
     /// # Accuracy
     ///
-    /// `tests/reference.rs`: against the core's light cone of each point shown, from rest to gamma = 1e30, positions
-    /// are off by less than 1e-11 px, distances and Doppler factors by less than 1e-13 of themselves; a tracer that
-    /// walks back along the light, without a boost, sees the same bodies. So it is with one light cone for both eyes.
-    /// `tests/oblique_riding.rs`, for a camera that moves in any direction: places are within 1e-9 of the core's for a moving observer up
-    /// to gamma = 1000, and a search back along the light on the ground sees the same bodies at every pixel.
+    /// `tests/reference.rs`: against the core's light cone of each point shown, from rest to gamma = 1e30,
+    /// positions are off by less than 1e-11 px, distances and Doppler factors by less than 1e-13 of
+    /// themselves; a tracer that walks back along the light, without a boost, sees the same bodies. So it is
+    /// with one light cone for both eyes. `tests/oblique_riding.rs`, for a camera that moves in any
+    /// direction: places are within 1e-9 of the core's for a moving observer up to gamma = 1000, and a search
+    /// back along the light on the ground sees the same bodies at every pixel.
     Reference,
     /// A ray test per pixel on the GPU, in f32.
     ///
     /// # Accuracy
     ///
-    /// `tests/gpu_rays.rs`, against the reference from rest to gamma = 1e30: the body differs at fewer than 0.1 % of
-    /// covered pixels, all of them within 0.05 px of an outline; D is within 1e-5; hits lie within 2e-6 of the surfaces
-    /// of bodies about 1 large. Where tubes share a rounded end, the first of them is seen. `tests/gpu_pictures.rs`:
-    /// away from outlines colours are within 2 of 255 levels.
+    /// `tests/gpu_rays.rs`, against the reference from rest to gamma = 1e30: the body differs at fewer than
+    /// 0.1 % of covered pixels, all of them within 0.05 px of an outline; D is within 1e-5; hits lie within
+    /// 2e-6 of the surfaces of bodies about 1 large. Where tubes share a rounded end, the first of them is
+    /// seen. `tests/gpu_pictures.rs`: away from outlines colours are within 2 of 255 levels.
     ///
-    /// Of groups that fly apart all but the fastest lose digits as the camera recedes in their frames. Where two do so
-    /// 3 units away, bodies a tenth of a unit apart are still told apart up to gamma = 1e5; at 1e6 the slower group (of
-    /// equally fast ones the second) shows one body for another at up to 3 % of its pixels, the fastest at none.
+    /// Of groups that fly apart all but the fastest lose digits as the camera recedes in their frames. Where
+    /// two do so 3 units away, bodies a tenth of a unit apart are still told apart up to gamma = 1e5; at 1e6
+    /// the slower group (of equally fast ones the second) shows one body for another at up to 3 % of its
+    /// pixels, the fastest at none.
     ///
-    /// It is as accurate before a camera that moves in any direction: there the tests go to gamma = 1e6 for the camera and for what it passes,
-    /// to 100 for each where groups pass each other, and to 0.99 c for wheels.
+    /// It is as accurate before a camera that moves in any direction: there the tests go to gamma = 1e6 for
+    /// the camera and for what it passes, to 100 for each where groups pass each other, and to 0.99 c for
+    /// wheels.
     ///
-    /// Of wheels that roll (`tests/gpu_wheels.rs`, up to beta = 0.9999, rays in the wheel's plane among them) no more
-    /// pixels are wrong. Outlines of what turns are within 0.002 px, and its D within 2e-4 of itself times gamma: about where a
-    /// wheel touches the road D falls from 1 within 1/gamma^2 of its radius, and f32 has the place to 1e-7 of it. Spokes are met
-    /// where a ray first enters them, also where it runs along one in the wheel's plane: `tests/spokes.rs` finds no pixel of
-    /// a thousand views, gamma to 1000, that shows what is seen nowhere within that many pixels.
+    /// Of wheels that roll (`tests/gpu_wheels.rs`, up to beta = 0.9999, rays in the wheel's plane among them)
+    /// no more pixels are wrong. Outlines of what turns are within 0.002 px, and its D within 2e-4 of itself
+    /// times gamma: about where a wheel touches the road D falls from 1 within 1/gamma^2 of its radius, and
+    /// f32 has the place to 1e-7 of it. Spokes are met where a ray first enters them, also where it runs
+    /// along one in the wheel's plane: `tests/spokes.rs` finds no pixel of a thousand views, gamma to 1000,
+    /// that shows what is seen nowhere within that many pixels.
     ///
-    /// Of models (`tests/gpu_models.rs`, to gamma = 1e30) no ray passes between triangles that share corners; models of triangles show another
-    /// triangle at up to 0.01 % of the pixels that a thousand small ones cover, each within 0.05 px of the one that is seen there.
-    /// Those that roll (`tests/gpu_rolling_models.rs`, up to beta = 0.999) show what is not seen within those 0.05 px at up to 0.01 % of their
-    /// pixels (at none of 10,172 there); places on them are within 1e-3.
-    /// Each of a pixel's four samples looks for itself. On the device a triangle takes 64 bytes, and its share of the boxes 16 to 64.
+    /// Of models (`tests/gpu_models.rs`, to gamma = 1e30) no ray passes between triangles that share corners;
+    /// models of triangles show another triangle at up to 0.01 % of the pixels that a thousand small ones
+    /// cover, each within 0.05 px of the one that is seen there. Those that roll
+    /// (`tests/gpu_rolling_models.rs`, up to beta = 0.999) show what is not seen within those 0.05 px at up
+    /// to 0.01 % of their pixels (at none of 10,172 there); places on them are within 1e-3. Each of a pixel's
+    /// four samples looks for itself. On the device a triangle takes 64 bytes, and its share of the boxes 16
+    /// to 64.
     Rays,
     /// A ray test per pixel on the CPU, in f32, eight pixels at a time.
     ///
     /// # Accuracy
     ///
-    /// That of [`Self::Rays`], whose formulas it shares: the same tests hold it to the same promises. Of several bodies thinner
-    /// than a pixel it blends the nearest with what covers the pixel behind, and leaves out those between.
+    /// That of [`Self::Rays`], whose formulas it shares: the same tests hold it to the same promises. Of
+    /// several bodies thinner than a pixel it blends the nearest with what covers the pixel behind, and
+    /// leaves out those between.
     ///
     /// On a processor that has not even registers of four numbers, the rays or the reference draw instead.
     Packets,
@@ -71,19 +78,24 @@ pub enum Method {
     ///
     /// # Accuracy
     ///
-    /// `tests/gpu_mesh.rs`, against the reference from rest to gamma = 1e30: each pixel shows what is seen no further off than
-    /// [`Self::MESH_ERROR_PX`], bodies many times as long as they are far among it. `tests/gpu_pictures.rs`: colours away from outlines are within 6 of 255 levels. Before a camera that moves in any direction it keeps the bound up to gamma = 1e6 for the camera
-    /// and for what it passes. Groups are told apart as by the rays. With one light cone for
-    /// both eyes, alone or among groups, the bound is kept, too. A conformal picture has no bound where the line through the
-    /// eyes meets a body, infinitely far aside: of a wheel around that line at most 1 % of the pixels show another body than
-    /// is seen within the bound, up to 0.99 c and as seen (`tests/gpu_wheels.rs`); contracted at 0.9999 c up to 12 % did.
+    /// `tests/gpu_mesh.rs`, against the reference from rest to gamma = 1e30: each pixel shows what is seen no
+    /// further off than [`Self::MESH_ERROR_PX`], bodies many times as long as they are far among it.
+    /// `tests/gpu_pictures.rs`: colours away from outlines are within 6 of 255 levels. Before a camera that
+    /// moves in any direction it keeps the bound up to gamma = 1e6 for the camera and for what it passes.
+    /// Groups are told apart as by the rays. With one light cone for both eyes, alone or among groups, the
+    /// bound is kept, too. A conformal picture has no bound where the line through the eyes meets a body,
+    /// infinitely far aside: of a wheel around that line at most 1 % of the pixels show another body than is
+    /// seen within the bound, up to 0.99 c and as seen (`tests/gpu_wheels.rs`); contracted at 0.9999 c up to
+    /// 12 % did.
     ///
-    /// Models keep the bound (`tests/gpu_models.rs`), but for those much longer than they are far; and the background shows nowhere between triangles.
+    /// Models keep the bound (`tests/gpu_models.rs`), but for those much longer than they are far; and the
+    /// background shows nowhere between triangles.
     Mesh,
 }
 
 impl Method {
-    /// Greatest distance at which the mesh draws a point from where it is seen, pixels, in pictures with up to
+    /// Greatest distance at which the mesh draws a point from where it is seen, pixels, in pictures with up
+    /// to
     /// [`Self::MESH_PX_PER_RADIAN`]: its triangles are as fine in every picture, and in a finer one it is off by as much more.
     pub const MESH_ERROR_PX: f64 = 0.5;
 
@@ -96,9 +108,10 @@ impl Method {
         matches!(self, Self::Reference | Self::Packets)
     }
 
-    /// Returns the method that draws `view` where this one is chosen: the published model, which is defined point by point, is known to
-    /// the mesh renderer alone; one light cone for both eyes, whose rays are curved, not to the rays; a picture of half
-    /// the sky to the reference alone. [`View::drawn`] tells whether anything draws it.
+    /// Returns the method that draws `view` where this one is chosen: the published model, which is defined
+    /// point by point, is known to the mesh renderer alone; one light cone for both eyes, whose rays are
+    /// curved, not to the rays; a picture of half the sky to the reference alone. [`View::drawn`] tells
+    /// whether anything draws it.
     #[must_use]
     pub fn of_view(self, view: &View) -> Self {
         if let Projection::Vr180 { .. } = view.camera.projection {
@@ -111,8 +124,8 @@ impl Method {
         }
     }
 
-    /// Returns the method that draws `view` on the GPU where this one is chosen: an exact one replaces the reference. No method draws
-    /// half of the sky there: that stays with the reference.
+    /// Returns the method that draws `view` on the GPU where this one is chosen: an exact one replaces the
+    /// reference. No method draws half of the sky there: that stays with the reference.
     #[must_use]
     pub fn on_gpu(self, view: &View) -> Self {
         let on_gpu = if self == Self::Reference { Self::Rays } else { self };
@@ -195,8 +208,9 @@ impl Renderers {
         self.gpu.as_ref()
     }
 
-    /// Draws `scene` into `target`, whose size overrides the camera's, by the GPU's substitute for `method`, and returns the method that drew:
-    /// the packets stand in for the rays where the device cannot draw these, or has no room for the scene's models.
+    /// Draws `scene` into `target`, whose size overrides the camera's, by the GPU's substitute for `method`,
+    /// and returns the method that drew: the packets stand in for the rays where the device cannot draw
+    /// these, or has no room for the scene's models.
     ///
     /// # Errors
     ///
@@ -241,8 +255,8 @@ impl Renderers {
         self.with_room_for_models(method, scene, view)
     }
 
-    /// Returns `method`, with the models of `scene` on the device if it draws there; or the packets where the device has no room for them,
-    /// the reference where the packets do not know `view`.
+    /// Returns `method`, with the models of `scene` on the device if it draws there; or the packets where the
+    /// device has no room for them, the reference where the packets do not know `view`.
     fn with_room_for_models(
         &mut self,
         method: Method,
@@ -267,8 +281,8 @@ impl Renderers {
     ///
     /// # Errors
     ///
-    /// A view that nothing draws, no device where `method` needs one, a size that it cannot draw, or a device that
-    /// refuses it or was lost.
+    /// A view that nothing draws, no device where `method` needs one, a size that it cannot draw, or a device
+    /// that refuses it or was lost.
     pub fn picture(
         &mut self,
         method: Method,

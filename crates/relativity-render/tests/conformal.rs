@@ -29,9 +29,9 @@ fn a_ball_keeps_its_outline() {
     }
 }
 
-/// In the reference each pixel shows the same point of the same body as the pixel whole columns further to the right does at rest:
-/// it has outlines to 1e-11 px, and none passes as near to the centre of a pixel by chance. Packets are as far off as each of both
-/// pictures may be.
+/// In the reference each pixel shows the same point of the same body as the pixel whole columns further to
+/// the right does at rest: it has outlines to 1e-11 px, and none passes as near to the centre of a pixel by
+/// chance. Packets are as far off as each of both pictures may be.
 #[test]
 fn motion_slides_the_picture_and_nothing_else() {
     let renderers = &mut Renderers::new(None);
@@ -43,8 +43,8 @@ fn motion_slides_the_picture_and_nothing_else() {
     assert!(packets.differing as f64 <= 0.02 * wrong_percent * packets.shown as f64, "{packets:?}");
 }
 
-/// The left and the right eye see a point in the same row of their pictures, as far apart as for resting eyes gamma
-/// times as far apart; so does the core's light cone.
+/// The left and the right eye see a point in the same row of their pictures, as far apart as for resting eyes
+/// gamma times as far apart; so does the core's light cone.
 #[test]
 fn both_eyes_see_a_point_in_one_row() {
     let scene = PreparedScene::moving(&still_life());
@@ -98,8 +98,8 @@ fn the_column_tells_the_doppler_factor() {
     assert!(most_time < 2e-6, "times are off by {most_time:e} of themselves");
 }
 
-/// At gamma = 1e30 a body's own length counts for nothing: u = ln(T/rho), and a ball is seen where the ball's disc, across the
-/// motion, is, from the end that is ahead.
+/// At gamma = 1e30 a body's own length counts for nothing: u = ln(T/rho), and a ball is seen where the ball's
+/// disc, across the motion, is, from the end that is ahead.
 #[test]
 fn the_greatest_gamma_gives_the_picture_of_the_limit() {
     let speed = gamma(1e30);

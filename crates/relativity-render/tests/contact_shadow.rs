@@ -1,4 +1,5 @@
-//! Contact shadows lie where wheels are seen to touch the road, worked out here with nothing but the core's sightings.
+//! Contact shadows lie where wheels are seen to touch the road, worked out here with nothing but the core's
+//! sightings.
 
 use glam::{DVec2, DVec3};
 use relativity_core::{Aperture, PublishedVariant, SourcePoint, Speed, published_disparity, sighting};

@@ -1,4 +1,5 @@
-//! The renderers on a graphics device: one program, and one device for all tests but those that need their own.
+//! The renderers on a graphics device: one program, and one device for all tests but those that need their
+//! own.
 
 mod gpu_allocations;
 mod gpu_compose;

@@ -1,5 +1,5 @@
-//! A slider moved: a frame in which only the speed changes allocates nothing per body. Each test has a device and a thread of its own, so
-//! that nothing else is counted.
+//! A slider moved: a frame in which only the speed changes allocates nothing per body. Each test has a device
+//! and a thread of its own, so that nothing else is counted.
 
 use std::panic::resume_unwind;
 use std::thread;
@@ -24,7 +24,8 @@ fn mesh_frames_allocate_nothing_per_body() {
 }
 
 fn allocate_nothing_per_body(method: Method) {
-    // Allocations are counted on one thread, so all work is done on it: a new one, since it stays in its pool for good.
+    // Allocations are counted on one thread, so all work is done on it: a new one, since it stays in its pool
+    // for good.
     let counted = thread::spawn(move || {
         let mut renderers = Renderers::new(Some(Gpu::headless().expect("a device")));
         let here =

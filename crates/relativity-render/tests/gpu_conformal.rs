@@ -41,8 +41,8 @@ fn motion_slides_the_picture_and_nothing_else(renderers: &mut Renderers) {
     assert!(rays.differing as f64 <= 0.02 * wrong_percent * rays.shown as f64, "{rays:?}");
 }
 
-/// Pictures that go all around the line through the eyes, and of bodies around it: what each pixel shows, the reference shows no
-/// farther off than the bound.
+/// Pictures that go all around the line through the eyes, and of bodies around it: what each pixel shows, the
+/// reference shows no farther off than the bound.
 fn pictures_go_all_around(renderers: &mut Renderers) {
     let shapes = [
         Shape::Ring { center: [0.3, 0.1, -0.2], axis: [1.0, 0.0, 0.0], radius: 1.5, tube_radius: 0.2 },

@@ -1,5 +1,5 @@
-//! A refusal of the device is an error for the caller, and none ends the program. Each test has a device of its own,
-//! which it may break.
+//! A refusal of the device is an error for the caller, and none ends the program. Each test has a device of
+//! its own, which it may break.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};

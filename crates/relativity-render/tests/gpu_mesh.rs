@@ -131,8 +131,9 @@ fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
     }
 }
 
-/// Checks that the drawing of `scene`, which consists of `bodies`, keeps the bound: every pixel shows the body that the reference shows
-/// there, and the same side of it, or an outline is within the bound of there, or a place where f32 cannot tell which of two is nearer.
+/// Checks that the drawing of `scene`, which consists of `bodies`, keeps the bound: every pixel shows the
+/// body that the reference shows there, and the same side of it, or an outline is within the bound of there,
+/// or a place where f32 cannot tell which of two is nearer.
 fn keep_bound(renderers: &mut Renderers, scene: &PreparedScene, bodies: &[Body], view: &View) {
     let (truth, bound_px) = (scene.hit_image(view), Method::MESH_ERROR_PX);
     let image = renderers.hits(Method::Mesh, scene, view).expect("device works");
@@ -154,7 +155,8 @@ fn keep_bound(renderers: &mut Renderers, scene: &PreparedScene, bodies: &[Body],
     }
 }
 
-/// Whether two hits in the same place or near each other are on different bodies, or on different sides of one.
+/// Whether two hits in the same place or near each other are on different bodies, or on different sides of
+/// one.
 fn is_across_an_outline(a: Option<Hit>, b: Option<Hit>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => a.body != b.body || a.rest_position.distance(b.rest_position) > 0.2,
@@ -162,8 +164,8 @@ fn is_across_an_outline(a: Option<Hit>, b: Option<Hit>) -> bool {
     }
 }
 
-/// Whether, where `pixel` is, the body that was hit is farther than the true one by less than f32 resolves, though not
-/// in the same place: so it is where the side of a tube begins to part from a ball at its end.
+/// Whether, where `pixel` is, the body that was hit is farther than the true one by less than f32 resolves,
+/// though not in the same place: so it is where the side of a tube begins to part from a ball at its end.
 fn is_a_toss_up(
     hit: Option<Hit>,
     true_hit: Option<Hit>,
@@ -209,7 +211,8 @@ fn with_one_light_cone_pictures_keep_the_bound(renderers: &mut Renderers) {
     }
 }
 
-/// The published model places the right eye's view of every group where the core does; a resting point appears where the left eye sees it.
+/// The published model places the right eye's view of every group where the core does; a resting point
+/// appears where the left eye sees it.
 fn the_published_right_eye_is_the_cores(renderers: &mut Renderers) {
     let separation = 0.1;
     let [left, _] = Aperture::pair(separation);
@@ -236,7 +239,8 @@ fn the_published_right_eye_is_the_cores(renderers: &mut Renderers) {
     assert!(seen.iter().all(|&seen| seen > 10_000), "{seen:?} pixels are too few to judge by");
 }
 
-/// Returns the direction in which the published model of the core sees the event of the `hit` with the right eye.
+/// Returns the direction in which the published model of the core sees the event of the `hit` with the right
+/// eye.
 fn published_right(velocity: Velocity, hit: &Hit, separation: f64, view: &View) -> DVec3 {
     let model = Model::Published(PublishedVariant::AppendixA);
     let both = velocity.disparity(

@@ -95,7 +95,8 @@ fn hits_agree_with_the_reference(renderers: &mut Renderers) {
     assert!(covered > 30_000 && f64::from(other) < most, "{other} of {covered} pixels show another triangle");
 }
 
-/// Every ray that passes well inside the outline of a closed surface meets it, also where it goes through corners and along edges.
+/// Every ray that passes well inside the outline of a closed surface meets it, also where it goes through
+/// corners and along edges.
 fn no_ray_passes_between_triangles(renderers: &mut Renderers) {
     let (radius, rings) = (0.6, 40);
     let model = scene_of(ball_model(MIDDLE, radius, rings));
@@ -146,7 +147,8 @@ fn is_inside(hits: &HitImage, i: usize) -> bool {
             .all(|step| triangle(i - step) == triangle(i) && triangle(i + step) == triangle(i))
 }
 
-/// Returns the greatest difference between both pictures in a pixel that `counts`, in levels, and the number of these.
+/// Returns the greatest difference between both pictures in a pixel that `counts`, in levels, and the number
+/// of these.
 fn levels_off(drawn: &[[u8; 4]], truth: &[[u8; 4]], counts: impl Fn(usize) -> bool) -> (u8, usize) {
     let pixels = drawn.iter().zip(truth).enumerate().filter(|(i, _)| counts(*i));
     let off =
@@ -161,7 +163,8 @@ fn painted_ball() -> RawModel {
     model
 }
 
-/// Checks that inside triangles the pictures of a painted ball by `method` are the reference's within these `levels`.
+/// Checks that inside triangles the pictures of a painted ball by `method` are the reference's within these
+/// `levels`.
 fn assert_colours(renderers: &mut Renderers, method: Method, levels: f64) {
     let scene = scene_of(painted_ball());
     for beta in [0.0, 0.7, 0.99] {
@@ -186,7 +189,8 @@ fn a_mesh_has_the_colours_of_the_reference(renderers: &mut Renderers) {
     assert_colours(renderers, Method::Mesh, levels);
 }
 
-/// Every pixel shows the triangle that the reference shows there or within the bound of there, and what it shows is seen there.
+/// Every pixel shows the triangle that the reference shows there or within the bound of there, and what it
+/// shows is seen there.
 fn a_mesh_keeps_its_bound(renderers: &mut Renderers) {
     let geometries = [Geometry::Seen, Geometry::Contracted, Geometry::OneCone, Geometry::Rest];
     let bound_px = Method::MESH_ERROR_PX;
@@ -258,7 +262,8 @@ fn a_box_of_triangles_looks_like_a_box(renderers: &mut Renderers) {
     }
 }
 
-/// The light of a picture is that of the reference with sixteen rays a pixel: the samples lie where they should.
+/// The light of a picture is that of the reference with sixteen rays a pixel: the samples lie where they
+/// should.
 fn edges_are_as_smooth_as_the_references(renderers: &mut Renderers) {
     let appearance =
         Appearance { intensity_exponent: None, sky: false, colour: Colour::White, ..Appearance::default() };
@@ -292,7 +297,8 @@ fn edges_are_as_smooth_as_the_references(renderers: &mut Renderers) {
     );
 }
 
-/// A box of triangles with balls through its faces, in groups that fly apart: each pixel shows the body that the reference sees.
+/// A box of triangles with balls through its faces, in groups that fly apart: each pixel shows the body that
+/// the reference sees.
 fn models_are_told_from_other_bodies_by_depth(renderers: &mut Renderers) {
     let ball = |center| Body::white(Shape::Sphere { center, radius: 0.4 });
     let model = Body::of_triangles(box_model().prepared().expect("a model"));

@@ -86,7 +86,8 @@ fn patterns_are_the_references(renderers: &mut Renderers) {
     }
 }
 
-/// Bodies that shine in ultraviolet and infrared of their own, so that the hatch is there with and without a Doppler effect.
+/// Bodies that shine in ultraviolet and infrared of their own, so that the hatch is there with and without a
+/// Doppler effect.
 fn the_hatch_is_the_references(renderers: &mut Renderers) {
     let bodies = patterned_life().into_iter().zip([300.0, 900.0, 760.0, 5000.0, 100.0]);
     let lit: Vec<_> = bodies.map(|(body, nm)| Body { emission: Emission::Wavelength(nm), ..body }).collect();
@@ -162,8 +163,8 @@ fn patterned_life() -> Vec<Body> {
     shapes.into_iter().map(|shape| Body::new(shape, 600.0)).collect()
 }
 
-/// Whether both renderers' pictures of the scene are the reference's, as far as is promised: in each view by one of each `share`
-/// of the appearances, drawn from `first_seed` on.
+/// Whether both renderers' pictures of the scene are the reference's, as far as is promised: in each view by
+/// one of each `share` of the appearances, drawn from `first_seed` on.
 fn agree_with_the_reference(
     renderers: &mut Renderers,
     reference: &PreparedScene,
@@ -249,12 +250,13 @@ fn edges_are_the_references_on_average(renderers: &mut Renderers) {
     }
 }
 
-/// Side of the squares in which light is summed, px; and the most light by which they may differ, in pixels that are lit in full:
-/// of long bodies, which four samples a pixel meet as chance has it.
+/// Side of the squares in which light is summed, px; and the most light by which they may differ, in pixels
+/// that are lit in full: of long bodies, which four samples a pixel meet as chance has it.
 const SQUARE: usize = 8;
 const LIGHT_OFF: f64 = 1.0;
 
-/// Bodies several pixels wide at one end, and thinner than a pixel at the other: a rail, a plank, and hoops seen from within.
+/// Bodies several pixels wide at one end, and thinner than a pixel at the other: a rail, a plank, and hoops
+/// seen from within.
 fn long_bodies_narrow_into_the_distance(renderers: &mut Renderers) {
     let shapes = [
         Shape::Tube { from: [-1.0, 1.5, -1.0], to: [-1.0, 20.0, -1.0], radius: 0.05 },

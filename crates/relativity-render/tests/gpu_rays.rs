@@ -330,8 +330,9 @@ fn spheres_keep_a_circular_outline(renderers: &mut Renderers) {
     }
 }
 
-/// Terrell: where the line of sight is at right angles to the motion, a small cube looks turned by arcsin beta. At 0.8 c
-/// its front is sqrt(1 - beta^2) = 0.6 of its edge wide, and its rear, which no picture at rest would show, beta = 0.8.
+/// Terrell: where the line of sight is at right angles to the motion, a small cube looks turned by arcsin
+/// beta. At 0.8 c its front is sqrt(1 - beta^2) = 0.6 of its edge wide, and its rear, which no picture at
+/// rest would show, beta = 0.8.
 fn a_cube_far_abeam_looks_turned(renderers: &mut Renderers) {
     let (center, speed) = ([0.0, 1000.0, 0.0], Speed::from_beta(0.8).expect("below 1"));
     let cube = Shape::Box { center, half: [0.5; 3], turn: [0.0, 0.0, 0.0, 1.0] };

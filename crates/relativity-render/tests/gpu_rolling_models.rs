@@ -31,8 +31,8 @@ fn triangle(hit: Option<&Hit>) -> Option<u32> {
     hit.and_then(|hit| hit.triangle).map(|point| point.triangle)
 }
 
-/// Whether the reference sees, within a pixel of the middle of this one, what is next to a hit on the model: of a triangle that is all but hidden
-/// there may be too little to be found.
+/// Whether the reference sees, within a pixel of the middle of this one, what is next to a hit on the model:
+/// of a triangle that is all but hidden there may be too little to be found.
 fn is_next_to(scene: &PreparedScene, view: &View, i: usize, hit: Option<&Hit>) -> bool {
     let (u, v) = ((i % 64) as f64 + 0.5, (i / 64) as f64 + 0.5);
     let offs = (0..21 * 21).map(|k| [f64::from(k % 21) * 0.1 - 1.0, f64::from(k / 21) * 0.1 - 1.0]);
@@ -129,7 +129,8 @@ fn the_published_model_rolls_a_box_of_triangles_as_a_box(renderers: &mut Rendere
     assert_published_alike(renderers, &[exact, rolling(box_model(), 1.2)], [0.3, 0.6, 0.93]);
 }
 
-/// Nearly everywhere the rays show the triangle that the reference shows there or within 0.05 px of there, at the same place on the wheel.
+/// Nearly everywhere the rays show the triangle that the reference shows there or within 0.05 px of there, at
+/// the same place on the wheel.
 fn rays_show_what_the_reference_shows(renderers: &mut Renderers) {
     let outline_px = documented(RENDERERS, "all of them within ");
     let (mut covered, mut other, mut wrong) = (0, 0, 0);

@@ -9,7 +9,8 @@ use crate::models::{scene_of, view};
 
 pub const TESTS: &[Test] = &[("textures_are_the_references", textures_are_the_references)];
 
-/// Levels that change smoothly from column to column and from row to row, on a texture whose sides are no powers of two.
+/// Levels that change smoothly from column to column and from row to row, on a texture whose sides are no
+/// powers of two.
 fn waves(wrap: [Wrap; 2]) -> Texture {
     let (width, height) = (45, 26);
     let wave = |i: u32, count: u32| {
@@ -21,7 +22,8 @@ fn waves(wrap: [Wrap; 2]) -> Texture {
     Texture { size: [width, height], texels: (0..width * height).map(texel).collect(), wrap }
 }
 
-/// A plate of four triangles, two of which have one texture, one another and one none, with this many copies of each across it.
+/// A plate of four triangles, two of which have one texture, one another and one none, with this many copies
+/// of each across it.
 fn plate(copies: f32) -> RawModel {
     let corners = [[-1.0, 4.4, 0.0], [1.0, 3.6, 0.0], [1.0, 3.6, 1.0], [-1.0, 4.4, 1.0], [0.0, 4.0, 0.5]];
     let places = [[-0.3, 1.0], [0.8, 1.1], [1.0, -0.2], [0.0, 0.0], [0.45, 0.5]];
@@ -50,7 +52,8 @@ fn is_inside(hits: &HitImage, i: usize) -> bool {
             .all(|other| (u - 2..=u + 2).all(|across| triangle(across, other) == triangle(u, v)))
 }
 
-/// Near and far, by the rays with as many samples as the reference, by the mesh with one where the reference has one.
+/// Near and far, by the rays with as many samples as the reference, by the mesh with one where the reference
+/// has one.
 fn textures_are_the_references(renderers: &mut Renderers) {
     let appearance =
         Appearance { colour: Colour::White, intensity_exponent: None, sky: false, ..Appearance::default() };

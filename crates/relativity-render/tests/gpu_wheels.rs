@@ -32,7 +32,8 @@ const ASIDE: [f64; 2] = [-0.05, 0.3];
 /// A flat picture, and a conformal one.
 const PROJECTIONS: [Projection; 2] = [Projection::Gaze, Projection::Mercator { right: DVec3::X, shift: 0.0 }];
 
-/// The widest half of a conformal picture of a wheel, in units of u: a wheel around the baseline is seen infinitely far aside.
+/// The widest half of a conformal picture of a wheel, in units of u: a wheel around the baseline is seen
+/// infinitely far aside.
 const WIDEST: f64 = 1.2;
 
 /// `view` in this projection, the wheel as large in the picture.
@@ -104,7 +105,8 @@ impl Compared {
     }
 }
 
-/// From the side, before and behind, and in the wheel's plane, where rays run along spokes that overtake them.
+/// From the side, before and behind, and in the wheel's plane, where rays run along spokes that overtake
+/// them.
 fn the_rays_and_packets_agree_with_the_reference(renderers: &mut Renderers) {
     let scene = scene();
     let cases = BETAS.into_iter().flat_map(|beta| GEOMETRIES.map(|geometry| (beta, geometry)));
@@ -202,7 +204,8 @@ fn all_numbers(hit: &Hit) -> Vec<f64> {
     vectors.into_iter().flat_map(|vector| vector.to_array()).chain(numbers).collect()
 }
 
-/// Returns the distance from `place` at which the reference shows the body of `hit`, px, in steps; `None` if it is not near.
+/// Returns the distance from `place` at which the reference shows the body of `hit`, px, in steps; `None` if
+/// it is not near.
 fn outline_distance(scene: &PreparedScene, view: &View, [u, v]: [f64; 2], hit: Option<Hit>) -> Option<f64> {
     let body = hit.map(|hit| hit.body);
     [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.35].into_iter().find(|reach| {
@@ -231,8 +234,8 @@ fn bounds_never_clip(renderers: &mut Renderers) {
     }
 }
 
-/// Pixels show a body that the reference shows no farther off than the bound: all but 1 % of them in a view, mostly in the wheel's
-/// plane, where f32 and triangles tell the order of crowded spokes.
+/// Pixels show a body that the reference shows no farther off than the bound: all but 1 % of them in a view,
+/// mostly in the wheel's plane, where f32 and triangles tell the order of crowded spokes.
 fn the_mesh_keeps_its_bound(renderers: &mut Renderers) {
     let scene = scene();
     let geometries = [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone];
@@ -281,8 +284,8 @@ fn bodies_around(
     })
 }
 
-/// In every geometry, the published model and one light cone among them: the material point that a pixel shows is seen
-/// no farther off than the bound, says the core.
+/// In every geometry, the published model and one light cone among them: the material point that a pixel
+/// shows is seen no farther off than the bound, says the core.
 fn the_mesh_shows_points_where_they_are_seen(renderers: &mut Renderers) {
     let scene = scene();
     let geometries =
@@ -310,12 +313,12 @@ fn the_mesh_shows_points_where_they_are_seen(renderers: &mut Renderers) {
     println!("at most {most} px");
 }
 
-/// Returns whether the bound is kept. In the wheel's plane the published model shows some points of a wheel at such a distance from
-/// their neighbours, and the fastest wheel that recedes there is seen so near to where it came from, that no division is
-/// fine enough (a ring that stands still there is not, either).
+/// Returns whether the bound is kept. In the wheel's plane the published model shows some points of a wheel
+/// at such a distance from their neighbours, and the fastest wheel that recedes there is seen so near to
+/// where it came from, that no division is fine enough (a ring that stands still there is not, either).
 ///
-/// In a conformal picture, what is close to the line through the eyes, as spokes of a wheel around that are, is bent there
-/// without a bound.
+/// In a conformal picture, what is close to the line through the eyes, as spokes of a wheel around that are,
+/// is bent there without a bound.
 fn is_bounded(from: From, beta: f64, geometry: Geometry, projection: Projection) -> bool {
     if projection.is_conformal() && matches!(from, From::PlaneBefore | From::PlaneBehind) {
         return false;

@@ -1,5 +1,5 @@
-//! Groups that move differently, against a tracer on the ground that knows no boost, and against what a camera that
-//! rides along must receive.
+//! Groups that move differently, against a tracer on the ground that knows no boost, and against what a
+//! camera that rides along must receive.
 
 use glam::{DQuat, DVec3};
 use relativity_core::{Aperture, Baseline, Model, Speed, Stereo, StereoError, aberration};
@@ -73,8 +73,9 @@ fn in_group(group: usize, place: DVec3, time: f64) -> DVec3 {
     DVec3::new((place.x - beta * time) / (1.0 - beta * beta).sqrt(), place.y, place.z)
 }
 
-/// Group, body in it and distance seen along `n`, by walking back along the light (or along a line at the observation
-/// time) until a surface is met. A step is what none of the surfaces, as they move, can have crossed.
+/// Group, body in it and distance seen along `n`, by walking back along the light (or along a line at the
+/// observation time) until a surface is met. A step is what none of the surfaces, as they move, can have
+/// crossed.
 fn walked(view: &View, n: DVec3) -> Option<(usize, usize, f64)> {
     let light_speed_inverse = if view.geometry == Geometry::Seen { 1.0 } else { 0.0 };
     let Aperture { x, y, z } = view.camera.aperture;
@@ -190,8 +191,8 @@ fn a_resting_group_is_traced_as_it_stands() {
     }
 }
 
-/// A resting body is seen the same through one light cone as through two; a moving one is not. And a hit lies where it appears,
-/// its light leaving in time to reach the middle.
+/// A resting body is seen the same through one light cone as through two; a moving one is not. And a hit lies
+/// where it appears, its light leaving in time to reach the middle.
 #[test]
 fn one_light_cone_changes_only_what_moves() {
     let scene = scene();

@@ -1,5 +1,5 @@
-//! The hatch of light that eyes do not see, in rendered pictures: its contrast with the street, its lines, and whether
-//! people who confuse red and green tell it from light that is seen.
+//! The hatch of light that eyes do not see, in rendered pictures: its contrast with the street, its lines,
+//! and whether people who confuse red and green tell it from light that is seen.
 
 use relativity_core::{Aperture, Speed};
 use relativity_render::colour::{luminance, srgb_decoded};
@@ -86,8 +86,8 @@ fn every_pixel_of_unseen_light_is_neutral() {
     }
 }
 
-/// Root mean square of the change of lightness (0 to 255) from a pixel to the one `right` columns and one row below, inside
-/// the body.
+/// Root mean square of the change of lightness (0 to 255) from a pixel to the one `right` columns and one row
+/// below, inside the body.
 fn change(Shown { hits, body, .. }: &Shown, right: isize) -> f64 {
     let width = (body.size[0] as usize).cast_signed();
     let is_inside =
@@ -122,8 +122,8 @@ fn lines_rise_for_infrared_and_fall_for_ultraviolet_and_show_at_all_sizes() {
     }
 }
 
-/// G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, *A Physiologically-based Model for Simulation of Color Vision
-/// Deficiency*, IEEE TVCG 15 (2009), severity 1.0, for linear sRGB: protanopia and deuteranopia.
+/// G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, *A Physiologically-based Model for Simulation of Color
+/// Vision Deficiency*, IEEE TVCG 15 (2009), severity 1.0, for linear sRGB: protanopia and deuteranopia.
 const MACHADO: [[[f64; 3]; 3]; 2] = [
     [
         [0.152_286, 1.052_583, -0.204_868],

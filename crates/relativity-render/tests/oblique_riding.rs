@@ -1,4 +1,5 @@
-//! A camera that moves in any direction, against the core's moving observer, a turned copy, and a search on the ground.
+//! A camera that moves in any direction, against the core's moving observer, a turned copy, and a search on
+//! the ground.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -13,7 +14,8 @@ fn rider(beta: f64, azimuth: f64, elevation: f64) -> ObserverVelocity {
     ObserverVelocity::new(Speed::from_beta(beta).expect("a speed"), azimuth, elevation)
 }
 
-/// The ground event of an eye that is at `off_middle` to an observer at `place` and `time`, by the Lorentz transformation as textbooks have it.
+/// The ground event of an eye that is at `off_middle` to an observer at `place` and `time`, by the Lorentz
+/// transformation as textbooks have it.
 fn event_of_eye(velocity: &ObserverVelocity, place: DVec3, time: f64, off_middle: DVec3) -> (Aperture, f64) {
     let (gamma, beta) = (velocity.speed().gamma(), velocity.speed().beta());
     let direction = DVec3::from(velocity.direction());
@@ -36,7 +38,8 @@ fn view_of_eye(
     View { camera, speed: Speed::REST, observation_time, geometry }
 }
 
-/// Points of groups and of their wheels appear where the core has them for an observer who moves obliquely, each eye at its own event.
+/// Points of groups and of their wheels appear where the core has them for an observer who moves obliquely,
+/// each eye at its own event.
 #[test]
 fn both_eyes_see_points_where_the_core_has_them() {
     let pair = [Aperture { x: -0.08, y: 0.03, z: -0.02 }, Aperture { x: 0.08, y: -0.03, z: 0.02 }];
@@ -261,8 +264,8 @@ const BALLS: [([f64; 3], f64, f64); 5] = [
     ([1.0, 1.5, 3.5], 0.6, 0.3),
 ];
 
-/// The number of the ball that is nearest along `line` before an eye at `place` and `time`, by steps back along the light on the ground, from
-/// textbook aberration; its distance there.
+/// The number of the ball that is nearest along `line` before an eye at `place` and `time`, by steps back
+/// along the light on the ground, from textbook aberration; its distance there.
 fn found_on_ground(
     velocity: &ObserverVelocity,
     place: DVec3,

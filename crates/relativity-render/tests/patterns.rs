@@ -1,4 +1,5 @@
-//! Turning of bodies and lengths on them, read from patterns in pictures alone, without the formulas behind them.
+//! Turning of bodies and lengths on them, read from patterns in pictures alone, without the formulas behind
+//! them.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -82,7 +83,8 @@ fn the_middle_of_a_globe_abeam_at_0_8_c_lies_53_1_degrees_from_what_faces_the_ey
     let hit = hits.hits[(v * SIDE + u) as usize].expect("its middle is seen");
     let place = hit.material_position - DVec3::Y * FAR;
     let turned = (-place.x).atan2(-place.y).to_degrees();
-    // The middle lies within a pixel, which is 1/46 of the radius: 1.2 degrees, and half of that at a pixel's centre.
+    // The middle lies within a pixel, which is 1/46 of the radius: 1.2 degrees, and half of that at a pixel's
+    // centre.
     assert!((turned - 53.1).abs() <= 0.5 + 0.7 / 53.1f64.to_radians().cos(), "{turned} degrees");
 }
 
@@ -126,7 +128,8 @@ fn opposite_faces_sum_to_seven() {
     assert_eq!([from(90.0), from(-90.0)], [6, 1]);
 }
 
-/// Returns the distance of `place` (a column, pixels) from the boundary of light and dark in the middle row, from the share of light there.
+/// Returns the distance of `place` (a column, pixels) from the boundary of light and dark in the middle row,
+/// from the share of light there.
 fn edge_off(picture: &Picture, place: f64) -> f64 {
     const REACH: usize = 8;
     let [width, height] = picture.size;

@@ -11,7 +11,8 @@ use relativity_render::{
 
 use crate::support::spread;
 
-/// Numbers from 0 to 1, three times seven of them for each `i`, by the generator of Steele, Lea and Flood (`SplitMix64`).
+/// Numbers from 0 to 1, three times seven of them for each `i`, by the generator of Steele, Lea and Flood
+/// (`SplitMix64`).
 fn random(i: u32) -> [[f64; 7]; 3] {
     let number = |k: usize| {
         let state = (u64::from(i) * 21 + k as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
@@ -43,8 +44,8 @@ fn slant(gaze: Gaze, baseline: DVec3) -> f64 {
         - gaze.axes().forward.angle_between(baseline).min(PI - gaze.axes().forward.angle_between(baseline))
 }
 
-/// Both eyes see a point in the same row of their pictures, at any speed and time, wherever it is and wherever they look but
-/// along the line between them.
+/// Both eyes see a point in the same row of their pictures, at any speed and time, wherever it is and
+/// wherever they look but along the line between them.
 #[test]
 fn a_straight_pair_has_no_vertical_parallax() {
     let (mut worst, mut shown) = (0.0f64, 0);
@@ -84,8 +85,8 @@ fn a_straight_pair_has_no_vertical_parallax() {
     println!("{worst:e} px at most, of {shown} pairs");
 }
 
-/// The place of what is seen at (X, y, z) by tangents alone: X and the height above the plane through x and the gaze, over
-/// how far it is along what of the gaze is in the y-z plane.
+/// The place of what is seen at (X, y, z) by tangents alone: X and the height above the plane through x and
+/// the gaze, over how far it is along what of the gaze is in the y-z plane.
 fn expected(camera: &Camera, [x, y, z]: [f64; 3]) -> [f64; 2] {
     let Projection::Parallel { shift, .. } = camera.projection else { panic!("it is parallel") };
     let Gaze { azimuth, elevation } = camera.gaze;
@@ -99,8 +100,9 @@ fn expected(camera: &Camera, [x, y, z]: [f64; 3]) -> [f64; 2] {
     [0.5 * width + focal_length * (x / depth - slant + shift), 0.5 * height - focal_length * rise / depth]
 }
 
-/// A gaze further aside turns both pictures along, steadily, so that it stays in their middle. What is there is in nearly one
-/// row: heights are seen from distances that differ by what the turn makes of the baseline, and are far larger than that.
+/// A gaze further aside turns both pictures along, steadily, so that it stays in their middle. What is there
+/// is in nearly one row: heights are seen from distances that differ by what the turn makes of the baseline,
+/// and are far larger than that.
 #[test]
 fn far_aside_pictures_turn_with_the_gaze() {
     let d = 0.2;
@@ -128,7 +130,8 @@ fn far_aside_pictures_turn_with_the_gaze() {
     }
 }
 
-/// A point at depth s has one place in both pictures where the shifts are -+ d/(2 s); without shifts a distant one has.
+/// A point at depth s has one place in both pictures where the shifts are -+ d/(2 s); without shifts a
+/// distant one has.
 #[test]
 fn the_image_shift_brings_a_depth_onto_the_screen() {
     let (d, s) = (0.3, 4.0);
@@ -303,7 +306,8 @@ fn a_shift_by_pixels_moves_the_picture_by_as_many() {
     assert!(different < 5, "{different}");
 }
 
-/// Each degree of longitude and latitude has as many pixels, from the left to the right and from the zenith to the nadir.
+/// Each degree of longitude and latitude has as many pixels, from the left to the right and from the zenith
+/// to the nadir.
 #[test]
 fn half_of_the_sky_is_told_by_longitude_and_latitude() {
     let gaze = Gaze { azimuth: 1.9, elevation: 0.7 };
@@ -362,7 +366,8 @@ fn half_of_the_sky_is_drawn_by_the_reference_alone() {
     assert!(refused.to_string().contains("published model"), "{refused}");
 }
 
-/// The distance between the pixels of a ground decides what is drawn of its grid; a step to the next is what `pixel` finds.
+/// The distance between the pixels of a ground decides what is drawn of its grid; a step to the next is what
+/// `pixel` finds.
 #[test]
 fn a_magnified_part_shows_what_is_about_its_pixel() {
     for projection in projections() {

@@ -226,7 +226,8 @@ fn the_pictures_are_those_of_a_walk_back_along_the_light() {
     assert!(different * 1000 <= covered);
 }
 
-/// Eyes as far apart as the bodies are wide, too, and with a body between them, in any direction from each other.
+/// Eyes as far apart as the bodies are wide, too, and with a body between them, in any direction from each
+/// other.
 #[test]
 fn with_one_light_cone_the_pictures_are_those_of_a_walk_back_along_the_middles_light() {
     let bodies = bodies();
@@ -310,8 +311,8 @@ fn hits_lie_where_the_light_cone_shows_them_up_to_the_greatest_gamma() {
     }
 }
 
-/// Views like [`views`] from rest up to the greatest gamma; beyond a million without the first, for which f64 has
-/// no gaze (the bodies are 1e-12 wide, or less).
+/// Views like [`views`] from rest up to the greatest gamma; beyond a million without the first, for which f64
+/// has no gaze (the bodies are 1e-12 wide, or less).
 fn extreme_views() -> Vec<View> {
     let mut views = Vec::new();
     for gamma in [1.0, 10.0, 100.0, 1e3, 1e6, 1e12, MAX_GAMMA] {
@@ -448,7 +449,8 @@ fn where_surfaces_coincide_the_first_body_is_seen() {
     }
 }
 
-/// In the limit all light comes along the motion: the nearest body must still be distinguished from those behind.
+/// In the limit all light comes along the motion: the nearest body must still be distinguished from those
+/// behind.
 #[test]
 fn from_a_gamma_of_a_million_on_the_picture_changes_no_more() {
     let bodies = bodies();

@@ -76,7 +76,8 @@ fn turn(from: f64, to: f64) -> f64 {
     (to - from + 180.0).rem_euclid(360.0) - 180.0
 }
 
-/// The matrix of linear sRGB to more digits than the standard prints: at the red end the hue hangs on the last.
+/// The matrix of linear sRGB to more digits than the standard prints: at the red end the hue hangs on the
+/// last.
 fn xyz_from_srgb([r, g, b]: [f64; 3]) -> [f64; 3] {
     [
         0.412_456_4 * r + 0.357_576_1 * g + 0.180_437_5 * b,

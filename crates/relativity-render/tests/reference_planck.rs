@@ -1,5 +1,5 @@
-//! Black bodies against sums done here: Planck's law over what eyes see of the CIE's table, with no logarithm and no
-//! lookup.
+//! Black bodies against sums done here: Planck's law over what eyes see of the CIE's table, with no logarithm
+//! and no lookup.
 
 use relativity_render::colour::luminance;
 use relativity_render::colour::planck::{Broad, band, black_body};

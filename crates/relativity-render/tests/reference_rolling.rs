@@ -102,7 +102,8 @@ fn the_measured_spokes_crowd_at_the_top_by_1_plus_beta_squared_over_1_minus_it()
     let beta = 0.93;
     let view = view(beta, 1.3, Geometry::Contracted);
     let group_view = view.of_group(Motion::Scene);
-    // Two spokes this far apart, where they are shown at `angle`: how far apart they are shown, halfway out and at the rim.
+    // Two spokes this far apart, where they are shown at `angle`: how far apart they are shown, halfway out
+    // and at the rim.
     let apart = 1e-4;
     let shown = |angle: f64, rho: f64| {
         let turned = beta / RADIUS * group_view.time_at(on_wheel(HUB, rho, angle));
@@ -195,8 +196,9 @@ fn spokes_are_straight_where_they_are_seen_along_the_axle() {
                 worst = worst.max((place - first).perp_dot(along).abs());
             }
         }
-        // What is rho radii from the hub is seen later by rho^2 radii/200, when it has turned by beta rho^2/200: aside by
-        // beta rho^3/200 radii. Aberration bends what is upright by as much as beta rho^2/200.
+        // What is rho radii from the hub is seen later by rho^2 radii/200, when it has turned by beta
+        // rho^2/200: aside by beta rho^3/200 radii. Aberration bends what is upright by as much as beta
+        // rho^2/200.
         let aside = |rho: f64| beta * (rho.powi(3) + rho.powi(2)) / 200.0 * 45.0;
         let chord = |rho: f64| aside(0.15) + (aside(0.95) - aside(0.15)) / 0.8 * (rho - 0.15);
         let expected = (1..8).map(|step| 0.15 + 0.1 * f64::from(step)).map(|rho| chord(rho) - aside(rho));

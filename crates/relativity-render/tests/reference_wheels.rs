@@ -1,5 +1,5 @@
-//! Bodies that turn about an axle, drawn by the reference: against marching along the line of sight on the ground, which
-//! shares nothing with it, and against known properties of a rolling wheel.
+//! Bodies that turn about an axle, drawn by the reference: against marching along the line of sight on the
+//! ground, which shares nothing with it, and against known properties of a rolling wheel.
 
 use std::f64::consts::TAU;
 
@@ -157,8 +157,8 @@ impl Case {
         signed_distance(&self.body.shape, at_first)
     }
 
-    /// By marching in small steps: the first distance at which the line of sight is inside, and the least distance outside
-    /// of all.
+    /// By marching in small steps: the first distance at which the line of sight is inside, and the least
+    /// distance outside of all.
     fn marched(&self) -> (Option<f64>, f64) {
         const STEPS: u32 = 4000;
         // Where the line of sight is nearest to the hub, and as far to both sides as the wheel reaches.

@@ -64,7 +64,8 @@ fn a_ride_past_a_street_is_a_street_that_passes_byte_for_byte() {
     }
 }
 
-/// Points of groups and of their wheels appear where the core has them for a moving observer's eyes, each at its own event.
+/// Points of groups and of their wheels appear where the core has them for a moving observer's eyes, each at
+/// its own event.
 #[test]
 fn both_eyes_of_a_rider_see_points_where_the_core_has_them() {
     let pair = Aperture::pair(0.2);
@@ -125,7 +126,8 @@ fn both_eyes_of_a_rider_see_points_where_the_core_has_them() {
     }
 }
 
-/// A tunnel's mouth is still seen ahead when one is in it: tan(theta'/2) = tan(theta/2) sqrt((1 - V)/(1 + V)).
+/// A tunnel's mouth is still seen ahead when one is in it: tan(theta'/2) = tan(theta/2) sqrt((1 - V)/(1 +
+/// V)).
 #[test]
 fn what_is_abreast_is_seen_ahead() {
     let view = ride(0.9);
@@ -137,8 +139,8 @@ fn what_is_abreast_is_seen_ahead() {
     assert!((angle.to_degrees() - 25.84).abs() < 0.005, "{angle}");
 }
 
-/// The bicycle of whoever rides looks as it does at rest, however fast the street passes, and its wheels have turned by the street
-/// that has passed.
+/// The bicycle of whoever rides looks as it does at rest, however fast the street passes, and its wheels have
+/// turned by the street that has passed.
 #[test]
 fn what_rides_along_is_seen_as_at_rest() {
     let hub = [2.0, 1.0, -0.4];

@@ -1,4 +1,5 @@
-//! Models of triangles that roll, held against our exact wheel, a search in small steps along the light, and the same model at rest.
+//! Models of triangles that roll, held against our exact wheel, a search in small steps along the light, and
+//! the same model at rest.
 
 use std::f64::consts::TAU;
 
@@ -13,8 +14,9 @@ use crate::support::{centred, spread};
 
 const GEOMETRIES: [Geometry; 4] = [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone];
 
-/// The triangle that light along a line of sight comes from, and its distance at rest, by a search in small steps: where the sign of the
-/// volume between the ray's place and a triangle changes, the place is found by halving.
+/// The triangle that light along a line of sight comes from, and its distance at rest, by a search in small
+/// steps: where the sign of the volume between the ray's place and a triangle changes, the place is found by
+/// halving.
 fn stepped(model: &RawModel, spin: &Spin, of_group: &GroupView, sight: DVec3) -> Option<(f64, u32)> {
     const STEPS: u32 = 4000;
     let ray = of_group.rest_ray(sight);
@@ -120,7 +122,8 @@ fn inside(hits: &HitImage) -> Vec<bool> {
     hits.hits.iter().map(Option::is_some).collect()
 }
 
-/// Between the tori inside and outside which its squares lie, a torus of triangles that rolls is the exact one.
+/// Between the tori inside and outside which its squares lie, a torus of triangles that rolls is the exact
+/// one.
 #[test]
 fn a_wheel_of_triangles_is_the_exact_wheel_within_their_sagitta() {
     let (radius, tube, around, sides) = (0.5, 0.06, 48, 10);
@@ -175,7 +178,8 @@ fn at_rest_a_model_with_a_spin_is_the_model_that_stands() {
     }
 }
 
-/// The packets ask the reference for each ray, in the direction that f32 has: they may differ at outlines alone.
+/// The packets ask the reference for each ray, in the direction that f32 has: they may differ at outlines
+/// alone.
 #[test]
 fn packets_show_what_the_reference_shows_of_a_rolling_model() {
     let scene = rolling(wheel_model(0.5, 0.06, 32, 8, 7), 0.6);

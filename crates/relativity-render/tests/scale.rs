@@ -43,8 +43,8 @@ fn near(bodies: &[Body], view: &View, [left, top]: [u32; 2], room: f64) -> Vec<u
     (0..bodies.len()).filter(|&body| is_near(&bodies[body])).collect()
 }
 
-/// Every pixel's body in sampled windows is that of a loop over all bodies near the window; bodies are left out of that
-/// loop only by where their ends are seen, which no hierarchy knows.
+/// Every pixel's body in sampled windows is that of a loop over all bodies near the window; bodies are left
+/// out of that loop only by where their ends are seen, which no hierarchy knows.
 fn agrees_with_a_loop(count: u32) {
     let bodies = crowd(count);
     let scene = PreparedScene::moving(&bodies);

@@ -1,4 +1,5 @@
-//! Every shader, parsed and validated without a device; and what it shares with Rust against Rust's side of it.
+//! Every shader, parsed and validated without a device; and what it shares with Rust against Rust's side of
+//! it.
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{
@@ -72,8 +73,8 @@ fn vertices_match_their_rust_mirrors() {
     }
 }
 
-/// Mesa's lavapipe recompiles a shader for every new value of a uniform that decides a branch by itself. Each compilation
-/// takes milliseconds, and its result is never freed.
+/// Mesa's lavapipe recompiles a shader for every new value of a uniform that decides a branch by itself. Each
+/// compilation takes milliseconds, and its result is never freed.
 #[test]
 fn no_shader_branches_on_what_only_uniforms_say() {
     for shader in mirrors::shaders() {

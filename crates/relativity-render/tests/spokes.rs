@@ -1,5 +1,5 @@
-//! Spokes of wheels that roll, as packets draw them, against the reference: no pixel shows what is seen nowhere within the
-//! stated error.
+//! Spokes of wheels that roll, as packets draw them, against the reference: no pixel shows what is seen
+//! nowhere within the stated error.
 
 use std::ops::Range;
 

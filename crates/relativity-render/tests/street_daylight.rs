@@ -99,8 +99,8 @@ fn to_a_rider_what_rests_is_lit_as_by_a_lamp_of_its_own() {
     assert!(own.rgba == street.rgba && own.rgba.iter().any(|pixel| *pixel != own.rgba[0]));
 }
 
-/// A white face that rides along with the eyes and looks ahead reflects the mean of the black bodies over the half of the sky
-/// before it, weighted by the cosine, in the face's own frame.
+/// A white face that rides along with the eyes and looks ahead reflects the mean of the black bodies over the
+/// half of the sky before it, weighted by the cosine, in the face's own frame.
 #[test]
 fn a_face_that_rides_along_reflects_the_crowded_sky_ahead() {
     const STEPS: u32 = 20_000;

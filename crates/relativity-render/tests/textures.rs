@@ -1,4 +1,5 @@
-//! Textures on triangles: where their texels are seen, against the geometry of rays, and what they are from afar.
+//! Textures on triangles: where their texels are seen, against the geometry of rays, and what they are from
+//! afar.
 
 use glam::DVec3;
 use relativity_core::{Aperture, Speed};
@@ -173,8 +174,8 @@ fn from_afar_a_texture_is_its_average() {
     }
 }
 
-/// Near to a texture, and so far from it that only its average is left, the packets draw what the reference draws. Between, their samples
-/// lie elsewhere in a pixel.
+/// Near to a texture, and so far from it that only its average is left, the packets draw what the reference
+/// draws. Between, their samples lie elsewhere in a pixel.
 #[test]
 fn packets_draw_the_textures_of_the_reference() {
     let mut renderers = Renderers::new(None);

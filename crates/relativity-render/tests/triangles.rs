@@ -1,4 +1,5 @@
-//! Models of triangles against what they stand for: our exact box and ball, and every triangle tested one by one.
+//! Models of triangles against what they stand for: our exact box and ball, and every triangle tested one by
+//! one.
 
 use std::f64::consts::{PI, TAU};
 
@@ -42,8 +43,8 @@ fn a_box_of_twelve_triangles_is_the_box() {
     }
 }
 
-/// A ray that misses the ball of triangles misses the ball, or passes inside its outline by no more than the sagitta
-/// of the triangles, and none that meets it misses the ball.
+/// A ray that misses the ball of triangles misses the ball, or passes inside its outline by no more than the
+/// sagitta of the triangles, and none that meets it misses the ball.
 #[test]
 fn a_ball_of_triangles_is_a_ball_within_their_sagitta() {
     let (center, radius, rings) = ([0.0, 4.0, 0.5], 0.6, 24);
@@ -274,7 +275,8 @@ fn a_ball_turns_away_along_a_great_circle() {
     }
 }
 
-/// The silhouette of a model of a ball, as a near eye sees it, is the ball's: a circle around less than half of its surface.
+/// The silhouette of a model of a ball, as a near eye sees it, is the ball's: a circle around less than half
+/// of its surface.
 #[test]
 fn a_model_of_a_ball_turns_away_where_a_ball_does() {
     let offset = [1.0, -2.0, 0.5];
@@ -291,7 +293,8 @@ fn a_model_of_a_ball_turns_away_where_a_ball_does() {
         let edges = model.silhouette(|_| onlooker);
         let ends = edges.iter().flat_map(|edge| [0.0, 1.0].map(|s| edge.path.at(s)));
         let farthest = ends.map(near).fold(0.0, f64::max);
-        // Edges run along the net of the corners, which of so many triangles are in a grid of 40 cells each way.
+        // Edges run along the net of the corners, which of so many triangles are in a grid of 40 cells each
+        // way.
         let diagonal = 2.0_f64.sqrt() * 2.0 / 40.0;
         assert!(edges.len() > 100 && farthest < diagonal, "{eye}: {} edges, {farthest}", edges.len());
     }

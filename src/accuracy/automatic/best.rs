@@ -4,8 +4,8 @@ use relativity_render::Method;
 
 use crate::flags::Goal;
 
-/// Share of the present method's time below which another takes its place: for a gain of less than a fifth nothing
-/// changes.
+/// Share of the present method's time below which another takes its place: for a gain of less than a fifth
+/// nothing changes.
 pub const GAIN: f64 = 0.8;
 
 /// A method, its error and its cost.
@@ -21,9 +21,9 @@ pub struct Offer {
 
 /// The best of `offers`, of which the one that was `kept` stays where another gains little; `None` of none.
 ///
-/// Of an error it is the cheapest that is no further off, of equally cheap ones the most accurate; where none is as near, the
-/// most accurate of all. Of a budget it is the most accurate that keeps it, of equally accurate ones the cheapest; where none
-/// does, the cheapest of all.
+/// Of an error it is the cheapest that is no further off, of equally cheap ones the most accurate; where none
+/// is as near, the most accurate of all. Of a budget it is the most accurate that keeps it, of equally
+/// accurate ones the cheapest; where none does, the cheapest of all.
 #[must_use]
 pub fn best(goal: Goal, offers: &[Offer], kept: Option<Method>) -> Option<Offer> {
     let kept = offers.iter().copied().find(|offer| Some(offer.method) == kept);

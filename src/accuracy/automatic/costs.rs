@@ -98,7 +98,8 @@ impl Costs {
         })
     }
 
-    /// Notes that `method` has drawn, and how many milliseconds it took for how many `pixels` where that was measured.
+    /// Notes that `method` has drawn, and how many milliseconds it took for how many `pixels` where that was
+    /// measured.
     pub fn note(&mut self, method: Method, geometry: Geometry, measured: Option<(f64, f64)>, now_ms: f64) {
         if self.record(method, geometry).is_none() {
             let recent = Vec::new();
@@ -130,7 +131,8 @@ impl Costs {
         (!record.recent.is_empty()).then_some(record.at_ms)
     }
 
-    /// Returns the known or expected cost: by the cost here of other methods of the same processor, relative to their usual ones.
+    /// Returns the known or expected cost: by the cost here of other methods of the same processor, relative
+    /// to their usual ones.
     #[must_use]
     pub fn expected_ms(&self, method: Method, geometry: Geometry, pixels: f64) -> f64 {
         self.measured_ms(method, geometry, pixels).unwrap_or_else(|| {
@@ -151,8 +153,8 @@ impl Costs {
     }
 }
 
-/// Returns the cost of a method before anything is measured, milliseconds per megapixel: that of the presets on two cores,
-/// or with a GPU of a desk's computer. Only their order and their ratios count.
+/// Returns the cost of a method before anything is measured, milliseconds per megapixel: that of the presets
+/// on two cores, or with a GPU of a desk's computer. Only their order and their ratios count.
 fn usual_ms(machine: Machine, samples: u32, method: Method) -> f64 {
     let is_real = machine == Machine::Gpu;
     match method {

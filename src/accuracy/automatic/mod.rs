@@ -1,7 +1,8 @@
-//! Automatic quality: which method draws a view, from what is stated of each one's error and known of its cost.
+//! Automatic quality: which method draws a view, from what is stated of each one's error and known of its
+//! cost.
 //!
-//! Costs are measured in passing. What is not measured is expected; what might be cheaper is tried for a frame now and
-//! then while pictures change, in at most [`TRIED_SHARE`] of the time.
+//! Costs are measured in passing. What is not measured is expected; what might be cheaper is tried for a
+//! frame now and then while pictures change, in at most [`TRIED_SHARE`] of the time.
 
 mod best;
 mod choice;
@@ -63,7 +64,8 @@ impl Automatic {
         Self::with_samples(machine, REFERENCE_SAMPLES)
     }
 
-    /// Automatic quality on this `machine`, where the reference draws with `samples` times `samples` rays per pixel.
+    /// Automatic quality on this `machine`, where the reference draws with `samples` times `samples` rays per
+    /// pixel.
     #[must_use]
     pub const fn with_samples(machine: Machine, samples: u32) -> Self {
         let costs = Costs::new(machine, samples);
@@ -114,7 +116,8 @@ impl Automatic {
         Some(Choice { method, error_px, ms, is_measured, goal, holds })
     }
 
-    /// Returns the method that draws the next frame of `sight` in place of the one `chosen`, so that its cost becomes known.
+    /// Returns the method that draws the next frame of `sight` in place of the one `chosen`, so that its cost
+    /// becomes known.
     pub fn trial(&mut self, chosen: &Choice, sight: MethodViews<'_>, now_ms: f64) -> Option<Method> {
         let geometry = sight.view.geometry;
         // The cost of what draws comes first.

@@ -8,12 +8,14 @@ const F32_ERROR_PX: f64 = 0.002;
 const F32_ERROR_RADIANS: f64 = 1e-6;
 /// The greatest gamma for which that is measured.
 const MEASURED_GAMMA: f64 = 1000.0;
-/// Error in f32 from there to [`GROUPS_GAMMA`], pixels: where another body is shown, an outline is no further.
+/// Error in f32 from there to [`GROUPS_GAMMA`], pixels: where another body is shown, an outline is no
+/// further.
 const F32_FAST_ERROR_PX: f64 = 0.05;
 /// Greatest gamma up to which f32 distinguishes groups that fly apart.
 const GROUPS_GAMMA: f64 = 1e5;
 
-/// Number of triangles from which a model is large: a million of them, near, take the rays longer than the mesh (docs/accuracy.md).
+/// Number of triangles from which a model is large: a million of them, near, take the rays longer than the
+/// mesh (docs/accuracy.md).
 const LARGE_MODEL: usize = 500_000;
 
 /// A method, and what is stated of it.
@@ -27,7 +29,8 @@ pub struct StatedMethod {
 
 /// The methods that draw `view` of `scene`, the most accurate first, with a GPU if it `has_gpu`.
 ///
-/// There is a mesh where no rays are drawn, and of large models: else rays cost less, and are far more accurate.
+/// There is a mesh where no rays are drawn, and of large models: else rays cost less, and are far more
+/// accurate.
 #[must_use]
 pub fn candidates(has_gpu: bool, scene: &PreparedScene, view: &View) -> Vec<StatedMethod> {
     let f32_error_px = f32_error_px(scene, view);
@@ -43,7 +46,8 @@ pub fn candidates(has_gpu: bool, scene: &PreparedScene, view: &View) -> Vec<Stat
         .collect()
 }
 
-/// Whether `scene` has a model that does not turn, of so many triangles that a GPU may draw them sooner than rays find them.
+/// Whether `scene` has a model that does not turn, of so many triangles that a GPU may draw them sooner than
+/// rays find them.
 fn has_large_model(scene: &PreparedScene) -> bool {
     scene.bodies().iter().any(|body| {
         let is_large = body.triangles.as_ref().is_some_and(|triangles| triangles.count() >= LARGE_MODEL);

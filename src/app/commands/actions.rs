@@ -1,4 +1,5 @@
-//! Actions of the keys and of the command palette: one table, by which they act and from which the help is written.
+//! Actions of the keys and of the command palette: one table, by which they act and from which the help is
+//! written.
 
 use eframe::egui::text_selection::LabelSelectionState;
 use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers};

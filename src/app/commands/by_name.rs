@@ -17,7 +17,8 @@ impl State {
     }
 }
 
-/// Returns the commands of the controls that make these settings of those `before`: one, where one setting differs.
+/// Returns the commands of the controls that make these settings of those `before`: one, where one setting
+/// differs.
 fn changes(before: &Settings, settings: Settings) -> impl Iterator<Item = Command> {
     // What belongs to a scene is chosen there.
     let Settings {

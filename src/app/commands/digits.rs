@@ -26,7 +26,8 @@ pub fn counts(state: &State, event: &Event) -> bool {
     pressed(event).is_some() && state.course().is_some_and(crate::lesson::Course::counts_hands)
 }
 
-/// Returns the digit that `event` presses and the answer that it gives where the lesson has choices on screen.
+/// Returns the digit that `event` presses and the answer that it gives where the lesson has choices on
+/// screen.
 #[must_use]
 pub fn answered(state: &State, event: &Event) -> Option<(Key, Command)> {
     let (key, number) = pressed(event)?;

@@ -92,7 +92,8 @@ impl State {
         }
     }
 
-    /// Reads the file that `command` is about, and shows it: where nothing else is waiting, as without a window.
+    /// Reads the file that `command` is about, and shows it: where nothing else is waiting, as without a
+    /// window.
     fn read_and_show(&mut self, command: &FileCommand) {
         if let Some(errand) = self.errand(command) {
             self.show_file(errand.read());
@@ -155,8 +156,8 @@ impl State {
         }
     }
 
-    /// Shows `settings` that the file at `path` now contains, at the present T and with the points that still exist,
-    /// unless it says which.
+    /// Shows `settings` that the file at `path` now contains, at the present T and with the points that still
+    /// exist, unless it says which.
     fn show_again(&mut self, settings: Settings, scene: ReadyScene, path: PathBuf) {
         let (points, before) = (self.document.points.clone(), self.document.scene.clone());
         let gives_a_point = settings.point.is_some() || settings.points.is_some();

@@ -24,8 +24,8 @@ pub enum GazeCommand {
     Aside([f64; 2]),
     /// Hold the whole scene in the views.
     Whole,
-    /// Holds the whole scene in the views after a double click, whose first click may have picked a point: running it takes
-    /// that back.
+    /// Holds the whole scene in the views after a double click, whose first click may have picked a point:
+    /// running it takes that back.
     WholeAgain,
 }
 

@@ -11,8 +11,9 @@ use crate::app::state::pointer::Pick;
 use crate::app::tools::clock;
 use crate::lesson::{Animated, Answer, AnswerKind, Answers, Course, Lesson, LessonError, Phase, Prediction};
 
-/// Entries in a lesson are noted at once: whoever opens it again goes on where it was. Answers are no steps of the way back: undoing leads back to settings and
-/// to places, never to a lesson without an answer that was given.
+/// Entries in a lesson are noted at once: whoever opens it again goes on where it was. Answers are no steps
+/// of the way back: undoing leads back to settings and to places, never to a lesson without an answer that
+/// was given.
 impl State {
     /// Begins `lesson`, or takes it up where it was left.
     ///
@@ -114,8 +115,8 @@ impl State {
         }
     }
 
-    /// Takes the `answers` that an earlier window has kept. Some may be of the lesson that is open: it takes them up if
-    /// nothing has been done in it yet.
+    /// Takes the `answers` that an earlier window has kept. Some may be of the lesson that is open: it takes
+    /// them up if nothing has been done in it yet.
     pub fn recall_answers(&mut self, answers: &Answers) {
         self.session.answers.clone_from(answers);
         let Some(running) = &mut self.session.lesson else { return };

@@ -1,4 +1,5 @@
-//! Everything that a user can do, by what it is done to: [`Command`] has an arm for each owner, in a file of its own.
+//! Everything that a user can do, by what it is done to: [`Command`] has an arm for each owner, in a file of
+//! its own.
 
 pub(in crate::app) mod actions;
 mod by_name;

@@ -41,8 +41,8 @@ impl State {
         self.document.time = clock::bounded(time_within(self.time_range(), fraction));
     }
 
-    /// Lets T run by a `step` of the wall clock, seconds. Where somebody pushes the pedals, the push that follows lasts as long as the
-    /// frame's step; T does not run besides.
+    /// Lets T run by a `step` of the wall clock, seconds. Where somebody pushes the pedals, the push that
+    /// follows lasts as long as the frame's step; T does not run besides.
     pub(in crate::app) fn advance(&mut self, step: f64, is_pushed: bool) {
         let before = self.document.time;
         self.run_lesson(step);

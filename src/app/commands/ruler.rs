@@ -45,8 +45,8 @@ mod tests {
         laid
     }
 
-    /// A ruler that is laid by `state` is the same one where the picture has another projection or gaze, and its error is half a
-    /// pixel of the picture that it was laid in, twice.
+    /// A ruler that is laid by `state` is the same one where the picture has another projection or gaze, and
+    /// its error is half a pixel of the picture that it was laid in, twice.
     #[test]
     fn it_keeps_its_directions_and_its_angle() {
         let mut state = state(ProjectionChoice::Gaze);

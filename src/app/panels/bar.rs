@@ -23,11 +23,13 @@ use crate::units::Units;
 /// Room for a menu's entries before they scroll, points.
 const MENU_HEIGHT: f32 = 420.0;
 
-/// Narrower bars do without the program's name, have units and theme in a menu, and what is shown, too; points.
+/// Narrower bars do without the program's name, have units and theme in a menu, and what is shown, too;
+/// points.
 const NARROWEST_WITH_NAME: f32 = 900.0;
 const NARROWEST_WITH_ALL: f32 = 1120.0;
 const NARROWEST_WITH_PARTS: f32 = 700.0;
-/// Narrower bars, as on a phone, have the way back and the help in the menu too, and a shorter name of the scene; points.
+/// Narrower bars, as on a phone, have the way back and the help in the menu too, and a shorter name of the
+/// scene; points.
 const NARROWEST_WITH_WAY_BACK: f32 = 540.0;
 /// A window that is lower is that of a phone on its side, points.
 const LOWEST_WITH_WAY_BACK: f32 = 480.0;
@@ -218,7 +220,8 @@ fn more(ui: &mut Ui, state: &State, with_parts: bool, commands: &mut Commands) {
     menu.0.on_hover_text("Units, theme");
 }
 
-/// Shows the menu of a phone's bar: the way back, the help, and but for who sees the window for the first time the rest.
+/// Shows the menu of a phone's bar: the way back, the help, and but for who sees the window for the first
+/// time the rest.
 fn more_on_a_phone(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let stays_open = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let menu = MenuButton::new("More").config(stays_open).ui(ui, |ui| {

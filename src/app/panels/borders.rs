@@ -1,5 +1,5 @@
-//! The borders between the parts of the window: a drag makes one part larger and the other smaller, a double click has
-//! it as usual again. And the titles of parts: a double click has one alone in the window.
+//! The borders between the parts of the window: a drag makes one part larger and the other smaller, a double
+//! click has it as usual again. And the titles of parts: a double click has one alone in the window.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, CursorIcon, Sense, Stroke, Ui, Vec2, vec2};

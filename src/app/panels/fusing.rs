@@ -8,8 +8,8 @@ use crate::app::state::State;
 use crate::app::widgets::strip_button;
 use crate::comfort::ComfortVerdict;
 
-/// Shows at the right of the title strip `strip` that the views are hard to fuse, in a layout that is made to be fused;
-/// a click brings the eyes together.
+/// Shows at the right of the title strip `strip` that the views are hard to fuse, in a layout that is made to
+/// be fused; a click brings the eyes together.
 pub fn offer(ui: &mut Ui, state: &State, strip: Rect, commands: &mut Commands) {
     let settings = &state.document.settings;
     if !settings.picture.layout.is_fused() || settings.is_comparing() {

@@ -1,4 +1,5 @@
-//! A message, over the views: it takes no room from any part, however long it is, and can be copied and closed.
+//! A message, over the views: it takes no room from any part, however long it is, and can be copied and
+//! closed.
 
 use eframe::egui::{
     Align, Area, Context, Frame, Id, Label, Layout, Margin, Order, Rect, RichText, ScrollArea, Sense, Stroke,
@@ -13,7 +14,8 @@ use crate::app::state::notice::Notice;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::theme;
 
-/// The widest message and the least height of one, at the usual scale of writing, and what is around its text; points.
+/// The widest message and the least height of one, at the usual scale of writing, and what is around its
+/// text; points.
 const WIDEST: f32 = 640.0;
 const LOWEST: f32 = 60.0;
 const AROUND: f32 = 10.0;

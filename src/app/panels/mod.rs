@@ -1,5 +1,5 @@
-//! The parts of the window, a file each, or a folder that holds the parts of one. Each reads the state and asks for
-//! commands; none calls another, and all are made of [`super::widgets`].
+//! The parts of the window, a file each, or a folder that holds the parts of one. Each reads the state and
+//! asks for commands; none calls another, and all are made of [`super::widgets`].
 
 pub mod bar;
 pub mod borders;

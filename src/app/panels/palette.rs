@@ -169,7 +169,8 @@ fn found(state: &State, text: &str) -> Vec<PaletteEntry> {
     typed(state, &words).into_iter().chain(listed.filter(fits)).take(MOST).collect()
 }
 
-/// Returns the settings that are set by their names: all but those that belong to a scene, which are in no section.
+/// Returns the settings that are set by their names: all but those that belong to a scene, which are in no
+/// section.
 fn settings() -> impl Iterator<Item = &'static About> {
     about_all().iter().filter(|about| !about.section.is_empty())
 }

@@ -1,5 +1,5 @@
-//! The words for an audience, below the views: the speed and the moment, and what is shown and why, or those of a lesson; so
-//! large that the last row reads them.
+//! The words for an audience, below the views: the speed and the moment, and what is shown and why, or those
+//! of a lesson; so large that the last row reads them.
 
 use std::hash::{DefaultHasher, Hash, Hasher as _};
 
@@ -13,8 +13,8 @@ use crate::number_text;
 
 /// Least size of writing before an audience, as a part of the window's height.
 pub const LEAST_SHARE: f32 = 0.03;
-/// Largest and smallest sizes of the words, as parts of the same height. The smallest is for windows that nobody presents
-/// in: in those of usual shapes all that comes with the program stays above [`LEAST_SHARE`].
+/// Largest and smallest sizes of the words, as parts of the same height. The smallest is for windows that
+/// nobody presents in: in those of usual shapes all that comes with the program stays above [`LEAST_SHARE`].
 const SIZES: [f32; 2] = [0.042, 0.018];
 /// Bounds of how much larger than usual writing is for an audience, for windows of any size.
 const SCALES: [f32; 2] = [0.8, 12.0];
@@ -41,8 +41,8 @@ pub fn reference_height(area: Rect) -> f32 {
     area.height().min(LEAST_ASPECT * area.width())
 }
 
-/// Returns how much larger than usual writing is for an audience: the smallest is as high as the last row needs, and larger with
-/// the window's zoom.
+/// Returns how much larger than usual writing is for an audience: the smallest is as high as the last row
+/// needs, and larger with the window's zoom.
 #[must_use]
 pub fn scale(ctx: &Context) -> f32 {
     let height = reference_height(ctx.content_rect()) * ctx.zoom_factor();
@@ -88,8 +88,8 @@ impl Words<'_> {
     }
 }
 
-/// Keeps that the words with this key need so much where they have that `room`: it is given to them from the next pass on.
-/// What is too small, or grows while it is shown, gets all the room there is.
+/// Keeps that the words with this key need so much where they have that `room`: it is given to them from the
+/// next pass on. What is too small, or grows while it is shown, gets all the room there is.
 fn note(ctx: &Context, key: u64, [need, room]: [f32; 2], is_small: bool) {
     let id = id(ctx);
     let known = ctx.data(|data| data.get_temp::<KnownHeight>(id)).filter(|known| known.key == key);
@@ -113,8 +113,8 @@ fn id(ctx: &Context) -> Id {
     Id::unique(("words for an audience", ctx.viewport_id()))
 }
 
-/// Shows the speed, the moment in a sentence, and the caption of the preset. A fit is of the whole passage: beside it no moment
-/// is described, and the views keep that room.
+/// Shows the speed, the moment in a sentence, and the caption of the preset. A fit is of the whole passage:
+/// beside it no moment is described, and the views keep that room.
 pub fn preset(ui: &mut Ui, state: &State, beside: Beside) {
     let size = TextStyle::Body.resolve(ui.style()).size;
     let speed = state.speed();

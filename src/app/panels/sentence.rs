@@ -5,7 +5,8 @@ use eframe::egui::{self, Align2, FontId, Ui, accesskit::Role, text::LayoutJob};
 use crate::app::state::State;
 use crate::app::widgets::theme;
 
-/// Sizes of the writing, points: the first at which the sentence fits is taken, else the last, and the end left out.
+/// Sizes of the writing, points: the first at which the sentence fits is taken, else the last, and the end
+/// left out.
 const SIZES: [f32; 4] = [14.0, 13.0, 12.0, theme::SMALLEST_SIZE];
 
 /// Greatest magnification relative to other large writing.

@@ -21,8 +21,9 @@ use crate::flags::{MAX_TIME, TimeRange};
 use crate::settings::{PlaybackSettings, RATE, about};
 use crate::units::Unit;
 
-/// Widths of the transport's buttons with T's name and the gaps around them, of the words around the numbers of the rate
-/// and of the range, of the menu's button, and of a number without its digits and of one of these; points.
+/// Widths of the transport's buttons with T's name and the gaps around them, of the words around the numbers
+/// of the rate and of the range, of the menu's button, and of a number without its digits and of one of
+/// these; points.
 const TRANSPORT: f32 = 206.0;
 const AROUND_RATE: f32 = 10.0;
 const AROUND_RANGE: f32 = 196.0;

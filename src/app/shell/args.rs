@@ -12,7 +12,8 @@ use crate::lesson::{LessonError, Library};
 use crate::scene::Scene;
 use crate::settings::{Settings, StartArgs};
 
-/// The flags of the window. Settings that are not given stay as they were left or, with a scene or a state given, are defaults.
+/// The flags of the window. Settings that are not given stay as they were left or, with a scene or a state
+/// given, are defaults.
 #[derive(Debug, Clone, Args)]
 #[command(mut_args(without_the_files))]
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag")]
@@ -26,14 +27,15 @@ pub struct WindowArgs {
     /// Start in front of an audience: on the whole screen, with large writing, without controls.
     #[arg(long)]
     present: bool,
-    /// With `--scene` or `--state`, which start from the defaults: keep the rest as it was left (with a state: the
-    /// parts of the window, the screen and the layout).
+    /// With `--scene` or `--state`, which start from the defaults: keep the rest as it was left (with a
+    /// state: the parts of the window, the screen and the layout).
     #[arg(long)]
     keep_settings: bool,
     /// Begin this lesson or preset; the name of a file has its ending, `.md`. `--list` names them all.
     #[arg(long, value_name = "NAME|FILE", conflicts_with = "state")]
     lesson: Option<PathBuf>,
-    /// A folder with your own lessons, beside the program's. A lesson of the same name replaces the program's.
+    /// A folder with your own lessons, beside the program's. A lesson of the same name replaces the
+    /// program's.
     #[arg(long, value_name = "DIR")]
     lessons: Option<PathBuf>,
     /// Name all lessons and presets, or with `--scene` or `--state` all bodies of that scene, and exit.
@@ -42,8 +44,8 @@ pub struct WindowArgs {
     /// Inner size of the window.
     #[arg(long, value_parser = size, value_name = "WIDTHxHEIGHT")]
     window_size: Option<[u32; 2]>,
-    /// Draw the window once, save it as a PNG file and exit. Needs no display. What was left in the window is neither used
-    /// nor changed.
+    /// Draw the window once, save it as a PNG file and exit. Needs no display. What was left in the window is
+    /// neither used nor changed.
     #[arg(long, value_name = "FILE.png")]
     pub screenshot: Option<PathBuf>,
     #[command(flatten)]
@@ -61,8 +63,8 @@ fn without_the_files(flag: Arg) -> Arg {
 const DEFAULT_SIZE: [u32; 2] = [1280, 800];
 
 impl WindowArgs {
-    /// The state to start in: settings as they were `left`, unless the flags name what is shown, with what they say in
-    /// their stead.
+    /// The state to start in: settings as they were `left`, unless the flags name what is shown, with what
+    /// they say in their stead.
     ///
     /// # Errors
     /// A bad flag, file or scene.
@@ -95,7 +97,8 @@ impl WindowArgs {
         self.lesson.is_some() || self.start.name_what_is_shown()
     }
 
-    /// Whether a newcomer is to find the start page: not where something is named to be shown, or an audience waits.
+    /// Whether a newcomer is to find the start page: not where something is named to be shown, or an audience
+    /// waits.
     #[must_use]
     pub fn welcomes(&self) -> bool {
         !self.names_what_is_shown() && !self.present

@@ -39,7 +39,8 @@ impl App {
         self.state.frame_mut().choices = self.chosen.iter().map(choice).collect();
     }
 
-    /// Returns the method that draws views of this `geometry` in this frame, and whether the reference does so within it.
+    /// Returns the method that draws views of this `geometry` in this frame, and whether the reference does
+    /// so within it.
     pub(in crate::app) fn drawn_by(&self, geometry: Geometry) -> (Method, bool) {
         let chosen = self.chosen.iter().find_map(|(of, chosen)| (*of == geometry).then_some(chosen));
         let set = self.state.document.settings.quality.method();
@@ -50,15 +51,16 @@ impl App {
         }
     }
 
-    /// Whether pictures may get smoother: where the mesh is set, its errors are to be seen, and what is measured is not to be
-    /// disturbed.
+    /// Whether pictures may get smoother: where the mesh is set, its errors are to be seen, and what is
+    /// measured is not to be disturbed.
     pub(in crate::app) fn may_refine(&self) -> bool {
         let quality = self.state.document.settings.quality;
         let is_measuring = self.examination.as_ref().is_some_and(Examination::is_pending);
         self.refines && quality.refine && quality.renderer != RendererChoice::Mesh && !is_measuring
     }
 
-    /// Returns this window without refinement of still views, so that its pictures do not depend on how long they have been shown.
+    /// Returns this window without refinement of still views, so that its pictures do not depend on how long
+    /// they have been shown.
     #[must_use]
     pub fn without_refinement(self) -> Self {
         Self { refines: false, ..self }

@@ -10,8 +10,8 @@ pub struct FullScreen {
 }
 
 impl FullScreen {
-    /// Asks the system for what is `wished`; what it is now: another than wished where the system itself has changed it,
-    /// such as by a key of the desktop's.
+    /// Asks the system for what is `wished`; what it is now: another than wished where the system itself has
+    /// changed it, such as by a key of the desktop's.
     pub fn update(&mut self, ctx: &Context, wished: bool) -> bool {
         let actual = ctx.input(|input| input.viewport().fullscreen);
         if self.asked != Some(wished) {

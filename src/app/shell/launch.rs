@@ -31,7 +31,8 @@ const WHAT_TO_DO: &str = "On Debian and Ubuntu install `libx11-6 libxcursor1 lib
 /// Opens the window and returns when it is closed; with `--screenshot` draws it once instead.
 ///
 /// # Errors
-/// A bad flag or scene, no display, no graphics adapter, a missing system library, or settings and answers that could not be written.
+/// A bad flag or scene, no display, no graphics adapter, a missing system library, or settings and answers
+/// that could not be written.
 pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     if let Some(path) = &args.screenshot {
         ensure_ending("--screenshot", path, "png")?;
@@ -55,8 +56,8 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     keeper.end()
 }
 
-/// Has the tables made in which colours are looked up, while the window opens: its first frame needs them, and they take
-/// longer than all else of it.
+/// Has the tables made in which colours are looked up, while the window opens: its first frame needs them,
+/// and they take longer than all else of it.
 fn begin_tables() {
     threads::spawn(|| (colour::linear_srgb(550.0), planck::black_body(12.0), planck::band(9.0)));
 }
@@ -91,8 +92,8 @@ fn in_one_line(message: &str) -> String {
     reason.split_whitespace().collect::<Vec<_>>().join(" ").trim_end_matches('.').to_owned()
 }
 
-/// Opens a window in the state `begin`, or by default in that of the flags and the last window, and leaves its own state to the
-/// `state_slot`; returns when it is closed.
+/// Opens a window in the state `begin`, or by default in that of the flags and the last window, and leaves
+/// its own state to the `state_slot`; returns when it is closed.
 fn open(
     args: &WindowArgs,
     begin: Option<State>,

@@ -143,7 +143,8 @@ impl App {
         }
     }
 
-    /// The settings with which `gamow render` makes the picture that the views show, this `size` for each eye.
+    /// The settings with which `gamow render` makes the picture that the views show, this `size` for each
+    /// eye.
     fn settings_of_picture(&self, ui: &Ui, size: [u32; 2]) -> Settings {
         let mut settings = self.state.shown();
         settings.picture.size = Size(size);

@@ -110,7 +110,8 @@ impl App {
         self.show_panel(ui, "lesson", rect, panels::lesson::show);
     }
 
-    /// Shows the plots inside `rect`; where the lesson's plot is drawn in instead, the curves need not be up to date.
+    /// Shows the plots inside `rect`; where the lesson's plot is drawn in instead, the curves need not be up
+    /// to date.
     fn show_plots(&mut self, ui: &mut Ui, rect: Rect, plots_are_shown: bool) {
         if plots_are_shown {
             self.update_curves();
@@ -124,8 +125,8 @@ impl App {
         (self.curves, self.fitting, self.examination) = (curves, fitting, examination);
     }
 
-    /// Maximises the part of the window whose title is double-clicked, or restores all others. Widgets in a title are above
-    /// it and take clicks first.
+    /// Maximises the part of the window whose title is double-clicked, or restores all others. Widgets in a
+    /// title are above it and take clicks first.
     fn titles(&mut self, ui: &mut Ui, layout: &WindowLayout) {
         let height = theme::TITLE_HEIGHT;
         let panes = layout.panes.iter().enumerate().map(|(number, pane)| {

@@ -38,7 +38,8 @@ impl App {
         }
     }
 
-    /// Notes how large the eyes' pictures are, and how the eyes look: fields of view are fitted to that of the first.
+    /// Notes how large the eyes' pictures are, and how the eyes look: fields of view are fitted to that of
+    /// the first.
     pub(in crate::app) fn measure_pictures(&mut self, ui: &Ui, panes: &[Pane]) {
         if let Some(pane) = panes.iter().find_map(|pane| self.eye_panes(ui, pane).first().copied()) {
             self.state.frame_mut().picture_size = pane.size;

@@ -21,8 +21,8 @@ fn id() -> ViewportId {
     ViewportId::from_hash_of("projector")
 }
 
-/// Builds the projector's window: on the whole of the other `screen` if there is one; else for the lecturer to move
-/// to the projector and to enlarge with F11.
+/// Builds the projector's window: on the whole of the other `screen` if there is one; else for the lecturer
+/// to move to the projector and to enlarge with F11.
 fn window(screen: Screen) -> ViewportBuilder {
     let window = ViewportBuilder::default()
         .with_title(TITLE)
@@ -34,7 +34,8 @@ fn window(screen: Screen) -> ViewportBuilder {
     }
 }
 
-/// Returns whether `command` is about this window alone, and performs it then: one about the whole screen is about its own.
+/// Returns whether `command` is about this window alone, and performs it then: one about the whole screen is
+/// about its own.
 fn takes(ctx: &Context, command: &Command) -> bool {
     let is_full = ctx.input(|input| input.viewport().fullscreen).unwrap_or_default();
     let is_taken = match command {
@@ -49,7 +50,8 @@ fn takes(ctx: &Context, command: &Command) -> bool {
 }
 
 impl App {
-    /// Chooses the screen of the projector's window as that opens: a window does not move because another one does.
+    /// Chooses the screen of the projector's window as that opens: a window does not move because another one
+    /// does.
     pub(in crate::app) fn choose_screen(&mut self, frame: &eframe::Frame) {
         self.screen = match (self.state.session.stage.projector, self.screen) {
             (false, _) => Screen::NotChosen,

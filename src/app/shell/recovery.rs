@@ -118,8 +118,8 @@ impl fmt::Display for Break {
 }
 
 impl Break {
-    /// Returns the reason behind a panic of one of the libraries below the window, if it is none of its defects: a `message` from the source
-    /// `file`. Any other panic is a defect of this program or of theirs.
+    /// Returns the reason behind a panic of one of the libraries below the window, if it is none of its
+    /// defects: a `message` from the source `file`. Any other panic is a defect of this program or of theirs.
     fn parse(message: &str, file: &str) -> Option<Self> {
         let is_from = |library: &str| file.replace('\\', "/").contains(&format!("/{library}-"));
         if message.contains("could not be loaded") {
@@ -144,8 +144,9 @@ impl Break {
     }
 }
 
-/// Runs the event loop. Where a system library is missing, where the display goes away and where the graphics device is lost
-/// the libraries below the window panic; that becomes an error. Any other panic is a defect and is reported as usual.
+/// Runs the event loop. Where a system library is missing, where the display goes away and where the graphics
+/// device is lost the libraries below the window panic; that becomes an error. Any other panic is a defect
+/// and is reported as usual.
 ///
 /// # Errors
 /// What ended it.
@@ -183,8 +184,9 @@ pub enum Ended {
     Broken(Break, Box<State>),
 }
 
-/// Has windows open, the first in the state that `open` finds, until one is closed by its user. One that loses its device is
-/// followed by another, which begins in the state of the one before, unless that was itself the other one a minute ago.
+/// Has windows open, the first in the state that `open` finds, until one is closed by its user. One that
+/// loses its device is followed by another, which begins in the state of the one before, unless that was
+/// itself the other one a minute ago.
 ///
 /// # Errors
 /// The window that was not to be had, or did not go on.
@@ -235,8 +237,8 @@ mod tests {
         State::open(Settings { time: Some(time), ..Settings::default() }).expect("a preset")
     }
 
-    /// Opens windows that end one after the other with the results `ends`, each after its time; returns the final result, and the times at
-    /// which they began.
+    /// Opens windows that end one after the other with the results `ends`, each after its time; returns the
+    /// final result, and the times at which they began.
     fn opened(ends: &[(Result<(), Break>, Option<&str>, Duration)]) -> (Result<(), Ended>, Vec<Option<f64>>) {
         let (mut began, lasted) = (Vec::new(), Cell::new(Duration::ZERO));
         let mut ends = ends.iter().cloned();

@@ -25,7 +25,8 @@ struct Pictures {
 }
 
 impl App {
-    /// Takes the orientation that the device tells: alpha, beta, gamma and the turn of what is shown, degrees. Without a stereoscope it changes nothing.
+    /// Takes the orientation that the device tells: alpha, beta, gamma and the turn of what is shown,
+    /// degrees. Without a stereoscope it changes nothing.
     pub fn turn_device(&mut self, angles: [f64; 4]) {
         if let Some(stereoscope) = &mut self.stereoscope {
             stereoscope.device = Orientation::from_degrees(angles).or(stereoscope.device);

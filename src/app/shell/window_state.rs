@@ -13,8 +13,8 @@ use crate::app::state::orders::Order;
 use crate::app::state::shared::Shared;
 use crate::settings::Settings;
 
-/// The state of the running window. It is in a private field, so that what lasts changes by commands and by time,
-/// never by an assignment while the window is drawn.
+/// The state of the running window. It is in a private field, so that what lasts changes by commands and by
+/// time, never by an assignment while the window is drawn.
 pub struct WindowState(State);
 
 impl Deref for WindowState {
@@ -36,12 +36,14 @@ impl WindowState {
         self.0.run(command);
     }
 
-    /// Lets T run by a `step` of the wall clock, seconds; while somebody pushes the pedals, the push moves it.
+    /// Lets T run by a `step` of the wall clock, seconds; while somebody pushes the pedals, the push moves
+    /// it.
     pub fn advance(&mut self, step: f64, is_pushed: bool) {
         self.0.advance(step, is_pushed);
     }
 
-    /// Lets exposure and vignette follow a ride for this many `seconds`; returns whether they are still on their way.
+    /// Lets exposure and vignette follow a ride for this many `seconds`; returns whether they are still on
+    /// their way.
     pub fn follow_for_comfort(&mut self, seconds: f64) -> bool {
         self.0.follow_for_comfort(seconds)
     }
@@ -66,7 +68,8 @@ impl WindowState {
         self.0.close_chooser();
     }
 
-    /// Notes what the system makes of the window: whether it has the whole screen, and the size of a pixel, cm.
+    /// Notes what the system makes of the window: whether it has the whole screen, and the size of a pixel,
+    /// cm.
     pub fn note_screen(&mut self, full_screen: bool, cm_per_pixel: f64) {
         self.0.note_screen(full_screen, cm_per_pixel);
     }
@@ -91,8 +94,8 @@ impl WindowState {
         self.0.exchange(settings)
     }
 
-    /// Has the settings of the second of two pictures of one eye, if it `is_second` and there is one; returns those
-    /// that it had.
+    /// Has the settings of the second of two pictures of one eye, if it `is_second` and there is one; returns
+    /// those that it had.
     pub fn enter(&mut self, is_second: bool) -> Option<Shared<Settings>> {
         self.0.enter(is_second)
     }
@@ -102,8 +105,8 @@ impl WindowState {
         self.0.leave(kept);
     }
 
-    /// Calls `asked` with the settings of one picture of a comparison: of the second, which has changes, if it
-    /// `is_second`.
+    /// Calls `asked` with the settings of one picture of a comparison: of the second, which has changes, if
+    /// it `is_second`.
     pub fn of_picture<R>(&mut self, is_second: bool, asked: impl FnOnce(&State) -> R) -> R {
         self.0.of_picture(is_second, |state| asked(state))
     }

@@ -100,7 +100,8 @@ impl State {
             && clock::bounded(time) == self.document.time
     }
 
-    /// Returns the defaults with the present scene, the parts of the window, its units and colours, and the screen.
+    /// Returns the defaults with the present scene, the parts of the window, its units and colours, and the
+    /// screen.
     #[must_use]
     pub(in crate::app) fn with_defaults(&self) -> Settings {
         let Settings { ref scene, screen, window, .. } = *self.document.settings;

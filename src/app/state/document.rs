@@ -41,8 +41,8 @@ fn without_headset(look: &mut LookSettings) -> Option<Notice> {
 }
 
 impl Document {
-    /// Returns the document that shows `scene` with `settings`, and the message that is due, if there is one. By default the
-    /// scene's own point is selected, and T is shortly before that passes.
+    /// Returns the document that shows `scene` with `settings`, and the message that is due, if there is one.
+    /// By default the scene's own point is selected, and T is shortly before that passes.
     pub(in crate::app) fn new(mut settings: Settings, scene: ReadyScene) -> (Self, Option<Notice>) {
         let ReadyScene { scene, prepared } = scene;
         let notice = without_headset(&mut settings.look);

@@ -1,7 +1,7 @@
 //! The way back: what the user set, as it was before each step, and steps that were undone.
 //!
-//! A step is a change of the settings, of the followed points or of the scene; T and playing are none. All that changes
-//! while a button of the pointer is held is one step, and so is a run of nudges of one kind.
+//! A step is a change of the settings, of the followed points or of the scene; T and playing are none. All
+//! that changes while a button of the pointer is held is one step, and so is a run of nudges of one kind.
 
 use eframe::egui::{Event, InputState, Key};
 
@@ -113,7 +113,8 @@ impl History {
         self.run = None;
     }
 
-    /// Notes that something was done in this `run`, a pick or not, before which all was as `kept`, and is now as `now`.
+    /// Notes that something was done in this `run`, a pick or not, before which all was as `kept`, and is now
+    /// as `now`.
     pub fn note(&mut self, run: Option<Run>, is_pick: bool, kept: UndoStep, now: &UndoStep) {
         let goes_on = run.is_some() && run == self.run;
         self.run = run;

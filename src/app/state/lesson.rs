@@ -76,7 +76,8 @@ pub(in crate::app) struct RunningAnimation {
 }
 
 impl RunningAnimation {
-    /// Returns the present value, and whether it is the last. Speeds change by equal rapidities in equal times.
+    /// Returns the present value, and whether it is the last. Speeds change by equal rapidities in equal
+    /// times.
     pub fn now(&self) -> (Animated, bool) {
         let part = self.passed / self.animation.seconds;
         let between = |from: f64, to: f64| from + part * (to - from);

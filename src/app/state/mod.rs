@@ -122,8 +122,8 @@ pub struct Session {
 }
 
 impl State {
-    /// Returns the state that shows `scene` with `settings`. By default the scene's own point is selected, and T is shortly before
-    /// that passes.
+    /// Returns the state that shows `scene` with `settings`. By default the scene's own point is selected,
+    /// and T is shortly before that passes.
     #[must_use]
     pub fn new(settings: Settings, scene: Scene) -> Self {
         Self::in_scene(settings, scene.into())
@@ -160,7 +160,8 @@ impl State {
         std::mem::take(&mut self.session.orders)
     }
 
-    /// Notes what the system makes of the window: whether it has the whole screen, and the size of a pixel, cm.
+    /// Notes what the system makes of the window: whether it has the whole screen, and the size of a pixel,
+    /// cm.
     pub(in crate::app) fn note_screen(&mut self, full_screen: bool, cm_per_pixel: f64) {
         (self.session.stage.full_screen, self.frame.cm_per_pixel) = (full_screen, cm_per_pixel);
     }
@@ -174,7 +175,8 @@ impl State {
         Ok(Self::new(settings, scene))
     }
 
-    /// Has these settings, which name a scene that can be had: T stays, and so do the points that are still there.
+    /// Has these settings, which name a scene that can be had: T stays, and so do the points that are still
+    /// there.
     ///
     /// # Errors
     /// A scene that cannot be had; then nothing changes.
@@ -219,7 +221,8 @@ impl State {
         }
     }
 
-    /// Returns the name of `point` in lists and plots: the body that it is on, with its number where another is on that too.
+    /// Returns the name of `point` in lists and plots: the body that it is on, with its number where another
+    /// is on that too.
     #[must_use]
     pub fn name_of(&self, point: &Point) -> String {
         let what = point.what(&self.document.scene);
@@ -257,7 +260,8 @@ impl State {
         self.document.settings.time_range(&self.document.points.selected().track)
     }
 
-    /// The light of `point`: of the body it was picked on, else of the one that it lies on, else of the first.
+    /// The light of `point`: of the body it was picked on, else of the one that it lies on, else of the
+    /// first.
     #[must_use]
     pub fn emission(&self, point: &Point) -> Emission {
         let body = point.body.or_else(|| self.document.scene.body_at(point.track.rest)).unwrap_or(0);
@@ -299,8 +303,8 @@ impl State {
 mod tests {
     use super::*;
 
-    /// Another scene keeps or resets each group of fields as a whole. The state is taken apart by name, so that a field beside the groups
-    /// does not compile.
+    /// Another scene keeps or resets each group of fields as a whole. The state is taken apart by name, so
+    /// that a field beside the groups does not compile.
     #[test]
     fn another_scene_forgets_the_scratch_and_keeps_the_session() {
         let mut state = State::open(Settings::default()).expect("the usual scene");

@@ -27,7 +27,8 @@ impl Notice {
         Self { is_error: true, ..Self::done(error.to_string()) }
     }
 
-    /// Returns the message with the file at `path` as its subject: files beside that are called by their names alone.
+    /// Returns the message with the file at `path` as its subject: files beside that are called by their
+    /// names alone.
     #[must_use]
     pub fn about(self, path: &Path) -> Self {
         let folder = path.parent().filter(|folder| folder.file_name().is_some());

@@ -1,4 +1,5 @@
-//! Orders: requests that need more than the state, such as the graphics device, the clipboard or the plotted curves.
+//! Orders: requests that need more than the state, such as the graphics device, the clipboard or the plotted
+//! curves.
 
 use std::path::PathBuf;
 

@@ -10,7 +10,8 @@ pub struct Point {
     pub number: usize,
     /// Track of the point in the scene.
     pub track: Track,
-    /// The body it was picked on; `None` for the scene's own tracked point, and one that is given by its place.
+    /// The body it was picked on; `None` for the scene's own tracked point, and one that is given by its
+    /// place.
     pub body: Option<usize>,
 }
 
@@ -22,7 +23,8 @@ impl Point {
         self.body_in(scene).map_or(nameless, |body| scene.name_of(body))
     }
 
-    /// Returns the number of the body that it is on in `scene`: the one it was picked on, or the one at its place.
+    /// Returns the number of the body that it is on in `scene`: the one it was picked on, or the one at its
+    /// place.
     #[must_use]
     pub fn body_in(&self, scene: &Scene) -> Option<usize> {
         self.body.or_else(|| scene.body_at(self.track.rest))
@@ -48,7 +50,8 @@ impl Point {
     }
 }
 
-/// The followed points, one of them selected. The first is the scene's own tracked point, which always is one of them.
+/// The followed points, one of them selected. The first is the scene's own tracked point, which always is one
+/// of them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Points {
     all: Vec<Point>,
@@ -94,7 +97,8 @@ impl Points {
         self
     }
 
-    /// Returns the points beside the scene's own, as settings; for one that is given by its place no body is known.
+    /// Returns the points beside the scene's own, as settings; for one that is given by its place no body is
+    /// known.
     #[must_use]
     pub fn followed(&self) -> Option<Followed> {
         let on_body = |point: &Point| Some(FollowedPoint { place: point.track.rest, body: point.body? });
@@ -133,8 +137,8 @@ impl Points {
         }
     }
 
-    /// Selects the point at `track` on `body`: in place of the selected one, or beside the others if it is to be added or if the
-    /// selected one is the scene's own.
+    /// Selects the point at `track` on `body`: in place of the selected one, or beside the others if it is to
+    /// be added or if the selected one is the scene's own.
     pub fn choose(&mut self, track: Track, body: usize, add: bool) {
         let place = if self.selected == TRACKED { self.all.len() - 1 } else { self.selected };
         if (add || self.selected == TRACKED) && self.all.len() < MAX_POINTS {
@@ -172,7 +176,8 @@ impl Points {
         self
     }
 
-    /// Returns the points that still exist in `new`, another version of the scene `old`: on a body of the same name that moves alike.
+    /// Returns the points that still exist in `new`, another version of the scene `old`: on a body of the
+    /// same name that moves alike.
     #[must_use]
     pub fn carried(&self, old: &Scene, new: &Scene) -> Self {
         let mut carried = Self { last_number: self.last_number, ..Self::tracked(new.track(None)) };

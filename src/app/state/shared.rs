@@ -1,4 +1,5 @@
-//! A value that its clones share until one of them is written: an undo step costs no copy of what did not change.
+//! A value that its clones share until one of them is written: an undo step costs no copy of what did not
+//! change.
 
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;

@@ -1,5 +1,5 @@
-//! Temporary modes of the window: the whole screen, a show for an audience, one part alone in it. None of it is
-//! remembered.
+//! Temporary modes of the window: the whole screen, a show for an audience, one part alone in it. None of it
+//! is remembered.
 
 use crate::settings::Preset;
 
@@ -83,8 +83,8 @@ impl Stage {
     }
 }
 
-/// Returns the preset `steps` after the one `shown`, before it if below 0: the one list that a presenter goes through.
-/// It ends at both ends; whoever shows none of it begins with the first.
+/// Returns the preset `steps` after the one `shown`, before it if below 0: the one list that a presenter goes
+/// through. It ends at both ends; whoever shows none of it begins with the first.
 #[must_use]
 pub fn next_to_show(shown: Option<&Preset>, steps: i32) -> Option<&'static Preset> {
     let all = Preset::all();

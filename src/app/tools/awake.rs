@@ -1,4 +1,5 @@
-//! Use of the pointer: hover labels appear while it moves and for a few seconds after, not where it rests unused.
+//! Use of the pointer: hover labels appear while it moves and for a few seconds after, not where it rests
+//! unused.
 
 use eframe::egui::{Context, Event, Id, Pos2};
 
@@ -34,8 +35,8 @@ fn seen(ctx: &Context) -> LastInput {
     seen
 }
 
-/// Returns whether fewer than `seconds` have passed since the first call for `what`. Requests a repaint for when
-/// they have.
+/// Returns whether fewer than `seconds` have passed since the first call for `what`. Requests a repaint for
+/// when they have.
 #[must_use]
 pub fn is_new(ctx: &Context, what: &'static str, seconds: f64) -> bool {
     let now = ctx.input(|input| input.time);
@@ -53,7 +54,8 @@ pub fn is_opened(ctx: &Context) -> bool {
     seen(ctx).opened.is_some()
 }
 
-/// Returns whether a finger rests where it was put down for longer than a tap: it has no other way to point without touching.
+/// Returns whether a finger rests where it was put down for longer than a tap: it has no other way to point
+/// without touching.
 #[must_use]
 pub fn is_held(ctx: &Context) -> bool {
     let most = ctx.options(|options| options.input_options.max_click_dist);
@@ -64,8 +66,8 @@ pub fn is_held(ctx: &Context) -> bool {
     })
 }
 
-/// Returns whether the pointer has moved in the last seconds, and since the last key. Where it rests a frame is shown when that
-/// ends.
+/// Returns whether the pointer has moved in the last seconds, and since the last key. Where it rests a frame
+/// is shown when that ends.
 #[must_use]
 pub fn is_moved(ctx: &Context) -> bool {
     let key = seen(ctx).key;

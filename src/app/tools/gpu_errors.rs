@@ -34,7 +34,8 @@ impl GpuErrors {
         self.errors.loss()
     }
 
-    /// Takes the message for errors that have not been shown yet; `newly`, the device has refused to draw the views.
+    /// Takes the message for errors that have not been shown yet; `newly`, the device has refused to draw the
+    /// views.
     pub fn take_new(&mut self, newly: Option<GpuError>) -> Option<String> {
         let text = if let Some(error) = newly {
             format!("{}. The views are drawn on the CPU from now on.", capitalised(&error.to_string()))

@@ -14,8 +14,8 @@ use relativity_render::{Gpu, adapter_name, instance_flags, named_adapter};
 /// Least time between two configurations of a surface that cannot be drawn on.
 const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(250);
 
-/// The configuration of the window's device, and of a screenshot's. `WGPU_BACKEND` chooses a backend, `WGPU_ADAPTER_NAME`
-/// an adapter.
+/// The configuration of the window's device, and of a screenshot's. `WGPU_BACKEND` chooses a backend,
+/// `WGPU_ADAPTER_NAME` an adapter.
 #[must_use]
 pub fn configuration() -> WgpuConfiguration {
     let mut setup = WgpuSetupCreateNew::without_display_handle();
@@ -52,7 +52,8 @@ pub fn configuration() -> WgpuConfiguration {
     }
 }
 
-/// Returns the device of a window, the same for all who ask: what one of them has made on it serves the others.
+/// Returns the device of a window, the same for all who ask: what one of them has made on it serves the
+/// others.
 #[must_use]
 pub fn gpu(render_state: &RenderState) -> Gpu {
     let RenderState { adapter, device, queue, renderer, .. } = render_state;
@@ -60,8 +61,8 @@ pub fn gpu(render_state: &RenderState) -> Gpu {
     kept.entry::<Gpu>().or_insert_with(|| Gpu::from_device(adapter, device.clone(), queue.clone())).clone()
 }
 
-/// Whether a surface that was refused is configured again, so long `since` that was tried: its size was that of a window that
-/// has another by now, or is larger than the device can draw.
+/// Whether a surface that was refused is configured again, so long `since` that was tried: its size was that
+/// of a window that has another by now, or is larger than the device can draw.
 fn is_due(since: Option<Duration>) -> bool {
     since.is_none_or(|since| since >= BETWEEN_ATTEMPTS)
 }

@@ -1,5 +1,5 @@
-//! Wakes a window from other threads, without keeping it alive: egui's renderer is part of a window's context and owns the
-//! graphics device, which must end with the window, on its thread.
+//! Wakes a window from other threads, without keeping it alive: egui's renderer is part of a window's context
+//! and owns the graphics device, which must end with the window, on its thread.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -34,7 +34,8 @@ impl Woken {
 }
 
 impl Drop for Woken {
-    /// Waits for a thread that is asking for a frame just now: it would be the last that holds the window, and end its device.
+    /// Waits for a thread that is asking for a frame just now: it would be the last that holds the window,
+    /// and end its device.
     fn drop(&mut self) {
         let held = self.waker.window().take();
         drop(held);

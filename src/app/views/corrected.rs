@@ -13,7 +13,8 @@ use crate::app::views::background_picture::BackgroundPicture;
 
 /// Greatest number of pixels of a corrected picture: enough to judge it by, and drawn in a blink on the CPU.
 const MAX_PIXELS: f64 = 200_000.0;
-/// Resolution of the eye's picture relative to the corrected one, along each side: parts of it come out enlarged.
+/// Resolution of the eye's picture relative to the corrected one, along each side: parts of it come out
+/// enlarged.
 const FINENESS: u32 = 2;
 /// Brightness outside the eye's picture, relative to the background inside it.
 const OUTSIDE: f64 = 0.6;
@@ -68,7 +69,8 @@ fn picture(scene: &PreparedScene, job: &CorrectedKey) -> Picture {
     rectification.picture_of_hits(&hits, scene, &job.appearance, blank)
 }
 
-/// The camera that has what `camera` has in its middle in its own, as high there, and its picture across the gaze.
+/// The camera that has what `camera` has in its middle in its own, as high there, and its picture across the
+/// gaze.
 fn across_gaze(camera: &Camera) -> Camera {
     // A sheared picture is further from the eye in its middle than on its axis.
     let further = (camera.px_per_radian() / camera.focal_length_px()).sqrt();

@@ -1,6 +1,7 @@
-//! The optical clock: a dial beside each followed point, whose hand turns with the proper time of what the eye sees there. So
-//! it is seen to run D times as fast as a clock on the ground: fast as it comes, slow as it goes. On a wheel it is a clock that
-//! turns with the point, and goes slower than those that rest in the wheel's frame.
+//! The optical clock: a dial beside each followed point, whose hand turns with the proper time of what the
+//! eye sees there. So it is seen to run D times as fast as a clock on the ground: fast as it comes, slow as
+//! it goes. On a wheel it is a clock that turns with the point, and goes slower than those that rest in the
+//! wheel's frame.
 
 use std::f32::consts::TAU;
 
@@ -14,7 +15,8 @@ use crate::number_text;
 use crate::plot::round_step;
 use crate::units::Unit;
 
-/// A turn of the hand takes about this long, units of the scene: it can be followed with the eyes as it comes.
+/// A turn of the hand takes about this long, units of the scene: it can be followed with the eyes as it
+/// comes.
 const PERIOD: f64 = 2.0;
 /// Least and largest radius of the face, points, and which part of the view's height it is in between.
 const RADII: [f32; 2] = [9.5, 20.0];
@@ -81,8 +83,8 @@ impl State {
         })
     }
 
-    /// The clock that rests beside the eyes, which shows T; none where none is drawn, or no light is shown that `eye`
-    /// receives.
+    /// The clock that rests beside the eyes, which shows T; none where none is drawn, or no light is shown
+    /// that `eye` receives.
     #[must_use]
     pub fn resting_dial(&self, eye: Eye) -> Option<Dial> {
         let is_on = self.document.settings.window.dials && self.counts() && self.shows_what_is_received(eye);
@@ -193,7 +195,8 @@ fn radius(view: Rect) -> f32 {
     (RADIUS_SHARE * view.height()).clamp(RADII[0], RADII[1])
 }
 
-/// Middle and radius of the face beside a `marker`: above it to the right, else where there is room in the `view`.
+/// Middle and radius of the face beside a `marker`: above it to the right, else where there is room in the
+/// `view`.
 fn face(marker: Pos2, view: Rect) -> (Pos2, f32) {
     let radius = radius(view);
     let (room, away) = (view.shrink(radius + MARGIN), (AWAY + radius) * std::f32::consts::FRAC_1_SQRT_2);
@@ -221,8 +224,8 @@ mod tests {
         state.dial(state.document.points.selected(), eye).expect("it is seen")
     }
 
-    /// Returns the time of a clock at (0, 3, 2) of what moves at 0.9 as light leaves it that arrives at (a, 0, 0) at T: in its own
-    /// frame, where it rests, that arrives later by its distance from there.
+    /// Returns the time of a clock at (0, 3, 2) of what moves at 0.9 as light leaves it that arrives at (a,
+    /// 0, 0) at T: in its own frame, where it rests, that arrives later by its distance from there.
     fn proper_time(a: f64, time: f64) -> f64 {
         let gamma = 1.0 / 0.19_f64.sqrt();
         let [received, x] = [gamma * (time - 0.9 * a), gamma * (a - 0.9 * time)];
@@ -292,8 +295,8 @@ mod tests {
         }
     }
 
-    /// Without a lesson turns are counted from each clock's zero: so that of the front is the proper time over the period, of
-    /// which the hand shows the rest; and the resting clock shows T.
+    /// Without a lesson turns are counted from each clock's zero: so that of the front is the proper time
+    /// over the period, of which the hand shows the rest; and the resting clock shows T.
     #[test]
     fn turns_are_counted_where_a_resting_clock_is_drawn() {
         for time in [-20.0, 0.0, 3.7, 55.5] {

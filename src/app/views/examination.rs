@@ -1,5 +1,5 @@
-//! Examination of the present views: the cost of each way to draw them, and its error, measured by a thread of its own, one method after
-//! the other, while the Accuracy tab is shown and nothing moves.
+//! Examination of the present views: the cost of each way to draw them, and its error, measured by a thread
+//! of its own, one method after the other, while the Accuracy tab is shown and nothing moves.
 
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 use relativity_render::{Appearance, Gpu, GpuError, Method, PreparedScene, Renderers, View};
@@ -37,7 +37,8 @@ pub struct Figures {
     pub doppler: Option<Spread>,
     /// Share of the covered pixels that show another body.
     pub wrong_share: f64,
-    /// Total error, pixels: 99 % of the outlines that can be distinguished, and of the directions, are nearer.
+    /// Total error, pixels: 99 % of the outlines that can be distinguished, and of the directions, are
+    /// nearer.
     pub error_px: f64,
 }
 
@@ -262,8 +263,8 @@ impl Examination {
         })
     }
 
-    /// The method that costs less than that of `row` and is no further off, or costs no more and is nearer; `None` of
-    /// what is worth its time, and before that is known.
+    /// The method that costs less than that of `row` and is no further off, or costs no more and is nearer;
+    /// `None` of what is worth its time, and before that is known.
     #[must_use]
     pub fn better_than(&self, row: &ExaminedMethod<'_>) -> Option<Method> {
         let own = row.measured()?;
@@ -275,7 +276,8 @@ impl Examination {
         self.rows().find_map(|other| is_better(other.measured()?).then_some(other.method))
     }
 
-    /// Returns the error of the picture of `eye` by `method`, pixel by pixel, once it is known and while the tab is shown.
+    /// Returns the error of the picture of `eye` by `method`, pixel by pixel, once it is known and while the
+    /// tab is shown.
     pub fn heat_map(&mut self, ctx: &Context, eye: Eye, method: Method) -> Option<&TextureHandle> {
         self.sight.as_ref()?;
         let sight = self.number;

@@ -6,8 +6,8 @@ use eframe::egui::Context;
 
 use crate::files::png::FRAME_SECONDS;
 
-/// Returns the place in the layout of the eye whose turn it is: 0 or 1. The next frame that is requested is that in which the other's
-/// begins, so that nothing is drawn in between.
+/// Returns the place in the layout of the eye whose turn it is: 0 or 1. The next frame that is requested is
+/// that in which the other's begins, so that nothing is drawn in between.
 pub fn turn(ctx: &Context) -> usize {
     let [numerator, denominator] = FRAME_SECONDS.map(f64::from);
     let turns = ctx.input(|input| input.time) * denominator / numerator;

@@ -1,5 +1,6 @@
-//! The outline of the body under the pointer, which sets it off from its neighbours. It is found by rays at that body alone,
-//! spread from the pointer as far as they hit it, so that it costs nothing where there is none.
+//! The outline of the body under the pointer, which sets it off from its neighbours. It is found by rays at
+//! that body alone, spread from the pointer as far as they hit it, so that it costs nothing where there is
+//! none.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,8 +11,8 @@ use crate::app::state::State;
 use crate::app::views::panes::EyePane;
 use crate::eye::Eye;
 
-/// Pixels from ray to ray, and how many may hit: the first that is enough is taken, so that thin bodies are traced finely
-/// and large ones cheaply.
+/// Pixels from ray to ray, and how many may hit: the first that is enough is taken, so that thin bodies are
+/// traced finely and large ones cheaply.
 const GRIDS: [(i32, usize); 3] = [(1, 4000), (2, 4000), (4, 6000)];
 
 /// Number of times that the steps of an outline from pixel to pixel are smoothed.
@@ -21,7 +22,8 @@ const SMOOTHED: usize = 2;
 type Loop = Vec<[f64; 2]>;
 
 impl State {
-    /// The outline of `body` around a `pixel` of the picture of `eye`, which has this `size`; nothing where it is too large.
+    /// The outline of `body` around a `pixel` of the picture of `eye`, which has this `size`; nothing where
+    /// it is too large.
     #[must_use]
     pub fn outline_of(&self, body: usize, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Vec<Loop> {
         if self.sees_as_published(eye) {
@@ -37,7 +39,8 @@ impl State {
     }
 }
 
-/// The lines between rays that hit and rays that miss, among those connected with `pixel`; none if more than `most` hit.
+/// The lines between rays that hit and rays that miss, among those connected with `pixel`; none if more than
+/// `most` hit.
 fn traced(scene: &PreparedScene, view: &View, pixel: [f64; 2], step: i32, most: usize) -> Option<Vec<Loop>> {
     let [width, height] = view.camera.size.map(|side| (side / step.unsigned_abs()).cast_signed());
     let place = |at: i32| f64::from(at * step);

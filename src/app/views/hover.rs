@@ -44,8 +44,8 @@ impl Hovered {
 }
 
 impl State {
-    /// Returns the thing at a `pixel` of the picture of `eye`, which has this `size`, or very near; `None` where nothing is, and where no ray
-    /// leads to it.
+    /// Returns the thing at a `pixel` of the picture of `eye`, which has this `size`, or very near; `None`
+    /// where nothing is, and where no ray leads to it.
     #[must_use]
     pub fn hovered(&self, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Option<Hovered> {
         let pixel = self.meant(eye, pixel, size)?;
@@ -83,7 +83,8 @@ impl State {
             .collect()
     }
 
-    /// The coordinates in a conformal picture of what is seen; none in another picture, and along the line between the eyes.
+    /// The coordinates in a conformal picture of what is seen; none in another picture, and along the line
+    /// between the eyes.
     fn conformal(&self, seen: &Sighting) -> Option<String> {
         let is_conformal = self.document.settings.projection() == ProjectionChoice::Mercator;
         let axes = self.document.settings.baseline_at(self.document.time).axes();
@@ -105,8 +106,8 @@ impl State {
     }
 }
 
-/// Returns the pointer's position in the view at `rect` while its hover label may show: not during a drag (unless it is of a finger that rests), while the
-/// pointer is out of use, or while T runs fast.
+/// Returns the pointer's position in the view at `rect` while its hover label may show: not during a drag
+/// (unless it is of a finger that rests), while the pointer is out of use, or while T runs fast.
 #[must_use]
 pub fn pointer(ui: &Ui, state: &State, rect: Rect) -> Option<Pos2> {
     // A pointer elsewhere has no label that a later frame would have to take away.
@@ -116,8 +117,8 @@ pub fn pointer(ui: &Ui, state: &State, rect: Rect) -> Option<Pos2> {
     (is_free && state.is_legible()).then_some(pointer)
 }
 
-/// Writes what is `hovered` beside the `pointer`, inside `view`: its name and D, and the rest once it was clicked. Assistive
-/// technology has all of it.
+/// Writes what is `hovered` beside the `pointer`, inside `view`: its name and D, and the rest once it was
+/// clicked. Assistive technology has all of it.
 pub fn show(ui: &Ui, view: Rect, pointer: Pos2, hovered: &Hovered) {
     let name = format!("Under the pointer: {}; {}", hovered.title(), hovered.lines.join("; "));
     let lines = if awake::is_opened(ui.ctx()) { hovered.lines.as_slice() } else { &[] };
@@ -154,7 +155,8 @@ fn tag(ui: &Ui, view: Rect, place: Pos2, title: &str, lines: &[String], name: &s
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name));
 }
 
-/// Returns the place of a tag of this `size`: below the pointer to the right, else where there is room in the `view`.
+/// Returns the place of a tag of this `size`: below the pointer to the right, else where there is room in the
+/// `view`.
 fn beside(pointer: Pos2, size: Vec2, view: Rect) -> Rect {
     let along = |at: f32, away: f32, size: f32, [from, to]: [f32; 2]| {
         let start = if at + away + size > to { at - away - size } else { at + away };

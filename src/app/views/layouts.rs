@@ -40,9 +40,9 @@ pub fn title(picture: &PictureSettings) -> String {
     format!("Both eyes: {}{swapped}{clicks}", name(picture.layout))
 }
 
-/// The colours of the ring and the dot that mark where `eye` sees a point, whose `own` colour is given, in a picture that both
-/// share: the eye's, and the point's. Behind red-cyan glasses each eye sees its own marker alone, also where both are in one
-/// place, as their light is added.
+/// The colours of the ring and the dot that mark where `eye` sees a point, whose `own` colour is given, in a
+/// picture that both share: the eye's, and the point's. Behind red-cyan glasses each eye sees its own marker
+/// alone, also where both are in one place, as their light is added.
 #[must_use]
 pub fn marker_colours(state: &State, eye: Eye, own: Color32, visuals: &Visuals) -> [Color32; 2] {
     const RED_CYAN: [Color32; 2] =

@@ -1,4 +1,5 @@
-//! Paints the window on a texture instead of a display, as the toolkit does on one: for a screenshot, and to be timed.
+//! Paints the window on a texture instead of a display, as the toolkit does on one: for a screenshot, and to
+//! be timed.
 
 use eframe::egui::{Context, FullOutput};
 use eframe::egui_wgpu::{RenderState, ScreenDescriptor};

@@ -32,7 +32,8 @@ impl OffscreenArrow {
         let [right, up] = if let Some([x, y]) = conformal_place {
             [x - 0.5 * width, 0.5 * height - y]
         } else {
-            // From where the middle's line of sight is as far in front of the eye, or behind it, on a plane like the picture.
+            // From where the middle's line of sight is as far in front of the eye, or behind it, on a plane
+            // like the picture.
             let off = direction - middle * (direction.dot(axes.forward) / middle.dot(axes.forward));
             [axes.right, axes.up].map(|axis| off.dot(axis))
         };
@@ -51,7 +52,8 @@ impl OffscreenArrow {
 }
 
 impl State {
-    /// Returns the arrows to what is out of the view of `eye`, `size` in pixels: everything that moves, or else the selected point.
+    /// Returns the arrows to what is out of the view of `eye`, `size` in pixels: everything that moves, or
+    /// else the selected point.
     #[must_use]
     pub fn offscreen_arrows(&self, eye: Eye, size: [u32; 2]) -> Vec<OffscreenArrow> {
         let camera = self.view(eye, size).camera;

@@ -9,8 +9,8 @@ use crate::eye::Eye;
 use crate::flags::choices::{Form, Layout};
 use crate::settings::{PictureSettings, Settings};
 
-/// The contents of a pane. To add one, add a variant, a file in `panels`, an arm where panes are painted, and its switch
-/// among the settings.
+/// The contents of a pane. To add one, add a variant, a file in `panels`, an arm where panes are painted, and
+/// its switch among the settings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PaneContent {
     /// The view of one eye.
@@ -47,8 +47,8 @@ pub struct Arrangement {
 }
 
 impl Arrangement {
-    /// Returns the arrangement of `settings`, where a point of the window has this size on the screen (above 0), with titles magnified
-    /// by `scale`.
+    /// Returns the arrangement of `settings`, where a point of the window has this size on the screen (above
+    /// 0), with titles magnified by `scale`.
     #[must_use]
     pub fn new(settings: &Settings, cm_per_point: f64, scale: f32) -> Self {
         let Settings { picture, window, screen, .. } = settings;
@@ -100,8 +100,8 @@ impl Arrangement {
         panes
     }
 
-    /// The panes of a screen with this `area`, if the picture needs all of it: a television stretches halves of the screen,
-    /// and what stood beside the picture would be in one of them only.
+    /// The panes of a screen with this `area`, if the picture needs all of it: a television stretches halves
+    /// of the screen, and what stood beside the picture would be in one of them only.
     #[must_use]
     pub fn whole_screen(&self, area: Rect) -> Option<Vec<Pane>> {
         let halves = [Layout::HalfSideBySide, Layout::HalfOverUnder];
@@ -122,8 +122,8 @@ impl Arrangement {
         })
     }
 
-    /// Returns the places of pictures that have these two columns: for free viewing nearer to the middle, and no wider than that
-    /// they are not too far apart.
+    /// Returns the places of pictures that have these two columns: for free viewing nearer to the middle, and
+    /// no wider than that they are not too far apart.
     fn beside(&self, left: Rect, right: Rect) -> [Rect; 2] {
         let apart = right.min.x - left.min.x;
         if self.picture.layout != Layout::FreeViewing || apart <= self.apart {
@@ -136,8 +136,8 @@ impl Arrangement {
     }
 }
 
-/// `composition` as it is shown at `rect`: interleaved rows are the screen's, whose topmost is of the first picture, so that
-/// they match those of a screen that is polarised in turn.
+/// `composition` as it is shown at `rect`: interleaved rows are the screen's, whose topmost is of the first
+/// picture, so that they match those of a screen that is polarised in turn.
 #[must_use]
 pub fn on_screen(ui: &Ui, composition: Composition, rect: Rect) -> Composition {
     let Composition::Rows { .. } = composition else { return composition };
@@ -153,7 +153,8 @@ pub struct EyePane {
     pub eye: Eye,
     /// Whether the pane shows the second of two pictures of one eye.
     pub is_second: bool,
-    /// In points; its edges lie on pixel edges, so that the picture is shown pixel for pixel, unless it is squeezed.
+    /// In points; its edges lie on pixel edges, so that the picture is shown pixel for pixel, unless it is
+    /// squeezed.
     pub rect: Rect,
     /// Width and height in pixels, at least 1.
     pub size: [u32; 2],
@@ -178,7 +179,8 @@ impl EyePane {
         Self { is_second: true, ..Self::new(Eye::Left, rect, pixels_per_point, largest) }
     }
 
-    /// Returns the panes of both eyes in the `rect` that they share in this `picture`, in the order of the layout.
+    /// Returns the panes of both eyes in the `rect` that they share in this `picture`, in the order of the
+    /// layout.
     #[must_use]
     pub fn both(picture: &PictureSettings, rect: Rect, pixels_per_point: f32, largest: u32) -> [Self; 2] {
         let form = picture.layout.form();

@@ -1,4 +1,5 @@
-//! A picture by the reference renderer, drawn in steps: one where there are threads, else bands of rows, between which the window goes on.
+//! A picture by the reference renderer, drawn in steps: one where there are threads, else bands of rows,
+//! between which the window goes on.
 
 use gamow_platform::threads;
 use relativity_render::{Appearance, Picture, PreparedScene, View};

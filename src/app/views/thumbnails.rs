@@ -1,5 +1,5 @@
-//! Small pictures of what lessons and presets show: each is drawn once, by the reference renderer in the background, while
-//! somebody looks at them.
+//! Small pictures of what lessons and presets show: each is drawn once, by the reference renderer in the
+//! background, while somebody looks at them.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -107,7 +107,8 @@ impl Thumbnails {
         self.count += 1;
     }
 
-    /// Returns the thumbnail of `lesson`, once there is one; until it has this `look` it is noted as missing. Those in view come first.
+    /// Returns the thumbnail of `lesson`, once there is one; until it has this `look` it is noted as missing.
+    /// Those in view come first.
     pub fn picture(
         &mut self,
         lesson: &Arc<Lesson>,

@@ -11,8 +11,8 @@ pub struct Span {
     pub width: f32,
 }
 
-/// The left edges of `spans` inside `room`, at least `between` apart, in the order of their places. Where there is not
-/// room enough they run out of it to the right.
+/// The left edges of `spans` inside `room`, at least `between` apart, in the order of their places. Where
+/// there is not room enough they run out of it to the right.
 #[must_use]
 pub fn apart(spans: &[Span], room: Rangef, between: f32) -> Vec<f32> {
     let mut order: Vec<usize> = (0..spans.len()).collect();

@@ -9,9 +9,9 @@ use crate::app::widgets::theme;
 /// From one size that is tried to the next, points.
 const STEP: f32 = 0.25;
 
-/// Shows `contents` in the rest of `ui`, most writing between the largest and the smallest of these `sizes`, points. They
-/// are tried anew when `key` changes, which tells what is shown: a larger text, another width. Returns the height that they
-/// need, and the size that they have by then.
+/// Shows `contents` in the rest of `ui`, most writing between the largest and the smallest of these `sizes`,
+/// points. They are tried anew when `key` changes, which tells what is shown: a larger text, another width.
+/// Returns the height that they need, and the size that they have by then.
 pub fn show(ui: &mut Ui, key: impl Hash, sizes: [f32; 2], contents: impl FnOnce(&mut Ui)) -> [f32; 2] {
     let [largest, smallest] = sizes;
     let room = ui.available_rect_before_wrap();

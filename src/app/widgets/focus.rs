@@ -4,8 +4,8 @@ use eframe::egui::{Context, Key, KeyboardShortcut, Memory, StrokeKind};
 
 use crate::app::widgets::theme;
 
-/// Whether what is focused takes the `keys` for itself: a field all that can be typed and what edits it, any other
-/// widget what presses and moves it.
+/// Whether what is focused takes the `keys` for itself: a field all that can be typed and what edits it, any
+/// other widget what presses and moves it.
 pub fn takes(ctx: &Context, keys: KeyboardShortcut) -> bool {
     let KeyboardShortcut { modifiers, logical_key: key } = keys;
     if ctx.text_edit_focused() {

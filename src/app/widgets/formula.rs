@@ -93,7 +93,8 @@ pub fn draw(
     }
 }
 
-/// A line of text whose baseline starts at `at`, to a part of a pixel along it; `None` if there is nothing to draw.
+/// A line of text whose baseline starts at `at`, to a part of a pixel along it; `None` if there is nothing to
+/// draw.
 pub fn text(
     fonts: &mut FontsView<'_>,
     pixels: Pixels,
@@ -114,7 +115,8 @@ pub fn text(
     Some(Shape::galley(pos2(left, top), galley, colour))
 }
 
-/// Fills the polygons, by the nonzero rule: between two heights at which none has a corner, the inside is trapezoids.
+/// Fills the polygons, by the nonzero rule: between two heights at which none has a corner, the inside is
+/// trapezoids.
 fn filled(contours: &[Vec<Pos2>], colour: Color32) -> Mesh {
     let edges: Vec<[Pos2; 2]> = contours
         .iter()

@@ -1,4 +1,5 @@
-//! Widgets of the panels: rows of controls that look alike (a name, a widget, an explanation on hover), buttons, numbers and titles.
+//! Widgets of the panels: rows of controls that look alike (a name, a widget, an explanation on hover),
+//! buttons, numbers and titles.
 
 pub(in crate::app) mod apart;
 mod area;
@@ -35,8 +36,8 @@ const NAME_WIDTH: f32 = 88.0;
 /// Width of the numbers behind the sliders.
 const NUMBER_WIDTH: f32 = 68.0;
 
-/// Shows a titled group of rows that can be folded away, with a button in its title that resets them, unless they have their defaults:
-/// then `reset` is none, else what the button does. True if it was clicked.
+/// Shows a titled group of rows that can be folded away, with a button in its title that resets them, unless
+/// they have their defaults: then `reset` is none, else what the button does. True if it was clicked.
 pub fn section(ui: &mut Ui, title: &str, reset: Option<&str>, rows: impl FnOnce(&mut Ui)) -> bool {
     let is_open = !folded::is_folded(ui.ctx(), title);
     let header = egui::CollapsingHeader::new(RichText::new(title).strong()).default_open(is_open);
@@ -80,7 +81,8 @@ fn named_row(ui: &mut Ui, name: &str, tip: &str, widget: impl FnOnce(&mut Ui)) -
     row.inner
 }
 
-/// Whether `response` was clicked twice, whatever else it takes: what a double click on a slider or on its name is.
+/// Whether `response` was clicked twice, whatever else it takes: what a double click on a slider or on its
+/// name is.
 #[must_use]
 pub fn is_double_clicked(ui: &Ui, response: &Response) -> bool {
     response.contains_pointer()
@@ -128,7 +130,8 @@ impl NumberRow<'_> {
         edit != Edit::Kept
     }
 
-    /// Shows the row in `unit`, where `value` and its range are in units of the scene; true if `value` changed.
+    /// Shows the row in `unit`, where `value` and its range are in units of the scene; true if `value`
+    /// changed.
     pub fn show_in(&self, ui: &mut Ui, unit: Unit, value: &mut f64, default: f64) -> bool {
         let edit = self.edit_in(ui, unit, value);
         if edit == Edit::Restored {
@@ -193,8 +196,8 @@ impl NumberRow<'_> {
     }
 }
 
-/// Explains what `response` is of, but not while it is dragged nor as long as the pointer rests where it was left: the
-/// explanation would cover what the drag changes.
+/// Explains what `response` is of, but not while it is dragged nor as long as the pointer rests where it was
+/// left: the explanation would cover what the drag changes.
 pub fn explained(response: Response, tip: impl Into<egui::WidgetText>) -> Response {
     let id = Id::unique("dragged last");
     let last = response.ctx.data(|data| data.get_temp::<Id>(id));
@@ -216,7 +219,8 @@ pub fn choice<T: ValueEnum + PartialEq + Copy>(ui: &mut Ui, value: &mut T, optio
     buttons(ui, value, options, |button, option| explained_lazily(button, || meaning(&option)))
 }
 
-/// Buttons side by side as of [`choice`], for values that have no sentence of their own: `tip` explains them all.
+/// Buttons side by side as of [`choice`], for values that have no sentence of their own: `tip` explains them
+/// all.
 pub fn choice_of<T: PartialEq + Copy>(ui: &mut Ui, value: &mut T, options: &[(T, &str)], tip: &str) -> bool {
     buttons(ui, value, options, |button, _| button.on_hover_text(tip))
 }
@@ -254,8 +258,8 @@ pub fn exact_number(
     typed_text(ui, name, tip, shown, width).map(|text| number_text::parsed(&text))
 }
 
-/// A field in which a text is typed. While it is not edited it shows `shown`; what was typed is handed out once, on Enter or when
-/// the field is left.
+/// A field in which a text is typed. While it is not edited it shows `shown`; what was typed is handed out
+/// once, on Enter or when the field is left.
 pub fn typed_text(ui: &mut Ui, name: &str, tip: &str, shown: &str, width: f32) -> Option<String> {
     let id = Id::unique(("typed text", name));
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.to_owned());

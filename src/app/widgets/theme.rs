@@ -1,5 +1,5 @@
-//! Colours and sizes. The colours of the points differ to colour-blind eyes, too: they are from M. Okabe and K. Ito,
-//! *Color universal design* (2008), like those of the eyes.
+//! Colours and sizes. The colours of the points differ to colour-blind eyes, too: they are from M. Okabe and
+//! K. Ito, *Color universal design* (2008), like those of the eyes.
 
 use eframe::egui::{
     self, Color32, FontDefinitions, FontFamily, FontId, Stroke, TextStyle, ThemePreference, Visuals,

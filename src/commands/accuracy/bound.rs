@@ -1,4 +1,5 @@
-//! Bounds of the automatic choice, held against the reference: in all views in which methods are measured, of all scenes.
+//! Bounds of the automatic choice, held against the reference: in all views in which methods are measured, of
+//! all scenes.
 
 use relativity_core::Speed;
 use relativity_render::{Appearance, Gpu, Method, Renderers, View};
@@ -79,8 +80,8 @@ fn whatever_is_chosen_for_an_error_keeps_it_in_every_view() {
     }
 }
 
-/// Small pixels, as in a field of view of 2 degrees on a screen of 1,920: pictures in f32 are still as near as
-/// is stated; with pixels smaller still, the reference draws.
+/// Small pixels, as in a field of view of 2 degrees on a screen of 1,920: pictures in f32 are still as near
+/// as is stated; with pixels smaller still, the reference draws.
 #[test]
 fn where_pixels_are_small_the_error_is_kept_too() {
     let mut renderers = Renderers::new(Gpu::headless().ok());

@@ -13,12 +13,13 @@ use crate::flags::choices::Size;
 use crate::scene::Scene;
 use crate::settings::SCENE_HELP;
 
-/// Measures speed against accuracy: each renderer's cost on this machine, and its error against the f64 reference.
+/// Measures speed against accuracy: each renderer's cost on this machine, and its error against the f64
+/// reference.
 ///
-/// Views are of the tracked point seen approaching (at x = -3 R, R being its distance at x = 0), abreast (x = 0) and
-/// receding (x = +3 R), from rest to gamma = 1000. Nothing is stored from earlier runs. Costs are those of the
-/// fastest of several runs; they mean something only in a release build. Costs differ from run to run; errors do
-/// not. In JSON `timed` names what differs.
+/// Views are of the tracked point seen approaching (at x = -3 R, R being its distance at x = 0), abreast
+/// (x = 0) and receding (x = +3 R), from rest to gamma = 1000. Nothing is stored from earlier runs. Costs are
+/// those of the fastest of several runs; they mean something only in a release build. Costs differ from run
+/// to run; errors do not. In JSON `timed` names what differs.
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES, after_long_help = HELP)]
 pub struct AccuracyArgs {

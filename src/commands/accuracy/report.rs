@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use crate::accuracy::{Spread, TrackedPlace};
 
-/// Members, at whatever depth, that depend on the clock, and differ from run to run. All others are the same in every run
-/// on the same device.
+/// Members, at whatever depth, that depend on the clock, and differ from run to run. All others are the same
+/// in every run on the same device.
 pub const TIMED: [&str; 1] = ["frame_ms"];
 
 /// The whole report.

@@ -8,8 +8,8 @@ use crate::files::whole::write_out;
 use crate::lesson::{Lesson, Library, Refused};
 use crate::scene::Scene;
 
-/// Writes all of `library`, a line each: its name, how long it takes, the concept that it serves, its title; and for each
-/// lesson that cannot be read why.
+/// Writes all of `library`, a line each: its name, how long it takes, the concept that it serves, its title;
+/// and for each lesson that cannot be read why.
 ///
 /// # Errors
 ///

@@ -11,8 +11,8 @@ use crate::files::whole::{ensure_ending, write_whole};
 use crate::lesson::Library;
 use crate::lesson::worksheet::{self, SheetKind};
 
-/// Writes what goes with a lesson on paper: the worksheet with its questions, the task and the data of its lab, a
-/// page for whoever teaches. At least one of them must be named.
+/// Writes what goes with a lesson on paper: the worksheet with its questions, the task and the data of its
+/// lab, a page for whoever teaches. At least one of them must be named.
 #[derive(Debug, Args)]
 #[command(before_help = EXAMPLES, group = ArgGroup::new("sheets").required(true).multiple(true))]
 pub struct LessonArgs {
@@ -28,7 +28,8 @@ pub struct LessonArgs {
     /// Write the sheet of the lab to this file, with its data.
     #[arg(long, value_name = "FILE.html", group = "sheets")]
     lab: Option<PathBuf>,
-    /// Write the teacher's page to this file: aim, minutes, what to say, what pupils answer, what can go wrong.
+    /// Write the teacher's page to this file: aim, minutes, what to say, what pupils answer, what can go
+    /// wrong.
     #[arg(long, value_name = "FILE.html", group = "sheets")]
     teacher: Option<PathBuf>,
     /// A folder with your own lessons, beside the program's.

@@ -16,9 +16,11 @@ use crate::settings::Settings;
 const COLOUR_TOLERANCE: u8 = 24;
 /// Greatest distance of a mark from the centre of a pixel that shows it, in pixels: a corner is 0.7 away.
 const REACH_PX: f64 = 1.0;
-/// Root mean square of what third differences add: u^3/6 along a row or a column, and u^2 v/2 where both change, as much of it.
+/// Root mean square of what third differences add: u^3/6 along a row or a column, and u^2 v/2 where both
+/// change, as much of it.
 const CUBE_RMS: f64 = 0.018;
-/// Greatest change of a change from pixel to pixel, in parts of it, for differences to say how a surface goes on.
+/// Greatest change of a change from pixel to pixel, in parts of it, for differences to say how a surface goes
+/// on.
 const MOST_BENT: f64 = 0.5;
 /// Rounds of Newton's method, and the step after which it is settled, px.
 const ROUNDS: usize = 20;
@@ -93,8 +95,8 @@ pub fn in_layer(
     }
 }
 
-/// The places that pixels show as they are at t' = 0: of what turns with a wheel of `scene` not those at `rest`, where it was
-/// as the light left, but at the `angles` that it had then.
+/// The places that pixels show as they are at t' = 0: of what turns with a wheel of `scene` not those at
+/// `rest`, where it was as the light left, but at the `angles` that it had then.
 fn at_start(scene: &Scene, ids: &[f32], rest: [&[f32]; 3], angles: &[f32]) -> [Vec<f32>; 3] {
     let mut places = rest.map(<[f32]>::to_vec);
     for (pixel, (&id, &angle)) in ids.iter().zip(angles).enumerate() {
@@ -118,11 +120,13 @@ struct BodySurface<'a> {
 }
 
 impl BodySurface<'_> {
-    /// Returns the place where `point` is seen: from the pixel that shows the nearest place on by how the places change, and
-    /// how that change changes, from pixel to pixel; `None` if that leads out of the pixel's reach.
+    /// Returns the place where `point` is seen: from the pixel that shows the nearest place on by how the
+    /// places change, and how that change changes, from pixel to pixel; `None` if that leads out of the
+    /// pixel's reach.
     ///
-    /// Its standard deviation is what this leaves out, over all offsets in a pixel: the third differences, or, where an outline
-    /// is so near that these say nothing, all that the second make of a pixel, or the pixel.
+    /// Its standard deviation is what this leaves out, over all offsets in a pixel: the third differences,
+    /// or, where an outline is so near that these say nothing, all that the second make of a pixel, or the
+    /// pixel.
     fn place(&self, point: DVec3) -> Option<PixelPlace> {
         let seen = (0..self.ids.len()).filter(|&pixel| self.ids[pixel] >= 0.0);
         let distance = |&pixel: &usize| self.at(pixel).distance_squared(point);
@@ -174,8 +178,8 @@ impl BodySurface<'_> {
         DVec3::new(x, y, z)
     }
 
-    /// Change of place from pixel to pixel, by the neighbours `stride` away on the same body; none without one. At an
-    /// outline both neighbours are on one side.
+    /// Change of place from pixel to pixel, by the neighbours `stride` away on the same body; none without
+    /// one. At an outline both neighbours are on one side.
     fn change(&self, pixel: usize, position: usize, stride: usize) -> Option<Change> {
         let is_same = |&other: &usize| self.ids.get(other) == Some(&self.ids[pixel]);
         let before = |steps: usize| (position >= steps).then(|| pixel - steps * stride).filter(is_same);
@@ -248,7 +252,8 @@ impl SurfacePatch {
         (place, changes)
     }
 
-    /// The offset at which the place is nearest to `point`, by the method of Gauss and Newton; none if there is no such.
+    /// The offset at which the place is nearest to `point`, by the method of Gauss and Newton; none if there
+    /// is no such.
     fn nearest_to(&self, point: DVec3) -> Option<[f64; 2]> {
         let mut offset = [0.0_f64; 2];
         for _ in 0..ROUNDS {
@@ -262,8 +267,9 @@ impl SurfacePatch {
         None
     }
 
-    /// What it leaves out along a row and along a column, root mean square over all offsets in a pixel: by the third differences; where
-    /// an outline is so near that these say nothing, all that the second differences make of a pixel; none where there are none.
+    /// What it leaves out along a row and along a column, root mean square over all offsets in a pixel: by
+    /// the third differences; where an outline is so near that these say nothing, all that the second
+    /// differences make of a pixel; none where there are none.
     fn left_out(&self) -> [Option<DVec3>; 2] {
         [&self.across, &self.down].map(|change| {
             let is_smooth =

@@ -1,6 +1,7 @@
 //! `gamow measure`: follows a point through a stereo sequence and measures its angles, ready for `gamow fit`.
 //!
-//! It uses what an observer knows: the pictures, when they were taken, and where the cameras stood and looked.
+//! It uses what an observer knows: the pictures, when they were taken, and where the cameras stood and
+//! looked.
 
 mod locate;
 mod place;
@@ -31,21 +32,23 @@ use crate::time_range::time_within;
 
 /// Follows a point through a stereo sequence and measures its angles, as CSV.
 ///
-/// Takes files of one observation time each: measurements (.exr) or pictures (.png) in a layout that has both eyes'
-/// whole pictures, such as side by side. Those of `gamow render` record everything else; for photographs, flags give
-/// it.
+/// Takes files of one observation time each: measurements (.exr) or pictures (.png) in a layout that has both
+/// eyes' whole pictures, such as side by side. Those of `gamow render` record everything else; for
+/// photographs, flags give it.
 ///
-/// The columns are the observation time, the separation of the eyes (with roll and turn, in radians, of a head that is tilted
-/// or turned), the angles from each eye, their differences, and the standard deviations of these: what `gamow fit` reads.
+/// The columns are the observation time, the separation of the eyes (with roll and turn, in radians, of a
+/// head that is tilted or turned), the angles from each eye, their differences, and the standard deviations
+/// of these: what `gamow fit` reads.
 ///
-/// The standard deviations follow from how pixels sample what is seen. The middle of a disc of radius r pixels has
-/// 0.15/sqrt(r) pixels in each direction, in each eye; a mark on a surface, by how its surroundings bend, a hundredth
-/// of one or less, and up to 0.3 beside an outline. Errors against the truth were measured to be 0.7 to 1.4 times as
-/// large, of a mark 0.4 to 0.8 times; those of dtheta a third where both eyes have the point equally high. They do
-/// not cover what pixels do not decide: the middle of a large body is not quite where its centre is seen.
+/// The standard deviations follow from how pixels sample what is seen. The middle of a disc of radius r
+/// pixels has 0.15/sqrt(r) pixels in each direction, in each eye; a mark on a surface, by how its
+/// surroundings bend, a hundredth of one or less, and up to 0.3 beside an outline. Errors against the truth
+/// were measured to be 0.7 to 1.4 times as large, of a mark 0.4 to 0.8 times; those of dtheta a third where
+/// both eyes have the point equally high. They do not cover what pixels do not decide: the middle of a large
+/// body is not quite where its centre is seen.
 ///
-/// A mark on a wheel is followed round. A fit takes it for a point that does not turn, unless flags say where on its
-/// wheel the mark is; for a --point in files of `gamow render` a remark gives these flags.
+/// A mark on a wheel is followed round. A fit takes it for a point that does not turn, unless flags say where
+/// on its wheel the mark is; for a --point in files of `gamow render` a remark gives these flags.
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES)]
 pub struct MeasureArgs {
@@ -66,8 +69,8 @@ struct TakenArgs {
     /// Separation of the eyes [default: as the file records it]
     #[arg(long, value_parser = within(0.0..=MAX_LENGTH), allow_hyphen_values = true)]
     d: Option<f64>,
-    /// Observation times: one per file, in the order of the files (by name in a folder), or the first and the last of evenly
-    /// spaced ones [default: as the files record them]
+    /// Observation times: one per file, in the order of the files (by name in a folder), or the first and the
+    /// last of evenly spaced ones [default: as the files record them]
     #[arg(
         long, visible_alias = "time", value_name = "T,T,...", value_delimiter = ',', value_parser = within(COORDINATES),
         allow_hyphen_values = true
@@ -81,7 +84,8 @@ struct TakenArgs {
 #[derive(Debug, Clone, Args)]
 #[group(required = true, multiple = false)]
 struct TargetArgs {
-    /// In .exr files: the mark on a body's surface at these rest-frame coordinates; on a wheel that turns, those at t' = 0.
+    /// In .exr files: the mark on a body's surface at these rest-frame coordinates; on a wheel that turns,
+    /// those at t' = 0.
     #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]
     point: Option<[f64; 3]>,
     /// In .exr files: the middle of the body of this name in the scene, or of this number.
@@ -215,8 +219,8 @@ impl TakenArgs {
         Ok((0..files).map(file).collect())
     }
 
-    /// The settings with which a picture of `size` was taken, which those of `recorded` stand for where flags say nothing.
-    /// Without a record the whole file is one eye's if `is_of_one`.
+    /// The settings with which a picture of `size` was taken, which those of `recorded` stand for where flags
+    /// say nothing. Without a record the whole file is one eye's if `is_of_one`.
     fn settings(
         &self,
         recorded: Option<Settings>,

@@ -25,11 +25,12 @@ pub struct TargetMask {
 impl TargetMask {
     /// The middle of the pixels; none if there are none.
     ///
-    /// A row of pixels ends within half a pixel of where what it shows does, anywhere there alike. An end that lies x from
-    /// the middle of A pixels so moves that by x/A times an error of standard deviation 1/sqrt(12), and the ends are
-    /// independent; columns tell the same of the height. For a disc of radius r that is 0.15/sqrt(r). Errors against the
-    /// truth are, root mean square, 1.0 to 1.3 times as large (discs and ellipses of 1.5 to 40 pixels at any offset); one
-    /// that is a pixel or two in size can be off by twice as much.
+    /// A row of pixels ends within half a pixel of where what it shows does, anywhere there alike. An end
+    /// that lies x from the middle of A pixels so moves that by x/A times an error of standard deviation
+    /// 1/sqrt(12), and the ends are independent; columns tell the same of the height. For a disc of radius r
+    /// that is 0.15/sqrt(r). Errors against the truth are, root mean square, 1.0 to 1.3 times as large (discs
+    /// and ellipses of 1.5 to 40 pixels at any offset); one that is a pixel or two in size can be off by
+    /// twice as much.
     pub fn middle(&self) -> Option<PixelPlace> {
         let (mut sum, mut count) = ([0.0; 2], 0.0);
         for [column, row] in self.pixels() {

@@ -59,7 +59,8 @@ impl Remark {
     }
 }
 
-/// Returns a remark on a `target` in the scene of `settings` that turns with a wheel, which a fit has to know.
+/// Returns a remark on a `target` in the scene of `settings` that turns with a wheel, which a fit has to
+/// know.
 ///
 /// # Errors
 ///
@@ -90,8 +91,8 @@ pub fn of_target(settings: &Settings, target: Target<'_>) -> anyhow::Result<Opti
     Ok(advice.map(Remark::Turning))
 }
 
-/// Returns a remark on the places that both eyes have of one colour, if the head is held along the motion: a point is then in one
-/// plane with the eyes, whenever its light left, and in front of them.
+/// Returns a remark on the places that both eyes have of one colour, if the head is held along the motion: a
+/// point is then in one plane with the eyes, whenever its light left, and in front of them.
 pub fn of_places(settings: &Settings, cameras: &[Camera; 2], places: [PixelPlace; 2]) -> Option<Remark> {
     let baseline = settings.baseline();
     if !baseline.is_along_motion() || baseline.separation == 0.0 {

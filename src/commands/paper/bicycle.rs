@@ -64,14 +64,15 @@ pub fn seen_by_one(setup: &Setup, rest: [f64; 2], time: f64) -> Result<[f64; 2],
     Ok([seen.position[0], seen.position[1]])
 }
 
-/// Returns the places of the left and the right eye from the middle between them, for what [`seen_by_two`] gives of each: the
-/// published model measures both from the left eye.
+/// Returns the places of the left and the right eye from the middle between them, for what [`seen_by_two`]
+/// gives of each: the published model measures both from the left eye.
 pub fn measured_from(setup: &Setup, model: Model) -> [f64; 2] {
     let half = 0.5 * setup.separation;
     [-half, if model == Model::Exact { half } else { -half }]
 }
 
-/// Returns the places where a point at `rest` appears to the left and to the right eye, x from the eye, as `gamow eval` writes it.
+/// Returns the places where a point at `rest` appears to the left and to the right eye, x from the eye, as
+/// `gamow eval` writes it.
 pub fn seen_by_two(
     setup: &Setup,
     model: Model,

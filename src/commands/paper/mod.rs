@@ -1,7 +1,7 @@
 //! `gamow paper`: every figure and number of the paper, beside those of the published and the exact model.
 //!
-//! The paper: E. A. Cryer-Jenkins and P. D. Stevenson, *Gamow's cyclist: a new look at relativistic measurements
-//! for a binocular observer*, Proc. R. Soc. A 476 (2020), doi 10.1098/rspa.2019.0703.
+//! The paper: E. A. Cryer-Jenkins and P. D. Stevenson, *Gamow's cyclist: a new look at relativistic
+//! measurements for a binocular observer*, Proc. R. Soc. A 476 (2020), doi 10.1098/rspa.2019.0703.
 
 mod bicycle;
 mod curves;
@@ -24,9 +24,9 @@ use crate::formula::markdown::Markdown;
 
 /// Reproduces the paper: its figures as SVG, CSV and PNG, and a report with its numbers beside ours.
 ///
-/// Every number that the paper states stands beside that of its own model (Appendix A) and of the exact model, with
-/// its errata explained. The report names what cannot be reproduced. It is written as report.html, one page with its
-/// figures, and as report.md.
+/// Every number that the paper states stands beside that of its own model (Appendix A) and of the exact
+/// model, with its errata explained. The report names what cannot be reproduced. It is written as
+/// report.html, one page with its figures, and as report.md.
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES)]
 pub struct PaperArgs {

@@ -159,8 +159,8 @@ fn motion_rows() -> Result<Vec<PaperNumber>, PairError> {
     ])
 }
 
-/// Returns the sighting by an eye at the origin of the tracked point or one `xr` further forward in the rest frame, when
-/// it sees the tracked point at `x`.
+/// Returns the sighting by an eye at the origin of the tracked point or one `xr` further forward in the rest
+/// frame, when it sees the tracked point at `x`.
 fn seen_at(setup: &Setup, x: f64, xr: f64) -> Result<relativity_core::Sighting, PairError> {
     let time = setup.time_when_seen_at(x)?;
     let point = SourcePoint::from_rest([xr, setup.y, setup.z], &setup.speed());

@@ -1,4 +1,5 @@
-//! report.md: what there is to find, the paper's numbers beside ours, its errata, and what cannot be reproduced.
+//! report.md: what there is to find, the paper's numbers beside ours, its errata, and what cannot be
+//! reproduced.
 
 use std::fmt;
 

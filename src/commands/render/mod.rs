@@ -18,16 +18,18 @@ use crate::studio::film::FilmKind;
 
 /// Draws what both eyes see, without a window, a display or a GPU.
 ///
-/// Without flags: the cyclist at beta = 0.9 on Gamow's street, seen with d = 0.1. A `.png` file is a picture, an `.exr` file holds what every pixel shows (body, distance,
-/// time of emission, proper time, place at rest, angle on a wheel, triangle of a model, Doppler factor, ...), and with --frames a folder takes a sequence.
+/// Without flags: the cyclist at beta = 0.9 on Gamow's street, seen with d = 0.1. A `.png` file is a picture,
+/// an `.exr` file holds what every pixel shows (body, distance, time of emission, proper time, place at rest,
+/// angle on a wheel, triangle of a model, Doppler factor, ...), and with --frames a folder takes a sequence.
 ///
-/// With --projection vr180 a picture is half of the sky for a headset: both eyes side by side, each square (2048x2048 unless
-/// --size says another), without bar and letters, in a file whose name ends in `_180x180_LR.png`.
+/// With --projection vr180 a picture is half of the sky for a headset: both eyes side by side, each square
+/// (2048x2048 unless --size says another), without bar and letters, in a file whose name ends in
+/// `_180x180_LR.png`.
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES, mut_args(without_the_windows))]
 pub struct RenderArgs {
-    /// Output: FILE.png or FILE.exr; with --frames a folder, or FILE.gif or FILE.png, an animation of 25 frames a second.
-    /// Each file is written whole or not at all.
+    /// Output: FILE.png or FILE.exr; with --frames a folder, or FILE.gif or FILE.png, an animation of 25
+    /// frames a second. Each file is written whole or not at all.
     #[arg(long, default_value = "gamow.png", value_name = "FILE|DIR")]
     out: PathBuf,
     #[command(flatten)]
@@ -124,7 +126,8 @@ impl RenderArgs {
     }
 }
 
-/// Whether `path` is called what films or pictures are called that are not made here; any other name is a folder's.
+/// Whether `path` is called what films or pictures are called that are not made here; any other name is a
+/// folder's.
 fn is_of_another_kind(path: &Path) -> bool {
     const KINDS: [&str; 8] = ["avi", "jpeg", "jpg", "mkv", "mov", "mp4", "tif", "webm"];
     path.extension().is_some_and(|extension| KINDS.iter().any(|kind| extension.eq_ignore_ascii_case(kind)))

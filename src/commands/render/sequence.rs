@@ -22,8 +22,9 @@ pub struct TimeArgs {
     /// Make a sequence of N frames, 1 to 1000000.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000), conflicts_with = "time")]
     pub frames: Option<u32>,
-    /// Draw one part of a sequence alone: every Kth frame, beginning with the Ith. K runs with I from 1 to K, on any machines that
-    /// share the folder, draw each frame once. The renderer must be named, so that all parts are drawn alike.
+    /// Draw one part of a sequence alone: every Kth frame, beginning with the Ith. K runs with I from 1 to K,
+    /// on any machines that share the folder, draw each frame once. The renderer must be named, so that all
+    /// parts are drawn alike.
     #[arg(long, value_name = "I/K", requires = "frames")]
     part: Option<SequencePart>,
     /// Make the frames of a sequence .exr files of what every pixel shows, not .png pictures.
@@ -33,7 +34,8 @@ pub struct TimeArgs {
     /// its distance at x = 0; 0 on a ride that changes its speed]
     #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true, requires = "frames")]
     from: Option<f64>,
-    /// Observation time of the last frame [default: when the tracked point is seen at x = +2 R, or the ride ends]
+    /// Observation time of the last frame [default: when the tracked point is seen at x = +2 R, or the ride
+    /// ends]
     #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true, requires = "frames")]
     to: Option<f64>,
 }
@@ -142,8 +144,8 @@ fn time_of(frame: u32, frames: u32, range: [f64; 2]) -> f64 {
     time_within(range, f64::from(frame) / f64::from(frames.max(2) - 1))
 }
 
-/// Draws the frames into `folder` as `frame_00000.png` (or .exr) and so on. Frames that are there already, whole and
-/// with the same parameters, are kept. (Those for headsets have longer names.)
+/// Draws the frames into `folder` as `frame_00000.png` (or .exr) and so on. Frames that are there already,
+/// whole and with the same parameters, are kept. (Those for headsets have longer names.)
 pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Result<()> {
     let frames = times.frames.unwrap_or(1);
     let range = times.range(studio)?;
@@ -189,8 +191,8 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
     Ok(())
 }
 
-/// Returns the places of the frames that are made first, by which the size of all is estimated: the first one, one that
-/// approaches, and the one in the middle.
+/// Returns the places of the frames that are made first, by which the size of all is estimated: the first
+/// one, one that approaches, and the one in the middle.
 fn probes(frames: u32) -> Vec<u32> {
     let mut probes = if frames == 0 { Vec::new() } else { vec![0, frames / 4, frames / 2] };
     probes.dedup();

@@ -15,7 +15,8 @@ fn is_asked_for(settings: &Settings) -> bool {
     settings.look.projection == ProjectionChoice::Vr180
 }
 
-/// Returns these settings with the picture that headsets take, where they ask for one: both eyes side by side, square, and nothing else.
+/// Returns these settings with the picture that headsets take, where they ask for one: both eyes side by
+/// side, square, and nothing else.
 ///
 /// # Errors
 /// Another layout, or another shape.
@@ -38,7 +39,8 @@ pub fn fitted(mut settings: Settings) -> anyhow::Result<Settings> {
     Ok(settings)
 }
 
-/// Returns the path of a file of `settings` that is requested at `path`: a picture for headsets has a name that they know.
+/// Returns the path of a file of `settings` that is requested at `path`: a picture for headsets has a name
+/// that they know.
 #[must_use]
 pub fn named(settings: &Settings, path: &Path) -> PathBuf {
     let stem = path.file_stem().unwrap_or_default();

@@ -16,8 +16,8 @@ pub use native::*;
 #[cfg(not(feature = "desktop"))]
 pub use web::write_whole;
 
-/// Refuses a `path`, given by `flag`, whose name does not end in `.ending`, and gives the one that would be right: the name should
-/// tell what a file holds. Devices are called as they are.
+/// Refuses a `path`, given by `flag`, whose name does not end in `.ending`, and gives the one that would be
+/// right: the name should tell what a file holds. Devices are called as they are.
 ///
 /// # Errors
 ///

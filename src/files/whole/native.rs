@@ -42,7 +42,8 @@ impl OutArgs {
 ///
 /// # Errors
 ///
-/// Those of `write`, and of standard output, which keeps what reached it before. One that is closed is remarked on.
+/// Those of `write`, and of standard output, which keeps what reached it before. One that is closed is
+/// remarked on.
 pub fn write_out(write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>) -> anyhow::Result<()> {
     if closed::is_stdout_closed() {
         messages::remark(format_args!("gamow: {STDOUT} is closed or discarded: this output is lost"));
@@ -83,12 +84,12 @@ impl ReportArgs {
     }
 }
 
-/// Hands `write` a temporary file beside `path`, which takes the place of `path` once all is written, with the access rights
-/// of the file that was there. An interrupt (Ctrl-C) removes it; only a program that is killed outright leaves it, under a
-/// name that begins with `.gamow-`.
+/// Hands `write` a temporary file beside `path`, which takes the place of `path` once all is written, with
+/// the access rights of the file that was there. An interrupt (Ctrl-C) removes it; only a program that is
+/// killed outright leaves it, under a name that begins with `.gamow-`.
 ///
-/// A `path` that is there but is no regular file, such as /dev/null or a named pipe, is written to
-/// directly, once there is a reader: to replace it would not be what was asked for. Where that is not asked for,
+/// A `path` that is there but is no regular file, such as /dev/null or a named pipe, is written to directly,
+/// once there is a reader: to replace it would not be what was asked for. Where that is not asked for,
 /// [`files::check_replaceable`] says so before.
 ///
 /// # Errors
@@ -115,8 +116,8 @@ fn write_whole_through<W: Write>(
     // A link stays a link: what it points to is replaced.
     let target = files::behind_links(path).with_context(name)?;
     let (file, unfinished) = Unfinished::beside(&target).with_context(name)?;
-    // Nobody misses a new file after a power cut as they would an old one, and a sequence of many small frames would wait for a
-    // busy disc at each.
+    // Nobody misses a new file after a power cut as they would an old one, and a sequence of many small
+    // frames would wait for a busy disc at each.
     let replacing = files::is_there(&target).then(|| file.try_clone()).transpose().with_context(name)?;
     drop(write_named(through(file), name, write)?);
     unfinished.take_the_place_of(&target, replacing).with_context(name)
@@ -140,8 +141,8 @@ impl Unfinished {
         Ok((file, Self(Some(path))))
     }
 
-    /// Has the file take the place of `target`. If it is `replacing` what is there, one or the other is there after a power
-    /// cut, whole.
+    /// Has the file take the place of `target`. If it is `replacing` what is there, one or the other is there
+    /// after a power cut, whole.
     fn take_the_place_of(mut self, target: &Path, replacing: Option<File>) -> io::Result<()> {
         let is_replacing = replacing.is_some();
         if let Some(file) = replacing {

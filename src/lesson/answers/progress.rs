@@ -102,7 +102,8 @@ impl Record {
     }
 }
 
-/// Whether a file gives `value` back as it was written. Numbers that are none are not kept, which would spoil the whole file.
+/// Whether a file gives `value` back as it was written. Numbers that are none are not kept, which would spoil
+/// the whole file.
 fn can_be_read_again<T: Serialize + for<'de> Deserialize<'de> + PartialEq>(value: &T) -> bool {
     let text = serde_json::to_string(value);
     text.is_ok_and(|text| serde_json::from_str::<T>(&text).is_ok_and(|read| read == *value))

@@ -50,11 +50,12 @@ pub struct FencedBlock {
 }
 
 impl Outline {
-    /// Parses `text` after its `first` lines, in which steps may not have titles that nearly are one of `titles`.
+    /// Parses `text` after its `first` lines, in which steps may not have titles that nearly are one of
+    /// `titles`.
     ///
     /// # Errors
-    /// The line of the first block that is unknown or has no end, or of the first slip: a line that looks like a heading of a
-    /// lesson and is none. It would otherwise pass in silence, as text.
+    /// The line of the first block that is unknown or has no end, or of the first slip: a line that looks
+    /// like a heading of a lesson and is none. It would otherwise pass in silence, as text.
     pub fn parse(text: &str, first: usize, titles: &[&str]) -> Result<Self, Wrong> {
         // Empty lines before it give each line its number in the file.
         let lines = text.lines().enumerate();
@@ -161,8 +162,8 @@ fn choice(item: &str) -> Option<(Markdown, bool)> {
     Some((Markdown::new(lines.join("\n")), is_right))
 }
 
-/// Checks that every line outside fenced code that looks like a heading or like the fence of a block is one, and that no title is
-/// nearly one of `titles`.
+/// Checks that every line outside fenced code that looks like a heading or like the fence of a block is one,
+/// and that no title is nearly one of `titles`.
 fn check_lines(markdown: &Markdown, elements: &[Element], titles: &[&str]) -> Result<(), Wrong> {
     let code = markdown.events().iter().filter_map(|(event, range)| match event {
         Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(_))) => Some(range),
@@ -223,7 +224,8 @@ fn slip(line: &str, marks: usize, is_heading: bool, titles: &[&str]) -> Option<S
     Some(format!("a heading `## {}`: it would be a step; write `## {near}`", messages::excerpt(title)))
 }
 
-/// Returns a `range` of `source` with empty lines in the places of these `gaps` in it: its lines keep their numbers.
+/// Returns a `range` of `source` with empty lines in the places of these `gaps` in it: its lines keep their
+/// numbers.
 fn without<'a>(source: &str, range: Range<usize>, gaps: impl Iterator<Item = &'a Range<usize>>) -> String {
     let (mut text, mut from) = (String::new(), range.start);
     for gap in gaps {
@@ -267,7 +269,8 @@ impl Part<'_> {
         parts
     }
 
-    /// Returns its blocks of the kinds that are `allowed` here, one of each at most; and the rest of its text.
+    /// Returns its blocks of the kinds that are `allowed` here, one of each at most; and the rest of its
+    /// text.
     pub fn blocks(&self, allowed: &[&str]) -> Result<(Vec<FencedBlock>, Text), Wrong> {
         let (mut blocks, mut gaps): (Vec<FencedBlock>, Vec<&Range<usize>>) = (Vec::new(), Vec::new());
         for Element { kind, range, line } in self.elements {

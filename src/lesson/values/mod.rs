@@ -1,8 +1,8 @@
-//! The values that lessons quote: each has a name, and is computed by the program for the state of a step, so that no
-//! number in a text is typed.
+//! The values that lessons quote: each has a name, and is computed by the program for the state of a step, so
+//! that no number in a text is typed.
 //!
-//! A text asks for one as `{NAME:.2}` (two decimals), `{NAME of BODY:.2}` or `{NAME at T:.2}`. Without a body it is
-//! that of the selected point, without a T that of the state.
+//! A text asks for one as `{NAME:.2}` (two decimals), `{NAME of BODY:.2}` or `{NAME at T:.2}`. Without a body
+//! it is that of the selected point, without a T that of the state.
 
 mod ends;
 mod fits;
@@ -125,7 +125,8 @@ fn followed(scene: &Scene, name: &str) -> Result<(Track, Option<usize>), String>
 }
 
 impl Lesson {
-    /// Returns the lesson with all values in their places, and with the truth of every number that is predicted.
+    /// Returns the lesson with all values in their places, and with the truth of every number that is
+    /// predicted.
     ///
     /// # Errors
     /// A setting, a scene or a value that cannot be had, with its line.
@@ -183,7 +184,8 @@ impl Lesson {
         Ok((settings, scene))
     }
 
-    /// Returns all settings given up to the step of this number, after its reveal if it `is_revealed`, last first.
+    /// Returns all settings given up to the step of this number, after its reveal if it `is_revealed`, last
+    /// first.
     fn state_blocks_until(&self, step: usize, is_revealed: bool) -> impl Iterator<Item = &StateBlock> {
         let passed = self.steps.iter().enumerate().take(step + 1);
         let told = passed.flat_map(move |(number, passed)| {

@@ -26,8 +26,8 @@ pub fn filled(
     Ok(done + &markdown[from..])
 }
 
-/// The next place `{ASKED:.N}` in `text`: where it begins, what it asks for, with how many decimals, where it ends. Other
-/// braces are TeX's.
+/// The next place `{ASKED:.N}` in `text`: where it begins, what it asks for, with how many decimals, where it
+/// ends. Other braces are TeX's.
 fn next_place(text: &str) -> Option<(usize, &str, u8, usize)> {
     text.match_indices('{').find_map(|(begin, _)| {
         let inside = inside(text, begin)?;
@@ -49,8 +49,8 @@ fn place(inside: &str) -> Option<(&str, u8)> {
     Some((asked, decimals))
 }
 
-/// Returns `text`, whose values are in their places, if all of it can be shown; or the first problem, with its line, from 0.
-/// `is_value` knows the names of values.
+/// Returns `text`, whose values are in their places, if all of it can be shown; or the first problem, with
+/// its line, from 0. `is_value` knows the names of values.
 pub fn checked(text: Markdown, is_value: impl Fn(&str) -> bool) -> Result<Markdown, (usize, String)> {
     let problem = text.events_outside_code().find_map(|(event, range)| match event {
         Event::Start(Tag::Image { .. }) => {
@@ -69,8 +69,8 @@ pub fn checked(text: Markdown, is_value: impl Fn(&str) -> bool) -> Result<Markdo
     }
 }
 
-/// Finds the first braces in a `range` of `text` that were meant for a value and request none, and returns the correction. In a
-/// formula other braces are TeX's.
+/// Finds the first braces in a `range` of `text` that were meant for a value and request none, and returns
+/// the correction. In a formula other braces are TeX's.
 fn broken_place(
     text: &Markdown,
     range: &Range<usize>,

@@ -57,8 +57,8 @@ fn taken(settings: &Settings) -> anyhow::Result<SamplesWithTruth> {
     samples_of(settings, &settings.opened_scene()?).map_err(anyhow::Error::msg)
 }
 
-/// Returns the expected result of a fit of the readings: standard errors, and `with_answers` the values beside the
-/// true ones.
+/// Returns the expected result of a fit of the readings: standard errors, and `with_answers` the values
+/// beside the true ones.
 fn results(
     lesson: &Lesson,
     settings: &Settings,

@@ -1,4 +1,5 @@
-//! The pupil's sheet, two pages at most: questions and room to answer, but no solutions: it can be read ahead.
+//! The pupil's sheet, two pages at most: questions and room to answer, but no solutions: it can be read
+//! ahead.
 
 use super::common::{choices, head, name_and_date, picture_beside, plot};
 use crate::files::html::{HtmlPage, answer_lines, escaped};
@@ -63,8 +64,8 @@ fn step(page: &mut HtmlPage, lesson: &Lesson, number: usize) -> anyhow::Result<(
     Ok(())
 }
 
-/// Whether a step has a picture: where a place is to be marked, and where a scene is new. The first picture of a scene that
-/// was there before is often the reveal of the step before, and would answer its question.
+/// Whether a step has a picture: where a place is to be marked, and where a scene is new. The first picture
+/// of a scene that was there before is often the reveal of the step before, and would answer its question.
 fn has_picture(lesson: &Lesson, number: usize, shown: &Settings) -> anyhow::Result<bool> {
     let kind = lesson.steps[number].prediction.as_ref().map(|prediction| &prediction.kind);
     let Some(before) = number.checked_sub(1) else { return Ok(true) };

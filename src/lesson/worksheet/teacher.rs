@@ -1,4 +1,5 @@
-//! The page of whoever teaches: the aim, the minutes, and for each step what to say, what pupils answer, and what goes wrong.
+//! The page of whoever teaches: the aim, the minutes, and for each step what to say, what pupils answer, and
+//! what goes wrong.
 
 use super::common::head;
 use super::{answers, lab};

@@ -19,7 +19,8 @@ fn settings(parameter: SpeedParameter, value: f64) -> Settings {
     settings
 }
 
-/// Returns diagrams at a few T for all kinds of points at a few speeds, on the ground and in the scene's frame.
+/// Returns diagrams at a few T for all kinds of points at a few speeds, on the ground and in the scene's
+/// frame.
 fn diagrams() -> Vec<[Diagram; 2]> {
     let mut all = Vec::new();
     for beta in [0.0, 0.01, 0.6, 0.9, 0.99] {

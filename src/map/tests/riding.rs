@@ -1,4 +1,5 @@
-//! Maps of rides that do not lead along the street, held against events on the ground and a Lorentz matrix written down here.
+//! Maps of rides that do not lead along the street, held against events on the ground and a Lorentz matrix
+//! written down here.
 
 use glam::DVec3;
 use relativity_core::{Event, ObserverVelocity};
@@ -76,7 +77,8 @@ fn bisected(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// The events of both eyes on the ground: by the matrix the other way, from the observer's axes, in which the head may have turned.
+/// The events of both eyes on the ground: by the matrix the other way, from the observer's axes, in which the
+/// head may have turned.
 fn eyes(settings: &Settings, time: f64) -> [Four; 2] {
     let rider = settings.rider(time);
     let observer = rider.observer();
@@ -96,7 +98,8 @@ fn distance(a: Four, b: Four) -> f64 {
     (1..4).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// When light left `point` that arrives at the event `eye`: where the past light cone is met, found by halves.
+/// When light left `point` that arrives at the event `eye`: where the past light cone is met, found by
+/// halves.
 fn left_at(settings: &Settings, point: &Track, eye: Four) -> f64 {
     bisected(eye[0] - 1e4, eye[0], |t| eye[0] - t - distance(event_at(settings, point, t), eye))
 }

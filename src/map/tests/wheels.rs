@@ -29,8 +29,8 @@ fn wheel() -> (Scene, Spin) {
     (scene, spin)
 }
 
-/// Returns the place of a point that is at `rest` at t' = 0, in the frame of a wheel that rolls at `beta`, when the clocks there show
-/// `proper_time`.
+/// Returns the place of a point that is at `rest` at t' = 0, in the frame of a wheel that rolls at `beta`,
+/// when the clocks there show `proper_time`.
 fn turned(beta: f64, spin: &Spin, rest: DVec3, proper_time: f64) -> DVec3 {
     let [x, _, z] = spin.hub;
     let (dx, dz) = (rest.x - x, rest.z - z);
@@ -38,7 +38,8 @@ fn turned(beta: f64, spin: &Spin, rest: DVec3, proper_time: f64) -> DVec3 {
     DVec3::new(x + dx * cos + dz * sin, rest.y, z + dz * cos - dx * sin)
 }
 
-/// Returns the distance of the ground's event at `place` and `t` from the worldline of the point that is at `rest` at t' = 0.
+/// Returns the distance of the ground's event at `place` and `t` from the worldline of the point that is at
+/// `rest` at t' = 0.
 fn off(beta: f64, spin: &Spin, rest: DVec3, place: DVec3, t: f64) -> f64 {
     let gamma = 1.0 / (1.0 - beta * beta).sqrt();
     let proper_time = gamma * (t - beta * place.x);
@@ -174,7 +175,8 @@ fn what_is_pointed_at_on_a_tyre_is_a_point_that_turns_with_it() {
         let track: Track = scene.track_at(nearest.surface.to_array(), 0).expect("a body");
         assert_eq!(track.spin, Some(spin));
         let shown = instant.place(&track, picture).expect("it is shown");
-        // On the side of the eyes, 0.05 before the middle of the tube: what an eye sees there left up to 0.05 later.
+        // On the side of the eyes, 0.05 before the middle of the tube: what an eye sees there left up to 0.05
+        // later.
         assert!(shown.distance(top.place) < 0.05 * 2.0, "{picture:?}: {shown} {}", top.place);
     }
 }

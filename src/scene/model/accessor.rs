@@ -1,4 +1,5 @@
-//! The numbers of a glTF file, checked before they are read: the reader behind them takes their types and places for granted.
+//! The numbers of a glTF file, checked before they are read: the reader behind them takes their types and
+//! places for granted.
 
 use gltf::Accessor;
 use gltf::accessor::{DataType, Dimensions};

@@ -23,7 +23,8 @@ impl ModelFiles<'_> {
     ///
     /// # Errors
     ///
-    /// A path that leaves the folder; a file that there is not, that is no regular file, or of more than [`sizes::MODEL_BYTES`].
+    /// A path that leaves the folder; a file that there is not, that is no regular file, or of more than
+    /// [`sizes::MODEL_BYTES`].
     pub fn read(&self, path: &str) -> Result<Vec<u8>, String> {
         let folder = match self {
             Self::Nowhere => return Err("a model needs a scene file, in whose folder it is".to_owned()),

@@ -1,11 +1,12 @@
 //! glTF 2.0, as text with files beside it (`.gltf`) or in one piece (`.glb`).
 //!
-//! Reference: Khronos Group, *glTF 2.0 Specification* (2021), and its extension `KHR_texture_transform`. The triangles of the nodes of its
-//! scene are read, with base colour factors and colours of corners, both linear, and base colour textures. Other textures, skins, morphing
-//! and animations are passed over, as are lines and points; compressed and sparse data are refused.
+//! Reference: Khronos Group, *glTF 2.0 Specification* (2021), and its extension `KHR_texture_transform`. The
+//! triangles of the nodes of its scene are read, with base colour factors and colours of corners, both
+//! linear, and base colour textures. Other textures, skins, morphing and animations are passed over, as are
+//! lines and points; compressed and sparse data are refused.
 //!
-//! The crate `gltf` reads text and numbers. It trusts indices, types and lengths, which are checked before they reach it; no file is
-//! read but by `beside`.
+//! The crate `gltf` reads text and numbers. It trusts indices, types and lengths, which are checked before
+//! they reach it; no file is read but by `beside`.
 //!
 //! # Accuracy
 //!
@@ -108,7 +109,8 @@ fn document(bytes: &[u8]) -> Result<Gltf, String> {
     problem.map_or(Ok(gltf), Err)
 }
 
-/// Returns the sentence of an error that the crate found at this place; `None` of one without a consequence here.
+/// Returns the sentence of an error that the crate found at this place; `None` of one without a consequence
+/// here.
 fn wrong(path: &str, error: validation::Error) -> Option<String> {
     match error {
         // Extensions have been looked at; extents, and places of meshes that have none, are not needed.
@@ -341,7 +343,8 @@ impl ModelReader<'_> {
 
 /// Returns a place in the texture of `info`, as its `KHR_texture_transform` moves it.
 ///
-/// The rotation is that of Khronos's own viewer: as seen on the picture, it turns the places counter-clockwise.
+/// The rotation is that of Khronos's own viewer: as seen on the picture, it turns the places
+/// counter-clockwise.
 fn transformed(info: &Info<'_>, place: [f32; 2]) -> [f32; 2] {
     let Some(transform) = info.texture_transform() else { return place };
     let ([du, dv], [width, height]) = (transform.offset(), transform.scale());

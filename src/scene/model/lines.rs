@@ -1,4 +1,5 @@
-//! The lines of a Wavefront OBJ file, each checked before it is read: the reader behind them counts none, and trusts some of their numbers.
+//! The lines of a Wavefront OBJ file, each checked before it is read: the reader behind them counts none, and
+//! trusts some of their numbers.
 
 use std::cell::{Cell, RefCell};
 use std::fmt::Write as _;
@@ -32,8 +33,9 @@ impl Problems {
     }
 }
 
-/// Lines with corners, places in textures, faces, materials and names of parts, and nothing else: corners with six numbers, of which the last three are no
-/// numbers where they have no colour; faces with places and places in textures, numbered from 1.
+/// Lines with corners, places in textures, faces, materials and names of parts, and nothing else: corners
+/// with six numbers, of which the last three are no numbers where they have no colour; faces with places and
+/// places in textures, numbered from 1.
 pub struct Lines<'a> {
     text: TextLines<'a>,
     problems: &'a Problems,
@@ -158,7 +160,8 @@ fn number(word: &str) -> Result<f64, String> {
     word.parse().map_err(|_| format!("{} is not a number", shortened(word)))
 }
 
-/// Returns the number from 1 of what a face calls so: one of `count`, from 1, or below 0 from the last one back.
+/// Returns the number from 1 of what a face calls so: one of `count`, from 1, or below 0 from the last one
+/// back.
 fn numbered(word: &str, count: usize, what: &str) -> Result<usize, String> {
     let number = word.parse::<i64>().ok().and_then(|number| match number {
         0.. => usize::try_from(number).ok(),

@@ -28,7 +28,8 @@ use super::object::{Object, brightness};
 use super::table::Table;
 use super::wheel::Changes;
 
-/// Parses a model, and reads its file: the bodies of its wheels come after the rest of it. These changes to wheels are for its own, too.
+/// Parses a model, and reads its file: the bodies of its wheels come after the rest of it. These changes to
+/// wheels are for its own, too.
 pub(super) fn model(table: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
     table.check_keys(&[
         "path",
@@ -127,7 +128,8 @@ fn read(files: &ModelFiles<'_>, path: &str) -> Result<NamedModel, String> {
     parsed(&ending, &files.read(path)?, &beside)
 }
 
-/// Reads a model from the bytes of a file with this ending, `glb`, `gltf` or `obj`, without any file beside it.
+/// Reads a model from the bytes of a file with this ending, `glb`, `gltf` or `obj`, without any file beside
+/// it.
 ///
 /// # Errors
 ///

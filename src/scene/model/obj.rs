@@ -1,7 +1,8 @@
 //! Wavefront OBJ: corners, faces, and the colours and textures of materials.
 //!
-//! Faces are divided from their first corner, as flat convex ones may be. Objects and groups name its parts. Everything else in a file (normals, lines, smoothing) is
-//! passed over. The crate `tobj` reads what [`lines`](super::lines) have been checked of it: numbers in f64, and faces by material.
+//! Faces are divided from their first corner, as flat convex ones may be. Objects and groups name its parts.
+//! Everything else in a file (normals, lines, smoothing) is passed over. The crate `tobj` reads what
+//! [`lines`](super::lines) have been checked of it: numbers in f64, and faces by material.
 
 use std::collections::HashMap;
 use std::path::Path;

@@ -34,7 +34,8 @@ impl NamedModel {
     ///
     /// # Errors
     ///
-    /// A name of no part, or of several; a part without triangles; two parts with triangles in common. In one line.
+    /// A name of no part, or of several; a part without triangles; two parts with triangles in common. In one
+    /// line.
     pub fn split(self, names: &[&str]) -> Result<Split, String> {
         if names.is_empty() {
             return Ok(Split { rest: Some(self.model), parts: Vec::new() });

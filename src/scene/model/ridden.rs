@@ -19,8 +19,8 @@ const LEAST_LANE: f64 = 2.2;
 /// Height of the road.
 const ROAD: f64 = -2.5;
 
-/// Returns the text of the scene in which the model at `path` rides, for a scene file in `folder`, which has the model in it or in a
-/// folder there.
+/// Returns the text of the scene in which the model at `path` rides, for a scene file in `folder`, which has
+/// the model in it or in a folder there.
 ///
 /// # Errors
 ///
@@ -69,8 +69,8 @@ struct Stand {
 impl Stand {
     /// Returns that of `model`: its front along the road, at x = 0.
     ///
-    /// The front of a glTF looks along its z axis, and so what OBJ files from most programs show. A vehicle, longer than it is high, is
-    /// turned so that its longer side is along the road.
+    /// The front of a glTF looks along its z axis, and so what OBJ files from most programs show. A vehicle,
+    /// longer than it is high, is turned so that its longer side is along the road.
     fn of(model: &RawModel) -> Self {
         let upright = upright_axes();
         let used = model.triangles.iter().flatten().filter_map(|&corner| model.corners.get(corner as usize));

@@ -1,6 +1,8 @@
-//! Wheels of a model: parts of it that turn, each about the middle of the smallest circle around it as it is seen along the axle.
+//! Wheels of a model: parts of it that turn, each about the middle of the smallest circle around it as it is
+//! seen along the axle.
 //!
-//! That circle is the outline of a wheel whatever is inside, and however many corners it has. The axle lies along y.
+//! That circle is the outline of a wheel whatever is inside, and however many corners it has. The axle lies
+//! along y.
 
 use glam::{DVec2, DVec3};
 use relativity_core::Turning;
@@ -47,8 +49,8 @@ fn reach(triangles: &Triangles, hub: DVec3) -> f64 {
 
 /// Returns the smallest circle around `places`, if there are any; else one of no size.
 ///
-/// Reference: E. Welzl, *Smallest enclosing disks (balls and ellipsoids)* (1991), in the incremental form: in the order of chance the expected
-/// time grows as the number of places.
+/// Reference: E. Welzl, *Smallest enclosing disks (balls and ellipsoids)* (1991), in the incremental form: in
+/// the order of chance the expected time grows as the number of places.
 fn smallest_circle(mut places: Vec<DVec2>) -> Circle {
     shuffle(&mut places);
     let mut circle = Circle::around(&places[..places.len().min(1)]);
@@ -83,7 +85,8 @@ fn shuffle(places: &mut [DVec2]) {
 }
 
 impl Circle {
-    /// Returns the circle through these places, at most three. Of three on a line it is that on the two which are farthest apart.
+    /// Returns the circle through these places, at most three. Of three on a line it is that on the two which
+    /// are farthest apart.
     fn around(places: &[DVec2]) -> Self {
         let on_diameter = |a: DVec2, b: DVec2| Self { middle: 0.5 * (a + b), radius: 0.5 * a.distance(b) };
         match *places {

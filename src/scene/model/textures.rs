@@ -20,8 +20,8 @@ impl<Key: Eq + Hash> Textures<Key> {
         Self { numbers: HashMap::new(), all: Vec::new() }
     }
 
-    /// Returns the number of the texture called `key`: from the bytes of its file and the name of that for messages, unless it is known
-    /// already.
+    /// Returns the number of the texture called `key`: from the bytes of its file and the name of that for
+    /// messages, unless it is known already.
     pub fn number(
         &mut self,
         key: Key,
@@ -41,8 +41,8 @@ impl<Key: Eq + Hash> Textures<Key> {
         Ok(number)
     }
 
-    /// Moves the textures into `model`, which names one for every triangle and a place for every corner; without textures, these lists are
-    /// emptied.
+    /// Moves the textures into `model`, which names one for every triangle and a place for every corner;
+    /// without textures, these lists are emptied.
     pub fn put_into(self, model: &mut RawModel) {
         if self.all.is_empty() {
             (model.texture_numbers, model.texture_places) = (Vec::new(), Vec::new());

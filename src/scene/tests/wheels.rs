@@ -26,8 +26,8 @@ fn ends(body: &Body) -> [DVec3; 2] {
     [from, to].map(DVec3::from)
 }
 
-/// Start and end of some spokes of the paper's cyclist: of the drawing from which its wheels were first written down, to three
-/// decimals.
+/// Start and end of some spokes of the paper's cyclist: of the drawing from which its wheels were first
+/// written down, to three decimals.
 const SPOKES: [(&str, [f64; 3], [f64; 3]); 6] = [
     ("front wheel's spoke 1", [-0.505, 2.948, 1.963], [-0.096, 3.0, 2.098]),
     ("front wheel's spoke 6", [-0.559, 3.052, 1.975], [-0.869, 3.0, 2.274]),
@@ -170,7 +170,8 @@ fn a_point_turns_with_the_body_that_it_is_on() {
     let front = street.bodies[0].spin;
     assert!(front.is_some());
     let name = |place: [f64; 3]| street.body_at(place).map(|body| street.name_of(body));
-    // The front of the tyre, the same rounded, and its side; the hub's end, which stays where it is; a helmet does not turn.
+    // The front of the tyre, the same rounded, and its side; the hub's end, which stays where it is; a helmet
+    // does not turn.
     for place in [[0.0, 4.0, -1.975], [0.0004, 4.0004, -1.9754], [-0.032, 3.968, -1.975]] {
         assert_eq!((name(place), street.track(Some(place)).spin), (Some("front tyre"), front));
     }

@@ -29,10 +29,12 @@ pub struct FitSettings {
     /// First and last T of the samples; `auto` takes the range that the plots show.
     #[arg(long, value_name = "auto|FROM,TO", allow_hyphen_values = true)]
     pub fit_range: TimeRange,
-    /// Standard deviation of the normal noise on each sample, per cent of its curve's range: of the highest value less the lowest.
+    /// Standard deviation of the normal noise on each sample, per cent of its curve's range: of the highest
+    /// value less the lowest.
     #[arg(long, value_name = "PERCENT", value_parser = within(NOISE_PERCENT))]
     pub noise_percent: f64,
-    /// Seed of the noise and of the bootstrap: the same seed gives the same numbers, another seed other noise of the same strength.
+    /// Seed of the noise and of the bootstrap: the same seed gives the same numbers, another seed other noise
+    /// of the same strength.
     #[arg(long, value_name = "S", value_parser = seed)]
     pub seed: u64,
     /// Curves that are fitted.
@@ -41,7 +43,8 @@ pub struct FitSettings {
     /// The binocular model that is fitted.
     #[arg(long, value_enum)]
     pub model: Model,
-    /// Whether x₀ is fitted too, the point's place at t = 0, as if the time of passage were unknown; otherwise x₀ is known.
+    /// Whether x₀ is fitted too, the point's place at t = 0, as if the time of passage were unknown;
+    /// otherwise x₀ is known.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub fit_x0: OnOff,
 }
@@ -72,7 +75,8 @@ pub enum DataFrom {
     Exact,
     /// Both eyes receive the events of the middle between them.
     OneCone,
-    /// The paper's binocular model, which leaves out parallax: fitted by the same model, it gives the paper's own fit.
+    /// The paper's binocular model, which leaves out parallax: fitted by the same model, it gives the paper's
+    /// own fit.
     Published,
 }
 

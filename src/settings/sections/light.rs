@@ -21,36 +21,40 @@ pub struct LightSettings {
     /// Whether the Doppler effect shifts the wavelength: λ received = λ at rest / D.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub doppler_shift: OnOff,
-    /// Exponent n of the received intensity Dⁿ of light of one wavelength: `surface` (4, the radiance of a surface), `photons` (3, their number, or
-    /// the power per unit of frequency), `paper` (2, the flux of a point source relative to what a camera riding along receives), a
-    /// number from -10 to 10, or `off`.
+    /// Exponent n of the received intensity Dⁿ of light of one wavelength: `surface` (4, the radiance of a
+    /// surface), `photons` (3, their number, or the power per unit of frequency), `paper` (2, the flux of a
+    /// point source relative to what a camera riding along receives), a number from -10 to 10, or `off`.
     #[arg(long, value_name = "surface|photons|paper|N|off", allow_hyphen_values = true)]
     pub intensity_exponent: IntensityExponent,
-    /// Exposure: light is multiplied by 2^EV, EV from -100 to 100; the brightest is compressed, not clipped. `auto` finds it from the speeds
-    /// and the lights of the scene, so that it is steady while time runs: midway between the light at rest and the brightest that can be seen.
+    /// Exposure: light is multiplied by 2^EV, EV from -100 to 100; the brightest is compressed, not clipped.
+    /// `auto` finds it from the speeds and the lights of the scene, so that it is steady while time runs:
+    /// midway between the light at rest and the brightest that can be seen.
     ///
-    /// `auto` brightens what glows by at most 6 EV, for what passes abreast. What glows at 1000 degrees Celsius and recedes at 0.9 c needs
-    /// about 80.
+    /// `auto` brightens what glows by at most 6 EV, for what passes abreast. What glows at 1000 degrees
+    /// Celsius and recedes at 0.9 c needs about 80.
     #[arg(long, value_name = "auto|EV", allow_hyphen_values = true)]
     pub exposure: Exposure,
-    /// Whether what is received as ultraviolet or infrared keeps its form, in hatched grey (rising lines for infrared,
-    /// falling ones for ultraviolet); eyes see nothing there.
+    /// Whether what is received as ultraviolet or infrared keeps its form, in hatched grey (rising lines for
+    /// infrared, falling ones for ultraviolet); eyes see nothing there.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub invisible: OnOff,
     /// Shading of the bodies.
     #[arg(long, value_enum)]
     pub shading: Shading,
-    /// Whether what rests around the scene is drawn: its groups that do not move, such as houses and lamp posts.
+    /// Whether what rests around the scene is drawn: its groups that do not move, such as houses and lamp
+    /// posts.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub surroundings: OnOff,
-    /// Whether the scene's ground is drawn: its road, or a grid of one line per unit of length. A soft shadow lies on the road where
-    /// wheels touch it: exact there, since both are one event, and only suggested around it.
+    /// Whether the scene's ground is drawn: its road, or a grid of one line per unit of length. A soft shadow
+    /// lies on the road where wheels touch it: exact there, since both are one event, and only suggested
+    /// around it.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub ground: OnOff,
     /// Whether the sky behind the scene is a gradient; otherwise it is plain.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub sky: OnOff,
-    /// Colours of road, ground, house fronts and sky as a rider sees them: their paints count as grey. Eyes at rest see them as painted.
+    /// Colours of road, ground, house fronts and sky as a rider sees them: their paints count as grey. Eyes
+    /// at rest see them as painted.
     #[arg(long, value_enum)]
     pub street_colours: StreetColours,
     /// Whether sky and ground are light.

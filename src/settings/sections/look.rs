@@ -19,33 +19,36 @@ const WIDEST_CONFORMAL: f64 = 179.5;
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Look")]
 pub struct LookSettings {
-    /// Geometry of the views: each point where it is seen, where it is measured to be at T, or as if all were at rest.
+    /// Geometry of the views: each point where it is seen, where it is measured to be at T, or as if all were
+    /// at rest.
     #[arg(long, value_enum)]
     pub geometry: Geometry,
-    /// Two pictures of the left eye in place of both eyes': the first follows all other settings, the second is this one. A gaze that
-    /// follows does so in each; both have one field of view. The layout must be side by side or over-under.
+    /// Two pictures of the left eye in place of both eyes': the first follows all other settings, the second
+    /// is this one. A gaze that follows does so in each; both have one field of view. The layout must be side
+    /// by side or over-under.
     #[arg(long, value_enum)]
     #[serde(skip_serializing_if = "Compare::is_off")]
     pub compare: Compare,
-    /// Gaze of both eyes, in parallel: at the middle of all that moves (`whole`), at the selected point, straight ahead along y, abreast at
-    /// the whole passage, or fixed: azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
+    /// Gaze of both eyes, in parallel: at the middle of all that moves (`whole`), at the selected point,
+    /// straight ahead along y, abreast at the whole passage, or fixed: azimuth (from +x towards +y; 90 is
+    /// straight ahead) and elevation in degrees.
     #[arg(long, value_name = "whole|point|ahead|passage|AZ,EL", allow_hyphen_values = true)]
     pub gaze: GazeChoice,
-    /// Horizontal field of view of each eye, degrees, as it would be straight ahead; `auto` fits it to all that moves with
-    /// the scene (usually 42 to 150, wider in conformal pictures), or to the whole passage, from 81 degrees left to 81 right or further; with the
-    /// gaze ahead it is 110, with any other 60.
+    /// Horizontal field of view of each eye, degrees, as it would be straight ahead; `auto` fits it to all
+    /// that moves with the scene (usually 42 to 150, wider in conformal pictures), or to the whole passage,
+    /// from 81 degrees left to 81 right or further; with the gaze ahead it is 110, with any other 60.
     #[arg(long, value_name = "auto|DEG", allow_hyphen_values = true)]
     pub fov: FieldOfView,
     /// Projection of lines of sight into a picture. What is measured does not depend on it.
     ///
-    /// In conformal pictures and on flat screens, both eyes see a point in one row if the head is held along the motion, or the point rests;
-    /// else in two: of the paper's cyclist at 0.9 c up to 25 arcmin apart as it comes to eyes turned by 20 degrees, 42 if they are tilted by
-    /// 10, 65 if one is above the other.
+    /// In conformal pictures and on flat screens, both eyes see a point in one row if the head is held along
+    /// the motion, or the point rests; else in two: of the paper's cyclist at 0.9 c up to 25 arcmin apart as
+    /// it comes to eyes turned by 20 degrees, 42 if they are tilted by 10, 65 if one is above the other.
     #[arg(long, value_enum)]
     pub projection: ProjectionChoice,
-    /// Zero parallax: what has the same place in both pictures, and so appears in the plane of the screen: the selected point (or the hub
-    /// that it turns about), what is infinitely far away, or what is this far ahead, 1e-9 to 1e12. Each picture is shifted as a whole; measured
-    /// values do not change.
+    /// Zero parallax: what has the same place in both pictures, and so appears in the plane of the screen:
+    /// the selected point (or the hub that it turns about), what is infinitely far away, or what is this far
+    /// ahead, 1e-9 to 1e12. Each picture is shifted as a whole; measured values do not change.
     ///
     /// It takes pictures that two eyes can fuse: not those of --projection gaze.
     #[arg(long, value_name = "point|infinity|DISTANCE", allow_hyphen_values = true)]

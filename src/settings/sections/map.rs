@@ -23,7 +23,8 @@ pub enum MapFrame {
     Ground,
     /// Frame of everything that moves at the scene's speed: eyes and street ride past.
     Bicycle,
-    /// Frame in which whoever rides rests at this moment, counted from there: the street rides past. That of the ground while nobody rides.
+    /// Frame in which whoever rides rests at this moment, counted from there: the street rides past. That of
+    /// the ground while nobody rides.
     Rider,
 }
 
@@ -34,8 +35,8 @@ pub enum MapFraming {
     /// The whole passage, past both eyes.
     #[default]
     Passage,
-    /// The selected body, close up: in space where it is seen and where two eyes place it, with the length of a rod; in spacetime where the
-    /// followed points are now, with their clocks.
+    /// The selected body, close up: in space where it is seen and where two eyes place it, with the length of
+    /// a rod; in spacetime where the followed points are now, with their clocks.
     CloseUp,
 }
 

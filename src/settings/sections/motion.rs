@@ -20,12 +20,13 @@ pub struct MotionSettings {
     /// Separation of the eyes. With the head held straight they rest at x = −d/2 (left) and x = +d/2 (right).
     #[arg(long, value_parser = within(0.0..=MAX_LENGTH), allow_hyphen_values = true)]
     pub d: f64,
-    /// Tilt of the head, degrees: above 0 the right eye is the higher one, at 90 straight above the left one. Eyes above each other see a rod
-    /// abreast contracted, and not turned; eyes along the motion see it turned.
+    /// Tilt of the head, degrees: above 0 the right eye is the higher one, at 90 straight above the left one.
+    /// Eyes above each other see a rod abreast contracted, and not turned; eyes along the motion see it
+    /// turned.
     #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
     pub roll: f64,
-    /// Turn of the head about the vertical, degrees: above 0 to the left; at 90 the right eye is straight beyond the left one, along y.
-    /// Lines of sight then need not meet.
+    /// Turn of the head about the vertical, degrees: above 0 to the left; at 90 the right eye is straight
+    /// beyond the left one, along y. Lines of sight then need not meet.
     #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
     pub turn: f64,
     /// Additional distance beyond the scene's own, along y.

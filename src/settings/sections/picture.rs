@@ -18,11 +18,12 @@ pub struct PictureSettings {
     /// Layout of the pictures of the two eyes. Those of an .exr file are layers of their own.
     #[arg(long, value_enum)]
     pub layout: Layout,
-    /// The layouts whose two pictures are swapped, like `anaglyph,rows`: each has its own choice. `none` leaves all as described.
+    /// The layouts whose two pictures are swapped, like `anaglyph,rows`: each has its own choice. `none`
+    /// leaves all as described.
     #[arg(long, value_name = "none|LAYOUTS")]
     pub swapped: Swapped,
-    /// Labels: a letter above each of two pictures beside or above each other, and a bar between them. Both lie outside the
-    /// pictures.
+    /// Labels: a letter above each of two pictures beside or above each other, and a bar between them. Both
+    /// lie outside the pictures.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub labels: OnOff,
     /// Rays per pixel of the reference renderer: N x N.

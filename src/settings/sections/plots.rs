@@ -31,8 +31,8 @@ pub enum Coordinates {
     /// Δφ and Δθ: azimuth and elevation.
     #[default]
     Angles,
-    /// Δu and Δv: the columns and rows of conformal pictures. Motion slides u by the rapidity for both eyes alike, so that Δu of a
-    /// moving point is that of a resting one for eyes γd apart, dashed.
+    /// Δu and Δv: the columns and rows of conformal pictures. Motion slides u by the rapidity for both eyes
+    /// alike, so that Δu of a moving point is that of a resting one for eyes γd apart, dashed.
     Conformal,
 }
 
@@ -47,11 +47,12 @@ pub struct PlotSettings {
     /// The coordinates of the disparity plots.
     #[arg(long, value_enum)]
     pub coordinates: Coordinates,
-    /// Whether the paper's approximate binocular model is plotted too, dashed: the right eye is the left one at T − ΔT, both angles measured
-    /// from the left eye.
+    /// Whether the paper's approximate binocular model is plotted too, dashed: the right eye is the left one
+    /// at T − ΔT, both angles measured from the left eye.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub published: OnOff,
-    /// Whether the views show, while the Accuracy tab is open, how far each pixel's point is drawn from where it is seen.
+    /// Whether the views show, while the Accuracy tab is open, how far each pixel's point is drawn from where
+    /// it is seen.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub heat_map: OnOff,
 }

@@ -18,7 +18,8 @@ pub struct QualitySettings {
     #[command(flatten)]
     #[serde(flatten)]
     pub goal: Goal,
-    /// Whether the views of the window get smoother while nothing changes: the reference draws them again, with more and more rays per pixel.
+    /// Whether the views of the window get smoother while nothing changes: the reference draws them again,
+    /// with more and more rays per pixel.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub refine: OnOff,
 }

@@ -19,18 +19,20 @@ pub const LENS_MM: RangeInclusive<f64> = 10.0..=500.0;
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Screen")]
 pub struct ScreenSettings {
-    /// Width of the whole screen, centimetres: with the viewer's distance it tells at which angles the pictures are seen. `auto` assumes 96 pixels
-    /// per inch, which is wrong for most projectors.
+    /// Width of the whole screen, centimetres: with the viewer's distance it tells at which angles the
+    /// pictures are seen. `auto` assumes 96 pixels per inch, which is wrong for most projectors.
     #[arg(long, value_name = "auto|CM")]
     pub screen_width: ScreenWidth,
     /// Distance of the viewer from the screen, centimetres.
     #[arg(long, value_name = "CM", value_parser = within(VIEWING_CM))]
     pub viewing_distance: f64,
-    /// Largest distance between the middles of two pictures that are fused without glasses, millimetres: no more than
-    /// the distance of the viewer's pupils. In a stereoscope they are that far apart, as its lenses are.
+    /// Largest distance between the middles of two pictures that are fused without glasses, millimetres: no
+    /// more than the distance of the viewer's pupils. In a stereoscope they are that far apart, as its lenses
+    /// are.
     #[arg(long, value_name = "MM", value_parser = within(PICTURE_MM))]
     pub picture_distance: f64,
-    /// Distance of a stereoscope's lenses from the screen, millimetres: with the width of the pictures it gives the angles at which they are seen.
+    /// Distance of a stereoscope's lenses from the screen, millimetres: with the width of the pictures it
+    /// gives the angles at which they are seen.
     #[arg(long, value_name = "MM", value_parser = within(LENS_MM))]
     pub lens_to_screen: f64,
 }

@@ -40,11 +40,12 @@ pub struct WindowSettings {
     /// The two eyes' views. Hidden views compute nothing.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub views: OnOff,
-    /// The left eye's picture with the distortion undone, beside the two: by the fitted speed while the Fit tab is shown, else by the one that is
-    /// set. Hidden, it costs nothing.
+    /// The left eye's picture with the distortion undone, beside the two: by the fitted speed while the Fit
+    /// tab is shown, else by the one that is set. Hidden, it costs nothing.
     #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
     pub corrected: OnOff,
-    /// A strip below the views that shows which wavelengths arrive from the selected point, in the whole spectrum.
+    /// A strip below the views that shows which wavelengths arrive from the selected point, in the whole
+    /// spectrum.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub spectrum: OnOff,
     /// The sentence below the views, which describes the moment in words.
@@ -77,21 +78,23 @@ pub struct WindowSettings {
     /// At each followed point in the views, a clock that shows the body's proper time as the eye sees it.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub dials: OnOff,
-    /// In each view a clock that rests beside the eyes, to compare the others with; and at every clock the number of turns of its hand, since the
-    /// step of a lesson began or since it showed 0.
+    /// In each view a clock that rests beside the eyes, to compare the others with; and at every clock the
+    /// number of turns of its hand, since the step of a lesson began or since it showed 0.
     #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
     pub resting_clock: OnOff,
-    /// Ruler of rapidity along the lower edge of conformal views, and above it the colours that a body passes through.
+    /// Ruler of rapidity along the lower edge of conformal views, and above it the colours that a body passes
+    /// through.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub ruler: OnOff,
-    /// In conformal views, the outline of what moves where it would be seen if it were at rest. Motion slides it by the rapidity, along the arrow.
+    /// In conformal views, the outline of what moves where it would be seen if it were at rest. Motion slides
+    /// it by the rapidity, along the arrow.
     #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
     pub resting: OnOff,
     /// On a ride, darkens the edges of the views while the head turns: movement there makes people ill.
     #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
     pub vignette: OnOff,
-    /// Units of lengths and times in the window and in saved plots. Data, states, flags and the records in pictures stay in the scene's own unit,
-    /// with c = 1.
+    /// Units of lengths and times in the window and in saved plots. Data, states, flags and the records in
+    /// pictures stay in the scene's own unit, with c = 1.
     #[arg(long, value_enum)]
     pub units: Units,
     /// Colours of the window.

@@ -18,7 +18,8 @@ pub fn of_a_frame(window: &Window, checked: &mut Option<Settings>) {
     for found in all(window) {
         let rect = found.rect;
         assert!(found.rect == Rect::NOTHING || is_finite(rect), "{:?} is at {rect:?}", found.name);
-        // What was typed is shown as it was typed, and quoted. (A text that is no input is the name or value of another node, too.)
+        // What was typed is shown as it was typed, and quoted. (A text that is no input is the name or value
+        // of another node, too.)
         if matches!(found.role, Role::TextInput | Role::TextRun | Role::SpinButton) {
             continue;
         }

@@ -111,8 +111,8 @@ impl User<'_> {
         }
     }
 
-    /// Whether what is asked for a file to write names one outside of the folder of the test, or a large one: nothing may
-    /// confirm that.
+    /// Whether what is asked for a file to write names one outside of the folder of the test, or a large one:
+    /// nothing may confirm that.
     fn would_save_elsewhere(&self, found: &[Found]) -> bool {
         let purpose = self.window.state().state().scratch.chooser;
         let value =

@@ -4,7 +4,8 @@
 pub struct Dice(u64);
 
 impl Dice {
-    /// That of the step of this number in the run of this `seed`: a step is the same whatever was thrown before it.
+    /// That of the step of this number in the run of this `seed`: a step is the same whatever was thrown
+    /// before it.
     pub fn of_step(seed: u64, step: usize) -> Self {
         let mut dice = Self(seed ^ (step as u64).wrapping_mul(0xa076_1d64_78bd_642f));
         dice.next();

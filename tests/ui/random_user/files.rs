@@ -1,5 +1,5 @@
-//! Files that the user opens and drops: good ones, ones of the wrong kind, and good ones with something broken in them. All
-//! are in a folder of their own, and so is all that is saved.
+//! Files that the user opens and drops: good ones, ones of the wrong kind, and good ones with something
+//! broken in them. All are in a folder of their own, and so is all that is saved.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -9,8 +9,8 @@ use tempfile::TempDir;
 
 use super::dice::Dice;
 
-/// The texts typed where something else is expected. Infinity and NaN are spelt as the program never prints them, so that
-/// the checks tell what was typed from a broken number.
+/// The texts typed where something else is expected. Infinity and NaN are spelt as the program never prints
+/// them, so that the checks tell what was typed from a broken number.
 pub const ODD_TEXTS: &[&str] = &[
     "",
     "-",

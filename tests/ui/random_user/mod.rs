@@ -1,7 +1,7 @@
 //! A user who does anything at all, by chance: whatever it is, nothing breaks.
 //!
-//! Each run begins with a printed seed. `GAMOW_SEED=7 GAMOW_ACTIONS=20000 cargo test --test ui -- random` does one again, or
-//! a longer one.
+//! Each run begins with a printed seed. `GAMOW_SEED=7 GAMOW_ACTIONS=20000 cargo test --test ui -- random`
+//! does one again, or a longer one.
 
 mod checks;
 mod deeds;
@@ -27,7 +27,8 @@ use super::{Test, device};
 pub const TESTS: &[Test] =
     trials![a_random_user_breaks_nothing, a_random_user_breaks_nothing_while_all_is_drawn,];
 
-/// Actions of each run, in the usual tests and in the whole sweep: without views, which cost most of the time, and with them.
+/// Actions of each run, in the usual tests and in the whole sweep: without views, which cost most of the
+/// time, and with them.
 const ACTIONS: [usize; 2] = [800, 20_000];
 const ACTIONS_DRAWN: [usize; 2] = [100, 1000];
 /// Actions between two ways back, and those that are told of a run that failed.

@@ -87,7 +87,8 @@ impl Coverage {
         self.0.entry(control.kind()).or_default()[1] += 1;
     }
 
-    /// One of `controls`: the less often its kind was used, the likelier. Which it is hardly depends on what else there is.
+    /// One of `controls`: the less often its kind was used, the likelier. Which it is hardly depends on what
+    /// else there is.
     pub fn choose<'a>(
         &self,
         controls: impl Iterator<Item = &'a Found>,

@@ -1,4 +1,5 @@
-//! Files, and what may be done with them: those of the file system, or in a browser those that were dropped, written or kept.
+//! Files, and what may be done with them: those of the file system, or in a browser those that were dropped,
+//! written or kept.
 
 #[cfg(feature = "desktop")]
 mod native;
@@ -39,7 +40,8 @@ mod tests {
         assert_eq!(read_to_string(&path).expect_err("no text").to_string(), "it is not text in UTF-8");
     }
 
-    /// A file of the kernel's log, which only some users may read, and which gives nothing more once all was read.
+    /// A file of the kernel's log, which only some users may read, and which gives nothing more once all was
+    /// read.
     #[cfg(target_os = "linux")]
     #[test]
     fn what_says_nothing_yet_is_not_waited_for() {

@@ -56,7 +56,8 @@ fn at_once() -> OpenOptions {
     options
 }
 
-/// Returns options that open a file without waiting: only names that [`names::is_device`] knows would be waited for.
+/// Returns options that open a file without waiting: only names that [`names::is_device`] knows would be
+/// waited for.
 #[cfg(not(unix))]
 fn at_once() -> OpenOptions {
     OpenOptions::new()
@@ -66,8 +67,8 @@ fn at_once() -> OpenOptions {
 ///
 /// # Errors
 ///
-/// Those of the file system, as everywhere here. What is no regular file: a device is not even opened, and a pipe is not
-/// waited for.
+/// Those of the file system, as everywhere here. What is no regular file: a device is not even opened, and a
+/// pipe is not waited for.
 pub fn open(path: &Path) -> io::Result<Regular> {
     if cfg!(windows) && names::is_device(&path.to_string_lossy()) {
         return Err(irregular("it is the name of a device"));
@@ -79,8 +80,8 @@ pub fn open(path: &Path) -> io::Result<Regular> {
     Ok(Regular(file))
 }
 
-/// Opens `path` for reading from its beginning to its end: also a pipe or a terminal, for whose other end it waits, as a reader
-/// should.
+/// Opens `path` for reading from its beginning to its end: also a pipe or a terminal, for whose other end it
+/// waits, as a reader should.
 pub fn open_stream(path: &Path) -> io::Result<Box<dyn Read>> {
     let found = path.metadata()?;
     if found.is_file() || found.is_dir() {
@@ -99,8 +100,8 @@ pub fn check_replaceable(path: &Path) -> io::Result<()> {
     path.metadata().map_or(Ok(()), |found| check_regular(&found))
 }
 
-/// The bytes of the file at `path`, of which there must be no more than `most`: a longer one is refused, be it one
-/// that grows as it is read.
+/// The bytes of the file at `path`, of which there must be no more than `most`: a longer one is refused, be
+/// it one that grows as it is read.
 pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     let mut file = open(path)?;
     let size = file.0.metadata()?.len();
@@ -201,8 +202,8 @@ pub fn remove(path: &Path) -> io::Result<()> {
     std::fs::remove_file(path)
 }
 
-/// Returns the file that writing to `path` replaces: the file there, or behind the links there, even if it is not there
-/// yet.
+/// Returns the file that writing to `path` replaces: the file there, or behind the links there, even if it is
+/// not there yet.
 pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
     match path.canonicalize() {
         Err(error) if error.kind() == io::ErrorKind::NotFound => {}
@@ -216,9 +217,10 @@ pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
     Ok(place)
 }
 
-/// The name by which a file in `folder` calls that at `path`, for whoever has both: the way down from the folder, or from
-/// the one around it to itself or the folders in it. A longer way would tell where the files of their owner lie: then it is
-/// the name alone, and so it is where there is no such file. `None` if it is not UTF-8.
+/// The name by which a file in `folder` calls that at `path`, for whoever has both: the way down from the
+/// folder, or from the one around it to itself or the folders in it. A longer way would tell where the files
+/// of their owner lie: then it is the name alone, and so it is where there is no such file. `None` if it is
+/// not UTF-8.
 #[must_use]
 pub fn name_from(folder: &Path, path: &Path) -> Option<String> {
     let near = || {
@@ -235,8 +237,8 @@ pub fn name_from(folder: &Path, path: &Path) -> Option<String> {
     Some(parts?.join("/"))
 }
 
-/// Flushes the names in the folder `path` to the disc, where the system can. Where it cannot, the old name of a file may come back
-/// after a power cut, and the file behind it is whole all the same.
+/// Flushes the names in the folder `path` to the disc, where the system can. Where it cannot, the old name of
+/// a file may come back after a power cut, and the file behind it is whole all the same.
 pub fn sync_folder(path: &Path) {
     if cfg!(unix) {
         let _ = File::open(path).and_then(|folder| folder.sync_all());
@@ -273,8 +275,8 @@ impl Rights {
     }
 }
 
-/// A new file of this program in `folder`, which goes when it is dropped. It has these `rights`, or else those that any new
-/// file would have.
+/// A new file of this program in `folder`, which goes when it is dropped. It has these `rights`, or else
+/// those that any new file would have.
 pub fn temporary_in(folder: &Path, rights: Option<&Rights>) -> io::Result<NamedTempFile> {
     let create = |path: &Path| {
         let mut options = OpenOptions::new();

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use crate::messages;
 
-/// `path` as messages name it: on one line, with nothing in it that a terminal would obey. What is neither text nor fit
-/// to be shown stands as its escape.
+/// `path` as messages name it: on one line, with nothing in it that a terminal would obey. What is neither
+/// text nor fit to be shown stands as its escape.
 #[must_use]
 pub fn shown(path: &Path) -> String {
     let mut shown = String::new();

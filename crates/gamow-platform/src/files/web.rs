@@ -1,5 +1,5 @@
-//! Files of a page: those that the user gave it are in memory, those in [`KEPT`] are texts that the browser keeps, and all others that
-//! are written are downloads.
+//! Files of a page: those that the user gave it are in memory, those in [`KEPT`] are texts that the browser
+//! keeps, and all others that are written are downloads.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -41,8 +41,8 @@ pub fn take_in_all(files: Sent) {
 
 thread_local!(static UNDELIVERED: RefCell<Sent> = const { RefCell::new(Vec::new()) });
 
-/// Returns the files that were written since the last call and are nowhere yet: those of an instance beside the page, which alone can
-/// hand them out.
+/// Returns the files that were written since the last call and are nowhere yet: those of an instance beside
+/// the page, which alone can hand them out.
 pub fn take_undelivered() -> Sent {
     UNDELIVERED.take()
 }

@@ -40,7 +40,8 @@ fn try_deliver(name: &str, kind: &str, bytes: &[u8]) -> Result<(), JsValue> {
     Ok(())
 }
 
-/// Asks for a file in a dialog of the browser; `chosen` gets its name and its bytes, or nothing if none was chosen.
+/// Asks for a file in a dialog of the browser; `chosen` gets its name and its bytes, or nothing if none was
+/// chosen.
 pub fn choose(chosen: impl FnOnce(Option<(String, Vec<u8>)>) + 'static) {
     let chosen = Rc::new(RefCell::new(Some(chosen)));
     let input = web_sys::window().and_then(|window| window.document());

@@ -1,8 +1,10 @@
-//! Further instances of the program beside the page's: dedicated workers, each with a thread and a memory of its own.
+//! Further instances of the program beside the page's: dedicated workers, each with a thread and a memory of
+//! its own.
 //!
-//! Messages are arrays. To an instance: the number of a job and the bytes of its two parts, of which the first is left out where it is that
-//! of the job before; the number alone has it stop. From an instance: nothing in it once it listens; the number of a job and the bytes of its
-//! result; bytes alone, a note on a job; a text alone when it has failed.
+//! Messages are arrays. To an instance: the number of a job and the bytes of its two parts, of which the
+//! first is left out where it is that of the job before; the number alone has it stop. From an instance:
+//! nothing in it once it listens; the number of a job and the bytes of its result; bytes alone, a note on a
+//! job; a text alone when it has failed.
 
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::prelude::Closure;
@@ -32,7 +34,8 @@ pub struct Instance {
 }
 
 impl Instance {
-    /// Starts an instance for work of this `kind`; `None` where the browser refuses. Messages from it come to `hear`.
+    /// Starts an instance for work of this `kind`; `None` where the browser refuses. Messages from it come to
+    /// `hear`.
     pub fn start(kind: &str, hear: impl FnMut(Heard) + Clone + 'static) -> Option<Self> {
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);

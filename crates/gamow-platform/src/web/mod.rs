@@ -1,4 +1,5 @@
-//! The browser in place of an operating system: the page, its storage, downloads, and time between two frames.
+//! The browser in place of an operating system: the page, its storage, downloads, and time between two
+//! frames.
 
 pub mod download;
 pub mod instances;

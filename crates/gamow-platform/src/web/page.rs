@@ -49,7 +49,8 @@ pub fn show_window() {
     tell("gamow-shown");
 }
 
-/// Returns whether anything is drawn on the canvas. Callers ask in the task that drew the frame: the browser clears the canvas of WebGL after it.
+/// Returns whether anything is drawn on the canvas. Callers ask in the task that drew the frame: the browser
+/// clears the canvas of WebGL after it.
 #[must_use]
 pub fn has_picture() -> bool {
     tell("gamow-painted");
@@ -68,8 +69,8 @@ pub fn webgpu_failure() -> Option<String> {
     tab_storage()?.get_item(WEBGPU_FAILURE).ok()?
 }
 
-/// Loads the page again in a tab where WebGPU has failed for this `reason`. Returns false, and does nothing, where that is known already or
-/// cannot be kept: the page would be loaded again for ever.
+/// Loads the page again in a tab where WebGPU has failed for this `reason`. Returns false, and does nothing,
+/// where that is known already or cannot be kept: the page would be loaded again for ever.
 #[must_use]
 pub fn reload_without_webgpu(reason: &str) -> bool {
     let is_new = webgpu_failure().is_none();
@@ -93,7 +94,8 @@ pub fn show_defect() {
     );
 }
 
-/// Tells the page whether the window is the screen of a stereoscope: it then asks for the whole screen, and for how the device is turned.
+/// Tells the page whether the window is the screen of a stereoscope: it then asks for the whole screen, and
+/// for how the device is turned.
 pub fn set_stereoscope(is_on: bool) {
     if let Some(root) = root() {
         let _ = root.set_attribute("data-stereoscope", if is_on { "on" } else { "off" });
@@ -101,13 +103,15 @@ pub fn set_stereoscope(is_on: bool) {
     tell("gamow-stereoscope");
 }
 
-/// Returns how the device is turned, as far as the page knows: alpha, beta, gamma and the turn of what is shown, degrees.
+/// Returns how the device is turned, as far as the page knows: alpha, beta, gamma and the turn of what is
+/// shown, degrees.
 #[must_use]
 pub fn turned() -> Option<[f64; 4]> {
     numbers("data-turned")
 }
 
-/// Returns the longer and the shorter side of the screen, in points of the page: a screen that is turned keeps its sides.
+/// Returns the longer and the shorter side of the screen, in points of the page: a screen that is turned
+/// keeps its sides.
 #[must_use]
 pub fn screen_sides() -> Option<[f32; 2]> {
     let [width, height] = numbers::<2>("data-screen")?.map(|side| side as f32);

@@ -1,7 +1,7 @@
 //! Errors of lines of sight, arcseconds: of the forms of the formulas, and of the published binocular model.
 //!
-//! The stable form in f64 is the truth here: the crate's tests hold it to 8 units of 2^-53 against 115-digit arithmetic, far
-//! below what is measured.
+//! The stable form in f64 is the truth here: the crate's tests hold it to 8 units of 2^-53 against 115-digit
+//! arithmetic, far below what is measured.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -18,7 +18,8 @@ const MIDDLE: [f64; 3] = [0.0, 3.0, 2.0];
 const REACH: f64 = 1.5;
 /// Distance between the eyes; points are sighted from the left one.
 const SEPARATION: f64 = 0.1;
-/// Speeds that f32 has too, so that their rounding is nobody's error; the last is about the greatest for batches in f32.
+/// Speeds that f32 has too, so that their rounding is nobody's error; the last is about the greatest for
+/// batches in f32.
 const BETAS: [f32; 4] = [0.0, 0.9, 0.9999, 0.999_999_46];
 /// Lorentz factors for batches in f64 alone.
 const GAMMAS: [f64; 2] = [1e5, 1e7];

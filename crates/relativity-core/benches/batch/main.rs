@@ -1,9 +1,9 @@
-//! The formulas in their stable form and as printed: time per point, and error over gamma; then the published binocular model
-//! against the exact one.
+//! The formulas in their stable form and as printed: time per point, and error over gamma; then the published
+//! binocular model against the exact one.
 //!
-//! `cargo bench -p relativity-core --bench batch`. Times are those of the batch forms, and of a copy of the same bytes, all
-//! in one run, since only ratios carry over between machines. The printed formulas lose digits; they are here to show how many,
-//! and what keeping them costs.
+//! `cargo bench -p relativity-core --bench batch`. Times are those of the batch forms, and of a copy of the
+//! same bytes, all in one run, since only ratios carry over between machines. The printed formulas lose
+//! digits; they are here to show how many, and what keeping them costs.
 
 mod errors;
 mod printed;

@@ -2,11 +2,11 @@
 
 use num_traits::Float;
 
-/// Writes the columns `[apparent_x, retarded_time, doppler_factor]` of the points `[x0, y, z]`, as an aperture at
-/// (`aperture_x`, 0, 0) sees them at one `time`.
+/// Writes the columns `[apparent_x, retarded_time, doppler_factor]` of the points `[x0, y, z]`, as an
+/// aperture at (`aperture_x`, 0, 0) sees them at one `time`.
 ///
-/// By the paper's eq. (1), corrected, its t' = T - R and D = 1/(gamma (1 + beta X/R)). For gamma >> 1 and X > 0 the
-/// difference cancels, and so does 1 + beta X/R for X < 0.
+/// By the paper's eq. (1), corrected, its t' = T - R and D = 1/(gamma (1 + beta X/R)). For gamma >> 1 and X >
+/// 0 the difference cancels, and so does 1 + beta X/R for X < 0.
 pub fn sightings<F: Float>(beta: F, time: F, aperture_x: F, points: [&[F]; 3], outputs: [&mut [F]; 3]) {
     pulp::Arch::new().dispatch(
         #[inline(always)]

@@ -82,7 +82,8 @@ impl Trial {
         one_cone::middle_cone(&self.speed, self.point(), *pair, time - self.passage_time)
     }
 
-    /// Returns the angle, radians, through which the wheel is seen to have turned at `time`, as the pair sees its hub; 0 for a point that does not turn.
+    /// Returns the angle, radians, through which the wheel is seen to have turned at `time`, as the pair sees
+    /// its hub; 0 for a point that does not turn.
     pub fn turn(&self, pair: &[Aperture; 2], time: f64) -> f64 {
         let Some(rolling) = &self.rolling else { return 0.0 };
         let (beta, gamma) = (self.speed.beta(), self.speed.gamma());

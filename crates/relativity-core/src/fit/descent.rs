@@ -9,17 +9,18 @@ use crate::fit::trial::Trial;
 use crate::math;
 use crate::threads::prelude::*;
 
-// What is lost with other values is that of 100 to 150 cases of `examples/coverage.rs`, seed 7, Delta-phi alone.
+// What is lost with other values is that of 100 to 150 cases of `examples/coverage.rs`, seed 7, Delta-phi
+// alone.
 
-/// Evaluations per parameter that every start gets (with 1 a minimum is lost, with 4 no more is found), that those
-/// followed get (3 lose none either), and that the minimum gets: the solver's own number.
+/// Evaluations per parameter that every start gets (with 1 a minimum is lost, with 4 no more is found), that
+/// those followed get (3 lose none either), and that the minimum gets: the solver's own number.
 const GLANCE: usize = 2;
 pub(super) const START_PATIENCE: usize = 6;
 const PATIENCE: usize = 100;
 /// Descents that are followed after a glance: with 1 two minima are lost, with 3 none.
 const FOLLOWED: usize = 6;
-/// Descents closer than this in ln(rapidity) and ln(y) are on the way to the same minimum. If all were followed, they
-/// would crowd other ways out: a minimum is lost.
+/// Descents closer than this in ln(rapidity) and ln(y) are on the way to the same minimum. If all were
+/// followed, they would crowd other ways out: a minimum is lost.
 const NEAR: f64 = 0.25;
 /// ln(rapidity) above which speeds are all near that of light.
 const FAST: f64 = 1.6;
@@ -76,7 +77,8 @@ fn descended(start: At<'_>, patience: usize) -> Descent {
     Descent { free: at.free, cost: report.objective_function }
 }
 
-/// Goes a few steps from each start. Returns the results, the lowest first, without those that are near a lower one.
+/// Goes a few steps from each start. Returns the results, the lowest first, without those that are near a
+/// lower one.
 pub(super) fn descents(problem: &Problem, starts: Vec<Free>, patience: usize) -> Vec<Descent> {
     let mut descents: Vec<_> =
         starts.into_par_iter().map(|start| descent(problem, start, patience)).collect();
@@ -99,8 +101,8 @@ fn lifted(problem: &Problem, mut free: Free) -> Free {
     free
 }
 
-/// The minimum downhill of `start`. Where only |z| matters, the way to z = 0 is endless and there is none back, so
-/// that near it z = 0 is tried as well, and a way up.
+/// The minimum downhill of `start`. Where only |z| matters, the way to z = 0 is endless and there is none
+/// back, so that near it z = 0 is tried as well, and a way up.
 pub(super) fn minimum(problem: &Problem, start: Free) -> Result<Minimum, FitError> {
     let (minimum, end) = refined(problem, start);
     if !problem.is_even_in_z() || end[2].abs() > NEAR_GROUND * math::exp(end[1]) {

@@ -7,9 +7,9 @@
 //! Conventions: y > 0, the object is in front of the apertures. (Behind them, Delta-phi has the other sign.)
 //! Delta-phi alone, seen by apertures at z = 0, tells only |z|; Delta-theta tells the sign.
 //!
-//! Of a point on a wheel that rolls ([`Rolling`]) the hub is fitted. Its curves have many minima, since the wheel may have
-//! turned some times more or less before it passes: the search starts from many speeds about that of the smooth curve, and
-//! from other numbers of turns, which takes many times as long.
+//! Of a point on a wheel that rolls ([`Rolling`]) the hub is fitted. Its curves have many minima, since the
+//! wheel may have turned some times more or less before it passes: the search starts from many speeds about
+//! that of the smooth curve, and from other numbers of turns, which takes many times as long.
 //!
 //! References: the paper, sections 3(b) and 4(c); J. J. More, *The Levenberg-Marquardt algorithm:
 //! implementation and theory* (1978).
@@ -48,8 +48,8 @@ use prepare::PreparedData;
 use search::Starts;
 use trial::Trial;
 
-/// The accuracy of a fit of curves without noise: the largest error of beta, y, z and x0 for the paper's object,
-/// with every choice of model and curves, x0 known or not (`tests/fit.rs`).
+/// The accuracy of a fit of curves without noise: the largest error of beta, y, z and x0 for the paper's
+/// object, with every choice of model and curves, x0 known or not (`tests/fit.rs`).
 pub const NOISE_FREE_ERROR: f64 = 1e-9;
 
 /// Half the width of a 95 % interval of a normal distribution, in standard errors.
@@ -62,8 +62,8 @@ pub struct Fit {
     pub options: FitOptions,
     /// Best values of beta, y, z, x0.
     pub values: [f64; 4],
-    /// Covariance of the parameters by linearisation; 0 for a known x0. From the sigmas where all readings have one, else
-    /// scaled by the scatter of the residuals.
+    /// Covariance of the parameters by linearisation; 0 for a known x0. From the sigmas where all readings
+    /// have one, else scaled by the scatter of the residuals.
     pub covariance: [[f64; 4]; 4],
     /// Root mean square of the residuals of all fitted readings, radians.
     pub rms: f64,
@@ -72,7 +72,8 @@ pub struct Fit {
     pub reduced_chi_squared: Option<f64>,
     /// Readings that were fitted.
     pub readings: usize,
-    /// The best fit on the other side of z = 0, where the search looked there: of a wheel's point seen in Delta-phi alone.
+    /// The best fit on the other side of z = 0, where the search looked there: of a wheel's point seen in
+    /// Delta-phi alone.
     pub other_side: Option<OtherSide>,
     pub(crate) problem: Problem,
     pub(crate) free: Free,
@@ -83,8 +84,9 @@ pub struct Fit {
 pub struct OtherSide {
     /// Values of beta, y, z, x0 there.
     pub values: [f64; 4],
-    /// Excess of chi squared on that side, with the variance of a weighed residual that the covariance has: the
-    /// square of the number of standard deviations by which noise must mislead for this side to be the true one.
+    /// Excess of chi squared on that side, with the variance of a weighed residual that the covariance has:
+    /// the square of the number of standard deviations by which noise must mislead for this side to be the
+    /// true one.
     pub excess: f64,
 }
 
@@ -107,8 +109,8 @@ impl Fit {
         self.covariance[parameter as usize][parameter as usize].sqrt()
     }
 
-    /// 95 % interval of `parameter` by linearisation, as far as the parameter goes: up to beta = 1, down to y = 0,
-    /// and to z = 0 where only |z| matters.
+    /// 95 % interval of `parameter` by linearisation, as far as the parameter goes: up to beta = 1, down to
+    /// y = 0, and to z = 0 where only |z| matters.
     #[must_use]
     pub fn interval_95(&self, parameter: Parameter) -> [f64; 2] {
         let (value, half) = (self.value(parameter), NORMAL_95 * self.standard_error(parameter));

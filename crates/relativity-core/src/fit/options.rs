@@ -60,7 +60,8 @@ pub struct FitOptions {
     pub curves: Curves,
     /// x0, known or not.
     pub passage: Passage,
-    /// The wheel on which the point is that was seen; y, z and x0 are then its hub's. `None` for a point that does not turn.
+    /// The wheel on which the point is that was seen; y, z and x0 are then its hub's. `None` for a point that
+    /// does not turn.
     pub rolling: Option<Rolling>,
 }
 

@@ -118,7 +118,8 @@ impl PreparedData {
         rows().map(|(weight, value)| weight * (value - mean).powi(2)).sum()
     }
 
-    /// Checks that there are twice as many samples as a fit needs: a bootstrap replicate keeps about 63 % of them.
+    /// Checks that there are twice as many samples as a fit needs: a bootstrap replicate keeps about 63 % of
+    /// them.
     fn check_number(&self, options: &FitOptions) -> Result<(), FitError> {
         let parameters = self.problem.parameters();
         let (samples, needed) = (self.problem.rows.len(), 2 * parameters);

@@ -84,9 +84,9 @@ impl Problem {
         Some(Trial { speed, y, z, passage_time, passage_x: self.passage_x, rolling: self.rolling })
     }
 
-    /// The object that passes as that of `free` does, but whose wheel has turned by some `turns` more since t' = 0: as the hub
-    /// passes x = 0 it is at the angle at t' = 0 plus gamma x0/W. `None` if it is not a wheel, or no such object: where x0 = 0 is
-    /// known, the wheel has turned as it has.
+    /// The object that passes as that of `free` does, but whose wheel has turned by some `turns` more since
+    /// t' = 0: as the hub passes x = 0 it is at the angle at t' = 0 plus gamma x0/W. `None` if it is not a
+    /// wheel, or no such object: where x0 = 0 is known, the wheel has turned as it has.
     pub fn turned(&self, free: &Free, turns: f64) -> Option<Free> {
         let (rolling, trial) = (self.rolling?, self.trial(free)?);
         if turns == 0.0 {
@@ -118,7 +118,8 @@ impl Problem {
         self.rows.iter().flat_map(PreparedSample::curves).count()
     }
 
-    /// Whether only |z| matters: Delta-phi alone, seen by apertures that all lie at z = 0, of what does not turn.
+    /// Whether only |z| matters: Delta-phi alone, seen by apertures that all lie at z = 0, of what does not
+    /// turn.
     pub fn is_even_in_z(&self) -> bool {
         self.rolling.is_none()
             && self.rows.iter().all(|row| row.weights[1] == 0.0)

@@ -1,16 +1,16 @@
 //! The free parameters, in the form in which the curves depend on them to first order everywhere.
 //!
-//! Where only |z| matters, the curves have no slope at z = 0, so that no error of z follows from slopes there, and
-//! least squares crawl. They have one with respect to u = hypot(z, s) - s, which is z^2/(2 s) near z = 0 and |z| far
-//! above, for any length s; and u stops at 0.
+//! Where only |z| matters, the curves have no slope at z = 0, so that no error of z follows from slopes
+//! there, and least squares crawl. They have one with respect to u = hypot(z, s) - s, which is z^2/(2 s) near
+//! z = 0 and |z| far above, for any length s; and u stops at 0.
 
 use crate::fit::gradients::Gradient;
 use crate::fit::problem::{Free, NormalEquations, Problem};
 use crate::fit::trial::Trial;
 use crate::math;
 
-/// Least z in units of s at which the derivative by u is formed, from that by z: u is then 5e-13 s, which is nothing,
-/// and the slope by z, which falls with z, keeps ten digits.
+/// Least z in units of s at which the derivative by u is formed, from that by z: u is then 5e-13 s, which is
+/// nothing, and the slope by z, which falls with z, keeps ten digits.
 const LEAST_HEIGHT: f64 = 1e-6;
 
 /// A problem in its regular parameters: ln(rapidity), ln(y), z or u, and t0.
@@ -67,8 +67,8 @@ impl<'a> RegularProblem<'a> {
         self.problem.rows.iter().map(part).collect()
     }
 
-    /// Standard error of z over that of the third parameter, `error`. `step` leads from z to where the sum of squares
-    /// is least, which is beyond the end of the domain where z = 0 fits best.
+    /// Standard error of z over that of the third parameter, `error`. `step` leads from z to where the sum of
+    /// squares is least, which is beyond the end of the domain where z = 0 fits best.
     pub fn height_error(&self, z: f64, step: f64, error: f64) -> f64 {
         let Some(scale) = self.scale else { return 1.0 };
         let best = self.parameters(&Free::new(0.0, 0.0, z, 0.0))[2] + step;
@@ -97,7 +97,8 @@ fn height(u: f64, scale: f64) -> f64 {
     (u * (u + 2.0 * scale)).sqrt()
 }
 
-/// Returns the rise of |z| at which the sum of squares, least at u = `best` with standard error `error`, has risen by one variance.
+/// Returns the rise of |z| at which the sum of squares, least at u = `best` with standard error `error`, has
+/// risen by one variance.
 fn rise(best: f64, error: f64, scale: f64) -> f64 {
     if best < 0.0 {
         // best + hypot(best, error), without the subtraction

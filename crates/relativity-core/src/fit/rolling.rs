@@ -1,8 +1,8 @@
 //! The curves of a point on a wheel that rolls, with their derivatives.
 //!
-//! The point is seen where one is that rests at C + q, and that tells the time t' of its light, of which the angle
-//! a = angle - omega t' depends in turn. With u for the direction in which a point of the wheel moves, n' that towards it,
-//! and r its distance from the axle,
+//! The point is seen where one is that rests at C + q, and that tells the time t' of its light, of which the
+//! angle a = angle - omega t' depends in turn. With u for the direction in which a point of the wheel moves,
+//! n' that towards it, and r its distance from the axle,
 //!
 //! ```text
 //! dq = -r u da,    da = d(angle) - t' d(omega) - omega dt',
@@ -20,8 +20,8 @@ use crate::source::WheelPoint;
 use crate::wheel::{SeenWheelPoint, baseline};
 
 impl Rolling {
-    /// Delta-phi and Delta-theta, with 0 for what is not `wanted`, of the wheel whose hub is the trial object; `time` counts
-    /// from its passage.
+    /// Delta-phi and Delta-theta, with 0 for what is not `wanted`, of the wheel whose hub is the trial
+    /// object; `time` counts from its passage.
     pub(crate) fn angles(
         &self,
         trial: &Trial,

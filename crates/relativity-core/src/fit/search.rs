@@ -1,15 +1,18 @@
-//! The start of the descent to the minimum: the best of several starts, and for a wheel the best of several numbers of turns.
+//! The start of the descent to the minimum: the best of several starts, and for a wheel the best of several
+//! numbers of turns.
 
 use crate::fit::descent::{Descent, ROUNDING, START_PATIENCE, descent, descents, ways};
 use crate::fit::problem::{Free, Problem};
 use crate::fit::{start, wheel_start};
 use crate::threads::prelude::*;
 
-/// Number of ways of a wheel that are followed with other numbers of turns, the turns more and less, and the repetitions from the best.
+/// Number of ways of a wheel that are followed with other numbers of turns, the turns more and less, and the
+/// repetitions from the best.
 const TURNED: usize = 2;
 const TURNS: i32 = 8;
 const ROUNDS: u32 = 4;
-/// For a wheel on the other side of z = 0: the parts of a turn that are tried, and how many turns more and less.
+/// For a wheel on the other side of z = 0: the parts of a turn that are tried, and how many turns more and
+/// less.
 const PARTS: i32 = 8;
 const MIRRORED_TURNS: i32 = 2;
 
@@ -21,8 +24,8 @@ pub(super) struct Starts {
     pub other_side: Option<Free>,
 }
 
-/// Searches for where to start. All starts get a few steps against some of the data; those that promise most, and are on different
-/// ways, are followed.
+/// Searches for where to start. All starts get a few steps against some of the data; those that promise most,
+/// and are on different ways, are followed.
 pub(super) fn best_starts(problem: &Problem) -> Option<Starts> {
     if problem.rolling.is_none() {
         return ways(problem).first().map(|best| Starts { best: best.free, other_side: None });
@@ -43,8 +46,9 @@ fn lowest(descents: impl Iterator<Item = Descent>) -> Option<Descent> {
     descents.min_by(|a, b| a.cost.total_cmp(&b.cost))
 }
 
-/// The lowest minimum on the other side of z = 0. The hub's own curve is the same on both sides, and that of its wheel has minima
-/// at other turns there, between which no descent leads: the wheel is tried in parts of a turn.
+/// The lowest minimum on the other side of z = 0. The hub's own curve is the same on both sides, and that of
+/// its wheel has minima at other turns there, between which no descent leads: the wheel is tried in parts of
+/// a turn.
 fn mirrored(problem: &Problem, coarse: &Problem, way: &Descent) -> Option<Descent> {
     let samples = start::thinned(problem, wheel_start::SAMPLES);
     let mut other = way.free;
@@ -58,8 +62,9 @@ fn mirrored(problem: &Problem, coarse: &Problem, way: &Descent) -> Option<Descen
     Some(otherwise_turned(problem, coarse, lowest))
 }
 
-/// The lowest of the minima that show the same passage with a wheel that has turned some times more or less before: each is
-/// a way of its own, on which no descent leads to the next. `way` itself of what does not turn.
+/// The lowest of the minima that show the same passage with a wheel that has turned some times more or less
+/// before: each is a way of its own, on which no descent leads to the next. `way` itself of what does not
+/// turn.
 fn otherwise_turned(problem: &Problem, coarse: &Problem, mut way: Descent) -> Descent {
     for _ in 0..ROUNDS {
         let others = (-TURNS..=TURNS).filter(|&turns| turns != 0);

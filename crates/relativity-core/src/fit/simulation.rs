@@ -63,8 +63,8 @@ impl Simulation {
     ///
     /// # Errors
     ///
-    /// [`FitError::Domain`], [`FitError::Sample`] or [`FitError::Pair`] if a number is out of range, or the model does not
-    /// know such a pair.
+    /// [`FitError::Domain`], [`FitError::Sample`] or [`FitError::Pair`] if a number is out of range, or the
+    /// model does not know such a pair.
     pub fn observations(&self) -> Result<Observations, FitError> {
         let &Self { speed, point, rolling, pair, model, ref times, noise, seed } = self;
         check_pairs(&Observations::new(vec![pair], Vec::new())?, model)?;

@@ -1,8 +1,8 @@
 //! Starts of a fit: trial objects that already look like the data, found without a guess.
 //!
-//! A coarse grid over beta, elevation and distance. Its distances are those at which a trial's largest disparity is
-//! about the data's; if the time of passage is unknown, each trial is moved in time until it shows a feature
-//! of the data (an extremum, the onset) when they do.
+//! A coarse grid over beta, elevation and distance. Its distances are those at which a trial's largest
+//! disparity is about the data's; if the time of passage is unknown, each trial is moved in time until it
+//! shows a feature of the data (an extremum, the onset) when they do.
 
 use crate::aperture::Aperture;
 use crate::fit::problem::{Free, PreparedSample, Problem};
@@ -21,7 +21,8 @@ const SLOPES: [&[f64]; 3] = [&[0.03, 0.1, 0.25, 0.5], &[0.85, 1.3, 2.0], &[4.0, 
 /// Steps in distance, and the factor between them.
 const DISTANCES: i32 = 16;
 const DISTANCE_FACTOR: f64 = 1.25;
-/// The step at which a trial's largest disparity is the data's. Most are nearer: the data may lack the extremum.
+/// The step at which a trial's largest disparity is the data's. Most are nearer: the data may lack the
+/// extremum.
 const MIDDLE: i32 = 10;
 /// Points of passage x/rho at which the largest disparity of a trial is looked for.
 const PASSAGE: [f64; 25] = [
@@ -31,7 +32,8 @@ const PASSAGE: [f64; 25] = [
 
 /// Features by which the time of passage is found.
 const FEATURES: usize = 3;
-/// Greatest number of starts. A quarter of them loses no minimum in 100 cases of `examples/coverage.rs`; the rest is for the worst.
+/// Greatest number of starts. A quarter of them loses no minimum in 100 cases of `examples/coverage.rs`; the
+/// rest is for the worst.
 const STARTS: usize = 56;
 
 /// A start, and how badly it fits.
@@ -48,8 +50,8 @@ pub(super) fn thinned(problem: &Problem, most: usize) -> Problem {
     Problem { rows: (0..count).map(|index| all[index * all.len() / count]).collect(), ..problem.clone() }
 }
 
-/// Returns the best starts of each speed, elevation band and feature, in the order of their fit to `coarse`, the best first.
-/// Many are worth following: a coarse grid misjudges the sharp features of high speeds.
+/// Returns the best starts of each speed, elevation band and feature, in the order of their fit to `coarse`,
+/// the best first. Many are worth following: a coarse grid misjudges the sharp features of high speeds.
 pub(super) fn starts(problem: &Problem, coarse: &Problem) -> Vec<Free> {
     let features = Features::new(problem, coarse);
     let best_of_speed = |&rapidity: &f64| SLOPES.map(|slopes| features.best_of(problem, rapidity, slopes));
@@ -61,8 +63,8 @@ pub(super) fn starts(problem: &Problem, coarse: &Problem) -> Vec<Free> {
 
 /// The features of a trial object's curve.
 struct CurveFeatures {
-    /// When its disparity is largest, smallest, and first reaches half its extreme, in units of the distance, from
-    /// the time of passage.
+    /// When its disparity is largest, smallest, and first reaches half its extreme, in units of the distance,
+    /// from the time of passage.
     times: [f64; FEATURES],
     /// Distance at which the curve is as large as the data.
     distance: f64,
@@ -113,7 +115,8 @@ impl Features {
         }
     }
 
-    /// Returns the best trial object of one speed and some elevations, for each feature that may give its time of passage.
+    /// Returns the best trial object of one speed and some elevations, for each feature that may give its
+    /// time of passage.
     fn best_of(
         &self,
         problem: &Problem,
@@ -137,8 +140,8 @@ impl Features {
         best
     }
 
-    /// Returns the features of an object of that speed and elevation at the distance at which it is as large as the data:
-    /// from afar disparities fall as separation over distance, so that a second look is enough.
+    /// Returns the features of an object of that speed and elevation at the distance at which it is as large
+    /// as the data: from afar disparities fall as separation over distance, so that a second look is enough.
     fn shape(&self, problem: &Problem, speed: Speed, slope: f64) -> CurveFeatures {
         let from_afar = self.shape_at(problem, speed, slope, self.scale);
         self.shape_at(problem, speed, slope, from_afar.distance)
@@ -172,8 +175,8 @@ impl Features {
         if problem.fits_passage { seen - distance * shape.times[feature] } else { 0.0 }
     }
 
-    /// `trial`, or its mirror image at -z, for which Delta-theta has the other sign unless it turns; `best` if that fits
-    /// better.
+    /// `trial`, or its mirror image at -z, for which Delta-theta has the other sign unless it turns; `best`
+    /// if that fits better.
     fn better(
         &self,
         problem: &Problem,

@@ -38,8 +38,8 @@ pub struct Rolling {
     pub radius: f64,
     /// Distance of the point from the axle, in radii, in [0, 1].
     pub rho: f64,
-    /// Angle of the point at t' = 0 by the clocks of the rest frame, that is by the one which then passes the ground's origin at
-    /// t = 0: from +x towards +z, radians.
+    /// Angle of the point at t' = 0 by the clocks of the rest frame, that is by the one which then passes the
+    /// ground's origin at t = 0: from +x towards +z, radians.
     pub angle: f64,
 }
 

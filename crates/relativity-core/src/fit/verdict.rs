@@ -12,8 +12,8 @@ use crate::fit::trial::Trial;
 /// Least ratio of the variance that each parameter explains to that which is left: about the 99.9 % point
 /// of the F distribution for three parameters and many samples.
 const LEAST_F: f64 = 5.5;
-/// Least eigenvalue of the normal equations scaled to a diagonal of ones: sums over hundreds of rows are known to
-/// some 1e-14 of that, so that below, rounding decides.
+/// Least eigenvalue of the normal equations scaled to a diagonal of ones: sums over hundreds of rows are
+/// known to some 1e-14 of that, so that below, rounding decides.
 const LEAST_EIGENVALUE: f64 = 1e-13;
 
 /// Refuses a fit that describes the data no better than a constant.

@@ -1,9 +1,10 @@
-//! The start of a fit to a point on a wheel: speed and passage of the hub, closely enough to know how far the wheel has turned.
+//! The start of a fit to a point on a wheel: speed and passage of the hub, closely enough to know how far the
+//! wheel has turned.
 //!
-//! The hub's own curve is smooth, so that it is found as a point that does not turn; the wheel's wiggle about it is
-//! what that leaves over, and by which it may be off. The wheel may turn through tens of radians
-//! while it passes: each of many speeds about that of the smooth curve (with the hub that fits best at that speed) and
-//! times of passage is tried, in steps of a small part of a turn.
+//! The hub's own curve is smooth, so that it is found as a point that does not turn; the wheel's wiggle about
+//! it is what that leaves over, and by which it may be off. The wheel may turn through tens of radians while
+//! it passes: each of many speeds about that of the smooth curve (with the hub that fits best at that speed)
+//! and times of passage is tried, in steps of a small part of a turn.
 
 use std::f64::consts::{FRAC_PI_4, TAU};
 
@@ -28,22 +29,24 @@ const FASTEST: f64 = 1.6;
 const LEFT_OVER: f64 = 2.0;
 /// Share of the largest disparity above which a reading shows how far the wheel has turned.
 const TELLING: f64 = 0.2;
-/// Ways of what does not turn whose speeds are tried, and evaluations per parameter for the hub at another speed.
+/// Ways of what does not turn whose speeds are tried, and evaluations per parameter for the hub at another
+/// speed.
 const HUBS: usize = 2;
 const HUB_PATIENCE: usize = 2;
 /// Times of passage of each speed that are kept.
 const PASSAGES: usize = 3;
 /// Samples that starts are held against.
 pub(super) const SAMPLES: usize = 97;
-/// Rounds of the search: the number of best starts, and the evaluations per parameter that each of them gets. Those that are left are
-/// followed with all samples.
+/// Rounds of the search: the number of best starts, and the evaluations per parameter that each of them gets.
+/// Those that are left are followed with all samples.
 const GLANCES: [(usize, usize); 2] = [(64, 1), (20, 3)];
 pub(super) const FOLLOWED: usize = 5;
 const PATIENCE: usize = 8;
 /// Share of a sum of squares by which descents differ that are in different places.
 const SAME: f64 = 1e-4;
 
-/// Returns the descent from the best of many starts. `ways` are those of `hubs`, the same problem without a turn, the lowest first.
+/// Returns the descent from the best of many starts. `ways` are those of `hubs`, the same problem without a
+/// turn, the lowest first.
 pub(super) fn best_start(problem: &Problem, hubs: &Problem, ways: &[Descent]) -> Option<Descent> {
     let [coarse, hubs] = [problem, hubs].map(|all| start::thinned(all, SAMPLES));
     let speeds = speeds(&coarse, &hubs, ways);
@@ -67,8 +70,8 @@ pub(super) fn lowest(mut descents: Vec<Descent>, count: usize) -> Vec<Descent> {
     descents
 }
 
-/// Returns starts for the hub at speeds on both sides of those of `ways`, as far as the fit is no worse than the wheel's own wiggle
-/// explains.
+/// Returns starts for the hub at speeds on both sides of those of `ways`, as far as the fit is no worse than
+/// the wheel's own wiggle explains.
 fn speeds(problem: &Problem, hubs: &Problem, ways: &[Descent]) -> Vec<Free> {
     let Some(best) = ways.first() else { return Vec::new() };
     let limit = LEFT_OVER * (cost(hubs, &best.free) + wiggle(problem, &best.free));
@@ -138,7 +141,8 @@ fn step(problem: &Problem, free: &Free) -> f64 {
     (STEP / most).min(LARGEST_STEP)
 }
 
-/// `hub`, and if the time of passage is unknown the best of such times at which the wheel has turned otherwise.
+/// `hub`, and if the time of passage is unknown the best of such times at which the wheel has turned
+/// otherwise.
 fn passages(problem: &Problem, hub: Free) -> Vec<Descent> {
     let Some(trial) = problem.trial(&hub) else { return Vec::new() };
     let of_step = STEP / TAU * problem.passage_of_turn(&trial);
@@ -146,7 +150,8 @@ fn passages(problem: &Problem, hub: Free) -> Vec<Descent> {
         let free = hub + Free::new(0.0, 0.0, 0.0, of_step * f64::from(steps));
         Descent { free, cost: cost(problem, &free) }
     };
-    // The point is at most a radius from the hub, in the time of which the wheel turns by about gamma radians: twice that.
+    // The point is at most a radius from the hub, in the time of which the wheel turns by about gamma
+    // radians: twice that.
     let most = (2.0 * trial.speed.gamma() / STEP).ceil().min(MOST_TURNS) as i32;
     let turns = if problem.fits_passage { most } else { 0 };
     lowest((-turns..=turns).map(turned).collect(), PASSAGES)

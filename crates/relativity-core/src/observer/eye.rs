@@ -1,4 +1,5 @@
-//! An eye of a moving observer on the ground: its place and time there, and when the light that it receives was emitted.
+//! An eye of a moving observer on the ground: its place and time there, and when the light that it receives
+//! was emitted.
 
 use super::motion::Observer;
 use crate::aperture::Aperture;

@@ -1,20 +1,23 @@
 //! An observer who moves: what two eyes see from a bicycle of their own.
 //!
-//! What an eye receives depends on its event, its velocity there and how the head is held, and on nothing before. The light
-//! that arrives is the light that an eye at rest would receive at the same event; only its direction, its colour and the
-//! distance that it seems to have come differ. So a moving observer needs no light cone of its own: the point is seen as an
-//! eye at rest sees one that moves with the *relative* velocity, in axes along that.
+//! What an eye receives depends on its event, its velocity there and how the head is held, and on nothing
+//! before. The light that arrives is the light that an eye at rest would receive at the same event; only its
+//! direction, its colour and the distance that it seems to have come differ. So a moving observer needs no
+//! light cone of its own: the point is seen as an eye at rest sees one that moves with the *relative*
+//! velocity, in axes along that.
 //!
 //! # Conventions
 //!
-//! The observer's axes are the ground's, boosted along the velocity without turning. Apertures are given in these axes, from the
-//! middle between the eyes, both at one time of the observer's clock: a head is rigid in its own frame. On the ground eyes
-//! along the motion are Gamma d apart. Positions, distances and angles of what is seen are in these axes; the retarded time is
-//! by the ground's clocks, and tau by the point's own, as for an observer at rest.
+//! The observer's axes are the ground's, boosted along the velocity without turning. Apertures are given in
+//! these axes, from the middle between the eyes, both at one time of the observer's clock: a head is rigid in
+//! its own frame. On the ground eyes along the motion are Gamma d apart. Positions, distances and angles of
+//! what is seen are in these axes; the retarded time is by the ground's clocks, and tau by the point's own,
+//! as for an observer at rest.
 //!
 //! An accelerating observer sees at every moment what one sees who moves evenly at that moment's velocity.
 //!
-//! Reference: W. Rindler, *Introduction to Special Relativity* (1991), for the composition of velocities and aberration. The forms that keep their accuracy were derived here.
+//! Reference: W. Rindler, *Introduction to Special Relativity* (1991), for the composition of velocities and
+//! aberration. The forms that keep their accuracy were derived here.
 
 mod error;
 mod eye;
@@ -48,15 +51,16 @@ use crate::speed::Speed;
 use crate::stereo::{Stereo, StereoError, along_motion, meeting};
 
 impl Observer {
-    /// Returns the place on the ground of an eye that is at `aperture` in the observer's axes when the observer's clock shows 0, and T
-    /// there.
+    /// Returns the place on the ground of an eye that is at `aperture` in the observer's axes when the
+    /// observer's clock shows 0, and T there.
     #[must_use]
     pub fn event_of(&self, aperture: Aperture) -> (Aperture, f64) {
         EyeOnGround::new(&Speed::REST, self, aperture).event(self)
     }
 
-    /// Returns the point's speed past the observer, and its place in axes along that velocity: what eyes at rest see of this point
-    /// at T is what the observer's eyes see of theirs when the observer's clock shows T, but for where the axes point.
+    /// Returns the point's speed past the observer, and its place in axes along that velocity: what eyes at
+    /// rest see of this point at T is what the observer's eyes see of theirs when the observer's clock shows
+    /// T, but for where the axes point.
     ///
     /// # Errors
     ///
@@ -75,23 +79,26 @@ impl Observer {
         Ok((speed, point))
     }
 
-    /// Returns the disparity of `source`, which moves along +x at `speed`, when the observer's clock shows `proper_time`.
+    /// Returns the disparity of `source`, which moves along +x at `speed`, when the observer's clock shows
+    /// `proper_time`.
     ///
-    /// The `pair` of apertures (left, right) is in the observer's axes, from the middle between the eyes; so are the positions of
-    /// both sightings, each from its eye. An observer at rest has the numbers of [`Model::disparity`] bit for bit.
+    /// The `pair` of apertures (left, right) is in the observer's axes, from the middle between the eyes; so
+    /// are the positions of both sightings, each from its eye. An observer at rest has the numbers of
+    /// [`Model::disparity`] bit for bit.
     ///
     /// # Accuracy
     ///
-    /// Positions, distances, D, phi, theta, tau, dphi, dtheta and the stereo position as [`crate::sighting`], if the directions of
-    /// the observer's axes and of the head count as inputs that are known to a rounding. Measured for Lorentz factors to 1e6 each
-    /// (`tests/oracle`, 5,000 inputs): median 0.2, 99 % 2, worst 4 units; t 99 % 1.4, worst 201 units, where the eyes'
-    /// own offset on the ground, Gamma V d, dwarfs it. Of a point of a wheel, for Lorentz factors to 10: 99 % 4, worst 9 units, but
-    /// dphi and dtheta worst 1,220, a relative 1.4e-13.
+    /// Positions, distances, D, phi, theta, tau, dphi, dtheta and the stereo position as [`crate::sighting`],
+    /// if the directions of the observer's axes and of the head count as inputs that are known to a rounding.
+    /// Measured for Lorentz factors to 1e6 each (`tests/oracle`, 5,000 inputs): median 0.2, 99 % 2, worst 4
+    /// units; t 99 % 1.4, worst 201 units, where the eyes' own offset on the ground, Gamma V d, dwarfs it. Of
+    /// a point of a wheel, for Lorentz factors to 10: 99 % 4, worst 9 units, but dphi and dtheta worst 1,220,
+    /// a relative 1.4e-13.
     ///
     /// # Errors
     ///
-    /// A coordinate or time outside the domain; a relative Lorentz factor above [`MAX_GAMMA`](crate::MAX_GAMMA); a published model, or a pair that the
-    /// model does not know.
+    /// A coordinate or time outside the domain; a relative Lorentz factor above
+    /// [`MAX_GAMMA`](crate::MAX_GAMMA); a published model, or a pair that the model does not know.
     ///
     /// # Examples
     ///
@@ -132,8 +139,8 @@ impl Observer {
         Ok(if model == Model::OneCone { one_event(pair, view.seen_by_middle()) } else { view.disparity() })
     }
 
-    /// Returns the stereo position of `source`, from the middle between the eyes, in the observer's axes; inputs and errors as
-    /// for [`Self::disparity`].
+    /// Returns the stereo position of `source`, from the middle between the eyes, in the observer's axes;
+    /// inputs and errors as for [`Self::disparity`].
     ///
     /// # Errors
     ///
@@ -228,8 +235,8 @@ impl PointView<'_> {
         self.sighting(&Middle::new(self), between, &self.line_of_sight(between).0)
     }
 
-    /// The stereo position; `None` where the lines of sight do not meet. It is found in the axes of the relative motion,
-    /// where no digit of nearly parallel lines is lost, and turned then.
+    /// The stereo position; `None` where the lines of sight do not meet. It is found in the axes of the
+    /// relative motion, where no digit of nearly parallel lines is lost, and turned then.
     fn stereo(&self) -> Option<Stereo> {
         let cones = self.cones();
         if let Some(there) = along_motion(&self.relative.speed, &cones) {

@@ -23,8 +23,8 @@ pub(super) struct RelativeMotion {
     pub point: SourcePoint,
     /// Unit vectors in the observer's axes: along the point's velocity, and two across it.
     axes: [[f64; 3]; 3],
-    /// The point's place in the observer's axes is this, plus its proper velocity times its own time since the event at which
-    /// the ground has it at the same time as the observer.
+    /// The point's place in the observer's axes is this, plus its proper velocity times its own time since
+    /// the event at which the ground has it at the same time as the observer.
     apart: [f64; 3],
     proper: [f64; 3],
     /// Proper time of the point from that event until the observer's clock shows 0.
@@ -34,8 +34,8 @@ pub(super) struct RelativeMotion {
 impl RelativeMotion {
     /// The motion of `point`, which moves along +x at `speed`, against `observer`.
     ///
-    /// With W, V, e and h as in [`RelativeVelocity::new`], its place, from r = where it is on the ground at the event of the
-    /// observer, is
+    /// With W, V, e and h as in [`RelativeVelocity::new`], its place, from r = where it is on the ground at
+    /// the event of the observer, is
     ///
     /// ```text
     /// along W:  -[gamma^2 Gamma r_x (v_x - beta) + Gamma V h r_e]/(gamma' |W|)
@@ -88,7 +88,8 @@ impl RelativeMotion {
         std::array::from_fn(|i| self.turned_terms(vector)[i].iter().sum())
     }
 
-    /// The line of sight from the aperture at `eye`, in the observer's axes, by its `cone` in these at `proper_time` of the observer.
+    /// The line of sight from the aperture at `eye`, in the observer's axes, by its `cone` in these at
+    /// `proper_time` of the observer.
     pub fn line_of_sight(&self, eye: Aperture, cone: &LightCone<f64>, proper_time: f64) -> [f64; 3] {
         let turned = self.turned_terms([cone.solution.x, cone.y, cone.z]);
         let since = [self.own_delay, proper_time / self.speed.gamma(), -cone.solution.r / self.speed.gamma()];
@@ -99,10 +100,11 @@ impl RelativeMotion {
         })
     }
 
-    /// Both lines of sight from the `pair` of apertures in the observer's axes, by their `cones` in these; none of a point inside both.
+    /// Both lines of sight from the `pair` of apertures in the observer's axes, by their `cones` in these;
+    /// none of a point inside both.
     ///
-    /// A turn mixes all parts of a vector, so that a small one is only known to a rounding of the large. Where both velocities
-    /// are low, or hardly differ, each part on its own is known better.
+    /// A turn mixes all parts of a vector, so that a small one is only known to a rounding of the large.
+    /// Where both velocities are low, or hardly differ, each part on its own is known better.
     pub fn lines_of_sight(
         &self,
         pair: [Aperture; 2],

@@ -7,9 +7,10 @@ use crate::speed::Speed;
 
 /// The velocity of what moves along +x past an observer who moves anywhere.
 ///
-/// Both have axes along the motion: unit vectors in the observer's axes, and unit vectors in the body's, which are the ground's
-/// boosted along x. In these two the boost from the one to the other is along the first axis alone, so that light seen along l in the first
-/// comes along [`rest_from_ground`](crate::aberration::rest_from_ground) of l in the second.
+/// Both have axes along the motion: unit vectors in the observer's axes, and unit vectors in the body's,
+/// which are the ground's boosted along x. In these two the boost from the one to the other is along the
+/// first axis alone, so that light seen along l in the first comes along
+/// [`rest_from_ground`](crate::aberration::rest_from_ground) of l in the second.
 ///
 /// # Examples
 ///
@@ -41,15 +42,17 @@ pub struct RelativeVelocity {
 impl RelativeVelocity {
     /// The velocity of a body that moves along +x at `speed` past an observer with this `velocity`.
     ///
-    /// With v the observer's velocity, V its size, Gamma its Lorentz factor, e a unit vector along its part across x and h the sine of its
-    /// angle with x, the body's proper velocity to the observer, and the observer's to the body, are
+    /// With v the observer's velocity, V its size, Gamma its Lorentz factor, e a unit vector along its part
+    /// across x and h the sine of its angle with x, the body's proper velocity to the observer, and the
+    /// observer's to the body, are
     ///
     /// ```text
     /// W = gamma beta h p + gamma Gamma (beta v_x/V - V) v/V,     p = (h, -v_x e_y/V, -v_x e_z/V)
     /// M = (gamma Gamma (v_x - beta), Gamma v_y, Gamma v_z)
     /// ```
     ///
-    /// The axes are W/|W|, c x W/|W| and c on the one side, -M/|M|, -c x M/|M| and c on the other, c = x^ x e.
+    /// The axes are W/|W|, c x W/|W| and c on the one side, -M/|M|, -c x M/|M| and c on the other, c = x^ x
+    /// e.
     ///
     /// # Errors
     ///
@@ -108,7 +111,8 @@ impl RelativeVelocity {
 
 const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// The lead of one of two velocities over the other along each, at most rounding away from the truth where both are near 1.
+/// The lead of one of two velocities over the other along each, at most rounding away from the truth where
+/// both are near 1.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lead {
     /// The point's velocity along the observer's direction, less the observer's speed: beta `v_x`/V - V.

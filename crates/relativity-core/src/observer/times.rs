@@ -35,9 +35,9 @@ impl Middle {
 
     /// The times of what `eye` receives through its `cone`, at the event of `observer`.
     ///
-    /// The eye's clock of the point is ahead of the middle's by b.(P + `P_m`)/(r + `r_m`), with b from the middle to the eye, P
-    /// the places where both see it and r its distances in the point's rest frame. Of three sums for t the one with
-    /// the smallest terms is taken.
+    /// The eye's clock of the point is ahead of the middle's by b.(P + `P_m`)/(r + `r_m`), with b from the
+    /// middle to the eye, P the places where both see it and r its distances in the point's rest frame. Of
+    /// three sums for t the one with the smallest terms is taken.
     pub fn times_of_eye(
         &self,
         view: &PointView,
@@ -66,13 +66,14 @@ impl Middle {
     }
 }
 
-/// Chooses among several sums for the same number: `direct`, unless another has far smaller terms. (The others start from what the
-/// middle between the eyes sees, which may be known less well.)
+/// Chooses among several sums for the same number: `direct`, unless another has far smaller terms. (The
+/// others start from what the middle between the eyes sees, which may be known less well.)
 fn sum_that_cancels_least(direct: Terms, others: &[Terms]) -> f64 {
     let size = |terms: &Terms| terms.iter().map(|term| term.abs()).sum::<f64>();
     let smaller = |a, b| if FAR_SMALLER * size(b) < size(a) { b } else { a };
     others.iter().fold(&direct, smaller).iter().sum()
 }
 
-/// Factor by which terms have to be smaller: what is gained must be more than what the middle may be known less well.
+/// Factor by which terms have to be smaller: what is gained must be more than what the middle may be known
+/// less well.
 const FAR_SMALLER: f64 = 4.0;

@@ -8,8 +8,8 @@ use crate::worldline::{Boost, Event};
 
 /// The velocity of an observer on the ground.
 ///
-/// Small angles between it and the street are kept to full relative accuracy, since at a high Lorentz factor Gamma an angle of
-/// 1/Gamma already decides how the street looks.
+/// Small angles between it and the street are kept to full relative accuracy, since at a high Lorentz factor
+/// Gamma an angle of 1/Gamma already decides how the street looks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ObserverVelocity {
@@ -29,8 +29,9 @@ impl ObserverVelocity {
         Self { speed, ..Self::REST }
     }
 
-    /// At `speed` in the direction with this `azimuth`, from +x towards +y, and this `elevation` above the x-y plane, radians.
-    /// What rounding leaves of 0 at a multiple of a quarter turn is 0: an azimuth of pi is along the street.
+    /// At `speed` in the direction with this `azimuth`, from +x towards +y, and this `elevation` above the
+    /// x-y plane, radians. What rounding leaves of 0 at a multiple of a quarter turn is 0: an azimuth of pi
+    /// is along the street.
     #[must_use]
     pub fn new(speed: Speed, azimuth: f64, elevation: f64) -> Self {
         let [sin_azimuth, cos_azimuth] = sine_and_cosine(azimuth);
@@ -79,21 +80,22 @@ impl ObserverVelocity {
         self.direction
     }
 
-    /// Proper velocity: Gamma times the velocity, the way on the ground per unit of the observer's proper time.
+    /// Proper velocity: Gamma times the velocity, the way on the ground per unit of the observer's proper
+    /// time.
     #[must_use]
     pub fn proper(&self) -> [f64; 3] {
         let magnitude = self.speed.proper();
         self.direction.map(|part| magnitude * part)
     }
 
-    /// Returns the event at this `place` and time `t` of the ground by its place along x and its time in the observer's frame. Both
-    /// frames have one origin, and axes that are boosted along the velocity without turning. Of a step from one event to another all
-    /// are differences.
+    /// Returns the event at this `place` and time `t` of the ground by its place along x and its time in the
+    /// observer's frame. Both frames have one origin, and axes that are boosted along the velocity without
+    /// turning. Of a step from one event to another all are differences.
     ///
     /// # Accuracy
     ///
-    /// As [`crate::sighting`], if the direction counts as an input that is known to a rounding (`tests/oracle`, 15,000 inputs): median
-    /// 0.05, 99 % 0.9, worst 2.1 units.
+    /// As [`crate::sighting`], if the direction counts as an input that is known to a rounding
+    /// (`tests/oracle`, 15,000 inputs): median 0.05, 99 % 0.9, worst 2.1 units.
     ///
     /// # Examples
     ///
@@ -137,7 +139,8 @@ impl ObserverVelocity {
         self.sine
     }
 
-    /// Parts y and z of the unit vector along the velocity's part across the street; along y where it has none.
+    /// Parts y and z of the unit vector along the velocity's part across the street; along y where it has
+    /// none.
     pub(super) fn across_street(&self) -> [f64; 2] {
         let [_, y, z] = self.direction;
         if self.sine == 0.0 { [1.0, 0.0] } else { [y / self.sine, z / self.sine] }

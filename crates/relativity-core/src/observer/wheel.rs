@@ -1,7 +1,8 @@
 //! A point of a wheel before a moving observer.
 //!
-//! Each eye receives what an eye at rest would receive at its event on the ground; the line of sight is transformed. By how much
-//! both differ is told from the step between the two events of emission, not by subtraction.
+//! Each eye receives what an eye at rest would receive at its event on the ground; the line of sight is
+//! transformed. By how much both differ is told from the step between the two events of emission, not by
+//! subtraction.
 
 use super::eye::EyeOnGround;
 use super::motion::Observer;

@@ -1,8 +1,8 @@
-//! Events of a wheel's points: at a time by the clocks of its rest frame, at one time of the ground, and as they
-//! pass a plane.
+//! Events of a wheel's points: at a time by the clocks of its rest frame, at one time of the ground, and as
+//! they pass a plane.
 //!
-//! Each place is given as a point that rests in the moving frame and is at the same event, so that everything known of such
-//! points holds for it.
+//! Each place is given as a point that rests in the moving frame and is at the same event, so that everything
+//! known of such points holds for it.
 
 use super::root::{measured_later, root};
 use super::seen::WheelCircle;
@@ -20,14 +20,15 @@ impl WheelPoint {
         SourcePoint { x0: x0 + r * cosine / speed.gamma(), y, z: z + r * sine }
     }
 
-    /// Returns the place of the point at `proper_time`, by the clocks of the rest frame (those of [`Sighting::proper_time`](crate::Sighting)),
-    /// as a point that rests in the moving frame.
+    /// Returns the place of the point at `proper_time`, by the clocks of the rest frame (those of
+    /// [`Sighting::proper_time`](crate::Sighting)), as a point that rests in the moving frame.
     #[must_use]
     pub fn place_at(&self, speed: &Speed, proper_time: f64) -> SourcePoint {
         self.place_at_angle(speed, self.angle_at(speed, proper_time))
     }
 
-    /// Returns the place of the point at `time` on the ground, as [`Self::place_at`]: at x = `x0` + beta `time`.
+    /// Returns the place of the point at `time` on the ground, as [`Self::place_at`]: at x = `x0` + beta
+    /// `time`.
     ///
     /// For a rolling wheel this is Kepler's equation, with beta rho as the eccentricity.
     #[must_use]
@@ -38,12 +39,13 @@ impl WheelPoint {
         self.place_at_angle(speed, phase - omega * later)
     }
 
-    /// Returns the speed of the point on the ground where it is at this `angle` in the moving frame: velocities compose so that the
-    /// lowest point of a wheel that rolls rests, at any speed.
+    /// Returns the speed of the point on the ground where it is at this `angle` in the moving frame:
+    /// velocities compose so that the lowest point of a wheel that rolls rests, at any speed.
     ///
     /// # Accuracy
     ///
-    /// As [`crate::sighting`]. Measured for wheels that roll (`tests/oracle`, 15,000 inputs): median 0.1, 99 % 2.3, worst 4 units.
+    /// As [`crate::sighting`]. Measured for wheels that roll (`tests/oracle`, 15,000 inputs): median 0.1, 99
+    /// % 2.3, worst 4 units.
     #[must_use]
     pub fn speed_on_ground(&self, speed: &Speed, angle: f64) -> f64 {
         let WheelCircle { omega, speed: own, below_light, slip, .. } = self.circle::<f64>(speed);
@@ -58,9 +60,10 @@ impl WheelPoint {
         math::hypot(along, own * cosine / speed.gamma()) / added
     }
 
-    /// Returns the place of the point, as [`Self::place_at`], where it passes the plane through `middle` on the ground that is across `normal`.
-    /// `None` if it rests, and for a plane along the motion. A point of a rolling wheel passes a plane across the motion
-    /// once; where it passes a slanted one several times, this is one of these.
+    /// Returns the place of the point, as [`Self::place_at`], where it passes the plane through `middle` on
+    /// the ground that is across `normal`. `None` if it rests, and for a plane along the motion. A point of a
+    /// rolling wheel passes a plane across the motion once; where it passes a slanted one several times, this
+    /// is one of these.
     #[must_use]
     pub fn place_when_passing(
         &self,
@@ -73,7 +76,8 @@ impl WheelPoint {
         let SourcePoint { x0, y, z } = self.hub.relative_to(middle);
         let [y_share, z_share] = [ny / nx, nz / nx];
         let hub_passes = -(x0 + y_share * y + z_share * z) / beta;
-        // From then on by the rest frame's clocks, with q from the hub: beta later + q_x + z_share q_z/gamma = 0.
+        // From then on by the rest frame's clocks, with q from the hub: beta later + q_x + z_share
+        // q_z/gamma = 0.
         let (along, up) = (r / beta, r * z_share / (beta * speed.gamma()));
         let longest = math::hypot(along, up);
         if !(longest.is_finite() && hub_passes.is_finite()) {
@@ -98,7 +102,8 @@ impl Source {
         }
     }
 
-    /// When it is at x = 0 on the ground; of a point of a wheel that does not roll, when it is there once. `None` if it rests.
+    /// When it is at x = 0 on the ground; of a point of a wheel that does not roll, when it is there once.
+    /// `None` if it rests.
     #[must_use]
     pub fn time_at_origin(&self, speed: &Speed) -> Option<f64> {
         let place = match self {
@@ -127,9 +132,9 @@ mod tests {
         WheelPoint { hub, radius: 0.525, rho, angle, turning: Turning::Rolling }
     }
 
-    /// A wheel that rolls draws a cycloid: measured on the ground, a turn on a circle of circumference gamma 2 pi W, of which its
-    /// frame has one of 2 pi W. The point on the ground rests there: it is at one place at the beginning of a turn and at the
-    /// next gamma 2 pi W further on, and never moves back.
+    /// A wheel that rolls draws a cycloid: measured on the ground, a turn on a circle of circumference gamma
+    /// 2 pi W, of which its frame has one of 2 pi W. The point on the ground rests there: it is at one place
+    /// at the beginning of a turn and at the next gamma 2 pi W further on, and never moves back.
     #[test]
     fn a_rolling_wheel_is_measured_on_a_cycloid() {
         for beta in [0.1, 0.9, 0.999] {
@@ -139,7 +144,8 @@ mod tests {
                 let place = point.place_when_measured(&speed, time);
                 [place.x0 + beta * time, place.z]
             };
-            // The hub is at x = 0 and its angle -pi/2 when its own clock shows 0, which is at x0 + beta t = gamma^2 x0.
+            // The hub is at x = 0 and its angle -pi/2 when its own clock shows 0, which is at x0 + beta t =
+            // gamma^2 x0.
             let start = (speed.gamma().powi(2) - 1.0) * point.hub.x0 / beta;
             let turn = TAU * 0.525 * speed.gamma() / beta;
             for turns in [0.0, 1.0, 5.0] {
@@ -195,7 +201,8 @@ mod tests {
                     let place = point.place_when_measured(&speed, seen.retarded_time);
                     let there = [place.x0 + beta * seen.retarded_time, place.y, place.z];
                     let off = there.iter().zip(seen.position).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                    // t is known to its rounding, from which gamma^2 and the slope 1/(1 - rho) of the place make this.
+                    // t is known to its rounding, from which gamma^2 and the slope 1/(1 - rho) of the place
+                    // make this.
                     let known = 1e-15 * (1.0 + seen.retarded_time.abs()) * speed.gamma().powi(2);
                     assert!(off < 16.0 * known.max(1e-14), "beta = {beta}, T = {time}: {off:e}");
                 }

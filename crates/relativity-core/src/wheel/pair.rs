@@ -1,16 +1,17 @@
 //! A point of a wheel as two apertures see it.
 //!
-//! No difference of two sightings is formed. By the clocks of the rest frame, the time Delta between the two emissions and
-//! the chord q from the second place to the first satisfy
+//! No difference of two sightings is formed. By the clocks of the rest frame, the time Delta between the two
+//! emissions and the chord q from the second place to the first satisfy
 //!
 //! ```text
 //! gamma Delta (1 + v sin(h)/h u.n) = -((P_l + P_r).b + (R_l + R_r) s)/(q_l + q_r),    h = omega Delta/2
 //! q = v Delta sin(h)/h u
 //! ```
 //!
-//! where u = (sin a, 0, -cos a), a is the mean of both angles, n the sum of both places over the sum of both distances in the
-//! rest frame, P and R are from each aperture to its event on the ground, b is from one aperture to the other, and s by how
-//! much later the second one looks. On the ground the events are gamma (`q_x` + beta Delta) apart in x, and `q_z` in z.
+//! where u = (sin a, 0, -cos a), a is the mean of both angles, n the sum of both places over the sum of both
+//! distances in the rest frame, P and R are from each aperture to its event on the ground, b is from one
+//! aperture to the other, and s by how much later the second one looks. On the ground the events are gamma
+//! (`q_x` + beta Delta) apart in x, and `q_z` in z.
 
 use crate::aperture::Aperture;
 use crate::apparent::LightCone;
@@ -75,8 +76,9 @@ impl SeenPair {
     }
 }
 
-/// Returns how far the events lie apart that two apertures see. `along` is the step from one aperture's event to the other's along
-/// the mean of both lines of sight, b.P + s R on the ground: the same number in every frame.
+/// Returns how far the events lie apart that two apertures see. `along` is the step from one aperture's event
+/// to the other's along the mean of both lines of sight, b.P + s R on the ground: the same number in every
+/// frame.
 pub(crate) fn between_events(
     speed: &Speed,
     circle: &WheelCircle<f64>,
@@ -117,7 +119,8 @@ pub(crate) fn between_events(
 }
 
 impl WheelPoint {
-    /// Returns the point as two apertures see it at one time. The baseline may be known better than by the difference of both.
+    /// Returns the point as two apertures see it at one time. The baseline may be known better than by the
+    /// difference of both.
     pub(crate) fn seen_by_pair(
         &self,
         speed: &Speed,
@@ -135,7 +138,8 @@ impl WheelPoint {
         SeenPair::new(speed, &circle, each, ApertureStep { baseline, later: 0.0 })
     }
 
-    /// Returns the point in the published model: seen by the left aperture of a `pair` along x, and again later by the second number.
+    /// Returns the point in the published model: seen by the left aperture of a `pair` along x, and again
+    /// later by the second number.
     pub(crate) fn seen_as_published(
         &self,
         speed: &Speed,
@@ -187,7 +191,8 @@ impl WheelPoint {
         Disparity { primary, secondary, dphi, dtheta }
     }
 
-    /// Returns the stereo position of the point. Two apertures in one place stand for the limit of those along x.
+    /// Returns the stereo position of the point. Two apertures in one place stand for the limit of those
+    /// along x.
     pub(crate) fn stereo(
         &self,
         speed: &Speed,

@@ -1,4 +1,5 @@
-//! When a point of a wheel is seen, or is somewhere: by how much later than its hub, by the clocks of the rest frame.
+//! When a point of a wheel is seen, or is somewhere: by how much later than its hub, by the clocks of the
+//! rest frame.
 //!
 //! |P - o| - |C - o| = (2 v.q + q.q)/(|P - o| + |C - o|) with v = C - o and q = P - C: with times from when the hub is
 //! seen and distances from its own, nothing cancels however far the camera is.
@@ -7,30 +8,31 @@ use crate::math::{self, Elementary};
 
 /// Greatest number of steps by Newton's method.
 pub const NEWTON_STEPS: u32 = 20;
-/// Greatest number of steps of the search for the root in f64: Newton's, and the bisections after which the bracket is as narrow as a
-/// rounding of its first width.
+/// Greatest number of steps of the search for the root in f64: Newton's, and the bisections after which the
+/// bracket is as narrow as a rounding of its first width.
 pub const MAX_STEPS: u32 = NEWTON_STEPS + f64::MANTISSA_DIGITS + 1;
 
-/// Returns the delay of the emission that is seen of a point `r` from the hub, after the one seen of the hub, by the
-/// clocks of the rest frame: the root in [-r, r].
+/// Returns the delay of the emission that is seen of a point `r` from the hub, after the one seen of the hub,
+/// by the clocks of the rest frame: the root in [-r, r].
 ///
-/// `hub` is from the camera's event, in the rest frame; `phase` is the point's angle when the hub is seen, which falls by
-/// `omega` per unit of time. |omega r| is below 1.
+/// `hub` is from the camera's event, in the rest frame; `phase` is the point's angle when the hub is seen,
+/// which falls by `omega` per unit of time. |omega r| is below 1.
 ///
 /// # Accuracy
 ///
-/// Within 4 r epsilon/(1 + v.n'), epsilon being 2^-52 or in f32 2^-23, v the point's velocity and n' the unit vector towards
-/// it: by so much the root moves as its equation rounds, at most 1/(1 - |omega r|) times as much as at rest. That is for
-/// inputs as they are; a rounding of `phase` moves the root by as much again.
+/// Within 4 r epsilon/(1 + v.n'), epsilon being 2^-52 or in f32 2^-23, v the point's velocity and n' the unit
+/// vector towards it: by so much the root moves as its equation rounds, at most 1/(1 - |omega r|) times as
+/// much as at rest. That is for inputs as they are; a rounding of `phase` moves the root by as much again.
 ///
-/// At most [`MAX_STEPS`] steps; measured over all angles, near and far, up to |omega r| = 1 - 1e-9: 5 on average, at most 12
-/// in 99 %, 51 in the worst case.
+/// At most [`MAX_STEPS`] steps; measured over all angles, near and far, up to |omega r| = 1 - 1e-9: 5 on
+/// average, at most 12 in 99 %, 51 in the worst case.
 #[must_use]
 pub fn seen_later<F: Elementary>(hub: [F; 3], r: F, phase: F, omega: F) -> F {
     root([-r, r], light_cone(hub, r, phase, omega))
 }
 
-/// Returns a function of the point's delay after the hub: by how much its light would arrive too late, and the derivative of that.
+/// Returns a function of the point's delay after the hub: by how much its light would arrive too late, and
+/// the derivative of that.
 fn light_cone<F: Elementary>([x, y, z]: [F; 3], r: F, phase: F, omega: F) -> impl Fn(F) -> (F, F) {
     let far = (x * x + y * y + z * z).sqrt();
     let angle = turning_from(phase, omega);
@@ -45,8 +47,9 @@ fn light_cone<F: Elementary>([x, y, z]: [F; 3], r: F, phase: F, omega: F) -> imp
     }
 }
 
-/// Returns the delay, by the clocks of the rest frame, of a point `r` from the hub after the hub, both at one time of
-/// the ground: the root in [-r, r] of later = -`beta q_x`, Kepler's equation. Otherwise as [`seen_later`].
+/// Returns the delay, by the clocks of the rest frame, of a point `r` from the hub after the hub, both at one
+/// time of the ground: the root in [-r, r] of later = -`beta q_x`, Kepler's equation. Otherwise as
+/// [`seen_later`].
 #[must_use]
 pub fn measured_later<F: Elementary>(beta: F, r: F, phase: F, omega: F) -> F {
     let angle = turning_from(phase, omega);
@@ -65,8 +68,8 @@ fn turning_from<F: Elementary>(phase: F, omega: F) -> impl Fn(F) -> (F, F) {
     }
 }
 
-/// The root in a bracket of a function that rises there, from its value and slope: by Newton's method from the middle as long
-/// as that stays inside and its steps shrink, else by bisection.
+/// The root in a bracket of a function that rises there, from its value and slope: by Newton's method from
+/// the middle as long as that stays inside and its steps shrink, else by bisection.
 pub(crate) fn root<F: Elementary>([mut low, mut high]: [F; 2], function: impl Fn(F) -> (F, F)) -> F {
     let half = F::one() / (F::one() + F::one());
     let resolution = half * half * F::epsilon() * (high - low);

@@ -34,8 +34,9 @@ impl<F: Elementary> WheelCircle<F> {
         [self.r * cosine, self.r * sine]
     }
 
-    /// 1 + u.n', u being the direction in which the point moves at `angle`, and n' that of `from`, where it is from the
-    /// aperture in the rest frame; as a sum of positive terms. 1 in the aperture, where n' is none.
+    /// 1 + u.n', u being the direction in which the point moves at `angle`, and n' that of `from`, where it
+    /// is from the aperture in the rest frame; as a sum of positive terms. 1 in the aperture, where n' is
+    /// none.
     pub fn turned_away(&self, angle: F, [x, y, z]: [F; 3]) -> F {
         let (sine, cosine) = math::sin_cos(angle);
         let distance = (x * x + y * y + z * z).sqrt();
@@ -51,7 +52,8 @@ impl<F: Elementary> WheelCircle<F> {
         }
     }
 
-    /// Returns the factor by which the point's own motion multiplies the Doppler factor, `slope` being 1 + v.n'.
+    /// Returns the factor by which the point's own motion multiplies the Doppler factor, `slope` being 1 +
+    /// v.n'.
     pub fn own_doppler(&self, slope: F) -> F {
         (self.below_light * (F::one() + self.speed)).sqrt() / slope
     }
@@ -82,8 +84,9 @@ pub(crate) struct SeenWheelPoint<F> {
 }
 
 impl<F: Elementary> SeenWheelPoint<F> {
-    /// Solves for the time: the root from the hub, improved until it agrees with the one from the point's own place, which is as accurate as
-    /// for any resting point, even where the hub is then far from the aperture.
+    /// Solves for the time: the root from the hub, improved until it agrees with the one from the point's own
+    /// place, which is as accurate as for any resting point, even where the hub is then far from the
+    /// aperture.
     pub fn new(coefficients: &Coefficients<F>, circle: &WheelCircle<F>, hub: &Hub<F>) -> Self {
         let [s, y, z] = hub.from;
         let gamma = coefficients.gamma;
@@ -116,8 +119,8 @@ impl<F: Elementary> SeenWheelPoint<F> {
         seen
     }
 
-    /// Takes the apparent X from where the point is on the ground at `time`, if that is better known than from the light
-    /// cone: near the road it hardly depends on when light leaves it.
+    /// Takes the apparent X from where the point is on the ground at `time`, if that is better known than
+    /// from the light cone: near the road it hardly depends on when light leaves it.
     fn place_on_worldline(
         &mut self,
         coefficients: &Coefficients<F>,
@@ -207,7 +210,8 @@ mod tests {
     use crate::source::SourcePoint;
     use crate::source::Turning;
 
-    /// The Doppler factor of the hub's motion and that of the turning: each may be as small as 1/gamma or as large as gamma.
+    /// The Doppler factor of the hub's motion and that of the turning: each may be as small as 1/gamma or as
+    /// large as gamma.
     #[test]
     fn both_doppler_factors_of_a_point_on_the_road_multiply_to_one_without_cancelling() {
         let hub = SourcePoint { x0: 0.0, y: 0.0, z: 1.0 };

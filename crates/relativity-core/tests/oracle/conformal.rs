@@ -64,8 +64,8 @@ fn conformal_disparities_of_the_papers_pair_keep_their_digits_however_close_the_
     .assert_as_documented(include_str!("../../src/conformal.rs"), &["du"]);
 }
 
-/// From the baseline itself places are known to the rounding of the apertures alone: what is nearer to it than this is
-/// drawn again.
+/// From the baseline itself places are known to the rounding of the apertures alone: what is nearer to it
+/// than this is drawn again.
 const LEAST_OFF_BASELINE: f64 = 1e-3;
 
 #[test]

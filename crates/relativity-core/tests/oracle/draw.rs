@@ -75,8 +75,8 @@ pub fn near(rng: &mut ChaCha8Rng, value: f64, smallest: f64) -> f64 {
     value * (1.0 + signed(rng, delta))
 }
 
-/// An observation time for a point at `s0` (from the aperture, at t = 0), `y` and `rho` off the axis: anything
-/// up to 1e10, or close to S = 0, or to X = 0 (which is T0 for a pair, nearly).
+/// An observation time for a point at `s0` (from the aperture, at t = 0), `y` and `rho` off the axis:
+/// anything up to 1e10, or close to S = 0, or to X = 0 (which is T0 for a pair, nearly).
 ///
 /// Close to the x-z plane phi jumps where X changes sign; there the time keeps 16 roundings away, since
 /// fewer decide on which side of the jump the point is. With y = 0 it is not aimed at all.
@@ -105,7 +105,8 @@ pub fn separation(rng: &mut ChaCha8Rng, scale: f64) -> f64 {
     }
 }
 
-/// A time for a point at `x0` that passes through a pair of apertures `d` apart: within an aperture, or close to it.
+/// A time for a point at `x0` that passes through a pair of apertures `d` apart: within an aperture, or close
+/// to it.
 pub fn time_inside(rng: &mut ChaCha8Rng, beta: f64, x0: f64, d: f64) -> f64 {
     let aperture = signed(rng, d / 2.0);
     let time = near(rng, (aperture - x0) / beta, 1e-17);
@@ -126,8 +127,8 @@ pub fn direction(rng: &mut ChaCha8Rng, critical: f64) -> [f64; 3] {
     [x, sine * cos, sine * sin]
 }
 
-/// From one aperture to another, `d` or less away: in any direction but along the motion, which has cases of its own; across
-/// it, or close to a direction along or across it.
+/// From one aperture to another, `d` or less away: in any direction but along the motion, which has cases of
+/// its own; across it, or close to a direction along or across it.
 pub fn baseline(rng: &mut ChaCha8Rng, d: f64) -> [f64; 3] {
     let part = |rng: &mut ChaCha8Rng| {
         let size = match rng.random_range(0..8) {

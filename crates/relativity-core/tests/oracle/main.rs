@@ -189,7 +189,8 @@ fn disparities_of_apertures_anywhere_keep_their_digits() {
     .assert_as_documented(include_str!("../../src/disparity.rs"), &["general dphi", "general dtheta"]);
 }
 
-/// Returns the inputs of [`pair_inputs`], and also apertures that coincide, and points that pass through an aperture.
+/// Returns the inputs of [`pair_inputs`], and also apertures that coincide, and points that pass through an
+/// aperture.
 fn stereo_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Speed, Vec<f64>) {
     let (parameter, speed, mut inputs) = pair_inputs(rng);
     match rng.random_range(0..6) {
@@ -228,8 +229,8 @@ fn baseline_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Speed, Vec<f64>, [Apertu
     (parameter, speed, inputs, pair)
 }
 
-/// From as far to the left of the left aperture as the right one is to its right: a place near them is known to the rounding
-/// of theirs.
+/// From as far to the left of the left aperture as the right one is to its right: a place near them is known
+/// to the rounding of theirs.
 #[test]
 fn stereo_positions_of_apertures_in_any_direction_keep_their_digits() {
     let names = ["any gain", "any x", "any y", "any z", "miss"];

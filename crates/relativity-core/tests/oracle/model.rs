@@ -123,8 +123,8 @@ pub fn pair_views(parameter: Parameter, inputs: &[Big]) -> [Big; 5] {
 
 /// Gain and position from the crossing of two lines of sight.
 ///
-/// The lines from (-+d/2, 0, 0) along (X, y, z) of each eye meet where both are at lambda = d/(`X_l` - `X_r`). At d = 0
-/// that is the limit, of which the gain is gamma D. `inputs` as for [`pair_disparity`].
+/// The lines from (-+d/2, 0, 0) along (X, y, z) of each eye meet where both are at lambda = d/(`X_l` -
+/// `X_r`). At d = 0 that is the limit, of which the gain is gamma D. `inputs` as for [`pair_disparity`].
 pub fn stereo(parameter: Parameter, inputs: &[Big]) -> [Big; 4] {
     let half = &inputs[5] / big(2.0);
     let speed = speed(parameter, &inputs[0]);
@@ -136,12 +136,13 @@ pub fn stereo(parameter: Parameter, inputs: &[Big]) -> [Big; 4] {
     [gain, x, y, z]
 }
 
-/// Gain, middle of the shortest connection of two lines of sight, and its length, for any two apertures; the place from as far to
-/// the left of the left one as the right one is to its right.
+/// Gain, middle of the shortest connection of two lines of sight, and its length, for any two apertures; the
+/// place from as far to the left of the left one as the right one is to its right.
 ///
-/// The connection runs from one line, at a multiple of it, to the other: b = l `P_l` - r `P_r` - c n with n across both,
-/// solved by Cramer's rule. The gain is the part of the parallax, across the mean line of sight, that is along a resting
-/// point's, over that. `inputs`: speed parameter, x0, y, z, T, left x, y, z, right x, y, z.
+/// The connection runs from one line, at a multiple of it, to the other: b = l `P_l` - r `P_r` - c n with n
+/// across both, solved by Cramer's rule. The gain is the part of the parallax, across the mean line of sight,
+/// that is along a resting point's, over that. `inputs`: speed parameter, x0, y, z, T, left x, y, z, right x,
+/// y, z.
 pub fn stereo_of_pair(parameter: Parameter, inputs: &[Big]) -> [Big; 5] {
     let speed = speed(parameter, &inputs[0]);
     let baseline = difference(&inputs[8..11], &inputs[5..8]);
@@ -180,8 +181,8 @@ pub fn cross(a: &[Big; 3], b: &[Big; 3]) -> [Big; 3] {
     [&a[1] * &b[2] - &a[2] * &b[1], &a[2] * &b[0] - &a[0] * &b[2], &a[0] * &b[1] - &a[1] * &b[0]]
 }
 
-/// X from each eye, t, D, dphi and dtheta where both receive what the middle between them does; `inputs` as for
-/// [`pair_disparity`].
+/// X from each eye, t, D, dphi and dtheta where both receive what the middle between them does; `inputs` as
+/// for [`pair_disparity`].
 pub fn one_cone(parameter: Parameter, inputs: &[Big]) -> [Big; 6] {
     let half = &inputs[5] / big(2.0);
     let place = std::array::from_fn(|i| inputs[i + 1].clone());
@@ -235,8 +236,8 @@ pub fn equidistance_time_of_pair(parameter: Parameter, inputs: &[Big]) -> [Big; 
     [(&x - x0) / beta + sqrt(&(part(&x, bx) + part(y, by) + part(z, bz)))]
 }
 
-/// dphi, dtheta, `X_S`, `t_S`, `tau_S`, `D_S` of the published model, by Appendix A's sequence of formulas, the
-/// delay entering with `sign`. `inputs`: speed parameter, x0, y, z, T, d.
+/// dphi, dtheta, `X_S`, `t_S`, `tau_S`, `D_S` of the published model, by Appendix A's sequence of formulas,
+/// the delay entering with `sign`. `inputs`: speed parameter, x0, y, z, T, d.
 pub fn published(parameter: Parameter, sign: f64, inputs: &[Big]) -> [Big; 6] {
     let speed = speed(parameter, &inputs[0]);
     let half = &inputs[5] / big(2.0);
@@ -312,8 +313,8 @@ pub fn conformal_disparity(parameter: Parameter, inputs: &[Big]) -> [Big; 1] {
     [u(&inputs[1] + &half) - u(&inputs[1] - &half)]
 }
 
-/// `u_l` - `u_r` and `v_l` - `v_r` for two apertures of a tilted and turned head. `inputs`: speed parameter, x0, y, z, T,
-/// left x, y, z, right x, y, z, roll, turn.
+/// `u_l` - `u_r` and `v_l` - `v_r` for two apertures of a tilted and turned head. `inputs`: speed parameter,
+/// x0, y, z, T, left x, y, z, right x, y, z, roll, turn.
 pub fn conformal_disparity_of_head(parameter: Parameter, inputs: &[Big]) -> [Big; 2] {
     let speed = speed(parameter, &inputs[0]);
     let seen = |aperture: &[Big]| {

@@ -69,7 +69,8 @@ fn sin_cos(angle: &Big) -> [Big; 2] {
 
 /// `v` turned about x, y and z in turn by what `by` has beyond 1.
 ///
-/// As inputs of 1 these stand for directions that are known to a rounding: those of the observer's axes, and that of the head.
+/// As inputs of 1 these stand for directions that are known to a rounding: those of the observer's axes, and
+/// that of the head.
 fn turned([x, y, z]: [Big; 3], by: &[Big]) -> [Big; 3] {
     let about = |a: Big, b: Big, by: &Big| {
         let [sin, cos] = sin_cos(&(by - big(1.0)));
@@ -81,7 +82,8 @@ fn turned([x, y, z]: [Big; 3], by: &[Big]) -> [Big; 3] {
     [x, y, z]
 }
 
-/// Place on the ground of an eye at `aperture`, and T there, `observer` being velocity, place, T, both eyes and six of 1.
+/// Place on the ground of an eye at `aperture`, and T there, `observer` being velocity, place, T, both eyes
+/// and six of 1.
 fn event(velocity: &Velocity, observer: &[Big], aperture: &[Big]) -> ([Big; 3], Big) {
     let aperture = turned(std::array::from_fn(|i| aperture[i].clone()), &observer[13..16]);
     let (offset, later) = velocity.on_ground(&aperture, &big(0.0));
@@ -111,7 +113,8 @@ fn eye(parameter: Parameter, inputs: &[Big], aperture: &[Big]) -> (View, Big) {
 
 /// x, y, z, R, D, phi, theta, tau, t of the left eye, dphi, dtheta.
 ///
-/// `inputs`: speed parameter, x0, y, z, observer's speed parameter, azimuth, elevation, place, T, left and right eye, and six of 1.
+/// `inputs`: speed parameter, x0, y, z, observer's speed parameter, azimuth, elevation, place, T, left and
+/// right eye, and six of 1.
 fn disparity(parameter: Parameter, inputs: &[Big]) -> [Big; 11] {
     let (left, proper_time) = eye(parameter, inputs, &inputs[11..14]);
     let (right, _) = eye(parameter, inputs, &inputs[14..17]);
@@ -238,7 +241,8 @@ fn the_stereo_position_of_moving_eyes_keeps_its_digits() {
     .assert_within(MAX_ERROR_UNITS);
 }
 
-/// A wheel's speed parameter, x0, y, z, W, rho and angle; the observer's velocity, place, T, eyes and six of 1.
+/// A wheel's speed parameter, x0, y, z, W, rho and angle; the observer's velocity, place, T, eyes and six
+/// of 1.
 fn wheel_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Vec<f64>) {
     let (parameter, wheel) = loop {
         let (parameter, speed, wheel) = wheel::wheel_inputs(rng);
@@ -310,7 +314,8 @@ fn a_moving_eye_sees_the_points_of_wheels() {
     });
 }
 
-/// Speed parameter, azimuth, elevation, place and t of an event, often near the light that leaves the origin; and three of 1.
+/// Speed parameter, azimuth, elevation, place and t of an event, often near the light that leaves the origin;
+/// and three of 1.
 fn event_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Vec<f64>) {
     let (parameter, value) = draw::speed(rng);
     let place = [(); 3].map(|()| draw::length(rng));

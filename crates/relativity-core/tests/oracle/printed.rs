@@ -1,12 +1,13 @@
-//! The formulas as the literature prints them, on the inputs of the other tests: how often they lose more than four bits
-//! of what the inputs permit. They do in 28 % of X, t and D, and in 68 % of the disparities.
+//! The formulas as the literature prints them, on the inputs of the other tests: how often they lose more
+//! than four bits of what the inputs permit. They do in 28 % of X, t and D, and in 68 % of the disparities.
 
 use crate::tally::Tally;
 use crate::{case, cases, model, pair_inputs};
 
 /// Four bits.
 const LOSS_UNITS: f64 = 16.0;
-/// Shares that lose more, percent, as the head of this file states them: of X, t and D, and of dphi and dtheta.
+/// Shares that lose more, percent, as the head of this file states them: of X, t and D, and of dphi and
+/// dtheta.
 const STATED: [f64; 2] = [28.0, 68.0];
 /// Three standard errors of a share of 600 cases, percent.
 const UNCERTAIN: f64 = 6.0;

@@ -81,8 +81,8 @@ impl<const N: usize> Tally<N> {
         self
     }
 
-    /// Fails where one of `names` is less accurate than `source` documents, but for the rounding of its figures.
-    /// Its cases begin with these; fewer do not tell where 99 % of them are.
+    /// Fails where one of `names` is less accurate than `source` documents, but for the rounding of its
+    /// figures. Its cases begin with these; fewer do not tell where 99 % of them are.
     pub fn assert_as_documented(&self, source: &str, names: &[&str]) {
         let documented = documented(source);
         let is_whole = self.cases.len() as u64 >= DOCUMENTED_CASES;

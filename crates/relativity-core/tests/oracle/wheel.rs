@@ -39,8 +39,8 @@ pub fn wheel_at(inputs: &[f64]) -> WheelPoint {
     WheelPoint { hub: SourcePoint { x0, y, z }, radius, rho, angle, turning: Turning::Rolling }
 }
 
-/// Speed parameter, x0, y, z of the hub, W, rho, angle, aperture x, y, z, T: the wheel is seen within some turns of t' = 0, often
-/// on the road or at the top.
+/// Speed parameter, x0, y, z of the hub, W, rho, angle, aperture x, y, z, T: the wheel is seen within some
+/// turns of t' = 0, often on the road or at the top.
 pub fn wheel_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Speed, Vec<f64>) {
     let (parameter, value) = rolling_speed(rng);
     let speed = program_speed(parameter, value);

@@ -1,4 +1,5 @@
-//! A point of a wheel from its definition: a worldline on the ground, and the event on it whose light arrives.
+//! A point of a wheel from its definition: a worldline on the ground, and the event on it whose light
+//! arrives.
 
 use std::cell::RefCell;
 
@@ -43,7 +44,8 @@ impl Wheel {
         }
     }
 
-    /// Returns the event that an aperture sees: the root of T - t - |P - a| along the worldline, by the time of the rest frame.
+    /// Returns the event that an aperture sees: the root of T - t - |P - a| along the worldline, by the time
+    /// of the rest frame.
     pub fn seen(&self, aperture: &[Big], time: &Big, start: &Start) -> Sight {
         let (beta, gamma) = &self.speed;
         let [x0, y, z] = &self.hub;
@@ -95,7 +97,8 @@ impl Wheel {
     }
 }
 
-/// X, z, t, tau, R, D, phi, theta. `inputs`: speed parameter, x0, y, z of the hub, W, rho, angle, aperture x, y, z, T.
+/// X, z, t, tau, R, D, phi, theta. `inputs`: speed parameter, x0, y, z of the hub, W, rho, angle, aperture x,
+/// y, z, T.
 pub fn sighting(parameter: Parameter, inputs: &[Big], start: &Start) -> [Big; 8] {
     let Sight { view, proper_time } = Wheel::new(parameter, inputs).seen(&inputs[7..10], &inputs[10], start);
     let (phi, theta) = (view.phi(), view.theta());

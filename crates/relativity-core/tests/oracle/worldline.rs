@@ -1,4 +1,5 @@
-//! Events along x in another frame, clocks on their worldlines, and the speed of a wheel's point on the ground.
+//! Events along x in another frame, clocks on their worldlines, and the speed of a wheel's point on the
+//! ground.
 
 use dashu_float::ops::Abs as _;
 use rand::RngExt as _;
@@ -49,7 +50,8 @@ fn events_in_another_frame_keep_their_digits() {
     }
 }
 
-/// Clocks and frames of every speed, each along +x or -x; half of the rapidities of a frame are within roundings of the clock's.
+/// Clocks and frames of every speed, each along +x or -x; half of the rapidities of a frame are within
+/// roundings of the clock's.
 #[test]
 fn steps_of_clocks_in_another_frame_keep_their_digits() {
     let names = ["x of a tick", "t of a tick"];
@@ -79,8 +81,8 @@ fn steps_of_clocks_in_another_frame_keep_their_digits() {
     }
 }
 
-/// The place and time of a reception in the frame of the source, and when light left a place there. `inputs`: speed parameter, x, t,
-/// and x, y, z of the place in that frame, from the reception's own y and z.
+/// The place and time of a reception in the frame of the source, and when light left a place there. `inputs`:
+/// speed parameter, x, t, and x, y, z of the place in that frame, from the reception's own y and z.
 fn reception(parameter: Parameter, inputs: &[Big]) -> [Big; 3] {
     let (beta, gamma) = model::speed(parameter, &inputs[0]);
     let [_, x, t, place, y, z] = inputs else { unreachable!("there are six") };

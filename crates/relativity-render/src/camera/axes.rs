@@ -28,7 +28,8 @@ pub struct Axes {
 }
 
 impl Axes {
-    /// Returns the axes of the picture parallel to `baseline` (a unit vector) with its axis as near to `towards` as can be.
+    /// Returns the axes of the picture parallel to `baseline` (a unit vector) with its axis as near to
+    /// `towards` as can be.
     pub(crate) fn across(baseline: DVec3, towards: DVec3) -> Self {
         let right = baseline.normalize_or(DVec3::X);
         let part = towards - right * towards.dot(right);
@@ -39,8 +40,8 @@ impl Axes {
         if up.z < -1e-12 { Self { right: -right, up: -up, forward } } else { Self { right, up, forward } }
     }
 
-    /// Returns the axes of the picture with rows along `right` and its axis along `towards`, across these; at the steepest
-    /// elevation where that would turn it upside down.
+    /// Returns the axes of the picture with rows along `right` and its axis along `towards`, across these; at
+    /// the steepest elevation where that would turn it upside down.
     pub(crate) fn upright(right: DVec3, towards: DVec3) -> Self {
         let forward = towards.normalize();
         let Some(level) = level_across(right) else {

@@ -1,4 +1,5 @@
-//! The gaze of a camera, and the axes of a picture that is parallel to a baseline and has the gaze in its middle.
+//! The gaze of a camera, and the axes of a picture that is parallel to a baseline and has the gaze in its
+//! middle.
 
 use glam::DVec3;
 use relativity_core::math::{asin, asinh, atan, atan2, hypot, sin_cos, tan};
@@ -17,10 +18,11 @@ pub struct Gaze {
     pub elevation: f64,
 }
 
-/// Greatest angle of a gaze from the plane across the baseline for which a picture stays parallel to the baseline, radians: further
-/// on it would be stretched too much, and turns with the gaze.
+/// Greatest angle of a gaze from the plane across the baseline for which a picture stays parallel to the
+/// baseline, radians: further on it would be stretched too much, and turns with the gaze.
 pub const MAX_SLANT: f64 = 65.0 * PI / 180.0;
-/// The farthest that a gaze can be aside for the tilt of a picture parallel to the baseline to be found, radians.
+/// The farthest that a gaze can be aside for the tilt of a picture parallel to the baseline to be found,
+/// radians.
 const MOST_SLANT: f64 = FRAC_PI_2 - 1e-6;
 
 impl Gaze {
@@ -33,9 +35,9 @@ impl Gaze {
         Self { azimuth: atan2(y, x), elevation: atan2(z, hypot(x, y)) }
     }
 
-    /// The gaze of two parallel eyes towards something that appears in these two directions (any lengths): their
-    /// bisector, so that it lies as far left of the middle in one picture as right in the other. `None` for opposite
-    /// directions, and inside an aperture.
+    /// The gaze of two parallel eyes towards something that appears in these two directions (any lengths):
+    /// their bisector, so that it lies as far left of the middle in one picture as right in the other. `None`
+    /// for opposite directions, and inside an aperture.
     #[must_use]
     pub fn towards(directions: [DVec3; 2]) -> Option<Self> {
         let [left, right] = directions.map(DVec3::try_normalize);
@@ -55,15 +57,16 @@ impl Gaze {
 }
 
 impl Axes {
-    /// Returns the axes of the picture beside `baseline` with `gaze` in its middle: parallel to the baseline, up to [`MAX_SLANT`].
+    /// Returns the axes of the picture beside `baseline` with `gaze` in its middle: parallel to the baseline,
+    /// up to [`MAX_SLANT`].
     pub(crate) fn beside(baseline: DVec3, gaze: DVec3) -> Self {
         let across = Self::across(baseline, gaze);
         let slant = atan2(gaze.dot(across.right), gaze.dot(across.forward));
         across.turned(slant - slant.clamp(-MAX_SLANT, MAX_SLANT))
     }
 
-    /// The gaze further aside than [`MAX_SLANT`] with which something along `direction`, which these are across the baseline
-    /// for, is at these tangents to the right of the turned picture's axis and up.
+    /// The gaze further aside than [`MAX_SLANT`] with which something along `direction`, which these are
+    /// across the baseline for, is at these tangents to the right of the turned picture's axis and up.
     pub(super) fn turned_gaze_with(&self, direction: DVec3, [aside, rise]: [f64; 2]) -> Gaze {
         let off_axis = atan(aside);
         let (along, off_baseline) = (direction.dot(self.right), direction.dot(self.forward));
@@ -80,7 +83,8 @@ impl Axes {
         Gaze::along((forward * cosine + right * sine).to_array())
     }
 
-    /// The tangent to the right of the axis at which the picture has `gaze` in its middle, up to [`MAX_SLANT`].
+    /// The tangent to the right of the axis at which the picture has `gaze` in its middle, up to
+    /// [`MAX_SLANT`].
     pub(crate) fn shear_towards(&self, gaze: DVec3) -> f64 {
         let (aside, depth) = (gaze.dot(self.right), gaze.dot(self.forward));
         held(if depth > LEAST_ACROSS { aside / depth } else { f64::MAX.copysign(aside) })

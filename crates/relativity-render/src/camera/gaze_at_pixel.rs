@@ -9,9 +9,9 @@ use super::mercator::MOST_ASIDE;
 use super::{Camera, Gaze, Projection, held};
 
 impl Camera {
-    /// The gaze with which something along `direction` (any length above 0) appears at `pixel`, the horizon staying
-    /// level; the nearest there is where that would tilt further than [`MAX_ELEVATION`]. A picture of half the sky stays as it
-    /// is.
+    /// The gaze with which something along `direction` (any length above 0) appears at `pixel`, the horizon
+    /// staying level; the nearest there is where that would tilt further than [`MAX_ELEVATION`]. A picture of
+    /// half the sky stays as it is.
     #[must_use]
     pub fn gaze_with(&self, direction: DVec3, pixel: [f64; 2]) -> Gaze {
         match self.projection {
@@ -53,7 +53,8 @@ impl Camera {
         across.turned_gaze_with(direction, [held(slant) + aside - shift, rise])
     }
 
-    /// Returns the gaze that puts `direction` at this pixel of a conformal picture, whose content only slides as the gaze moves.
+    /// Returns the gaze that puts `direction` at this pixel of a conformal picture, whose content only slides
+    /// as the gaze moves.
     fn slid_gaze_with(&self, direction: DVec3, [x, y]: [f64; 2], baseline: DVec3, shift: f64) -> Gaze {
         let [width, height] = self.size.map(f64::from);
         let off_middle = DVec2::new(x - 0.5 * width, 0.5 * height - y) / self.focal_length_px();

@@ -45,7 +45,8 @@ impl LinesOfSight {
         }
     }
 
-    /// Unit vectors through the middle of the rectangle between these places of the picture, in pixels, and through its corners.
+    /// Unit vectors through the middle of the rectangle between these places of the picture, in pixels, and
+    /// through its corners.
     pub(crate) fn around(&self, [left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> (DVec3, [DVec3; 4]) {
         if let DirectionMap::Mercator(mercator) = self.map {
             let [low, high] = [[left, bottom], [right, top]].map(|place| mercator.coordinates_at(place));

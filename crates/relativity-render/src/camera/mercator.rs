@@ -1,4 +1,5 @@
-//! Mercator's projection of the sky, with its poles at the two ends of the line between the eyes: the conformal picture.
+//! Mercator's projection of the sky, with its poles at the two ends of the line between the eyes: the
+//! conformal picture.
 //!
 //! With the axes of the head, x along the baseline, y ahead and z up, a line of sight n has the coordinates
 //!
@@ -8,10 +9,11 @@
 //! n = (tanh u, cos v/cosh u, sin v/cosh u)
 //! ```
 //!
-//! u is the pseudorapidity of collider physics. A unit of u and a radian of v have equally many pixels, so that small shapes
-//! are true: du^2 + dv^2 = cosh^2(u) dOmega. Rows are planes through the baseline, and so both eyes see a point in the same
-//! row. Aberration along the baseline adds the rapidity to u and leaves v (J. Morava, arXiv:0804.4160; J. Baez, *Special
-//! Relativity and the Mercator Projection*, The n-Category Café, 3 March 2023): motion slides the picture and keeps its shapes.
+//! u is the pseudorapidity of collider physics. A unit of u and a radian of v have equally many pixels, so
+//! that small shapes are true: du^2 + dv^2 = cosh^2(u) dOmega. Rows are planes through the baseline, and so
+//! both eyes see a point in the same row. Aberration along the baseline adds the rapidity to u and leaves v
+//! (J. Morava, arXiv:0804.4160; J. Baez, *Special Relativity and the Mercator Projection*, The n-Category
+//! Café, 3 March 2023): motion slides the picture and keeps its shapes.
 
 use std::f64::consts::{PI, TAU};
 
@@ -21,7 +23,8 @@ use relativity_core::math::{asin, asinh, atan2, atanh, exp, hypot, sin_cos};
 
 use super::axes::Axes;
 
-/// The farthest that a gaze can be aside, as |u|: 1.4e-12 radians from the baseline, about the resolution of a gaze in angles.
+/// The farthest that a gaze can be aside, as |u|: 1.4e-12 radians from the baseline, about the resolution of
+/// a gaze in angles.
 pub const MOST_ASIDE: f64 = 28.0;
 /// The farthest that the middle of a shifted picture can be aside, as |u|: f32 has cosh^2 u at its edges.
 pub const MOST_SHIFTED: f64 = 36.0;
@@ -68,7 +71,8 @@ impl Mercator {
         (u.abs() <= MOST_DRAWN).then(|| DVec2::new(u, v))
     }
 
-    /// The line of sight (unit vector) at these coordinates; farther aside than can be drawn, that along the baseline.
+    /// The line of sight (unit vector) at these coordinates; farther aside than can be drawn, that along the
+    /// baseline.
     #[must_use]
     pub fn line_of_sight(&self, DVec2 { x: u, y: v }: DVec2) -> DVec3 {
         // Beyond it e^u overflows, and the quotient of two infinities is no number.
@@ -81,17 +85,19 @@ impl Mercator {
         self.axes.forward * cosine + self.axes.up * sine
     }
 
-    /// Returns the line of sight at the u of which e^u is `grown`, in the half plane of the unit vector `across` the baseline.
+    /// Returns the line of sight at the u of which e^u is `grown`, in the half plane of the unit vector
+    /// `across` the baseline.
     fn line(&self, grown: f64, across: DVec3) -> DVec3 {
         let shrunk = 1.0 / grown;
         (self.axes.right * (grown - shrunk) + across * 2.0) / (grown + shrunk)
     }
 
-    /// The lines of sight in the middle of the rectangle between the coordinates `low` and `high`, and at its corners.
+    /// The lines of sight in the middle of the rectangle between the coordinates `low` and `high`, and at its
+    /// corners.
     ///
-    /// Five of [`Self::line_of_sight`] for little more than the cost of two: corners share their columns and rows, e^u in the middle is
-    /// the geometric mean, and the middle row's direction halves the angle between the outer rows, which must be less than half a
-    /// turn apart.
+    /// Five of [`Self::line_of_sight`] for little more than the cost of two: corners share their columns and
+    /// rows, e^u in the middle is the geometric mean, and the middle row's direction halves the angle between
+    /// the outer rows, which must be less than half a turn apart.
     #[must_use]
     pub fn lines_of_sight_around(&self, low: DVec2, high: DVec2) -> (DVec3, [DVec3; 4]) {
         let [left_most, right_most] = [exp(low.x), exp(high.x)];
@@ -114,10 +120,11 @@ impl Mercator {
         [self.origin.x + u * self.px_per_unit, self.origin.y - v * self.px_per_unit]
     }
 
-    /// Returns the turn of the line of sight `sight` (unit vector) to the next pixel on the right, and to the one below.
+    /// Returns the turn of the line of sight `sight` (unit vector) to the next pixel on the right, and to the
+    /// one below.
     ///
-    /// dn/du = right - n (n . right) and dn/dv = right x n, both cosh u times shorter than 1. Of n = c right + t the first is
-    /// t^2 right - c t, which is no difference of what is nearly the same.
+    /// dn/du = right - n (n . right) and dn/dv = right x n, both cosh u times shorter than 1. Of n = c
+    /// right + t the first is t^2 right - c t, which is no difference of what is nearly the same.
     #[must_use]
     pub fn turns(&self, sight: DVec3) -> [DVec3; 2] {
         let right = self.axes.right;
@@ -127,10 +134,11 @@ impl Mercator {
             .map(|turn| turn / self.px_per_unit)
     }
 
-    /// The smallest rectangle around a ball at rest with the camera, at `center` from there; `None` where the ball is cut by
-    /// the baseline, and reaches infinitely far aside.
+    /// The smallest rectangle around a ball at rest with the camera, at `center` from there; `None` where the
+    /// ball is cut by the baseline, and reaches infinitely far aside.
     ///
-    /// With k = `radius`/rho the outline is 2 artanh k wide and 2 arcsin k high, wherever along the baseline the ball is.
+    /// With k = `radius`/rho the outline is 2 artanh k wide and 2 arcsin k high, wherever along the baseline
+    /// the ball is.
     #[must_use]
     pub fn around_ball(&self, center: DVec3, radius: f64) -> Option<Patch> {
         let Axes { right, up, forward } = self.axes;
@@ -154,7 +162,8 @@ pub fn nearest_turn(angle: f64, other: f64) -> f64 {
 }
 
 impl Patch {
-    /// Whether it shares a place with the rectangle between `low` and `high`, or does so a whole turn of v further.
+    /// Whether it shares a place with the rectangle between `low` and `high`, or does so a whole turn of v
+    /// further.
     #[must_use]
     pub fn meets(&self, low: DVec2, high: DVec2) -> bool {
         let middle = 0.5 * (low + high);

@@ -20,8 +20,8 @@ pub use gaze::{Gaze, MAX_SLANT};
 use lines_of_sight::{DirectionMap, LinesOfSight};
 use mercator::{MOST_SHIFTED, Mercator};
 
-/// A pinhole camera at rest on the ground. Its [`Projection`] gives the place of the picture plane: across the gaze, unless two
-/// eyes' pictures are to be fused.
+/// A pinhole camera at rest on the ground. Its [`Projection`] gives the place of the picture plane: across
+/// the gaze, unless two eyes' pictures are to be fused.
 ///
 /// # Examples
 ///
@@ -42,16 +42,16 @@ use mercator::{MOST_SHIFTED, Mercator};
 pub struct Camera {
     /// Place of the pinhole on the ground.
     pub aperture: Aperture,
-    /// Velocity on the ground, in any direction. Lines of sight, distances and the picture are in the frame of what moves so, its
-    /// axes those of the ground boosted along the velocity.
+    /// Velocity on the ground, in any direction. Lines of sight, distances and the picture are in the frame
+    /// of what moves so, its axes those of the ground boosted along the velocity.
     pub velocity: ObserverVelocity,
-    /// Way on the street, as measured in that frame, over which wheels that ride along have rolled: the integral of the velocity over
-    /// proper time. Units of length.
+    /// Way on the street, as measured in that frame, over which wheels that ride along have rolled: the
+    /// integral of the velocity over proper time. Units of length.
     pub rolled: f64,
     /// Direction of the optical axis.
     pub gaze: Gaze,
-    /// Angle between the left and the right edge of the picture if its middle is on its axis (abreast, in a conformal one),
-    /// radians, in (0, pi): what sets the focal length, so that it stays as the gaze moves.
+    /// Angle between the left and the right edge of the picture if its middle is on its axis (abreast, in a
+    /// conformal one), radians, in (0, pi): what sets the focal length, so that it stays as the gaze moves.
     pub horizontal_fov: f64,
     /// Width and height, pixels.
     pub size: [u32; 2],
@@ -68,34 +68,40 @@ pub enum Projection {
     /// Across the gaze, the horizon level.
     #[default]
     Gaze,
-    /// Parallel to the baseline of two eyes, so that both pictures can be fused: its rows run along the baseline, and its axis
-    /// is what of the gaze is across that. The picture is sheared along its rows to have the gaze in the middle all the same.
-    /// Whatever is in one row of one picture is in that of the other, if both eyes have this gaze.
+    /// Parallel to the baseline of two eyes, so that both pictures can be fused: its rows run along the
+    /// baseline, and its axis is what of the gaze is across that. The picture is sheared along its rows to
+    /// have the gaze in the middle all the same. Whatever is in one row of one picture is in that of the
+    /// other, if both eyes have this gaze.
     ///
-    /// A gaze that slants further than [`MAX_SLANT`] turns the pictures of both eyes, which stay parallel to each other,
-    /// about their columns by as much as it does so. What is there is far away, and in nearly one row of both.
+    /// A gaze that slants further than [`MAX_SLANT`] turns the pictures of both eyes, which stay parallel to
+    /// each other, about their columns by as much as it does so. What is there is far away, and in nearly one
+    /// row of both.
     ///
-    /// The picture is never upside down: its rows run against `right` where that takes it, as for a gaze behind the head.
+    /// The picture is never upside down: its rows run against `right` where that takes it, as for a gaze
+    /// behind the head.
     Parallel {
         /// Unit vector along the baseline, from the left eye to the right one.
         right: DVec3,
-        /// By how many focal lengths the picture's content is moved to the right, this eye's image shift. What is at depth s
-        /// before the eyes has one place in both pictures where that is (`off_middle` . `right`)/s.
+        /// By how many focal lengths the picture's content is moved to the right, this eye's image shift.
+        /// What is at depth s before the eyes has one place in both pictures where that is (`off_middle` .
+        /// `right`)/s.
         shift: f64,
     },
-    /// Conformal: Mercator's projection with its poles at the ends of the baseline. Rows are planes through the baseline, so
-    /// whatever is in one row of one picture is in that of the other; small shapes are true, wherever they are seen; and motion
-    /// along the baseline slides the picture by its rapidity, with all shapes as at rest.
+    /// Conformal: Mercator's projection with its poles at the ends of the baseline. Rows are planes through
+    /// the baseline, so whatever is in one row of one picture is in that of the other; small shapes are true,
+    /// wherever they are seen; and motion along the baseline slides the picture by its rapidity, with all
+    /// shapes as at rest.
     ///
-    /// As [`Self::Parallel`], the picture is never upside down. A gaze along the baseline is held 1e-12 radians off it.
+    /// As [`Self::Parallel`], the picture is never upside down. A gaze along the baseline is held 1e-12
+    /// radians off it.
     Mercator {
         /// Unit vector along the baseline, from the left eye to the right one.
         right: DVec3,
         /// This eye's image shift: the u by which the picture's content is moved to the right.
         shift: f64,
     },
-    /// Half of the sky: 180 by 180 degrees of longitude and latitude, about the level direction across the baseline that is
-    /// nearest to the gaze. Drawn by the reference renderer alone.
+    /// Half of the sky: 180 by 180 degrees of longitude and latitude, about the level direction across the
+    /// baseline that is nearest to the gaze. Drawn by the reference renderer alone.
     Vr180 {
         /// Unit vector along the baseline, from the left eye to the right one.
         right: DVec3,
@@ -111,7 +117,8 @@ impl Projection {
 }
 
 impl Camera {
-    /// A camera with its picture plane across the gaze, one of two eyes on a line along x, the middle of which is at x = 0.
+    /// A camera with its picture plane across the gaze, one of two eyes on a line along x, the middle of
+    /// which is at x = 0.
     #[must_use]
     pub fn new(aperture: Aperture, gaze: Gaze, horizontal_fov: f64, size: [u32; 2]) -> Self {
         let off_middle = DVec3::X * aperture.x;
@@ -128,8 +135,8 @@ impl Camera {
         }
     }
 
-    /// The event of the middle between the eyes, on the ground, when the pinhole is at its place there at T = `time`: for the
-    /// observer both are at one time.
+    /// The event of the middle between the eyes, on the ground, when the pinhole is at its place there at T =
+    /// `time`: for the observer both are at one time.
     pub(crate) fn event_of_middle(&self, time: f64) -> (DVec3, f64) {
         let (DVec3 { x, y, z }, eye) = (self.off_middle, self.aperture);
         let middle = Observer { velocity: self.velocity, ..Observer::at_rest(0.0) };
@@ -137,8 +144,8 @@ impl Camera {
         (position(eye) - position(offset), time - later)
     }
 
-    /// Distance from the pinhole to the picture plane, in pixels: how many of them a radian about the picture's axis has, or a
-    /// unit of u in a conformal picture.
+    /// Distance from the pinhole to the picture plane, in pixels: how many of them a radian about the
+    /// picture's axis has, or a unit of u in a conformal picture.
     #[must_use]
     pub fn focal_length_px(&self) -> f64 {
         0.5 * f64::from(self.size[0]) / self.half_width()
@@ -183,9 +190,9 @@ impl Camera {
         }
     }
 
-    /// Returns the coordinates of `direction` (any length above 0) in the picture, focal lengths to the right of the picture's axis and
-    /// up, the same for all image shifts: tangents, or (u, v) in a conformal picture. `None` where it is in no picture: behind
-    /// a flat one, along the baseline of a conformal one.
+    /// Returns the coordinates of `direction` (any length above 0) in the picture, focal lengths to the right
+    /// of the picture's axis and up, the same for all image shifts: tangents, or (u, v) in a conformal
+    /// picture. `None` where it is in no picture: behind a flat one, along the baseline of a conformal one.
     #[must_use]
     pub fn coordinates(&self, direction: DVec3) -> Option<[f64; 2]> {
         if let Some(mercator) = self.mercator() {
@@ -216,7 +223,8 @@ impl Camera {
         Some(Mercator { axes, px_per_unit, origin })
     }
 
-    /// Returns the place of the picture's middle to the right of its axis: a tangent, or u in a conformal picture.
+    /// Returns the place of the picture's middle to the right of its axis: a tangent, or u in a conformal
+    /// picture.
     fn middle(&self, axes: &Axes) -> f64 {
         match self.projection {
             Projection::Mercator { shift, .. } => {
@@ -227,7 +235,8 @@ impl Camera {
         }
     }
 
-    /// Returns the lines of sight of its pixels: for many of them, since its angles are turned into vectors once.
+    /// Returns the lines of sight of its pixels: for many of them, since its angles are turned into vectors
+    /// once.
     #[must_use]
     pub fn lines_of_sight(&self) -> LinesOfSight {
         let axes = self.axes();
@@ -253,8 +262,9 @@ impl Camera {
         self.lines_of_sight().through(pixel)
     }
 
-    /// Returns the place in the picture (pixels) where something along `direction` (any length above 0) appears; `None` behind the
-    /// camera, and along the baseline of a conformal picture. The place may lie outside the picture.
+    /// Returns the place in the picture (pixels) where something along `direction` (any length above 0)
+    /// appears; `None` behind the camera, and along the baseline of a conformal picture. The place may lie
+    /// outside the picture.
     #[must_use]
     pub fn pixel(&self, direction: DVec3) -> Option<[f64; 2]> {
         if let Some(mercator) = self.mercator() {
@@ -276,7 +286,8 @@ impl Camera {
         Some([0.5 * width + direction.dot(right) * scale, 0.5 * height - direction.dot(up) * scale])
     }
 
-    /// Returns a camera whose small picture of this `size` shows the surroundings of `pixel` in this one, magnified by `factor`.
+    /// Returns a camera whose small picture of this `size` shows the surroundings of `pixel` in this one,
+    /// magnified by `factor`.
     #[must_use]
     pub fn magnified(&self, pixel: [f64; 2], size: [u32; 2], factor: f64) -> Self {
         let sight = self.line_of_sight(pixel);
@@ -297,9 +308,9 @@ impl Camera {
         Self { gaze, horizontal_fov: 2.0 * atan(half_tangent), size, projection, ..*self }
     }
 
-    /// Returns the greatest difference in shape or size to a picture of the other kind, at the corners: how many times as long as wide a flat
-    /// picture shows a small disc there, or how many times as large as in its middle a conformal one shows it. 1 for half of
-    /// the sky, which is looked at all around.
+    /// Returns the greatest difference in shape or size to a picture of the other kind, at the corners: how
+    /// many times as long as wide a flat picture shows a small disc there, or how many times as large as in
+    /// its middle a conformal one shows it. 1 for half of the sky, which is looked at all around.
     #[must_use]
     pub fn stretch(&self) -> f64 {
         let axes = self.axes();
@@ -325,8 +336,9 @@ impl Camera {
     }
 }
 
-/// The axes that give the place of anything in a flat picture: its products with `right` and `up`, over that with `forward`, count
-/// focal lengths from the middle of the picture. Where that is not on the picture's axis, `right` is not across `forward`.
+/// The axes that give the place of anything in a flat picture: its products with `right` and `up`, over that
+/// with `forward`, count focal lengths from the middle of the picture. Where that is not on the picture's
+/// axis, `right` is not across `forward`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Gauge {
     pub right: DVec3,

@@ -1,5 +1,5 @@
-//! The outline of what a scene is about, as one or several apertures see it, and the gaze and field of view that hold
-//! all of it: `picture/sight/` works it out.
+//! The outline of what a scene is about, as one or several apertures see it, and the gaze and field of view
+//! that hold all of it: `picture/sight/` works it out.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -11,7 +11,8 @@ use super::{Axes, Camera, Gauge, Gaze, Projection, held};
 
 /// The part of the picture that is left free on each side of what is framed.
 const MARGIN: f64 = 0.1;
-/// Narrowest horizontal field of view that frames, radians: something small or far is shown with what is around it.
+/// Narrowest horizontal field of view that frames, radians: something small or far is shown with what is
+/// around it.
 const NARROWEST: f64 = 42.0 * DEGREE;
 /// Unless that would leave it less than this part of the picture: then the view is narrower.
 const SMALLEST_SHARE: f64 = 0.1;
@@ -25,7 +26,8 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Tangent that replaces all larger ones.
 const FAR_OUT: f64 = 1e6;
 
-/// The outline of a scene's subject ([`PreparedScene::subject`](crate::PreparedScene::subject)), from one or several parallel apertures.
+/// The outline of a scene's subject ([`PreparedScene::subject`](crate::PreparedScene::subject)), from one or
+/// several parallel apertures.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
     /// Balls at rest on the ground, each from its aperture, that look like balls around its bodies.
@@ -40,7 +42,8 @@ pub struct Outline {
 pub struct Framing {
     /// Gaze with the outline in the middle.
     pub gaze: Gaze,
-    /// The reach of the outline from there, across and up, focal lengths (in conformal pictures u and radians).
+    /// The reach of the outline from there, across and up, focal lengths (in conformal pictures u and
+    /// radians).
     reach: [f64; 2],
     lies: Lies,
 }
@@ -90,14 +93,16 @@ pub(crate) struct Ball {
 }
 
 impl Outline {
-    /// Returns the framing that holds all of the outline, in the projection of its views; `None` where there is
-    /// nothing. Pictures parallel to a baseline have no image shift in it: [`Framing::shifted`] gives them one.
+    /// Returns the framing that holds all of the outline, in the projection of its views; `None` where there
+    /// is nothing. Pictures parallel to a baseline have no image shift in it: [`Framing::shifted`] gives them
+    /// one.
     #[must_use]
     pub const fn framing(&self) -> Option<Framing> {
         self.framing
     }
 
-    /// Whether nothing of it is in the picture of a `camera` at its apertures, taking each body for the ball around it.
+    /// Whether nothing of it is in the picture of a `camera` at its apertures, taking each body for the ball
+    /// around it.
     #[must_use]
     pub fn is_out_of(&self, camera: &Camera) -> bool {
         let is_in = |ball: &Ball| match camera.mercator() {
@@ -122,7 +127,8 @@ impl Ball {
         let half_width = camera.half_width();
         let half_height = half_width * f64::from(camera.size[1]) / f64::from(camera.size[0]);
         let inside = |side: DVec3, half: f64| {
-            // In front of the picture's edges, planes through the aperture, or by less than the radius behind them.
+            // In front of the picture's edges, planes through the aperture, or by less than the radius behind
+            // them.
             [side, -side].into_iter().all(|side| {
                 let inwards = forward * half - side;
                 self.center.dot(inwards) >= -self.radius * inwards.length()
@@ -134,22 +140,23 @@ impl Ball {
 }
 
 impl Framing {
-    /// Returns the framing of an outline that reaches as far as these angles across and up from `gaze`, between planes through the level and upright lines
-    /// of a picture across it.
+    /// Returns the framing of an outline that reaches as far as these angles across and up from `gaze`,
+    /// between planes through the level and upright lines of a picture across it.
     pub(crate) fn level(gaze: Gaze, reach: [f64; 2]) -> Self {
         let tangent = |reach: f64| if reach < 0.5 * WIDEST { tan(reach) } else { f64::INFINITY };
         Self { gaze, reach: reach.map(tangent), lies: Lies::Alone }
     }
 
-    /// Frames what lies between these u to the right in conformal pictures with these `axes`, for the left and for the right eye,
-    /// and reaches this far up and down, radians.
+    /// Frames what lies between these u to the right in conformal pictures with these `axes`, for the left
+    /// and for the right eye, and reaches this far up and down, radians.
     pub(crate) fn slid(axes: Axes, across: [Range; 2], up: f64) -> Self {
         let lies = Lies::Slid(Slid { axes, across, up });
         Self { gaze: Gaze::STRAIGHT_AHEAD, reach: [0.0; 2], lies }.shifted([0.0; 2])
     }
 
-    /// Returns the framing of an outline between these angles to the right of the forward axis of `axes`, parallel to the baseline, for
-    /// the left and for the right eye. `up` gives its reach up and down from the axes of a picture.
+    /// Returns the framing of an outline between these angles to the right of the forward axis of `axes`,
+    /// parallel to the baseline, for the left and for the right eye. `up` gives its reach up and down from
+    /// the axes of a picture.
     pub(crate) fn sheared(axes: Axes, across: [Range; 2], up: impl Fn(&Axes) -> Range) -> Self {
         let turn = turn(across, [0.0; 2]);
         let up = up(&axes.turned(turn)).map(|up| tangent(up).abs());
@@ -157,9 +164,10 @@ impl Framing {
         Self { gaze: Gaze::STRAIGHT_AHEAD, reach: [0.0; 2], lies }.shifted([0.0; 2])
     }
 
-    /// Returns the outline in pictures of the left and of the right eye with these image shifts ([`Projection::Parallel`]): the gaze
-    /// turns along the rows alone, so that shifts made for [`Self::gaze`] are those for the new one, as good as (where that
-    /// turns the pictures). What both pictures show of it is in the middle of them together.
+    /// Returns the outline in pictures of the left and of the right eye with these image shifts
+    /// ([`Projection::Parallel`]): the gaze turns along the rows alone, so that shifts made for
+    /// [`Self::gaze`] are those for the new one, as good as (where that turns the pictures). What both
+    /// pictures show of it is in the middle of them together.
     #[must_use]
     pub fn shifted(&self, shifts: [f64; 2]) -> Self {
         match self.lies {
@@ -190,8 +198,9 @@ impl Framing {
         Self { gaze, reach: [(high - slant).max(slant - low), up * nearest], ..*self }
     }
 
-    /// Horizontal field of view that holds the outline with a margin, radians, in a picture of this `size` (width and
-    /// height): 42 to 150 degrees (179.5 in conformal pictures), or down to 2 where the outline would fill less than a tenth of the picture.
+    /// Horizontal field of view that holds the outline with a margin, radians, in a picture of this `size`
+    /// (width and height): 42 to 150 degrees (179.5 in conformal pictures), or down to 2 where the outline
+    /// would fill less than a tenth of the picture.
     #[must_use]
     pub fn horizontal_fov(&self, size: [u32; 2]) -> f64 {
         let [width, height] = size.map(f64::from);
@@ -202,8 +211,8 @@ impl Framing {
         fov(1.0 - 2.0 * MARGIN).clamp(narrowest, self.widest())
     }
 
-    /// Horizontal field of view in which the outline has this `share` of the height of a picture of this `size`, radians, as
-    /// far as that can be.
+    /// Horizontal field of view in which the outline has this `share` of the height of a picture of this
+    /// `size`, radians, as far as that can be.
     #[must_use]
     pub fn fov_by_height(&self, size: [u32; 2], share: f64) -> f64 {
         let [width, height] = size.map(f64::from);
@@ -211,8 +220,8 @@ impl Framing {
         self.fov_of(up * width / height / share).min(self.widest())
     }
 
-    /// Returns the outline with what conformal pictures show seen once more, slid this far along +x as the resting picture of what moves
-    /// is; that of flat pictures stays.
+    /// Returns the outline with what conformal pictures show seen once more, slid this far along +x as the
+    /// resting picture of what moves is; that of flat pictures stays.
     #[must_use]
     pub fn and_slid(&self, along_x: f64) -> Self {
         let Lies::Slid(Slid { axes, across, up }) = self.lies else { return *self };
@@ -235,8 +244,8 @@ impl Framing {
     }
 }
 
-/// Between which tangents what lies between the angles `across` is, in the shifted pictures of both eyes taken together,
-/// turned by an angle to the right.
+/// Between which tangents what lies between the angles `across` is, in the shifted pictures of both eyes
+/// taken together, turned by an angle to the right.
 fn shown(across: [Range; 2], shifts: [f64; 2], turn: f64) -> Range {
     let [left, right] = across.map(|range| range.map(|angle| tangent(angle - turn)));
     [(left[0] + shifts[0]).min(right[0] + shifts[1]), (left[1] + shifts[0]).max(right[1] + shifts[1])]

@@ -1,7 +1,7 @@
 //! Hue as people see it, in the colour space IPT, and the purest screen colour of a hue.
 //!
-//! Adding white to a colour, or dimming it, keeps its hue in IPT nearly as well as people judge it; on the straight
-//! line to white in linear sRGB the red end of the spectrum would turn pink.
+//! Adding white to a colour, or dimming it, keeps its hue in IPT nearly as well as people judge it; on the
+//! straight line to white in linear sRGB the red end of the spectrum would turn pink.
 //!
 //! Reference: F. Ebner and M. D. Fairchild, *Development and testing of a color space (IPT) with improved hue
 //! uniformity*, IS&T/SID Sixth Color Imaging Conference, 8-13 (1998).
@@ -17,7 +17,8 @@ const CONES_FROM_XYZ: [[f64; 3]; 3] =
 const COMPRESSION: f64 = 0.43;
 /// From compressed responses to the two opponent colours: P, red against green, and T, yellow against blue.
 const OPPONENTS: [[f64; 3]; 2] = [[4.4550, -4.8510, 0.3960], [0.8056, 0.3572, -1.1628]];
-/// The corners of the purest screen colours, in the order of their hues: red, yellow, green, cyan, blue, magenta.
+/// The corners of the purest screen colours, in the order of their hues: red, yellow, green, cyan, blue,
+/// magenta.
 const CORNERS: [[f64; 3]; 6] =
     [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 1.0], [0.0, 0.0, 1.0], [1.0, 0.0, 1.0]];
 /// Halvings after which a place on an edge is known to 2e-11.

@@ -2,13 +2,14 @@
 //!
 //! # A choice, and its name: spectral hue at equal brightness
 //!
-//! Monochromatic light lies outside sRGB. It is shown by the most saturated colour of sRGB that has its hue (in IPT,
-//! see `ipt.rs`), whose largest component is 1. So the wavelength decides the hue alone, while brightness comes from
-//! D^n and the exposure: through the luminous efficiency 700 nm would be all but black beside 550 nm, and the paper's
-//! red cyclist with it. Towards the ends of the visible range the colour fades, to exactly black at `VISIBLE_NM`.
+//! Monochromatic light lies outside sRGB. It is shown by the most saturated colour of sRGB that has its hue
+//! (in IPT, see `ipt.rs`), whose largest component is 1. So the wavelength decides the hue alone, while
+//! brightness comes from D^n and the exposure: through the luminous efficiency 700 nm would be all but black
+//! beside 550 nm, and the paper's red cyclist with it. Towards the ends of the visible range the colour
+//! fades, to exactly black at `VISIBLE_NM`.
 //!
-//! References: CIE 015:2018, *Colorimetry*; CIE 018:2019 (the table, its source and licence: `assets/README.md`); IEC
-//! 61966-2-1:1999 (sRGB).
+//! References: CIE 015:2018, *Colorimetry*; CIE 018:2019 (the table, its source and licence:
+//! `assets/README.md`); IEC 61966-2-1:1999 (sRGB).
 
 mod ipt;
 pub mod planck;
@@ -42,8 +43,8 @@ fn row(line: &str) -> [f64; 3] {
     std::array::from_fn(|_| values.next().expect("a row holds three functions"))
 }
 
-/// Colours at full brightness per nm, of which the nearest is taken: between two on either side of a corner of sRGB, such
-/// as blue at 454 nm, the straight line has other hues.
+/// Colours at full brightness per nm, of which the nearest is taken: between two on either side of a corner
+/// of sRGB, such as blue at 454 nm, the straight line has other hues.
 const HUES_PER_NM: u32 = 16;
 /// The colours of the table's wavelengths at full brightness.
 static HUES: LazyLock<Vec<[f64; 3]>> = LazyLock::new(|| {
@@ -65,8 +66,8 @@ pub fn colour_matching(wavelength_nm: f64) -> Option<[f64; 3]> {
     Some(mix(CIE_1931[index], CIE_1931[index + 1], position - index as f64))
 }
 
-/// Linear sRGB (each component in [0, 1]) of light of `wavelength_nm` (above 0), as bright as can be; black outside
-/// 380 nm to 780 nm.
+/// Linear sRGB (each component in [0, 1]) of light of `wavelength_nm` (above 0), as bright as can be; black
+/// outside 380 nm to 780 nm.
 #[must_use]
 pub fn linear_srgb(wavelength_nm: f64) -> [f64; 3] {
     spectral_hue(wavelength_nm).map(|part| part * visibility(wavelength_nm))
@@ -81,15 +82,15 @@ pub fn unseen_line(wavelength_nm: f64) -> f64 {
     if is_long { share } else { -share }
 }
 
-/// Returns the share of the light of a body that glows at 2^`log2_kelvin` that eyes do not see, with the sign of
-/// `hatch.rs`: 1 (infrared) up to 1000 K, 0 from 3500 K.
+/// Returns the share of the light of a body that glows at 2^`log2_kelvin` that eyes do not see, with the sign
+/// of `hatch.rs`: 1 (infrared) up to 1000 K, 0 from 3500 K.
 #[must_use]
 pub fn unseen_glow(log2_kelvin: f64) -> f64 {
     1.0 - smoothstep(UNSEEN_GLOW_KELVIN.map(log2), log2_kelvin)
 }
 
-/// The false colour of light shifted by `octaves` (log2 D), linear sRGB: grey at D = 1, bluer above, redder below, and
-/// the more so the farther.
+/// The false colour of light shifted by `octaves` (log2 D), linear sRGB: grey at D = 1, bluer above, redder
+/// below, and the more so the farther.
 #[must_use]
 pub fn false_colour(octaves: f64) -> [f64; 3] {
     let [low, middle, high] = FALSE_COLOURS;

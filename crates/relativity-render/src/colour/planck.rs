@@ -1,7 +1,8 @@
-//! The colour and the luminance of broad spectra: of what glows, by Planck's law, and of a band of wavelengths.
+//! The colour and the luminance of broad spectra: of what glows, by Planck's law, and of a band of
+//! wavelengths.
 //!
-//! Sums over the visible part of the CIE table, in steps of 1 nm, made once in f64 and looked up over a logarithm.
-//! References: M. Planck, *Ann. Phys.* 309, 553 (1901); CIE 015:2018.
+//! Sums over the visible part of the CIE table, in steps of 1 nm, made once in f64 and looked up over a
+//! logarithm. References: M. Planck, *Ann. Phys.* 309, 553 (1901); CIE 015:2018.
 
 use std::sync::LazyLock;
 
@@ -36,8 +37,8 @@ pub struct Broad {
 }
 
 impl Broad {
-    /// Returns the stimulus of a spectrum whose natural logarithm at a wavelength (nm) is `ln_power`: summed relative to the largest, so that
-    /// nothing overflows or is lost.
+    /// Returns the stimulus of a spectrum whose natural logarithm at a wavelength (nm) is `ln_power`: summed
+    /// relative to the largest, so that nothing overflows or is lost.
     fn new(ln_power: impl Fn(f64) -> f64) -> Self {
         let powers = || SUMMED_NM.map(f64::from).map(|nm| (nm, ln_power(nm)));
         let largest = powers().map(|(_, power)| power).fold(f64::NEG_INFINITY, f64::max);
@@ -70,8 +71,8 @@ fn in_gamut(xyz: [f64; 3]) -> [f64; 3] {
 ///
 /// # Accuracy
 ///
-/// `tests/reference_planck.rs`: from 250 K to a million the luminance is within 0.2 % of the sum. Below 16 K it goes on by
-/// Wien's law at the red end of what eyes see, above 17 million K by Rayleigh's and Jeans's.
+/// `tests/reference_planck.rs`: from 250 K to a million the luminance is within 0.2 % of the sum. Below 16 K
+/// it goes on by Wien's law at the red end of what eyes see, above 17 million K by Rayleigh's and Jeans's.
 #[must_use]
 pub fn black_body(log2_kelvin: f64) -> Broad {
     static TABLE: LazyLock<Vec<Broad>> = LazyLock::new(|| table(LOG2_KELVIN, glowing));

@@ -3,8 +3,8 @@
 /// Range of visible light, nm. Colours fade towards its ends.
 pub const VISIBLE_NM: [f64; 2] = [380.0, 780.0];
 
-/// Upper end of each colour but the last, nm, and the last: the spectrum as it is usually divided, with cyan for the
-/// transition that looks like neither blue nor green.
+/// Upper end of each colour but the last, nm, and the last: the spectrum as it is usually divided, with cyan
+/// for the transition that looks like neither blue nor green.
 const COLOURS: [(f64, &str); 7] = [
     (450.0, "violet"),
     (485.0, "blue"),

@@ -1,8 +1,8 @@
 //! The f64 renderer on the CPU: the truth the other renderers are held against.
 //!
 //! Each ray is boosted into the rest frame of each group of bodies, where it is straight (see
-//! `GroupView::rest_ray`), and the nearest entry into a body, by light travel, is what the aperture sees. How accurate
-//! that is says [`Method::Reference`](crate::Method::Reference).
+//! `GroupView::rest_ray`), and the nearest entry into a body, by light travel, is what the aperture sees. How
+//! accurate that is says [`Method::Reference`](crate::Method::Reference).
 
 use glam::DVec3;
 
@@ -37,8 +37,8 @@ impl PreparedScene {
         self.first_hits_among(&all, view, &self.group_views(view), &[line_of_sight]).pop()?
     }
 
-    /// Returns the hits among `bodies` along each of these lines of sight, at most [`RayBundle::MOST`]: of each group the first, of
-    /// those the nearest by light travel.
+    /// Returns the hits among `bodies` along each of these lines of sight, at most [`RayBundle::MOST`]: of
+    /// each group the first, of those the nearest by light travel.
     fn first_hits_among(
         &self,
         bodies: &TileBodies<'_>,
@@ -70,8 +70,8 @@ impl PreparedScene {
         nearest
     }
 
-    /// Splits `bodies`, whose numbers ascend from this group's on, into those of the group and the others. The last group, often
-    /// the only one, has them all without a search.
+    /// Splits `bodies`, whose numbers ascend from this group's on, into those of the group and the others.
+    /// The last group, often the only one, has them all without a search.
     fn split<'a>(&self, bodies: &'a [u32], group: usize) -> (&'a [u32], &'a [u32]) {
         let is_last = group + 1 == self.groups().len();
         let end = self.groups()[group].bodies.end;
@@ -138,15 +138,16 @@ impl PreparedScene {
     /// The picture `view` shows, sRGB-encoded, with `samples` times `samples` rays per pixel
     /// (1 or more).
     ///
-    /// Samples go through the shoulder one by one, so that a bright body does not bleed over its outline, and are
-    /// averaged in linear light.
+    /// Samples go through the shoulder one by one, so that a bright body does not bleed over its outline, and
+    /// are averaged in linear light.
     #[must_use]
     pub fn picture(&self, view: &View, appearance: &Appearance, samples: u32) -> Picture {
         let rgba = self.picture_rows(view, appearance, samples, &|_| true);
         Picture { size: view.camera.size, rgba }
     }
 
-    /// Draws the same picture while `goes_on` is true, which is checked every few rows; `None` once it is false.
+    /// Draws the same picture while `goes_on` is true, which is checked every few rows; `None` once it is
+    /// false.
     #[must_use]
     pub fn picture_while(
         &self,
@@ -159,8 +160,9 @@ impl PreparedScene {
         goes_on().then_some(Picture { size: view.camera.size, rgba })
     }
 
-    /// Draws the band of 16 rows of the same picture, or of fewer at its end, that begins with the row `first`, a multiple of 16:
-    /// nothing where it has no such rows. All bands one after the other are the picture.
+    /// Draws the band of 16 rows of the same picture, or of fewer at its end, that begins with the row
+    /// `first`, a multiple of 16: nothing where it has no such rows. All bands one after the other are the
+    /// picture.
     #[must_use]
     pub fn picture_band(
         &self,
@@ -176,7 +178,8 @@ impl PreparedScene {
         rgba.split_off(place(first))
     }
 
-    /// The pixels of a picture, without those bands of rows that are not `wanted`, by their first row, when they would begin.
+    /// The pixels of a picture, without those bands of rows that are not `wanted`, by their first row, when
+    /// they would begin.
     fn picture_rows(
         &self,
         view: &View,
@@ -231,7 +234,8 @@ impl PreparedScene {
         view.is_lit_by_the_street(appearance).then(facing)
     }
 
-    /// Returns the part of the surface at `hit` that a sample covers, given the turns of `line_of_sight` to those beside and below it.
+    /// Returns the part of the surface at `hit` that a sample covers, given the turns of `line_of_sight` to
+    /// those beside and below it.
     fn covered(
         &self,
         hit: &Hit,
@@ -266,8 +270,8 @@ impl PreparedScene {
         }
     }
 
-    /// Returns one value per pixel of `view`, row by row, from the hits of `samples` times `samples` rays in it; the default in bands of
-    /// rows that are not `wanted` when they would begin.
+    /// Returns one value per pixel of `view`, row by row, from the hits of `samples` times `samples` rays in
+    /// it; the default in bands of rows that are not `wanted` when they would begin.
     fn pixels<T: Clone + Default + Send>(
         &self,
         view: &View,
@@ -321,7 +325,8 @@ struct PixelHits<'a> {
 struct TileBodies<'a> {
     /// The numbers, which ascend, of the groups they are in.
     groups: &'a [u32],
-    /// The numbers, which ascend, of those that do not keep their places, or of all those of a group whose rays curve.
+    /// The numbers, which ascend, of those that do not keep their places, or of all those of a group whose
+    /// rays curve.
     others: &'a [u32],
     /// Around the lines of sight along which those that do are looked for.
     standing: Option<Cap>,

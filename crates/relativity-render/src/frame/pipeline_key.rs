@@ -58,13 +58,14 @@ impl Key {
 }
 
 impl AmongOthers {
-    /// Returns the place of the group of this number among those that `views` show; `None` if it is the only one.
+    /// Returns the place of the group of this number among those that `views` show; `None` if it is the only
+    /// one.
     pub fn new(views: &[GroupView], group: usize) -> Option<Self> {
         Self::beside(views, reference_of_depths(views), group)
     }
 
-    /// Returns the place of the group of this number among those that `views` show, of which `reference` is the number of the
-    /// reference of depths; `None` if it is the only one.
+    /// Returns the place of the group of this number among those that `views` show, of which `reference` is
+    /// the number of the reference of depths; `None` if it is the only one.
     pub fn beside(views: &[GroupView], reference: usize, group: usize) -> Option<Self> {
         let reference_geometry = views[reference].geometry;
         (views.len() > 1).then_some(Self { is_reference: reference == group, reference: reference_geometry })

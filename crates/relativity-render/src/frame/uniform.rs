@@ -1,4 +1,5 @@
-//! The uniform block: everything that the shaders know of one aperture's picture and of one group in it, rounded once from f64.
+//! The uniform block: everything that the shaders know of one aperture's picture and of one group in it,
+//! rounded once from f64.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec2, DVec3};
@@ -22,26 +23,29 @@ use crate::view::{Appearance, Geometry};
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct FrameUniform {
-    /// Line of sight through the pole, unnormalised: its part along the optical axis is 1. In a conformal picture cosh u long,
-    /// and the size of a pixel in u and v.
+    /// Line of sight through the pole, unnormalised: its part along the optical axis is 1. In a conformal
+    /// picture cosh u long, and the size of a pixel in u and v.
     pub base: [f32; 4],
-    /// Change of that line from one pixel to the next on the right. In a conformal picture only e^u at the pole.
+    /// Change of that line from one pixel to the next on the right. In a conformal picture only e^u at the
+    /// pole.
     pub right: [f32; 4],
-    /// From one pixel to the next below. In a conformal picture the unit vector upwards at the pole, and e^-u there.
+    /// From one pixel to the next below. In a conformal picture the unit vector upwards at the pole, and e^-u
+    /// there.
     pub down: [f32; 4],
     /// Unit vector from the baseline to the pole, of a conformal picture.
     pub radial: [f32; 4],
-    /// The pole, from which pixels are counted: u and v, px, and what f32 loses of them. It is the pixel towards where
-    /// the group comes from, if that is in front, where the last digits of a line of sight matter most; else the middle
-    /// of the picture.
+    /// The pole, from which pixels are counted: u and v, px, and what f32 loses of them. It is the pixel
+    /// towards where the group comes from, if that is in front, where the last digits of a line of sight
+    /// matter most; else the middle of the picture.
     pub pole: [f32; 4],
     /// Speed of the group past the camera: beta, 1 - beta, 1/gamma, gamma.
     pub speed: [f32; 4],
-    /// -1 if the group moves towards -x past the camera, else 1; the same of the reference of depths; 1 if the picture is
-    /// conformal, else 0; -1 if the group moves towards -x on the ground, else 1.
+    /// -1 if the group moves towards -x past the camera, else 1; the same of the reference of depths; 1 if
+    /// the picture is conformal, else 0; -1 if the group moves towards -x on the ground, else 1.
     pub motion: [f32; 4],
-    /// 1 if a group of the picture moves past the camera otherwise than along x, else 0; the same of the street; 0, 0. All vectors before the
-    /// camera are in the axes along the group's motion then, else in the camera's.
+    /// 1 if a group of the picture moves past the camera otherwise than along x, else 0; the same of the
+    /// street; 0, 0. All vectors before the camera are in the axes along the group's motion then, else in the
+    /// camera's.
     pub oblique: [f32; 4],
     /// Unit vectors along the motion, in the group's axes.
     pub group_axes: [[f32; 4]; 3],
@@ -51,12 +55,13 @@ pub struct FrameUniform {
     pub to_street: [[f32; 4]; 3],
     /// Unit vectors along the street's motion, in the ground's axes.
     pub street_axes: [[f32; 4]; 3],
-    /// Height on the ground of what rides along otherwise than along the street: the factors of its place from the camera, and of its
-    /// distance, in what is added to its height before the camera.
+    /// Height on the ground of what rides along otherwise than along the street: the factors of its place
+    /// from the camera, and of its distance, in what is added to its height before the camera.
     pub rising: [f32; 4],
     /// Speed of the group on the ground, as `speed`.
     pub on_ground: [f32; 4],
-    /// Place of the camera from the middle between the eyes, if these have one light cone, else 0; in axes along the group's motion.
+    /// Place of the camera from the middle between the eyes, if these have one light cone, else 0; in axes
+    /// along the group's motion.
     pub eye: [f32; 4],
     /// `eye` of the reference.
     pub reference_eye: [f32; 4],
@@ -68,20 +73,21 @@ pub struct FrameUniform {
     pub middle: [f32; 4],
     /// Remainder of the middle that f32 loses.
     pub middle_fine: [f32; 4],
-    /// Camera x and y, height of the ground above the camera (`f32::MIN` for none), and the published model's aperture
-    /// separation.
+    /// Camera x and y, height of the ground above the camera (`f32::MIN` for none), and the published model's
+    /// aperture separation.
     pub ground: [f32; 4],
-    /// y of the near and the far kerb of a road, equal where there is none; y of house fronts from the camera, 0 where
-    /// there are none; 0.
+    /// y of the near and the far kerb of a road, equal where there is none; y of house fronts from the
+    /// camera, 0 where there are none; 0.
     pub road: [f32; 4],
     /// Speed of the street against the camera: see [`StreetSight::packed_speed`].
     pub street_speed: [f32; 4],
     /// Direction, geometry and colours of that: see [`StreetSight::packed_motion`].
     pub street_motion: [f32; 4],
-    /// Shift of the street's light: see [`StreetLight::packed`](crate::light::street_light::StreetLight::packed).
+    /// Shift of the street's light: see
+    /// [`StreetLight::packed`](crate::light::street_light::StreetLight::packed).
     pub street_light: [f32; 4],
-    /// From the middle between the eyes to the camera, where these have one light cone, else 0; how many places there are where
-    /// bodies touch a road.
+    /// From the middle between the eyes to the camera, where these have one light cone, else 0; how many
+    /// places there are where bodies touch a road.
     pub contact_eye: [f32; 4],
     /// The places where bodies touch a road: see [`Contacts::packed`].
     pub contacts: [[[f32; 4]; 2]; contact::MOST],
@@ -89,15 +95,16 @@ pub struct FrameUniform {
     pub houses: [[f32; 4]; 4],
     /// Openings in the walls: beginning and length along a house, and the heights between which they lie.
     pub openings: [[f32; 4]; 4],
-    /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, a road; walls, frames, glass,
-    /// doors, shops.
+    /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, a road; walls,
+    /// frames, glass, doors, shops.
     pub backdrop: [[f32; 4]; 11],
     /// The hatch of what eyes do not see: see [`Hatch::packed`].
     pub hatch: [[f32; 4]; 2],
-    /// Row of the clip coordinate x: its product with an apparent position. In a conformal picture the unit vector along the
-    /// baseline, and the clip coordinates of a unit of u.
+    /// Row of the clip coordinate x: its product with an apparent position. In a conformal picture the unit
+    /// vector along the baseline, and the clip coordinates of a unit of u.
     pub clip_right: [f32; 4],
-    /// y. In a conformal picture the unit vector across the baseline and `forward`, and the clip coordinates of a radian of v.
+    /// y. In a conformal picture the unit vector across the baseline and `forward`, and the clip coordinates
+    /// of a radian of v.
     pub clip_up: [f32; 4],
     /// w: the depth along the optical axis. In a conformal picture also u in the middle of the picture.
     pub forward: [f32; 4],
@@ -168,8 +175,8 @@ impl Sights {
     }
 }
 
-/// The farthest that the pole of a conformal picture can be aside, as |u|, to be the place that pixels are counted from: further on,
-/// e^-|u| of a rounding is left of what would be lost.
+/// The farthest that the pole of a conformal picture can be aside, as |u|, to be the place that pixels are
+/// counted from: further on, e^-|u| of a rounding is left of what would be lost.
 const FARTHEST_POLE: f64 = 5.0;
 
 impl FrameUniform {
@@ -309,8 +316,8 @@ fn coarse_and_fine(place: DVec2) -> [f32; 4] {
     [coarse.x, coarse.y, fine.x, fine.y]
 }
 
-/// Returns [`FrameUniform::rising`]: on the ground z is z + [(Gamma - 1) p - Gamma V R] `v_z` of what is seen at the distance R, and p along the
-/// unit vector v of the motion.
+/// Returns [`FrameUniform::rising`]: on the ground z is z + [(Gamma - 1) p - Gamma V R] `v_z` of what is seen
+/// at the distance R, and p along the unit vector v of the motion.
 fn rising(view: &GroupView) -> [f32; 4] {
     if !view.rides_aside() {
         return [0.0; 4];
@@ -337,11 +344,13 @@ fn vector(v: DVec3) -> [f32; 4] {
 /// Well in front is what is this much along the gaze.
 const LEAST_DEPTH: f64 = 0.05;
 
-/// u and v from which those of a conformal picture's pixels are counted, and cosh u times the line of sight there.
+/// u and v from which those of a conformal picture's pixels are counted, and cosh u times the line of sight
+/// there.
 ///
-/// They are those of the direction `towards` an end of the x axis, where that is well in front; else those of the middle of the
-/// picture. Where the baseline is along x, parts across it are products: nothing is lost there, and they are u = 0, v = 0, for
-/// what is abreast to keep the digits of `n_x`, unless that is too far from the picture.
+/// They are those of the direction `towards` an end of the x axis, where that is well in front; else those of
+/// the middle of the picture. Where the baseline is along x, parts across it are products: nothing is lost
+/// there, and they are u = 0, v = 0, for what is abreast to keep the digits of `n_x`, unless that is too far
+/// from the picture.
 fn conformal_pole(mercator: &Mercator, camera: &Camera, turned: DMat3, towards: DVec3) -> (DVec2, DVec3) {
     let Axes { right, forward, .. } = mercator.axes;
     let u = mercator.coordinates_at(camera.size.map(|side| 0.5 * f64::from(side))).x;
@@ -358,8 +367,8 @@ fn conformal_pole(mercator: &Mercator, camera: &Camera, turned: DMat3, towards: 
 /// The farthest that the middle of a picture is aside whose pixels are counted from what is abreast, as |u|.
 const FARTHEST_ABREAST: f64 = 3.0;
 
-/// The pixel towards the end of the x axis with this sign and its (unnormalised) line of sight, if it is well in
-/// front of the camera; else the middle of the picture and what is seen there.
+/// The pixel towards the end of the x axis with this sign and its (unnormalised) line of sight, if it is well
+/// in front of the camera; else the middle of the picture and what is seen there.
 fn pole(camera: &Camera, gauge: &Gauge, turned: DMat3, sign: f64) -> (DVec2, DVec3) {
     let Gauge { right, up, forward, .. } = *gauge;
     let middle = DVec2::from(camera.size.map(f64::from)) * 0.5;

@@ -13,7 +13,8 @@ pub struct Extent {
 }
 
 impl Extent {
-    /// Returns the extent of a group whose bodies stay within these `boxes`, each given by its lowest and highest corner.
+    /// Returns the extent of a group whose bodies stay within these `boxes`, each given by its lowest and
+    /// highest corner.
     pub(crate) fn new(boxes: impl IntoIterator<Item = [DVec3; 2]>) -> Self {
         let around = boxes.into_iter().reduce(|[low, high], [from, to]| [low.min(from), high.max(to)]);
         let [low, high] = around.unwrap_or([DVec3::ZERO, DVec3::ONE]);

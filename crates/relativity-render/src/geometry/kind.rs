@@ -2,8 +2,8 @@
 
 use crate::shaders::source;
 
-/// Defines the kinds: one line each, with its name and its files in `shaders/` for the ray test, for the pixels of that, for the corners
-/// and for patterns.
+/// Defines the kinds: one line each, with its name and its files in `shaders/` for the ray test, for the
+/// pixels of that, for the corners and for patterns.
 macro_rules! kinds {
     ($($(#[$doc:meta])* $kind:ident: [$($test:literal),+], [$($pixels:literal),+], [$($corners:literal),+], $pattern:literal;)+) => {
         /// A kind of shape.

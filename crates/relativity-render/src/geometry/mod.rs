@@ -1,5 +1,5 @@
-//! The geometry of bodies at rest in the frame of their group: shapes and models of triangles, what contains them, and the
-//! rays that meet them.
+//! The geometry of bodies at rest in the frame of their group: shapes and models of triangles, what contains
+//! them, and the rays that meet them.
 
 pub(crate) mod block;
 pub(crate) mod capsule;

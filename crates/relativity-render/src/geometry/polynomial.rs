@@ -1,7 +1,7 @@
 //! First fall of a quartic through zero inside an interval.
 //!
-//! The roots come from `polycool`, which isolates them between the roots of the derivative: unlike the closed form this
-//! never misses a pair of roots through cancellation, however the coefficients are scaled.
+//! The roots come from `polycool`, which isolates them between the roots of the derivative: unlike the closed
+//! form this never misses a pair of roots through cancellation, however the coefficients are scaled.
 //! Reference: C. Yuksel, *High-performance polynomial root finding for graphics* (2022).
 
 use polycool::Quartic;

@@ -27,8 +27,8 @@ impl Ray {
     ///
     /// # Accuracy
     ///
-    /// The rounding of a far start ends up along the ray, where it does not matter; across the ray a few units
-    /// in the last place of the start's own offset are left.
+    /// The rounding of a far start ends up along the ray, where it does not matter; across the ray a few
+    /// units in the last place of the start's own offset are left.
     pub(crate) fn nearest_to(&self, place: DVec3) -> (DVec3, f64) {
         let mut offset = self.start - place;
         let mut distance = 0.0;

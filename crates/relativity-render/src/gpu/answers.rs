@@ -1,4 +1,5 @@
-//! Answers of a device on whether it has refused something: there at once, but in a browser only after the page's present work.
+//! Answers of a device on whether it has refused something: there at once, but in a browser only after the
+//! page's present work.
 
 use std::fmt;
 use std::pin::Pin;

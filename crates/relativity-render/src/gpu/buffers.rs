@@ -3,8 +3,8 @@
 use super::device::Gpu;
 use crate::frame::uniform::FrameUniform;
 
-/// A buffer for this many groups' frames of one eye: two eyes must not share one, since both are written before either
-/// draws.
+/// A buffer for this many groups' frames of one eye: two eyes must not share one, since both are written
+/// before either draws.
 pub fn frame_buffer(gpu: &Gpu, count: usize) -> wgpu::Buffer {
     buffer(gpu, "frames", frame_stride(gpu) * count as u64, wgpu::BufferUsages::UNIFORM)
 }

@@ -1,7 +1,7 @@
 //! The canvas of every GPU renderer: the frame's uniforms, the colour tables, and the last pass.
 //!
-//! Bodies are drawn with four samples per pixel over nothing, in linear light; the last pass puts them over sky
-//! and ground and applies the sRGB curve.
+//! Bodies are drawn with four samples per pixel over nothing, in linear light; the last pass puts them over
+//! sky and ground and applies the sRGB curve.
 
 use super::buffers::{fill_frame_buffer, frame_bindings, frame_buffer, vertex_buffer};
 use super::device::Gpu;
@@ -109,7 +109,8 @@ impl Canvas {
         gpu.queue.submit([encoder.finish()]);
     }
 
-    /// Returns the hits at the centre of every pixel of `view` of `scene`, its bodies drawn as `drawing` does; without anti-aliasing.
+    /// Returns the hits at the centre of every pixel of `view` of `scene`, its bodies drawn as `drawing`
+    /// does; without anti-aliasing.
     pub fn hits(
         &self,
         gpu: &Gpu,

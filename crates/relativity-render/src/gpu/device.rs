@@ -8,22 +8,24 @@ use super::device_cache::DeviceCache;
 use super::device_errors::ErrorScopes;
 use super::error::GpuError;
 
-/// Returns the part of an adapter's name that the environment asks for, in lower case; `None` if it asks for none.
+/// Returns the part of an adapter's name that the environment asks for, in lower case; `None` if it asks for
+/// none.
 #[must_use]
 #[expect(clippy::disallowed_methods, reason = "wgpu has this variable and reads its others by itself")]
 pub fn adapter_name() -> Option<String> {
     std::env::var("WGPU_ADAPTER_NAME").ok().map(|name| name.to_lowercase()).filter(|name| !name.is_empty())
 }
 
-/// Returns the flags of an instance: those of the build, then those of the environment. Debug names and line numbers of shaders, which
-/// take a tenth of the time in which pipelines are made, are off unless `WGPU_DEBUG` turns them on.
+/// Returns the flags of an instance: those of the build, then those of the environment. Debug names and line
+/// numbers of shaders, which take a tenth of the time in which pipelines are made, are off unless
+/// `WGPU_DEBUG` turns them on.
 #[must_use]
 pub fn instance_flags() -> wgpu::InstanceFlags {
     wgpu::InstanceFlags::from_build_config().difference(wgpu::InstanceFlags::DEBUG).with_env()
 }
 
-/// The first of `adapters` whose name contains `name`, which is in lower case, and which can show what is on `surface`, if
-/// there is one.
+/// The first of `adapters` whose name contains `name`, which is in lower case, and which can show what is on
+/// `surface`, if there is one.
 ///
 /// # Errors
 ///
@@ -128,7 +130,8 @@ impl Gpu {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
-    /// Returns whether the rays are drawn: their shaders choose the samples of a pixel, which those of WebGL cannot.
+    /// Returns whether the rays are drawn: their shaders choose the samples of a pixel, which those of WebGL
+    /// cannot.
     #[must_use]
     pub fn has_rays(&self) -> bool {
         self.has_sample_masks() || cfg!(not(target_arch = "wasm32"))
@@ -147,7 +150,8 @@ impl Gpu {
         ErrorScopes::open(&self.device, self.answers.clone())
     }
 
-    /// Calls `then` when everything drawn so far is finished: before the next [`Self::wait`] returns, or in a browser later.
+    /// Calls `then` when everything drawn so far is finished: before the next [`Self::wait`] returns, or in a
+    /// browser later.
     pub fn when_finished(&self, then: impl FnOnce() + Send + 'static) {
         self.queue.on_submitted_work_done(then);
     }

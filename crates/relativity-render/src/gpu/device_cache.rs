@@ -1,4 +1,5 @@
-//! Shaders and pipelines of a device: each is made when it is first needed, once for all that draw on that device.
+//! Shaders and pipelines of a device: each is made when it is first needed, once for all that draw on that
+//! device.
 
 use std::collections::HashMap;
 use std::hash::Hash;

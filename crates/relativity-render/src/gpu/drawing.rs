@@ -1,7 +1,8 @@
-//! The interface of the GPU renderers: the request for a drawing, and the batches of instances that answer it.
+//! The interface of the GPU renderers: the request for a drawing, and the batches of instances that answer
+//! it.
 //!
-//! A renderer says which bodies can be seen and as what they are drawn ([`Drawing::load`], [`Drawing::record`]); the
-//! canvas makes a picture or a measurement of that.
+//! A renderer says which bodies can be seen and as what they are drawn ([`Drawing::load`],
+//! [`Drawing::record`]); the canvas makes a picture or a measurement of that.
 
 use std::ops::Range;
 
@@ -33,15 +34,16 @@ pub struct Shot<'a> {
 
 /// A way to draw bodies.
 pub trait Drawing {
-    /// Decides what is drawn for `shot`, puts it into the vertex buffer, and makes the pipelines that it needs.
+    /// Decides what is drawn for `shot`, puts it into the vertex buffer, and makes the pipelines that it
+    /// needs.
     fn load(&mut self, gpu: &Gpu, vertices: &mut wgpu::Buffer, shot: &Shot<'_>);
 
     /// Draws what was loaded, with a bind group for the frame of each group.
     fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]);
 }
 
-/// Instances `I`, in the order they are drawn in: neighbours that one draw serves make a batch. Kept from shot to shot,
-/// for its memory.
+/// Instances `I`, in the order they are drawn in: neighbours that one draw serves make a batch. Kept from
+/// shot to shot, for its memory.
 #[derive(Debug)]
 pub struct Batches<I, T> {
     pipelines: Pipelines,
@@ -83,8 +85,8 @@ impl Shot<'_> {
         self.views[body.group].shown(body, self.scene.groups()[body.group].extent.middle)
     }
 
-    /// Returns the pattern of `body` for the shaders; of a model the row that it begins with, 1 if it is seen from both sides, and 1 if of
-    /// its paint only the luminance is shown.
+    /// Returns the pattern of `body` for the shaders; of a model the row that it begins with, 1 if it is seen
+    /// from both sides, and 1 if of its paint only the luminance is shown.
     pub fn pattern(&self, body: &PreparedBody) -> [f32; 3] {
         let Some(triangles) = &body.triangles else { return body.pattern() };
         let is_grey = self.appearance.is_some_and(|appearance| appearance.colour == Colour::False);
@@ -108,7 +110,8 @@ impl<I: bytemuck::NoUninit, T> Batches<I, T> {
         Self { pipelines, instances: Vec::new(), in_order: Vec::new() }
     }
 
-    /// Replaces all by `runs`: what makes the pipelines that they need, and fills the vertex buffer with them.
+    /// Replaces all by `runs`: what makes the pipelines that they need, and fills the vertex buffer with
+    /// them.
     pub fn refill<'a>(
         &mut self,
         gpu: &Gpu,

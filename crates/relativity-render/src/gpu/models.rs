@@ -1,4 +1,5 @@
-//! The models of a scene on the device, in one texture: made when a scene with others is drawn, not from picture to picture.
+//! The models of a scene on the device, in one texture: made when a scene with others is drawn, not from
+//! picture to picture.
 
 use std::sync::{Arc, Weak};
 
@@ -34,7 +35,8 @@ impl Models {
         &self.view
     }
 
-    /// Makes it the texture of the models of `scene`, unless it is. Returns whether the device can hold them; else it stays as it was.
+    /// Makes it the texture of the models of `scene`, unless it is. Returns whether the device can hold them;
+    /// else it stays as it was.
     ///
     /// A triangle takes 64 bytes, and its share of the nodes 16 to 64.
     pub fn load(&mut self, gpu: &Gpu, scene: &PreparedScene) -> bool {
@@ -72,7 +74,8 @@ struct Arranged {
 }
 
 impl Arranged {
-    /// Arranges `models` in a texture with sides of at most this length; `None` if it is too small, or a model too deep for the shaders.
+    /// Arranges `models` in a texture with sides of at most this length; `None` if it is too small, or a
+    /// model too deep for the shaders.
     fn new(models: &[&Arc<Triangles>], largest_side: u32) -> Option<Self> {
         let width = row_length(largest_side);
         let mut arranged = Self { rows: Vec::new(), size: [width, 0], texels: Vec::new() };

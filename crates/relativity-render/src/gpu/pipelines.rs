@@ -1,4 +1,5 @@
-//! The pipelines that draw bodies, made when first needed: one per kind of shape, geometry and set of effects.
+//! The pipelines that draw bodies, made when first needed: one per kind of shape, geometry and set of
+//! effects.
 
 use std::collections::HashMap;
 
@@ -16,7 +17,8 @@ use crate::view::effects::{Constant, Effects, number};
 pub struct Technique {
     /// The shader of a kind of shape.
     pub source: fn(Kind) -> &'static str,
-    /// Entry point of the vertex stage. It names the technique in the key of its pipelines, so no other technique has the same.
+    /// Entry point of the vertex stage. It names the technique in the key of its pipelines, so no other
+    /// technique has the same.
     pub vertex: &'static str,
     /// Layouts of the buffers that the vertex stage reads.
     pub buffers: &'static [Option<wgpu::VertexBufferLayout<'static>>],
@@ -40,7 +42,8 @@ impl Technique {
         conservative: false,
     };
 
-    /// Returns how vertices become triangles for bodies of this `kind`: those of models show both sides, unless their shaders leave one out.
+    /// Returns how vertices become triangles for bodies of this `kind`: those of models show both sides,
+    /// unless their shaders leave one out.
     fn primitive_of(&self, kind: Kind) -> wgpu::PrimitiveState {
         let is_two_sided = kind == Kind::Model;
         wgpu::PrimitiveState {

@@ -14,7 +14,8 @@ pub(crate) const ENCODED_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba
 /// Bits of floats: 32-bit floats cannot be drawn to everywhere.
 pub(crate) const MEASURES_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
 
-/// Returns the colour target of bodies; those thinner than a pixel are blended by the share of it that they cover.
+/// Returns the colour target of bodies; those thinner than a pixel are blended by the share of it that they
+/// cover.
 pub(crate) fn linear_target(is_thin: bool) -> wgpu::ColorTargetState {
     wgpu::ColorTargetState {
         format: LINEAR_FORMAT,

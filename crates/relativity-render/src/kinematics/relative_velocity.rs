@@ -1,8 +1,9 @@
 //! Velocities of groups past a camera, with axes along them on both sides.
 //!
-//! Every formula is written for motion along +x. What is seen is brought into axes along the group's motion first, and from
-//! these into the group's own axes: where the motion is along x both are the same reflection, or nothing; else they are a
-//! turn each, since boosts in different directions leave frames turned (`relativity_core::RelativeVelocity`).
+//! Every formula is written for motion along +x. What is seen is brought into axes along the group's motion
+//! first, and from these into the group's own axes: where the motion is along x both are the same reflection,
+//! or nothing; else they are a turn each, since boosts in different directions leave frames turned
+//! (`relativity_core::RelativeVelocity`).
 
 use glam::{DMat3, DVec3};
 use relativity_core::{
@@ -52,8 +53,8 @@ impl From<Velocity> for RelativeVelocity {
 }
 
 impl RelativeVelocity {
-    /// The velocity of what moves at `on_ground` past a camera that moves at `camera`. Two that fly apart at the greatest gamma part
-    /// no faster than that.
+    /// The velocity of what moves at `on_ground` past a camera that moves at `camera`. Two that fly apart at
+    /// the greatest gamma part no faster than that.
     #[must_use]
     pub fn new(on_ground: Velocity, camera: &ObserverVelocity) -> Self {
         if let Some(camera) = Velocity::along_street(camera) {
@@ -150,8 +151,8 @@ impl RelativeVelocity {
         Velocity::forward(self.speed).packed_speed()
     }
 
-    /// Returns the axes in which the shaders have this camera's lines of sight: the camera's own where they reflect these, else those along the
-    /// motion. Unit vectors of these in the camera's axes, as columns.
+    /// Returns the axes in which the shaders have this camera's lines of sight: the camera's own where they
+    /// reflect these, else those along the motion. Unit vectors of these in the camera's axes, as columns.
     pub(crate) fn sight_axes(&self) -> DMat3 {
         match self.axes {
             MotionAxes::AlongX { .. } => DMat3::IDENTITY,
@@ -164,7 +165,8 @@ impl RelativeVelocity {
         self.along_x().map_or(1.0, |velocity| velocity.direction())
     }
 
-    /// Unit vectors along the motion in the group's axes, as columns, where the shaders turn vectors into these; none where the motion is along x.
+    /// Unit vectors along the motion in the group's axes, as columns, where the shaders turn vectors into
+    /// these; none where the motion is along x.
     pub(crate) const fn oblique_axes(&self) -> Option<DMat3> {
         match self.axes {
             MotionAxes::AlongX { .. } => None,

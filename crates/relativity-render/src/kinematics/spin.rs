@@ -32,8 +32,8 @@ impl Spin {
         Self { hub: (DVec3::from(self.hub) + DVec3::from(offset)).to_array(), ..self }
     }
 
-    /// Returns the angular speed where the group moves at this velocity on the ground, `beta` in (-1, 1): about +y, radians per
-    /// unit of the rest frame's time.
+    /// Returns the angular speed where the group moves at this velocity on the ground, `beta` in (-1, 1):
+    /// about +y, radians per unit of the rest frame's time.
     #[must_use]
     pub fn omega(&self, beta: f64) -> f64 {
         self.turning.rim_speed(beta) / self.radius
@@ -57,9 +57,9 @@ impl Spin {
         math::atan2(z, x)
     }
 
-    /// Returns the place of the point that is at `rest` at t' = 0, at a time that depends on the place: from `axle_time`, that of the
-    /// axle abreast of it, on by `later`, which follows from its distance from the axle and its angle at `axle_time`.
-    /// The point turns at `omega`, as [`Self::omega`] has it.
+    /// Returns the place of the point that is at `rest` at t' = 0, at a time that depends on the place: from
+    /// `axle_time`, that of the axle abreast of it, on by `later`, which follows from its distance from the
+    /// axle and its angle at `axle_time`. The point turns at `omega`, as [`Self::omega`] has it.
     pub fn place_when(
         &self,
         rest: DVec3,
@@ -74,8 +74,8 @@ impl Spin {
         rest - off_axle + DVec3::new(r * cosine, 0.0, r * sine)
     }
 
-    /// Returns the place of a point of the wheel at `place` once it has turned by `angle` (radians, about +y, as a wheel does that
-    /// rolls towards +x).
+    /// Returns the place of a point of the wheel at `place` once it has turned by `angle` (radians, about +y,
+    /// as a wheel does that rolls towards +x).
     #[must_use]
     pub fn turned(&self, place: DVec3, angle: f64) -> DVec3 {
         let off_axle = self.off_axle(place);

@@ -104,7 +104,8 @@ impl Velocity {
         self.speed == Speed::REST
     }
 
-    /// `v` reflected where the velocity points towards -x: from the ground to where it points along +x, and back.
+    /// `v` reflected where the velocity points towards -x: from the ground to where it points along +x, and
+    /// back.
     pub(crate) fn reflected(&self, v: DVec3) -> DVec3 {
         DVec3::new(self.direction() * v.x, v.y, v.z)
     }
@@ -137,7 +138,8 @@ impl Velocity {
         aberration::doppler_factor(self.reflected(line_of_sight).to_array(), &self.speed)
     }
 
-    /// The worldline of `point`, at rest in the frame that moves so or turning there, reflected to move along +x.
+    /// The worldline of `point`, at rest in the frame that moves so or turning there, reflected to move along
+    /// +x.
     #[must_use]
     pub fn reflected_source(&self, point: impl Into<MaterialPoint>) -> Source {
         let MaterialPoint { rest, spin } = point.into();
@@ -165,7 +167,8 @@ impl Velocity {
         pair.map(|aperture| Aperture { x: self.direction() * aperture.x, ..aperture })
     }
 
-    /// Returns the disparity of `point`, in the frame with this velocity, for the `pair` of apertures (left, right) in this `model`.
+    /// Returns the disparity of `point`, in the frame with this velocity, for the `pair` of apertures (left,
+    /// right) in this `model`.
     ///
     /// # Errors
     ///
@@ -181,13 +184,13 @@ impl Velocity {
         Ok(self.reflected_disparity(model.disparity(&self.speed, point, pair, observation_time)?))
     }
 
-    /// Returns the disparity before the eyes of an `observer` who moves, at the event of the observer: the `pair` and all that is seen are in the
-    /// observer's axes.
+    /// Returns the disparity before the eyes of an `observer` who moves, at the event of the observer: the
+    /// `pair` and all that is seen are in the observer's axes.
     ///
     /// # Errors
     ///
-    /// A coordinate or time outside the domain of the core; a model that does not know such eyes; a relative Lorentz factor above
-    /// [`MAX_GAMMA`](relativity_core::MAX_GAMMA).
+    /// A coordinate or time outside the domain of the core; a model that does not know such eyes; a relative
+    /// Lorentz factor above [`MAX_GAMMA`](relativity_core::MAX_GAMMA).
     pub fn disparity_before(
         &self,
         observer: &Observer,
@@ -218,8 +221,8 @@ impl Velocity {
         Disparity { primary, secondary, dphi: -there.dphi, dtheta: there.dtheta }
     }
 
-    /// Returns the conformal disparity of `point` in the frame that moves so, in this `model`, for the eyes at the ends of
-    /// `baseline`; `None` where one sees it along the baseline.
+    /// Returns the conformal disparity of `point` in the frame that moves so, in this `model`, for the eyes
+    /// at the ends of `baseline`; `None` where one sees it along the baseline.
     ///
     /// # Errors
     ///
@@ -235,9 +238,9 @@ impl Velocity {
         self.conformal_of(model, &self.speed, source, baseline, observation_time)
     }
 
-    /// Returns the conformal disparity of `point` resting where it is at `observation_time` in the frame that moves so, for
-    /// eyes gamma d apart in place of d: of a `baseline` along the motion that of the moving point. `None` of a point that
-    /// turns, of another baseline, and of a point on the baseline.
+    /// Returns the conformal disparity of `point` resting where it is at `observation_time` in the frame that
+    /// moves so, for eyes gamma d apart in place of d: of a `baseline` along the motion that of the moving
+    /// point. `None` of a point that turns, of another baseline, and of a point on the baseline.
     ///
     /// # Errors
     ///
@@ -271,12 +274,13 @@ impl Velocity {
         model.conformal(speed, source, self.reflected_pair(baseline.apertures()), &axes, time)
     }
 
-    /// Returns the stereo position of `point`, in the frame with this velocity, for the `pair` of apertures (left, right) in this `model`,
-    /// from the middle between them.
+    /// Returns the stereo position of `point`, in the frame with this velocity, for the `pair` of apertures
+    /// (left, right) in this `model`, from the middle between them.
     ///
     /// # Errors
     ///
-    /// A coordinate or time outside the domain of the core; lines of sight that do not meet; a published model.
+    /// A coordinate or time outside the domain of the core; lines of sight that do not meet; a published
+    /// model.
     pub fn stereo(
         &self,
         model: Model,
@@ -306,8 +310,9 @@ impl Velocity {
         Ok(Stereo { position: self.reflected(there.position.into()).to_array(), ..there })
     }
 
-    /// Returns the speed at which a point at `place`, at rest in the frame that moves so, passes an `observer`, and its place by
-    /// the observer's clock, both reflected to move along +x. `None` beyond [`MAX_GAMMA`](relativity_core::MAX_GAMMA).
+    /// Returns the speed at which a point at `place`, at rest in the frame that moves so, passes an
+    /// `observer`, and its place by the observer's clock, both reflected to move along +x. `None` beyond
+    /// [`MAX_GAMMA`](relativity_core::MAX_GAMMA).
     #[must_use]
     pub fn past(&self, observer: &Observer, place: [f64; 3]) -> Option<(Speed, SourcePoint)> {
         self.reflected_observer(observer).relative_motion(&self.speed, self.reflected_point(place)).ok()

@@ -1,20 +1,21 @@
 //! The street's daylight as what moves receives it.
 //!
-//! It rests on the street and comes equally from all sides there, as under an overcast sky above pale ground: so what
-//! rests is lit as by a lamp of its own. A body that moves at beta receives it from the direction w', in its own frame,
-//! with D = 1/(gamma (1 - beta w'_x)), as a black body of D times 6504 K, crowded and hot ahead. What a surface with the
-//! normal n' reflects of it, as a matt one does, is the mean over its hemisphere, weighted by the cosine: a sum of black
-//! bodies over w'_x, of which the weight follows from the angle between n' and the motion alone.
+//! It rests on the street and comes equally from all sides there, as under an overcast sky above pale ground:
+//! so what rests is lit as by a lamp of its own. A body that moves at beta receives it from the direction w',
+//! in its own frame, with D = 1/(gamma (1 - beta w'_x)), as a black body of D times 6504 K, crowded and hot
+//! ahead. What a surface with the normal n' reflects of it, as a matt one does, is the mean over its
+//! hemisphere, weighted by the cosine: a sum of black bodies over w'_x, of which the weight follows from the
+//! angle between n' and the motion alone.
 //!
 //! # An approximation, and its name: daylight in six parts
 //!
-//! That sum is taken at six places, those of Gauss and Legendre over ln D between the coldest and the hottest light of
-//! the hemisphere, with weights that add up to 1. A test below holds it against sums over the whole hemisphere: where at
-//! least a hundredth of the light at rest is received, the light from 450 to 620 nm is off by at most 0.006 factors of 2
-//! at 0.5 c, 0.021 at 0.9 c, 0.039 at 0.99 c and 0.09 at 0.999 c.
+//! That sum is taken at six places, those of Gauss and Legendre over ln D between the coldest and the hottest
+//! light of the hemisphere, with weights that add up to 1. A test below holds it against sums over the whole
+//! hemisphere: where at least a hundredth of the light at rest is received, the light from 450 to 620 nm is
+//! off by at most 0.006 factors of 2 at 0.5 c, 0.021 at 0.9 c, 0.039 at 0.99 c and 0.09 at 0.999 c.
 //!
-//! A point that turns is lit as what it is, a surface with its own velocity: where a wheel touches the road, it is lit as
-//! the road is.
+//! A point that turns is lit as what it is, a surface with its own velocity: where a wheel touches the road,
+//! it is lit as the road is.
 
 use std::f64::consts::LN_2;
 
@@ -34,11 +35,11 @@ pub const PARTS: [[f64; 2]; 6] = [
     [0.830_604_693_233_132_3, 0.180_380_786_524_069_3],
     [0.966_234_757_101_576, 0.085_662_246_189_585_17],
 ];
-/// Below this speed the parts are weighted as at it: they differ by less than can be seen, and none is the difference of
-/// two that are nearly equal.
+/// Below this speed the parts are weighted as at it: they differ by less than can be seen, and none is the
+/// difference of two that are nearly equal.
 pub const LEAST_BETA: f64 = 1e-3;
-/// The largest gamma beta that a surface is lit with: its square is a number in f32, and light of one that is faster is not
-/// told from that by any table.
+/// The largest gamma beta that a surface is lit with: its square is a number in f32, and light of one that is
+/// faster is not told from that by any table.
 pub const MOST_RAPID: f64 = 1e15;
 
 /// The motion of a surface through the street's light.
@@ -65,7 +66,8 @@ impl DaylightPart {
 }
 
 impl Facing {
-    /// Takes the surface at `place` with `rest_normal`, which may turn about `spin`, in the frame of the group of `view`.
+    /// Takes the surface at `place` with `rest_normal`, which may turn about `spin`, in the frame of the
+    /// group of `view`.
     pub fn new(view: &GroupView, spin: Option<&Spin>, place: DVec3, rest_normal: DVec3) -> Self {
         let (on_ground, normal) = (view.on_ground, view.on_ground.reflected(rest_normal));
         let speed = on_ground.speed;
@@ -109,9 +111,9 @@ impl Facing {
     }
 }
 
-/// The mean, over the directions at an angle to the motion with the cosine 1 - `aside`, of the cosine of their angle to
-/// a normal, but for a factor; 0 for those behind the surface. The normal's angle to the motion has the cosine `ahead`
-/// and the sine `across`.
+/// The mean, over the directions at an angle to the motion with the cosine 1 - `aside`, of the cosine of
+/// their angle to a normal, but for a factor; 0 for those behind the surface. The normal's angle to the
+/// motion has the cosine `ahead` and the sine `across`.
 fn seen_share(ahead: f64, across: f64, aside: f64) -> f64 {
     let along = ahead * (1.0 - aside);
     let squared = across * across * aside * (2.0 - aside) - along * along;
@@ -119,8 +121,8 @@ fn seen_share(ahead: f64, across: f64, aside: f64) -> f64 {
     along * atan2(root, -along) + root
 }
 
-/// log2 of how many times as much daylight there is at 2^`log2_nm` where it is received with a Doppler factor of
-/// 2^`log2_doppler`.
+/// log2 of how many times as much daylight there is at 2^`log2_nm` where it is received with a Doppler factor
+/// of 2^`log2_doppler`.
 pub fn log2_more(log2_nm: f64, log2_doppler: f64) -> f64 {
     let quanta = quanta(log2_nm);
     let received = quanta * exp2(-log2_doppler);
@@ -155,8 +157,8 @@ mod tests {
         Facing { rapid: beta / (1.0 - beta * beta).sqrt(), ahead }
     }
 
-    /// The factors of 2 by which the parts are off a sum over all directions of the hemisphere, at most, for what can be seen
-    /// of such faces and is received at least a hundredth as bright as at rest.
+    /// The factors of 2 by which the parts are off a sum over all directions of the hemisphere, at most, for
+    /// what can be seen of such faces and is received at least a hundredth as bright as at rest.
     fn worst_error(beta: f64) -> f64 {
         let gamma = 1.0 / (1.0 - beta * beta).sqrt();
         let mut worst: f64 = 0.0;
@@ -186,8 +188,9 @@ mod tests {
         worst
     }
 
-    /// Samples the hemisphere about a normal: share and Doppler factor of the light from each direction, evenly over the disc below
-    /// the hemisphere, which has the cosine in it, and finer where the light is crowded.
+    /// Samples the hemisphere about a normal: share and Doppler factor of the light from each direction,
+    /// evenly over the disc below the hemisphere, which has the cosine in it, and finer where the light is
+    /// crowded.
     fn hemisphere(beta: f64, ahead: f64) -> Vec<(f64, f64)> {
         let gamma = 1.0 / (1.0 - beta * beta).sqrt();
         let across = (1.0 - ahead * ahead).sqrt();
@@ -219,8 +222,8 @@ mod tests {
         }
     }
 
-    /// The number of photons and the power that a matt face receives, in closed form: in the street's frame its hemisphere
-    /// is a cap of the sky, over which both are polynomials.
+    /// The number of photons and the power that a matt face receives, in closed form: in the street's frame
+    /// its hemisphere is a cap of the sky, over which both are polynomials.
     #[test]
     fn photons_and_power_are_those_of_the_closed_forms() {
         for beta in [0.1, 0.5, 0.9, 0.99] {

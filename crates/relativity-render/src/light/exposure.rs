@@ -1,5 +1,5 @@
-//! The exposure of a scene that leaves in sight what matters: found from the speeds and the lights in it alone, so that it
-//! does not change while time runs.
+//! The exposure of a scene that leaves in sight what matters: found from the speeds and the lights in it
+//! alone, so that it does not change while time runs.
 
 use relativity_core::math::{exp2, log2};
 
@@ -11,16 +11,18 @@ use crate::view::{Appearance, Colour, Geometry};
 
 /// Between these light of one wavelength is at least half as bright as its colour can be, nm.
 const SEEN_NM: [f64; 2] = [400.0, 745.0];
-/// Brightness, abreast, of bodies that glow or are white, relative to the brightest that is shown unchanged: a middle grey.
+/// Brightness, abreast, of bodies that glow or are white, relative to the brightest that is shown unchanged:
+/// a middle grey.
 const ABREAST: f64 = 0.18;
 /// The most that automatic exposure brightens, factors of 2: beyond, a picture is all shoulder.
 const MOST_EV: f64 = 6.0;
 
 /// The exposure (factors of 2) for what moves with these velocities and shines so, as `geometry` shows it.
 ///
-/// For one wavelength, with the exponent n, it lies midway between the light nearest to rest that can be seen and the brightest
-/// D^n that can, both over all D that the speeds reach and that leave a body's light visible. For what glows and for white
-/// light it is such that what passes abreast, at D = 1/gamma, comes out a middle grey, but at least 0 and at most 6.
+/// For one wavelength, with the exponent n, it lies midway between the light nearest to rest that can be seen
+/// and the brightest D^n that can, both over all D that the speeds reach and that leave a body's light
+/// visible. For what glows and for white light it is such that what passes abreast, at D = 1/gamma, comes out
+/// a middle grey, but at least 0 and at most 6.
 ///
 /// # Examples
 ///
@@ -63,7 +65,8 @@ pub fn automatic_ev(
     }
 }
 
-/// log2 of how bright light of one wavelength is where it is visible: at the D nearest to 1, and at the brightest.
+/// log2 of how bright light of one wavelength is where it is visible: at the D nearest to 1, and at the
+/// brightest.
 fn seen_line(velocity: Velocity, emission: Emission, appearance: &Appearance) -> Option<[f64; 2]> {
     let rest_nm = emission.wavelength_nm()?;
     let fastest = log2(velocity.speed.head_on_doppler_factor());

@@ -1,20 +1,23 @@
 //! The hatch: light that eyes do not see, drawn in neutral grey with fine lines.
 //!
-//! No colour is left to tell it by, so it cannot be taken for light that is seen, by whatever eyes: lines rise to the right
-//! at 45 degrees for infrared and fall at 135 degrees for ultraviolet. They stand still in the picture, and only the body's
-//! own shade lies over them. `shaders/colour.wgsl` has the same, with the numbers of [`Hatch::packed`].
+//! No colour is left to tell it by, so it cannot be taken for light that is seen, by whatever eyes: lines
+//! rise to the right at 45 degrees for infrared and fall at 135 degrees for ultraviolet. They stand still in
+//! the picture, and only the body's own shade lies over them. `shaders/colour.wgsl` has the same, with the
+//! numbers of [`Hatch::packed`].
 //!
-//! A share of such light is a number from -1 to 1: above 0 of infrared, below 0 of ultraviolet, 0 where all is seen.
+//! A share of such light is a number from -1 to 1: above 0 of infrared, below 0 of ultraviolet, 0 where all
+//! is seen.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-/// Distance between lines, as a share of the shorter side of a picture, and the least in px, which keeps lines
-/// visibly apart.
+/// Distance between lines, as a share of the shorter side of a picture, and the least in px, which keeps
+/// lines visibly apart.
 const PERIOD: f64 = 1.0 / 80.0;
 const LEAST_PERIOD_PX: f64 = 5.0;
 /// Width of a line over the period.
 const LINE_SHARE: f64 = 0.4;
-/// Linear grey between the lines and on them: in a dark window lighter than a street at dusk, in a light one darker than it.
+/// Linear grey between the lines and on them: in a dark window lighter than a street at dusk, in a light one
+/// darker than it.
 const DARK: [f64; 2] = [0.15, 0.45];
 const LIGHT: [f64; 2] = [0.012, 0.16];
 
@@ -37,7 +40,8 @@ impl Hatch {
         Self { period, half_width: 0.5 * LINE_SHARE * period, grey: [between, on_line - between] }
     }
 
-    /// Returns the linear grey of light with this `unseen` share in the pixel around `place`, px from the top left.
+    /// Returns the linear grey of light with this `unseen` share in the pixel around `place`, px from the top
+    /// left.
     ///
     /// The grey is that of the pixel's middle, smoothed over its width: all samples of a pixel have the same.
     pub fn grey(&self, unseen: f64, place: [f64; 2]) -> f64 {
@@ -51,8 +55,8 @@ impl Hatch {
         unseen.abs() * (self.grey[0] + self.grey[1] * cover)
     }
 
-    /// The numbers that shaders need of it: the period, px, its reciprocal times cos 45 degrees, half the width of a line, px,
-    /// and 0; and the grey between the lines, what is added on them, 0 and 0.
+    /// The numbers that shaders need of it: the period, px, its reciprocal times cos 45 degrees, half the
+    /// width of a line, px, and 0; and the grey between the lines, what is added on them, 0 and 0.
     pub fn packed(&self) -> [[f32; 4]; 2] {
         let per_px = FRAC_1_SQRT_2 / self.period;
         [[self.period, per_px, self.half_width, 0.0], [self.grey[0], self.grey[1], 0.0, 0.0]]

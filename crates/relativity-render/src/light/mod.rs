@@ -1,5 +1,5 @@
-//! Light on its way from a body to the screen: daylight, what of it eyes see, how bright it is shown, and the tables of its
-//! colours.
+//! Light on its way from a body to the screen: daylight, what of it eyes see, how bright it is shown, and the
+//! tables of its colours.
 
 pub(crate) mod daylight;
 pub mod exposure;

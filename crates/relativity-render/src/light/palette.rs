@@ -10,9 +10,9 @@ use crate::view::effects::Constant;
 
 /// Entries of a table.
 pub const ENTRIES: u32 = 2048;
-/// Tables: the light of one wavelength over log2 of that, nm, and its unseen share; of black bodies over log2 of the
-/// temperature, K, and their unseen share; of bands over log2 of their middle, nm; the false colours over log2 D; and what
-/// becomes of the street's grey over log2 D, in daylight and in false colours.
+/// Tables: the light of one wavelength over log2 of that, nm, and its unseen share; of black bodies over log2
+/// of the temperature, K, and their unseen share; of bands over log2 of their middle, nm; the false colours
+/// over log2 D; and what becomes of the street's grey over log2 D, in daylight and in false colours.
 pub const ROWS: u32 = 8;
 
 /// The range of a table: outside, its ends hold.
@@ -68,8 +68,8 @@ pub fn daylight_quanta() -> f64 {
     log2_quantum_nm() - BAND.first
 }
 
-/// The tables, RGBA, a row each. The last component is log2 of what the colour is multiplied by. Unseen shares are the
-/// first component of theirs.
+/// The tables, RGBA, a row each. The last component is log2 of what the colour is multiplied by. Unseen
+/// shares are the first component of theirs.
 pub fn tables() -> Vec<[f32; 4]> {
     let plain = |[red, green, blue]: [f64; 3]| [red, green, blue, 0.0];
     let share = |share: f64| [share, 0.0, 0.0, 0.0];

@@ -1,4 +1,5 @@
-//! Received light by group and band: so that a picture can say why a part of it is dark, from the places of the bodies alone.
+//! Received light by group and band: so that a picture can say why a part of it is dark, from the places of
+//! the bodies alone.
 
 use std::slice;
 
@@ -13,13 +14,13 @@ use crate::view::{Appearance, View};
 /// Places along a capsule at which its light is sampled, as parts of its length.
 const PLACES: [f64; 3] = [1.0 / 6.0, 0.5, 5.0 / 6.0];
 
-/// Parts of a group's picture by the band of [`Band::ALL`](crate::colour::spectrum::Band::ALL) in which they are received. They
-/// add up to 1, or are all 0 where nothing of it is in the picture.
+/// Parts of a group's picture by the band of [`Band::ALL`](crate::colour::spectrum::Band::ALL) in which they
+/// are received. They add up to 1, or are all 0 where nothing of it is in the picture.
 pub type Shares = [f64; 3];
 
 impl PreparedScene {
-    /// The shares of each group in the picture of `view`: about, since neither what hides what nor an outline is
-    /// worked out. False colours leave nothing dark.
+    /// The shares of each group in the picture of `view`: about, since neither what hides what nor an outline
+    /// is worked out. False colours leave nothing dark.
     ///
     /// # Examples
     ///

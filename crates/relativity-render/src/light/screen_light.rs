@@ -18,8 +18,8 @@ use crate::view::{Appearance, Colour};
 
 /// Share of daylight that a tinted body reflects at every wavelength; the rest it reflects only near its own.
 const WHITE_SHARE: f64 = 0.25;
-/// Exponent of the radiance per wavelength, by which a band rises where it is received: `I_lambda lambda^5` is the same
-/// for all.
+/// Exponent of the radiance per wavelength, by which a band rises where it is received: `I_lambda lambda^5`
+/// is the same for all.
 const BAND_EXPONENT: f64 = 5.0;
 /// log2 of what is dark at any exposure.
 const LOG2_DARK: f64 = -1e4;
@@ -66,7 +66,8 @@ impl Light {
         }
     }
 
-    /// Returns the band in which this light is received at `doppler_factor`: visible, infrared or ultraviolet.
+    /// Returns the band in which this light is received at `doppler_factor`: visible, infrared or
+    /// ultraviolet.
     pub fn band(self, appearance: &Appearance, doppler_factor: f64) -> Band {
         let shift = if appearance.doppler_shift { doppler_factor } else { 1.0 };
         match self {
@@ -102,8 +103,8 @@ impl Light {
         ScreenLight { colour, unseen }
     }
 
-    /// Returns log2 of the part of the received intensity that its colour does not contain: D^n of one wavelength, and of all where
-    /// colours stay as they are at rest.
+    /// Returns log2 of the part of the received intensity that its colour does not contain: D^n of one
+    /// wavelength, and of all where colours stay as they are at rest.
     fn log2_intensity(self, appearance: &Appearance, doppler_factor: f64) -> f64 {
         if self.exponent(appearance) == 0.0 {
             return 0.0;
@@ -118,8 +119,8 @@ impl Light {
         }
     }
 
-    /// Linear sRGB before any exposure, for light shifted by `shift` octaves, where daylight is received in these `parts`. At
-    /// rest its largest component is about 1.
+    /// Linear sRGB before any exposure, for light shifted by `shift` octaves, where daylight is received in
+    /// these `parts`. At rest its largest component is about 1.
     fn received(self, shift: f64, log2_intensity: f64, parts: &[DaylightPart]) -> [f64; 3] {
         match self {
             Self::Line(nm) => linear_srgb(exp2(log2(nm) - shift)).map(|part| part * exp2(log2_intensity)),
@@ -183,8 +184,8 @@ fn glow(kelvin: f64, shift: f64, log2_factor: f64) -> [f64; 3] {
     light.hue.map(|part| part * exp2((light.log2_level + log2_factor).min(1e3)))
 }
 
-/// Linear sRGB of what a body with this `tint` reflects of daylight that it receives shifted by `received_shift` octaves,
-/// shifted by `shift` more.
+/// Linear sRGB of what a body with this `tint` reflects of daylight that it receives shifted by
+/// `received_shift` octaves, shifted by `shift` more.
 fn reflected(tint: Option<f64>, shift: f64, log2_intensity: f64, received_shift: f64) -> [f64; 3] {
     let levels = daylight(tint);
     let white = glow(DAYLIGHT_KELVIN, shift + received_shift, log2_intensity + levels.glow);
@@ -215,8 +216,8 @@ fn left_dark(colour: [f64; 3]) -> f64 {
     (1.0 - colour.into_iter().fold(0.0, f64::max)).powi(4)
 }
 
-/// Received over rest intensity of this `emission` at `doppler_factor`, before any exposure: D^n of light of one
-/// wavelength, else the luminance beside that at rest.
+/// Received over rest intensity of this `emission` at `doppler_factor`, before any exposure: D^n of light of
+/// one wavelength, else the luminance beside that at rest.
 #[must_use]
 pub fn received_intensity(emission: Emission, appearance: &Appearance, doppler_factor: f64) -> f64 {
     let light = Light::new(emission, appearance);

@@ -43,8 +43,8 @@ pub struct Received {
 /// Linear sRGB, in [0, 1], of the surface of `body` with `rest_normal`, received at `doppler_factor` in
 /// the pixel around `place`, px; `facing` the street's daylight, if that lights it.
 ///
-/// Form and the body's brightness come after the shoulder: so they show in what is very bright, and in what is all but
-/// black.
+/// Form and the body's brightness come after the shoulder: so they show in what is very bright, and in what
+/// is all but black.
 #[must_use]
 pub fn surface_colour(
     appearance: &Appearance,

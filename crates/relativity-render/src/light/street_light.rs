@@ -1,11 +1,13 @@
 //! Light of the street, the house fronts and the sky, as a camera receives it that moves along the street.
 //!
-//! All of them rest on the ground and reflect daylight. Their paints count as grey: light of the Doppler factor D is daylight as a
-//! black body of D times 6504 K, times the paint's linear sRGB at rest. The approximation is called *grey paint*. Of what white paint
-//! would reflect in a primary it is off by at most the greatest difference between the paint's own primaries, 0.07 for walls and 0.32
-//! for the sky; a test below holds it against spectra of daylight reflected by smooth paints.
+//! All of them rest on the ground and reflect daylight. Their paints count as grey: light of the Doppler
+//! factor D is daylight as a black body of D times 6504 K, times the paint's linear sRGB at rest. The
+//! approximation is called *grey paint*. Of what white paint would reflect in a primary it is off by at most
+//! the greatest difference between the paint's own primaries, 0.07 for walls and 0.32 for the sky; a test
+//! below holds it against spectra of daylight reflected by smooth paints.
 //!
-//! The shaders' `received_from_street` and `packets/street/backdrop.rs` do the same by a row of the tables of `palette.rs`.
+//! The shaders' `received_from_street` and `packets/street/backdrop.rs` do the same by a row of the tables of
+//! `palette.rs`.
 
 use relativity_core::math::{exp2, log2};
 
@@ -14,8 +16,8 @@ use crate::colour::false_colour;
 use crate::colour::planck::{DAYLIGHT_KELVIN, black_body};
 use crate::view::{Appearance, Colour, StreetColours};
 
-/// Row of `palette.rs` that has grey in daylight that is shifted, its strongest primary as at rest; its logarithm is that of the
-/// brightness.
+/// Row of `palette.rs` that has grey in daylight that is shifted, its strongest primary as at rest; its
+/// logarithm is that of the brightness.
 pub(crate) const DAYLIT_ROW: usize = 6;
 /// Row of grey in false colours.
 pub(crate) const FALSE_ROW: usize = 7;
@@ -63,7 +65,8 @@ impl StreetLight {
         }
     }
 
-    /// Returns the linear sRGB that is received of a surface of this `colour` (linear sRGB) at `doppler_factor`.
+    /// Returns the linear sRGB that is received of a surface of this `colour` (linear sRGB) at
+    /// `doppler_factor`.
     pub fn received(&self, colour: [f64; 3], doppler_factor: f64) -> [f64; 3] {
         if *self == Self::PAINTED {
             return colour;
@@ -90,8 +93,8 @@ impl StreetLight {
         }
     }
 
-    /// Packs the weights of log2 of the Doppler factor, for the place in that row, and of the row's logarithm, each 1 or 0; n; and log2 of the
-    /// exposure.
+    /// Packs the weights of log2 of the Doppler factor, for the place in that row, and of the row's
+    /// logarithm, each 1 or 0; n; and log2 of the exposure.
     pub fn packed(&self) -> [f32; 4] {
         let shift = f32::from(u8::from(self.tint != Tint::None));
         [shift, self.level as f32, self.exponent as f32, self.exposure_ev as f32]
@@ -101,10 +104,11 @@ impl StreetLight {
 /// The most that a factor of brightness is, and one over the least, octaves.
 const MOST_LOG2: f64 = 100.0;
 
-/// Linear sRGB of grey in daylight that is shifted by `octaves`, its strongest primary as at rest; and log2 of its brightness beside that.
+/// Linear sRGB of grey in daylight that is shifted by `octaves`, its strongest primary as at rest; and log2
+/// of its brightness beside that.
 ///
-/// The strongest primary is held and not the luminance: deep red of a white's luminance is beyond what a screen shows, and a street behind a
-/// fast rider would lose all its contrast.
+/// The strongest primary is held and not the luminance: deep red of a white's luminance is beyond what a
+/// screen shows, and a street behind a fast rider would lose all its contrast.
 pub(crate) fn daylit(octaves: f64) -> [f64; 4] {
     let [at_rest, shifted] = [0.0, octaves].map(|octaves| black_body(log2(DAYLIGHT_KELVIN) + octaves));
     let hue: [f64; 3] = std::array::from_fn(|i| shifted.hue[i] / at_rest.hue[i]);
@@ -188,8 +192,8 @@ mod tests {
         }
     }
 
-    /// Linear sRGB of daylight shifted by `doppler_factor`, which a paint of this linear sRGB reflects smoothly: three broad bands
-    /// that overlap, one for each primary.
+    /// Linear sRGB of daylight shifted by `doppler_factor`, which a paint of this linear sRGB reflects
+    /// smoothly: three broad bands that overlap, one for each primary.
     fn reflected(paint: [f64; 3], doppler_factor: f64) -> [f64; 3] {
         let bands = [[610.0, 60.0], [545.0, 45.0], [455.0, 40.0]];
         let share = |nm: f64, band: usize| (-0.5 * ((nm - bands[band][0]) / bands[band][1]).powi(2)).exp();
@@ -206,9 +210,10 @@ mod tests {
         srgb_from_xyz(xyz)
     }
 
-    /// The error of grey paint: how far the share of each primary in what is received is from that of smooth paints in daylight. It is
-    /// at most the greatest difference between a paint's own primaries, since a shift only moves these into each other's places;
-    /// primaries weigh a little light negatively, for which a hundredth is left.
+    /// The error of grey paint: how far the share of each primary in what is received is from that of smooth
+    /// paints in daylight. It is at most the greatest difference between a paint's own primaries, since a
+    /// shift only moves these into each other's places; primaries weigh a little light negatively, for which
+    /// a hundredth is left.
     #[test]
     fn grey_paint_is_off_smooth_paints_by_no_more_than_their_primaries_differ() {
         for paint in PAINTS {

@@ -1,8 +1,9 @@
 //! The shoulder: how light brighter than a screen is shown without being cut off.
 //!
-//! On the largest component x of a linear colour: s(x) = x up to the knee k, and above it
-//! s(x) = k + (1 - k) u/(1 + u) with u = (x - k)/(1 - k). So s rises everywhere, with a slope that has no jump, and
-//! reaches 1 nowhere. All components are scaled alike, which keeps hue and saturation. `shaders/colour.wgsl` has the same.
+//! On the largest component x of a linear colour: s(x) = x up to the knee k, and above it s(x) = k + (1 - k)
+//! u/(1 + u) with u = (x - k)/(1 - k). So s rises everywhere, with a slope that has no jump, and reaches 1
+//! nowhere. All components are scaled alike, which keeps hue and saturation. `shaders/colour.wgsl` has the
+//! same.
 
 use crate::view::effects::Constant;
 
@@ -32,7 +33,8 @@ pub fn toned(linear: [f64; 3]) -> [f64; 3] {
     scaled(linear, shoulder)
 }
 
-/// Returns the value that [`toned`] turned into `shown`; values shown as 1 and more are taken for a little less.
+/// Returns the value that [`toned`] turned into `shown`; values shown as 1 and more are taken for a little
+/// less.
 #[must_use]
 pub fn untoned(shown: [f64; 3]) -> [f64; 3] {
     scaled(shown, |y| {

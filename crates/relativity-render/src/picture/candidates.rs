@@ -1,5 +1,5 @@
-//! A picture in tiles, and what each of them may show: which groups, and which bodies that no hierarchy knows, as they turn
-//! or are seen along rays that curve.
+//! A picture in tiles, and what each of them may show: which groups, and which bodies that no hierarchy
+//! knows, as they turn or are seen along rays that curve.
 
 use std::borrow::Cow;
 
@@ -17,7 +17,8 @@ use crate::view::group_view::GroupView;
 /// Length of the balls that follow a turning body, as a part of its reach from the axle.
 const BALLS: f64 = 0.15;
 
-/// Smallest side of a part of a picture, px, that is tested for showing anything: testing a smaller one costs more than it saves.
+/// Smallest side of a part of a picture, px, that is tested for showing anything: testing a smaller one costs
+/// more than it saves.
 const LEAST_ASKED: u32 = 2 * TILE_SIDE;
 
 /// Rows of pixels that one thread draws at a time.
@@ -68,8 +69,9 @@ struct Candidates<'a> {
 }
 
 impl PreparedScene {
-    /// Returns one value per pixel of `view`, row by row: `draw` is called with each tile and the rows of pixels to write into. Bands
-    /// of rows that are not `wanted` when they would begin, by their first row, keep the default.
+    /// Returns one value per pixel of `view`, row by row: `draw` is called with each tile and the rows of
+    /// pixels to write into. Bands of rows that are not `wanted` when they would begin, by their first row,
+    /// keep the default.
     pub(crate) fn tiles<T: Clone + Default + Send>(
         &self,
         view: &View,

@@ -1,14 +1,16 @@
 //! Composition of one picture from those of two eyes.
 //!
-//! A mixture gives each of its pixels the weighted sum of red, green, blue and the largest of these of both pictures there,
-//! in linear light: an anaglyph or an overlay. Interleaved rows and halves take whole pixels of one or the other.
-//! `shaders/compose.wgsl` has the same.
+//! A mixture gives each of its pixels the weighted sum of red, green, blue and the largest of these of both
+//! pictures there, in linear light: an anaglyph or an overlay. Interleaved rows and halves take whole pixels
+//! of one or the other. `shaders/compose.wgsl` has the same.
 //!
 //! # References
 //!
-//! - E. Dubois, *A projection method to generate anaglyph stereo images*, Proc. IEEE ICASSP 2001, vol. 3, 1661-1664.
-//! - E. Dubois, *Conversion of a Stereo Pair to Anaglyph with the Least-Squares Projection Method* (University of Ottawa,
-//!   March 2009): the numbers for red-cyan glasses, for linear sRGB; what comes out is clipped component by component.
+//! - E. Dubois, *A projection method to generate anaglyph stereo images*, Proc. IEEE ICASSP 2001, vol. 3,
+//!   1661-1664.
+//! - E. Dubois, *Conversion of a Stereo Pair to Anaglyph with the Least-Squares Projection Method*
+//!   (University of Ottawa, March 2009): the numbers for red-cyan glasses, for linear sRGB; what comes out is
+//!   clipped component by component.
 
 use std::array::from_fn;
 use std::sync::LazyLock;
@@ -22,21 +24,25 @@ use crate::view::effects::{Constant, number};
 /// A way to compose two pictures of one size, the first and the second, into one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Composition {
-    /// Anaglyph: the largest component of the first in red, of the second in green and blue. This measures brightness where one
-    /// wavelength fills the picture, and so no colour is lost behind the glasses.
+    /// Anaglyph: the largest component of the first in red, of the second in green and blue. This measures
+    /// brightness where one wavelength fills the picture, and so no colour is lost behind the glasses.
     Anaglyph,
-    /// For red-cyan glasses, by least squares: what the eyes see behind them is as near to the colours as can be.
+    /// For red-cyan glasses, by least squares: what the eyes see behind them is as near to the colours as can
+    /// be.
     Dubois,
-    /// The largest component of each in a colour of its own (sRGB-encoded), added; hues are kept where that is too bright.
+    /// The largest component of each in a colour of its own (sRGB-encoded), added; hues are kept where that
+    /// is too bright.
     Overlay([[u8; 3]; 2]),
     /// Rows of the first and of the second in turn.
     Rows {
         /// Picture of the topmost row.
         top: Top,
     },
-    /// The first squeezed into the left half and the second into the right one: pairs of columns averaged in linear light.
+    /// The first squeezed into the left half and the second into the right one: pairs of columns averaged in
+    /// linear light.
     HalfSideBySide,
-    /// The first squeezed into the upper half and the second into the lower one: pairs of rows averaged in linear light.
+    /// The first squeezed into the upper half and the second into the lower one: pairs of rows averaged in
+    /// linear light.
     HalfOverUnder,
 }
 
@@ -53,7 +59,8 @@ pub enum Top {
 /// Weights of red, green, blue and the largest of them in each component.
 type Weights = [[f64; 4]; 3];
 
-/// Dubois' least-squares matrices for red-cyan glasses, of the left and the right eye, as published: to three decimals.
+/// Dubois' least-squares matrices for red-cyan glasses, of the left and the right eye, as published: to three
+/// decimals.
 const DUBOIS: [[[f64; 3]; 3]; 2] = [
     [[0.437, 0.449, 0.164], [-0.062, -0.062, -0.024], [-0.048, -0.050, -0.017]],
     [[-0.011, -0.032, -0.007], [0.377, 0.761, 0.009], [-0.026, -0.093, 1.234]],
@@ -147,8 +154,8 @@ pub struct Composing {
     pub top: [u32; 4],
 }
 
-/// A variant of the shader. It is a pipeline constant because Mesa's software GPU recompiles a shader for every new value
-/// of a uniform that it branches on.
+/// A variant of the shader. It is a pipeline constant because Mesa's software GPU recompiles a shader for
+/// every new value of a uniform that it branches on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ComposeVariant {
     /// A mixture, clipped component by component.
@@ -176,8 +183,8 @@ impl ComposeVariant {
     }
 }
 
-/// Dubois' matrices, so that what is grey in both pictures stays as it is: rounded as they are published, the weights of
-/// green sum to 0.999. Each component's are divided by their sum.
+/// Dubois' matrices, so that what is grey in both pictures stays as it is: rounded as they are published, the
+/// weights of green sum to 0.999. Each component's are divided by their sum.
 fn dubois() -> [[[f64; 3]; 3]; 2] {
     let sum: [f64; 3] = from_fn(|row| DUBOIS.iter().flat_map(|matrix| matrix[row]).sum());
     DUBOIS.map(|matrix| from_fn(|row| matrix[row].map(|weight| weight / sum[row])))

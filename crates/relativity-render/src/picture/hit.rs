@@ -25,8 +25,8 @@ pub struct Hit {
     pub proper_time: f64,
     /// The angle by which the body had turned then since t' = 0, about +y, radians; 0 if it does not turn.
     pub turn: f64,
-    /// Point of the body that was hit: its place at t' = 0, in the body as it was placed. Bodies that stand still
-    /// in their group have it where they were hit.
+    /// Point of the body that was hit: its place at t' = 0, in the body as it was placed. Bodies that stand
+    /// still in their group have it where they were hit.
     pub material_position: DVec3,
     /// Doppler factor, 1 unless light is received in the geometry.
     pub doppler_factor: f64,
@@ -41,7 +41,8 @@ impl Hit {
     }
 }
 
-/// The turning of a hit: the angle that `body` had turned by, the point that was hit, and its own Doppler factor.
+/// The turning of a hit: the angle that `body` had turned by, the point that was hit, and its own Doppler
+/// factor.
 pub(crate) struct Turned {
     pub proper_time: f64,
     pub turn: f64,

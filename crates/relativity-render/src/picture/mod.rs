@@ -1,5 +1,5 @@
-//! Pictures and their parts: the tiles, where in them a body may be, the hits of their pixels, and what is made of finished
-//! ones.
+//! Pictures and their parts: the tiles, where in them a body may be, the hits of their pixels, and what is
+//! made of finished ones.
 
 pub(crate) mod candidates;
 pub mod compose;

@@ -6,8 +6,8 @@ use crate::scene::prepared_scene::PreparedScene;
 use crate::view::Appearance;
 
 impl PreparedScene {
-    /// Returns the `colour` of white paint as that of the paint at `hit`, on average over what is `covered` there: of false colours, which
-    /// show no paint, only as dark.
+    /// Returns the `colour` of white paint as that of the paint at `hit`, on average over what is `covered`
+    /// there: of false colours, which show no paint, only as dark.
     pub(crate) fn painted(
         &self,
         colour: [f64; 3],

@@ -1,5 +1,5 @@
-//! Corrects what was measured at each pixel: as a picture of colours is corrected (see [`crate::picture::rectify`]), but
-//! no wavelength is out of sight, and none has to be told from a hue.
+//! Corrects what was measured at each pixel: as a picture of colours is corrected (see
+//! [`crate::picture::rectify`]), but no wavelength is out of sight, and none has to be told from a hue.
 
 use relativity_core::threads::prelude::*;
 

@@ -1,13 +1,14 @@
 //! Corrects a picture to the frame of the bodies: what a camera moving along with them would have taken at
 //! the same event.
 //!
-//! Both cameras meet at one event and receive the same light. A line of sight turns by aberration, a wavelength
-//! is multiplied by D, and an intensity is divided by D^n. That holds for all light, whatever sent it: a wheel that rolls
-//! becomes one that turns, with the Doppler effect of its turning.
+//! Both cameras meet at one event and receive the same light. A line of sight turns by aberration, a
+//! wavelength is multiplied by D, and an intensity is divided by D^n. That holds for all light, whatever sent
+//! it: a wheel that rolls becomes one that turns, with the Doppler effect of its turning.
 //!
 //! A pixel's colour tells a wavelength only as far as its hue does: the part of it that is not grey counts as
-//! monochromatic light (see [`crate::colour`]), the grey part as light without a wavelength; what the shoulder of bright
-//! light (see [`crate::light::tone`]) took off is put back first. What the Doppler effect shifted out of sight stays dark.
+//! monochromatic light (see [`crate::colour`]), the grey part as light without a wavelength; what the
+//! shoulder of bright light (see [`crate::light::tone`]) took off is put back first. What the Doppler effect
+//! shifted out of sight stays dark.
 
 use std::sync::LazyLock;
 
@@ -26,7 +27,8 @@ use crate::light::tone::{toned, untoned};
 const SAMPLES: u32 = 3;
 /// Range of wavelengths that have distinct hues, nm.
 const HUES_NM: std::ops::RangeInclusive<u32> = 420..=710;
-/// Distance from every spectral hue up to which a colour still counts as one of them: generously a step of the table.
+/// Distance from every spectral hue up to which a colour still counts as one of them: generously a step of
+/// the table.
 const HUE_TOLERANCE: f64 = 0.1;
 
 /// Two cameras at one event: one at rest on the ground, one moving along with the bodies.
@@ -72,8 +74,9 @@ impl Rectification {
         Self { ground, rest, velocity, lines_of_sight: rest.lines_of_sight() }
     }
 
-    /// The moving camera that has what `ground` has in its centre in its own, equally large, its picture across its gaze; or
-    /// conformal as that of `ground` is: then its picture is the same for eyes along the motion, slid by the rapidity.
+    /// The moving camera that has what `ground` has in its centre in its own, equally large, its picture
+    /// across its gaze; or conformal as that of `ground` is: then its picture is the same for eyes along the
+    /// motion, slid by the rapidity.
     #[must_use]
     pub fn rest_camera(ground: &Camera, velocity: &Velocity) -> Camera {
         let to_centre = ground.through_middle();
@@ -102,8 +105,8 @@ impl Rectification {
         &self.rest
     }
 
-    /// Returns the place in the picture from the ground that shows the same as `place` in the corrected one (both in pixels); `None`
-    /// outside of it.
+    /// Returns the place in the picture from the ground that shows the same as `place` in the corrected one
+    /// (both in pixels); `None` outside of it.
     #[must_use]
     pub fn ground_place(&self, place: [f64; 2]) -> Option<[f64; 2]> {
         let rest_line = self.lines_of_sight.through(place);
@@ -140,8 +143,8 @@ impl Rectification {
 }
 
 impl LightCorrection {
-    /// The linear colour that light of the linear colour `received` at Doppler factor `doppler` has at rest, both as a
-    /// screen shows them.
+    /// The linear colour that light of the linear colour `received` at Doppler factor `doppler` has at rest,
+    /// both as a screen shows them.
     #[must_use]
     pub fn corrected(&self, received: [f64; 3], doppler: f64) -> [f64; 3] {
         let brightness =

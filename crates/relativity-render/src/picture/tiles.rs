@@ -54,9 +54,10 @@ impl Tile {
 
     /// The cap of the sky around its lines of sight.
     ///
-    /// No line of sight is further from the middle one than a corner's: not in a flat picture, nor in one by longitude and
-    /// latitude (a conformal one has them about the baseline), where along each edge the cosine of that angle rises to one
-    /// maximum and falls. That holds below a right angle; in no more than the largest tiles of a picture is it wider.
+    /// No line of sight is further from the middle one than a corner's: not in a flat picture, nor in one by
+    /// longitude and latitude (a conformal one has them about the baseline), where along each edge the cosine
+    /// of that angle rises to one maximum and falls. That holds below a right angle; in no more than the
+    /// largest tiles of a picture is it wider.
     pub fn cap(self, lines_of_sight: &LinesOfSight) -> Cap {
         let low = self.corner.map(|place| f64::from(place) - ROOM);
         let high = [0, 1].map(|axis| f64::from(self.corner[axis] + self.size[axis]) + ROOM);

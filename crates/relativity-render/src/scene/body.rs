@@ -30,34 +30,34 @@ impl Emission {
     }
 }
 
-/// A pattern on a body. The own z axis of a tube (from `from` to `to`), of a cylinder and of a ring is its axis; a ball
-/// has the axes of the rest frame, a box its own.
+/// A pattern on a body. The own z axis of a tube (from `from` to `to`), of a cylinder and of a ring is its
+/// axis; a ball has the axes of the rest frame, a box its own.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Pattern {
     /// No pattern.
     #[default]
     Plain,
-    /// The faces of a die on a box: 1 at the end of its x axis, 2 of y, 3 of z; opposite faces sum to 7. Plain on all
-    /// others.
+    /// The faces of a die on a box: 1 at the end of its x axis, 2 of y, 3 of z; opposite faces sum to 7.
+    /// Plain on all others.
     Faces,
-    /// Meridians around the axis, and parallels across it. On the side of a tube or cylinder parallels follow from its
-    /// beginning at as long an arc, on its ends and on a ring's tube as well. Those at multiples of 90
-    /// degrees are twice as wide.
-    /// Plain on a box.
+    /// Meridians around the axis, and parallels across it. On the side of a tube or cylinder parallels follow
+    /// from its beginning at as long an arc, on its ends and on a ring's tube as well. Those at multiples of
+    /// 90 degrees are twice as wide. Plain on a box.
     Graticule {
         /// From one line to the next, degrees, a divisor of 90.
         step_degrees: f64,
     },
-    /// Squares, light and dark in turn. On a box they count from its lowest corner; along a tube or cylinder from its
-    /// beginning, and around it there are as many as come closest to `step`, an even number, as around a ball or ring
-    /// (where they are equal parts of both circles).
+    /// Squares, light and dark in turn. On a box they count from its lowest corner; along a tube or cylinder
+    /// from its beginning, and around it there are as many as come closest to `step`, an even number, as
+    /// around a ball or ring (where they are equal parts of both circles).
     Chequer {
         /// Side of a square, above 0.
         step: f64,
     },
-    /// Bands across the z axis, light and dark in turn: from the beginning of a tube or cylinder, or a ball's middle.
-    /// On a box they lie across its x axis, from its low end; on a ring along its middle circle, from its own x axis.
+    /// Bands across the z axis, light and dark in turn: from the beginning of a tube or cylinder, or a ball's
+    /// middle. On a box they lie across its x axis, from its low end; on a ring along its middle circle, from
+    /// its own x axis.
     Stripes {
         /// Width of a band, above 0.
         step: f64,
@@ -78,8 +78,8 @@ pub struct Body {
     pub pattern: Pattern,
     /// Turning of the body within its group; `None` if it does not turn there.
     pub spin: Option<Spin>,
-    /// Triangles of a model, which take the place of the box's own surface. They carry no pattern, and their light is
-    /// [`Emission::White`].
+    /// Triangles of a model, which take the place of the box's own surface. They carry no pattern, and their
+    /// light is [`Emission::White`].
     #[cfg_attr(feature = "serde", serde(with = "crate::geometry::triangles::shared"))]
     pub triangles: Option<Arc<Triangles>>,
 }
@@ -121,7 +121,8 @@ impl Body {
         self.spin.filter(|spin| !self.shape.is_round_about(spin))
     }
 
-    /// Returns the shape that outlines the body: of a model that turns, the cylinder about its axle that it never leaves.
+    /// Returns the shape that outlines the body: of a model that turns, the cylinder about its axle that it
+    /// never leaves.
     #[must_use]
     pub fn outline(&self) -> Shape {
         match (&self.triangles, self.spin, self.shape) {
@@ -134,8 +135,8 @@ impl Body {
         }
     }
 
-    /// Returns the strokes that it is drawn with, whoever looks: of a model its sharp edges, and of one that turns the cylinder as well
-    /// that it never leaves.
+    /// Returns the strokes that it is drawn with, whoever looks: of a model its sharp edges, and of one that
+    /// turns the cylinder as well that it never leaves.
     #[must_use]
     pub fn strokes(&self) -> Vec<Stroke> {
         let Some(model) = self.model() else { return self.shape.strokes() };
@@ -143,8 +144,8 @@ impl Body {
         around.into_iter().chain(model.edges(model.triangles.sharp_edges())).collect()
     }
 
-    /// Returns the strokes that it is drawn with besides, where its surface turns away from whoever looks at the middle of it: around a
-    /// ball, and along a model that does not turn.
+    /// Returns the strokes that it is drawn with besides, where its surface turns away from whoever looks at
+    /// the middle of it: around a ball, and along a model that does not turn.
     #[must_use]
     pub fn silhouette(&self, onlooker_at: impl Fn(DVec3) -> Onlooker) -> Vec<Stroke> {
         match self.model() {

@@ -53,7 +53,8 @@ impl CandidateBodies<'_> {
 }
 
 impl PreparedScene {
-    /// Returns the beam in which lines of sight within `cap` may meet the bodies of this `group` that keep their places.
+    /// Returns the beam in which lines of sight within `cap` may meet the bodies of this `group` that keep
+    /// their places.
     pub(crate) fn standing(&self, group: usize, view: &GroupView, cap: &Cap) -> Option<Within> {
         let hierarchy = self.hierarchy(group);
         if hierarchy.is_empty() || !view.has_straight_rays() {
@@ -63,8 +64,9 @@ impl PreparedScene {
         beam.is_none_or(|beam| hierarchy.is_met(&beam)).then_some(Within(beam))
     }
 
-    /// The nearest entry of each of `rays`, which are counted from their points nearest to the middle of the group, among
-    /// the bodies that are `chosen`; of equally near ones that of the lowest number. There are at most [`RayBundle::MOST`].
+    /// The nearest entry of each of `rays`, which are counted from their points nearest to the middle of the
+    /// group, among the bodies that are `chosen`; of equally near ones that of the lowest number. There are
+    /// at most [`RayBundle::MOST`].
     pub(crate) fn first_entries(
         &self,
         chosen: &CandidateBodies<'_>,

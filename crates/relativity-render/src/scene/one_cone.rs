@@ -1,10 +1,11 @@
 //! One light cone for both eyes: the reference traces, from where each eye is, the events that the
 //! middle between the eyes receives.
 //!
-//! Along the line of sight n from the eye at e, from the middle, the event at distance l has the time T - |e + l n|. In the
-//! rest frame these events lie on a curve, with the tangent (gamma (`n_x` + beta n.u), `n_y`, `n_z`), u being the unit vector
-//! from the middle: straight for great l. A ray is traced along the tangent at the last known distance, and again along
-//! the one where it met the body. That is Newton's iteration: what is off is squared each time.
+//! Along the line of sight n from the eye at e, from the middle, the event at distance l has the time
+//! T - |e + l n|. In the rest frame these events lie on a curve, with the tangent (gamma (`n_x` + beta n.u),
+//! `n_y`, `n_z`), u being the unit vector from the middle: straight for great l. A ray is traced along the
+//! tangent at the last known distance, and again along the one where it met the body. That is Newton's
+//! iteration: what is off is squared each time.
 
 use std::f64::consts::PI;
 
@@ -21,20 +22,23 @@ use crate::view::cone::Cone;
 use crate::view::group_view::{GroupView, RestRay};
 use crate::view::{Geometry, View};
 
-/// Greatest number of tangents that are tried. Two or three are enough except for bodies about as near as the eyes are to each other.
+/// Greatest number of tangents that are tried. Two or three are enough except for bodies about as near as the
+/// eyes are to each other.
 const ROUNDS: u32 = 12;
 /// A tangent serves this far from where it touches, in parts of the distance: it is off by the square.
 const SETTLED: f64 = 1e-7;
 /// Error of a distance from a plane, in parts of the terms that it is the sum of.
 const ROUNDING: f64 = 1e-12;
-/// Distances closer than this, as parts of themselves, are compared along the ray, where they have more digits.
+/// Distances closer than this, as parts of themselves, are compared along the ray, where they have more
+/// digits.
 const ALIKE: f64 = 1e-9;
 
 impl GroupView {
-    /// The ray that touches, at `distance`, the curve of events along `line_of_sight`; without one, its limit.
+    /// The ray that touches, at `distance`, the curve of events along `line_of_sight`; without one, its
+    /// limit.
     ///
-    /// The ray's origin, from the middle's event, is (gamma (`e_x` + beta e.u), `e_y`, `e_z`): in l (n.u) - |e + l n| = -e.u
-    /// nothing is left of l.
+    /// The ray's origin, from the middle's event, is (gamma (`e_x` + beta e.u), `e_y`, `e_z`): in l
+    /// (n.u) - |e + l n| = -e.u nothing is left of l.
     pub(crate) fn one_cone_ray(&self, line_of_sight: DVec3, distance: Option<f64>) -> RestRay {
         let Self { velocity, .. } = self;
         let eye = self.camera.off_middle;
@@ -96,8 +100,8 @@ impl GroupView {
     }
 }
 
-/// Least and greatest delay by which the eye of `view` itself sees what it is shown of the subject of `scene`: no more than
-/// light takes to it from the middle.
+/// Least and greatest delay by which the eye of `view` itself sees what it is shown of the subject of
+/// `scene`: no more than light takes to it from the middle.
 pub(crate) fn delays(scene: &PreparedScene, view: &View) -> [f64; 2] {
     let most = view.camera.off_middle.length();
     let ranges = scene.subject().flat_map(|group| {
@@ -112,11 +116,12 @@ pub(crate) fn delays(scene: &PreparedScene, view: &View) -> [f64; 2] {
 }
 
 impl GroupView {
-    /// Returns the range of delays for what is in the rest-frame ball at `center`; `None` where it is not much farther than the eye.
+    /// Returns the range of delays for what is in the rest-frame ball at `center`; `None` where it is not
+    /// much farther than the eye.
     ///
-    /// An event at P, from the middle, reaches the eye |P - e| - |P| later than the middle, which is -e.u and at most
-    /// e^2/(2 (|P| - |e|)) more. The ball has exactly the directions u of a cone, and |P| is D times as far as in the rest
-    /// frame.
+    /// An event at P, from the middle, reaches the eye |P - e| - |P| later than the middle, which is -e.u and
+    /// at most e^2/(2 (|P| - |e|)) more. The ball has exactly the directions u of a cone, and |P| is D times
+    /// as far as in the rest frame.
     fn delays(&self, center: DVec3, radius: f64) -> Option<[f64; 2]> {
         let eye = self.camera.off_middle;
         let reach = eye.length();
@@ -136,8 +141,8 @@ impl GroupView {
     }
 }
 
-/// The plane of the rest frame that holds all events along a line of sight: they are off the ray's limit along the motion alone. What
-/// does not reach it is met nowhere, however the ray bends.
+/// The plane of the rest frame that holds all events along a line of sight: they are off the ray's limit
+/// along the motion alone. What does not reach it is met nowhere, however the ray bends.
 struct PlaneOfEvents {
     /// A place of the plane.
     origin: DVec3,
@@ -178,8 +183,9 @@ struct BodyMeeting {
 }
 
 impl PreparedScene {
-    /// Returns the first of the `bodies` of a group that is seen where both eyes have one light cone: its number, the place where the line
-    /// of sight enters it, the distance of that on the ground, and the ray that touches there.
+    /// Returns the first of the `bodies` of a group that is seen where both eyes have one light cone: its
+    /// number, the place where the line of sight enters it, the distance of that on the ground, and the ray
+    /// that touches there.
     pub(crate) fn first_entry_in_one_cone(
         &self,
         prepared: &PreparedGroup,
@@ -214,8 +220,9 @@ impl PreparedScene {
         }
     }
 
-    /// Returns the place where `line_of_sight`, whose ray has this `limit` at great distances, enters the `body` of this number, and its
-    /// distance on the ground. Rays are counted from near the `middle` of the group.
+    /// Returns the place where `line_of_sight`, whose ray has this `limit` at great distances, enters the
+    /// `body` of this number, and its distance on the ground. Rays are counted from near the `middle` of the
+    /// group.
     fn meeting(
         &self,
         body: usize,
@@ -242,8 +249,8 @@ impl PreparedScene {
         found
     }
 
-    /// Returns the entry of `ray`, which `touches` the curve of events that far along it, into the `body` of this number, and the distance
-    /// of the entry along the ray, or else of the passage.
+    /// Returns the entry of `ray`, which `touches` the curve of events that far along it, into the `body` of
+    /// this number, and the distance of the entry along the ray, or else of the passage.
     fn entry_or_passage(
         &self,
         body: usize,

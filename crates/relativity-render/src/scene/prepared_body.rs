@@ -62,20 +62,21 @@ pub struct Placement {
     /// From the middle of its group: its centre, or one end of a tube; and its radius, of bodies with flat
     /// faces half their least length.
     pub place_radius: [f32; 4],
-    /// The other end of a tube; a ring's unit axis and the radius of its middle circle; half the lengths of a box or a
-    /// cylinder along its own axes, and how far a model that turns reaches from its axle.
+    /// The other end of a tube; a ring's unit axis and the radius of its middle circle; half the lengths of a
+    /// box or a cylinder along its own axes, and how far a model that turns reaches from its axle.
     pub form: [f32; 4],
     /// Unit quaternion from its own axes to those of the rest frame.
     pub turn: [f32; 4],
 }
 
-/// Whether a body may have a rounded end, or all of a body that is no tube, in common with another: there the first of
-/// them is seen.
+/// Whether a body may have a rounded end, or all of a body that is no tube, in common with another: there the
+/// first of them is seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Joint {
     /// Whether the body shares an end at its true width.
     pub as_it_is: bool,
-    /// Whether it shares an end where both are drawn a pixel wide: bodies about one centre, which are as wide there.
+    /// Whether it shares an end where both are drawn a pixel wide: bodies about one centre, which are as wide
+    /// there.
     pub widened: bool,
 }
 
@@ -94,7 +95,8 @@ impl Placement {
 }
 
 impl PreparedBody {
-    /// The body of this `number`, in the group of that number, which has this `extent`; its capsules join the others.
+    /// The body of this `number`, in the group of that number, which has this `extent`; its capsules join the
+    /// others.
     pub(crate) fn new(
         number: usize,
         group: usize,
@@ -160,8 +162,8 @@ pub(crate) fn find_joints(bodies: &mut [PreparedBody], solids: &[Solid]) {
     }
 }
 
-/// Decides which of `bodies`, those of one group, are drawn by pipelines that know patterns: those that carry one, and
-/// with them those that share an end with others, since all of these must be drawn in their order.
+/// Decides which of `bodies`, those of one group, are drawn by pipelines that know patterns: those that carry
+/// one, and with them those that share an end with others, since all of these must be drawn in their order.
 pub(crate) fn find_patterned(bodies: &mut [PreparedBody]) {
     let has_patterns = bodies.iter().any(|body| body.marking.is_some());
     for body in bodies {

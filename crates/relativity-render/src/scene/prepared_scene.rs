@@ -28,14 +28,15 @@ pub struct Group<'a> {
     pub bodies: &'a [Body],
 }
 
-/// Distance, as a part of the group's size along a ray, within which two surfaces of one group count as one: the body with the lower
-/// number is seen, since which comes out nearer is a matter of rounding.
+/// Distance, as a part of the group's size along a ray, within which two surfaces of one group count as one:
+/// the body with the lower number is seen, since which comes out nearer is a matter of rounding.
 const TIE: f64 = 1e-12;
 
 /// Marks the absence of a place.
 const NONE: u32 = u32::MAX;
 
-/// A scene prepared for every way to draw it, for hits and for picking. Clones share it; equal are those that do.
+/// A scene prepared for every way to draw it, for hits and for picking. Clones share it; equal are those that
+/// do.
 ///
 /// Bodies may overlap; the nearest surface is seen, of equally near ones that of the lowest number.
 ///
@@ -193,8 +194,8 @@ impl PreparedScene {
         }
     }
 
-    /// Returns the entry of `ray` into the body of this number, whose turning this is, and its distance along the ray, or that of the place
-    /// where the ray passes, as [`TurningSolid::entry`] does.
+    /// Returns the entry of `ray` into the body of this number, whose turning this is, and its distance along
+    /// the ray, or that of the place where the ray passes, as [`TurningSolid::entry`] does.
     pub(crate) fn turning_entry(
         &self,
         body: usize,
@@ -212,7 +213,8 @@ impl PreparedScene {
         }
     }
 
-    /// The triangles that the body of this number is made of, if it is. In a scene without models nothing is looked up.
+    /// The triangles that the body of this number is made of, if it is. In a scene without models nothing is
+    /// looked up.
     pub(crate) fn triangles(&self, body: usize) -> Option<&Triangles> {
         let place = self.0.models.binary_search_by_key(&body, |(number, _)| *number).ok()?;
         Some(&self.0.models[place].1)
@@ -228,7 +230,8 @@ impl PreparedScene {
         &self.0.hierarchies[group]
     }
 
-    /// Returns the beam of rays within `cap` as `view` has them in the group of this number; `None` where there is none.
+    /// Returns the beam of rays within `cap` as `view` has them in the group of this number; `None` where
+    /// there is none.
     pub(crate) fn beam(&self, group: usize, view: &GroupView, cap: &Cap) -> Option<Beam> {
         Beam::new(view, cap, self.groups()[group].extent.middle)
     }
@@ -286,8 +289,8 @@ impl PreparedScene {
         self.0.groups[self.group_of(body)].motion
     }
 
-    /// The subject of the scene: all groups that move past, whether at the scene's speed or their own; all that do not ride along with the
-    /// eyes if none does.
+    /// The subject of the scene: all groups that move past, whether at the scene's speed or their own; all
+    /// that do not ride along with the eyes if none does.
     pub fn subject(&self) -> impl Iterator<Item = &PreparedGroup> {
         let moves = |group: &PreparedGroup| match group.motion {
             Motion::Scene => true,
@@ -306,7 +309,8 @@ impl PreparedScene {
     }
 }
 
-/// The `entry` of a ray into a body that keeps its place, and its distance, or that of the place where the ray passes the body.
+/// The `entry` of a ray into a body that keeps its place, and its distance, or that of the place where the
+/// ray passes the body.
 pub(crate) fn passing(entry: Option<Entry>, ray: &Ray, solid: &Solid) -> (Option<Entry>, f64) {
     let along = entry.map_or_else(|| ray.nearest_to(solid.center()).1, |entry| entry.distance);
     (entry, along)

@@ -1,10 +1,10 @@
 //! Eight pixels at once: numbers, vectors and quaternions of which each lane belongs to one of them.
 //!
-//! Only `+ - * /`, roots, comparisons and roundings are used, which IEEE 754 fixes to the bit, and no fused ones: so
-//! pictures are the same whatever registers a processor has.
+//! Only `+ - * /`, roots, comparisons and roundings are used, which IEEE 754 fixes to the bit, and no fused
+//! ones: so pictures are the same whatever registers a processor has.
 //!
-//! What is given to `Option::map`, `array::map` or `bool::then` is compiled for the narrowest registers, with a call for each number: here
-//! it is `match` and `if`, or `vectorize` inside.
+//! What is given to `Option::map`, `array::map` or `bool::then` is compiled for the narrowest registers, with
+//! a call for each number: here it is `match` and `if`, or `vectorize` inside.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 

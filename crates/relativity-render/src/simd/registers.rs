@@ -2,8 +2,8 @@
 
 use fearless_simd::Level;
 
-/// Runs `$body` with the widest registers that there are; `None` on a processor that has not even four numbers in one,
-/// for which it is not worth to compile it.
+/// Runs `$body` with the widest registers that there are; `None` on a processor that has not even four
+/// numbers in one, for which it is not worth to compile it.
 macro_rules! on_registers {
     ($level:expr, $simd:ident => $body:expr) => {
         match $level {

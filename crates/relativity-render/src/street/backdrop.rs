@@ -23,8 +23,9 @@ use crate::view::{Appearance, Geometry};
 pub(crate) const LINE_HALF_WIDTH: f64 = 0.012;
 /// Half the width of the two lines through the origin.
 pub(crate) const AXIS_HALF_WIDTH: f64 = 0.02;
-/// Share of the grid that is drawn where a pixel is p units wide on the ground: the first number less p times the second, that is
-/// all of it where four pixels lie between two lines, none where only two do and lines would merge.
+/// Share of the grid that is drawn where a pixel is p units wide on the ground: the first number less p times
+/// the second, that is all of it where four pixels lie between two lines, none where only two do and lines
+/// would merge.
 pub(crate) const GRID_FADE: [f64; 2] = [2.0, 4.0];
 /// Width of the kerbs beside a road.
 pub(crate) const KERB_WIDTH: f64 = 0.25;
@@ -32,14 +33,15 @@ pub(crate) const KERB_WIDTH: f64 = 0.25;
 pub(crate) const LANE_HALF_WIDTH: f64 = 0.09;
 /// Length of the dashes of that line, the first of which begins at x = 0, and from one to the next.
 pub(crate) const DASH: [f64; 2] = [3.0, 8.0];
-/// Haze of a grid: at the distance s the share 1/(1 + haze s^2) of the ground is seen, half of a grid 20 units away, of a road
-/// half of it 50 units away: so the plane ends in the sky and not in a line, and the flicker of far lines with it.
+/// Haze of a grid: at the distance s the share 1/(1 + haze s^2) of the ground is seen, half of a grid 20
+/// units away, of a road half of it 50 units away: so the plane ends in the sky and not in a line, and the
+/// flicker of far lines with it.
 const GRID_HAZE: f64 = 0.0025;
 const ROAD_HAZE: f64 = 0.0004;
 /// Lines of sight with a lesser y meet no house fronts.
 pub(crate) const LEAST_TOWARDS_FRONTS: f64 = 1e-4;
-/// The sky is the zenith's colour above the height z of a line of sight of 1/`SKY_RISE`, 46 degrees: a picture
-/// that looks straight ahead shows all of the gradient.
+/// The sky is the zenith's colour above the height z of a line of sight of 1/`SKY_RISE`, 46 degrees: a
+/// picture that looks straight ahead shows all of the gradient.
 pub(crate) const SKY_RISE: f64 = 1.4;
 
 /// Columns and rows of the tiles that a picture is drawn in.
@@ -171,7 +173,8 @@ impl BackdropPart {
     }
 }
 
-/// The last pass of a picture over one part of its backdrop, with everything decided that its shader can decide before.
+/// The last pass of a picture over one part of its backdrop, with everything decided that its shader can
+/// decide before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct LastPass {
     pub part: BackdropPart,
@@ -242,7 +245,8 @@ pub struct Backdrop {
 }
 
 impl Backdrop {
-    /// Returns the backdrop of `camera` in a view of this `geometry`, without the shadows of bodies that touch a road.
+    /// Returns the backdrop of `camera` in a view of this `geometry`, without the shadows of bodies that
+    /// touch a road.
     #[must_use]
     pub fn new(camera: &Camera, geometry: Geometry, appearance: &Appearance) -> Self {
         let aperture = camera.aperture;
@@ -265,7 +269,8 @@ impl Backdrop {
         Self { contacts: *contacts, ..self }
     }
 
-    /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, a road; and of house fronts.
+    /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, a road; and of
+    /// house fronts.
     pub(crate) fn colours(&self) -> [[f64; 3]; 11] {
         let Palette { horizon, zenith, earth, grid_line, axis_line, asphalt, .. } = self.palette;
         let [earth, lines, paint] = match self.road {
@@ -276,8 +281,8 @@ impl Backdrop {
         [horizon, zenith, earth, lines, paint, asphalt, wall, frame, glass, door, shop]
     }
 
-    /// y of the near and the far kerb of a road, equal where there is none, and of house fronts from the aperture, 0
-    /// where there are none.
+    /// y of the near and the far kerb of a road, equal where there is none, and of house fronts from the
+    /// aperture, 0 where there are none.
     pub(crate) fn places(&self) -> [f64; 3] {
         let [near, far] = self.road.unwrap_or_default();
         [near, far, self.fronts.unwrap_or_default()]
@@ -290,7 +295,8 @@ impl Backdrop {
         self.light.received(self.painted(&seen, turns), seen.camera_per_ground)
     }
 
-    /// Linear sRGB of the paint that is `seen`, or of the sky; `turns` of the line on the ground lead from one pixel to the next.
+    /// Linear sRGB of the paint that is `seen`, or of the sky; `turns` of the line on the ground lead from
+    /// one pixel to the next.
     fn painted(&self, seen: &GroundLine, turns: impl Fn() -> [DVec3; 2]) -> [f64; 3] {
         let direction = seen.direction;
         let below = self.height_distance(direction);
@@ -309,7 +315,8 @@ impl Backdrop {
         mix(without, self.hazy(colour, seen, distance), cover)
     }
 
-    /// Returns the colour that is seen along `seen` of a surface of this `colour` at `distance` on the ground.
+    /// Returns the colour that is seen along `seen` of a surface of this `colour` at `distance` on the
+    /// ground.
     fn hazy(&self, colour: [f64; 3], seen: &GroundLine, distance: f64) -> [f64; 3] {
         let distance = distance * seen.haze_share();
         let haze = if self.road.is_some() { ROAD_HAZE } else { GRID_HAZE };
@@ -346,7 +353,8 @@ impl Backdrop {
         (distance > 0.0 && distance.is_finite()).then_some(distance)
     }
 
-    /// Linear sRGB of the ground met at `distance` along a line of sight on it, which turns by `turns` from one pixel to the next.
+    /// Linear sRGB of the ground met at `distance` along a line of sight on it, which turns by `turns` from
+    /// one pixel to the next.
     fn ground(&self, seen: &GroundLine, turns: [DVec3; 2], distance: f64) -> [f64; 3] {
         let n = seen.direction;
         let foot = self.aperture + n.truncate() * distance;
@@ -368,8 +376,8 @@ impl Backdrop {
     }
 }
 
-/// Returns width and height of a pixel on a surface, given the turns of the line of sight to the next; `shift` gives the shift on the
-/// surface for a turn.
+/// Returns width and height of a pixel on a surface, given the turns of the line of sight to the next;
+/// `shift` gives the shift on the surface for a turn.
 fn pixel(turns: [DVec3; 2], shift: impl Fn(DVec3) -> DVec2) -> DVec2 {
     let [right, down] = turns.map(shift);
     DVec2::new(math::hypot(right.x, down.x), math::hypot(right.y, down.y))

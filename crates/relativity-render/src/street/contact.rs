@@ -1,13 +1,15 @@
 //! Contact shadows: a soft darkening of a road around the places where bodies touch it.
 //!
-//! It is a drawn sign of where a body stands, not light that is carried from a lamp: a stain that rides along with the body,
-//! at rest in its frame. Each point of the road is darkened by what lay there when the light left it that arrives now. Where
-//! body and road touch, that is one event for both: there the shadow is exact, for every eye, whatever is chosen for its size.
+//! It is a drawn sign of where a body stands, not light that is carried from a lamp: a stain that rides along
+//! with the body, at rest in its frame. Each point of the road is darkened by what lay there when the light
+//! left it that arrives now. Where body and road touch, that is one event for both: there the shadow is
+//! exact, for every eye, whatever is chosen for its size.
 //!
-//! With the touching place seen at p from the eye and a point of the road at f, e = f - p, the event on the road is
-//! gamma (`e_x` + v (|f| - |p|)) along the motion from the touching place in the body's frame, and |f| - |p| = e.(f + p)/(|f| + |p|).
-//! So nothing is left of the distance, which can be great there. In a picture without delay v is 0, and gamma contracts the
-//! stain. `shaders/backdrop.wgsl` and `packets/street/contact.rs` draw the same, with the same constants.
+//! With the touching place seen at p from the eye and a point of the road at f, e = f - p, the event on the
+//! road is gamma (`e_x` + v (|f| - |p|)) along the motion from the touching place in the body's frame,
+//! and |f| - |p| = e.(f + p)/(|f| + |p|). So nothing is left of the distance, which can be great there. In a
+//! picture without delay v is 0, and gamma contracts the stain. `shaders/backdrop.wgsl` and
+//! `packets/street/contact.rs` draw the same, with the same constants.
 
 use std::array;
 
@@ -90,7 +92,8 @@ impl Contacts {
         Self { off_middle, places, count: found.len().min(MOST) }
     }
 
-    /// Returns the share of a road's light that they leave at `foot` from the eye, of a pixel that is so wide and deep there.
+    /// Returns the share of a road's light that they leave at `foot` from the eye, of a pixel that is so wide
+    /// and deep there.
     pub fn leave(&self, foot: DVec3, pixel: DVec2) -> f64 {
         let from_middle = foot + self.off_middle;
         let distance = from_middle.length();
@@ -119,8 +122,8 @@ impl Contacts {
         [x, y, z, self.count as f64].map(|v| v as f32)
     }
 
-    /// Returns the places for the shaders: of each the place, the distance and gamma v; then half the length and the width, both
-    /// squared, and gamma.
+    /// Returns the places for the shaders: of each the place, the distance and gamma v; then half the length
+    /// and the width, both squared, and gamma.
     pub fn packed(&self) -> [[[f32; 4]; 2]; MOST] {
         self.places.map(|Contact { place, distance, half, gamma, rapid }| {
             [[place.x, place.y, distance, rapid], [half.x * half.x, half.y * half.y, gamma, 0.0]]
@@ -130,7 +133,8 @@ impl Contacts {
 }
 
 impl Contact {
-    /// Returns that of `foot`, where `view` shows it on the ground at this `height` from the eye, if it is seen there.
+    /// Returns that of `foot`, where `view` shows it on the ground at this `height` from the eye, if it is
+    /// seen there.
     fn new(view: &GroupView, foot: &Foot, height: f64, off_middle: DVec3) -> Option<Self> {
         let place = view.apparent_position(foot.place)?.truncate();
         let distance = (place.extend(height) + off_middle).length();
@@ -193,8 +197,8 @@ mod tests {
         Contacts::new(&scene, &scene.group_views(&view), appearance)
     }
 
-    /// The road's event, brought into the wheel's frame by the Lorentz transformation as it is written in every textbook, lies
-    /// where the shadow says; there it is a resting ellipse.
+    /// The road's event, brought into the wheel's frame by the Lorentz transformation as it is written in
+    /// every textbook, lies where the shadow says; there it is a resting ellipse.
     #[test]
     fn a_shadow_rests_in_its_bodys_frame() {
         for beta in [-0.95, -0.3, 0.0, 0.6, 0.9, 0.99] {

@@ -17,8 +17,8 @@ pub fn repeated_cover(coordinate: f64, length: f64, period: f64, pixel: f64) -> 
     covered / (2.0 * half)
 }
 
-/// Share of a pixel that a line covers whose middle lies `off_line` from its own; one thinner than the pixel is faded
-/// rather than broken up.
+/// Share of a pixel that a line covers whose middle lies `off_line` from its own; one thinner than the pixel
+/// is faded rather than broken up.
 pub fn line_cover(off_line: f64, half_width: f64, pixel: f64) -> f64 {
     let half = half_width.max(0.5 * pixel);
     ((half - off_line) / pixel.max(1e-6) + 0.5).clamp(0.0, 1.0) * (half_width / half)

@@ -10,8 +10,8 @@ use crate::colour::mix;
 
 /// Width of a house.
 pub(crate) const HOUSE_WIDTH: f64 = 8.0;
-/// Houses take turns at these heights (the highest first, then the lowest) and shades of their walls; the means of both,
-/// for where they are finer than pixels.
+/// Houses take turns at these heights (the highest first, then the lowest) and shades of their walls; the
+/// means of both, for where they are finer than pixels.
 pub(crate) const HOUSES: [[f64; 2]; 4] = [[10.8, 0.78], [9.7, 1.0], [10.3, 0.6], [10.27, 0.79]];
 /// Openings in the walls: beginning along a house, length, and the heights between which each lies. The
 /// windows of the first and of the second floor, twice in a house; the door, and the window of the shop.
@@ -33,7 +33,8 @@ pub(crate) const CONSTANTS: [(&str, f64); 5] = [
     ("CORNICE", CORNICE),
 ];
 
-/// Linear sRGB colours of the fronts: walls, frames and courses, upper windows, doors, and the windows of shops.
+/// Linear sRGB colours of the fronts: walls, frames and courses, upper windows, doors, and the windows of
+/// shops.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Paints {
     pub wall: [f64; 3],
@@ -51,8 +52,8 @@ pub(crate) struct FrontPixel {
 }
 
 impl Paints {
-    /// Returns what a pixel shows of the fronts: `place` is x along them and height above the ground at its middle, `pixel` its width and height
-    /// there.
+    /// Returns what a pixel shows of the fronts: `place` is x along them and height above the ground at its
+    /// middle, `pixel` its width and height there.
     pub fn front(&self, place: DVec2, pixel: DVec2) -> FrontPixel {
         let House { shade, cover, cornice } = house(place, pixel);
         let openings: [_; 4] = std::array::from_fn(|number| opening_cover(number, 0.0, place, pixel));
@@ -72,8 +73,8 @@ struct House {
     cornice: f64,
 }
 
-/// The houses in a pixel: that at its right end, and as far as it reaches there the one at its left end; all of them where
-/// they are finer than pixels.
+/// The houses in a pixel: that at its right end, and as far as it reaches there the one at its left end; all
+/// of them where they are finer than pixels.
 fn house(place: DVec2, pixel: DVec2) -> House {
     let end = place.x + 0.5 * pixel.x;
     let right = (end / HOUSE_WIDTH).floor();

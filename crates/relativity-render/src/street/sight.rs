@@ -1,8 +1,9 @@
-//! The street as a camera sees it that rides along: road, ground, house fronts and sky, all at rest on the ground.
+//! The street as a camera sees it that rides along: road, ground, house fronts and sky, all at rest on the
+//! ground.
 //!
-//! They are like a group at rest, seen through the same aberration as a group of bodies. All of it is drawn on the ground, from the
-//! camera's event there; only lines of sight and the size of a pixel are brought there first. The shaders' `street_sight` and
-//! `packets/street/backdrop.rs` do the same.
+//! They are like a group at rest, seen through the same aberration as a group of bodies. All of it is drawn
+//! on the ground, from the camera's event there; only lines of sight and the size of a pixel are brought
+//! there first. The shaders' `street_sight` and `packets/street/backdrop.rs` do the same.
 
 use glam::{DMat3, DVec3};
 
@@ -12,7 +13,8 @@ use crate::kinematics::velocity::Velocity;
 use crate::light::street_light::{DAYLIT_ROW, FALSE_ROW, StreetLight};
 use crate::view::{Appearance, Geometry};
 
-/// The street's motion against a camera, and the geometry that shows it: seen, contracted only, or at rest with the camera.
+/// The street's motion against a camera, and the geometry that shows it: seen, contracted only, or at rest
+/// with the camera.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct StreetSight {
     geometry: Geometry,
@@ -75,8 +77,9 @@ pub(crate) struct GroundLine {
 }
 
 impl GroundLine {
-    /// The part of a distance on the ground by which haze counts: the nearer of its distances in both frames. Haze is drawn so that the ground
-    /// ends in the sky; it should hide neither what is far behind and seen large nor what is near ahead and seen small.
+    /// The part of a distance on the ground by which haze counts: the nearer of its distances in both frames.
+    /// Haze is drawn so that the ground ends in the sky; it should hide neither what is far behind and seen
+    /// large nor what is near ahead and seen small.
     pub fn haze_share(&self) -> f64 {
         self.camera_per_ground.min(1.0)
     }
@@ -112,12 +115,14 @@ impl StreetSight {
         }
     }
 
-    /// The turn of a line on the ground, up to multiples of it, for a `turn` of the camera's line of sight across that.
+    /// The turn of a line on the ground, up to multiples of it, for a `turn` of the camera's line of sight
+    /// across that.
     pub fn turn(&self, line: &GroundLine, turn: DVec3) -> DVec3 {
         self.stretched(turn) * line.camera_per_ground
     }
 
-    /// Returns the light of the street in a picture with `appearance`: as painted where no light is seen to move.
+    /// Returns the light of the street in a picture with `appearance`: as painted where no light is seen to
+    /// move.
     pub fn light(&self, appearance: &Appearance) -> StreetLight {
         if self.geometry == Geometry::Seen { StreetLight::new(appearance) } else { StreetLight::PAINTED }
     }
@@ -133,7 +138,8 @@ impl StreetSight {
         self.geometry != Geometry::Rest && self.velocity.oblique_axes().is_some()
     }
 
-    /// Unit vectors along its motion, as columns: in the camera's axes, where the shaders turn lines of sight into these.
+    /// Unit vectors along its motion, as columns: in the camera's axes, where the shaders turn lines of sight
+    /// into these.
     pub fn sight_axes(&self) -> DMat3 {
         self.velocity.sight_axes()
     }
@@ -148,7 +154,8 @@ impl StreetSight {
         self.velocity.packed_speed()
     }
 
-    /// -1 if the street moves towards -x, else 1; the shaders' `GEOMETRY`; and their row of tables for this `light`.
+    /// -1 if the street moves towards -x, else 1; the shaders' `GEOMETRY`; and their row of tables for this
+    /// `light`.
     pub fn packed_motion(&self, light: &StreetLight) -> [f32; 4] {
         [self.velocity.sign(), self.geometry.number(), light.row() as f64, 0.0].map(|v| v as f32)
     }

@@ -9,7 +9,8 @@ use super::cone::Cone;
 /// Largest error of a cosine by rounding.
 const ROUNDING: f64 = 1e-14;
 
-/// A cap: all directions whose angle from `axis` is at most the one with this `sine` (0 or more) and `cosine`.
+/// A cap: all directions whose angle from `axis` is at most the one with this `sine` (0 or more) and
+/// `cosine`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cap {
     /// Axis of the cap, a unit vector.
@@ -22,7 +23,8 @@ impl Cap {
     /// The cap of every direction.
     pub const WHOLE_SKY: Self = Self { axis: DVec3::Y, sine: 0.0, cosine: -1.0 };
 
-    /// Returns the cap of all directions to `corners`, with the great circles between them; all are unit vectors.
+    /// Returns the cap of all directions to `corners`, with the great circles between them; all are unit
+    /// vectors.
     pub fn around(axis: DVec3, corners: [DVec3; 4]) -> Self {
         let chord_squared =
             corners.into_iter().map(|corner| corner.distance_squared(axis)).fold(0.0, f64::max);
@@ -43,9 +45,9 @@ impl Cap {
         sine < 0.0 || self.axis.dot(other.axis) >= cosine - ROUNDING
     }
 
-    /// Returns the cap after aberration, which multiplies the tangent of half the angle from x by 1/`head_on_doppler_factor`:
-    /// from the ground into the rest frame of what moves along +x. `None` if it holds -x, from where light comes from all
-    /// sides then.
+    /// Returns the cap after aberration, which multiplies the tangent of half the angle from x by
+    /// 1/`head_on_doppler_factor`: from the ground into the rest frame of what moves along +x. `None` if it
+    /// holds -x, from where light comes from all sides then.
     ///
     /// In the plane through `axis` and x it ends at two angles psi, and those remain its ends.
     pub fn in_rest_frame(&self, speed: &Speed) -> Option<Self> {

@@ -36,8 +36,8 @@ impl Cone {
         Self { axis: center / distance, half_angle: asin(radius / distance) }
     }
 
-    /// The camera's lines of sight along which `view` can see something of its group inside the rest-frame ball at
-    /// `center`.
+    /// The camera's lines of sight along which `view` can see something of its group inside the rest-frame
+    /// ball at `center`.
     #[must_use]
     pub fn of_sight(view: &GroupView, center: DVec3, radius: f64) -> Self {
         let center = center - view.origin;
@@ -49,7 +49,8 @@ impl Cone {
                 Self { axis: view.velocity.camera_from_motion(cone.axis), ..cone }
             }
             Geometry::OneCone => Self::in_one_cone(view, view.velocity.motion_from_group(center), radius),
-            // The ball is an ellipsoid to the camera, flattened along the motion: inside the ball about its centre.
+            // The ball is an ellipsoid to the camera, flattened along the motion: inside the ball about its
+            // centre.
             Geometry::Contracted => {
                 let DVec3 { x, y, z } = view.velocity.motion_from_group(center);
                 let contracted = DVec3::new(x / view.velocity.speed.gamma(), y, z);
@@ -58,10 +59,12 @@ impl Cone {
         }
     }
 
-    /// Returns the cone around a ball where both eyes have one light cone, from the `center` in axes along the motion.
+    /// Returns the cone around a ball where both eyes have one light cone, from the `center` in axes along
+    /// the motion.
     ///
-    /// What an eye is shown of a point then it sees at another time, which is off by no more than light takes to it from
-    /// the middle; in between the point appears on a straight line. So the cones of both ends hold it, if convex.
+    /// What an eye is shown of a point then it sees at another time, which is off by no more than light takes
+    /// to it from the middle; in between the point appears on a straight line. So the cones of both ends hold
+    /// it, if convex.
     fn in_one_cone(view: &GroupView, center: DVec3, radius: f64) -> Self {
         let speed = &view.velocity.speed;
         let eye = view.velocity.motion_from_camera(view.camera.off_middle);

@@ -34,7 +34,8 @@ impl Effects {
     pub const NONE: Self =
         Self { spectrum: Spectrum::AtRest, doppler_shift: false, invisible: false, form: false };
 
-    /// Returns the effects of `appearance`; without a Doppler effect (D = 1) everything that depends on it is off.
+    /// Returns the effects of `appearance`; without a Doppler effect (D = 1) everything that depends on it is
+    /// off.
     pub fn new(has_doppler_effect: bool, appearance: &Appearance) -> Self {
         let Appearance { doppler_shift, intensity_exponent, .. } = *appearance;
         let form = match appearance.shading {

@@ -1,7 +1,8 @@
 //! The view of a group of bodies in motion.
 //!
-//! A group rests in a frame of its own, in which its bodies stand still and rays are straight. Each formula is written for
-//! motion along +x alone, in axes along the group's motion past the camera: see `relative_velocity.rs`.
+//! A group rests in a frame of its own, in which its bodies stand still and rays are straight. Each formula
+//! is written for motion along +x alone, in axes along the group's motion past the camera: see
+//! `relative_velocity.rs`.
 
 use glam::DVec3;
 use relativity_core::{
@@ -29,8 +30,8 @@ pub struct RestRay {
     pub ground_per_rest: f64,
     /// Doppler factor of light received along the ray.
     pub doppler_factor: f64,
-    /// Unit vector along which the light is received, in the camera's frame: the line of sight, or where both eyes have
-    /// one light cone, that of the middle between them.
+    /// Unit vector along which the light is received, in the camera's frame: the line of sight, or where both
+    /// eyes have one light cone, that of the middle between them.
     pub received_along: DVec3,
 }
 
@@ -42,9 +43,9 @@ const STANDING: f64 = 1e-9;
 pub struct GroupView {
     /// Camera of the view.
     pub camera: Camera,
-    /// Geometry that shows the group: [`Geometry::Rest`] where a group with a velocity of its own rests with the
-    /// camera, since no ray is turned then; [`Geometry::Seen`] where it passes a camera that rides along with the
-    /// scene.
+    /// Geometry that shows the group: [`Geometry::Rest`] where a group with a velocity of its own rests with
+    /// the camera, since no ray is turned then; [`Geometry::Seen`] where it passes a camera that rides along
+    /// with the scene.
     pub geometry: Geometry,
     /// Geometry of the view.
     pub(crate) view_geometry: Geometry,
@@ -57,7 +58,8 @@ pub struct GroupView {
     pub origin: DVec3,
     /// When it is there: gamma (T - beta `a_x`).
     pub time: f64,
-    /// The camera's event there once more, reflected so that the group moves along +x on the ground: light is received at it.
+    /// The camera's event there once more, reflected so that the group moves along +x on the ground: light is
+    /// received at it.
     pub(crate) reception: Reception,
     /// Observation time T.
     pub(crate) observation_time: f64,
@@ -100,8 +102,9 @@ impl GroupView {
         }
     }
 
-    /// Returns the view of what rides along with the eyes: at rest before them, in the frame that has the middle between them as
-    /// its origin. Its clock is set so that a wheel that rolls has turned by as much street as has gone by.
+    /// Returns the view of what rides along with the eyes: at rest before them, in the frame that has the
+    /// middle between them as its origin. Its clock is set so that a wheel that rolls has turned by as much
+    /// street as has gone by.
     fn with_eyes(view: &View) -> Self {
         let Camera { velocity, rolled, off_middle: origin, .. } = view.camera;
         // Who stands does not turn wheels back. Whoever moves anywhere rolls forwards.
@@ -122,8 +125,8 @@ impl GroupView {
         }
     }
 
-    /// Whether daylight that rests on the street shows on the group otherwise than a lamp that rides along: not where nothing
-    /// shifts wavelengths, nor if the camera rides along with the scene.
+    /// Whether daylight that rests on the street shows on the group otherwise than a lamp that rides along:
+    /// not where nothing shifts wavelengths, nor if the camera rides along with the scene.
     pub(crate) fn is_lit_by_the_street(&self, appearance: &Appearance) -> bool {
         let is_lit = appearance.is_lit_by_the_street(self.view_geometry) && !self.on_ground.is_rest();
         is_lit && !self.rides_aside()
@@ -156,8 +159,8 @@ impl GroupView {
         matches!(self.geometry, Geometry::Seen | Geometry::Contracted | Geometry::Rest)
     }
 
-    /// The rest-frame ray of the camera's `line_of_sight` (unit vector); of [`Geometry::OneCone`] the limit of
-    /// [`Self::rest_ray_at`] at great distances.
+    /// The rest-frame ray of the camera's `line_of_sight` (unit vector); of [`Geometry::OneCone`] the limit
+    /// of [`Self::rest_ray_at`] at great distances.
     ///
     /// # Examples
     ///
@@ -215,8 +218,9 @@ impl GroupView {
         }
     }
 
-    /// Returns the ray in the rest frame for what is at `distance` (ground frame, 0 or more). Where both eyes have one light cone the events
-    /// along a line of sight lie on a curve in the rest frame: the ray touches it there.
+    /// Returns the ray in the rest frame for what is at `distance` (ground frame, 0 or more). Where both eyes
+    /// have one light cone the events along a line of sight lie on a curve in the rest frame: the ray touches
+    /// it there.
     #[must_use]
     pub fn rest_ray_at(&self, line_of_sight: DVec3, distance: f64) -> RestRay {
         if self.geometry != Geometry::OneCone {
@@ -225,8 +229,9 @@ impl GroupView {
         self.one_cone_ray(line_of_sight, Some(distance))
     }
 
-    /// Returns the shift in the rest frame of the place that is seen along `ray` when the line of sight turns by `turn`, without its part
-    /// along the ray: per ground distance, since at the greatest speeds only that is a moderate number.
+    /// Returns the shift in the rest frame of the place that is seen along `ray` when the line of sight turns
+    /// by `turn`, without its part along the ray: per ground distance, since at the greatest speeds only that
+    /// is a moderate number.
     pub(crate) fn shift(&self, ray: &RestRay, turn: DVec3) -> DVec3 {
         let Self { velocity, .. } = self;
         let speed = &velocity.speed;
@@ -253,8 +258,8 @@ impl GroupView {
 
     /// From the aperture to where the group's `point` appears; `None` outside the domain of the core.
     ///
-    /// The core is asked in coordinates whose origin is [`Self::origin`], which serves a camera that rides along,
-    /// too.
+    /// The core is asked in coordinates whose origin is [`Self::origin`], which serves a camera that rides
+    /// along, too.
     #[must_use]
     pub fn apparent_position(&self, point: impl Into<MaterialPoint>) -> Option<DVec3> {
         let point = point.into();
@@ -288,7 +293,8 @@ impl GroupView {
         position.is_finite().then_some(position)
     }
 
-    /// Returns the place where the published model's right eye sees a turning point: where the left one sees it earlier or later.
+    /// Returns the place where the published model's right eye sees a turning point: where the left one sees
+    /// it earlier or later.
     fn published_position(&self, point: MaterialPoint) -> Option<DVec3> {
         let Aperture { x, y, z } = self.camera.aperture;
         let pair = [x, -x].map(|x| Aperture { x, y: 0.0, z: 0.0 });
@@ -298,8 +304,8 @@ impl GroupView {
         Some(both.secondary.position.into()).filter(|position: &DVec3| position.is_finite())
     }
 
-    /// d of the published model: of the pair at -d/2 and d/2 on the x axis whose left aperture is the camera's;
-    /// reflected as the group is, below 0 where it moves towards -x.
+    /// d of the published model: of the pair at -d/2 and d/2 on the x axis whose left aperture is the
+    /// camera's; reflected as the group is, below 0 where it moves towards -x.
     pub(crate) fn published_separation(&self) -> f64 {
         let separation = -2.0 * self.camera.aperture.x;
         self.velocity.sign() * separation
@@ -321,8 +327,9 @@ impl View {
     }
 }
 
-/// The fastest of the groups that `views` show (of equally fast ones the first): the reference, among whose bodies the
-/// depths of all others are told; why, and what that costs these, is said at `depth` in `shaders/rest_ray.wgsl`.
+/// The fastest of the groups that `views` show (of equally fast ones the first): the reference, among whose
+/// bodies the depths of all others are told; why, and what that costs these, is said at `depth` in
+/// `shaders/rest_ray.wgsl`.
 pub(crate) fn reference_of_depths(views: &[GroupView]) -> usize {
     let gamma = |group: usize| views[group].velocity.speed.gamma();
     let faster = |fastest, group| if gamma(group) > gamma(fastest) { group } else { fastest };

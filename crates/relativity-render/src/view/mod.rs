@@ -20,21 +20,22 @@ use crate::kinematics::velocity::Velocity;
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum Geometry {
-    /// Exactly as seen, each eye by its own past light cone: each point where it was when its light left it, t = T − R.
+    /// Exactly as seen, each eye by its own past light cone: each point where it was when its light left it,
+    /// t = T − R.
     #[default]
     Seen,
-    /// Contracted only: where everything is measured to be at the observation time, x = x₀/γ + βT, as if light were
-    /// instantaneous. What Gamow drew. No Doppler effect (D = 1).
+    /// Contracted only: where everything is measured to be at the observation time, x = x₀/γ + βT, as if
+    /// light were instantaneous. What Gamow drew. No Doppler effect (D = 1).
     Contracted,
     /// At rest: what a camera that rides along photographs at the same event. D = 1.
     Rest,
-    /// The paper's binocular model: the right eye sees of each point what the left eye sees at T − ΔT, without parallax. Drawn by the mesh
-    /// renderer.
+    /// The paper's binocular model: the right eye sees of each point what the left eye sees at T − ΔT,
+    /// without parallax. Drawn by the mesh renderer.
     ///
     /// A view of it is the right eye's, from the left eye's camera; no ray leads back from there.
     Published,
-    /// One light cone for both eyes: as if both received the same events, those that the middle between them receives. What disappears is due to
-    /// there being two. Drawn by the mesh renderer and by the reference.
+    /// One light cone for both eyes: as if both received the same events, those that the middle between them
+    /// receives. What disappears is due to there being two. Drawn by the mesh renderer and by the reference.
     ///
     /// The middle is where the camera has it: its own place less [`Camera::off_middle`].
     OneCone,
@@ -118,7 +119,8 @@ impl View {
                 let (line, distance) = (from_middle.normalize_or(line_of_sight), from_middle.length());
                 received - on_ground(line, distance)
             }
-            // What is measured at one time of the camera's, that is later on the ground where it is further ahead.
+            // What is measured at one time of the camera's, that is later on the ground where it is further
+            // ahead.
             Geometry::Contracted => {
                 let later = Boost::from(ground.speed).simultaneous_step(distance).t;
                 received - later * ground.motion_from_camera(line_of_sight).x
@@ -137,26 +139,28 @@ pub enum Colour {
     OneWavelength,
     /// Each body glows: a black body of one temperature H, seen as one of the temperature D·H (Planck's law).
     Glowing,
-    /// Each body reflects daylight of 6504 K, as if the lamp rode along with it: a quarter at every wavelength, the rest about the
-    /// body's own.
+    /// Each body reflects daylight of 6504 K, as if the lamp rode along with it: a quarter at every
+    /// wavelength, the rest about the body's own.
     White,
-    /// Each body reflects the street's daylight, which comes equally from all sides there: what moves receives it blue and bright
-    /// ahead, red and dim behind, and its light is shifted again on its way to the eye. Needs the Doppler shift, and a camera that
-    /// does not ride along with the scene; else as `white`.
+    /// Each body reflects the street's daylight, which comes equally from all sides there: what moves
+    /// receives it blue and bright ahead, red and dim behind, and its light is shifted again on its way to
+    /// the eye. Needs the Doppler shift, and a camera that does not ride along with the scene; else as
+    /// `white`.
     StreetDaylight,
     /// False colours, which show the Doppler factor: grey at D = 1, blue above, red below.
     False,
 }
 
-/// Colours of the street, its ground, its house fronts and the sky before eyes that ride along it: to eyes at rest they are as
-/// painted.
+/// Colours of the street, its ground, its house fronts and the sky before eyes that ride along it: to eyes at
+/// rest they are as painted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum StreetColours {
     /// As painted, at any speed: something for motion to be seen against.
     Painted,
-    /// Doppler shifted, bluer ahead and redder behind: paints count as grey, and the strongest primary stays as painted, so that contrasts do.
+    /// Doppler shifted, bluer ahead and redder behind: paints count as grey, and the strongest primary stays
+    /// as painted, so that contrasts do.
     #[default]
     Shifted,
     /// Doppler shifted and as bright as received: dazzling ahead, dark behind.
@@ -220,7 +224,8 @@ impl Appearance {
 }
 
 impl Appearance {
-    /// Returns the factors of white paint's colour for this `paint`: false colours show no paint, only how light it is.
+    /// Returns the factors of white paint's colour for this `paint`: false colours show no paint, only how
+    /// light it is.
     pub(crate) fn paint(&self, paint: [f64; 3]) -> [f64; 3] {
         if self.colour == Colour::False { [luminance(paint); 3] } else { paint }
     }

@@ -10,8 +10,8 @@ use super::group_view::GroupView;
 use crate::kinematics::spin::{MaterialPoint, Spin};
 
 impl GroupView {
-    /// When this view shows what is at `place` in the group's frame, by the clocks there: as its light left, or for
-    /// [`Geometry::Contracted`] at the observation time on the ground.
+    /// When this view shows what is at `place` in the group's frame, by the clocks there: as its light left,
+    /// or for [`Geometry::Contracted`] at the observation time on the ground.
     #[must_use]
     pub fn time_at(&self, place: DVec3) -> f64 {
         let Self { on_ground, origin, time, .. } = *self;
@@ -25,7 +25,8 @@ impl GroupView {
         self.reception.emission_time(on_ground.reflected(place).x, [place.y - origin.y, place.z - origin.z])
     }
 
-    /// Returns the time by which the view shows what is at `from` + `step` later than what is at `from`, without the difference of both.
+    /// Returns the time by which the view shows what is at `from` + `step` later than what is at `from`,
+    /// without the difference of both.
     pub(crate) fn later(&self, from: DVec3, step: DVec3) -> f64 {
         if self.geometry == Geometry::Contracted {
             return -self.lag_along_motion(step);
@@ -35,8 +36,8 @@ impl GroupView {
         if sum > 0.0 { -(2.0 * v + step).dot(step) / sum } else { 0.0 }
     }
 
-    /// Returns the time by which the view shows what is further along a ray through `place` later, per length along the unit vector
-    /// `direction`.
+    /// Returns the time by which the view shows what is further along a ray through `place` later, per length
+    /// along the unit vector `direction`.
     pub(crate) fn rate_along(&self, place: DVec3, direction: DVec3) -> f64 {
         match self.geometry {
             Geometry::Seen | Geometry::Published | Geometry::Rest => -1.0,
@@ -46,8 +47,8 @@ impl GroupView {
         }
     }
 
-    /// Returns the direction, not of unit length, in which a ray along `direction` passes what is at `place` of a body that turns so, if it
-    /// does: as somebody finds it who turns with the body.
+    /// Returns the direction, not of unit length, in which a ray along `direction` passes what is at `place`
+    /// of a body that turns so, if it does: as somebody finds it who turns with the body.
     pub(crate) fn passing(&self, spin: Option<Spin>, place: DVec3, direction: DVec3) -> DVec3 {
         spin.map_or(direction, |spin| {
             let rate = spin.omega(self.on_ground.beta()) * self.rate_along(place, direction);
@@ -55,7 +56,8 @@ impl GroupView {
         })
     }
 
-    /// The time by which what is measured at one time of the camera's is earlier in the group's frame, per step there.
+    /// The time by which what is measured at one time of the camera's is earlier in the group's frame, per
+    /// step there.
     pub(crate) fn slowness_when_measured(&self) -> DVec3 {
         self.velocity.group_from_motion(DVec3::X) * self.velocity.speed.beta()
     }
@@ -65,7 +67,8 @@ impl GroupView {
         self.velocity.speed.beta() * self.velocity.motion_from_group(step).x
     }
 
-    /// Returns the angle by which a body with this `spin` has turned since t' = 0 where it is shown at `place`.
+    /// Returns the angle by which a body with this `spin` has turned since t' = 0 where it is shown at
+    /// `place`.
     #[must_use]
     pub fn turn_at(&self, spin: &Spin, place: DVec3) -> f64 {
         let off_axle = spin.off_axle(place);
@@ -92,9 +95,9 @@ impl GroupView {
         })
     }
 
-    /// Returns the factor by which the own motion of a body with this `spin`, seen at `place`, multiplies its Doppler factor:
-    /// sqrt(1 - v^2)/(1 + v.n'), v being its velocity in the group's frame and n' the unit vector from the camera's event
-    /// there. 1 in [`Geometry::Contracted`], which shows no light.
+    /// Returns the factor by which the own motion of a body with this `spin`, seen at `place`, multiplies its
+    /// Doppler factor: sqrt(1 - v^2)/(1 + v.n'), v being its velocity in the group's frame and n' the unit
+    /// vector from the camera's event there. 1 in [`Geometry::Contracted`], which shows no light.
     #[must_use]
     pub fn own_doppler(&self, spin: &Spin, place: DVec3) -> f64 {
         if self.geometry == Geometry::Contracted {

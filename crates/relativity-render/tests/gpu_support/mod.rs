@@ -10,7 +10,8 @@ use relativity_render::{Gpu, Renderers};
 /// A test's name, and what it does with renderers on the device that all share.
 pub type Test = (&'static str, fn(&mut Renderers));
 
-/// A test's name, and what it does with a device of its own: one that it may break, or that no other test uses.
+/// A test's name, and what it does with a device of its own: one that it may break, or that no other test
+/// uses.
 pub type OwnDeviceTest = (&'static str, fn());
 
 /// The name of a file of tests, and those in it.

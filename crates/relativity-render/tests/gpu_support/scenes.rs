@@ -106,13 +106,14 @@ pub fn view_following(rest: [f64; 3], speed: Speed, observation_time: f64, fov_d
     }
 }
 
-/// Views as above with pictures parallel to baselines along the motion, tilted and upright, in which `rest` is
-/// seen far aside: at most 72 degrees from the picture's axis.
+/// Views as above with pictures parallel to baselines along the motion, tilted and upright, in which `rest`
+/// is seen far aside: at most 72 degrees from the picture's axis.
 pub fn parallel_views(speeds: impl IntoIterator<Item = Speed>, rest: [f64; 3]) -> impl Iterator<Item = View> {
     fused_views(speeds, rest, |right, shift| Projection::Parallel { right, shift })
 }
 
-/// The same with conformal pictures, every other of which shows the sky from far on the left to far on the right.
+/// The same with conformal pictures, every other of which shows the sky from far on the left to far on the
+/// right.
 pub fn conformal_views(
     speeds: impl IntoIterator<Item = Speed>,
     rest: [f64; 3],
@@ -143,8 +144,8 @@ fn fused_views(
     )
 }
 
-/// Views by cameras that move across the scene's motion, aslant and upwards, past groups at several speeds, of the rest-frame point `rest`
-/// as it approaches, is abreast, and recedes; in pictures of every projection.
+/// Views by cameras that move across the scene's motion, aslant and upwards, past groups at several speeds,
+/// of the rest-frame point `rest` as it approaches, is abreast, and recedes; in pictures of every projection.
 pub fn oblique_views(rest: [f64; 3]) -> Vec<View> {
     let baseline = DVec3::new(0.8, -0.36, 0.48);
     let projections = [

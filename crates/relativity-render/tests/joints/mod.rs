@@ -19,8 +19,8 @@ pub fn joints() -> Vec<Body> {
     shapes.map(|shape| Body::new(shape, 600.0)).to_vec()
 }
 
-/// In how many pixels of `view` the body shown has its surface in the same place as another of `bodies`, and in
-/// how many of them that one comes before it.
+/// In how many pixels of `view` the body shown has its surface in the same place as another of `bodies`, and
+/// in how many of them that one comes before it.
 #[must_use]
 pub fn shared_pixels(image: &HitImage, bodies: &[Body], view: &View) -> [usize; 2] {
     let alone: Vec<_> = bodies

@@ -1,5 +1,5 @@
-//! The conformal picture by formulas of its own, from the rest frame straight to the picture: no camera, no light cone and no
-//! aberration is asked. For eyes whose baseline is along the motion.
+//! The conformal picture by formulas of its own, from the rest frame straight to the picture: no camera, no
+//! light cone and no aberration is asked. For eyes whose baseline is along the motion.
 
 #![allow(dead_code, reason = "each program that includes this module uses its own part")]
 #![allow(clippy::allow_attributes, reason = "an expectation would fail in the programs that use every part")]
@@ -93,7 +93,8 @@ pub fn centre(image: &HitImage, i: usize) -> DVec2 {
     DVec2::new((i % width) as f64 + 0.5, (i / width) as f64 + 0.5)
 }
 
-/// The largest distance, px, of a shown point from its pixel's centre, and the number of pixels that show something.
+/// The largest distance, px, of a shown point from its pixel's centre, and the number of pixels that show
+/// something.
 #[must_use]
 pub fn farthest_off(image: &HitImage, view: &View) -> (f64, usize) {
     let chart = Chart::new(view);
@@ -122,8 +123,8 @@ pub fn speeds() -> [Speed; 6] {
     [beta(0.0), beta(0.5), beta(0.9), beta(0.99), beta(0.9999), gamma(1e6)]
 }
 
-/// Views of the left eye, which follow a point before, abreast and after: of a part of the sky, and of nearly all between the
-/// ends of the baseline.
+/// Views of the left eye, which follow a point before, abreast and after: of a part of the sky, and of nearly
+/// all between the ends of the baseline.
 pub fn views() -> impl Iterator<Item = View> {
     let cases = speeds().into_iter().flat_map(|speed| [-3.0, -0.8, 0.0, 2.5].map(|along| (speed, along)));
     cases.flat_map(|(speed, along)| {
@@ -139,8 +140,8 @@ pub fn views() -> impl Iterator<Item = View> {
     })
 }
 
-/// Whether u and v of what each pixel shows are linear in its column and row, with as many pixels per unit both ways: off by less
-/// than `bound_px`.
+/// Whether u and v of what each pixel shows are linear in its column and row, with as many pixels per unit
+/// both ways: off by less than `bound_px`.
 pub fn u_and_v_are_linear(renderers: &mut Renderers, method: Method, bound_px: f64) {
     let scene = PreparedScene::moving(&still_life());
     let mut most = 0.0f64;
@@ -180,8 +181,9 @@ pub fn middle_of_ball(view: &View) -> DVec2 {
     DVec2::new((along(view, center) / tangent).asinh() - rapidity(&view.speed), z.atan2(y))
 }
 
-/// Whether the ball has one outline all the way and at every speed: that of cos(v) = sqrt(1 - k^2) cosh(u), which is 2 artanh k
-/// wide and 2 arcsin k high; each pixel within `reach_px`, its width and height within 1 px.
+/// Whether the ball has one outline all the way and at every speed: that of cos(v) = sqrt(1 - k^2) cosh(u),
+/// which is 2 artanh k wide and 2 arcsin k high; each pixel within `reach_px`, its width and height within 1
+/// px.
 pub fn a_ball_keeps_its_outline(renderers: &mut Renderers, method: Method, reach_px: f64) {
     let (center, radius) = BALL;
     let scene = PreparedScene::moving(&[Body::new(Shape::Sphere { center, radius }, 600.0)]);
@@ -232,8 +234,8 @@ pub struct Slid {
     pub farthest: f64,
 }
 
-/// Compares the scene in motion with the scene at rest from the same event, as `method` draws it; the reference decides whether
-/// a differing pixel is within `reach_px` of an outline.
+/// Compares the scene in motion with the scene at rest from the same event, as `method` draws it; the
+/// reference decides whether a differing pixel is within `reach_px` of an outline.
 pub fn slid(renderers: &mut Renderers, method: Method, reach_px: f64) -> Slid {
     let scene = PreparedScene::moving(&still_life());
     let mut all = Slid::default();

@@ -149,8 +149,8 @@ pub fn is_nearby(scene: &PreparedScene, view: &View, i: usize, hit: Option<&Hit>
     })
 }
 
-/// Holds the published model's meshes of two scenes at these speeds against each other, which are of the same faces, though not of the same
-/// triangles.
+/// Holds the published model's meshes of two scenes at these speeds against each other, which are of the same
+/// faces, though not of the same triangles.
 pub fn assert_published_alike(renderers: &mut Renderers, scenes: &[PreparedScene; 2], betas: [f64; 3]) {
     for beta in betas {
         let view = view(beta, Geometry::Published, [96, 72]);

@@ -25,8 +25,9 @@ pub fn spread<const N: usize>(i: u32) -> [f64; N] {
     std::array::from_fn(|k| (f64::from(i) * PRIMES[k].sqrt()).fract())
 }
 
-/// The cases of a sweep that are tried: all with `GAMOW_SWEEPS=full`, as `.ci/nightly` has it, else of each `share` neighbours one,
-/// drawn by the sequence of [`spread`] from `seed` on: of sweeps within another each has a seed of its own.
+/// The cases of a sweep that are tried: all with `GAMOW_SWEEPS=full`, as `.ci/nightly` has it, else of each
+/// `share` neighbours one, drawn by the sequence of [`spread`] from `seed` on: of sweeps within another each
+/// has a seed of its own.
 pub fn sweep<T>(seed: u32, share: usize, cases: impl IntoIterator<Item = T>) -> impl Iterator<Item = T> {
     let is_full = std::env::var_os("GAMOW_SWEEPS").is_some_and(|value| value == "full");
     let share = if is_full { 1 } else { share };

@@ -30,8 +30,9 @@ fn scenes() -> [PreparedScene; 2] {
     [thin, bodies].map(|bodies| PreparedScene::moving(&bodies))
 }
 
-/// The view of this number: the hub is at any distance from 0.6 to 4 (the wheel's radius is 0.5), on any side, in every other
-/// view within 17 degrees of the wheel's plane, and mostly nearer; gamma is from 1.02 to 1000.
+/// The view of this number: the hub is at any distance from 0.6 to 4 (the wheel's radius is 0.5), on any
+/// side, in every other view within 17 degrees of the wheel's plane, and mostly nearer; gamma is from 1.02
+/// to 1000.
 fn view(number: u32) -> View {
     let [a, b, c, d] = spread(number + 1);
     let gamma = 1.0 + 10f64.powf(4.7 * a - 1.7);
@@ -61,8 +62,8 @@ pub struct WrongPixel {
     off_px: f64,
 }
 
-/// Returns the number of pixels in these `views` that show a body, and the wrong ones: there `method` shows a place that the reference
-/// shows nowhere within `stated_px`.
+/// Returns the number of pixels in these `views` that show a body, and the wrong ones: there `method` shows a
+/// place that the reference shows nowhere within `stated_px`.
 pub fn wrong_pixels(
     renderers: &mut Renderers,
     method: Method,
@@ -105,7 +106,8 @@ fn is_same(a: Option<Hit>, b: Option<Hit>) -> bool {
     }
 }
 
-/// Returns the distance, px, at which the reference shows `hit`: up to `stated_px`, or one of [`REACHES_PX`]; infinity beyond a pixel.
+/// Returns the distance, px, at which the reference shows `hit`: up to `stated_px`, or one of [`REACHES_PX`];
+/// infinity beyond a pixel.
 fn distance_px(
     scene: &PreparedScene,
     view: &View,

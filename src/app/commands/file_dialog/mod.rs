@@ -136,8 +136,8 @@ impl Chooser {
         (self.remark, self.replaced) = (None, None);
     }
 
-    /// Returns the command for the text typed; `None`, with a remark or a question, if it cannot be done yet. The file at
-    /// `may_replace` may be there already.
+    /// Returns the command for the text typed; `None`, with a remark or a question, if it cannot be done yet.
+    /// The file at `may_replace` may be there already.
     pub fn confirmed(&mut self, may_replace: Option<&Path>) -> Option<Command> {
         self.edited();
         match self.command(may_replace) {
@@ -190,7 +190,8 @@ impl Chooser {
     }
 }
 
-/// Width of a film that is proposed, pixels: it has hundreds of frames, and one as large as the window would take 100 MB.
+/// Width of a film that is proposed, pixels: it has hundreds of frames, and one as large as the window would
+/// take 100 MB.
 const FILM_WIDTH: u32 = 480;
 
 /// `size` made so small that it is no wider than this, in the same shape.
@@ -199,8 +200,8 @@ fn within(width: u32, size: [u32; 2]) -> [u32; 2] {
     size.map(|side| ((f64::from(side) * factor).round() as u32).max(1))
 }
 
-/// Parses a typed path, in which `~/` is the home folder. A full path typed behind the prefilled folder starts
-/// afresh: `/home/me//tmp/a.csv` is `/tmp/a.csv`.
+/// Parses a typed path, in which `~/` is the home folder. A full path typed behind the prefilled folder
+/// starts afresh: `/home/me//tmp/a.csv` is `/tmp/a.csv`.
 fn typed_path(text: &str) -> Result<PathBuf, String> {
     let text = text.trim();
     let again = ["//", "/~/"].into_iter().filter_map(|begin| text.rfind(begin)).max();

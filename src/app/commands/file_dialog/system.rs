@@ -12,8 +12,9 @@ use crate::app::commands::file_dialog::answer::DialogAnswer;
 use crate::app::state::files::purpose::Purpose;
 use crate::app::tools::waker::Woken;
 
-/// A dialog of the system. A thread waits for it, as that may take as long as the user likes; so nothing waits for the thread: an open
-/// dialog would keep the program from its end. The thread holds nothing of the window's but a waker, which wakes nobody then.
+/// A dialog of the system. A thread waits for it, as that may take as long as the user likes; so nothing
+/// waits for the thread: an open dialog would keep the program from its end. The thread holds nothing of the
+/// window's but a waker, which wakes nobody then.
 pub struct Dialog {
     answer: Receiver<DialogAnswer>,
     _woken: Woken,

@@ -18,7 +18,8 @@ const WALKS: [(Key, [i16; 2]); 4] =
 /// Keys that belong to the ride, in words, a line each.
 pub const TOLD: &[&str] = &["↑ pedal   ↓ brake   ← → look", "W A S D walk   shift I face ahead"];
 
-/// Returns whether `event` presses a key that belongs to the ride while one rides; what it asks for, where that is done at once.
+/// Returns whether `event` presses a key that belongs to the ride while one rides; what it asks for, where
+/// that is done at once.
 #[must_use]
 pub fn taken(state: &State, event: &Event) -> Option<Option<(Key, Command)>> {
     let Event::Key { key, pressed: true, modifiers, .. } = event else { return None };

@@ -131,7 +131,8 @@ impl State {
         self.document.time = clock::bounded(time + step);
     }
 
-    /// Has the ride that was ridden on, unless that cannot be. Who leaves the street leaves the bicycle there.
+    /// Has the ride that was ridden on, unless that cannot be. Who leaves the street leaves the bicycle
+    /// there.
     fn record(&mut self, ride: Result<Riding, String>) {
         match ride {
             Ok(ride) if ride.has_bicycle() == self.document.settings.ride.has_bicycle() => {
@@ -142,7 +143,8 @@ impl State {
         }
     }
 
-    /// Lets exposure and vignette follow the ride for this many `seconds`; whether they are still on their way.
+    /// Lets exposure and vignette follow the ride for this many `seconds`; whether they are still on their
+    /// way.
     pub(in crate::app) fn follow_for_comfort(&mut self, seconds: f64) -> bool {
         let settings = &self.document.settings;
         if !settings.ride.is_on() {

@@ -28,7 +28,8 @@ fn speed_setting(speed: Speed) -> Result<SpeedSetting, SpeedError> {
 }
 
 impl State {
-    /// Returns the selected point at T for `gamow curve` and `gamow eval`: the speed as it was given, and the rest.
+    /// Returns the selected point at T for `gamow curve` and `gamow eval`: the speed as it was given, and the
+    /// rest.
     fn observation_for_command(&self) -> Result<(SpeedSetting, Observation), String> {
         let velocity = self.selected_velocity();
         if velocity.is_backward {
@@ -92,7 +93,8 @@ impl State {
         Ok(format!("gamow curve{flags} --model={}{stereo}{conformal} --samples={SAMPLES}", model.name()))
     }
 
-    /// Returns the values of `gamow eval --stereo` for the selected point at T: the names and the numbers, a line each, between tabs.
+    /// Returns the values of `gamow eval --stereo` for the selected point at T: the names and the numbers, a
+    /// line each, between tabs.
     ///
     /// # Errors
     ///

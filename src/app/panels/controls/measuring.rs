@@ -1,4 +1,5 @@
-//! The controls of what is measured with in the views themselves: a ruler, a stopwatch, and a clock to compare others with.
+//! The controls of what is measured with in the views themselves: a ruler, a stopwatch, and a clock to
+//! compare others with.
 
 use eframe::egui::{Checkbox, Ui};
 

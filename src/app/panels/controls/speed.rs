@@ -32,8 +32,8 @@ fn tip() -> String {
     format!("{}\n{DOUBLE_CLICK}", with_keys(TIP, &keys))
 }
 
-/// Shows the `current` speed with the fields `shown`, in the unit of `measures` too if it has one for speeds. Returns a speed if the
-/// user gave one, or asked for the `default`.
+/// Shows the `current` speed with the fields `shown`, in the unit of `measures` too if it has one for speeds.
+/// Returns a speed if the user gave one, or asked for the `default`.
 pub fn show(
     ui: &mut Ui,
     current: SpeedSetting,
@@ -82,7 +82,8 @@ fn slider(
     slid.or(marked)
 }
 
-/// Shows marked speeds below the slider at its positions for them; returns one that is clicked, if it `takes_clicks`.
+/// Shows marked speeds below the slider at its positions for them; returns one that is clicked, if it
+/// `takes_clicks`.
 fn marks(ui: &mut Ui, slider: Rect, takes_clicks: bool) -> Option<SpeedSetting> {
     const MARKS: [(f64, &str); 6] =
         [(0.0, "0"), (0.5, "0.5"), (0.9, "0.9"), (0.99, "0.99"), (0.999, "0.999"), (0.9999, "0.9999")];

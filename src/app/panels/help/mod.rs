@@ -1,4 +1,5 @@
-//! The help: what is shown, the glossary of the documentation, and what keys and mouse do, from the same table that the keys act by.
+//! The help: what is shown, the glossary of the documentation, and what keys and mouse do, from the same
+//! table that the keys act by.
 
 mod words;
 

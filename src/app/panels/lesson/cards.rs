@@ -24,7 +24,8 @@ const INSIDE: Margin = Margin::symmetric(9, 6);
 pub enum Sign {
     /// A ring, filled if it is chosen.
     Ring(bool),
-    /// The letter of the choice with this number, from 0, and whether it is chosen: an audience holds up cards.
+    /// The letter of the choice with this number, from 0, and whether it is chosen: an audience holds up
+    /// cards.
     Letter(usize, bool),
     /// A tick: it is so.
     Right,

@@ -1,4 +1,5 @@
-//! The form in which a prediction is entered: a choice, a count of raised hands, a number, a place or a curve; and its confidence.
+//! The form in which a prediction is entered: a choice, a count of raised hands, a number, a place or a
+//! curve; and its confidence.
 
 use eframe::egui::{Align, Event, Id, Key, Layout, RichText, TextEdit, TextStyle, Ui, vec2};
 
@@ -77,8 +78,8 @@ pub fn votes(ui: &mut Ui, state: &State, course: &Course, options: &Options, com
 /// Largest number of votes for one choice.
 const MOST_HANDS: u32 = 9999;
 
-/// Shows the field for the number of votes for a choice; returns a new number when it changes. A digit typed while no
-/// field has the keyboard focus goes to the first one.
+/// Shows the field for the number of votes for a choice; returns a new number when it changes. A digit typed
+/// while no field has the keyboard focus goes to the first one.
 fn hands(ui: &mut Ui, course: &Course, number: usize, (count, name): (u32, &str), width: f32) -> Option<u32> {
     let id = Id::unique(("hands", ui.layer_id(), &course.lesson().name, course.place().step, number));
     let types_digit = |event: &Event| matches!(event, Event::Text(text) if text.starts_with(|sign: char| sign.is_ascii_digit()));

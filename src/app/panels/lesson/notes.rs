@@ -1,4 +1,5 @@
-//! The lecturer's notes while the audience looks at the projector: right and wrong answers, why, and the minutes left.
+//! The lecturer's notes while the audience looks at the projector: right and wrong answers, why, and the
+//! minutes left.
 
 use eframe::egui::{RichText, Ui};
 

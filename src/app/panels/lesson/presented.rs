@@ -53,8 +53,8 @@ fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, commands: &
 /// Part of the window's width from which on the words have two columns.
 const TWO_COLUMNS: f32 = 0.8;
 
-/// Shows the words of the reveal and the question of what was seen, side by side if they fit. The truth appears once
-/// that question is answered.
+/// Shows the words of the reveal and the question of what was seen, side by side if they fit. The truth
+/// appears once that question is answered.
 fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, commands: &mut Commands) {
     let observation = step.observation.as_ref().filter(|_| !running.is_running());
     let is_wide = ui.available_width() > TWO_COLUMNS * ui.ctx().content_rect().width();

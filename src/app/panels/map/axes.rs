@@ -23,7 +23,8 @@ pub struct AxisQuantity<'a> {
     pub is_written: bool,
 }
 
-/// Draws those of `chart`: the first along the lower edge, the second along the left one. No label will cover them.
+/// Draws those of `chart`: the first along the lower edge, the second along the left one. No label will cover
+/// them.
 pub fn paint(
     ui: &Ui,
     painter: &Painter,

@@ -26,8 +26,8 @@ pub fn rect(chart: &Chart) -> Rect {
     Rect::from_center_size(pos2(x, y), Vec2::new(width, height))
 }
 
-/// Reads the mouse in a `chart` whose axes are these of the world (0 is x): the wheel zooms at the pointer, a drag moves
-/// the chart, a double click fits it again.
+/// Reads the mouse in a `chart` whose axes are these of the world (0 is x): the wheel zooms at the pointer, a
+/// drag moves the chart, a double click fits it again.
 pub fn look_around(
     ui: &Ui,
     state: &State,

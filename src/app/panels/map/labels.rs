@@ -18,8 +18,8 @@ impl MapLabels {
         Self { places: LabelPlaces::new(room.shrink(2.0), 0.0), background }
     }
 
-    /// Writes `text` beside a mark of this `radius` at `place`, on the side where it covers least; not at all where it
-    /// would cover another label or leave the room.
+    /// Writes `text` beside a mark of this `radius` at `place`, on the side where it covers least; not at all
+    /// where it would cover another label or leave the room.
     pub fn write(
         &mut self,
         painter: &Painter,

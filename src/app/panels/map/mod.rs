@@ -1,5 +1,5 @@
-//! The map: what happens, beside what is seen. A strip to choose its face and its frame, and below it that face, a file
-//! each.
+//! The map: what happens, beside what is seen. A strip to choose its face and its frame, and below it that
+//! face, a file each.
 
 mod axes;
 mod canvas;

@@ -5,7 +5,8 @@ use crate::app::state::State;
 /// Decimals of a time in the scene's unit.
 const DECIMALS: u8 = 3;
 
-/// When light is received, when it left, and what the own clock showed then, in units of the scene: a line for each.
+/// When light is received, when it left, and what the own clock showed then, in units of the scene: a line
+/// for each.
 pub fn times(state: &State, values: [f64; 3]) -> String {
     state.clock().texts(values, state.measures().time, DECIMALS).join("\n")
 }

@@ -116,8 +116,8 @@ impl Ruler {
         if self.logarithmic { counted - math::log10(self.unit.factor) } else { self.unit.in_scene(counted) }
     }
 
-    /// A plotted range a step further in or out, in which a plotted value stays `about` where it is. The steps go through
-    /// widths that have four to seven ticks wherever they begin.
+    /// A plotted range a step further in or out, in which a plotted value stays `about` where it is. The
+    /// steps go through widths that have four to seven ticks wherever they begin.
     pub fn zoomed(self, range: [f64; 2], about: f64, inwards: bool) -> [f64; 2] {
         let [from, to] = range.map(|end| self.counted(end));
         let about = self.counted(about);
@@ -139,8 +139,8 @@ impl Ruler {
         PlotBounds::from_min_max([left, low], [right, high])
     }
 
-    /// Returns the label of the axis over the values of `bounds`: `what / unit`, with the power of ten that its numbers have in
-    /// common.
+    /// Returns the label of the axis over the values of `bounds`: `what / unit`, with the power of ten that
+    /// its numbers have in common.
     pub fn label(self, what: &str, bounds: &PlotBounds) -> String {
         self.axis(self.widened([bounds.min()[1], bounds.max()[1]])).label(what)
     }
@@ -183,8 +183,8 @@ impl Ruler {
     }
 }
 
-/// Returns the range of an axis of `quantity` that shows all of these plotted `values`: with a margin, and so wide that
-/// what hardly changes is a line in the middle. Values up to `rounding` are what that leaves of 0.
+/// Returns the range of an axis of `quantity` that shows all of these plotted `values`: with a margin, and so
+/// wide that what hardly changes is a line in the middle. Values up to `rounding` are what that leaves of 0.
 pub(super) fn value_range(quantity: Quantity, values: impl Iterator<Item = f64>, rounding: f64) -> [f64; 2] {
     let [low, high] = extent(values).unwrap_or_default();
     let least = if quantity.row().is_logarithmic {
@@ -208,7 +208,8 @@ pub(super) fn axis_label(quantity: Quantity, measures: &Measures) -> String {
     with_unit(quantity, quantity.row().name, measures)
 }
 
-/// Returns the heading of a curve of `quantity` where lengths and times are shown in these `measures`, in short.
+/// Returns the heading of a curve of `quantity` where lengths and times are shown in these `measures`, in
+/// short.
 pub(super) fn column_label(quantity: Quantity, measures: &Measures) -> String {
     with_unit(quantity, quantity.row().symbol, measures)
 }
@@ -241,7 +242,8 @@ pub(super) fn label_places(response: &PlotResponse<()>, now: f64) -> LabelPlaces
     labels
 }
 
-/// Names the axis, whose time by this `clock` is shown in `unit`, in the corner where that covers least, and T0, and frames the plot.
+/// Names the axis, whose time by this `clock` is shown in `unit`, in the corner where that covers least, and
+/// T0, and frames the plot.
 pub(super) fn annotate(
     ui: &Ui,
     response: &PlotResponse<()>,

@@ -17,8 +17,8 @@ use crate::plot::{self, Line, LineStroke, Panel};
 use crate::quantity::Quantity;
 use crate::settings::PlotTab;
 
-/// Draws the plots of the shown tab as SVG, beside each other: the same curves with their names over the same axes, in
-/// the colours of a light window, and T and T0. The Accuracy tab is a table: see [`csv`].
+/// Draws the plots of the shown tab as SVG, beside each other: the same curves with their names over the same
+/// axes, in the colours of a light window, and T and T0. The Accuracy tab is a table: see [`csv`].
 #[must_use]
 pub fn svg(state: &State, plotted: Plotted<'_>) -> String {
     let panels: Vec<Panel> = match state.document.settings.plots.plot {
@@ -28,10 +28,11 @@ pub fn svg(state: &State, plotted: Plotted<'_>) -> String {
     plot::svg(&panels)
 }
 
-/// Writes the plots of the shown tab as CSV in the units of the plots, which the names of the columns contain: T, and a column for
-/// each curve. Where disparities are plotted, the last columns are those that `gamow fit` and *Own data* read. A row stands at every T at which any of the curves is sampled, densely where they bend; every value there is
-/// computed, none interpolated. A cell is empty where a curve is not. Of the Accuracy tab it is the table, of the Fit tab the
-/// samples.
+/// Writes the plots of the shown tab as CSV in the units of the plots, which the names of the columns
+/// contain: T, and a column for each curve. Where disparities are plotted, the last columns are those that
+/// `gamow fit` and *Own data* read. A row stands at every T at which any of the curves is sampled, densely
+/// where they bend; every value there is computed, none interpolated. A cell is empty where a curve is not.
+/// Of the Accuracy tab it is the table, of the Fit tab the samples.
 #[must_use]
 pub fn csv(state: &State, plotted: Plotted<'_>) -> String {
     match state.document.settings.plots.plot {
@@ -81,8 +82,8 @@ fn css(colour: Color32) -> String {
     format!("#{r:02X}{g:02X}{b:02X}")
 }
 
-/// The columns that `gamow fit` and *Own data* read, of the selected point as the views show it: their names after T, and
-/// the numbers of a row, in the scene's own units and radians.
+/// The columns that `gamow fit` and *Own data* read, of the selected point as the views show it: their names
+/// after T, and the numbers of a row, in the scene's own units and radians.
 fn readable(state: &State) -> (Vec<&'static str>, impl Fn(f64) -> Vec<f64>) {
     let seen = state.seen_point(state.document.points.selected());
     let keeps_head = seen.ride.is_straight();

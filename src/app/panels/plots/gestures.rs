@@ -1,5 +1,6 @@
-//! Gestures of the mouse in a plot: a click or a drag goes to that T, a shift-click sets a cursor, the wheel zooms about the
-//! pointer, a drag with the right button moves the plot, a double click has the whole of it again.
+//! Gestures of the mouse in a plot: a click or a drag goes to that T, a shift-click sets a cursor, the wheel
+//! zooms about the pointer, a drag with the right button moves the plot, a double click has the whole of it
+//! again.
 
 use eframe::egui::{self, Event, Id, MouseWheelUnit, PointerButton, Ui};
 use egui_plot::PlotResponse;
@@ -85,7 +86,8 @@ fn steps(ui: &Ui, id: Id) -> i32 {
     })
 }
 
-/// Returns the part that is shown after this number of `steps` about a place; `None` where that is the whole range of T.
+/// Returns the part that is shown after this number of `steps` about a place; `None` where that is the whole
+/// range of T.
 fn zoomed(
     chart: &TimePlot<'_>,
     shown: Ranges,

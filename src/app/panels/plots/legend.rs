@@ -1,5 +1,5 @@
-//! The legend of a plot: names beside a piece of each line, where they cover least of the curves. With cursors set it
-//! says what the curves are there.
+//! The legend of a plot: names beside a piece of each line, where they cover least of the curves. With
+//! cursors set it says what the curves are there.
 
 use std::sync::Arc;
 

@@ -1,5 +1,5 @@
-//! The plots: a strip of tabs, each of them a file or a folder here, and the curves of the followed points over T:
-//! disparities, angles, Doppler factor. Clicking or dragging in a plot goes to that T.
+//! The plots: a strip of tabs, each of them a file or a folder here, and the curves of the followed points
+//! over T: disparities, angles, Doppler factor. Clicking or dragging in a plot goes to that T.
 
 mod accuracy;
 mod axes;
@@ -67,8 +67,8 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, commands: &mut Com
     }
 }
 
-/// Shows, before an audience, the first of the plots of what is chosen and nothing else; of the Fit tab the readings with their
-/// residuals and the table. A curve that a lesson has drawn goes before.
+/// Shows, before an audience, the first of the plots of what is chosen and nothing else; of the Fit tab the
+/// readings with their residuals and the table. A curve that a lesson has drawn goes before.
 pub fn show_one(ui: &mut Ui, state: &State, plotted: Plotted<'_>, commands: &mut Commands) {
     if let Some(sketched) = state.sketched() {
         return sketch::show(ui, state, sketched, commands);

@@ -79,7 +79,8 @@ pub(super) fn names(state: &State) -> Vec<String> {
     all.iter().take(count).map(|traits| traits.that_differ(&all, several)).collect()
 }
 
-/// Returns the name of `point` in a plot: where curves are pinned, the selected one's also has its differences from those.
+/// Returns the name of `point` in a plot: where curves are pinned, the selected one's also has its
+/// differences from those.
 pub(super) fn name_beside(state: &State, point: &Point) -> String {
     let is_compared =
         !state.scratch.plotting.pins().is_empty() && point.number == state.document.points.selected().number;

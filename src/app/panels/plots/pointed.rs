@@ -58,7 +58,8 @@ impl TimePlot<'_> {
         }
     }
 
-    /// Writes the value of a curve at the cursor, or its change from one to the other and its slope; `None` without any.
+    /// Writes the value of a curve at the cursor, or its change from one to the other and its slope; `None`
+    /// without any.
     pub fn at_cursors(&self, trace: &Trace<'_>) -> Option<String> {
         let value = |time: f64| trace.source.value(time);
         let [a, rest @ ..] = self.cursors.as_slice() else { return None };

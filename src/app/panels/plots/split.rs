@@ -4,7 +4,8 @@ use eframe::egui::{Rect, Ui, UiBuilder, pos2};
 
 use crate::app::widgets::theme;
 
-/// The table and the plots inside `area`: in one that leaves the plots less than `least_plots` there is the table alone.
+/// The table and the plots inside `area`: in one that leaves the plots less than `least_plots` there is the
+/// table alone.
 pub fn table_and_plots(area: Rect, table_width: f32, least_plots: f32) -> (Rect, Option<Rect>) {
     let split = area.max.x - table_width;
     let plots = Rect::from_min_max(area.min, pos2(split - theme::GAP, area.max.y));

@@ -107,7 +107,8 @@ fn values_now(ui: &mut Ui, state: &State, chart: &TimePlot<'_>, exponent: i32) {
     }
 }
 
-/// A piece of the line of `trace` and `text`, in one piece wherever the row breaks; `name` is for assistive technology.
+/// A piece of the line of `trace` and `text`, in one piece wherever the row breaks; `name` is for assistive
+/// technology.
 fn entry(ui: &mut Ui, trace: &Trace<'_>, text: &str, name: &str, tip: &str) {
     let colour = trace.colour(ui.visuals());
     let font = TextStyle::Body.resolve(ui.style());

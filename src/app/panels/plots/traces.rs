@@ -11,8 +11,8 @@ use crate::eye::Eye;
 use crate::plot::Dash;
 use crate::quantity::{Dimension, Of, Quantity};
 
-/// The chart of `quantity`: of every point for a disparity, of each eye of the selected one else; and of what is pinned.
-/// `curves` are those that [`State::plotted_keys`] asks for; it is drawn about so high (points).
+/// The chart of `quantity`: of every point for a disparity, of each eye of the selected one else; and of what
+/// is pinned. `curves` are those that [`State::plotted_keys`] asks for; it is drawn about so high (points).
 pub(super) fn chart<'a>(
     state: &State,
     curves: &'a [QuantityCurves],
@@ -39,8 +39,8 @@ pub(super) fn chart<'a>(
     }
 }
 
-/// Returns the rounding error of a `quantity` that is 0, as plotted: for a difference in direction a part of what the separation of the
-/// eyes spans at the point.
+/// Returns the rounding error of a `quantity` that is 0, as plotted: for a difference in direction a part of
+/// what the separation of the eyes spans at the point.
 fn rounding(seen: &SeenPoint, quantity: Quantity) -> f64 {
     const SHARE: f64 = 1e-14;
     let distance = seen.point.rest.length();
@@ -81,7 +81,8 @@ fn of_selected(own: &QuantityCurves) -> Vec<Trace<'_>> {
     }
 }
 
-/// The disparity of the point at rest, for eyes as far apart as the moving one shows them; none where motion is no slide.
+/// The disparity of the point at rest, for eyes as far apart as the moving one shows them; none where motion
+/// is no slide.
 fn resting(own: &QuantityCurves) -> Option<Trace<'_>> {
     let is_there = !own.pieces(Whose::Resting, own.key().point.model).is_empty();
     is_there.then(|| Trace {
@@ -158,8 +159,8 @@ fn of_model<'a>(name: &str, hue: Hue, curves: &'a QuantityCurves, model: Model, 
     }
 }
 
-/// A disparity of every followed point: the selected one below the others, which are thinner, and the published model's
-/// on top.
+/// A disparity of every followed point: the selected one below the others, which are thinner, and the
+/// published model's on top.
 fn of_points<'a>(state: &State, curves: impl Fn(&Point) -> Option<&'a QuantityCurves>) -> Vec<Trace<'a>> {
     let points = &state.document.points;
     let mut all: Vec<_> = points.all().iter().enumerate().collect();

@@ -1,4 +1,5 @@
-//! Cards in rows: a picture of what is shown, and what it is called. A row is as high as its longest text needs.
+//! Cards in rows: a picture of what is shown, and what it is called. A row is as high as its longest text
+//! needs.
 
 use std::sync::Arc;
 
@@ -60,7 +61,8 @@ impl Cards {
         }
     }
 
-    /// Returns the number of cards in a row of this `width`, so that the last row of `count` cards lacks as few as possible.
+    /// Returns the number of cards in a row of this `width`, so that the last row of `count` cards lacks as
+    /// few as possible.
     fn columns(self, width: f32, scale: f32, count: usize) -> usize {
         let most = (width + scale * BETWEEN) / (scale * (self.narrowest() + BETWEEN));
         let most = (most as usize).max(1);

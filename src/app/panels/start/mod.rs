@@ -28,10 +28,12 @@ const WIDEST: f32 = 1720.0;
 const SIDES: f32 = 32.0;
 /// Greatest width of lines of the introduction, points.
 const WIDEST_LINES: f32 = 680.0;
-/// Width from which on the eyes' pictures are beside the introduction, points, and the share of the width that they take.
+/// Width from which on the eyes' pictures are beside the introduction, points, and the share of the width
+/// that they take.
 const NARROWEST_WITH_EYES: f32 = 1000.0;
 const WORDS: f32 = 0.54;
-/// Sizes of the heading, of the headings of sections, and of what is written below the first, in those of most writing.
+/// Sizes of the heading, of the headings of sections, and of what is written below the first, in those of
+/// most writing.
 const HEADING: f32 = 2.0;
 const SECTION: f32 = 1.4;
 const INTRODUCTION: f32 = 1.1;
@@ -40,7 +42,8 @@ const MOST_REFUSED: usize = 20;
 /// Step of the arrow keys in scrolling, points.
 const LINE: f32 = 60.0;
 
-/// Returns whether `command`, from a key, is performed while the page is shown: one that changes nothing behind it.
+/// Returns whether `command`, from a key, is performed while the page is shown: one that changes nothing
+/// behind it.
 #[must_use]
 pub const fn lets_through(command: &Command) -> bool {
     matches!(

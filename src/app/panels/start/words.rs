@@ -49,8 +49,8 @@ pub fn summary(markdown: &Markdown) -> String {
     plain(markdown, (1..=2).find(enough).unwrap_or(2))
 }
 
-/// The sentences of `markdown` in one paragraph and without its signs, but for those with formulas and with values that are
-/// still to be worked out; at most so many.
+/// The sentences of `markdown` in one paragraph and without its signs, but for those with formulas and with
+/// values that are still to be worked out; at most so many.
 pub fn plain(markdown: &Markdown, most: usize) -> String {
     let words = markdown.events().iter().map(|(event, _)| match event {
         Event::Text(text) | Event::Code(text) => text,

@@ -56,7 +56,8 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, title: &str, painted: Painte
     missed(ui, state, pane);
 }
 
-/// Draws `pane` with nothing but its `picture` in it: what is written beside it would be in each eye's at another place.
+/// Draws `pane` with nothing but its `picture` in it: what is written beside it would be in each eye's at
+/// another place.
 pub fn paint_bare(ui: &Ui, state: &State, pane: EyePane, picture: Option<ShownPicture>) {
     let id = ui.scope_id().with(("lens", pane.eye.index()));
     let response = ui.interact(pane.rect, id, Sense::hover());
@@ -68,8 +69,8 @@ pub fn paint_bare(ui: &Ui, state: &State, pane: EyePane, picture: Option<ShownPi
     state.scratch.comfort.paint(ui.painter(), pane.rect);
 }
 
-/// Draws the one `picture` of both eyes, whose `panes` are in it in the order of the layout, or of the one whose turn it is;
-/// over each its heat map, if there is one.
+/// Draws the one `picture` of both eyes, whose `panes` are in it in the order of the layout, or of the one
+/// whose turn it is; over each its heat map, if there is one.
 pub fn paint_both(
     ui: &Ui,
     state: &State,

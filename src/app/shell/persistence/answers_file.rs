@@ -1,5 +1,5 @@
-//! The files of the answers that were given in lessons, one for each lesson. Each answer is written when it is given; of two windows in
-//! one lesson the later one's answers count, and it says so.
+//! The files of the answers that were given in lessons, one for each lesson. Each answer is written when it
+//! is given; of two windows in one lesson the later one's answers count, and it says so.
 
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
@@ -39,7 +39,8 @@ impl AnswersFiles {
         self.attempted != *answers
     }
 
-    /// Reads the answers that the last window has left, and adds a message to `problems` for each file that holds none.
+    /// Reads the answers that the last window has left, and adds a message to `problems` for each file that
+    /// holds none.
     pub fn load(&mut self, problems: &mut Vec<String>) -> Answers {
         let mut paths = files::list_folder(&self.folder).unwrap_or_default();
         paths.retain(|path| path.extension().is_some_and(|ending| ending == "json"));
@@ -65,7 +66,8 @@ impl AnswersFiles {
         self.attempted.clone()
     }
 
-    /// Writes `answers`, and adds a message to `replaced` for each file that another window has written since.
+    /// Writes `answers`, and adds a message to `replaced` for each file that another window has written
+    /// since.
     ///
     /// # Errors
     /// The path and the reason why some are not written; that file is then as it was.
@@ -86,7 +88,8 @@ impl AnswersFiles {
     }
 }
 
-/// Returns the name of the file of the lesson with this `key`: a name of ours, or the path of somebody's own lesson.
+/// Returns the name of the file of the lesson with this `key`: a name of ours, or the path of somebody's own
+/// lesson.
 fn file_name(key: &str) -> String {
     if key.chars().all(|letter| letter.is_ascii_lowercase() || letter == '-') {
         return format!("{key}.json");

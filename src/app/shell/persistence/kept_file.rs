@@ -1,5 +1,5 @@
-//! A file that the window keeps for the next start: read with suspicion, written whole or not at all, and never replaced if it cannot
-//! be read.
+//! A file that the window keeps for the next start: read with suspicion, written whole or not at all, and
+//! never replaced if it cannot be read.
 
 use std::io::Write as _;
 use std::path::PathBuf;
@@ -74,7 +74,8 @@ impl KeptFile {
         self.known.as_deref() == Some(text)
     }
 
-    /// Returns whether another window or program has written something else than `text` there since this window read or wrote it.
+    /// Returns whether another window or program has written something else than `text` there since this
+    /// window read or wrote it.
     pub fn was_changed(&self, text: &str) -> bool {
         let there = files::read_to_string(&self.path).ok();
         files::is_there(&self.path) && there != self.known && there.as_deref() != Some(text)

@@ -1,5 +1,5 @@
-//! The memory of the window beside its settings and answers: its place, zoom, folded sections, recent files, and which hints its user
-//! no longer needs.
+//! The memory of the window beside its settings and answers: its place, zoom, folded sections, recent files,
+//! and which hints its user no longer needs.
 
 use std::collections::BTreeSet;
 
@@ -96,7 +96,8 @@ impl Memory {
         self.recent = state.session.recent.to_text().lines().map(str::to_owned).collect();
     }
 
-    /// Stores the window's zoom and folded sections, and if it `keeps_place` its place: a size that a flag asked for is no habit.
+    /// Stores the window's zoom and folded sections, and if it `keeps_place` its place: a size that a flag
+    /// asked for is no habit.
     pub fn note_window(&mut self, ctx: &Context, keeps_place: bool) {
         self.zoom = ctx.zoom_factor().clamp(ZOOM[0], ZOOM[1]);
         if let Some(folded) = folded::noted(ctx).filter(|folded| *folded != self.folded) {
@@ -129,7 +130,8 @@ impl Memory {
         }
     }
 
-    /// Has a new window that would be on none of the `monitors` (position and size of each, points) on the first of them.
+    /// Has a new window that would be on none of the `monitors` (position and size of each, points) on the
+    /// first of them.
     pub fn bring_back(&self, ctx: &Context, mut monitors: impl Iterator<Item = [[f32; 2]; 2]>) {
         /// The part of the window, points, that must be on a monitor to be grasped.
         const GRASP: f32 = 40.0;

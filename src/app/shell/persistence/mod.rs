@@ -1,6 +1,6 @@
-//! Everything that outlasts the window, in a folder of the user's data: the settings, what the window remembers beside them, and the
-//! answers that were given in lessons, in a file for each lesson. Files are written whole or not at all, and a failure is told: in the
-//! window, and again when it is closed.
+//! Everything that outlasts the window, in a folder of the user's data: the settings, what the window
+//! remembers beside them, and the answers that were given in lessons, in a file for each lesson. Files are
+//! written whole or not at all, and a failure is told: in the window, and again when it is closed.
 
 mod answers_file;
 mod kept_file;
@@ -48,7 +48,8 @@ const MOST_LISTED: usize = 5;
 /// Everything that the last window has left.
 #[derive(Debug, Default)]
 pub struct Loaded {
-    /// The settings; the default ones if there are none, and where one was invalid. The first window of all shows few controls.
+    /// The settings; the default ones if there are none, and where one was invalid. The first window of all
+    /// shows few controls.
     pub settings: Settings,
     /// The memory of the window beside them.
     pub memory: Memory,
@@ -195,8 +196,8 @@ impl Keeper {
     }
 }
 
-/// Has `state` know what its user has done before; newcomers, who have neither clicked a point nor begun a lesson, begin with
-/// the start page if the window `welcomes` them.
+/// Has `state` know what its user has done before; newcomers, who have neither clicked a point nor begun a
+/// lesson, begin with the start page if the window `welcomes` them.
 pub fn recall(state: &mut State, memory: &Memory, answers: &Answers, welcomes: bool) {
     state.session.hint = !memory.clicked;
     let next = state.session.next_lesson.take().or_else(|| memory.lesson.clone());
@@ -230,7 +231,8 @@ impl Files {
         (!problems.is_empty()).then(|| reset(&mut self.memory_file, &self.memory.to_text(), &problems))
     }
 
-    /// Takes the lock of windows. Returns a message if another window holds it, or if nothing can be written there.
+    /// Takes the lock of windows. Returns a message if another window holds it, or if nothing can be written
+    /// there.
     fn greeting(&mut self) -> Option<Notice> {
         let locked =
             files::create_folder(&self.folder).and_then(|()| locks::try_lock(&self.folder.join(WINDOW_LOCK)));
@@ -247,8 +249,8 @@ impl Files {
         }
     }
 
-    /// Writes everything, each file also where another one fails. Returns messages for the answers of another window that
-    /// are replaced.
+    /// Writes everything, each file also where another one fails. Returns messages for the answers of another
+    /// window that are replaced.
     fn keep(&mut self, state: &State) -> Vec<String> {
         (self.saved, self.is_changed) = (Instant::now(), false);
         self.memory.note(state);
@@ -290,8 +292,8 @@ impl Files {
     }
 }
 
-/// The settings that the next window begins with. The parts of the window that a lesson shows are its own, and a scene's file is
-/// found again wherever the program starts next.
+/// The settings that the next window begins with. The parts of the window that a lesson shows are its own,
+/// and a scene's file is found again wherever the program starts next.
 fn left(state: &State) -> Settings {
     let mut settings = Settings { window: state.lesson_base().window, ..state.shown() };
     if let Some(path) = state.scene_file().and_then(|path| files::canonical(path).ok()) {

@@ -1,4 +1,5 @@
-//! An answer is on the disc when it is given; two windows know of each other; failures to read and to write are reported.
+//! An answer is on the disc when it is given; two windows know of each other; failures to read and to write
+//! are reported.
 
 use std::path::Path;
 

@@ -1,4 +1,5 @@
-//! The state in the fragment of the page's address: `#beta=0.99&scene=globe`, `#lesson=rods`, `#present`, `#stereoscope`.
+//! The state in the fragment of the page's address: `#beta=0.99&scene=globe`, `#lesson=rods`, `#present`,
+//! `#stereoscope`.
 
 use std::path::PathBuf;
 
@@ -65,8 +66,8 @@ impl Fragment {
         (!self.pairs.is_empty()).then(|| PathBuf::from(link_of_pairs(&self.pairs)))
     }
 
-    /// Returns the settings that it leads to, and a message if there is something wrong with it. What it does not name is as
-    /// it was `left`, or for what is shown the default.
+    /// Returns the settings that it leads to, and a message if there is something wrong with it. What it does
+    /// not name is as it was `left`, or for what is shown the default.
     pub fn settings(&self, left: Settings) -> (Settings, Option<String>) {
         let Some(link) = self.link() else { return (left, None) };
         match Settings::default().in_place_of(&left).with_file(&link) {

@@ -1,4 +1,5 @@
-//! The window in a browser: opened in the page's canvas, or replaced by a sentence with the reason. The page's address holds the state.
+//! The window in a browser: opened in the page's canvas, or replaced by a sentence with the reason. The
+//! page's address holds the state.
 
 mod address;
 mod page_app;
@@ -142,8 +143,8 @@ fn first_state(left: Loaded, fragment: &Fragment) -> anyhow::Result<State> {
     Ok(state)
 }
 
-/// The state of `settings`. Where their scene is no more, as that of a file which was dropped on the last visit, the default one is
-/// shown, and why.
+/// The state of `settings`. Where their scene is no more, as that of a file which was dropped on the last
+/// visit, the default one is shown, and why.
 fn opened(settings: Settings) -> anyhow::Result<State> {
     let scene = settings.scene.clone();
     let default = settings.clone().with_scene(Settings::default().scene);

@@ -1,4 +1,5 @@
-//! The window as an application of the page: it keeps the address current, and makes way for another, or for a sentence, when its device is lost.
+//! The window as an application of the page: it keeps the address current, and makes way for another, or for
+//! a sentence, when its device is lost.
 
 use std::time::Duration;
 
@@ -125,7 +126,8 @@ impl PageApp {
         }
     }
 
-    /// Ends the window if its device is lost or shows nothing. WebGL 2 takes the place of WebGPU; without either, a sentence takes the window's.
+    /// Ends the window if its device is lost or shows nothing. WebGL 2 takes the place of WebGPU; without
+    /// either, a sentence takes the window's.
     fn end_if_broken(&mut self) {
         let is_late = self.first_picture.look(&self.ctx);
         let loss = self.app.loss().map(|loss| format!("its device was lost: {}", loss.trim_end_matches('.')));

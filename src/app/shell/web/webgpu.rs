@@ -1,5 +1,5 @@
-//! WebGPU, and WebGL 2 in its place: where WebGPU gives no device, loses it or shows nothing, the page is loaded again and drawn by WebGL 2, for as
-//! long as its tab is open.
+//! WebGPU, and WebGL 2 in its place: where WebGPU gives no device, loses it or shows nothing, the page is
+//! loaded again and drawn by WebGL 2, for as long as its tab is open.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -48,7 +48,8 @@ pub struct FirstPicture {
 }
 
 impl FirstPicture {
-    /// Looks at the canvas once this frame is painted. Returns whether the picture is later than any should be.
+    /// Looks at the canvas once this frame is painted. Returns whether the picture is later than any should
+    /// be.
     pub fn look(&mut self, ctx: &Context) -> bool {
         if self.has_come.get() {
             return false;

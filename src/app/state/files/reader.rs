@@ -1,4 +1,5 @@
-//! Files read for the window: each by a thread of its own, so that no frame waits for a slow disc or a long file.
+//! Files read for the window: each by a thread of its own, so that no frame waits for a slow disc or a long
+//! file.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -139,8 +140,8 @@ impl Errand {
         Ok(Contents::Settings { settings: Box::new(settings), scene: Box::new(scene.into()), is_scene })
     }
 
-    /// The settings that the file leads to. What it does not say of the window's parts and of the layout stays as it is;
-    /// the rest has its defaults.
+    /// The settings that the file leads to. What it does not say of the window's parts and of the layout
+    /// stays as it is; the rest has its defaults.
     fn led_to(&self, is_scene: bool) -> Result<Settings, SettingsError> {
         if is_scene {
             return self.settings.clone().with_scene_file(&self.path);
@@ -180,8 +181,8 @@ impl Reader {
         Self { woken: Woken::new(ctx), read, sender, begun: 0, underway: Vec::new() }
     }
 
-    /// Begins `errand`. A file that is opened takes the place of one that is still being read to be opened, and a change of
-    /// a file that of an earlier one.
+    /// Begins `errand`. A file that is opened takes the place of one that is still being read to be opened,
+    /// and a change of a file that of an earlier one.
     pub fn begin(&mut self, errand: Errand) {
         let Errand { ref path, purpose, .. } = errand;
         self.begun += 1;

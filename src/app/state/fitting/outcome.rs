@@ -1,5 +1,5 @@
-//! A fit for the window: the samples, the point that fits them best, its uncertainty by the bootstrap, and what there is to
-//! draw.
+//! A fit for the window: the samples, the point that fits them best, its uncertainty by the bootstrap, and
+//! what there is to draw.
 
 use std::time::Duration;
 
@@ -33,8 +33,8 @@ pub struct FitOutcome {
     pub data: [PlotLine; 2],
     /// The fit, or why there is none.
     pub fitted: Result<Fitted, String>,
-    /// Bias of the fitted model on simulated curves without noise: fitted minus true beta, y and z, or the reason why it fits
-    /// nothing. `None` for the model by which they are made, and of measured ones.
+    /// Bias of the fitted model on simulated curves without noise: fitted minus true beta, y and z, or the
+    /// reason why it fits nothing. `None` for the model by which they are made, and of measured ones.
     pub bias: Option<Result<[f64; 3], String>>,
     /// Duration of the fit.
     pub elapsed: Duration,

@@ -1,5 +1,5 @@
-//! A ruler for angles, laid into a view from one place to another: two directions in the frame of the eye, which stay where the
-//! picture turns or has another projection, and the angle between them.
+//! A ruler for angles, laid into a view from one place to another: two directions in the frame of the eye,
+//! which stay where the picture turns or has another projection, and the angle between them.
 
 use glam::DVec3;
 use relativity_core::math;
@@ -147,7 +147,8 @@ mod tests {
         assert_eq!(laid(179.0 * degree, 2.0 * degree), "179° ± 2°");
     }
 
-    /// The way between both ends is a great circle, and ends where it should, also between opposite directions.
+    /// The way between both ends is a great circle, and ends where it should, also between opposite
+    /// directions.
     #[test]
     fn the_way_is_a_great_circle() {
         for to in [DVec3::Y, DVec3::new(0.6, 0.0, 0.8), -DVec3::X, DVec3::X] {

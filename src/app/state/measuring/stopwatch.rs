@@ -1,8 +1,8 @@
-//! A stopwatch in the first view: the observation time T between two presses, and the time in between of the selected point's clock
-//! as it is seen.
+//! A stopwatch in the first view: the observation time T between two presses, and the time in between of the
+//! selected point's clock as it is seen.
 //!
-//! T stands still within a frame, and a press is noted in the next: each may be late by up to the step that T took in its frame, and
-//! so the time between them is off by no more than the larger of both steps.
+//! T stands still within a frame, and a press is noted in the next: each may be late by up to the step that T
+//! took in its frame, and so the time between them is off by no more than the larger of both steps.
 
 use crate::eye::Eye;
 use crate::scene::Track;
@@ -73,13 +73,14 @@ pub enum StopwatchCommand {
 pub struct Elapsed {
     /// The time T of the observer.
     pub time: [f64; 2],
-    /// Time by the selected point's clock as it is seen; `None` if that has become another one, or is not seen. Its error is
-    /// to first order in the step.
+    /// Time by the selected point's clock as it is seen; `None` if that has become another one, or is not
+    /// seen. Its error is to first order in the step.
     pub clock: Option<[f64; 2]>,
 }
 
 impl Elapsed {
-    /// Returns the times between two presses, from the earlier T to the later one: in between, T may have gone back.
+    /// Returns the times between two presses, from the earlier T to the later one: in between, T may have
+    /// gone back.
     #[must_use]
     pub fn new([first, second]: &[PressMoment; 2]) -> Self {
         let [from, to] = if second.time < first.time { [second, first] } else { [first, second] };

@@ -1,4 +1,5 @@
-//! Two pictures of one eye in the window: questions about the second go to the state with the settings of that picture.
+//! Two pictures of one eye in the window: questions about the second go to the state with the settings of
+//! that picture.
 
 use crate::app::state::State;
 use crate::app::state::shared::Shared;
@@ -10,7 +11,8 @@ impl State {
         std::mem::replace(&mut self.document.settings, settings)
     }
 
-    /// Has the settings of the second of two pictures of one eye, if it `is_second` and there is one; then those that it had.
+    /// Has the settings of the second of two pictures of one eye, if it `is_second` and there is one; then
+    /// those that it had.
     pub(in crate::app) fn enter(&mut self, is_second: bool) -> Option<Shared<Settings>> {
         let second = if is_second { self.second_settings() } else { None }?;
         Some(self.exchange(second))
@@ -23,7 +25,8 @@ impl State {
         }
     }
 
-    /// Calls `asked` with the settings of one picture of a comparison: of the second, which has changes, if `is_second`.
+    /// Calls `asked` with the settings of one picture of a comparison: of the second, which has changes, if
+    /// `is_second`.
     pub(in crate::app) fn of_picture<R>(&mut self, is_second: bool, asked: impl FnOnce(&mut Self) -> R) -> R {
         let kept = self.enter(is_second);
         let found = asked(self);

@@ -41,7 +41,8 @@ impl State {
         sketched.is_asked || !gave_way || self.session.stage.is_presented()
     }
 
-    /// Returns the parts of the window: there is a place to draw in while a curve is requested, and to compare it.
+    /// Returns the parts of the window: there is a place to draw in while a curve is requested, and to
+    /// compare it.
     #[must_use]
     pub fn shown_window(&self) -> WindowSettings {
         let window = self.document.settings.window;

@@ -19,7 +19,8 @@ impl State {
         self.session.lesson.as_ref().map(|running| &running.course)
     }
 
-    /// Returns the settings that the states of the lesson build on: defaults, in this window with the parts that it had before.
+    /// Returns the settings that the states of the lesson build on: defaults, in this window with the parts
+    /// that it had before.
     #[must_use]
     pub fn lesson_base(&self) -> Settings {
         let now = self.document.settings.window;

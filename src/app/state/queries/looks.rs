@@ -11,7 +11,8 @@ use crate::app::state::shared::Shared;
 use crate::settings::{LookSettings, Settings};
 
 impl State {
-    /// Works out how the eyes look in this frame, unless that is known: questions about views then cost little.
+    /// Works out how the eyes look in this frame, unless that is known: questions about views then cost
+    /// little.
     pub(in crate::app) fn note_looks(&mut self) {
         let (document, size) = (&self.document, self.frame.picture_size);
         if self.frame.looks[0].as_ref().is_some_and(|first| first.is_of(document, size)) {

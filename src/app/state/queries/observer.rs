@@ -26,7 +26,8 @@ pub struct SpeedCorrection {
     pub is_fitted: bool,
 }
 
-/// Distances from the pointer within which something counts as pointed at, pixels, and the directions of the search.
+/// Distances from the pointer within which something counts as pointed at, pixels, and the directions of the
+/// search.
 const REACHES: [f64; 4] = [2.0, 4.0, 7.0, 10.0];
 const DIRECTIONS: [[f64; 2]; 8] = {
     let slant = std::f64::consts::FRAC_1_SQRT_2;
@@ -111,7 +112,8 @@ impl State {
         self.document.settings.stereo(&point.track, self.document.time)
     }
 
-    /// T0 of `point`: when both eyes see it at the same distance. `None` at rest, and of eyes across the motion.
+    /// T0 of `point`: when both eyes see it at the same distance. `None` at rest, and of eyes across the
+    /// motion.
     #[must_use]
     pub fn equidistance_time(&self, point: &Point) -> Option<f64> {
         self.document.settings.equidistance_time(&point.track)
@@ -135,8 +137,8 @@ impl State {
         self.document.settings.directions(&point.track, self.document.time)[eye.index()]
     }
 
-    /// The point of the scene at a `pixel` of the picture of `eye`, which has this `size`, and the body it is on; none
-    /// where nothing is, and in the published right eye's picture, into which no ray leads back.
+    /// The point of the scene at a `pixel` of the picture of `eye`, which has this `size`, and the body it is
+    /// on; none where nothing is, and in the published right eye's picture, into which no ray leads back.
     #[must_use]
     pub fn point_at(&self, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Option<(Track, usize)> {
         if self.sees_as_published(eye) {
@@ -148,8 +150,8 @@ impl State {
         Some((track, hit.body))
     }
 
-    /// The pixel of the picture of `eye`, which has this `size`, that somebody means who points at `pixel`: it, or if nothing
-    /// is there the nearest of those around it where something is, since spokes are thin.
+    /// The pixel of the picture of `eye`, which has this `size`, that somebody means who points at `pixel`:
+    /// it, or if nothing is there the nearest of those around it where something is, since spokes are thin.
     #[must_use]
     pub fn meant(&self, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Option<[f64; 2]> {
         if self.sees_as_published(eye) {
@@ -210,7 +212,8 @@ impl State {
         self.rider().gaze_to_head(self.view(Eye::Left, [1, 1]).camera.gaze)
     }
 
-    /// The picture of `eye`, `size` in pixels: one look for both eyes, however their panes are rounded to pixels.
+    /// The picture of `eye`, `size` in pixels: one look for both eyes, however their panes are rounded to
+    /// pixels.
     #[must_use]
     pub fn view(&self, eye: Eye, size: [u32; 2]) -> View {
         let Document { settings, time, .. } = &self.document;
@@ -253,7 +256,8 @@ impl State {
         Subject { scene: &self.document.prepared, tracked: self.document.points.selected().track }
     }
 
-    /// Returns the rate of a clock at `point`, relative to the own clock of its body, at that proper time: below 1 where it turns.
+    /// Returns the rate of a clock at `point`, relative to the own clock of its body, at that proper time:
+    /// below 1 where it turns.
     #[must_use]
     pub fn slowed(&self, point: &Point, proper_time: f64) -> f64 {
         let turning = self.on_wheel(&point.track, proper_time).map_or(0.0, |wheel| wheel.turning);

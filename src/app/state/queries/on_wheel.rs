@@ -37,8 +37,8 @@ pub fn angle_text(angle: f64) -> String {
 }
 
 impl State {
-    /// Returns the place on its wheel of the point at `track` when the clocks of its group show `proper_time`; `None` if it does not
-    /// turn.
+    /// Returns the place on its wheel of the point at `track` when the clocks of its group show
+    /// `proper_time`; `None` if it does not turn.
     #[must_use]
     pub fn on_wheel(&self, track: &Track, proper_time: f64) -> Option<OnWheel> {
         let velocity = self.document.settings.velocity(track.motion);
@@ -84,8 +84,8 @@ mod tests {
     use super::*;
     use crate::settings::Settings;
 
-    /// On the ground the lowest point of a wheel that rolls rests, the highest has the speed of the axle twice over, and the one in
-    /// front moves down as fast as forward in the axle's frame.
+    /// On the ground the lowest point of a wheel that rolls rests, the highest has the speed of the axle
+    /// twice over, and the one in front moves down as fast as forward in the axle's frame.
     #[test]
     fn speeds_are_added_as_velocities_are() {
         let state = State::open(Settings::default()).expect("a preset");

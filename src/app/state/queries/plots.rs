@@ -22,8 +22,8 @@ impl State {
         }
     }
 
-    /// First and last T of the plot of `quantity`: those of the scrubber, widened to have round ticks, or of the part that is
-    /// looked at.
+    /// First and last T of the plot of `quantity`: those of the scrubber, widened to have round ticks, or of
+    /// the part that is looked at.
     #[must_use]
     pub fn plotted_times(&self, quantity: Quantity) -> [f64; 2] {
         self.scratch.plotting.zoom(quantity).map_or_else(|| self.whole_times(), |zoom| zoom.times)

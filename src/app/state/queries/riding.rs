@@ -17,7 +17,8 @@ impl State {
         self.document.settings.rider(self.document.time)
     }
 
-    /// The range of the ride that is under way, which grows with it in steps: a plot over it is not stretched in every frame.
+    /// The range of the ride that is under way, which grows with it in steps: a plot over it is not stretched
+    /// in every frame.
     #[must_use]
     pub(in crate::app) fn range_of_ride(&self) -> Option<[f64; 2]> {
         let settings = &self.document.settings;

@@ -1,7 +1,9 @@
-//! Comfort on a ride: an exposure that follows the speed without flashing, and a vignette while the head turns.
+//! Comfort on a ride: an exposure that follows the speed without flashing, and a vignette while the head
+//! turns.
 //!
-//! Streaming at the edge of the field of view is what makes people ill, and it is darkened for as long as the head turns. The light that
-//! rushes in with D^4 would flash at each push; the exposure meets it at a limited rate.
+//! Streaming at the edge of the field of view is what makes people ill, and it is darkened for as long as the
+//! head turns. The light that rushes in with D^4 would flash at each push; the exposure meets it at a limited
+//! rate.
 
 use eframe::egui::epaint::{Mesh, Vertex, WHITE_UV};
 use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Vec2, vec2};
@@ -14,7 +16,8 @@ const EV_PER_SECOND: f64 = 3.0;
 /// Time for which the vignette stays after the last turn, and in which it comes and goes, seconds.
 const HELD: f64 = 0.3;
 const FADE: f64 = 0.25;
-/// Radii of the vignette, parts of the half width and the half height: clear inside the first, dark outside the second.
+/// Radii of the vignette, parts of the half width and the half height: clear inside the first, dark outside
+/// the second.
 const CLEAR: f32 = 0.55;
 const DARK: f32 = 1.15;
 /// Greatest opacity of the vignette, 0 to 1.
@@ -36,8 +39,8 @@ pub struct RideComfort {
 }
 
 impl RideComfort {
-    /// Returns it after this many `seconds`, in which the automatic exposure was on its way to `target_ev` and the head held this `gaze`;
-    /// a turn darkens the edges only if that `has_vignette`.
+    /// Returns it after this many `seconds`, in which the automatic exposure was on its way to `target_ev`
+    /// and the head held this `gaze`; a turn darkens the edges only if that `has_vignette`.
     #[must_use]
     pub fn after(self, seconds: f64, target_ev: f64, gaze: GazeChoice, has_vignette: bool) -> Self {
         let now = self.exposure_ev.unwrap_or(target_ev);

@@ -32,7 +32,8 @@ pub enum PushDirection {
     Beside(i16),
 }
 
-/// Walks are pushed along directions that are so far apart, degrees: a head that turns does not make a leg in every frame.
+/// Walks are pushed along directions that are so far apart, degrees: a head that turns does not make a leg in
+/// every frame.
 const DEGREES_OF_WALKS: f64 = 5.0;
 /// Greatest sine of the angle between a push and the motion at which both still count as along one line.
 const ALONG: f64 = 1e-9;
@@ -60,7 +61,8 @@ pub struct Push {
 }
 
 impl Push {
-    /// Returns the push that `rider` begins in this `direction`. The gaze `looks` to the left of the line of the ride by this angle, degrees.
+    /// Returns the push that `rider` begins in this `direction`. The gaze `looks` to the left of the line of
+    /// the ride by this angle, degrees.
     #[must_use]
     pub fn new(direction: PushDirection, looks: f64, rider: &Rider) -> Self {
         let ahead = rider.ahead();
@@ -79,8 +81,8 @@ impl Push {
         Self { direction, towards, brakes }
     }
 
-    /// The part of `step` for which it is pushed at this proper `acceleration`: who brakes comes to rest, and pushes off the other
-    /// way by another push.
+    /// The part of `step` for which it is pushed at this proper `acceleration`: who brakes comes to rest, and
+    /// pushes off the other way by another push.
     #[must_use]
     pub fn duration(&self, step: f64, acceleration: f64, rider: &Rider) -> f64 {
         let rapidity = rider.velocity.rapidity().abs();

@@ -7,17 +7,19 @@ use eframe::egui::{Pos2, Rect, Shape, TextureId};
 
 /// Greatest number of shapes that are skipped to find one that stayed.
 const REACH: usize = 12;
-/// Two areas are one where that is larger by no more than this, square points: each costs something of its own.
+/// Two areas are one where that is larger by no more than this, square points: each costs something of its
+/// own.
 const SPARE: f32 = 4000.0;
 /// Greatest number of areas.
 const MOST: usize = 24;
 /// Distance beyond their outlines to which shapes are painted, to be smooth, pixels.
 const SMOOTH: f32 = 2.0;
 
-/// The areas that hold all that is different where `new` shapes are painted in the place of `old` ones, or the same with
-/// pictures that are drawn `anew`; inside of the `whole` window, bounded by whole pixels.
+/// The areas that hold all that is different where `new` shapes are painted in the place of `old` ones, or
+/// the same with pictures that are drawn `anew`; inside of the `whole` window, bounded by whole pixels.
 ///
-/// Shapes that are in both in the same order are the same in what they cover: a pixel changes only where one of the others is.
+/// Shapes that are in both in the same order are the same in what they cover: a pixel changes only where one
+/// of the others is.
 pub fn areas(
     old: &[ClippedShape],
     new: &[ClippedShape],
@@ -59,7 +61,8 @@ pub fn extent(shape: &ClippedShape, pixels_per_point: f32) -> Rect {
     outline.expand(SMOOTH / pixels_per_point).intersect(shape.clip_rect)
 }
 
-/// Returns the numbers of `old` and of `new` items before the next that is in both; at least one, and no more than there are.
+/// Returns the numbers of `old` and of `new` items before the next that is in both; at least one, and no more
+/// than there are.
 fn next_same<T>(old: &[T], new: &[T], is_same: impl Fn(&T, &T) -> bool) -> (usize, usize) {
     for sum in 1..=REACH {
         for a in 0..=sum {

@@ -1,5 +1,6 @@
-//! Painting of the window where the GPU is software: its picture is kept, and only changed parts are painted again, by a
-//! shader as plain as can be. The toolkit's own paints all of it in each frame, and each pixel costs it ten times as much.
+//! Painting of the window where the GPU is software: its picture is kept, and only changed parts are painted
+//! again, by a shader as plain as can be. The toolkit's own paints all of it in each frame, and each pixel
+//! costs it ten times as much.
 
 mod changes;
 mod pipelines;
@@ -181,7 +182,8 @@ impl Plugin for WindowPainter {
     }
 }
 
-/// The colour that all of the window has before anything else is painted on it, and how many of its `shapes` say so.
+/// The colour that all of the window has before anything else is painted on it, and how many of its `shapes`
+/// say so.
 fn ground(shapes: &[ClippedShape], whole: Rect) -> (Color32, usize) {
     let hides_all = |(number, shape): (usize, &ClippedShape)| match &shape.shape {
         Shape::Rect(RectShape { rect, fill, .. })

@@ -1,5 +1,5 @@
-// Paints what the toolkit has made triangles of, and shows what was painted. No branches and no noise: software runs both
-// sides of a branch for each pixel.
+// Paints what the toolkit has made triangles of, and shows what was painted. No branches and no noise:
+// software runs both sides of a branch for each pixel.
 
 struct Painted {
     @builtin(position) position: vec4<f32>,

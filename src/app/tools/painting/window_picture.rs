@@ -158,7 +158,8 @@ impl WindowPicture {
     }
 }
 
-/// The pixels (x, y, width, height) of `area`, as the toolkit's renderer rounds them; `None` if there are none.
+/// The pixels (x, y, width, height) of `area`, as the toolkit's renderer rounds them; `None` if there are
+/// none.
 fn scissor(area: Rect, pixels_per_point: f32, size: [u32; 2]) -> Option<[u32; 4]> {
     let bounds = |from: f32, to: f32, side: u32| {
         let pixel = |place: f32| ((place * pixels_per_point).round() as u32).min(side);

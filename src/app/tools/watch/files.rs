@@ -14,10 +14,12 @@ use crate::app::tools::waker::{Waker, Woken};
 /// Interval between two looks at the files.
 const INTERVAL: Duration = Duration::from_secs(1);
 
-/// Longest time to wait for the watching thread to end. On a disc that hangs it takes longer, and is left behind.
+/// Longest time to wait for the watching thread to end. On a disc that hangs it takes longer, and is left
+/// behind.
 const PATIENCE: Duration = Duration::from_millis(200);
 
-/// A thread that looks at files about once a second, and ends with this. Only a change is announced by a repaint.
+/// A thread that looks at files about once a second, and ends with this. Only a change is announced by a
+/// repaint.
 #[derive(Debug)]
 pub struct Watch {
     paths: Vec<PathBuf>,
@@ -64,7 +66,8 @@ impl Drop for Watch {
     }
 }
 
-/// Joins the `thread` that holds the other end of `changed`, if it ends within this `patience`; returns whether it did.
+/// Joins the `thread` that holds the other end of `changed`, if it ends within this `patience`; returns
+/// whether it did.
 fn join_at_end(thread: JoinHandle<()>, changed: &Receiver<PathBuf>, patience: Duration) -> bool {
     let start = Instant::now();
     loop {

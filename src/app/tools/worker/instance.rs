@@ -11,7 +11,8 @@ use gamow_platform::web::page;
 use super::page::Worker;
 use super::steps::{Message, StepOutcome, Wanted, Work};
 
-/// Work of one kind in an instance of its own, which is started for the first job; the label of a job comes back with its result.
+/// Work of one kind in an instance of its own, which is started for the first job; the label of a job comes
+/// back with its result.
 pub struct BackgroundWork<W: Work, L>(Rc<WorkExchange<W, L>>);
 
 struct WorkExchange<W: Work, L> {
@@ -39,7 +40,8 @@ enum Workplace<W: Work> {
 }
 
 impl<W: Work, L: 'static> BackgroundWork<W, L> {
-    /// Nothing is started yet. Each result is announced by a repaint. The place of the work makes tools of its own; these `tools` get its notes.
+    /// Nothing is started yet. Each result is announced by a repaint. The place of the work makes tools of
+    /// its own; these `tools` get its notes.
     pub fn new(ctx: &Context, tools: W::Tools) -> Self {
         Self(Rc::new(WorkExchange {
             ctx: ctx.clone(),
@@ -78,7 +80,8 @@ impl<W: Work, L: 'static> BackgroundWork<W, L> {
         }
     }
 
-    /// Gives up what is running or waiting, even within a step: the instance ends, and the next job starts another.
+    /// Gives up what is running or waiting, even within a step: the instance ends, and the next job starts
+    /// another.
     pub fn end(&self) {
         if self.is_pending() {
             self.stop();

@@ -1,4 +1,5 @@
-//! The jobs of an instance beside the page, done in steps between which it takes messages: of several jobs the newest.
+//! The jobs of an instance beside the page, done in steps between which it takes messages: of several jobs
+//! the newest.
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;

@@ -21,7 +21,8 @@ pub struct Wanted {
 }
 
 impl Wanted {
-    /// Returns the job of this `number`, wanted until the numbers of the `newest` and of the last that was `stopped` say otherwise.
+    /// Returns the job of this `number`, wanted until the numbers of the `newest` and of the last that was
+    /// `stopped` say otherwise.
     pub fn new(number: u64, newest: Arc<AtomicU64>, stopped: Arc<AtomicU64>) -> Self {
         Self { number, started: Instant::now(), newest, stopped }
     }
@@ -58,7 +59,8 @@ pub trait Message: Serialize + DeserializeOwned + Send + 'static {}
 
 impl<T: Serialize + DeserializeOwned + Send + 'static> Message for T {}
 
-/// Work of one kind, whose jobs and results are values alone: another thread can do it, or another instance of the program.
+/// Work of one kind, whose jobs and results are values alone: another thread can do it, or another instance
+/// of the program.
 pub trait Work: Sized + 'static {
     /// Name of the kind.
     const NAME: &'static str;
@@ -74,7 +76,8 @@ pub trait Work: Sized + 'static {
     /// Prepares the first step of a job.
     fn begin(base: Self::Base, job: Self::Job) -> Self;
 
-    /// Takes in a note about a job from the instance that does it; the `tools` are those of the asking instance.
+    /// Takes in a note about a job from the instance that does it; the `tools` are those of the asking
+    /// instance.
     fn take_note(_tools: &Self::Tools, _note: &[u8]) {}
 
     /// Does the next step.

@@ -43,7 +43,8 @@ impl<J: Send + 'static, R: Send + 'static> Worker<J, R> {
         Self { jobs, results, received: Cell::new(0), newest, stopped, thread: Some(thread) }
     }
 
-    /// A thread that begins jobs by `begin` and does them in steps, until one is the last or the job is no longer wanted.
+    /// A thread that begins jobs by `begin` and does them in steps, until one is the last or the job is no
+    /// longer wanted.
     pub fn in_steps<S>(
         ctx: Context,
         mut begin: impl FnMut(J) -> S + Send + 'static,
@@ -88,8 +89,8 @@ impl<J: Send + 'static, R: Send + 'static> Worker<J, R> {
 }
 
 impl<J, R> Drop for Worker<J, R> {
-    /// Gives up everything, and waits until the thread has ended: it may hold what must not outlive the window, such as
-    /// the graphics device.
+    /// Gives up everything, and waits until the thread has ended: it may hold what must not outlive the
+    /// window, such as the graphics device.
     fn drop(&mut self) {
         self.stopped.store(u64::MAX, Ordering::Relaxed);
         // Without a sender the thread has nothing left to wait for.
@@ -126,7 +127,8 @@ impl<W: Work<Tools: Send>, L: Clone + Send + 'static> BackgroundWork<W, L> {
         self.0.stop();
     }
 
-    /// Gives up what is running or waiting as soon as it can: where another instance of the program works, even within a step.
+    /// Gives up what is running or waiting as soon as it can: where another instance of the program works,
+    /// even within a step.
     pub fn end(&self) {
         self.stop();
     }

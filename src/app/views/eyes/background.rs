@@ -1,5 +1,5 @@
-//! Pictures by the reference renderer, which are made in the background while nothing changes: step by step with more
-//! rays a pixel.
+//! Pictures by the reference renderer, which are made in the background while nothing changes: step by step
+//! with more rays a pixel.
 
 use eframe::egui::Context;
 use relativity_render::Picture;
@@ -10,7 +10,8 @@ use crate::app::tools::debounce::Debounce;
 use crate::app::tools::worker::BackgroundWork;
 use crate::app::views::reference_steps::{ReferencePicture, ReferenceSteps};
 
-/// Rays per pixel and direction of the steps in which pictures get smoother: the first has as many as any other picture.
+/// Rays per pixel and direction of the steps in which pictures get smoother: the first has as many as any
+/// other picture.
 const STEPS: [u32; 3] = [REFERENCE_SAMPLES, 4, 8];
 
 /// A picture, and how many rays per pixel and direction it is made of.
@@ -55,15 +56,16 @@ impl Background {
         self.is_refining
     }
 
-    /// Returns the picture for `request`, once it is drawn. Drawing begins when the request no longer changes, and then the picture
-    /// gets smoother if it may.
+    /// Returns the picture for `request`, once it is drawn. Drawing begins when the request no longer
+    /// changes, and then the picture gets smoother if it may.
     pub fn picture(&mut self, ctx: &Context, request: &Request) -> Option<&FinishedPicture> {
         let is_still = self.stillness.is_still(ctx, request);
         self.update(request, REFERENCE_SAMPLES, is_still);
         self.done.as_ref().filter(|_| !self.is_awaited)
     }
 
-    /// A smoother picture than the one of `request` that another method has drawn, if it may be and once there is one.
+    /// A smoother picture than the one of `request` that another method has drawn, if it may be and once
+    /// there is one.
     pub fn smoother(&mut self, ctx: &Context, request: &Request) -> Option<&FinishedPicture> {
         let is_still = self.stillness.is_still(ctx, request);
         self.update(request, STEPS[1], is_still);
@@ -72,7 +74,8 @@ impl Background {
         self.done.as_ref().filter(|made| is_made && made.samples > REFERENCE_SAMPLES)
     }
 
-    /// Returns the newest picture of this size, even if it was requested before: a late one is better than none.
+    /// Returns the newest picture of this size, even if it was requested before: a late one is better than
+    /// none.
     pub fn newest(&mut self, request: &Request) -> Option<&FinishedPicture> {
         self.update(request, REFERENCE_SAMPLES, true);
         self.done.as_ref().filter(|made| made.picture.size == request.view.camera.size)

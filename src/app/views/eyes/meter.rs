@@ -1,4 +1,5 @@
-//! Automatic quality in the window: what each drawing costs, measured in passing, and what draws the next frame.
+//! Automatic quality in the window: what each drawing costs, measured in passing, and what draws the next
+//! frame.
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 
@@ -9,7 +10,8 @@ use super::request::Request;
 use crate::accuracy::{Automatic, Choice, Machine, MethodViews, REFERENCE_SAMPLES};
 use crate::flags::Goal;
 
-/// Frames in a row in which pictures were drawn, after which they are taken to move: only then others are tried.
+/// Frames in a row in which pictures were drawn, after which they are taken to move: only then others are
+/// tried.
 const MOVING: u32 = 8;
 /// Time up to which the reference draws within a frame, milliseconds; else it draws in the background.
 const AT_ONCE_MS: f64 = 100.0;
@@ -87,8 +89,9 @@ impl Meter {
         Some(Chosen { choice, method: trial.unwrap_or(choice.method) })
     }
 
-    /// Draws `request` by `method` into `target`. What is measured is waited for where that is possible, and so is what was begun
-    /// before it; once a cost is known that is done twice a second at most, so that it holds nothing up.
+    /// Draws `request` by `method` into `target`. What is measured is waited for where that is possible, and
+    /// so is what was begun before it; once a cost is known that is done twice a second at most, so that it
+    /// holds nothing up.
     pub fn draw(
         &mut self,
         renderers: &mut Renderers,

@@ -1,5 +1,5 @@
-//! The two eyes' pictures, each drawn again only when something about it changed: within the frame, or by the reference
-//! renderer in the background, which also makes smoother what does not change.
+//! The two eyes' pictures, each drawn again only when something about it changed: within the frame, or by the
+//! reference renderer in the background, which also makes smoother what does not change.
 
 mod background;
 mod meter;
@@ -104,8 +104,8 @@ impl EyePictures {
         self.meter.choose(goal, sight)
     }
 
-    /// The picture of the eye with this `index` (0 left, 1 right), drawn if it is not up to date; none if neither the device
-    /// nor, once that has refused, the reference draws it.
+    /// The picture of the eye with this `index` (0 left, 1 right), drawn if it is not up to date; none if
+    /// neither the device nor, once that has refused, the reference draws it.
     pub fn picture(&mut self, ctx: &Context, index: usize, request: &Request) -> Option<ShownPicture> {
         let scopes = self.gpu.error_scopes();
         let before = self.drawings;
@@ -193,8 +193,8 @@ impl EyePictures {
         written.ok()
     }
 
-    /// The picture that is made of those of both eyes, which are drawn first if they are not up to date: each with its
-    /// number, in the order of the layout.
+    /// The picture that is made of those of both eyes, which are drawn first if they are not up to date: each
+    /// with its number, in the order of the layout.
     pub fn composed(
         &mut self,
         ctx: &Context,

@@ -26,8 +26,8 @@ pub struct ShownPicture {
     /// Texture of the picture.
     pub texture: TextureId,
     /// Method that drew it. The rays stand in for the reference until that is done; the published model is
-    /// only known to the mesh renderer, and one light cone for both eyes not to the rays; the packets stand in for these where the device
-    /// cannot draw them, or has no room for a scene's models.
+    /// only known to the mesh renderer, and one light cone for both eyes not to the rays; the packets stand
+    /// in for these where the device cannot draw them, or has no room for a scene's models.
     pub method: Method,
 }
 

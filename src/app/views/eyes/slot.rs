@@ -35,7 +35,8 @@ pub struct ComposedPicture {
 }
 
 impl EyePicture {
-    /// Returns the picture, after `draw` has drawn the request `by` this method or what it says stood in for that, unless it is up to date.
+    /// Returns the picture, after `draw` has drawn the request `by` this method or what it says stood in for
+    /// that, unless it is up to date.
     pub fn shown(
         &mut self,
         request: &Request,

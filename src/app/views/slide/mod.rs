@@ -1,7 +1,7 @@
 //! The slide, drawn into conformal views: motion moves the resting picture back by the rapidity.
 //!
-//! A ruler along the lower edge is marked in rapidity, the spectrum above it stands still while what moves passes through, and
-//! an outline shows where a resting body would be seen.
+//! A ruler along the lower edge is marked in rapidity, the spectrum above it stands still while what moves
+//! passes through, and an outline shows where a resting body would be seen.
 
 mod columns;
 pub mod panorama;

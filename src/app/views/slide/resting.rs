@@ -1,5 +1,5 @@
-//! The resting picture: where all that moves would be seen by a camera that rides along, and the arrow by which motion slides
-//! it.
+//! The resting picture: where all that moves would be seen by a camera that rides along, and the arrow by
+//! which motion slides it.
 
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape as Drawing, Stroke, pos2, vec2};
 use glam::DVec3;

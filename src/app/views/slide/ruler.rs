@@ -1,4 +1,5 @@
-//! The rapidity ruler: ticks named by speed, as far to both sides of where things are seen abreast as that speed slides them.
+//! The rapidity ruler: ticks named by speed, as far to both sides of where things are seen abreast as that
+//! speed slides them.
 
 use eframe::egui::{
     self, Align2, Color32, FontId, Painter, Rect, Sense, Stroke, Ui, accesskit::Role, pos2, vec2,

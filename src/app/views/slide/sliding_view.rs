@@ -19,7 +19,8 @@ pub struct SlidingView {
 }
 
 impl SlidingView {
-    /// Returns `None` where `view` is not conformal, or the head is tilted: motion is no slide along the rows then.
+    /// Returns `None` where `view` is not conformal, or the head is tilted: motion is no slide along the rows
+    /// then.
     #[must_use]
     pub fn new(state: &State, view: &View) -> Option<Self> {
         let mercator =
@@ -29,7 +30,8 @@ impl SlidingView {
         shows_motion.then_some(Self { view: *view, mercator, ahead })
     }
 
-    /// Returns by how much u `velocity` slides the resting picture to the right: the rapidity, against the motion.
+    /// Returns by how much u `velocity` slides the resting picture to the right: the rapidity, against the
+    /// motion.
     pub fn shift(&self, velocity: &Velocity) -> f64 {
         match self.view.geometry {
             Geometry::Seen => -self.ahead * velocity.rapidity(),

@@ -6,8 +6,9 @@ use relativity_core::math::{atan, tan};
 /// Least width of a picture, points.
 const LEAST_WIDTH: f32 = 2.0;
 
-/// Returns the pictures of the left and the right eye in a screen's `area`: their middles are `apart` (points) from each other, and none reaches over the
-/// middle of the screen or its edge. Where the screen is too narrow for that, the middles are nearer to each other.
+/// Returns the pictures of the left and the right eye in a screen's `area`: their middles are `apart`
+/// (points) from each other, and none reaches over the middle of the screen or its edge. Where the screen is
+/// too narrow for that, the middles are nearer to each other.
 #[must_use]
 pub fn pictures(area: Rect, apart: f32) -> [Rect; 2] {
     let half = (0.5 * apart).min(0.5 * area.width() - 0.5 * LEAST_WIDTH).max(0.5 * LEAST_WIDTH);
@@ -17,13 +18,15 @@ pub fn pictures(area: Rect, apart: f32) -> [Rect; 2] {
     })
 }
 
-/// Returns the angle that a picture of this `width` takes behind a lens at this distance from it, degrees; both in one unit.
+/// Returns the angle that a picture of this `width` takes behind a lens at this distance from it, degrees;
+/// both in one unit.
 #[must_use]
 pub fn field_of_view(width: f64, distance: f64) -> f64 {
     2.0 * atan(0.5 * width / distance).to_degrees()
 }
 
-/// Returns the angle of a point in the middle of a picture of this `width` and field of view (degrees), radians.
+/// Returns the angle of a point in the middle of a picture of this `width` and field of view (degrees),
+/// radians.
 #[must_use]
 pub fn radians_per_point(width: f32, fov: f64) -> f64 {
     2.0 * tan(0.5 * fov.to_radians()) / f64::from(width)

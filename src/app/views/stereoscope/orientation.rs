@@ -1,4 +1,5 @@
-//! The orientation of a device that is held before the eyes, in the angles that browsers tell (W3C, *Device Orientation and Motion*).
+//! The orientation of a device that is held before the eyes, in the angles that browsers tell (W3C, *Device
+//! Orientation and Motion*).
 
 use glam::DVec3;
 use relativity_core::math::sin_cos;
@@ -7,8 +8,9 @@ use crate::settings::Head;
 
 /// The orientation of a device and of what its screen shows, degrees.
 ///
-/// A device that lies on its back with its top to the north is at 0. From there it is turned by alpha about the axis through its screen, then by
-/// beta about its own edge to the right, then by gamma about its own edge to the top (intrinsic rotations Z-X'-Y'').
+/// A device that lies on its back with its top to the north is at 0. From there it is turned by alpha about
+/// the axis through its screen, then by beta about its own edge to the right, then by gamma about its own
+/// edge to the top (intrinsic rotations Z-X'-Y'').
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Orientation {
     /// Turn about the axis out of the screen.
@@ -17,25 +19,29 @@ pub struct Orientation {
     pub beta: f64,
     /// Turn about the axis to the top of the device.
     pub gamma: f64,
-    /// Turn of what is shown against the device, clockwise: 90 where the top of what is shown is at the right edge of the device.
+    /// Turn of what is shown against the device, clockwise: 90 where the top of what is shown is at the right
+    /// edge of the device.
     pub screen: f64,
 }
 
 impl Orientation {
-    /// Returns the orientation with alpha, beta, gamma and the turn of the screen; `None` unless all are numbers.
+    /// Returns the orientation with alpha, beta, gamma and the turn of the screen; `None` unless all are
+    /// numbers.
     #[must_use]
     pub fn from_degrees(angles: [f64; 4]) -> Option<Self> {
         let [alpha, beta, gamma, screen] = angles;
         angles.iter().all(|angle| angle.is_finite()).then_some(Self { alpha, beta, gamma, screen })
     }
 
-    /// Returns the head that looks at the screen straight through its back, with axes to the east, to the north and up.
+    /// Returns the head that looks at the screen straight through its back, with axes to the east, to the
+    /// north and up.
     #[must_use]
     pub fn head(&self) -> Head {
         let Self { alpha, beta, gamma, screen } = *self;
         let [(sin_alpha, cos_alpha), (sin_beta, cos_beta), (sin_gamma, cos_gamma), (sin_screen, cos_screen)] =
             [alpha, beta, gamma, screen].map(|angle| sin_cos(angle.to_radians()));
-        // Columns of the specification's matrix: the device's right edge, its top edge, and out of its screen.
+        // Columns of the specification's matrix: the device's right edge, its top edge, and out of its
+        // screen.
         let right = DVec3::new(
             cos_alpha * cos_gamma - sin_alpha * sin_beta * sin_gamma,
             sin_alpha * cos_gamma + cos_alpha * sin_beta * sin_gamma,

@@ -18,7 +18,8 @@ pub struct Stereoscope {
     pub ahead: Gaze,
     /// Orientation of the device, if it reports one.
     pub device: Option<Orientation>,
-    /// Angle from the device's axes to those of the scene, to the left, radians; unset until the device is held towards what is ahead.
+    /// Angle from the device's axes to those of the scene, to the left, radians; unset until the device is
+    /// held towards what is ahead.
     pub heading: Option<f64>,
 }
 
@@ -53,7 +54,8 @@ impl Stereoscope {
         (self.ahead, self.heading) = (gaze, None);
     }
 
-    /// Turns the head to the left and up, by angles in radians: up only where the device reports no orientation.
+    /// Turns the head to the left and up, by angles in radians: up only where the device reports no
+    /// orientation.
     pub fn turn(&mut self, [left, up]: [f64; 2]) {
         if let Some(heading) = &mut self.heading {
             *heading += left;

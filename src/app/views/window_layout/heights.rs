@@ -19,8 +19,8 @@ const LOWEST_BESIDE_WORDS: f32 = 210.0;
 const VIEW_ASPECT: f32 = 0.75;
 /// Share of the height that the plots take from the views.
 const PLOTS_SHARE: f32 = 0.38;
-/// Height that the fit with its table and residuals needs. The other tabs get as much, so that the tabs stay in
-/// their place, but none more than half, unless the views leave more.
+/// Height that the fit with its table and residuals needs. The other tabs get as much, so that the tabs stay
+/// in their place, but none more than half, unless the views leave more.
 const PLOTS_HEIGHT: f32 = 310.0;
 
 /// Heights of the views, the words below them, and the strip of plots.
@@ -36,8 +36,8 @@ pub(in crate::app) struct Heights {
 }
 
 impl Heights {
-    /// Divides the height of a middle of this `size`. In a window as narrow as a phone's the words and the plots leave the views all the
-    /// height that they need.
+    /// Divides the height of a middle of this `size`. In a window as narrow as a phone's the words and the
+    /// plots leave the views all the height that they need.
     pub fn new(is_narrow: bool, size: Vec2, window: WindowSettings, arranged: &Arrangement) -> Self {
         let needed = |height: f32| height_of_views(arranged, vec2(size.x, height));
         let lowest = if is_narrow { needed(size.y).max(LOWEST) } else { LOWEST };
@@ -50,15 +50,17 @@ impl Heights {
     }
 }
 
-/// Returns the height that views `arranged` in an area of this `size` need: higher ones would show more of the sky only.
+/// Returns the height that views `arranged` in an area of this `size` need: higher ones would show more of
+/// the sky only.
 pub(in crate::app) fn height_of_views(arranged: &Arrangement, size: Vec2) -> f32 {
     let panes = arranged.panes(Rect::from_min_size(Pos2::ZERO, size));
     let bottoms = panes.iter().map(|pane| pane.rect.min.y + VIEW_ASPECT * pane.rect.width());
     bottoms.fold(0.0, f32::max) + GAP
 }
 
-/// Heights of the wavelength scale and of the sentence below views of this `width`; 0 where they are switched off. Where they
-/// would leave the views and the plots less than the `lowest` of `height`, the scale gives way first.
+/// Heights of the wavelength scale and of the sentence below views of this `width`; 0 where they are switched
+/// off. Where they would leave the views and the plots less than the `lowest` of `height`, the scale gives
+/// way first.
 fn words_heights(Vec2 { x: width, y: height }: Vec2, lowest: f32, window: WindowSettings) -> [f32; 2] {
     let [in_a_line, in_two] = SENTENCE_HEIGHTS;
     let sentence = if width >= NARROWEST_LINE { in_a_line } else { in_two };

@@ -23,7 +23,8 @@ use crate::settings::{PlotTab, Presence, WindowSettings};
 pub struct WindowLayout {
     /// Bar with scene, theme and help.
     pub bar: Rect,
-    /// The lesson that is gone through: on the left, in an upright window as narrow as a phone's at the bottom.
+    /// The lesson that is gone through: on the left, in an upright window as narrow as a phone's at the
+    /// bottom.
     pub lesson: Option<Rect>,
     /// Speed, path, view, light.
     pub controls: Option<Rect>,
@@ -60,8 +61,8 @@ pub enum LessonPart {
 }
 
 const BAR_HEIGHT: f32 = 38.0;
-/// Widths of the panel of a lesson and of the strip that it is folded to, and how much of a window the panel takes at
-/// most.
+/// Widths of the panel of a lesson and of the strip that it is folded to, and how much of a window the panel
+/// takes at most.
 const LESSON_WIDTH: f32 = 308.0;
 const LESSON_STRIP_WIDTH: f32 = 40.0;
 const LESSON_SHARE: f32 = 0.5;
@@ -85,8 +86,8 @@ const SIDE_WIDTH: f32 = 334.0;
 const CENTRE_WIDTH: f32 = 280.0;
 /// Narrower windows than this have no room for the controls beside the views.
 const NARROWEST_WITH_CONTROLS: f32 = 560.0;
-/// The smallest strip below the views that the map shares with the plots, and the smallest that it takes unasked where
-/// there are none.
+/// The smallest strip below the views that the map shares with the plots, and the smallest that it takes
+/// unasked where there are none.
 const SHARED_STRIP: Vec2 = vec2(900.0, 280.0);
 const SMALLEST_MAP: Vec2 = vec2(440.0, 240.0);
 /// Least width of a tab that has a table beside its plots.
@@ -104,15 +105,16 @@ impl WindowLayout {
         self.panes.iter().any(|pane| pane.content == content)
     }
 
-    /// Returns the room for a message, at the top: over the views, else below the bar of a window with this inner `area`.
+    /// Returns the room for a message, at the top: over the views, else below the bar of a window with this
+    /// inner `area`.
     #[must_use]
     pub fn message_room(&self, area: Rect) -> Rect {
         let views = self.panes.iter().map(|pane| pane.rect).reduce(Rect::union);
         views.unwrap_or(area.with_min_y(self.bar.max.y))
     }
 
-    /// The layout of a window with the inner area `whole` and as much of a `lesson`, whose views are `arranged` and whose plots
-    /// are those of `tab`.
+    /// The layout of a window with the inner area `whole` and as much of a `lesson`, whose views are
+    /// `arranged` and whose plots are those of `tab`.
     #[must_use]
     pub fn new(
         whole: Rect,
@@ -133,7 +135,8 @@ impl WindowLayout {
         let Heights { words, free, lowest, strip } =
             Heights::new(is_narrow(whole), vec2(centre.width(), height.max(0.0)), window, arranged);
         let strip_height = part(window.strip_share, free, strip, [LOWEST; 2]);
-        // What stands in a strip does not change while its border is dragged, unless it becomes too low for any of it.
+        // What stands in a strip does not change while its border is dragged, unless it becomes too low for
+        // any of it.
         let room = if strip_height >= 1.5 * LOWEST { strip_height.max(strip) } else { strip_height };
         let below = Below::new(vec2(centre.width(), room), window, tab);
         let map_above = !window.views && window.map != Presence::Off;
@@ -185,8 +188,8 @@ impl WindowLayout {
         Self { controls, readout: None, ..self }
     }
 
-    /// Returns the layout of a window with this inner `area` that shows only `part` between the bar and the timeline;
-    /// this layout unchanged where it does not have that part.
+    /// Returns the layout of a window with this inner `area` that shows only `part` between the bar and the
+    /// timeline; this layout unchanged where it does not have that part.
     #[must_use]
     pub fn with_only(self, area: Rect, part: Option<WindowPart>) -> Self {
         let (bar, below) = split_top(area, BAR_HEIGHT);
@@ -241,8 +244,9 @@ impl LessonPart {
         }
     }
 
-    /// Returns the part on the left of `rect`, or at the bottom of one that is narrow and upright, and the rest of it, of which that
-    /// at the bottom leaves as much as views `arranged` need with other parts of this height.
+    /// Returns the part on the left of `rect`, or at the bottom of one that is narrow and upright, and the
+    /// rest of it, of which that at the bottom leaves as much as views `arranged` need with other parts of
+    /// this height.
     fn split_off(self, rect: Rect, arranged: &Arrangement, others: f32) -> (Option<Rect>, Rect) {
         if self == Self::Panel && rect.width() < NARROWEST_WITH_CONTROLS.min(rect.height()) {
             let half = vec2(rect.width(), LESSON_SHARE * rect.height());
@@ -261,7 +265,8 @@ impl LessonPart {
     }
 }
 
-/// Whether a window with this inner `area` is as narrow as a phone's: the controls have no room beside the views.
+/// Whether a window with this inner `area` is as narrow as a phone's: the controls have no room beside the
+/// views.
 #[must_use]
 pub fn is_narrow(area: Rect) -> bool {
     area.width() < NARROWEST_WITH_CONTROLS
@@ -274,8 +279,8 @@ pub fn views(area: Rect, arranged: &Arrangement) -> Vec<Pane> {
     shared.or_else(|| Some(arranged.panes(large_enough(area)?))).unwrap_or_default()
 }
 
-/// Returns the size of a part with this `share` of a `whole`, else the `default`: at least `least`, and as long as there is room
-/// leaving `rest`.
+/// Returns the size of a part with this `share` of a `whole`, else the `default`: at least `least`, and as
+/// long as there is room leaving `rest`.
 fn part(share: Share, whole: f32, default: f32, [least, rest]: [f32; 2]) -> f32 {
     let Some(share) = share.0 else { return default };
     (share as f32 * whole).clamp(least, (whole - rest).max(least))
@@ -306,8 +311,8 @@ enum Below {
 }
 
 impl Below {
-    /// Returns the contents of a strip of this `size`. Beside a table and plots there is a map where they have room too, or where
-    /// it is asked for.
+    /// Returns the contents of a strip of this `size`. Beside a table and plots there is a map where they
+    /// have room too, or where it is asked for.
     fn new(size: Vec2, window: WindowSettings, tab: PlotTab) -> Self {
         let has_room = |least: Vec2| size.x >= least.x && size.y >= least.y;
         let has_table = matches!(tab, PlotTab::Fit | PlotTab::Accuracy);

@@ -13,7 +13,8 @@ pub struct Presentation {
     pub panes: Vec<Pane>,
     /// The words; none where the picture needs the whole screen.
     pub words: Option<Rect>,
-    /// Room for the plot, the map, or the fit with its residuals and its table; none where it would be too small.
+    /// Room for the plot, the map, or the fit with its residuals and its table; none where it would be too
+    /// small.
     pub plot: Option<Rect>,
 }
 
@@ -40,8 +41,8 @@ impl Beside {
         }
     }
 
-    /// Returns shares of the height for the words and the panel beside them: the least, the most, and the most for
-    /// words that could otherwise not be read from the last row.
+    /// Returns shares of the height for the words and the panel beside them: the least, the most, and the
+    /// most for words that could otherwise not be read from the last row.
     const fn heights(self) -> [f32; 3] {
         match self {
             Self::Nothing => [0.12, 0.62, 0.66],
@@ -52,8 +53,9 @@ impl Beside {
 }
 
 impl Presentation {
-    /// Lays out a window with this inner `area`, its views as `arranged`. The words take as much of the height as they
-    /// `need`, if that is known, and the views the rest; an infinite need means that the words are too small.
+    /// Lays out a window with this inner `area`, its views as `arranged`. The words take as much of the
+    /// height as they `need`, if that is known, and the views the rest; an infinite need means that the words
+    /// are too small.
     #[must_use]
     pub fn new(area: Rect, arranged: &Arrangement, beside: Beside, need: Option<f32>) -> Self {
         if let Some(panes) = arranged.whole_screen(area) {

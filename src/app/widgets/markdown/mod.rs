@@ -24,8 +24,8 @@ use self::page::{Page, PageSetting, lay_out_page, translated};
 use crate::app::widgets::formula::Pixels;
 use crate::formula::markdown::Markdown;
 
-/// Draws Markdown in the width there is. Each paragraph and each row of a table is a label for assistive technology,
-/// with its formulas in words.
+/// Draws Markdown in the width there is. Each paragraph and each row of a table is a label for assistive
+/// technology, with its formulas in words.
 pub fn show(ui: &mut Ui, text: &Markdown) {
     let setting = setting(ui);
     let pixels = Pixels { per_point: setting.pixels_per_point };

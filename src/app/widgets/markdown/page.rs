@@ -140,7 +140,8 @@ impl Writer<'_, '_> {
         (self.setting.width - left).max(1.0)
     }
 
-    /// Adds pieces in lines, with the text before them at the same height, if there is one, and where it ends.
+    /// Adds pieces in lines, with the text before them at the same height, if there is one, and where it
+    /// ends.
     fn paragraph(&mut self, pieces: &[InlineItem], ink: &TextInk, left: f32, before: Option<(&str, f32)>) {
         let room = self.room(left);
         let mut laid = lay_out(self.fonts, self.pixels, ink, pieces, (room, Side::Left));

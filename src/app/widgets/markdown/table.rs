@@ -76,8 +76,8 @@ fn column_widths(natural: &[f32], least: &[f32], room: f32) -> Vec<f32> {
     shared(&wanted, spare).iter().zip(least).map(|(more, least)| least + more).collect()
 }
 
-/// Returns the widths of columns that need `natural` in this `room`: columns that need no more than an equal part get their width, and the
-/// others share the rest.
+/// Returns the widths of columns that need `natural` in this `room`: columns that need no more than an equal
+/// part get their width, and the others share the rest.
 fn shared(natural: &[f32], room: f32) -> Vec<f32> {
     let mut order: Vec<usize> = (0..natural.len()).collect();
     order.sort_by(|&one, &other| natural[one].total_cmp(&natural[other]));

@@ -23,7 +23,8 @@ fn ridden(text: &str) -> Result<Scene, String> {
 #[test]
 fn a_model_rides_in_place_of_the_cyclist() {
     let street = Scene::preset("street").expect("a preset");
-    // Size in the file, and half of it on the street: height, length along the street, and half the width across.
+    // Size in the file, and half of it on the street: height, length along the street, and half the width
+    // across.
     for (size, half) in [
         ([1.0, 2.0, 0.5], [0.25 * 1.275, 0.5 * 1.275, 1.275]),
         ([4.0, 2.0, 1.0], [2.55, 0.6375, 1.275]),

@@ -19,7 +19,8 @@ pub struct PacketBody<S: Simd> {
     pub place: V3<S>,
     /// Radius; for a body with flat faces the least of its half lengths.
     pub radius: F<S>,
-    /// The other end of a tube; a ring's unit axis; half the lengths of a body with flat faces along its own axes.
+    /// The other end of a tube; a ring's unit axis; half the lengths of a body with flat faces along its own
+    /// axes.
     pub form: V3<S>,
     /// Radius of a ring's middle circle.
     pub form_w: F<S>,
@@ -34,8 +35,8 @@ pub struct RestRays<S: Simd> {
     pub sight: V3<S>,
     /// 1/length of the unnormalised line of sight.
     pub scale: F<S>,
-    /// Changes of the unnormalised line of sight to the next pixel on the right, and to the one below. In a flat picture
-    /// the component along the line of sight does not count.
+    /// Changes of the unnormalised line of sight to the next pixel on the right, and to the one below. In a
+    /// flat picture the component along the line of sight does not count.
     pub steps: [V3<S>; 2],
     /// Unit vector towards the source in the rest frame.
     pub direction: V3<S>,
@@ -97,8 +98,8 @@ impl<S: Simd> PacketBody<S> {
         self.turn.conjugate().turned(v)
     }
 
-    /// Half its lengths along its own axes, of a body with flat faces: at least `radius`, which is raised where it is
-    /// drawn a pixel wide.
+    /// Half its lengths along its own axes, of a body with flat faces: at least `radius`, which is raised
+    /// where it is drawn a pixel wide.
     #[inline(always)]
     pub fn halves(&self) -> V3<S> {
         self.form.max(V3::new(self.radius, self.radius, self.radius))
@@ -135,7 +136,8 @@ impl<S: Simd> Surface<S> {
     }
 }
 
-/// Rays in the own axes of a body, from its `place`: each is nearest + s direction, and moment their cross product.
+/// Rays in the own axes of a body, from its `place`: each is nearest + s direction, and moment their cross
+/// product.
 #[derive(Debug, Clone, Copy)]
 pub struct OwnRay<S: Simd> {
     pub direction: V3<S>,
@@ -146,7 +148,8 @@ pub struct OwnRay<S: Simd> {
 #[inline(always)]
 pub fn own_ray<S: Simd>(simd: S, body: &PacketBody<S>, ray: &RestRays<S>) -> OwnRay<S> {
     let direction = body.body_from_rest(ray.direction);
-    // A ray that passes farther off than bodies are large misses: nearer, no product of its distances overflows.
+    // A ray that passes farther off than bodies are large misses: nearer, no product of its distances
+    // overflows.
     let far = V3::all(simd, [1e15; 3]);
     let moment = body.body_from_rest(ray.moment + body.place.cross(ray.direction)).clamp(-far, far);
     OwnRay { direction, moment, nearest: moment.cross(direction) }

@@ -4,9 +4,9 @@ use super::body::{PacketGroup, RestRays};
 use super::ray::movement;
 use crate::simd::lanes::{F, Simd, SimdFloat, V3, all, clamp};
 
-/// Returns the share of the other face in pixels whose rays meet one of two faces: these pass the common edge at
-/// the distance `from_edge`, `across` is the unit vector across the edge and the ray, and `width` that of the other face
-/// as it is seen.
+/// Returns the share of the other face in pixels whose rays meet one of two faces: these pass the common edge
+/// at the distance `from_edge`, `across` is the unit vector across the edge and the ray, and `width` that of
+/// the other face as it is seen.
 #[inline(always)]
 pub fn share_of_other<S: Simd>(
     group: &PacketGroup,

@@ -10,8 +10,8 @@ struct SmallArc<S: Simd> {
     versine: F<S>,
 }
 
-/// sin and cos - 1 of `angle`, or the hyperbolic ones where `sign` is 1, of numbers up to 6: both from the series of a quarter
-/// of it, doubled twice. No sum cancels, so that small ones keep all their digits.
+/// sin and cos - 1 of `angle`, or the hyperbolic ones where `sign` is 1, of numbers up to 6: both from the
+/// series of a quarter of it, doubled twice. No sum cancels, so that small ones keep all their digits.
 #[inline(always)]
 fn arc<S: Simd>(angle: F<S>, sign: f32) -> SmallArc<S> {
     let quarter = angle * 0.25;
@@ -25,7 +25,8 @@ fn arc<S: Simd>(angle: F<S>, sign: f32) -> SmallArc<S> {
     SmallArc { sine, versine }
 }
 
-/// 1 + x/a (1 + x/b (1 + x/c (1 + x/d))). Without a closure, which would be a call between registers of other widths.
+/// 1 + x/a (1 + x/b (1 + x/c (1 + x/d))). Without a closure, which would be a call between registers of other
+/// widths.
 #[inline(always)]
 fn series<S: Simd>(x: F<S>, [a, b, c, d]: [f32; 4]) -> F<S> {
     let last = x * (1.0 / d) + 1.0;
@@ -34,7 +35,8 @@ fn series<S: Simd>(x: F<S>, [a, b, c, d]: [f32; 4]) -> F<S> {
     x * (1.0 / a) * second + 1.0
 }
 
-/// The part of lines of sight that all of a column share: by how much sinh u exceeds that of the pole, at this much u from it.
+/// The part of lines of sight that all of a column share: by how much sinh u exceeds that of the pole, at
+/// this much u from it.
 ///
 /// With w half of that and P at the pole, sinh(P + 2 w) = sinh P + sinh w (e^P e^w + e^-P e^-w).
 #[inline(always)]
@@ -48,7 +50,8 @@ pub fn column<S: Simd>(frame: &FrameUniform, u: F<S>) -> F<S> {
     across.sine * powers
 }
 
-/// The part of lines of sight that all of a row share: how the unit vector across the baseline turns from the pole to this much v from it.
+/// The part of lines of sight that all of a row share: how the unit vector across the baseline turns from the
+/// pole to this much v from it.
 #[inline(always)]
 pub fn row<S: Simd>(simd: S, frame: &FrameUniform, v: F<S>) -> V3<S> {
     let up = arc(v * 0.5, -1.0);

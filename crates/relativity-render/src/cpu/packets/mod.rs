@@ -1,8 +1,9 @@
 //! The rays on the CPU: a test per pixel, in the rest frame and in f32, eight pixels at a time.
 //!
-//! The same formulas as in `shaders/`, function by function, so that it is as accurate as [`rays`](crate::gpu::rays); it needs
-//! no graphics adapter, and is faster than one that is software. A tile of the picture looks for bodies in the
-//! hierarchies, about the nearest first, and stops behind what covers it.
+//! The same formulas as in `shaders/`, function by function, so that it is as accurate as
+//! [`rays`](crate::gpu::rays); it needs no graphics adapter, and is faster than one that is software. A tile
+//! of the picture looks for bodies in the hierarchies, about the nearest first, and stops behind what covers
+//! it.
 
 mod body;
 mod edge;

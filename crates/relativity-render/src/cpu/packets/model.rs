@@ -1,6 +1,8 @@
-//! Rays against models of triangles: each lane looks through the hierarchy for itself, in each sample of its pixel.
+//! Rays against models of triangles: each lane looks through the hierarchy for itself, in each sample of its
+//! pixel.
 //!
-//! The ray is that of the other bodies, in f32; from there on places are in f64. Of a model that turns, each lane asks the reference.
+//! The ray is that of the other bodies, in f32; from there on places are in f64. Of a model that turns, each
+//! lane asks the reference.
 
 use glam::DVec3;
 
@@ -99,7 +101,8 @@ impl<S: Simd> FoundMeetings<S> {
 }
 
 impl<S: Simd> Meetings<S> {
-    /// Returns the meetings of these rays with `triangles` in the box that is `body`: of `side` times `side` samples to a pixel.
+    /// Returns the meetings of these rays with `triangles` in the box that is `body`: of `side` times `side`
+    /// samples to a pixel.
     #[inline(always)]
     pub fn new(
         simd: S,
@@ -154,8 +157,8 @@ impl<S: Simd> Meetings<S> {
         }
     }
 
-    /// Returns the meetings of these rays with the model that is `seen`, and turns: from their lines of sight on in f64, as the reference has
-    /// them, for `triangles` that stand nowhere.
+    /// Returns the meetings of these rays with the model that is `seen`, and turns: from their lines of sight
+    /// on in f64, as the reference has them, for `triangles` that stand nowhere.
     #[inline(always)]
     pub fn with_turning(
         simd: S,

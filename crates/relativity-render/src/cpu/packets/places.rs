@@ -25,7 +25,8 @@ pub fn pixel_of_lane([left, top]: [u32; 2], lane: usize) -> [u32; 2] {
     [left + lane as u32 % 4, top + lane as u32 / 4]
 }
 
-/// Writes the pixel in this lane of the packet with this corner, if it is in `tile`, into the rows that that is in.
+/// Writes the pixel in this lane of the packet with this corner, if it is in `tile`, into the rows that that
+/// is in.
 #[inline(always)]
 pub fn write_one<T>(tile: &Tile, [left, top]: [u32; 2], rows: &mut PixelRows<'_, T>, lane: usize, value: T) {
     let [u, v] = pixel_of_lane([left, top], lane);

@@ -1,5 +1,5 @@
-//! The rest-frame rays of pixels, and where along them things lie: `line_of_sight` of `shaders/frame.wgsl`, and
-//! `shaders/rest_ray.wgsl`.
+//! The rest-frame rays of pixels, and where along them things lie: `line_of_sight` of `shaders/frame.wgsl`,
+//! and `shaders/rest_ray.wgsl`.
 
 use super::body::{PacketGroup, RestRays};
 use super::mercator;
@@ -14,8 +14,8 @@ use crate::view::Geometry;
 pub struct PixelSight<S: Simd> {
     /// Unit vector towards the source, in the ground frame.
     pub n: V3<S>,
-    /// 1/length of the unnormalised line of sight, by which steps to the next pixels are multiplied; those of a conformal
-    /// picture are not.
+    /// 1/length of the unnormalised line of sight, by which steps to the next pixels are multiplied; those of
+    /// a conformal picture are not.
     pub scale: F<S>,
     /// 1/cosh u in a conformal picture: the sine of the angle to the baseline.
     sech: F<S>,
@@ -31,7 +31,8 @@ pub struct GroupPassage<S: Simd> {
     pub doppler: F<S>,
 }
 
-/// Lines of sight through the pixels of one tile. In a conformal picture columns and rows share what costs most.
+/// Lines of sight through the pixels of one tile. In a conformal picture columns and rows share what costs
+/// most.
 #[derive(Debug, Clone, Copy)]
 pub struct TileSights<'a, S: Simd> {
     simd: S,
@@ -41,7 +42,8 @@ pub struct TileSights<'a, S: Simd> {
     parts: Option<ConformalParts<S>>,
 }
 
-/// The parts of a conformal picture's lines of sight that the two columns and the four rows of a tile's packets share.
+/// The parts of a conformal picture's lines of sight that the two columns and the four rows of a tile's
+/// packets share.
 #[derive(Debug, Clone, Copy)]
 struct ConformalParts<S: Simd> {
     columns: [F<S>; 2],
@@ -82,7 +84,8 @@ impl<'a, S: Simd> TileSights<'a, S> {
         Self { simd, frame, corner, parts }
     }
 
-    /// Returns the lines of sight of the packet at this place, this far from the middles of its pixels to the right and down, px.
+    /// Returns the lines of sight of the packet at this place, this far from the middles of its pixels to the
+    /// right and down, px.
     #[inline(always)]
     pub fn of_sample(&self, place: usize, [right, down]: [f32; 2]) -> PixelSight<S> {
         let [u, v] = centres(self.simd, packet_places(self.corner, place));
@@ -151,8 +154,8 @@ pub fn line_of_sight<S: Simd>(simd: S, frame: &FrameUniform, u: F<S>, v: F<S>) -
     PixelSight::of_flat(simd, frame, from_pole(frame, [u, v]))
 }
 
-/// Returns the lines of sight through the corners of rectangles around the places `u` and `v` of the picture, px, of these half
-/// widths and heights: the upper two, then the lower two.
+/// Returns the lines of sight through the corners of rectangles around the places `u` and `v` of the picture,
+/// px, of these half widths and heights: the upper two, then the lower two.
 #[inline(always)]
 pub fn corner_sights<S: Simd>(
     simd: S,
@@ -181,8 +184,9 @@ pub fn corner_sights<S: Simd>(
     ]
 }
 
-/// Returns how the line of sight `n` (unit vector) changes to the next pixel on the right and to the one below, up to multiples of `n`:
-/// of a conformal picture, dn/du = b - n (n . b) without its second part, b along the baseline.
+/// Returns how the line of sight `n` (unit vector) changes to the next pixel on the right and to the one
+/// below, up to multiples of `n`: of a conformal picture, dn/du = b - n (n . b) without its second part, b
+/// along the baseline.
 #[inline(always)]
 pub fn steps_but_along<S: Simd>(frame: &FrameUniform, n: V3<S>) -> [V3<S>; 2] {
     let simd = n.x.simd;
@@ -193,8 +197,9 @@ pub fn steps_but_along<S: Simd>(frame: &FrameUniform, n: V3<S>) -> [V3<S>; 2] {
     [baseline * frame.base[3], n.cross(baseline) * frame.base[3]]
 }
 
-/// Returns the steps of the line of `sight` to the next pixel on the right, and to the one below. In a flat picture, what is along it
-/// does not count; in a conformal one it is 0, since close to the baseline it would exceed what is across.
+/// Returns the steps of the line of `sight` to the next pixel on the right, and to the one below. In a flat
+/// picture, what is along it does not count; in a conformal one it is 0, since close to the baseline it would
+/// exceed what is across.
 #[inline(always)]
 fn steps<S: Simd>(frame: &FrameUniform, sight: PixelSight<S>) -> [V3<S>; 2] {
     let PixelSight { n, sech, .. } = sight;
@@ -208,8 +213,8 @@ fn steps<S: Simd>(frame: &FrameUniform, sight: PixelSight<S>) -> [V3<S>; 2] {
     [(baseline * (sech * sech) - across * cosine) * frame.base[3], down]
 }
 
-/// Returns the passage of the line of sight along the unit vector `sight` through a group of this `speed`, with the `sign` of its motion. In
-/// a picture of oblique motion both directions are in the axes along that.
+/// Returns the passage of the line of sight along the unit vector `sight` through a group of this `speed`,
+/// with the `sign` of its motion. In a picture of oblique motion both directions are in the axes along that.
 #[inline(always)]
 pub fn passage<S: Simd>(
     simd: S,
@@ -260,7 +265,8 @@ pub fn rest_ray<S: Simd>(simd: S, group: &PacketGroup, sight: PixelSight<S>) -> 
     RestRays { sight: n, scale, steps, direction, ground_per_rest, doppler, moment, to_centre }
 }
 
-/// Returns the height on the ground, from the camera, of what is at this `height` in the group's frame, at `place` from its middle.
+/// Returns the height on the ground, from the camera, of what is at this `height` in the group's frame, at
+/// `place` from its middle.
 #[inline(always)]
 pub fn height_on_ground<S: Simd>(group: &PacketGroup, height: F<S>, place: V3<S>) -> F<S> {
     let frame = group.frame;
@@ -271,8 +277,8 @@ pub fn height_on_ground<S: Simd>(group: &PacketGroup, height: F<S>, place: V3<S>
     height + V3::of_four(height.simd, frame.rising).dot(from_camera) + from_camera.length() * frame.rising[3]
 }
 
-/// Returns the movement of the ray's direction (rest frame) along the unit vector `across`, perpendicular to it, from one pixel to
-/// the next, to the right and down.
+/// Returns the movement of the ray's direction (rest frame) along the unit vector `across`, perpendicular to
+/// it, from one pixel to the next, to the right and down.
 #[inline(always)]
 pub fn movement<S: Simd>(group: &PacketGroup, ray: &RestRays<S>, across: V3<S>) -> V2<S> {
     let PacketGroup { frame, geometry } = *group;
@@ -302,8 +308,8 @@ pub fn nearest_to<S: Simd>(anchor: V3<S>, ray: &RestRays<S>) -> V3<S> {
     -ray.direction.cross(ray.moment + anchor.cross(ray.direction))
 }
 
-/// Returns the depth, from 1 (nearest) to 0 (nothing), of what lies `beyond` the group's middle along the ray. With several groups
-/// it is counted among the depths of the reference group (`others`).
+/// Returns the depth, from 1 (nearest) to 0 (nothing), of what lies `beyond` the group's middle along the
+/// ray. With several groups it is counted among the depths of the reference group (`others`).
 #[inline(always)]
 pub fn depth<S: Simd>(
     group: &PacketGroup,
@@ -329,8 +335,8 @@ fn depth_in_reference<S: Simd>(frame: &FrameUniform, beyond: F<S>) -> F<S> {
     0.5 - 0.5 * beyond * frame.reference_middle[3]
 }
 
-/// Depth of what is seen at `distance` (ground frame) along `sight`, among that of the reference group, which is seen in
-/// this geometry: not that of one light cone for both eyes, whose lines of sight are curves.
+/// Depth of what is seen at `distance` (ground frame) along `sight`, among that of the reference group, which
+/// is seen in this geometry: not that of one light cone for both eyes, whose lines of sight are curves.
 #[inline(always)]
 pub fn depth_of_distance<S: Simd>(
     frame: &FrameUniform,

@@ -16,7 +16,8 @@ use crate::view::group_view::GroupView;
 const LEAST_SQUARE: f64 = 1e-280;
 /// Relative error of a place and an offset in f32.
 pub(super) const ROUNDING: f32 = 1e-6;
-/// Least cosine of a beam for which bounding planes are of use: at smaller ones the planes that touch it are all but one.
+/// Least cosine of a beam for which bounding planes are of use: at smaller ones the planes that touch it are
+/// all but one.
 const LEAST_COSINE: f64 = 0.07;
 
 /// A cone of rays, inside four planes through its tip that touch it.
@@ -47,7 +48,8 @@ pub struct BeamLine {
 
 /// A search for boxes.
 pub trait Looks {
-    /// Returns the least distance beyond the middle of the group at which each of `boxes` is met; infinity if it is missed.
+    /// Returns the least distance beyond the middle of the group at which each of `boxes` is met; infinity if
+    /// it is missed.
     fn nearest<S: Simd>(&self, simd: S, boxes: &Boxes) -> F<S>;
 }
 
@@ -78,8 +80,8 @@ impl Looks for BeamLine {
 }
 
 impl Beam {
-    /// The rays of the lines of sight within the ground's `cap`, as `view` has them in its group, from near `middle`.
-    /// `None` where they are too wide, or curved, to be told so.
+    /// The rays of the lines of sight within the ground's `cap`, as `view` has them in its group, from near
+    /// `middle`. `None` where they are too wide, or curved, to be told so.
     #[must_use]
     pub fn new(view: &GroupView, cap: &Cap, middle: DVec3) -> Option<Self> {
         let Cap { axis, sine, cosine } = in_rest_frame(cap, view)?;
@@ -94,8 +96,8 @@ impl Beam {
         Some(Self { planes, axis: axis.as_vec3(), spread })
     }
 
-    /// Returns the beam made no wider than `rays` in it, the first and the last of which are in opposite corners of about a square; they
-    /// are counted from their points nearest to `middle`.
+    /// Returns the beam made no wider than `rays` in it, the first and the last of which are in opposite
+    /// corners of about a square; they are counted from their points nearest to `middle`.
     #[must_use]
     pub fn around(&self, rays: &[Ray], middle: DVec3) -> Self {
         let [first, .., last] = rays else { return *self };
@@ -152,8 +154,8 @@ impl Looks for Beam {
     }
 }
 
-/// Two unit vectors across `axis` and each other, each part of them as accurate as those of `axis`: rays of a camera 1e30
-/// away are turned from x by 1e-30.
+/// Two unit vectors across `axis` and each other, each part of them as accurate as those of `axis`: rays of a
+/// camera 1e30 away are turned from x by 1e-30.
 pub(super) fn across(axis: DVec3) -> [DVec3; 2] {
     let square = axis.y * axis.y + axis.z * axis.z;
     let off_x = if square > LEAST_SQUARE { square.sqrt() } else { hypot(axis.y, axis.z) };
@@ -164,8 +166,8 @@ pub(super) fn across(axis: DVec3) -> [DVec3; 2] {
     [DVec3::new(-off_x, axis.x * y, axis.x * z), DVec3::new(0.0, -z, y)]
 }
 
-/// The rays in the rest frame of the group that `view` shows, whose lines of sight are in this `cap` on the ground; `None`
-/// where they curve, or reach almost to a right angle.
+/// The rays in the rest frame of the group that `view` shows, whose lines of sight are in this `cap` on the
+/// ground; `None` where they curve, or reach almost to a right angle.
 fn in_rest_frame(cap: &Cap, view: &GroupView) -> Option<Cap> {
     let cap = match view.geometry {
         Geometry::Rest => *cap,
@@ -180,8 +182,8 @@ fn in_rest_frame(cap: &Cap, view: &GroupView) -> Option<Cap> {
     (cap.cosine > LEAST_COSINE).then_some(cap)
 }
 
-/// Returns a cap around the image of a cap when it is stretched by gamma along the motion: that of the four corners of a pyramid around it, between which
-/// straight lines stay straight.
+/// Returns a cap around the image of a cap when it is stretched by gamma along the motion: that of the four
+/// corners of a pyramid around it, between which straight lines stay straight.
 fn stretched(cap: &Cap, view: &GroupView) -> Option<Cap> {
     if cap.cosine < 0.5 {
         return None;

@@ -81,8 +81,8 @@ impl<'a> LeafGroup<'a> {
         [first, second].map(|half| Self::new(half, self.depth + 1))
     }
 
-    /// Itself in as many as there are boxes in a node: in halves, and ever again the one that holds the most; what fits into
-    /// a node stays together.
+    /// Itself in as many as there are boxes in a node: in halves, and ever again the one that holds the most;
+    /// what fits into a node stays together.
     fn parts(self) -> Vec<Self> {
         if self.leaves.len() <= WIDTH {
             return self.leaves.chunks_mut(1).map(|leaf| Self::new(leaf, self.depth + 1)).collect();
@@ -235,7 +235,8 @@ mod tests {
     use super::*;
     use crate::geometry::ray::Ray;
 
-    /// Returns the number of times that each of `bodies` is reported to a ray along x, which meets all: boxes around places there, of this size.
+    /// Returns the number of times that each of `bodies` is reported to a ray along x, which meets all: boxes
+    /// around places there, of this size.
     fn told(bodies: &[(f64, f64)]) -> Vec<u32> {
         let pieces = bodies.iter().zip(0..).map(|(&(x, half), body)| {
             let corners = [-half, half].map(|off| DVec3::new(x + off, off, off));

@@ -1,8 +1,9 @@
 //! Boxes within boxes around the bodies of a group, in its rest frame.
 //!
-//! Bodies rest there and rays are straight, so that one hierarchy, built once, serves every speed, time and eye: only the
-//! [`Beam`]s differ, which a tile of the picture looks along. A kept crate (`obvhs`) was considered: it knows rays from one
-//! place, in f32, where this looks along cones whose tip may be 1e30 away, and the building of it is the shorter part.
+//! Bodies rest there and rays are straight, so that one hierarchy, built once, serves every speed, time and
+//! eye: only the [`Beam`]s differ, which a tile of the picture looks along. A kept crate (`obvhs`) was
+//! considered: it knows rays from one place, in f32, where this looks along cones whose tip may be 1e30 away,
+//! and the building of it is the shorter part.
 
 mod beam;
 mod boxes;
@@ -121,8 +122,9 @@ impl Hierarchy {
         is_met
     }
 
-    /// Calls `visit` with every candidate of `looks`, roughly from the nearest to the farthest. From then on it leaves out candidates
-    /// that are no nearer, beyond the middle of the group, than the distance `visit` returns.
+    /// Calls `visit` with every candidate of `looks`, roughly from the nearest to the farthest. From then on
+    /// it leaves out candidates that are no nearer, beyond the middle of the group, than the distance `visit`
+    /// returns.
     pub fn along(&self, looks: &impl Looks, visit: impl FnMut(Candidate) -> f32) {
         dispatch!(Level::new(), simd => self.along_on(simd, looks, visit));
     }

@@ -24,7 +24,8 @@ pub struct BodyPart {
     pub corners: [DVec3; 2],
 }
 
-/// Returns the pieces of the body of this `number` and form, which these capsules contain if there are any, in a group of this `extent`.
+/// Returns the pieces of the body of this `number` and form, which these capsules contain if there are any,
+/// in a group of this `extent`.
 pub fn pieces(
     solid: &Solid,
     capsules: &[Capsule],

@@ -1,4 +1,5 @@
-//! A ray against boxes, between their pairs of planes: half the operations of a [`BeamLine`](super::BeamLine), and the distance at which it enters.
+//! A ray against boxes, between their pairs of planes: half the operations of a
+//! [`BeamLine`](super::BeamLine), and the distance at which it enters.
 
 use glam::{DVec3, Vec3};
 
@@ -7,7 +8,8 @@ use super::boxes::Boxes;
 use crate::geometry::ray::Ray;
 use crate::simd::lanes::{F, Simd, SimdFloat, all, select};
 
-/// The least part of a direction along an axis, so that its reciprocal is a number: what it turns a ray by is below its rounding.
+/// The least part of a direction along an axis, so that its reciprocal is a number: what it turns a ray by is
+/// below its rounding.
 const LEAST_SLOPE: f32 = 1e-12;
 
 /// A ray, or a part of one, for the planes of boxes.
@@ -28,7 +30,8 @@ impl Slabs {
         Self::along(ray.start - middle, ray.direction)
     }
 
-    /// Returns the slabs of the line between two places, for boxes that are larger by `room` on all sides. Distances count from the first.
+    /// Returns the slabs of the line between two places, for boxes that are larger by `room` on all sides.
+    /// Distances count from the first.
     #[must_use]
     pub fn of_chord([from, to]: [DVec3; 2], room: f64) -> Self {
         let slabs = Self::along(from, (to - from).normalize_or(DVec3::X));

@@ -16,7 +16,8 @@ use crate::kinematics::spin::Spin;
 /// Samples around each end.
 const AROUND: u32 = 12;
 
-/// A cylinder where it is placed, by the capsule around it: questions that do not depend on what the ends look like are that one's.
+/// A cylinder where it is placed, by the capsule around it: questions that do not depend on what the ends
+/// look like are that one's.
 pub(super) struct Cylinder(pub Capsule);
 
 impl Cylinder {
@@ -97,7 +98,8 @@ impl PlacedShape for Cylinder {
         vec![self.0]
     }
 
-    /// Returns the block of a short cylinder: around a longer one the ends of a capsule are smaller than the corners of a block.
+    /// Returns the block of a short cylinder: around a longer one the ends of a capsule are smaller than the
+    /// corners of a block.
     fn block(&self) -> Option<Block> {
         let (half, Capsule { from, to, radius }) = (self.half(), self.0);
         (half.z < radius).then(|| Block::new(0.5 * (from + to), half, self.turn()))

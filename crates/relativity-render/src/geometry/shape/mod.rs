@@ -1,5 +1,5 @@
-//! Solid shapes at rest in the frame of their group, and their geometry: a file for each shape, which answers every question
-//! about it.
+//! Solid shapes at rest in the frame of their group, and their geometry: a file for each shape, which answers
+//! every question about it.
 
 mod cuboid;
 mod cylinder;
@@ -209,8 +209,9 @@ impl Shape {
         self.ask(|shape| shape.forward_most())
     }
 
-    /// Places at rest: along the middle lines of what is slender, tubes and rings; on balls where they end along the axes;
-    /// the corners, middles of edges and middles of faces of boxes; around both ends of cylinders.
+    /// Places at rest: along the middle lines of what is slender, tubes and rings; on balls where they end
+    /// along the axes; the corners, middles of edges and middles of faces of boxes; around both ends of
+    /// cylinders.
     #[must_use]
     pub fn samples(&self) -> Vec<DVec3> {
         self.ask(|shape| shape.samples())
@@ -222,14 +223,16 @@ impl Shape {
         self.ask(|shape| shape.ends())
     }
 
-    /// The strokes that it is drawn with, whoever looks; none of a ball, which is drawn with its [`Self::silhouette`].
+    /// The strokes that it is drawn with, whoever looks; none of a ball, which is drawn with its
+    /// [`Self::silhouette`].
     #[must_use]
     pub fn strokes(&self) -> Vec<Stroke> {
         self.ask(|shape| shape.strokes())
     }
 
-    /// Returns the line along which the onlooker's lines of sight touch the shape; `onlooker_at` gives the onlooker for the shape's
-    /// middle. `None` for shapes that are drawn with strokes; these do not call `onlooker_at`.
+    /// Returns the line along which the onlooker's lines of sight touch the shape; `onlooker_at` gives the
+    /// onlooker for the shape's middle. `None` for shapes that are drawn with strokes; these do not call
+    /// `onlooker_at`.
     #[must_use]
     pub fn silhouette(&self, onlooker_at: impl Fn(DVec3) -> Onlooker) -> Option<Path> {
         self.ask(|shape| shape.silhouette(&onlooker_at))
@@ -237,9 +240,9 @@ impl Shape {
 
     /// The turn from its own axes to those of the rest frame.
     ///
-    /// The own z axis of a tube and of a cylinder (from `from` to `to`) and of a ring is its axis, reached by the shortest
-    /// turn, which fixes the other two; to -z it is half a turn about x. A ball has the axes of the rest frame; a box says
-    /// how it is turned.
+    /// The own z axis of a tube and of a cylinder (from `from` to `to`) and of a ring is its axis, reached by
+    /// the shortest turn, which fixes the other two; to -z it is half a turn about x. A ball has the axes of
+    /// the rest frame; a box says how it is turned.
     pub(crate) fn turn(&self) -> DQuat {
         self.ask(|shape| shape.turn())
     }

@@ -46,7 +46,8 @@ pub(crate) trait PlacedShape {
     /// The strokes that it is drawn with.
     fn strokes(&self) -> Vec<Stroke>;
 
-    /// The line along which lines of sight touch it, if it is drawn with that, for the onlooker at its middle.
+    /// The line along which lines of sight touch it, if it is drawn with that, for the onlooker at its
+    /// middle.
     fn silhouette(&self, _: &dyn Fn(DVec3) -> Onlooker) -> Option<Path> {
         None
     }
@@ -96,14 +97,14 @@ pub(crate) enum PackedForm {
     Vector(DVec3, f64),
 }
 
-/// A shape about its centre, prepared for rays, patterns and triangles. Places are from the centre; along the axes of the rest
-/// frame, or the shape's own where that is said.
+/// A shape about its centre, prepared for rays, patterns and triangles. Places are from the centre; along the
+/// axes of the rest frame, or the shape's own where that is said.
 pub(crate) trait CentredShape {
     /// The first entry of a ray, as its parameter.
     fn entry(&self, ray: &LocalRay) -> Option<f64>;
 
-    /// Returns the distance of `position` from the surface, below 0 inside; and the unit vector away from the nearest place on
-    /// the surface.
+    /// Returns the distance of `position` from the surface, below 0 inside; and the unit vector away from the
+    /// nearest place on the surface.
     fn distance(&self, position: DVec3) -> (f64, DVec3);
 
     /// Outward unit normal at a `position` on the surface.
@@ -131,11 +132,12 @@ pub(crate) trait CentredShape {
     /// Returns the radius of the circle that parallels divide; 0 of what has none.
     fn parallels_radius(&self) -> f64;
 
-    /// The steps of squares as near to `step` as close around the shape: along, a length, and around, radians.
+    /// The steps of squares as near to `step` as close around the shape: along, a length, and around,
+    /// radians.
     fn squares(&self, step: f64) -> [f64; 2];
 
-    /// The arc along the axis, and its gradient, at a place so far off the own axis in the direction `outward` at the height
-    /// `z`, where the normal has this part along the axis.
+    /// The arc along the axis, and its gradient, at a place so far off the own axis in the direction
+    /// `outward` at the height `z`, where the normal has this part along the axis.
     fn along(&self, off_axis: f64, outward: DVec3, z: f64, normal: f64) -> Arc;
 
     /// The radius of the circle that stripes follow, of what they go around.
@@ -143,8 +145,8 @@ pub(crate) trait CentredShape {
         None
     }
 
-    /// Visits places in the shape's own axes of which one is about as far away as the farthest of the surface. Nothing is allocated, since
-    /// it is asked in each frame.
+    /// Visits places in the shape's own axes of which one is about as far away as the farthest of the
+    /// surface. Nothing is allocated, since it is asked in each frame.
     fn visit_farthest(&self, visit: &mut dyn FnMut(DVec3));
 }
 

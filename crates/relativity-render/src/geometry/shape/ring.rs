@@ -79,8 +79,9 @@ impl PlacedShape for Ring {
     /// Returns the ring's arcs, each in a capsule along its chord, moved outwards by half the sagitta.
     fn capsules(&self) -> Vec<Capsule> {
         let Self { center, axis, radius, tube_radius } = *self;
-        // Half the sagitta, radius angle^2/16, adds no more than half the tube's radius. A thick ring has eight arcs
-        // nevertheless, lest its hole be covered; the thinnest has no more than thirty-two, each worth a rectangle.
+        // Half the sagitta, radius angle^2/16, adds no more than half the tube's radius. A thick ring has
+        // eight arcs nevertheless, lest its hole be covered; the thinnest has no more than thirty-two, each
+        // worth a rectangle.
         let angle = (8.0 * tube_radius / radius).sqrt().clamp(0.2, 0.8);
         let count = (TAU / angle).ceil();
         let half_angle = PI / count;
@@ -168,9 +169,9 @@ impl RingForm {
         ]
     }
 
-    /// Improves an entry by one step of Newton's method on the distance from the surface: the quartic of a thin ring resolves
-    /// its tube to only R^2 / r units of rounding. Left out where the ray grazes so closely that the
-    /// step would cross to the way out.
+    /// Improves an entry by one step of Newton's method on the distance from the surface: the quartic of a
+    /// thin ring resolves its tube to only R^2 / r units of rounding. Left out where the ray grazes so
+    /// closely that the step would cross to the way out.
     fn polished(&self, t: f64, ray: &LocalRay) -> f64 {
         let position = ray.start + ray.direction * t;
         let from_circle = position - self.nearest_on_circle(position);

@@ -10,7 +10,8 @@ use crate::geometry::corners::{Corner, Template};
 /// An arc along an axis, from the beginning, and its gradient.
 pub(crate) type Arc = (f64, DVec3);
 
-/// The arc of a circle of this `radius` from its outermost place up to where `off` and `z` lead from its middle.
+/// The arc of a circle of this `radius` from its outermost place up to where `off` and `z` lead from its
+/// middle.
 pub(crate) fn arc(off: f64, outward: DVec3, z: f64, radius: f64) -> Arc {
     let gradient = (DVec3::Z * off - outward * z) / hypot(off, z).max(1e-30);
     (radius * atan2(z, off), gradient)
@@ -48,8 +49,8 @@ pub(crate) fn disc(axis: DVec3) -> DVec3 {
     DVec3::from(axis.to_array().map(|along| (1.0 - along * along).max(0.0).sqrt()))
 }
 
-/// The shortest turn of the z axis into the direction of `axis`, which fixes the other two; to -z it is half a turn about x.
-/// None where it has no direction.
+/// The shortest turn of the z axis into the direction of `axis`, which fixes the other two; to -z it is half
+/// a turn about x. None where it has no direction.
 pub(crate) fn turn_to(axis: DVec3) -> DQuat {
     let Some(DVec3 { x, y, z }) = axis.try_normalize() else { return DQuat::IDENTITY };
     // 1 + z, without the difference.

@@ -63,7 +63,8 @@ impl PlacedShape for Sphere {
         Vec::new()
     }
 
-    /// A circle, nearer than the centre and smaller than the ball where the eye is near; a point for an eye inside.
+    /// A circle, nearer than the centre and smaller than the ball where the eye is near; a point for an eye
+    /// inside.
     fn silhouette(&self, onlooker_at: &dyn Fn(DVec3) -> Onlooker) -> Option<Path> {
         let Self { center, radius } = *self;
         let onlooker = onlooker_at(center);

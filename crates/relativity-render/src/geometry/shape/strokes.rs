@@ -1,4 +1,5 @@
-//! The strokes that a shape is drawn with: lines and circles at rest, with the thickness of what they stand for.
+//! The strokes that a shape is drawn with: lines and circles at rest, with the thickness of what they stand
+//! for.
 
 use std::f64::consts::TAU;
 

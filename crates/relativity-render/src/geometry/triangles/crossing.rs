@@ -1,8 +1,8 @@
 //! Straight rays against triangles.
 //!
-//! Reference: S. Woop, C. Benthin, I. Wald, *Watertight ray/triangle intersection*, Journal of Computer Graphics Techniques 2 (2013), in
-//! f64: the corners are sheared so that the ray runs along an axis, and both triangles at an edge decide by the same product on
-//! which side of it the ray passes.
+//! Reference: S. Woop, C. Benthin, I. Wald, *Watertight ray/triangle intersection*, Journal of Computer
+//! Graphics Techniques 2 (2013), in f64: the corners are sheared so that the ray runs along an axis, and both
+//! triangles at an edge decide by the same product on which side of it the ray passes.
 
 use glam::DVec3;
 
@@ -31,8 +31,8 @@ struct ShearedRay {
 }
 
 impl Triangles {
-    /// Returns the first crossing of a ray with them, beyond the parameter `behind`: both from the middle of the box, along its axes. Of
-    /// equally near ones that of the lowest number.
+    /// Returns the first crossing of a ray with them, beyond the parameter `behind`: both from the middle of
+    /// the box, along its axes. Of equally near ones that of the lowest number.
     pub(crate) fn crossing(&self, start: DVec3, direction: DVec3, behind: f64) -> Option<Crossing> {
         let ray = Ray::new(start, direction).counted_from(DVec3::ZERO);
         let sheared = ShearedRay::new(ray.start, direction);
@@ -57,7 +57,8 @@ impl Triangles {
         Some(Crossing { distance: ray.from_camera + distance, point, normal })
     }
 
-    /// Returns the distance at which `ray` meets the triangle of this number, and the weights of its second and third corner there.
+    /// Returns the distance at which `ray` meets the triangle of this number, and the weights of its second
+    /// and third corner there.
     fn met(&self, ray: &ShearedRay, triangle: u32) -> Option<(f64, [f64; 2])> {
         let corners = self.corners_of(triangle);
         let met = ray.met(corners)?;

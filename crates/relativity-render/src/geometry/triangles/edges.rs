@@ -1,4 +1,5 @@
-//! The edges that a model is drawn with as lines: its sharp ones, and those where it turns away from whoever looks.
+//! The edges that a model is drawn with as lines: its sharp ones, and those where it turns away from whoever
+//! looks.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -7,15 +8,18 @@ use glam::{DVec3, Vec3};
 
 use crate::geometry::shape::strokes::Onlooker;
 
-/// Greatest number of triangles whose own edges are drawn. Of a larger model the corners in a cell of a grid count as one of them.
+/// Greatest number of triangles whose own edges are drawn. Of a larger model the corners in a cell of a grid
+/// count as one of them.
 const MOST_TRIANGLES: usize = 5_000;
-/// Cells of that grid along the longest side of the box around the model: lines are off by up to so small a part of it.
+/// Cells of that grid along the longest side of the box around the model: lines are off by up to so small a
+/// part of it.
 const CELLS: f64 = 40.0;
 /// Cells in each of which all places are the same.
 const SAME: f64 = 1e6;
 /// Greatest number of sharp edges that are drawn, and of those where the model turns away; the longest.
 const MOST_EDGES: usize = 240;
-/// The cosine of the least angle between two triangles whose edge is sharp, 37 degrees; and of the greatest of those that lie in one plane.
+/// The cosine of the least angle between two triangles whose edge is sharp, 37 degrees; and of the greatest
+/// of those that lie in one plane.
 const SHARP: f64 = 0.8;
 const FLAT: f64 = 0.999_999;
 
@@ -37,8 +41,8 @@ impl Edges {
         self.0.iter().filter(|edge| edge.bend.is_none()).map(|edge| edge.ends).take(MOST_EDGES)
     }
 
-    /// Returns the ends of the edges where the surface turns away from `onlooker`, from the middle of the box; at most 240, the
-    /// longest, and none of the sharp ones.
+    /// Returns the ends of the edges where the surface turns away from `onlooker`, from the middle of the
+    /// box; at most 240, the longest, and none of the sharp ones.
     pub fn turning(&self, onlooker: Onlooker) -> impl Iterator<Item = [DVec3; 2]> {
         let turns_away = move |edge: &&Edge| {
             let direction = onlooker.line_of_sight(edge.ends[0]);
@@ -47,7 +51,8 @@ impl Edges {
         self.0.iter().filter(turns_away).map(|edge| edge.ends).take(MOST_EDGES)
     }
 
-    /// Finds the edges of the triangles with these `corners` by number, in a box whose longest side is `size`.
+    /// Finds the edges of the triangles with these `corners` by number, in a box whose longest side is
+    /// `size`.
     pub fn new(corners: &[Vec3], faces: &[[u32; 3]], size: f64) -> Self {
         let place = |corner: u32| corners[corner as usize].as_dvec3();
         let stands_for = joined(corners, size / if faces.len() > MOST_TRIANGLES { CELLS } else { SAME });
@@ -115,8 +120,8 @@ impl EdgeTriangles {
     }
 }
 
-/// Returns, for each corner, the first corner in the same cell of a grid of this step. A fine grid joins the corners that a file has several
-/// times in one place; a coarse one makes a coarser model.
+/// Returns, for each corner, the first corner in the same cell of a grid of this step. A fine grid joins the
+/// corners that a file has several times in one place; a coarse one makes a coarser model.
 fn joined(corners: &[Vec3], step: f64) -> Vec<u32> {
     let mut first = HashMap::new();
     let cell = |corner: &Vec3| (corner.as_dvec3() / step).round().as_i64vec3();

@@ -1,14 +1,17 @@
 //! Surfaces made of triangles: models from files, at rest in their group, or turning there as wheels do.
 //!
-//! A triangle is flat in its rest frame, where rays are straight: so the ray of a pixel meets it exactly, and what light makes of it in a
-//! picture (a curved triangle) needs no division. Along the light to a model that turns, which is a curve for it, rays are followed in arcs (`wheel/model.rs`). One hierarchy of boxes, built once, serves every speed, time and eye.
+//! A triangle is flat in its rest frame, where rays are straight: so the ray of a pixel meets it exactly, and
+//! what light makes of it in a picture (a curved triangle) needs no division. Along the light to a model that
+//! turns, which is a curve for it, rays are followed in arcs (`wheel/model.rs`). One hierarchy of boxes,
+//! built once, serves every speed, time and eye.
 //!
 //! # Light
 //!
-//! A triangle reflects the daylight of a lamp that rides along, as a white body does, times its paint: three reflectances, one for each
-//! primary of linear sRGB. The same three hold at every Doppler factor. That is the approximation *grey paint* of the street: of what
-//! white paint would reflect in a primary it is off by at most the greatest difference between the paint's own primaries, which is 0
-//! for grey paint and 1 for a saturated colour. Paint is what the corners have, times the [`texture`].
+//! A triangle reflects the daylight of a lamp that rides along, as a white body does, times its paint: three
+//! reflectances, one for each primary of linear sRGB. The same three hold at every Doppler factor. That is
+//! the approximation *grey paint* of the street: of what white paint would reflect in a primary it is off by
+//! at most the greatest difference between the paint's own primaries, which is 0 for grey paint and 1 for a
+//! saturated colour. Paint is what the corners have, times the [`texture`].
 
 mod crossing;
 mod edges;
@@ -69,9 +72,10 @@ impl Triangles {
     ///
     /// # Errors
     ///
-    /// No triangle with an area; more than [`MOST_TRIANGLES`]; a corner that is not finite or beyond [`MOST_COORDINATE`]; a model smaller
-    /// than [`LEAST_SIZE`]; a triangle with a corner that there is not; paint that is not between 0 and 1, or not for every corner; textures
-    /// without texels or with more than [`MOST_TEXELS`], for other than every triangle, or whose places are beyond [`MOST_WRAPS`].
+    /// No triangle with an area; more than [`MOST_TRIANGLES`]; a corner that is not finite or beyond
+    /// [`MOST_COORDINATE`]; a model smaller than [`LEAST_SIZE`]; a triangle with a corner that there is not;
+    /// paint that is not between 0 and 1, or not for every corner; textures without texels or with more than
+    /// [`MOST_TEXELS`], for other than every triangle, or whose places are beyond [`MOST_WRAPS`].
     pub fn new(model: RawModel) -> Result<Self, TrianglesError> {
         model.check()?;
         let RawModel { corners, triangles, paints, textures, texture_numbers, texture_places, is_two_sided } =
@@ -130,19 +134,21 @@ impl Triangles {
         self.faces.len()
     }
 
-    /// A hash of all corners, triangles and paints: equal for equal models, and as good as never equal for others.
+    /// A hash of all corners, triangles and paints: equal for equal models, and as good as never equal for
+    /// others.
     #[must_use]
     pub const fn fingerprint(&self) -> u64 {
         self.fingerprint
     }
 
-    /// Returns the ends of the model's sharp edges, from the middle of the box around it; at most 240, the longest.
+    /// Returns the ends of the model's sharp edges, from the middle of the box around it; at most 240, the
+    /// longest.
     pub fn sharp_edges(&self) -> impl Iterator<Item = [DVec3; 2]> {
         self.edges().sharp()
     }
 
-    /// Returns the ends of the edges where the surface turns away from `onlooker`, in the axes of the box around the model, from its
-    /// middle; at most 240, the longest, and none of the sharp ones.
+    /// Returns the ends of the edges where the surface turns away from `onlooker`, in the axes of the box
+    /// around the model, from its middle; at most 240, the longest, and none of the sharp ones.
     pub fn turning_edges(&self, onlooker: Onlooker) -> impl Iterator<Item = [DVec3; 2]> {
         self.edges().turning(onlooker)
     }
@@ -161,7 +167,8 @@ impl Triangles {
     ///
     /// # Accuracy
     ///
-    /// Places are within 1e-14 of the box's size of the triangle's plane. No ray passes between two triangles that share corners.
+    /// Places are within 1e-14 of the box's size of the triangle's plane. No ray passes between two triangles
+    /// that share corners.
     pub(crate) fn entry(&self, solid: &Solid, ray: &Ray) -> Option<Entry> {
         let (start, from_start) = ray.nearest_to(solid.center());
         let radius = solid.bounding_radius();
@@ -179,8 +186,8 @@ impl Triangles {
         })
     }
 
-    /// Returns the point of a triangle in the box `solid` that is nearest to `place`, and its unit normal on the side from which a ray along
-    /// `direction` comes.
+    /// Returns the point of a triangle in the box `solid` that is nearest to `place`, and its unit normal on
+    /// the side from which a ray along `direction` comes.
     pub(crate) fn point_in(
         &self,
         solid: &Solid,

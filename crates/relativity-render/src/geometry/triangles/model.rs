@@ -11,14 +11,16 @@ pub struct RawModel {
     pub corners: Vec<[f64; 3]>,
     /// Three corners of each triangle, counter-clockwise as seen from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// Paint of each corner: reflectances in linear sRGB, 0 to 1, which mix evenly between corners. None at all is white paint.
+    /// Paint of each corner: reflectances in linear sRGB, 0 to 1, which mix evenly between corners. None at
+    /// all is white paint.
     pub paints: Vec<[f32; 3]>,
     /// Pictures whose colours multiply the paint of triangles.
     pub textures: Vec<Texture>,
-    /// Number of the texture of each triangle, [`Self::NO_TEXTURE`] of those that have none. None at all: no triangle has one.
+    /// Number of the texture of each triangle, [`Self::NO_TEXTURE`] of those that have none. None at all: no
+    /// triangle has one.
     pub texture_numbers: Vec<u32>,
-    /// Place of each corner in the texture of its triangles: from the top left, 1 to the right is its whole width, 1 down its whole
-    /// height. They are there if textures are.
+    /// Place of each corner in the texture of its triangles: from the top left, 1 to the right is its whole
+    /// width, 1 down its whole height. They are there if textures are.
     pub texture_places: Vec<[f32; 2]>,
     /// Whether triangles are seen from both sides; else only from where their corners run counter-clockwise.
     pub is_two_sided: bool,

@@ -1,7 +1,7 @@
 //! Triangles as the shaders read them: records of four texels, which are four words each.
 //!
-//! The boxes of a model are divided in two there, as a shader looks through them with one ray: a record is a node, with both boxes in it,
-//! or a triangle. Nodes come first, the one around all before the others.
+//! The boxes of a model are divided in two there, as a shader looks through them with one ray: a record is a
+//! node, with both boxes in it, or a triangle. Nodes come first, the one around all before the others.
 //!
 //! | texel | node | triangle |
 //! |---|---|---|
@@ -10,12 +10,13 @@
 //! | 2 | middle of the second box, its link | third corner, its places |
 //! | 3 | half of its sides, 0 | paint |
 //!
-//! A link is the number of a node; or, with the highest bit set, the record of the first triangle of a leaf, and in the two bits below one
-//! less than how many follow. Paint is 16 bits a reflectance.
+//! A link is the number of a node; or, with the highest bit set, the record of the first triangle of a leaf,
+//! and in the two bits below one less than how many follow. Paint is 16 bits a reflectance.
 //!
-//! Behind the records of a model with textures come two texels for each triangle, whose number its record has (0 is none): the places of its
-//! corners in its texture, and the number of the texture's header. That is one texel: width, height, wrapping, and the number of the
-//! first of its words. The words are the texels of all textures and their smaller copies.
+//! Behind the records of a model with textures come two texels for each triangle, whose number its record has
+//! (0 is none): the places of its corners in its texture, and the number of the texture's header. That is one
+//! texel: width, height, wrapping, and the number of the first of its words. The words are the texels of all
+//! textures and their smaller copies.
 
 use glam::Vec3;
 
@@ -26,7 +27,8 @@ use crate::geometry::hierarchy::{Child, Content};
 pub(crate) type Texel = [u32; 4];
 /// Number of texels in a record.
 pub(crate) const TEXELS: usize = 4;
-/// Greatest number of links that wait while a shader looks into a model: each node on the way to a leaf leaves one.
+/// Greatest number of links that wait while a shader looks into a model: each node on the way to a leaf
+/// leaves one.
 pub(crate) const MOST_WAITING: usize = 64;
 
 /// Greatest number of triangles in a leaf.
@@ -35,7 +37,8 @@ const LEAF: usize = 4;
 const IS_LEAF: u32 = 1 << 31;
 /// Place of a leaf's count in its link.
 const COUNT_AT: u32 = 29;
-/// Room around boxes, as a part of the model's size: the shaders test them in f32, which is off by less than half of that.
+/// Room around boxes, as a part of the model's size: the shaders test them in f32, which is off by less than
+/// half of that.
 const ROOM: f32 = 2e-6;
 
 /// A model for the shaders.
@@ -101,7 +104,8 @@ impl Triangles {
             .extend(words.chunks(4).map(|chunk| std::array::from_fn(|i| chunk.get(i).copied().unwrap_or(0))));
     }
 
-    /// Returns the record of the first triangle when they are packed, and the numbers of all in the order of their records.
+    /// Returns the record of the first triangle when they are packed, and the numbers of all in the order of
+    /// their records.
     pub(crate) fn packed_order(&self) -> (u32, Vec<u32>) {
         let Records { nodes, leaves, .. } = Records::new(self);
         (nodes.len() as u32, leaves)

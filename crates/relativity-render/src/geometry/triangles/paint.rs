@@ -14,8 +14,8 @@ impl Triangles {
         self.paint_over(point, |_| 0.0)
     }
 
-    /// Returns the paint at a `point` on average over what a sample of a picture covers of its triangle: that much, its `range`, of a
-    /// coordinate with a gradient along the axes of the box.
+    /// Returns the paint at a `point` on average over what a sample of a picture covers of its triangle: that
+    /// much, its `range`, of a coordinate with a gradient along the axes of the box.
     pub(crate) fn paint_over(&self, point: TrianglePoint, range: impl Fn(DVec3) -> f64) -> [f64; 3] {
         let own = self.corner_paint(point);
         let Some(texture) = self.texture_of(point.triangle) else { return own };
@@ -34,7 +34,8 @@ impl Triangles {
         &self.textures
     }
 
-    /// The number of each triangle's texture, [`RawModel::NO_TEXTURE`] of those that have none; empty if none has one.
+    /// The number of each triangle's texture, [`RawModel::NO_TEXTURE`] of those that have none; empty if none
+    /// has one.
     #[must_use]
     pub fn texture_numbers(&self) -> &[u32] {
         &self.texture_numbers
@@ -65,7 +66,8 @@ impl Triangles {
         })
     }
 
-    /// Returns the changes per length along a triangle of the places in its texture, of which its corners have these.
+    /// Returns the changes per length along a triangle of the places in its texture, of which its corners
+    /// have these.
     fn gradients(&self, triangle: u32, [first, second, third]: [[f64; 2]; 3]) -> [DVec3; 2] {
         let [a, b, c] = self.corners_of(triangle);
         let (along, across) = (b - a, c - a);

@@ -1,4 +1,5 @@
-//! The written form of the triangles that bodies share, for another instance of the program: without their hierarchy, which reading builds anew.
+//! The written form of the triangles that bodies share, for another instance of the program: without their
+//! hierarchy, which reading builds anew.
 
 use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};

@@ -1,12 +1,15 @@
-//! Textures: pictures whose colours are the paint of triangles, and smaller copies of them for what is seen from afar.
+//! Textures: pictures whose colours are the paint of triangles, and smaller copies of them for what is seen
+//! from afar.
 //!
-//! Texels are encoded as sRGB, and are averaged in linear light: between the nearest four, and between the two copies whose texels are
-//! about as large as a sample of the picture (trilinear filtering). A sample that covers more of a texture one way than the other takes
-//! the larger of the two: seen aslant, a texture is smoother than it needs to be and never breaks up.
+//! Texels are encoded as sRGB, and are averaged in linear light: between the nearest four, and between the
+//! two copies whose texels are about as large as a sample of the picture (trilinear filtering). A sample that
+//! covers more of a texture one way than the other takes the larger of the two: seen aslant, a texture is
+//! smoother than it needs to be and never breaks up.
 //!
 //! # Accuracy
 //!
-//! Each copy is rounded to sRGB of 8 bits: its colours are within half a level of the averages of the copy that it is made of.
+//! Each copy is rounded to sRGB of 8 bits: its colours are within half a level of the averages of the copy
+//! that it is made of.
 
 use std::array::from_fn;
 use std::ops::Range;
@@ -119,8 +122,9 @@ impl MipMap {
         [red, green, blue, u8::MAX]
     }
 
-    /// Returns the linear colour at a `place` (as [`Model::texture_places`](super::RawModel::texture_places)), on average over about as much as
-    /// is `covered` of it each way, in widths and heights of the texture.
+    /// Returns the linear colour at a `place` (as
+    /// [`Model::texture_places`](super::RawModel::texture_places)), on average over about as much as is
+    /// `covered` of it each way, in widths and heights of the texture.
     pub(super) fn colour(&self, place: [f64; 2], covered: [f64; 2]) -> [f64; 3] {
         let texels = [0, 1].map(|side| covered[side] * f64::from(self.levels[0].size[side]));
         let last = (self.levels.len() - 1) as f64;

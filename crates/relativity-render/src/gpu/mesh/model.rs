@@ -1,6 +1,7 @@
 //! Models as triangles with edges so short that lines may bend between their ends: longer ones are halved.
 //!
-//! Whether an edge is halved follows from the edge alone, and both triangles at it agree on its middle: so no gap opens between them.
+//! Whether an edge is halved follows from the edge alone, and both triangles at it agree on its middle: so no
+//! gap opens between them.
 
 use glam::DVec3;
 
@@ -9,7 +10,8 @@ use crate::geometry::triangles::Triangles;
 
 /// Number of edges that make a whole side of the model's box, at least.
 const SEGMENTS: f64 = 96.0;
-/// Greatest number of triangles that a model is divided into, unless it has more itself: beyond it edges stay longer.
+/// Greatest number of triangles that a model is divided into, unless it has more itself: beyond it edges stay
+/// longer.
 const MOST_TRIANGLES: usize = 2_000_000;
 
 /// Edges that are too long.
@@ -22,8 +24,8 @@ struct LongEdges<'a> {
 }
 
 impl Triangles {
-    /// Returns the triangles of the model, divided where they are large: their edges are at most 1/[`SEGMENTS`] of the box's side along any
-    /// axis, or longer where that would be too many triangles.
+    /// Returns the triangles of the model, divided where they are large: their edges are at most
+    /// 1/[`SEGMENTS`] of the box's side along any axis, or longer where that would be too many triangles.
     pub(super) fn template(&self) -> Template {
         let (first, order) = self.packed_order();
         let room = MOST_TRIANGLES.saturating_sub(order.len());

@@ -34,15 +34,17 @@ pub struct MeshInstance {
     pub copy: BodyCopy,
 }
 
-/// A copy of a body in a conformal picture, a strip around the baseline that is cut open behind the camera: the angle by which it is turned
-/// about the baseline, and whether it draws only the triangles across the cut, 1 or 0.
+/// A copy of a body in a conformal picture, a strip around the baseline that is cut open behind the camera:
+/// the angle by which it is turned about the baseline, and whether it draws only the triangles across the
+/// cut, 1 or 0.
 type BodyCopy = [f32; 2];
 
 /// The only copy in a flat picture, and the first in a conformal one.
 const WHOLE: BodyCopy = [0.0, 0.0];
 
-/// The copies in a conformal picture, each with the half height, radians, from which a picture shows anything of it: triangles across the
-/// cut are drawn beside both ends of the strip, and pictures that go farther round show bodies again.
+/// The copies in a conformal picture, each with the half height, radians, from which a picture shows anything
+/// of it: triangles across the cut are drawn beside both ends of the strip, and pictures that go farther
+/// round show bodies again.
 const COPIES: [(f64, BodyCopy); 5] =
     [(0.0, WHOLE), (FRAC_PI_2, [0.0, 1.0]), (FRAC_PI_2, [-TAU, 1.0]), (PI, [TAU, 0.0]), (PI, [-TAU, 0.0])];
 
@@ -141,8 +143,9 @@ impl DrawnBody {
         Trait { group, kind: grid.kind(), template: grid, is_thin, is_patterned, turns }
     }
 
-    /// Returns the place of a part in the order: faded ones last; group by group; in the bodies' order where surfaces may coincide, so
-    /// that the first of them stays, and else those of one grid together, which saves a draw for each.
+    /// Returns the place of a part in the order: faded ones last; group by group; in the bodies' order where
+    /// surfaces may coincide, so that the first of them stays, and else those of one grid together, which
+    /// saves a draw for each.
     fn rank(&self) -> (bool, usize, Option<(bool, Turns, Grid)>, u32) {
         let is_joined = if self.is_thin { self.joint.widened } else { self.joint.as_it_is };
         let [_, _, index] = self.instance.width_brightness_index;
@@ -188,13 +191,13 @@ fn half_width(body: &PreparedBody, solid: &Solid, view: &GroupView) -> f64 {
     solid.half_width((center - view.origin).normalize_or(DVec3::Y))
 }
 
-/// Returns half the size of a pixel where `body` is farthest: infinite outside the domain of the core. The shader finds the same
-/// at each corner.
+/// Returns half the size of a pixel where `body` is farthest: infinite outside the domain of the core. The
+/// shader finds the same at each corner.
 fn half_pixel(body: &PreparedBody, solid: &Solid, view: &GroupView) -> f64 {
     let axes = view.camera.axes();
     let is_conformal = view.camera.mercator().is_some();
-    // Away from the axis of a flat picture nothing is smaller than on it, as deep; in a conformal one, as far from the
-    // baseline.
+    // Away from the axis of a flat picture nothing is smaller than on it, as deep; in a conformal one, as far
+    // from the baseline.
     let depth = |place: DVec3| {
         view.apparent_position(view.corner(body, place)).map_or(f64::INFINITY, |place| {
             let depth = place.dot(axes.forward);

@@ -21,12 +21,12 @@ use crate::scene::wheel::packed::{TurningStart, Turns};
 use crate::view::Geometry;
 use crate::view::group_view::GroupView;
 
-/// Number of halvings after which the bound of a piece is taken as it is: 32 rectangles follow the most bent of tubes, and
-/// a looser bound only costs time.
+/// Number of halvings after which the bound of a piece is taken as it is: 32 rectangles follow the most bent
+/// of tubes, and a looser bound only costs time.
 const MAX_HALVINGS: u32 = 5;
-/// Below this radius a piece may be faded in pictures instead of drawn thinner, px. The shader fades what it finds
-/// thinner than half a pixel; the rest is room. The radius is the one across x: what `Geometry::Contracted` flattens
-/// along x below a pixel is drawn as thin as it is there.
+/// Below this radius a piece may be faded in pictures instead of drawn thinner, px. The shader fades what it
+/// finds thinner than half a pixel; the rest is room. The radius is the one across x: what
+/// `Geometry::Contracted` flattens along x below a pixel is drawn as thin as it is there.
 const THIN_PX: f64 = 0.75;
 
 /// The bounds in which bodies are searched for.
@@ -54,9 +54,9 @@ pub struct Piece {
     pub rim: [f32; 2],
 }
 
-/// The pieces of a view, solid before thin, group by group, kind by kind, plain before patterned, bodies that do not
-/// turn before turning ones, else in the order of the bodies: where
-/// surfaces of two coincide, the first that is drawn stays. Kept from view to view, for its memory.
+/// The pieces of a view, solid before thin, group by group, kind by kind, plain before patterned, bodies that
+/// do not turn before turning ones, else in the order of the bodies: where surfaces of two coincide, the
+/// first that is drawn stays. Kept from view to view, for its memory.
 #[derive(Debug, Default)]
 pub struct Pieces {
     lists: BTreeMap<(bool, usize, Kind, bool, Turns), Vec<Piece>>,
@@ -146,14 +146,14 @@ impl Pieces {
     }
 }
 
-/// Half the width that a body of this `radius` which turns is shown with at least: light stretches it, and at one time of
-/// the ground it is sheared by what moves at less than 1.
+/// Half the width that a body of this `radius` which turns is shown with at least: light stretches it, and at
+/// one time of the ground it is sheared by what moves at less than 1.
 fn least_shown(radius: f64, view: &GroupView) -> f64 {
     if view.geometry == Geometry::Contracted { 0.5 * radius } else { radius }
 }
 
-/// Adds the numbers, in order, of the bodies of a group that may be in the picture: of those that keep their places as far as
-/// the hierarchy tells.
+/// Adds the numbers, in order, of the bodies of a group that may be in the picture: of those that keep their
+/// places as far as the hierarchy tells.
 fn add_candidates(scene: &PreparedScene, group: usize, view: &GroupView, bounds: Bounds, out: &mut Vec<u32>) {
     let prepared = &scene.groups()[group];
     let picture = Tile { corner: [0, 0], size: view.camera.size };

@@ -1,4 +1,5 @@
-//! Footprints of blocks: a block appears in the hull of the images of its corners, as far as that is in front.
+//! Footprints of blocks: a block appears in the hull of the images of its corners, as far as that is in
+//! front.
 
 use glam::{DVec2, DVec3};
 
@@ -6,15 +7,17 @@ use super::projection::{Footprint, FootprintMap, ImageExtent, LOOSE_PX};
 use crate::camera::Gauge;
 use crate::geometry::block::Block;
 
-/// Largest bulge, as a share of the shorter side of a block in the picture, at which halves do not get rectangles of their own.
+/// Largest bulge, as a share of the shorter side of a block in the picture, at which halves do not get
+/// rectangles of their own.
 const LOOSE_SHARE: f64 = 0.25;
 
 impl FootprintMap {
     /// Returns the footprint of `block`; `None` from inside it.
     ///
-    /// C(p) = gamma (`p_x` - beta |p|) along x and p across it; |p| is convex: over the block it lies below what is
-    /// interpolated between the corners, by the bulge at most. So the image lies in the hull of the images of the corners
-    /// and of these moved by gamma beta times that along x, of which only what is in front of the camera can be seen.
+    /// C(p) = gamma (`p_x` - beta |p|) along x and p across it; |p| is convex: over the block it lies below
+    /// what is interpolated between the corners, by the bulge at most. So the image lies in the hull of the
+    /// images of the corners and of these moved by gamma beta times that along x, of which only what is in
+    /// front of the camera can be seen.
     pub fn footprint_of_block(&self, block: &Block) -> Option<Footprint> {
         let distance = block.distance();
         if distance == 0.0 {
@@ -41,7 +44,8 @@ impl FootprintMap {
         Some(images.rectangle(self, block, bulge, nearest, radius_px))
     }
 
-    /// Returns the greatest distance along x between the image of a block and the interpolation of its corners' images.
+    /// Returns the greatest distance along x between the image of a block and the interpolation of its
+    /// corners' images.
     ///
     /// Along an axis the second derivative of |p| is the squared sine of the angle from there over |p|.
     fn bulge_of_block(&self, block: &Block, corners: &[DVec3; 8], distance: f64) -> f64 {

@@ -1,12 +1,14 @@
 //! Bounds on the place of a body in a conformal picture.
 //!
-//! The straight line between two places is seen along a great circle. Mercator's scale is cosh u, and so the curvature of its
-//! image is the part of grad ln cosh u across it: at most |tanh u|, below 1. What a convex body shows is bounded by such lines.
-//! An arc of curvature below 1 whose ends are L apart departs from its chord by at most 1 - sqrt(1 - L^2/4), below L^2/7 for L
-//! below 1: the body lies that near to the polygon around the images of its corners.
+//! The straight line between two places is seen along a great circle. Mercator's scale is cosh u, and so the
+//! curvature of its image is the part of grad ln cosh u across it: at most |tanh u|, below 1. What a convex
+//! body shows is bounded by such lines. An arc of curvature below 1 whose ends are L apart departs from its
+//! chord by at most 1 - sqrt(1 - L^2/4), below L^2/7 for L below 1: the body lies that near to the polygon
+//! around the images of its corners.
 //!
-//! A ball of radius r at the distance rho from the baseline reaches no further than -ln(1 - r/rho) from the image of its
-//! centre: artanh k to both sides of the middle of its image, which is at most -ln(1 - k^2)/2 further aside, k = r/rho.
+//! A ball of radius r at the distance rho from the baseline reaches no further than -ln(1 - r/rho) from the
+//! image of its centre: artanh k to both sides of the middle of its image, which is at most -ln(1 - k^2)/2
+//! further aside, k = r/rho.
 
 use std::f64::consts::TAU;
 
@@ -24,8 +26,9 @@ const MOST_NEAR: f64 = 0.8;
 const BEND: f64 = 1.0 / 7.0;
 
 impl FootprintMap {
-    /// Returns the patch in which the hull of balls of this `radius` around `points` can appear in the picture of `mercator`, of a piece with this
-    /// least radius; `None` if that cannot be said of it as a whole.
+    /// Returns the patch in which the hull of balls of this `radius` around `points` can appear in the
+    /// picture of `mercator`, of a piece with this least radius; `None` if that cannot be said of it as a
+    /// whole.
     pub(super) fn conformal_footprint(
         &self,
         mercator: &Mercator,
@@ -59,7 +62,8 @@ impl FootprintMap {
         Some(self.conformal_rectangle(places, room, radius_px, is_loose))
     }
 
-    /// Whether all of the hull, which is no farther than this from the baseline, is beyond the left or the right edge.
+    /// Whether all of the hull, which is no farther than this from the baseline, is beyond the left or the
+    /// right edge.
     fn is_aside(&self, mercator: &Mercator, points: &[DVec3], radius: f64, farthest: f64) -> bool {
         let half_width = 0.5 * self.size.x / self.focal_length_px + MARGIN_PX / self.focal_length_px;
         let aside = points.iter().map(|point| point.dot(mercator.axes.right));
@@ -103,7 +107,8 @@ fn length_of_hull(places: &[DVec2]) -> f64 {
     pairs.fold(0.0, f64::max).sqrt()
 }
 
-/// Between which distances from the baseline the hull of `points` is, of which the baseline passes at one side.
+/// Between which distances from the baseline the hull of `points` is, of which the baseline passes at one
+/// side.
 fn from_baseline(mercator: &Mercator, points: &[DVec3]) -> [f64; 2] {
     let flat = |point: &DVec3| DVec2::new(point.dot(mercator.axes.forward), point.dot(mercator.axes.up));
     let (mut nearest, mut farthest) = (f64::INFINITY, 0.0f64);

@@ -8,11 +8,11 @@ use crate::geometry::capsule::Capsule;
 use crate::view::Geometry;
 use crate::view::group_view::GroupView;
 
-/// Space left around an outline, px: a pixel's samples lie up to 0.4 px from its centre, thin pieces are drawn up to
-/// half a pixel wider than they are, and f32 rounds.
+/// Space left around an outline, px: a pixel's samples lie up to 0.4 px from its centre, thin pieces are
+/// drawn up to half a pixel wider than they are, and f32 rounds.
 pub(super) const MARGIN_PX: f64 = 1.5;
-/// In front is what lies deeper than this many times its own reach in depth: at 1 the outline runs off to infinity, and
-/// just beyond it the quadratic for its extent has lost its digits.
+/// In front is what lies deeper than this many times its own reach in depth: at 1 the outline runs off to
+/// infinity, and just beyond it the quadratic for its extent has lost its digits.
 const CLEAR_OF_APERTURE: f64 = 1.001;
 /// Bulge up to which halves do not get rectangles of their own: this many radii and
 /// this many pixels. Halves of a bulge are a quarter of it each.
@@ -87,8 +87,8 @@ impl FootprintMap {
         }
     }
 
-    /// Whether a rest-frame ball around `center`, from the camera's event in axes along the motion, is surely not in the
-    /// picture.
+    /// Whether a rest-frame ball around `center`, from the camera's event in axes along the motion, is surely
+    /// not in the picture.
     pub fn hides(&self, center: DVec3, radius: f64) -> bool {
         self.footprint(&Capsule::ball(center, radius)) == Some(Footprint::Hidden)
     }
@@ -154,11 +154,12 @@ impl FootprintMap {
         )
     }
 
-    /// Returns the greatest distance of C(t) from its chord. `None` if the aperture looks along the axis from inside
-    /// the tube.
+    /// Returns the greatest distance of C(t) from its chord. `None` if the aperture looks along the axis from
+    /// inside the tube.
     ///
-    /// Only the part -gamma beta h(t) of C is curved. Between the ends, h^2 and the square of the chord L(t) of h
-    /// differ by t (1 - t) (|span|^2 - slope^2), so L - h is that over L + h, with nothing left to cancel.
+    /// Only the part -gamma beta h(t) of C is curved. Between the ends, h^2 and the square of the chord L(t)
+    /// of h differ by t (1 - t) (|span|^2 - slope^2), so L - h is that over L + h, with nothing left to
+    /// cancel.
     pub fn bulge(&self, capsule: &Capsule) -> Option<DVec3> {
         let Capsule { from, to, radius } = *capsule;
         let span = to - from;

@@ -1,10 +1,11 @@
 //! Outlines of scenes, and the gaze that has an outline in the middle.
 //!
-//! A ball at rest in the moving frame looks as a ball of the same radius at another place on the ground looks at rest,
-//! since aberration maps cones of directions to cones (Penrose 1959); a tube looks as one swept along a curve, which is
-//! halved until it is as good as straight, but only where it may reach further than what is known already. So the
-//! outline is exact for balls; what is added for other bodies is below a ten-thousandth of their distance. In the
-//! contracted geometry a ball is flattened, and the outline is that of the ball around it.
+//! A ball at rest in the moving frame looks as a ball of the same radius at another place on the ground looks
+//! at rest, since aberration maps cones of directions to cones (Penrose 1959); a tube looks as one swept
+//! along a curve, which is halved until it is as good as straight, but only where it may reach further than
+//! what is known already. So the outline is exact for balls; what is added for other bodies is below a
+//! ten-thousandth of their distance. In the contracted geometry a ball is flattened, and the outline is that
+//! of the ball around it.
 
 mod reach;
 
@@ -37,7 +38,8 @@ const SAMPLED: usize = 23;
 const TURNS: u32 = 2;
 
 impl PreparedScene {
-    /// Returns the outline of its [`Self::subject`] in these `views` together, whatever their gazes and fields.
+    /// Returns the outline of its [`Self::subject`] in these `views` together, whatever their gazes and
+    /// fields.
     #[must_use]
     pub fn outline(&self, views: &[View]) -> Outline {
         outline(self, views)
@@ -108,7 +110,8 @@ fn outline(scene: &PreparedScene, views: &[View]) -> Outline {
     let balls: Vec<_> = sights.iter().flat_map(balls).collect();
     let surrounds = sights.iter().flat_map(|sight| &sight.bodies).any(|body| body.ball.is_none());
     let sum: DVec3 = balls.iter().map(|ball| ball.center.normalize_or_zero()).sum();
-    // From within the balls around all bodies, such as that around a long one nearby, their middles tell where they are.
+    // From within the balls around all bodies, such as that around a long one nearby, their middles tell
+    // where they are.
     let middles = || sights.iter().map(GroupSight::middles).sum::<DVec3>().try_normalize();
     let framing = sum.try_normalize().or_else(middles).map(|towards| match views[0].camera.projection {
         PictureProjection::Parallel { right, .. } => framed_parallel_to(right, &sights, towards),
@@ -118,7 +121,8 @@ fn outline(scene: &PreparedScene, views: &[View]) -> Outline {
     Outline { balls, surrounds, framing }
 }
 
-/// Returns the framing of everything seen in pictures parallel to the `baseline`; `towards` is somewhere in the midst of it.
+/// Returns the framing of everything seen in pictures parallel to the `baseline`; `towards` is somewhere in
+/// the midst of it.
 fn framed_parallel_to(baseline: DVec3, sights: &[GroupSight], towards: DVec3) -> Framing {
     let axes = Axes::across(baseline, towards);
     // Angles up are about the baseline, the same from every axis.
@@ -129,8 +133,8 @@ fn framed_parallel_to(baseline: DVec3, sights: &[GroupSight], towards: DVec3) ->
     Framing::sheared(axes, [of_eye(0), of_eye(last)], |turned| reach(sights, turned)[1])
 }
 
-/// Frames all that is seen in conformal pictures with their poles at the ends of the `baseline`; `towards` is somewhere in
-/// the midst of it.
+/// Frames all that is seen in conformal pictures with their poles at the ends of the `baseline`; `towards` is
+/// somewhere in the midst of it.
 fn framed_about(baseline: DVec3, sights: &[GroupSight], towards: DVec3) -> Framing {
     let axes = Axes::across(baseline, towards);
     let last = sights.last().map_or(0, |sight| sight.eye);
@@ -151,7 +155,8 @@ fn framed_about(baseline: DVec3, sights: &[GroupSight], towards: DVec3) -> Frami
     Framing::slid(axes, columns, 0.5 * (high - low))
 }
 
-/// Returns the framing of everything seen in pictures across the gaze; `towards` is somewhere in the midst of it.
+/// Returns the framing of everything seen in pictures across the gaze; `towards` is somewhere in the midst of
+/// it.
 fn framed(sights: &[GroupSight], towards: DVec3) -> Framing {
     let reach = |gaze: &Gaze| reach(sights, &gaze.axes());
     let mut gaze = Gaze { elevation: 0.0, ..Gaze::along(towards.to_array()) };
@@ -181,9 +186,9 @@ fn reach<'a>(sights: impl IntoIterator<Item = &'a GroupSight<'a>>, axes: &Axes) 
     [found.across, found.up].map(|wedge| wedge.angles())
 }
 
-/// The views whose rays show what `view` shows of `scene`. In the published model the right eye sees of each point what
-/// the left eye saw at most the eyes' separation earlier or later; with one light cone each eye what it sees a little
-/// earlier or later. In between a body moves along a straight line.
+/// The views whose rays show what `view` shows of `scene`. In the published model the right eye sees of each
+/// point what the left eye saw at most the eyes' separation earlier or later; with one light cone each eye
+/// what it sees a little earlier or later. In between a body moves along a straight line.
 fn as_seen(scene: &PreparedScene, view: &View) -> impl Iterator<Item = View> + use<> {
     let delay = 2.0 * view.camera.aperture.x;
     let (geometry, delays) = match view.geometry {

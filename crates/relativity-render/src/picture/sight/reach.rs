@@ -1,4 +1,5 @@
-//! The reach of what is seen: between which columns, and between which planes through a picture's level line, it lies.
+//! The reach of what is seen: between which columns, and between which planes through a picture's level line,
+//! it lies.
 
 use glam::DVec3;
 use relativity_core::math::{atan, hypot};
@@ -23,7 +24,8 @@ pub(super) struct Ruled {
 }
 
 impl Ruled {
-    /// Returns the distance of `place` to the right, and that from which angles across count: its depth, or its distance from the baseline.
+    /// Returns the distance of `place` to the right, and that from which angles across count: its depth, or
+    /// its distance from the baseline.
     fn across(&self, place: DVec3) -> [f64; 2] {
         let Axes { right, up, forward } = self.axes;
         let depth = place.dot(forward);
@@ -45,9 +47,10 @@ impl Ruled {
         }
     }
 
-    /// Returns the length by which the straight line between these places is nearer to the baseline, in its midst, than the mean of both: it
-    /// bows in a picture with cones for columns. At most s^2/(8 least), where s^2 is the square of what of it is across both
-    /// the baseline and the way there, and `least` how near it comes.
+    /// Returns the length by which the straight line between these places is nearer to the baseline, in its
+    /// midst, than the mean of both: it bows in a picture with cones for columns. At most s^2/(8 least),
+    /// where s^2 is the square of what of it is across both the baseline and the way there, and `least` how
+    /// near it comes.
     pub(super) fn sag(&self, [first, last]: [DVec3; 2]) -> f64 {
         if self.across == Across::Upright {
             return 0.0;

@@ -3,8 +3,8 @@
 use glam::{DQuat, DVec3};
 use relativity_core::math::hypot;
 
-/// Least and greatest coverage of a pixel that is distinguished, in steps: f32 has no more digits, and beyond a few
-/// steps there is only an average.
+/// Least and greatest coverage of a pixel that is distinguished, in steps: f32 has no more digits, and beyond
+/// a few steps there is only an average.
 pub const COVERED: [f64; 2] = [1e-4, 1e3];
 /// Least cosine between a ray and the normal: at the outline itself a pixel covers without end.
 pub const GRAZING: f64 = 1e-3;
@@ -21,8 +21,8 @@ impl SampleShifts {
     /// The coverage of a point.
     pub const NOTHING: Self = Self { right: DVec3::ZERO, down: DVec3::ZERO };
 
-    /// On a surface with this `normal`, met by a ray along `direction` (unit vectors), which moves there by `right` and
-    /// `down` (but for what is along it).
+    /// On a surface with this `normal`, met by a ray along `direction` (unit vectors), which moves there by
+    /// `right` and `down` (but for what is along it).
     pub fn new(direction: DVec3, normal: DVec3, [right, down]: [DVec3; 2]) -> Self {
         let cosine = direction.dot(normal).min(-GRAZING);
         let on_surface = |shift: DVec3| shift - direction * (shift.dot(normal) / cosine);
@@ -59,8 +59,8 @@ pub fn rim(distance: f64, width: f64, covered: f64) -> f64 {
     ((high.min(width) - low.max(0.0)) / covered).max(0.0)
 }
 
-/// Share of what is `covered` around `x` that lies within `half_width` of a whole number, or twice that of every
-/// `quarter`-th.
+/// Share of what is `covered` around `x` that lies within `half_width` of a whole number, or twice that of
+/// every `quarter`-th.
 pub fn line(x: f64, half_width: f64, quarter: f64, covered: f64) -> f64 {
     let nearest = x.round();
     let from_quarter = (nearest - quarter * (nearest / quarter).round()).abs();

@@ -1,9 +1,9 @@
 //! Patterns on bodies: they show how a body is turned, and are rulers on it.
 //!
-//! A pattern multiplies the light of a body by a factor in (0, 1], its mark. That follows from where on the body a ray
-//! meets it, in the body's own axes, and so is the same in every frame. Marks are averaged over what a pixel covers of
-//! the surface, so that lines thinner than a pixel fade instead of breaking up. `shaders/pattern.wgsl` repeats this with
-//! the same constants.
+//! A pattern multiplies the light of a body by a factor in (0, 1], its mark. That follows from where on the
+//! body a ray meets it, in the body's own axes, and so is the same in every frame. Marks are averaged over
+//! what a pixel covers of the surface, so that lines thinner than a pixel fade instead of breaking up.
+//! `shaders/pattern.wgsl` repeats this with the same constants.
 
 mod chart;
 pub(crate) mod coverage;
@@ -25,7 +25,8 @@ use coverage::{line, wave};
 pub(crate) const DARK: f64 = 0.2;
 /// Half the width of a graticule's line, in steps.
 pub(crate) const LINE_REACH: f64 = 0.035;
-/// Depth below the surface at which stripes and squares are looked up, in steps: an end lies where one of them does.
+/// Depth below the surface at which stripes and squares are looked up, in steps: an end lies where one of
+/// them does.
 pub(crate) const NUDGE: f64 = 1e-3;
 
 /// Values of the shaders' constants for a scene shown in this `geometry`.
@@ -67,7 +68,8 @@ pub(crate) enum Ruling {
 }
 
 impl Marking {
-    /// Returns the marking of `pattern` on this `form`, with this `turn`; `None` where that leaves a body plain.
+    /// Returns the marking of `pattern` on this `form`, with this `turn`; `None` where that leaves a body
+    /// plain.
     pub fn new(pattern: Pattern, form: PreparedShape, turn: DQuat) -> Option<Self> {
         let (ruling, [along_step, around_step]) = match (pattern, form) {
             (Pattern::Faces, PreparedShape::Box(_)) => (Ruling::Faces, [1.0; 2]),
@@ -89,8 +91,8 @@ impl Marking {
         [f32::from(self.ruling as u8), self.along_step as f32, self.around_step as f32]
     }
 
-    /// Share of the light, in (0, 1], that is left at `place` (from the body's middle) with this `normal`, both in the
-    /// rest frame, on average over what is `covered`.
+    /// Share of the light, in (0, 1], that is left at `place` (from the body's middle) with this `normal`,
+    /// both in the rest frame, on average over what is `covered`.
     pub fn mark(&self, place: DVec3, normal: DVec3, covered: SampleShifts) -> f64 {
         let to_own = self.turn.conjugate();
         let [place, normal] = [place, normal].map(|v| to_own * v);
@@ -130,7 +132,8 @@ impl Marking {
         }
     }
 
-    /// Returns the distance along `axis` of `place` from the low end, just below the surface; and the gradient of that.
+    /// Returns the distance along `axis` of `place` from the low end, just below the surface; and the
+    /// gradient of that.
     fn level(&self, place: DVec3, normal: DVec3, half_length: f64, axis: DVec3) -> (f64, DVec3) {
         let below = place - normal * (NUDGE * self.along_step);
         (below.dot(axis) + half_length, axis)

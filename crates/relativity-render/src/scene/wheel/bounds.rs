@@ -1,10 +1,11 @@
 //! Bounds of a turning body in one view: capsules around the places where it is shown.
 //!
-//! At one camera event each material point has one place where it is shown, so a straight spoke is shown as a bent tube
-//! that stands still in the rest frame. Where a point moves at v and the places shown at one time lie across the
-//! slowness p (the direction n' of the light, or beta along the motion where a time of the camera is shown), a step d of the
-//! body is shown as d - v (p.d)/(1 + v.p). That gives the axis its tangents. And 1 + v.p changes no faster than the body
-//! turns and the direction of the light does, nor falls below 1 - |v| |p|: that gives a ball around it a reach.
+//! At one camera event each material point has one place where it is shown, so a straight spoke is shown as a
+//! bent tube that stands still in the rest frame. Where a point moves at v and the places shown at one time
+//! lie across the slowness p (the direction n' of the light, or beta along the motion where a time of the
+//! camera is shown), a step d of the body is shown as d - v (p.d)/(1 + v.p). That gives the axis its
+//! tangents. And 1 + v.p changes no faster than the body turns and the direction of the light does, nor falls
+//! below 1 - |v| |p|: that gives a ball around it a reach.
 
 use glam::DVec3;
 use relativity_core::math;
@@ -18,7 +19,8 @@ use crate::view::group_view::GroupView;
 const MAX_HALVINGS: u32 = 6;
 /// A piece is halved that departs from its chord by more than the body's radius and this part of its length.
 const LOOSE: f64 = 0.03;
-/// The greatest value of t (1 - t)^2: how far a cubic departs from its chord, in parts of what its tangents do.
+/// The greatest value of t (1 - t)^2: how far a cubic departs from its chord, in parts of what its tangents
+/// do.
 const BULGE: f64 = 4.0 / 27.0;
 /// Bulges are this much larger than those of cubics.
 const BULGE_ROOM: f64 = 1.5;
@@ -46,13 +48,15 @@ struct Station {
 }
 
 impl Station {
-    /// Returns the greatest speed of everything within `radius`, and the greatest change of 1 + v.p per step from there.
+    /// Returns the greatest speed of everything within `radius`, and the greatest change of 1 + v.p per step
+    /// from there.
     fn steepness(&self, radius: f64) -> [f64; 2] {
         let speed = self.omega * (self.off_axle + radius);
         [speed, self.omega * self.slowness + speed / self.nearest]
     }
 
-    /// Returns the greatest distance at which the ball of this `radius` around it is shown; infinite where there is no bound.
+    /// Returns the greatest distance at which the ball of this `radius` around it is shown; infinite where
+    /// there is no bound.
     fn reach(&self, radius: f64) -> f64 {
         let [speed, steepness] = self.steepness(radius);
         let least = 1.0 - speed * self.slowness;
@@ -82,9 +86,9 @@ impl Station {
 }
 
 impl GroupView {
-    /// Adds capsules to `out` that surely contain, in the rest frame, what this view shows of a body that is contained in
-    /// `capsules` at t' = 0 and turns so; [`Geometry::Published`] and [`Geometry::OneCone`] as [`Geometry::Seen`] from
-    /// its origin.
+    /// Adds capsules to `out` that surely contain, in the rest frame, what this view shows of a body that is
+    /// contained in `capsules` at t' = 0 and turns so; [`Geometry::Published`] and [`Geometry::OneCone`] as
+    /// [`Geometry::Seen`] from its origin.
     pub(crate) fn capsules_when_shown(&self, spin: &Spin, capsules: &[Capsule], out: &mut Vec<Capsule>) {
         for capsule in capsules {
             let first = self.station(spin, capsule, 0.0);
@@ -96,7 +100,8 @@ impl GroupView {
         }
     }
 
-    /// Adds what contains `capsule` between two stations: one capsule, or those of its halves if they are smaller.
+    /// Adds what contains `capsule` between two stations: one capsule, or those of its halves if they are
+    /// smaller.
     fn add_piece(
         &self,
         spin: &Spin,

@@ -1,11 +1,13 @@
 //! Entries of rays into models of triangles that turn about an axle: wheels of models.
 //!
-//! In the frame that turns with the model the ray is a curve q(s) with |q''| <= K (see `solid.rs`). It is cut into arcs. An arc of the length h
-//! is nowhere farther than K h^2/8 from its chord at the same s, so that the triangles it may meet are among those whose boxes, larger by that
-//! on all sides, the chord meets. How far q is from the plane of a triangle with the unit normal n is a function g(s) with |g''| <= K |n'|, n'
-//! being the part of n across the axle: where |g'| in the middle of a part of the arc is larger than that times half the part, g has one root
-//! there at most, which Newton's method finds between ends with different signs; where |g| is larger than it can change, none; else the part
-//! is halved. So no crossing is passed, but for two that are nearer to each other than [`LEAST_PART`] of the model's reach.
+//! In the frame that turns with the model the ray is a curve q(s) with |q''| <= K (see `solid.rs`). It is cut
+//! into arcs. An arc of the length h is nowhere farther than K h^2/8 from its chord at the same s, so that
+//! the triangles it may meet are among those whose boxes, larger by that on all sides, the chord meets. How
+//! far q is from the plane of a triangle with the unit normal n is a function g(s) with |g''| <= K |n'|, n'
+//! being the part of n across the axle: where |g'| in the middle of a part of the arc is larger than that
+//! times half the part, g has one root there at most, which Newton's method finds between ends with different
+//! signs; where |g| is larger than it can change, none; else the part is halved. So no crossing is passed,
+//! but for two that are nearer to each other than [`LEAST_PART`] of the model's reach.
 
 use glam::{DMat3, DVec3};
 
@@ -19,12 +21,12 @@ use crate::geometry::triangles::{Triangles, facing};
 use crate::kinematics::spin::about_y;
 use crate::view::group_view::GroupView;
 
-/// Greatest distance of an arc from its chord, in parts of how far the model reaches from the axle, and greatest number of arcs: with that many
-/// they may be farther from their chords.
+/// Greatest distance of an arc from its chord, in parts of how far the model reaches from the axle, and
+/// greatest number of arcs: with that many they may be farther from their chords.
 const BULGE: f64 = 0.01;
 const MOST_ARCS: f64 = 1000.0;
-/// Weights of corners that are below 0 by no more than this are 0: rays that pass two triangles at their common edge are rounded alike only
-/// in one frame.
+/// Weights of corners that are below 0 by no more than this are 0: rays that pass two triangles at their
+/// common edge are rounded alike only in one frame.
 const EDGE: f64 = 1e-9;
 /// A part of an arc that is not halved, in parts of how far the model reaches from the axle.
 const LEAST_PART: f64 = 1e-9;
@@ -36,7 +38,8 @@ struct TriangleCrossing {
     /// Parameter of the ray at the crossing.
     s: f64,
     point: TrianglePoint,
-    /// Normal of the triangle along the axes of the model, not of unit length, and the direction in which the ray passes it there.
+    /// Normal of the triangle along the axes of the model, not of unit length, and the direction in which the
+    /// ray passes it there.
     across: DVec3,
     direction: DVec3,
 }
@@ -53,12 +56,13 @@ struct CurveSearch<'a> {
 }
 
 impl TurningSolid {
-    /// Returns the first crossing of `ray` with `triangles` in the box that is its solid, as [`Self::entry`] does with that.
+    /// Returns the first crossing of `ray` with `triangles` in the box that is its solid, as [`Self::entry`]
+    /// does with that.
     ///
     /// # Accuracy
     ///
-    /// `tests/rolling_models.rs`: the position lies in the triangle's plane within 1e-13 of how far the model reaches from the axle, and the
-    /// triangle is the one that a search in small steps finds.
+    /// `tests/rolling_models.rs`: the position lies in the triangle's plane within 1e-13 of how far the model
+    /// reaches from the axle, and the triangle is the one that a search in small steps finds.
     pub fn triangle_entry(
         &self,
         triangles: &Triangles,
@@ -118,8 +122,8 @@ impl<'a> CurveSearch<'a> {
         None
     }
 
-    /// The first crossing in the arc between these parameters, which begins and ends at these places. Of crossings in one place that of the
-    /// lowest number.
+    /// The first crossing in the arc between these parameters, which begins and ends at these places. Of
+    /// crossings in one place that of the lowest number.
     fn first_in_arc(&self, [from, to]: [f64; 2], [begin, end]: [DVec3; 2]) -> Option<TriangleCrossing> {
         let middle = 0.5 * (from + to);
         let at_middle = self.at(middle);
@@ -190,7 +194,8 @@ impl<'a> CurveSearch<'a> {
     }
 }
 
-/// The root between these ends of a function that is monotonic there, given its value and its slope; `None` without a change of sign.
+/// The root between these ends of a function that is monotonic there, given its value and its slope; `None`
+/// without a change of sign.
 fn root([mut from, mut to]: [f64; 2], function: impl Fn(f64) -> [f64; 2]) -> Option<f64> {
     let [first, _] = function(from);
     let [last, _] = function(to);
@@ -224,7 +229,8 @@ fn root([mut from, mut to]: [f64; 2], function: impl Fn(f64) -> [f64; 2]) -> Opt
     Some(s)
 }
 
-/// The weights of the second and the third corner at `place`, from the first, of a triangle with these edges from there; `None` beside it.
+/// The weights of the second and the third corner at `place`, from the first, of a triangle with these edges
+/// from there; `None` beside it.
 fn weights_at(place: DVec3, [second, third]: [DVec3; 2], across: DVec3) -> Option<[f64; 2]> {
     let scale = 1.0 / across.length_squared();
     let weights = [place.cross(third).dot(across) * scale, second.cross(place).dot(across) * scale];

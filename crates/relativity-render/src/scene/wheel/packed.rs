@@ -11,8 +11,8 @@ use crate::view::effects::{Constant, Effects};
 use crate::view::group_view::GroupView;
 use crate::view::{Appearance, Geometry};
 
-/// The turning of a body within its group, as far as it chooses a pipeline: a still body is drawn as if nothing could
-/// turn.
+/// The turning of a body within its group, as far as it chooses a pipeline: a still body is drawn as if
+/// nothing could turn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Turns {
     /// The body does not turn.
@@ -30,8 +30,8 @@ pub struct TurningStart {
     pub placement: Placement,
     /// The middle of its axle, from the middle of its group; and omega, about +y.
     pub spin: [f32; 4],
-    /// 1 less the speed of the rim, and the rim's speed less that of a ring's outermost circle; both counted along the motion
-    /// of the group.
+    /// 1 less the speed of the rim, and the rim's speed less that of a ring's outermost circle; both counted
+    /// along the motion of the group.
     pub rim: [f32; 2],
 }
 
@@ -70,8 +70,9 @@ impl GroupView {
         }
     }
 
-    /// The point of `body`, one of the group, that the corner of a triangle over it is which the shaders put at `place`.
-    /// Over one that turns in its place corners stay where they are; but in the published model two events show each point.
+    /// The point of `body`, one of the group, that the corner of a triangle over it is which the shaders put
+    /// at `place`. Over one that turns in its place corners stay where they are; but in the published model
+    /// two events show each point.
     pub(crate) fn corner(&self, body: &PreparedBody, place: DVec3) -> MaterialPoint {
         match (body.spin, self.turns(body)) {
             (Some(spin), Turns::InPlace) if self.geometry == Geometry::Published => {

@@ -1,18 +1,19 @@
 //! Entries of rays into a body that turns about an axle, as the spokes and the valve of a wheel do.
 //!
-//! What a view shows along a straight ray it shows at times that pass evenly along it (`GroupView::rate_along`). So in
-//! the frame that turns with the body, where the body rests, the ray is a curve q(s), s being the length along the ray:
-//! at s it is turned back by the angle by which the body has turned when it is shown there, which changes by k per
-//! length, |k| <= |omega|. With n the ray's direction and rho the greatest distance from the axle,
+//! What a view shows along a straight ray it shows at times that pass evenly along it
+//! (`GroupView::rate_along`). So in the frame that turns with the body, where the body rests, the ray is a
+//! curve q(s), s being the length along the ray: at s it is turned back by the angle by which the body has
+//! turned when it is shown there, which changes by k per length, |k| <= |omega|. With n the ray's direction
+//! and rho the greatest distance from the axle,
 //!
 //! |q'| <= L = sqrt(`n_y`^2 + (`n_perp` + |k| rho)^2), |q''| <= K = 2 |k| `n_perp` + k^2 rho.
 //!
-//! The distance f(s) from a convex body is a convex function of q, so that its curvature along the ray is at least -K: it
-//! lies above the parabola of that curvature that touches it at s, and there is nothing of the body before this
-//! parabola's root. Steps from root to root never pass an entry, so it is the first that is found. They converge
-//! as Newton's method does, from one side; where the ray grazes, they about halve what is left. A ring is not convex: the
-//! distance from its middle circle has a curvature of at least -1/rho, rho from the ring's own axis; that times L^2
-//! comes to K, and in the ring's hole the steps are f/L.
+//! The distance f(s) from a convex body is a convex function of q, so that its curvature along the ray is at
+//! least -K: it lies above the parabola of that curvature that touches it at s, and there is nothing of the
+//! body before this parabola's root. Steps from root to root never pass an entry, so it is the first that is
+//! found. They converge as Newton's method does, from one side; where the ray grazes, they about halve what
+//! is left. A ring is not convex: the distance from its middle circle has a curvature of at least -1/rho, rho
+//! from the ring's own axis; that times L^2 comes to K, and in the ring's hole the steps are f/L.
 //!
 //! All of that happens inside the [`Sweep`], which holds the body at every angle: few rays get that far.
 
@@ -63,7 +64,8 @@ impl TurningSolid {
         Self { solid, spin, sweep: Sweep::new(&solid, &spin) }
     }
 
-    /// The `solid` of a body that turns so; of a model, whose `triangles` it is the box around, with the least sweep.
+    /// The `solid` of a body that turns so; of a model, whose `triangles` it is the box around, with the
+    /// least sweep.
     pub fn of_body(solid: Solid, spin: Spin, triangles: Option<&Triangles>) -> Self {
         let Some(triangles) = triangles else { return Self::new(solid, spin) };
         let places = triangles.corners().map(|corner| solid.center + solid.rest_from_box(corner));
@@ -107,14 +109,14 @@ impl TurningSolid {
         [middle - half, middle + half]
     }
 
-    /// Returns the first entry of `ray` as `view` shows the body, in front of the camera; and its distance along the ray, or that of the
-    /// place where the ray passes near it if it does not enter. A ray that only `touches` the curve of what is seen has its times from
-    /// there: how far along it that is.
+    /// Returns the first entry of `ray` as `view` shows the body, in front of the camera; and its distance
+    /// along the ray, or that of the place where the ray passes near it if it does not enter. A ray that only
+    /// `touches` the curve of what is seen has its times from there: how far along it that is.
     ///
     /// # Accuracy
     ///
-    /// `tests/reference_wheels.rs`: the position lies on the surface within 1e-12 of how far the body reaches from
-    /// the axle.
+    /// `tests/reference_wheels.rs`: the position lies on the surface within 1e-12 of how far the body reaches
+    /// from the axle.
     pub fn entry(&self, ray: &Ray, view: &GroupView, touches: Option<f64>) -> (Option<Entry>, f64) {
         let (local, from_start) = self.local_ray(ray);
         let turned_at = touches.map_or_else(|| local.behind.max(0.0), |along| along - from_start);
@@ -141,7 +143,8 @@ impl TurningSolid {
         Some([first[0], parts.next().unwrap_or(first)[1]])
     }
 
-    /// The normal where a ray from near the sweep's middle enters, if it does, and at which parameter it does or is nearest.
+    /// The normal where a ray from near the sweep's middle enters, if it does, and at which parameter it does
+    /// or is nearest.
     fn passage(&self, ray: &LocalRay, view: &GroupView, turned_at: f64) -> (Option<DVec3>, f64) {
         let mut nearest = (f64::INFINITY, ray.behind.max(0.0));
         for part in self.sweep.parts(ray).into_iter().flatten() {
@@ -271,7 +274,8 @@ impl<'a> TurningRay<'a> {
         self.body.sweep.outer
     }
 
-    /// Returns the place q in the body at the ray's parameter `s`, from the body's centre, and its derivative q'.
+    /// Returns the place q in the body at the ray's parameter `s`, from the body's centre, and its derivative
+    /// q'.
     pub fn at(&self, s: f64) -> [DVec3; 2] {
         let back = math::sin_cos(-self.turn_at(s));
         let place = turned_by(self.ray.start + self.ray.direction * s, back);
@@ -284,8 +288,8 @@ impl<'a> TurningRay<'a> {
         about_y(self.body.solid.form.answers().normal(self.at(s)[0]), self.turn_at(s))
     }
 
-    /// The first entry of the curve between these ends; what is `nearest` to the body so far (distance and parameter)
-    /// learns of all places that were looked at.
+    /// The first entry of the curve between these ends; what is `nearest` to the body so far (distance and
+    /// parameter) learns of all places that were looked at.
     fn first_entry(&self, [from, to]: [f64; 2], nearest: &mut (f64, f64)) -> Option<f64> {
         let form = self.body.solid.form.answers();
         let mut distance_at = |s: f64| {
@@ -326,7 +330,8 @@ impl<'a> TurningRay<'a> {
         was_outside.then_some(s)
     }
 
-    /// Returns the length of a step along which there is nothing of the body, from a place at this `distance`, which grows with this `slope`.
+    /// Returns the length of a step along which there is nothing of the body, from a place at this
+    /// `distance`, which grows with this `slope`.
     fn step(&self, distance: f64, slope: f64, place: DVec3) -> f64 {
         let mut curvature = self.curvature;
         let mut most = f64::INFINITY;

@@ -120,7 +120,8 @@ fn way(on: &mut SheetPainter<'_>) {
     }
 }
 
-/// Draws the field of view of each eye. In a frame in which the eyes move it is another angle; it is left out there.
+/// Draws the field of view of each eye. In a frame in which the eyes move it is another angle; it is left out
+/// there.
 fn fields_of_view(on: &SheetPainter<'_>) {
     let SheetPainter { ui, painter, state, instant, sheet, .. } = on;
     let frame_of_eyes = if state.document.settings.ride.is_on() { MapFrame::Rider } else { MapFrame::Ground };

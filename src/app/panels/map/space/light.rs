@@ -1,5 +1,5 @@
-//! Light of the selected point on its way to the eyes: the rays that arrive at T, the fronts that they belong to, and
-//! fronts of light that left at regular times, which grow while time runs.
+//! Light of the selected point on its way to the eyes: the rays that arrive at T, the fronts that they belong
+//! to, and fronts of light that left at regular times, which grow while time runs.
 
 use std::f32::consts::PI;
 
@@ -24,7 +24,8 @@ const NEAR: f32 = 5.0;
 /// Shortest ray that has room for text beside it, points, and the part of it where that is.
 const SHORTEST_NAMED: f32 = 80.0;
 const NAMED_AT: f32 = 0.35;
-/// The narrowest plan in which a front is named, points, and where on it: turned from where it is furthest from the eyes.
+/// The narrowest plan in which a front is named, points, and where on it: turned from where it is furthest
+/// from the eyes.
 const NARROWEST_NAMED: f32 = 500.0;
 const TURNS: [f32; 7] = [0.0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2];
 /// Radius of the largest circle that is drawn, points.
@@ -46,7 +47,8 @@ pub(super) struct ChartLight<'a> {
 }
 
 impl<'a> ChartLight<'a> {
-    /// Returns the light at the present T; `None` outside the domain of the core, and in the frame of who rides.
+    /// Returns the light at the present T; `None` outside the domain of the core, and in the frame of who
+    /// rides.
     pub(super) fn new(state: &State, sheet: &'a SpaceSheet) -> Option<Self> {
         let (settings, time) = (&state.document.settings, state.document.time);
         let (track, frame) = (state.document.points.selected().track, settings.frame(time));
@@ -109,7 +111,8 @@ impl<'a> ChartLight<'a> {
         }
     }
 
-    /// Says what the circles are, where there is room, on the side of the light's front that is away from the eyes.
+    /// Says what the circles are, where there is room, on the side of the light's front that is away from the
+    /// eyes.
     fn name_front(&self, on: &mut SheetPainter<'_>) {
         let SheetPainter { ui, painter, labels, .. } = on;
         let room = self.sheet.room();
@@ -163,8 +166,8 @@ impl<'a> ChartLight<'a> {
         self.sheet.on_screen(DVec3::new(event.x, y, z))
     }
 
-    /// The circle in which a front meets the plane of the eyes, in which it reaches them: its middle, and its radius in
-    /// points; `None` before it has come so far.
+    /// The circle in which a front meets the plane of the eyes, in which it reaches them: its middle, and its
+    /// radius in points; `None` before it has come so far.
     fn circle(&self, front: &Front) -> Option<(Pos2, f32)> {
         let [y, z] = front.across;
         let from_plane = match self.sheet.projection {
@@ -208,7 +211,8 @@ impl<'a> ChartLight<'a> {
     }
 }
 
-/// Returns the part of a circle that may be seen in `room`, in pieces that are straight to a tenth of a point.
+/// Returns the part of a circle that may be seen in `room`, in pieces that are straight to a tenth of a
+/// point.
 fn arc(middle: Pos2, radius: f32, room: Rect) -> Vec<Pos2> {
     let towards = room.center() - middle;
     let corners = [room.left_top(), room.right_top(), room.left_bottom(), room.right_bottom()];

@@ -13,8 +13,8 @@ const LEAST_WIDTH: f32 = 0.25;
 const EDGE: f32 = 1.2;
 /// Opacity of the faintest of these.
 const FAINTEST: f32 = 0.35;
-/// Balls are filled as long as they are smaller than this at rest, points: the bends of what is seen of larger ones
-/// show.
+/// Balls are filled as long as they are smaller than this at rest, points: the bends of what is seen of
+/// larger ones show.
 const LARGEST_FILLED: f64 = 60.0;
 /// Opacity of the street, behind the subject of the map.
 const STREET: f32 = 0.45;

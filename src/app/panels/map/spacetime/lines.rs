@@ -12,7 +12,8 @@ use crate::map::{Diagram, PastCone, ReceivedRay, StraightLine, worldline_of_eye}
 use crate::quantity::Quantity;
 use crate::settings::MapFrame;
 
-/// Length and gap of dashes, points: for the line of simultaneity of the other frame, and for light projected onto the plane.
+/// Length and gap of dashes, points: for the line of simultaneity of the other frame, and for light projected
+/// onto the plane.
 const DASH: f32 = 6.0;
 const SPACE: f32 = 4.0;
 /// Eyes that are further apart than this have names of their own, points.
@@ -69,8 +70,8 @@ fn number_of_nows(sheet: &DiagramSheet<'_>) -> usize {
     if sheet.diagram.other.is_rest() { 1 } else { 2 }
 }
 
-/// The colours of what is at one time on the ground, and in the scene's frame: the latter in the colour of the point where
-/// it rests there.
+/// The colours of what is at one time on the ground, and in the scene's frame: the latter in the colour of
+/// the point where it rests there.
 pub fn now_colours(sheet: &DiagramSheet<'_>) -> [Color32; 2] {
     let measured = theme::measured_colour(sheet.ui.visuals());
     let moves_with_scene =
@@ -148,7 +149,8 @@ pub fn whose(sheet: &DiagramSheet<'_>) -> String {
     format!("the {}'s", sheet.state.document.scene.rider)
 }
 
-/// Draws the worldline of a point: boldest as far as light from it has arrived, and faint where it is yet to be.
+/// Draws the worldline of a point: boldest as far as light from it has arrived, and faint where it is yet to
+/// be.
 fn worldline(sheet: &DiagramSheet<'_>, labels: &mut MapLabels, diagram: &Diagram, colour: Color32) {
     let times = sheet.worldline_times(diagram);
     let received = diagram.rays.map(|ray| ray.happened);
@@ -167,7 +169,8 @@ fn worldline(sheet: &DiagramSheet<'_>, labels: &mut MapLabels, diagram: &Diagram
     }
 }
 
-/// Returns those of the `times` that are between `from` and `to`, and these two, where they are between the first and the last.
+/// Returns those of the `times` that are between `from` and `to`, and these two, where they are between the
+/// first and the last.
 fn part(times: &[f64], from: f64, to: f64) -> impl Iterator<Item = f64> {
     let ends = times.first().copied().zip(times.last().copied());
     let ends = ends.map(|(first, last)| (from.max(first), to.min(last))).filter(|(from, to)| from < to);

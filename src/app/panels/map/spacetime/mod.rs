@@ -1,5 +1,5 @@
-//! Spacetime: x against t, in which light runs at 45 degrees. Dragging the present along the eyes' worldline goes to
-//! another T, and so does a click on a worldline.
+//! Spacetime: x against t, in which light runs at 45 degrees. Dragging the present along the eyes' worldline
+//! goes to another T, and so does a click on a worldline.
 
 mod lines;
 mod marks;
@@ -90,7 +90,8 @@ fn axes_of(state: &State) -> [AxisQuantity<'static>; 2] {
     })
 }
 
-/// Returns a note on what the diagram draws differently, or leaves out, while the rider does not move along the street.
+/// Returns a note on what the diagram draws differently, or leaves out, while the rider does not move along
+/// the street.
 fn aslant_words(diagram: &Diagram) -> Option<String> {
     let words = match diagram.cones() {
         Some(_) => "now, mine is drawn where the point is, beside me",

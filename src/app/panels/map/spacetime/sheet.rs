@@ -52,7 +52,8 @@ impl DiagramSheet<'_> {
         diagram.times_within(low, high)
     }
 
-    /// The ground's time at which the point's worldline comes nearest to `place`, and how far that is off in points.
+    /// The ground's time at which the point's worldline comes nearest to `place`, and how far that is off in
+    /// points.
     pub fn nearest_of_worldline(&self, place: Pos2) -> Option<(f64, f32)> {
         let to = [place.x, place.y].map(f64::from);
         let on_screen = |time: f64| {

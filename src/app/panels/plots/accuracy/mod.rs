@@ -1,5 +1,5 @@
-//! The Accuracy tab: what each way to draw the present views costs, and how far it is off. Clicking one in the table
-//! or in the plot chooses it.
+//! The Accuracy tab: what each way to draw the present views costs, and how far it is off. Clicking one in
+//! the table or in the plot chooses it.
 
 mod conclusion;
 mod frontier;

@@ -14,8 +14,8 @@ use crate::quantity::Quantity;
 const COLUMNS: [[&str; 3]; 2] =
     [["dphi", "dphi_fit", "dphi_residual"], ["dtheta", "dtheta_fit", "dtheta_residual"]];
 
-/// A row for each sample, in the scene's own units, so that `gamow fit` reads it again: T, the eyes if they are simulated
-/// ones, and of both curves the reading, the fit, and what is left over, in radians.
+/// A row for each sample, in the scene's own units, so that `gamow fit` reads it again: T, the eyes if they
+/// are simulated ones, and of both curves the reading, the fit, and what is left over, in radians.
 pub fn csv(state: &State, fitting: &Fitting) -> String {
     let Some(outcome) = fitting.shown() else { return String::new() };
     let baseline = state.document.settings.baseline();

@@ -69,7 +69,8 @@ const PRESENTED_SIZES: [f32; 2] = [0.9, 0.5];
 /// Width of the table before an audience, in heights of its largest writing.
 const TABLE_IN_LETTERS: f32 = 13.5;
 
-/// Shows the tab to an audience: the readings on the left, and beside them the table above the residuals. Nothing is chosen.
+/// Shows the tab to an audience: the readings on the left, and beside them the table above the residuals.
+/// Nothing is chosen.
 pub fn show_presented(ui: &mut Ui, state: &State, fitting: &Fitting, commands: &mut Commands) {
     let area = ui.available_rect_before_wrap();
     let middle = area.min.x + READINGS_SHARE * area.width();

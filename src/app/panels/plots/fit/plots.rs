@@ -62,7 +62,8 @@ pub enum Half {
     Residuals,
 }
 
-/// Shows a `half` of the first of the fitted curves in all the room there is; nothing where there are no samples.
+/// Shows a `half` of the first of the fitted curves in all the room there is; nothing where there are no
+/// samples.
 pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, commands: &mut Commands) {
     if fitting.shown().is_none_or(|outcome| outcome.data.iter().all(|data| data.is_empty())) {
         return;
@@ -70,7 +71,8 @@ pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, com
     let [uses_azimuth, _] = state.document.settings.fit.curves.used();
     let quantity = if uses_azimuth { Quantity::DeltaPhi } else { Quantity::DeltaTheta };
     let drawing = CurveDrawing::new(ui.visuals(), state, fitting, quantity);
-    // The numbers along T are larger than the plot reckons with, and the last of them may reach beyond its end.
+    // The numbers along T are larger than the plot reckons with, and the last of them may reach beyond its
+    // end.
     let number = TextStyle::Body.resolve(ui.style()).size;
     let size = (ui.available_size() - number * vec2(HALF_A_NUMBER, 0.5)).max(vec2(20.0, 20.0));
     let (name, unit) = (quantity.row().symbol, column_label(quantity, &state.measures()));

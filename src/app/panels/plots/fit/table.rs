@@ -39,7 +39,8 @@ pub fn show_presented(ui: &mut Ui, fitting: &Fitting, length: Unit) {
     newest(ui, fitting, length, TableColumns::Few);
 }
 
-/// Shows the numbers of the newest outcome and whether they are right, or why there is no fit; returns the outcome.
+/// Shows the numbers of the newest outcome and whether they are right, or why there is no fit; returns the
+/// outcome.
 fn newest<'a>(
     ui: &mut Ui,
     fitting: &'a Fitting,

@@ -9,8 +9,8 @@ use relativity_core::{
 
 use crate::time_range::time_within;
 
-/// Number of parts of the range, in which less than a quarter of a turn is seen where turns can be distinguished: there a turn is two pixels of
-/// a plot wide, or wider.
+/// Number of parts of the range, in which less than a quarter of a turn is seen where turns can be
+/// distinguished: there a turn is two pixels of a plot wide, or wider.
 const CELLS: u32 = 512;
 /// Steps of a turn, at each of which there is a sample: from pi/2 on they fall by pi/4.
 const STEPS: f64 = 8.0;
@@ -18,13 +18,15 @@ const STEPS: f64 = 8.0;
 /// The bends of curves in a range of T.
 #[derive(Debug, Clone, Default)]
 pub struct Bends {
-    /// Times of the passage: T0, when the point is objectively abreast of each eye, and when that sees it there.
+    /// Times of the passage: T0, when the point is objectively abreast of each eye, and when that sees it
+    /// there.
     pub passage: Vec<f64>,
-    /// When the point of a wheel has turned by eighths of a turn from its lowest place, as each eye and the middle between them
-    /// sees it and as it is measured.
+    /// When the point of a wheel has turned by eighths of a turn from its lowest place, as each eye and the
+    /// middle between them sees it and as it is measured.
     pub turns: Vec<f64>,
-    /// End of the range in which it turns too fast for turns to be distinguished: there it is drawn only where it is lowest, highest, or moves
-    /// along the line of sight, now on one side and now on the other, and the line fills what it moves in.
+    /// End of the range in which it turns too fast for turns to be distinguished: there it is drawn only
+    /// where it is lowest, highest, or moves along the line of sight, now on one side and now on the other,
+    /// and the line fills what it moves in.
     pub blurred_until: Option<f64>,
 }
 
@@ -90,8 +92,8 @@ fn whole([first, last]: [f64; 2]) -> impl Iterator<Item = f64> {
     (0..count).map(move |index| first.ceil() + f64::from(index))
 }
 
-/// Returns the times around a whole step at which the point is highest or lowest: there it moves towards the eyes or away from them, and is
-/// seen to be blue or red within an angle of 1/gamma.
+/// Returns the times around a whole step at which the point is highest or lowest: there it moves towards the
+/// eyes or away from them, and is seen to be blue or red within an angle of 1/gamma.
 fn close_by(speed: &Speed, step: f64) -> impl Iterator<Item = f64> {
     let is_end = step.rem_euclid(0.5 * STEPS) == 0.0;
     let offsets = [0.5, 1.0, 2.0, 4.0].map(|parts| parts / (speed.gamma() * FRAC_PI_4));
@@ -130,13 +132,15 @@ struct SeenTurning<'a> {
 }
 
 impl SeenTurning<'_> {
-    /// Returns the number of steps that the wheel has turned by the time that the clock at its hub is seen to show at `time`.
+    /// Returns the number of steps that the wheel has turned by the time that the clock at its hub is seen to
+    /// show at `time`.
     fn steps_at(&self, time: f64) -> Option<f64> {
         let hub = sighting(self.speed, self.wheel.hub, self.eye, time).ok()?;
         Some(steps(self.speed, self.wheel, hub.proper_time)).filter(|steps| steps.is_finite())
     }
 
-    /// Around 0, how many steps from its highest place a point moves along the line of sight at `time`, towards the eye or away.
+    /// Around 0, how many steps from its highest place a point moves along the line of sight at `time`,
+    /// towards the eye or away.
     fn along_sight(&self, time: f64) -> f64 {
         let Self { speed, wheel, eye } = *self;
         let x = wheel.hub.worldline(speed).rest_distance_from(Event { x: eye.x, t: time });

@@ -75,8 +75,8 @@ pub struct SeenPoint {
 pub const PUBLISHED: Model = Model::Published(PublishedVariant::AppendixA);
 
 impl SeenPoint {
-    /// Returns the value of a `curve` at `time` in this `model`, as plotted; `None` outside the domain of the core, and where there is no
-    /// such thing.
+    /// Returns the value of a `curve` at `time` in this `model`, as plotted; `None` outside the domain of the
+    /// core, and where there is no such thing.
     #[must_use]
     pub fn value(&self, model: Model, Curve { quantity, whose }: Curve, time: f64) -> Option<f64> {
         let value = match (quantity.row().of, whose) {
@@ -123,8 +123,8 @@ impl SeenPoint {
         self.velocity.disparity_before(&rider.observer(), model, self.point, pair).ok()
     }
 
-    /// The disparity of conformal pictures in this `model` at `time`; `None` where an eye sees the point along the baseline. That of a ride
-    /// is the difference of what each eye sees, known to 1e-15 of u and v.
+    /// The disparity of conformal pictures in this `model` at `time`; `None` where an eye sees the point
+    /// along the baseline. That of a ride is the difference of what each eye sees, known to 1e-15 of u and v.
     fn conformal(&self, model: Model, time: f64) -> Option<ConformalDisparity> {
         if self.ride.is_on() {
             let rider = self.ride.rider(time);
@@ -138,7 +138,8 @@ impl SeenPoint {
         self.velocity.conformal(model, self.point, &self.baseline, time).ok()?
     }
 
-    /// The disparity at `time` of the point at rest where it is in its own frame, for eyes gamma d apart; `None` where motion is no slide.
+    /// The disparity at `time` of the point at rest where it is in its own frame, for eyes gamma d apart;
+    /// `None` where motion is no slide.
     fn resting(&self, time: f64) -> Option<ConformalDisparity> {
         if self.ride.is_on() {
             return None;
@@ -153,7 +154,8 @@ impl SeenPoint {
         self.velocity.stereo_before(&rider.observer(), model, self.point, pair).ok()
     }
 
-    /// Returns the distance at `time`, as measured in the observer's frame; no number of a point that turns before eyes that ride.
+    /// Returns the distance at `time`, as measured in the observer's frame; no number of a point that turns
+    /// before eyes that ride.
     fn measured_distance(&self, time: f64) -> f64 {
         let speed = &self.velocity.speed;
         if self.ride.is_on() {
@@ -180,7 +182,8 @@ impl SeenPoint {
         Bends::new(&self.velocity.speed, source, pair, range)
     }
 
-    /// Returns the bends of a ride: around the passage of the point while the rider coasts, else at the ends of legs.
+    /// Returns the bends of a ride: around the passage of the point while the rider coasts, else at the ends
+    /// of legs.
     fn bends_of_ride(&self, range: [f64; 2]) -> Bends {
         let place = self.point.axle().to_array();
         let past = self.velocity.past(&self.observer(0.0), place).filter(|_| self.ride.coasts_along_street());
@@ -190,8 +193,8 @@ impl SeenPoint {
         Bends::new(&speed, there, self.baseline.apertures_or_limit(), range)
     }
 
-    /// Whether a curve is there at every T. Where eyes are along the motion, lines of sight meet, unless the two events of the point
-    /// differ in height.
+    /// Whether a curve is there at every T. Where eyes are along the motion, lines of sight meet, unless the
+    /// two events of the point differ in height.
     fn is_whole(&self, Curve { quantity, whose }: Curve) -> bool {
         let meets = self.baseline.is_along_motion() && self.point.spin.is_none();
         match (quantity.row().of, whose) {
@@ -251,8 +254,8 @@ impl QuantityCurves {
         &self.key
     }
 
-    /// The pieces of the curve of `whose` value in this `model`: that of the key, the exact one, and of a disparity also the published
-    /// one. None of what is not wanted.
+    /// The pieces of the curve of `whose` value in this `model`: that of the key, the exact one, and of a
+    /// disparity also the published one. None of what is not wanted.
     #[must_use]
     pub fn pieces(&self, whose: Whose, model: Model) -> &[Vec<PlotPoint>] {
         let found = self.drawn.iter().find(|(of, who, _)| (*of, *who) == (model, whose));

@@ -1,4 +1,5 @@
-//! Sampling of curves over T: even steps, ladders towards the times around which they bend, and every turn of a wheel.
+//! Sampling of curves over T: even steps, ladders towards the times around which they bend, and every turn of
+//! a wheel.
 
 use super::Bends;
 use crate::plot::{CurveSampling, even_times};
@@ -26,7 +27,8 @@ impl Bends {
         CurveSampling { times, oscillates: !self.turns.is_empty(), dense_from: self.blurred_until }
     }
 
-    /// A ladder towards each bend but turns, from both sides, in a range so wide. Very many are short, and reach to each other only.
+    /// A ladder towards each bend but turns, from both sides, in a range so wide. Very many are short, and
+    /// reach to each other only.
     fn ladders(&self, width: f64) -> impl Iterator<Item = f64> {
         let count = self.passage.len().max(1) as f64;
         let rungs = RUNGS.min((MOST_RUNGS / count) as i32);

@@ -94,7 +94,8 @@ fn every_drawn_value_is_finite() {
     }
 }
 
-/// Delta-u of what moves is that of what rests, for eyes gamma d apart, at every T and speed; a drawn curve is within a pixel.
+/// Delta-u of what moves is that of what rests, for eyes gamma d apart, at every T and speed; a drawn curve
+/// is within a pixel.
 #[test]
 fn disparities_of_u_are_those_of_a_resting_point_for_wider_eyes() {
     for (beta, is_turned) in [(0.0, false), (0.5, false), (-0.9, false), (0.9999, true)] {
@@ -143,7 +144,8 @@ fn there_is_no_resting_curve_where_motion_is_no_slide() {
     }
 }
 
-/// A point of the front wheel of the street's bicycle, from between the eyes, and the T that the window shows at first.
+/// A point of the front wheel of the street's bicycle, from between the eyes, and the T that the window shows
+/// at first.
 fn on_wheel(beta: f64, rho: f64, angle: f64) -> (SeenPoint, [f64; 2]) {
     let spin = Spin { hub: [-0.525, 3.0, 2.0], radius: 0.525, turning: Turning::Rolling };
     let (sine, cosine) = math::sin_cos(angle);
@@ -155,7 +157,8 @@ fn on_wheel(beta: f64, rho: f64, angle: f64) -> (SeenPoint, [f64; 2]) {
     (SeenPoint { point: MaterialPoint { rest, spin: Some(spin) }, ..seen }, range)
 }
 
-/// Returns the distance of `exact` from where a drawn `curve` goes a third of a pixel before and after `time`, in a plot 600 pixels wide.
+/// Returns the distance of `exact` from where a drawn `curve` goes a third of a pixel before and after
+/// `time`, in a plot 600 pixels wide.
 fn off_the_line(curve: &[PlotPoint], time: f64, exact: f64, width: f64) -> f64 {
     let [from, to] = [-1.0, 1.0].map(|sign| time + sign * width / 1800.0);
     let between = [from, to].map(|end| curve.partition_point(|point| point.x < end));
@@ -165,8 +168,8 @@ fn off_the_line(curve: &[PlotPoint], time: f64, exact: f64, width: f64) -> f64 {
     (low - exact).max(exact - high).max(0.0)
 }
 
-/// Not only at the samples, but everywhere in between, over all T that the window shows at first: every curve of it, by each
-/// model, peaks thinner than a pixel among them.
+/// Not only at the samples, but everywhere in between, over all T that the window shows at first: every curve
+/// of it, by each model, peaks thinner than a pixel among them.
 #[test]
 fn curves_of_a_rolling_wheel_are_drawn_as_exactly() {
     for beta in [0.01, 0.5, 0.9, 0.99] {
@@ -197,8 +200,9 @@ fn curves_of_a_rolling_wheel_are_drawn_as_exactly() {
     }
 }
 
-/// D of a point at each angle of the rim, as the left eye at (-0.15, 0, 0) sees it at `time`: in the frame in which the hub rests light
-/// comes from the point to o, and the Doppler factors of its own motion and of that of the frame are multiplied.
+/// D of a point at each angle of the rim, as the left eye at (-0.15, 0, 0) sees it at `time`: in the frame in
+/// which the hub rests light comes from the point to o, and the Doppler factors of its own motion and of that
+/// of the frame are multiplied.
 fn on_the_rim(beta: f64, time: f64) -> [f64; 2] {
     let gamma = 1.0 / (1.0 - beta * beta).sqrt();
     let o = DVec3::new(gamma * (-0.15 - beta * time), 0.0, 0.0);
@@ -213,8 +217,8 @@ fn on_the_rim(beta: f64, time: f64) -> [f64; 2] {
     all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| [low.min(d), high.max(d)])
 }
 
-/// Turns thinner than a pixel: the line fills what the point moves in, and no more. Within a pixel or two it goes as high
-/// and as low as each eye's D does there.
+/// Turns thinner than a pixel: the line fills what the point moves in, and no more. Within a pixel or two it
+/// goes as high and as low as each eye's D does there.
 #[test]
 fn turns_too_fast_to_be_told_apart_are_filled() {
     let (point, range) = on_wheel(0.9999, 1.0, 0.0);

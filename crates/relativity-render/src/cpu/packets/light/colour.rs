@@ -98,8 +98,9 @@ impl Hatched<'_> {
     }
 }
 
-/// Linear sRGB of a body with this [`Light::packed`](crate::light::screen_light::Light::packed) where it is received with this Doppler
-/// factor, before its brightness; `facing` the street's daylight, where that lights it, and `hatched` in these pixels.
+/// Linear sRGB of a body with this [`Light::packed`](crate::light::screen_light::Light::packed) where it is
+/// received with this Doppler factor, before its brightness; `facing` the street's daylight, where that
+/// lights it, and `hatched` in these pixels.
 #[inline(always)]
 pub fn received_colour<S: Simd>(
     effects: Effects,

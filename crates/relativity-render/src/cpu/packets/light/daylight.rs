@@ -1,4 +1,5 @@
-//! The street's daylight as surfaces receive it: `shaders/daylight.wgsl` on the CPU. [`crate::light::daylight`] derives it.
+//! The street's daylight as surfaces receive it: `shaders/daylight.wgsl` on the CPU.
+//! [`crate::light::daylight`] derives it.
 
 use std::f64::consts::LN_2;
 
@@ -104,7 +105,8 @@ impl<S: Simd> SharedNumbers<S> {
     }
 }
 
-/// The angle with this cosine, within 7e-5: M. Abramowitz, I. A. Stegun, *Handbook of Mathematical Functions*, 4.4.45.
+/// The angle with this cosine, within 7e-5: M. Abramowitz, I. A. Stegun, *Handbook of Mathematical
+/// Functions*, 4.4.45.
 #[inline(always)]
 fn arc_cosine<S: Simd>(simd: S, cosine: F<S>) -> F<S> {
     let x = cosine.abs();

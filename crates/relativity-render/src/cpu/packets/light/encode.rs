@@ -14,8 +14,8 @@ const CELLS: usize = 0x800;
 /// 2^-15: below lies the level 0 alone, and here the last digits of a cell's number are 0.
 const LEAST_TOLD: f32 = 1.0 / 32_768.0;
 
-/// First level of each cell, in front of [`DIGITS`] digits that are as far from full as the next level is from the
-/// start of the cell: the sum with the rest of a float's digits begins with its level.
+/// First level of each cell, in front of [`DIGITS`] digits that are as far from full as the next level is
+/// from the start of the cell: the sum with the rest of a float's digits begins with its level.
 static LEVELS: LazyLock<[u32; CELLS]> = LazyLock::new(|| {
     let least = LEAST.map(|least| {
         let nearest = least as f32;

@@ -26,8 +26,8 @@ pub fn surface<S: Simd>(simd: S, group: &PacketGroup, body: &PacketBody<S>, ray:
     let n = own.direction;
     let half = body.halves();
     let steep = n.abs();
-    // Along the ray the box is a hexagon, inside three pairs of lines along the images of its axes. The image of an axis
-    // along the ray is a point, and its lines cut off less than f32 resolves.
+    // Along the ray the box is a hexagon, inside three pairs of lines along the images of its axes. The image
+    // of an axis along the ray is a point, and its lines cut off less than f32 resolves.
     let squares = n.yzx().times(n.yzx()) + n.zxy().times(n.zxy());
     let sines = squares.sqrt();
     let divisors = sines.at_least(LEAST_SINE);

@@ -41,7 +41,8 @@ pub fn surface<S: Simd>(simd: S, group: &PacketGroup, body: &PacketBody<S>, ray:
     let place = V3::new(reached.x * shrunk, reached.y * shrunk, clamp(reached.z, -extent, extent));
     let beyond = body.place.dot(ray.direction) + place.dot(n);
 
-    // The rim of the end in sight, as an ellipse about that end's middle. Where it is no outline, the side adjoins.
+    // The rim of the end in sight, as an ellipse about that end's middle. Where it is no outline, the side
+    // adjoins.
     let from_end = y + rise * extent * sine;
     let rim = ellipse(x, from_end, radius, cosine);
     let across = body.rest_from_body(off_axis * rim.outward.x + along_axis * rim.outward.y);

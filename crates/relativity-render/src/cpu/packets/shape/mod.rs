@@ -63,7 +63,8 @@ pub fn around<S: Simd>(kind: Kind, body: &PacketBody<S>) -> PacketCapsule<S> {
     }
 }
 
-/// Returns the normal by which the pattern at `place` is looked up, in the body's own axes: of flat faces that of the face.
+/// Returns the normal by which the pattern at `place` is looked up, in the body's own axes: of flat faces
+/// that of the face.
 #[inline(always)]
 pub fn own_normal<S: Simd>(kind: Kind, body: &PacketBody<S>, place: V3<S>, normal: V3<S>) -> V3<S> {
     match kind {

@@ -64,7 +64,8 @@ fn entry<S: Simd>(
             break;
         }
         let at = torus_at(course, body, s);
-        // F changes by 2 r across the surface, and rho is known to some 1e-7 R: on the surface as f32 sees it.
+        // F changes by 2 r across the surface, and rho is known to some 1e-7 R: on the surface as f32 sees
+        // it.
         let found = active & at.value.simd_le(1e-6 * body.form_w * body.radius);
         active &= !found;
         let nearer = found | active & at.value.simd_lt(search.value);
@@ -95,8 +96,9 @@ pub fn around<S: Simd>(body: &PacketBody<S>) -> PacketCapsule<S> {
 
 /// Returns the least distance at which rays pass its surface.
 ///
-/// Where a ray crosses the ring's plane it is |rho - R| from the middle circle. On from there, rho changes by no more than
-/// the cosine of its slope and z by the sine, per step: so it comes no nearer than the sine times that.
+/// Where a ray crosses the ring's plane it is |rho - R| from the middle circle. On from there, rho changes by
+/// no more than the cosine of its slope and z by the sine, per step: so it comes no nearer than the sine
+/// times that.
 #[inline(always)]
 pub fn least_miss<S: Simd>(body: &PacketBody<S>, ray: &RestRays<S>) -> F<S> {
     let nearest = nearest_to(body.place, ray);

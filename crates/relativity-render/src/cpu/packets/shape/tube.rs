@@ -47,7 +47,8 @@ pub fn surface<S: Simd>(body: &PacketBody<S>, ray: &RestRays<S>) -> Surface<S> {
     let mut beyond = anchor.dot(n) + s;
     let mut place = nearest + n * s;
     let along = nearest_along + s * cosine;
-    // Beside an end the side is as near as the end is, but for rounding: what shares the end must not come before it there.
+    // Beside an end the side is as near as the end is, but for rounding: what shares the end must not come
+    // before it there.
     let is_near_cap = along.abs().simd_ge(extent - body.radius * BESIDE);
     if is_near_cap.any_true() {
         // From the end itself: tubes that share a rounded end get the same depth there to the bit.

@@ -20,7 +20,8 @@ const LEAST_FALL: f32 = -1e-6;
 /// Margin around a rectangle, px.
 const MARGIN: f32 = 2.0;
 
-/// Returns the part of the backdrop that a rectangle of the picture can show: its left and upper edge, and its width and height, px.
+/// Returns the part of the backdrop that a rectangle of the picture can show: its left and upper edge, and
+/// its width and height, px.
 #[inline(always)]
 pub fn part<S: Simd>(
     simd: S,
@@ -111,7 +112,8 @@ impl<S: Simd> StreetLines<S> {
         [self.step_on_ground(frame, right), self.step_on_ground(frame, down)]
     }
 
-    /// The step on the ground for one of the camera's lines of sight, lines on the ground being (Gamma (`n_x` + V |n|), `n_y`, `n_z`).
+    /// The step on the ground for one of the camera's lines of sight, lines on the ground being (Gamma
+    /// (`n_x` + V |n|), `n_y`, `n_z`).
     #[inline(always)]
     fn step_on_ground(&self, frame: &FrameUniform, step: V3<S>) -> V3<S> {
         let [beta, _, _, gamma] = frame.street_speed;
@@ -183,9 +185,9 @@ fn hazy<S: Simd>(part: BackdropPart, sky: V3<S>, colour: V3<S>, distance: F<S>) 
     V3::mix(sky, colour, 1.0 / (1.0 + distance * distance * part.haze() as f32))
 }
 
-/// Width and height of a pixel on a plane: its two axes' parts of the line of sight, per part across the plane, are
-/// `slope`, and `reach` is how far the place that it meets moves where the line's end moves along the plane. A multiple of the line in
-/// its steps does not count.
+/// Width and height of a pixel on a plane: its two axes' parts of the line of sight, per part across the
+/// plane, are `slope`, and `reach` is how far the place that it meets moves where the line's end moves along
+/// the plane. A multiple of the line in its steps does not count.
 #[inline(always)]
 fn pixel_on<S: Simd>(
     frame: &FrameUniform,
@@ -202,8 +204,8 @@ fn pixel_on<S: Simd>(
     V2::new(width * reach.abs(), height * reach.abs())
 }
 
-/// Size of a pixel along an axis of the plane, before it is scaled by the reach. A function, since a closure would be a call
-/// between registers of different widths.
+/// Size of a pixel along an axis of the plane, before it is scaled by the reach. A function, since a closure
+/// would be a call between registers of different widths.
 #[inline(always)]
 fn size_along<S: Simd>(axis: usize, across: usize, right: [F<S>; 3], down: [F<S>; 3], slope: F<S>) -> F<S> {
     V2::new(right[axis] - slope * right[across], down[axis] - slope * down[across]).length()

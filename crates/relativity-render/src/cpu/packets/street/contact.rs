@@ -1,10 +1,12 @@
-//! Contact shadows on a road, the same way as `shaders/backdrop.wgsl`. [`crate::street::contact`] describes them.
+//! Contact shadows on a road, the same way as `shaders/backdrop.wgsl`. [`crate::street::contact`] describes
+//! them.
 
 use crate::frame::uniform::FrameUniform;
 use crate::simd::lanes::{F, Simd, SimdFloat as _, SimdMask as _, V2, all, select};
 use crate::street::contact::{DARKEST, FARTHEST};
 
-/// Share of a road's light that they leave at `foot` from the camera, of pixels of this width and depth there, `distance` away.
+/// Share of a road's light that they leave at `foot` from the camera, of pixels of this width and depth
+/// there, `distance` away.
 #[inline(always)]
 pub fn left_by_contacts<S: Simd>(simd: S, frame: &FrameUniform, foot: V2<S>, pixel: V2<S>) -> F<S> {
     let [x, y, z, count] = frame.contact_eye;

@@ -51,7 +51,8 @@ impl<S: Simd> CoveredRange<S> {
 }
 
 impl<S: Simd> Pixel<S> {
-    /// Returns what a pixel shows of a house of this height and shade: shade, share below the roof, share within the cornice.
+    /// Returns what a pixel shows of a house of this height and shade: shade, share below the roof, share
+    /// within the cornice.
     #[inline(always)]
     fn of_house(&self, height: F<S>, shade: F<S>) -> V3<S> {
         let low = all(self.place.y.simd, 0.0);

@@ -5,11 +5,11 @@ use glam::DVec3;
 use super::{Random, cases};
 use crate::Projection;
 
-/// Relative error in f32 of each quantity; of the moment relative to the distance of the group's middle. For pixels that are
-/// further from the frame's pole than the focal length is long, as many times as much.
+/// Relative error in f32 of each quantity; of the moment relative to the distance of the group's middle. For
+/// pixels that are further from the frame's pole than the focal length is long, as many times as much.
 const PART: f64 = 1e-6;
-/// In conformal pictures of a tilted head `n_x` is a sum of parts of order 1, which f32 rounds by so much; the contracted geometry
-/// stretches it by gamma.
+/// In conformal pictures of a tilted head `n_x` is a sum of parts of order 1, which f32 rounds by so much;
+/// the contracted geometry stretches it by gamma.
 const ROUNDING: f64 = 6e-8;
 
 #[test]

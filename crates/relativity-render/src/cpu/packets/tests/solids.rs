@@ -63,8 +63,8 @@ fn the_same_rays_hit_at_the_same_places() {
     assert!(hits > 10_000 && 20 * (blended + grazes) < hits);
 }
 
-/// A ray that is moved out of the body by its clearance, and a tenth more, leaves it; by a tenth less it does not. So near
-/// outlines that these are nearly straight.
+/// A ray that is moved out of the body by its clearance, and a tenth more, leaves it; by a tenth less it does
+/// not. So near outlines that these are nearly straight.
 #[test]
 fn clearance_is_how_far_rays_are_inside() {
     let mut random = Random(4);
@@ -83,7 +83,8 @@ fn clearance_is_how_far_rays_are_inside() {
                 let moved = |by: f64| case.entry(&found, found.outward * by);
                 let nearly = moved(found.clearance - margin);
                 assert!(nearly.is_some(), "{context}: {found:?}");
-                // Out of this, a ray may meet what is behind: a graze is no longer than 0.1 radii before and after.
+                // Out of this, a ray may meet what is behind: a graze is no longer than 0.1 radii before and
+                // after.
                 let beyond = moved(found.clearance + margin);
                 let is_out =
                     beyond.is_none_or(|beyond| beyond.distance > entry.distance + 0.2 * found.half_width);

@@ -48,7 +48,8 @@ fn what_turns_is_met_where_it_is_shown() {
                 let clearance = found.clearance.abs();
                 if entry.is_some() != (found.clearance > 0.0) {
                     if clearance > 2.0 * allowed {
-                        // Tangents may pass a corner that the ray meets, and of stout bodies the rounds may not settle.
+                        // Tangents may pass a corner that the ray meets, and of stout bodies the rounds may
+                        // not settle.
                         assert!(prepared.kind != Kind::Tube, "{context}: {entry:?} but {found:?}");
                         wrong += 1;
                         continue;

@@ -109,7 +109,8 @@ impl<S: Simd, const N: usize> Packet<S, N> {
 }
 
 impl<S: Simd, const N: usize> TileContents<S, N> {
-    /// Returns the samples of a model, if the body at the place `owner` in the list is one, in the packet at this place.
+    /// Returns the samples of a model, if the body at the place `owner` in the list is one, in the packet at
+    /// this place.
     pub fn model(&self, place: usize, owner: usize) -> Option<&[Meetings<S>; N]> {
         let part = self.models.iter().find(|part| (part.place, part.owner) == (place, owner))?;
         Some(&part.samples)
@@ -156,8 +157,8 @@ impl<S: Simd> NearestHits<S> {
         Self { beyond: all(simd, f32::INFINITY), owner: all(simd, NONE) }
     }
 
-    /// Takes a surface this far `beyond` of the body of this `number`, which will be `at` that place in the list, where
-    /// it `is_inside` and nearest, and says whether it is anywhere.
+    /// Takes a surface this far `beyond` of the body of this `number`, which will be `at` that place in the
+    /// list, where it `is_inside` and nearest, and says whether it is anywhere.
     #[inline(always)]
     pub(super) fn take(
         &mut self,
@@ -180,7 +181,8 @@ impl<S: Simd> NearestHits<S> {
         self.owner = select(holds, none.owner, self.owner);
     }
 
-    /// Returns where a surface this far `beyond`, of the body of this `number`, is seen before the present one: of equally near ones the first.
+    /// Returns where a surface this far `beyond`, of the body of this `number`, is seen before the present
+    /// one: of equally near ones the first.
     #[inline(always)]
     fn is_behind(&self, beyond: F<S>, number: usize, owners: &[Owner]) -> Mask<S> {
         let is_farther = self.beyond.simd_gt(beyond);

@@ -20,7 +20,8 @@ pub struct Met<'a, S: Simd> {
 }
 
 impl<'a, S: Simd> Met<'a, S> {
-    /// Returns the meeting with `owner`, in a packet with `N` samples to a pixel: in a picture there is more than one.
+    /// Returns the meeting with `owner`, in a packet with `N` samples to a pixel: in a picture there is more
+    /// than one.
     #[inline(always)]
     pub fn new<const N: usize>(simd: S, look: &'a Look<'a>, owner: Owner, packet: &'a Packet<S, N>) -> Self {
         let (seen, ray) = (look.seen(owner.number), &packet.ray);

@@ -179,8 +179,8 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         number
     }
 
-    /// Tests a body in the packet of this number, in which a `pixel` has this width per distance; returns whether it is seen
-    /// there.
+    /// Tests a body in the packet of this number, in which a `pixel` has this width per distance; returns
+    /// whether it is seen there.
     #[inline(always)]
     fn test_in(
         &mut self,
@@ -226,7 +226,8 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
 }
 
 impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
-    /// Tests the model that is `seen` in the packet of this number, sample by sample; returns whether it is seen there.
+    /// Tests the model that is `seen` in the packet of this number, sample by sample; returns whether it is
+    /// seen there.
     #[inline(always)]
     fn test_model_in(
         &mut self,

@@ -11,8 +11,8 @@ use crate::simd::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3, all, cla
 #[derive(Debug, Clone, Copy)]
 pub struct Middles<S: Simd> {
     ray: RestRays<S>,
-    /// Per distance, with a pixel around the middles of its pixels: no sample is further off them than 0.4 px, and nothing is
-    /// widened by more than half a pixel. Without an end where its image is not small.
+    /// Per distance, with a pixel around the middles of its pixels: no sample is further off them than 0.4
+    /// px, and nothing is widened by more than half a pixel. Without an end where its image is not small.
     spread: F<S>,
     /// The spread of half a pixel and 0.4 px.
     pixel: F<S>,
@@ -50,14 +50,15 @@ impl<S: Simd> Middles<S> {
         Self { ray, spread, pixel }
     }
 
-    /// Returns the distance, per distance from the eye, of a pixel's samples (and of what is widened into it) from its middle: for the packet at this
-    /// place, the same for eight pixels.
+    /// Returns the distance, per distance from the eye, of a pixel's samples (and of what is widened into it)
+    /// from its middle: for the packet at this place, the same for eight pixels.
     #[inline(always)]
     pub fn pixel_of(&self, place: usize) -> F<S> {
         all(self.pixel.simd, self.pixel[place])
     }
 
-    /// Returns those packets that `body` may be seen in, unless all of it is farther there than the `farthest` of what covers them.
+    /// Returns those packets that `body` may be seen in, unless all of it is farther there than the
+    /// `farthest` of what covers them.
     #[inline(always)]
     pub fn may_show(&self, kind: Kind, body: &PacketBody<S>, farthest: [f32; PACKETS]) -> Mask<S> {
         let farthest = F::simd_from(self.spread.simd, farthest);
@@ -65,7 +66,8 @@ impl<S: Simd> Middles<S> {
     }
 }
 
-/// Returns where `body` may be seen within this `spread` of a ray per distance, unless all of it is farther than this.
+/// Returns where `body` may be seen within this `spread` of a ray per distance, unless all of it is farther
+/// than this.
 #[inline(always)]
 pub fn may_show<S: Simd>(
     kind: Kind,

@@ -20,7 +20,8 @@ pub struct RayTest<S: Simd> {
 }
 
 impl<S: Simd> RayTest<S> {
-    /// Returns the fragment of the `body` whose `surface` was found; in a picture it is drawn at least a pixel wide.
+    /// Returns the fragment of the `body` whose `surface` was found; in a picture it is drawn at least a
+    /// pixel wide.
     #[inline(always)]
     pub fn new(
         simd: S,

@@ -66,8 +66,8 @@ impl<S: Simd> TileContents<S, 4> {
         }
     }
 
-    /// Linear sRGB of the bodies in the packet at this place, times the share of each pixel that they cover, and that
-    /// share.
+    /// Linear sRGB of the bodies in the packet at this place, times the share of each pixel that they cover,
+    /// and that share.
     #[inline(always)]
     fn bodies(
         &self,
@@ -122,8 +122,8 @@ impl<S: Simd> TileContents<S, 4> {
         (linear * 0.25, cover * 0.25)
     }
 
-    /// Linear sRGB of the body at the place `owner` in the list, in each sample of a packet: of a model as it is there, of others as in the
-    /// middle of the pixel.
+    /// Linear sRGB of the body at the place `owner` in the list, in each sample of a packet: of a model as it
+    /// is there, of others as in the middle of the pixel.
     #[expect(clippy::too_many_arguments, reason = "a body, where it is seen, and how pictures look")]
     #[inline(always)]
     fn colours(
@@ -148,8 +148,8 @@ impl<S: Simd> TileContents<S, 4> {
         [Self::colour(simd, look, appearance, tables, body, packet, hatched).0; 4]
     }
 
-    /// Linear sRGB of a body where the rays through the middles of a packet's pixels meet it, and the share of a pixel
-    /// that it covers as it is too thin.
+    /// Linear sRGB of a body where the rays through the middles of a packet's pixels meet it, and the share
+    /// of a pixel that it covers as it is too thin.
     #[inline(always)]
     fn colour(
         simd: S,

@@ -8,7 +8,8 @@ use crate::simd::lanes::{F, Mask, Simd, SimdFloat, SimdMask, V3, all, clamp, sel
 
 /// The limit of steps to an entry. Of 58 million rays (`tests/spokes.rs`) none took more than half.
 const MOST_STEPS: u32 = 64;
-/// A ray is at a tube within the first part of the tube's radius plus the second part of its reach from the axle, which rounding takes.
+/// A ray is at a tube within the first part of the tube's radius plus the second part of its reach from the
+/// axle, which rounding takes.
 const AT_TUBE: f32 = 1e-4;
 const ROUNDING: f32 = 1e-7;
 /// Steps to where a ray passes that does not enter.
@@ -120,7 +121,8 @@ impl<'a, S: Simd> SweptRays<'a, S> {
         }
     }
 
-    /// Returns where the `active` rays first reach the tube, or else come closest to it, and which of them reach it.
+    /// Returns where the `active` rays first reach the tube, or else come closest to it, and which of them
+    /// reach it.
     #[inline(always)]
     pub fn first_at_tube(&self, active: Mask<S>) -> (F<S>, Mask<S>) {
         let simd = self.from.simd;
@@ -213,7 +215,8 @@ impl<S: Simd> CoursePlace<S> {
         select(self.growth().simd_gt(0.0), least.max(0.0), all(least.simd, 0.0))
     }
 
-    /// Returns the way from here to where the ray is closest to the axis, by Newton's method; 0 where that would be the farthest place.
+    /// Returns the way from here to where the ray is closest to the axis, by Newton's method; 0 where that
+    /// would be the farthest place.
     #[inline(always)]
     fn to_closest(&self) -> F<S> {
         let growth = self.growth();

@@ -1,4 +1,5 @@
-//! The turning of a body about an axle along y, and its angle at the moment that a ray shows: `shaders/turning.wgsl`.
+//! The turning of a body about an axle along y, and its angle at the moment that a ray shows:
+//! `shaders/turning.wgsl`.
 
 use crate::cpu::packets::body::PacketGroup;
 use crate::scene::wheel::packed::TurningStart;
@@ -12,7 +13,8 @@ pub struct PacketSpin<S: Simd> {
     pub hub: V3<S>,
     /// The angular velocity about +y.
     pub omega: F<S>,
-    /// 1 less the speed of the rim, and the rim's speed less that of a ring's outermost circle, along the group's motion.
+    /// 1 less the speed of the rim, and the rim's speed less that of a ring's outermost circle, along the
+    /// group's motion.
     pub below_light: F<S>,
     pub lag: F<S>,
 }

@@ -1,4 +1,5 @@
-//! Rays against bodies that turn about an axle along y: `shaders/turning.wgsl`, where the method is explained.
+//! Rays against bodies that turn about an axle along y: `shaders/turning.wgsl`, where the method is
+//! explained.
 
 use super::course::SweptRays;
 use super::spin::{PacketSpin, about_y, later, sine_cosine, velocity_at};
@@ -11,8 +12,9 @@ use crate::scene::wheel::packed::Turns;
 use crate::simd::lanes::{F, Quaternion, Simd, SimdFloat, SimdMask, V2, V3, all, clamp, select};
 use crate::view::Geometry;
 
-/// The angle, radians, below which a turning body that is no tube is met in rounds from the middle of the ray's passage. Beyond it the
-/// ray is first followed to the tube around the body. Tubes are always met in steps (`course.rs`).
+/// The angle, radians, below which a turning body that is no tube is met in rounds from the middle of the
+/// ray's passage. Beyond it the ray is first followed to the tube around the body. Tubes are always met in
+/// steps (`course.rs`).
 const SHORT: f32 = 0.4;
 /// Greatest number of rounds, and the error, as a part of the body's radius, at which a round is the last.
 const MOST_ROUNDS: u32 = 6;
@@ -85,8 +87,8 @@ impl<'a, S: Simd> TurningBody<'a, S> {
         self.surface_near(simd, ray, start, reach)
     }
 
-    /// Returns the surface of the turning body where rays meet it, found round after round from `start` along the ray, counted
-    /// from its point nearest to the hub, and no farther from there than `reach`.
+    /// Returns the surface of the turning body where rays meet it, found round after round from `start` along
+    /// the ray, counted from its point nearest to the hub, and no farther from there than `reach`.
     #[inline(always)]
     fn surface_near(&self, simd: S, ray: &RestRays<S>, start: F<S>, reach: F<S>) -> Surface<S> {
         let Self { kind, group, body, spin, .. } = self;
@@ -138,8 +140,8 @@ impl<'a, S: Simd> TurningBody<'a, S> {
         (middle(self.kind, &self.body) - self.spin.hub) + place
     }
 
-    /// From the hub if it turns about it, as its middle does; else from the body's middle: `place`, which is from its middle as
-    /// it is given.
+    /// From the hub if it turns about it, as its middle does; else from the body's middle: `place`, which is
+    /// from its middle as it is given.
     #[inline(always)]
     pub fn place_of_hit(&self, place: V3<S>) -> V3<S> {
         if self.turns == Turns::About { self.place_from_hub(place) } else { place }
@@ -167,8 +169,9 @@ impl<'a, S: Simd> TurningBody<'a, S> {
         Standing { body: PacketBody { turn, ..*body }, place: there }
     }
 
-    /// The Doppler factor of what is at `place`, from the body's middle, with this `normal`: that of the light received along
-    /// the line of sight of `ray`, in the camera's frame, if it stood still, or with its own motion.
+    /// The Doppler factor of what is at `place`, from the body's middle, with this `normal`: that of the
+    /// light received along the line of sight of `ray`, in the camera's frame, if it stood still, or with its
+    /// own motion.
     #[inline(always)]
     pub fn doppler(&self, place: V3<S>, normal: V3<S>, ray: &RestRays<S>) -> F<S> {
         let (PacketGroup { frame, geometry }, spin) = (self.group, &self.spin);
@@ -198,8 +201,8 @@ impl<'a, S: Simd> TurningBody<'a, S> {
         self.dilation(lag) * per_gamma / (receding + upwards).max(1e-30)
     }
 
-    /// The factor of the Doppler factor that the own motion of what turns has in its group: sqrt(1 - v^2)/(1 + v.n'), of light
-    /// that is received along `sight` in a picture of oblique motion.
+    /// The factor of the Doppler factor that the own motion of what turns has in its group: sqrt(1 -
+    /// v^2)/(1 + v.n'), of light that is received along `sight` in a picture of oblique motion.
     #[inline(always)]
     fn own_doppler(&self, place: V3<S>, normal: V3<S>, sight: V3<S>) -> F<S> {
         let (PacketGroup { frame, geometry }, spin) = (self.group, &self.spin);

@@ -1,5 +1,5 @@
-//! Charts of round shapes, and how dark a pattern is there: the same way as `shaders/pattern_tube.wgsl`, `pattern_ring.wgsl` and
-//! `pattern_cylinder.wgsl` have it. All in the body's own axes.
+//! Charts of round shapes, and how dark a pattern is there: the same way as `shaders/pattern_tube.wgsl`,
+//! `pattern_ring.wgsl` and `pattern_cylinder.wgsl` have it. All in the body's own axes.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
@@ -115,7 +115,8 @@ pub fn on_ring<S: Simd>(body: &PacketBody<S>, place: V3<S>) -> SurfacePlaces<S> 
     }
 }
 
-/// Returns the normal of the cylinder's side or of one of its ends: never a mean of both, where a pixel shows both.
+/// Returns the normal of the cylinder's side or of one of its ends: never a mean of both, where a pixel shows
+/// both.
 #[inline(always)]
 pub fn normal_of_cylinder<S: Simd>(body: &PacketBody<S>, place: V3<S>) -> V3<S> {
     let half = body.halves();
@@ -151,8 +152,8 @@ pub fn on_cylinder<S: Simd>(
     }
 }
 
-/// The arc from the outermost place of a circle of this `radius` to that in the direction of (`off`, `z`), and its
-/// gradient.
+/// The arc from the outermost place of a circle of this `radius` to that in the direction of (`off`, `z`),
+/// and its gradient.
 #[inline(always)]
 fn arc_to<S: Simd>(off: F<S>, outward: V2<S>, z: F<S>, radius: F<S>) -> (F<S>, V3<S>) {
     let length = V2::new(off, z).length().max(1e-30);

@@ -11,7 +11,8 @@ pub struct PixelShifts<S: Simd> {
 }
 
 impl<S: Simd> PixelShifts<S> {
-    /// On surfaces with this `normal`, met at this distance by rays which move by `right` and `down` per distance.
+    /// On surfaces with this `normal`, met at this distance by rays which move by `right` and `down` per
+    /// distance.
     #[inline(always)]
     pub fn new(direction: V3<S>, normal: V3<S>, right: V3<S>, down: V3<S>, distance: F<S>) -> Self {
         let cosine = direction.dot(normal).min(-GRAZING as f32);

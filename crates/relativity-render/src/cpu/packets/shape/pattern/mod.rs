@@ -14,8 +14,8 @@ use crate::simd::lanes::{F, Simd, V3, all, clamp};
 use crate::view::Geometry;
 use coverage::PixelShifts;
 
-/// The mark of `pattern` (its ruling, and its steps along and around) on `body` at `place` (from its middle), at this
-/// ground distance along the rays: what share of its light is left.
+/// The mark of `pattern` (its ruling, and its steps along and around) on `body` at `place` (from its middle),
+/// at this ground distance along the rays: what share of its light is left.
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "those of the shader, and what is global there")]
 pub fn mark<S: Simd>(
@@ -58,16 +58,17 @@ fn covered_by_pixel<S: Simd>(
     PixelShifts::new(direction, normal, body.body_from_rest(right), body.body_from_rest(down), distance)
 }
 
-/// Returns the shifts in the rest frame of the place seen, to the next pixel on the right and to the one below, per ground distance,
-/// without their parts along the ray.
+/// Returns the shifts in the rest frame of the place seen, to the next pixel on the right and to the one
+/// below, per ground distance, without their parts along the ray.
 #[inline(always)]
 pub fn shifts<S: Simd>(group: &PacketGroup, ray: &RestRays<S>) -> [V3<S>; 2] {
     let [right, down] = ray.steps;
     [shift(group, ray, right), shift(group, ray, down)]
 }
 
-/// Returns the shift in the rest frame of the place seen, from pixel to pixel along `across`, per ground distance, without its part
-/// along the ray. As `GroupView::shift` has it, but for one light cone of both eyes.
+/// Returns the shift in the rest frame of the place seen, from pixel to pixel along `across`, per ground
+/// distance, without its part along the ray. As `GroupView::shift` has it, but for one light cone of both
+/// eyes.
 #[inline(always)]
 fn shift<S: Simd>(group: &PacketGroup, ray: &RestRays<S>, across: V3<S>) -> V3<S> {
     let turn = (across - ray.sight * ray.sight.dot(across)) * ray.scale;
