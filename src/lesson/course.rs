@@ -65,6 +65,12 @@ impl Course {
         Ok(renewed)
     }
 
+    /// Returns how far the course is, to be stored.
+    #[must_use]
+    pub fn progress(&self) -> LessonProgress {
+        LessonProgress::new(&self.lesson, &self.records, self.place, (self.draft.as_ref(), self.confidence))
+    }
+
     /// Restores the `kept` way: the answers to questions that the lesson still has, and the place, if it
     /// still exists.
     pub fn take_up(&mut self, kept: &LessonProgress) {

@@ -36,6 +36,25 @@ const PLAIN: House =
 pub const CORE: House = House {
     name: "relativity-core",
     folder: "crates/relativity-core/src",
+    tables: &[Table {
+        inside: "",
+        floors: &[
+            &["lib.rs"],
+            &["combined.rs"],
+            &["bootstrap.rs", "ride.rs"],
+            &["conformal.rs", "fit", "observer"],
+            &["model.rs"],
+            &["reception.rs", "wheel"],
+            &["batch.rs", "passage.rs", "stereo.rs"],
+            &["batch_error.rs", "one_cone.rs", "published.rs"],
+            &["disparity.rs", "real.rs"],
+            &["cone_pair.rs"],
+            &["apparent.rs", "worldline.rs"],
+            &["aberration.rs", "source.rs"],
+            &["baseline.rs", "doppler.rs", "speed.rs"],
+            &["aperture.rs", "domain.rs", "math.rs", "threads.rs"],
+        ],
+    }],
     only_in: &[("threads.rs", &["rayon"])],
     never: &["std::fs", "std::time", "std::thread", "glam", "wgpu", "egui", "eframe", "log"],
     ..PLAIN

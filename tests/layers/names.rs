@@ -1,4 +1,5 @@
-//! Doc comments name what exists: a word in them that a renaming left behind is found.
+//! Comments: doc comments name what exists, so that a word that a renaming left behind is found; and comments
+//! break at the width of code.
 
 use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
@@ -83,4 +84,28 @@ fn a_name_that_is_left_behind_is_found() {
         pub(crate) const fn moved(body: Body, offset: f64, is_default: bool) -> Body {\n";
     assert_eq!(unknown_names(source, &HashSet::new()), ["is_usual"]);
     assert!(unknown_names(source, &HashSet::from(["is_usual"])).is_empty());
+}
+
+/// The width of code in `rustfmt.toml`, which does not wrap comments itself.
+const WIDTH: usize = 110;
+
+#[test]
+fn comments_break_at_the_width_of_code() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut sources = BTreeMap::new();
+    for name in CRATES {
+        for folder in ["src", "tests", "benches", "examples"] {
+            let path = root.join(name).join(folder);
+            if path.is_dir() {
+                read_folder(&path, &format!("{name}/{folder}/"), &mut sources);
+            }
+        }
+    }
+    assert!(sources.len() > 900, "{} files", sources.len());
+    for (file, source) in &sources {
+        for (index, line) in source.lines().enumerate() {
+            let is_comment = line.trim_start().starts_with("//");
+            assert!(!is_comment || line.chars().count() <= WIDTH, "{file}:{}: {line}", index + 1);
+        }
+    }
 }

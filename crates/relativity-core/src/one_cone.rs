@@ -37,9 +37,10 @@ use crate::speed::Speed;
 /// let speed = Speed::from_beta(0.9)?;
 /// let point = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };
 /// let [left, right] = Aperture::pair(1e-3);
-/// // Far ahead two eyes see gamma D times the parallax of a point at rest where it is seen; with one cone, once.
-/// let [exact, one] =
-///     [disparity(&speed, point, left, right, -40.0)?, one_cone_disparity(&speed, point, [left, right], -40.0)?];
+/// // Far ahead two eyes see gamma D times the parallax of a point that rests where it is seen;
+/// // with one cone, once.
+/// let exact = disparity(&speed, point, left, right, -40.0)?;
+/// let one = one_cone_disparity(&speed, point, [left, right], -40.0)?;
 /// let middle = sighting(&speed, point, Aperture::default(), -40.0)?;
 /// let gain = speed.gamma() * middle.doppler_factor;
 /// assert!((exact.dphi / one.dphi - gain).abs() < 1e-6 * gain);

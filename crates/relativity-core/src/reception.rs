@@ -18,8 +18,8 @@ use crate::worldline::Event;
 /// ```
 /// use relativity_core::{Event, Reception, Speed};
 ///
-/// // A clock that passed an eye at its time 0 is seen long after: it shows T over the Doppler factor, though the eye's place and
-/// // time are by then 2e6 times as large in its frame.
+/// // A clock that passed an eye at its time 0 is seen long after: it shows T over the Doppler factor,
+/// // though the eye's place and time are by then 2e6 times as large in its frame.
 /// let speed = Speed::from_gamma(1e3)?;
 /// let eye = Reception::new(Event { x: 0.0, t: 1e9 }, &speed);
 /// let shown = 1e9 / speed.head_on_doppler_factor();

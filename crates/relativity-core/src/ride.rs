@@ -84,7 +84,8 @@ pub struct Odometers {
 ///
 /// // Out and back in eight units of my proper time: 14.5 have gone by at home.
 /// let leg = |acceleration| Leg { duration: 2.0, acceleration: [acceleration, 0.0, 0.0] };
-/// let there_and_back = Ride { start: RideMoment::AT_REST, legs: vec![leg(1.0), leg(-1.0), leg(-1.0), leg(1.0)] };
+/// let legs = vec![leg(1.0), leg(-1.0), leg(-1.0), leg(1.0)];
+/// let there_and_back = Ride { start: RideMoment::AT_REST, legs };
 /// let home = there_and_back.at(8.0);
 /// assert!((home.time - 14.507_441_63).abs() < 1e-8 && home.place[0].abs() < 1e-14);
 /// assert_eq!(home.observer()?.velocity.speed().gamma(), 1.0);

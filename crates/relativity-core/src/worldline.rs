@@ -53,7 +53,8 @@ pub struct Boost {
 /// ```
 /// use relativity_core::{Event, Speed, Worldline};
 ///
-/// // A clock that passes x = -3 at t = -5 at 0.6 c is at x = 0 at t = 0, and shows 0 there; at t = -5 it showed -5/gamma.
+/// // A clock that passes x = -3 at t = -5 at 0.6 c is at x = 0 at t = 0, and shows 0 there; at t = -5 it
+/// // showed -5/gamma.
 /// let clock = Worldline::new(Speed::from_beta(0.6)?, 0.0);
 /// assert_eq!(clock.at(-5.0), Event { x: -3.0, t: -5.0 });
 /// assert!((clock.proper_time(-5.0) + 4.0).abs() < 1e-15);

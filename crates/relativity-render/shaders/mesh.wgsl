@@ -266,7 +266,8 @@ fn conformal_place(position: vec3f, copy: vec2f) -> Place {
 // Whether another copy of the body draws this fragment: those across the cut draw the triangles with corners
 // behind the baseline both below and above.
 fn is_of_other_copy(fragment: Fragment) -> bool {
-    let is_across = fragment.ends.x > 0.0 && fragment.ends.y > 0.0;
+    // At a triangle's edge what is interpolated may be slightly below 0.
+    let is_across = fragment.ends.x != 0.0 && fragment.ends.y != 0.0;
     return CONFORMAL && is_across != (fragment.ends.z > 0.5);
 }
 

@@ -95,8 +95,8 @@ pub enum Method {
 
 impl Method {
     /// Greatest distance at which the mesh draws a point from where it is seen, pixels, in pictures with up
-    /// to
-    /// [`Self::MESH_PX_PER_RADIAN`]: its triangles are as fine in every picture, and in a finer one it is off by as much more.
+    /// to [`Self::MESH_PX_PER_RADIAN`]. Its triangles are the same in every picture, so the distance grows in
+    /// proportion in finer ones.
     pub const MESH_ERROR_PX: f64 = 0.5;
 
     /// Pixels per radian up to which the mesh keeps [`Self::MESH_ERROR_PX`].

@@ -40,7 +40,7 @@ impl Answers {
     pub fn note(&mut self, before: &Course, after: &Course) {
         let [old, lesson] = [before, after].map(Course::lesson);
         if !lesson.is_a_preset() && progress::key(old) == progress::key(lesson) && before != after {
-            self.set(LessonProgress::new(after));
+            self.set(after.progress());
         }
     }
 }

@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use crate::lesson::answer::{Answer, Confidence, Outcome, Record};
-use crate::lesson::course::Course;
 use crate::lesson::place::Place;
 use crate::lesson::plan::{AnswerKind, Choices, Lesson, Options, Prediction, Step};
 
@@ -26,20 +25,24 @@ struct KeptStep {
 }
 
 impl LessonProgress {
-    /// Returns how far `course` is.
-    #[must_use]
-    pub(super) fn new(course: &Course) -> Self {
-        let steps = course.lesson().steps.iter().zip(course.records());
+    /// The way through `lesson` to `place`, with the `records` of its steps and the answer that is being
+    /// entered.
+    pub(in crate::lesson) fn new(
+        lesson: &Lesson,
+        records: &[Record],
+        place: Place,
+        (draft, confidence): (Option<&Answer>, Option<Confidence>),
+    ) -> Self {
         let kept = |(step, record): (&Step, &Record)| KeptStep {
             asked: asked(step),
             record: Record { outcome: record.outcome.clone().filter(can_be_read_again), ..*record },
         };
         Self {
-            lesson: key(course.lesson()),
-            place: course.place(),
-            draft: course.draft.clone().filter(can_be_read_again),
-            confidence: course.confidence,
-            steps: steps.map(kept).collect(),
+            lesson: key(lesson),
+            place,
+            draft: draft.cloned().filter(can_be_read_again),
+            confidence,
+            steps: lesson.steps.iter().zip(records).map(kept).collect(),
         }
     }
 

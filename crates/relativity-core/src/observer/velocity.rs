@@ -104,7 +104,7 @@ impl ObserverVelocity {
     ///
     /// use relativity_core::{ObserverVelocity, Speed};
     ///
-    /// // To somebody who flies away aslant at 0.6 c, the ground's origin after 4 has gone 3 the other way in 5.
+    /// // Who flies away aslant at 0.6 c finds that the ground's origin, after 4, has gone 3 backwards in 5.
     /// let aslant = ObserverVelocity::new(Speed::from_beta(0.6)?, FRAC_PI_4, 0.0);
     /// let origin = aslant.event_at([0.0; 3], 4.0);
     /// assert!((origin.x + 3.0 * FRAC_PI_4.cos()).abs() < 1e-15 && (origin.t - 5.0).abs() < 1e-15);

@@ -1,8 +1,8 @@
 //! When a point of a wheel is seen, or is somewhere: by how much later than its hub, by the clocks of the
 //! rest frame.
 //!
-//! |P - o| - |C - o| = (2 v.q + q.q)/(|P - o| + |C - o|) with v = C - o and q = P - C: with times from when the hub is
-//! seen and distances from its own, nothing cancels however far the camera is.
+//! |P - o| - |C - o| = (2 v.q + q.q)/(|P - o| + |C - o|) with v = C - o and q = P - C: with
+//! times from when the hub is seen and distances from its own, nothing cancels however far the camera is.
 
 use crate::math::{self, Elementary};
 

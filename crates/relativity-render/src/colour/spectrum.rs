@@ -70,7 +70,8 @@ impl Band {
 /// ```
 /// use relativity_render::colour::spectrum::name;
 ///
-/// assert_eq!([189.0, 410.0, 567.0, 606.0, 900.0].map(name), ["ultraviolet", "violet", "yellow", "orange", "infrared"]);
+/// let names = [189.0, 410.0, 567.0, 606.0, 900.0].map(name);
+/// assert_eq!(names, ["ultraviolet", "violet", "yellow", "orange", "infrared"]);
 /// ```
 #[must_use]
 pub fn name(wavelength_nm: f64) -> &'static str {

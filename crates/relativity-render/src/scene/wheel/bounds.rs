@@ -40,7 +40,7 @@ struct Station {
     off_axle: f64,
     /// Angular speed, |omega|.
     omega: f64,
-    /// |p|, and how near the camera comes to what [`Self::reach`] covers: without end where p does not change.
+    /// |p|, and how near the camera comes to what [`Self::reach`] covers: infinite where p does not change.
     slowness: f64,
     nearest: f64,
     /// Rate 1 + v.p.
