@@ -6,4 +6,4 @@ pub(crate) mod one_cone;
 pub(crate) mod pattern;
 pub mod prepared_body;
 pub(crate) mod prepared_scene;
-pub mod wheel;
+pub(crate) mod wheel;
