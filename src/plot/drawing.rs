@@ -37,6 +37,7 @@ pub fn svg(panels: &[Panel]) -> String {
 }
 
 /// Rows of panels below each other.
+#[cfg(feature = "desktop")]
 #[must_use]
 pub fn svg_of_rows(rows: &[Vec<Panel>]) -> String {
     let width = |row: &Vec<Panel>| row.iter().map(|panel| panel.width).sum();

@@ -13,6 +13,10 @@ pub use self::axis::{
     Axis, MOST_TICKS, Tick, at_least, extent, round_step, ticks_along, widened, with_margin, zoom_step,
 };
 pub use self::curve::{CurveSample, CurveSampling, RefinementLimits, even_times, refined};
-pub use self::drawing::{svg, svg_of_rows};
-pub use self::panel::{BLACK, BLUE, Dash, Line, LineStroke, Panel, VERMILION};
+pub use self::drawing::svg;
+#[cfg(feature = "desktop")]
+pub use self::drawing::svg_of_rows;
+#[cfg(feature = "desktop")]
+pub use self::panel::VERMILION;
+pub use self::panel::{BLACK, BLUE, Dash, Line, LineStroke, Panel};
 pub use self::places::{Area, LabelPlaces};

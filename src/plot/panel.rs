@@ -14,6 +14,7 @@ pub const BLACK: &str = "#000000";
 /// Blue: the left eye.
 pub const BLUE: &str = "#0072B2";
 /// Vermilion: the right eye.
+#[cfg(feature = "desktop")]
 pub const VERMILION: &str = "#D55E00";
 
 /// Height of a panel unless it has another, pixels.
