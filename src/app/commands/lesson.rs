@@ -231,17 +231,17 @@ impl State {
 
     /// Whether a click into a view answers the lesson; then it does.
     pub(in crate::app) fn predicts_by(&mut self, pick: &Pick) -> bool {
-        let commands = matches!(
+        let is_asked = matches!(
             self.course().and_then(Course::asked),
             Some(Prediction { kind: AnswerKind::Point(_), .. })
         );
-        if commands {
+        if is_asked {
             let direction = self.view(pick.eye, pick.size).camera.line_of_sight(pick.pixel);
             let answer = Answer::Direction(Gaze::along(direction.into()));
             if let Some(running) = &mut self.session.lesson {
                 running.course.draft = Some(answer);
             }
         }
-        commands
+        is_asked
     }
 }

@@ -1,9 +1,8 @@
 //! The plots against T: another part of them, cursors and pins.
 
-use crate::app::tools::clock;
-
 use crate::app::state::State;
 use crate::app::state::plots::look::{Pin, PlotCommand};
+use crate::app::tools::clock;
 
 impl State {
     /// Performs a command of the plots.

@@ -28,6 +28,7 @@ pub enum Switch {
 }
 
 impl State {
+    /// Gives a setting its next value.
     pub(in crate::app) fn perform_switch(&mut self, switch: Switch) {
         let settings = &mut self.document.settings;
         match switch {
