@@ -31,7 +31,7 @@ pub enum GazeCommand {
 
 impl State {
     /// Performs a change of the gaze or of the field of view.
-    pub(in crate::app) fn perform_gaze(&mut self, command: GazeCommand) {
+    pub(super) fn perform_gaze(&mut self, command: GazeCommand) {
         match command {
             GazeCommand::Turn(turn) => self.turn(turn),
             GazeCommand::Zoom(zoom) => self.zoom(zoom),

@@ -65,7 +65,7 @@ impl State {
     }
 
     /// Performs a command of the lesson.
-    pub(in crate::app) fn perform_lesson(&mut self, command: LessonCommand) {
+    pub(super) fn perform_lesson(&mut self, command: LessonCommand) {
         if let LessonCommand::Open(name) = command {
             let opened = self.library().open(&name).and_then(|lesson| self.begin_lesson(&lesson));
             if let Err(error) = opened {

@@ -29,7 +29,7 @@ pub enum Switch {
 
 impl State {
     /// Gives a setting its next value.
-    pub(in crate::app) fn perform_switch(&mut self, switch: Switch) {
+    pub(super) fn perform_switch(&mut self, switch: Switch) {
         let settings = &mut self.document.settings;
         match switch {
             Switch::Projection => settings.look.projection = settings.look.projection.toggled(),

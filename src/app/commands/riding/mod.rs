@@ -20,7 +20,7 @@ const START: f64 = -20.0;
 
 impl State {
     /// Performs a command of the rider.
-    pub(in crate::app) fn perform_ride(&mut self, command: RideCommand) {
+    pub(super) fn perform_ride(&mut self, command: RideCommand) {
         match command {
             RideCommand::Toggle if self.document.settings.ride.is_on() => self.get_off(),
             RideCommand::Toggle => self.get_on(),
